@@ -1,0 +1,21 @@
+# Writes OUTPUT: a sorted table of the paths below SHADERS and their texts.
+file(GLOB_RECURSE files RELATIVE ${SHADERS} ${SHADERS}/*.wgsl)
+list(SORT files)
+set(rows "")
+foreach(file ${files})
+  file(READ ${SHADERS}/${file} text)
+  string(APPEND rows "    {\"${file}\", R\"wgsl~(${text})wgsl~\"},\n")
+endforeach()
+file(WRITE ${OUTPUT} "// Generated from shaders/ by cmake/embed_shaders.cmake.
+#include \"gpu/shader_source.hpp\"
+
+namespace weft::gpu {
+
+std::span<const EmbeddedShader> embedded_shaders() {
+  static constexpr EmbeddedShader kShaders[] = {
+${rows}  };
+  return kShaders;
+}
+
+}  // namespace weft::gpu
+")

@@ -1,0 +1,16 @@
+# One set of flags for everything that weft compiles.
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
+# The reference must give the same bits on every machine: no fused multiply-add unless written.
+add_compile_options(-ffp-contract=off)
+
+option(WEFT_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+if(WEFT_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g")  # asserts stay on: this is what the sanitizers run

