@@ -1,0 +1,73 @@
+// What a back end must provide: native/ on webgpu.h, web/ on the browser. Only gpu/ calls these.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "base/result.hpp"
+#include "gpu/command_list.hpp"
+#include "gpu/types.hpp"
+
+namespace weft::gpu {
+
+struct DeviceOptions {
+  std::string adapter;      ///< part of the adapter's name, any case; empty: the fastest kind there is
+  bool timestamps = false;  ///< ask for timestamp queries
+  bool unchecked = false;   ///< native only: kernels without the run-time checks of bounds and loops
+};
+
+namespace backend {
+
+struct Context;  // instance, device, queue, and the first error that nobody asked for
+struct ContextDeleter {
+  void operator()(Context* context) const;
+};
+using ContextPointer = std::unique_ptr<Context, ContextDeleter>;
+
+struct Opened {
+  ContextPointer context;
+  AdapterInfo adapter;
+  Limits limits;
+  bool timestamps = false;
+};
+
+Result<std::vector<AdapterInfo>> list_adapters();
+Result<Opened> open(const DeviceOptions& options);
+
+void release(ObjectKind kind, Id id);
+
+Result<Id> create_buffer(Context&, std::uint64_t bytes, std::uint32_t usage, const std::string& label);
+void write_buffer(Context&, Id buffer, std::uint64_t offset, std::span<const std::byte> bytes);
+
+Result<Id> create_shader_module(Context&, const std::string& text, const std::string& label);
+Result<Id> create_bind_group_layout(Context&, std::span<const BindingLayout>, bool for_render, const std::string& label);
+Result<Id> create_pipeline_layout(Context&, Id bind_group_layout, const std::string& label);
+Result<Id> create_bind_group(Context&, Id layout, std::span<const BindingLayout>, std::span<const BindingSource>,
+                             const std::string& label);
+Result<Id> create_compute_pipeline(Context&, Id layout, Id module, const std::string& entry, std::span<const Constant>,
+                                   const std::string& label);
+Result<Id> create_render_pipeline(Context&, Id layout, Id module, const RenderPipelineInfo&, const std::string& label);
+
+Result<Id> create_texture(Context&, const TextureInfo&, const std::string& label);
+Result<Id> create_texture_view(Context&, Id texture, const std::string& label);
+Result<Id> create_sampler(Context&, const SamplerInfo&, const std::string& label);
+Result<Id> create_timestamp_queries(Context&, std::uint32_t count, const std::string& label);
+double timestamp_period(Context&);  ///< ns a tick
+
+/// Encodes the list and submits it; a list that does not validate is an error and is not submitted.
+Result<void> submit(Context&, const CommandList&);
+/// Runs callbacks that are due; with `wait`, first blocks until the queue is empty (never in a browser).
+void poll(Context&, bool wait);
+/// The error that nobody asked for, if there was one since the device was made.
+Result<void> status(Context&);
+/// Gives the device up, as a driver reset would: for tests of loss.
+void lose(Context&);
+
+enum class MapState : std::uint32_t { Idle, Pending, Ready, Failed };
+void map_read(Context&, Id buffer, std::uint64_t bytes, MapState* state);
+std::span<const std::byte> mapped_range(Id buffer, std::uint64_t bytes);
+void unmap(Id buffer);
+
+}  // namespace backend
+}  // namespace weft::gpu

@@ -1,0 +1,95 @@
+#include "gpu/command_list.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace weft::gpu {
+
+void CommandList::copy(const BindingSource& source, const BindingSource& target) {
+  assert(source.size == target.size);
+  commands_.push_back(
+      {CommandKind::CopyBuffer, {source.id, target.id}, {}, {source.offset, target.offset, source.size}});
+}
+
+void CommandList::clear(const BindingSource& buffer) {
+  commands_.push_back({CommandKind::ClearBuffer, {buffer.id}, {}, {buffer.offset, buffer.size}});
+}
+
+void CommandList::copy_texture(Id texture, Id buffer, std::uint32_t width, std::uint32_t height,
+                               std::uint32_t row_bytes) {
+  commands_.push_back({CommandKind::CopyTexture, {texture, buffer}, {width, height, row_bytes}, {}});
+}
+
+void CommandList::resolve_queries(Id query_set, std::uint32_t count, Id buffer) {
+  commands_.push_back({CommandKind::ResolveQueries, {query_set, buffer}, {count}, {}});
+}
+
+void CommandList::append(const CommandList& other) {
+  const auto first_label = static_cast<std::uint32_t>(labels_.size());
+  const auto first_target = static_cast<std::uint32_t>(targets_.size());
+  labels_.insert(labels_.end(), other.labels_.begin(), other.labels_.end());
+  targets_.insert(targets_.end(), other.targets_.begin(), other.targets_.end());
+  for (Command command : other.commands_) {
+    if (command.kind == CommandKind::BeginCompute) command.args[0] += first_label;
+    if (command.kind == CommandKind::BeginRender) {
+      command.args[0] += first_target;
+      command.args[1] += first_label;
+    }
+    commands_.push_back(command);
+  }
+}
+
+void CommandList::reset() {
+  commands_.clear();
+  targets_.clear();
+  labels_.clear();
+}
+
+std::size_t CommandList::dispatch_count() const {
+  return static_cast<std::size_t>(std::count_if(commands_.begin(), commands_.end(), [](const Command& command) {
+    return command.kind == CommandKind::Dispatch;
+  }));
+}
+
+std::uint32_t CommandList::add_label(const std::string& label) {
+  labels_.push_back(label);
+  return static_cast<std::uint32_t>(labels_.size() - 1);
+}
+
+ComputePass::ComputePass(CommandList& list, const std::string& label, PassTimestamps timestamps) : list_(list) {
+  list_.commands_.push_back({CommandKind::BeginCompute,
+                             {timestamps.query_set},
+                             {list_.add_label(label), timestamps.begin, timestamps.end},
+                             {}});
+}
+
+ComputePass::~ComputePass() { list_.commands_.push_back({CommandKind::EndCompute, {}, {}, {}}); }
+
+void ComputePass::dispatch(Id pipeline, Id bind_group, std::array<std::uint32_t, 3> groups, bool reads_step) {
+  if (groups[0] == 0 || groups[1] == 0 || groups[2] == 0) return;
+  list_.commands_.push_back({CommandKind::Dispatch,
+                             {pipeline, bind_group},
+                             {groups[0], groups[1], groups[2], step_ * kStepStride, reads_step ? 1U : 0U},
+                             {}});
+}
+
+RenderPass::RenderPass(CommandList& list, const RenderTarget& target, const std::string& label) : list_(list) {
+  list_.targets_.push_back(target);
+  const auto index = static_cast<std::uint32_t>(list_.targets_.size() - 1);
+  list_.commands_.push_back({CommandKind::BeginRender, {}, {index, list_.add_label(label)}, {}});
+}
+
+RenderPass::~RenderPass() { list_.commands_.push_back({CommandKind::EndRender, {}, {}, {}}); }
+
+void RenderPass::draw(Id pipeline, Id bind_group, std::uint32_t vertices, std::uint32_t instances) {
+  if (vertices == 0) return;
+  list_.commands_.push_back({CommandKind::Draw, {pipeline, bind_group, 0}, {vertices, instances, 0}, {}});
+}
+
+void RenderPass::draw_indexed(Id pipeline, Id bind_group, Id index_buffer, std::uint32_t indices,
+                              std::uint32_t first) {
+  if (indices == 0) return;
+  list_.commands_.push_back({CommandKind::Draw, {pipeline, bind_group, index_buffer}, {indices, 1, first}, {}});
+}
+
+}  // namespace weft::gpu

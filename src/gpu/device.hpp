@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/result.hpp"
+#include "gpu/backend.hpp"
+#include "gpu/types.hpp"
+
+namespace weft::gpu {
+
+/// One WebGPU device and its queue. Never moves: buffers, kernels and readbacks keep a reference to it.
+class Device {
+ public:
+  /// Errors  NoAdapter: there is none, or none of that name. Failure: the adapter gives no device.
+  static Result<std::unique_ptr<Device>> create(const DeviceOptions& options = {});
+  static Result<std::vector<AdapterInfo>> adapters() { return backend::list_adapters(); }
+
+  const AdapterInfo& adapter() const { return adapter_; }
+  const Limits& limits() const { return limits_; }
+  bool has_timestamps() const { return timestamps_; }
+
+  /// Lowers a limit, so that a test can reach it. Never raises one.
+  void lower_limits(const Limits& limits);
+
+  /// Submits the list once.
+  /// Errors  DeviceLost, OutOfMemory, Shader (a command does not validate; nothing was submitted).
+  Result<void> submit(const CommandList& list);
+  /// Blocks until all that was submitted is done (native only), then says whether the device is well.
+  Result<void> wait();
+  /// Runs the callbacks that are due, without blocking.
+  void poll() { backend::poll(*context_, false); }
+  /// Whether anything has gone wrong that no call returned.
+  Result<void> status() { return backend::status(*context_); }
+  /// Gives the device up as a driver reset would, so that a test can see what follows.
+  void lose() { backend::lose(*context_); }
+
+  void write(const BindingSource& target, std::span<const std::byte> bytes);
+  std::uint64_t allocated_bytes() const { return allocated_bytes_; }
+
+  backend::Context& context() { return *context_; }
+  void count_allocation(std::int64_t bytes) { allocated_bytes_ += static_cast<std::uint64_t>(bytes); }
+
+ private:
+  explicit Device(backend::Opened opened);
+
+  backend::ContextPointer context_;
+  AdapterInfo adapter_;
+  Limits limits_;
+  bool timestamps_ = false;
+  std::uint64_t allocated_bytes_ = 0;
+};
+
+}  // namespace weft::gpu

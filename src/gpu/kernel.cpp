@@ -1,0 +1,70 @@
+#include "gpu/kernel.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace weft::gpu {
+
+Result<BindGroup> BindGroup::create(Device& device, Id layout, std::span<const BindingLayout> bindings,
+                                    std::initializer_list<Binding> sources, const std::string& label) {
+  if (sources.size() != bindings.size())
+    return shape_error("Shader %s binds %zu things, not %zu.", label.c_str(), bindings.size(), sources.size());
+  std::vector<BindingSource> list;
+  for (const Binding& binding : sources) list.push_back(binding.source);
+  WEFT_TRY(id, backend::create_bind_group(device.context(), layout, bindings, list, label));
+  BindGroup group;
+  group.object_ = Object(ObjectKind::BindGroup, id);
+  return group;
+}
+
+Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vector<Constant> constants,
+                              std::uint32_t workgroup_size) {
+  if (workgroup_size > device.limits().max_invocations_per_workgroup)
+    return make_error(ErrorKind::Limit, "Kernel %s has workgroups of %u, more than this adapter's limit of %u.",
+                      path.c_str(), workgroup_size, device.limits().max_invocations_per_workgroup);
+  WEFT_TRY(source, ShaderSource::load(path));
+  Kernel kernel;
+  kernel.device_ = &device;
+  kernel.label_ = path;
+  kernel.workgroup_size_ = workgroup_size;
+  kernel.bindings_ = std::move(source.bindings);
+  kernel.reads_step_ = std::any_of(kernel.bindings_.begin(), kernel.bindings_.end(), [](const BindingLayout& binding) {
+    return binding.kind == BindingKind::StepUniform;
+  });
+  if (source.text.find("override kWorkgroupSize") != std::string::npos)
+    constants.push_back({"kWorkgroupSize", static_cast<double>(workgroup_size)});
+
+  backend::Context& context = device.context();
+  WEFT_TRY(module_id, backend::create_shader_module(context, source.text, path));
+  const Object module(ObjectKind::ShaderModule, module_id);
+  WEFT_TRY(group_layout, backend::create_bind_group_layout(context, kernel.bindings_, false, path));
+  kernel.group_layout_ = Object(ObjectKind::BindGroupLayout, group_layout);
+  WEFT_TRY(layout, backend::create_pipeline_layout(context, group_layout, path));
+  kernel.layout_ = Object(ObjectKind::PipelineLayout, layout);
+  const std::size_t slash = path.rfind('/') + 1;  // 0 where there is none
+  const std::string entry = path.substr(slash, path.rfind('.') - slash);
+  WEFT_TRY(pipeline, backend::create_compute_pipeline(context, layout, module_id, entry, constants, path));
+  kernel.pipeline_ = Object(ObjectKind::ComputePipeline, pipeline);
+  return kernel;
+}
+
+Result<BindGroup> Kernel::bind(std::initializer_list<Binding> sources) const {
+  return BindGroup::create(*device_, group_layout_.id(), bindings_, sources, label_);
+}
+
+void Kernel::dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const {
+  const std::uint64_t groups = (count + workgroup_size_ - 1) / workgroup_size_;
+  if (groups <= device_->limits().max_workgroups_per_dimension) {
+    dispatch_groups(pass, group, static_cast<std::uint32_t>(groups));
+    return;
+  }
+  const std::uint64_t rows = (groups + kGroupsPerRow - 1) / kGroupsPerRow;
+  assert(rows <= device_->limits().max_workgroups_per_dimension);
+  dispatch_groups(pass, group, kGroupsPerRow, static_cast<std::uint32_t>(rows));
+}
+
+void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x, std::uint32_t y) const {
+  pass.dispatch(pipeline_.id(), group.id(), {x, y, 1}, reads_step_);
+}
+
+}  // namespace weft::gpu

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "gpu/buffer.hpp"
+#include "gpu/command_list.hpp"
+#include "gpu/device.hpp"
+#include "gpu/shader_source.hpp"
+
+namespace weft::gpu {
+
+/// One thing to bind: a buffer, part of one, a texture's view, a sampler.
+struct Binding {
+  BindingSource source;
+  Binding(const RawBuffer& buffer) : source(buffer.source()) {}
+  Binding(const BindingSource& source_) : source(source_) {}
+};
+
+/// The buffers of one dispatch, in the order of the shader's binding table.
+class BindGroup {
+ public:
+  BindGroup() = default;
+  Id id() const { return object_.id(); }
+
+  static Result<BindGroup> create(Device& device, Id layout, std::span<const BindingLayout> bindings,
+                                  std::initializer_list<Binding> sources, const std::string& label);
+
+ private:
+  Object object_;
+};
+
+inline constexpr std::uint32_t kDefaultWorkgroupSize = 256;
+
+/// A compute kernel: one WGSL file whose entry point bears the file's name.
+class Kernel {
+ public:
+  Kernel() = default;
+
+  /// Compiles shaders/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its fixed
+  /// workgroup size.
+  /// Errors  Shader: it does not compile, or its bindings exceed the adapter's limits.
+  static Result<Kernel> create(Device& device, const std::string& path, std::vector<Constant> constants = {},
+                               std::uint32_t workgroup_size = kDefaultWorkgroupSize);
+
+  /// Errors  Shape: another number of buffers than the shader binds.
+  Result<BindGroup> bind(std::initializer_list<Binding> sources) const;
+
+  /// One invocation for each of `count` elements. The kernel finds its element by flat_index (shared/index.wgsl),
+  /// since past 65,535 workgroups the dispatch gets a second dimension.
+  void dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const;
+  void dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x, std::uint32_t y = 1) const;
+
+  std::uint32_t workgroup_size() const { return workgroup_size_; }
+
+ private:
+  Device* device_ = nullptr;
+  std::string label_;
+  std::vector<BindingLayout> bindings_;
+  Object group_layout_, layout_, pipeline_;
+  std::uint32_t workgroup_size_ = kDefaultWorkgroupSize;
+  bool reads_step_ = false;
+};
+
+/// Workgroups along x once a dispatch has a second dimension; the same number stands in shared/index.wgsl.
+inline constexpr std::uint32_t kGroupsPerRow = 32768;
+
+}  // namespace weft::gpu

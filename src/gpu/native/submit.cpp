@@ -1,0 +1,135 @@
+// Encodes a command list and submits it, if and only if it validates: wgpu-native ends the process on a bad submit.
+#include <utility>
+
+#include "gpu/native/context.hpp"
+
+namespace weft::gpu::backend {
+namespace {
+
+/// What is being encoded, and what is already set, so that repeats are left out.
+class Encoder {
+ public:
+  Encoder(Context& context, const CommandList& list) : list_(list) {
+    encoder_ = wgpuDeviceCreateCommandEncoder(context.device, nullptr);
+  }
+  ~Encoder() {
+    if (encoder_ != nullptr) wgpuCommandEncoderRelease(encoder_);
+  }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+
+  void encode(const Command& command) {
+    switch (command.kind) {
+      case CommandKind::BeginCompute: return begin_compute(command);
+      case CommandKind::Dispatch: return dispatch(command);
+      case CommandKind::EndCompute:
+        wgpuComputePassEncoderEnd(compute_);
+        return wgpuComputePassEncoderRelease(std::exchange(compute_, nullptr));
+      case CommandKind::CopyBuffer:
+        return wgpuCommandEncoderCopyBufferToBuffer(encoder_, handle<WGPUBuffer>(command.ids[0]), command.sizes[0],
+                                                    handle<WGPUBuffer>(command.ids[1]), command.sizes[1],
+                                                    command.sizes[2]);
+      case CommandKind::ClearBuffer:
+        return wgpuCommandEncoderClearBuffer(encoder_, handle<WGPUBuffer>(command.ids[0]), command.sizes[0],
+                                             command.sizes[1]);
+      case CommandKind::ResolveQueries:
+        return wgpuCommandEncoderResolveQuerySet(encoder_, handle<WGPUQuerySet>(command.ids[0]), 0, command.args[0],
+                                                 handle<WGPUBuffer>(command.ids[1]), 0);
+      case CommandKind::BeginRender: return begin_render(command);
+      case CommandKind::Draw: return draw(command);
+      case CommandKind::EndRender:
+        wgpuRenderPassEncoderEnd(render_);
+        return wgpuRenderPassEncoderRelease(std::exchange(render_, nullptr));
+      case CommandKind::CopyTexture: return copy_texture(command);
+    }
+  }
+  WGPUCommandBuffer finish() { return wgpuCommandEncoderFinish(encoder_, nullptr); }
+
+ private:
+  void begin_compute(const Command& command) {
+    WGPUPassTimestampWrites writes = WGPU_PASS_TIMESTAMP_WRITES_INIT;
+    writes.querySet = handle<WGPUQuerySet>(command.ids[0]);
+    writes.beginningOfPassWriteIndex = command.args[1];
+    writes.endOfPassWriteIndex = command.args[2];
+    WGPUComputePassDescriptor descriptor = WGPU_COMPUTE_PASS_DESCRIPTOR_INIT;
+    descriptor.label = view(list_.label(command.args[0]));
+    descriptor.timestampWrites = command.ids[0] != 0 ? &writes : nullptr;
+    compute_ = wgpuCommandEncoderBeginComputePass(encoder_, &descriptor);
+    pipeline_ = 0;
+    group_ = 0;
+  }
+
+  void dispatch(const Command& command) {
+    if (std::exchange(pipeline_, command.ids[0]) != command.ids[0])
+      wgpuComputePassEncoderSetPipeline(compute_, handle<WGPUComputePipeline>(command.ids[0]));
+    const bool reads_step = command.args[4] != 0;
+    if (std::exchange(group_, command.ids[1]) != command.ids[1] || reads_step)
+      wgpuComputePassEncoderSetBindGroup(compute_, 0, handle<WGPUBindGroup>(command.ids[1]), reads_step ? 1 : 0,
+                                         &command.args[3]);
+    wgpuComputePassEncoderDispatchWorkgroups(compute_, command.args[0], command.args[1], command.args[2]);
+  }
+
+  void begin_render(const Command& command) {
+    const RenderTarget& target = list_.targets()[command.args[0]];
+    WGPURenderPassColorAttachment color = WGPU_RENDER_PASS_COLOR_ATTACHMENT_INIT;
+    color.view = handle<WGPUTextureView>(target.color);
+    color.resolveTarget = handle<WGPUTextureView>(target.resolve);
+    color.loadOp = WGPULoadOp_Clear;
+    color.storeOp = target.resolve != 0 ? WGPUStoreOp_Discard : WGPUStoreOp_Store;
+    color.clearValue = {target.clear_color[0], target.clear_color[1], target.clear_color[2], target.clear_color[3]};
+    WGPURenderPassDepthStencilAttachment depth = WGPU_RENDER_PASS_DEPTH_STENCIL_ATTACHMENT_INIT;
+    depth.view = handle<WGPUTextureView>(target.depth);
+    depth.depthLoadOp = WGPULoadOp_Clear;
+    depth.depthStoreOp = target.store_depth ? WGPUStoreOp_Store : WGPUStoreOp_Discard;
+    depth.depthClearValue = 1.0F;
+    WGPURenderPassDescriptor descriptor = WGPU_RENDER_PASS_DESCRIPTOR_INIT;
+    descriptor.label = view(list_.label(command.args[1]));
+    descriptor.colorAttachments = &color;
+    descriptor.colorAttachmentCount = target.color != 0 ? 1 : 0;
+    descriptor.depthStencilAttachment = target.depth != 0 ? &depth : nullptr;
+    render_ = wgpuCommandEncoderBeginRenderPass(encoder_, &descriptor);
+  }
+
+  void draw(const Command& command) {
+    wgpuRenderPassEncoderSetPipeline(render_, handle<WGPURenderPipeline>(command.ids[0]));
+    wgpuRenderPassEncoderSetBindGroup(render_, 0, handle<WGPUBindGroup>(command.ids[1]), 0, nullptr);
+    if (command.ids[2] == 0)
+      return wgpuRenderPassEncoderDraw(render_, command.args[0], command.args[1], command.args[2], 0);
+    wgpuRenderPassEncoderSetIndexBuffer(render_, handle<WGPUBuffer>(command.ids[2]), WGPUIndexFormat_Uint32, 0,
+                                        WGPU_WHOLE_SIZE);
+    wgpuRenderPassEncoderDrawIndexed(render_, command.args[0], command.args[1], command.args[2], 0, 0);
+  }
+
+  void copy_texture(const Command& command) {
+    WGPUTexelCopyTextureInfo source = WGPU_TEXEL_COPY_TEXTURE_INFO_INIT;
+    source.texture = handle<WGPUTexture>(command.ids[0]);
+    WGPUTexelCopyBufferInfo target = WGPU_TEXEL_COPY_BUFFER_INFO_INIT;
+    target.buffer = handle<WGPUBuffer>(command.ids[1]);
+    target.layout.bytesPerRow = command.args[2];
+    target.layout.rowsPerImage = command.args[1];
+    const WGPUExtent3D size = {command.args[0], command.args[1], 1};
+    wgpuCommandEncoderCopyTextureToBuffer(encoder_, &source, &target, &size);
+  }
+
+  const CommandList& list_;
+  WGPUCommandEncoder encoder_ = nullptr;
+  WGPUComputePassEncoder compute_ = nullptr;
+  WGPURenderPassEncoder render_ = nullptr;
+  Id pipeline_ = 0, group_ = 0;
+};
+
+}  // namespace
+
+Result<void> submit(Context& context, const CommandList& list) {
+  WEFT_CHECK(context.take_error());
+  Encoder encoder(context, list);
+  for (const Command& command : list.commands()) encoder.encode(command);
+  WGPUCommandBuffer buffer = encoder.finish();
+  const auto error = context.take_error();
+  if (error) wgpuQueueSubmit(context.queue, 1, &buffer);
+  if (buffer != nullptr) wgpuCommandBufferRelease(buffer);
+  if (!error) return error.error();
+  return context.take_error();
+}
+
+}  // namespace weft::gpu::backend

@@ -1,0 +1,183 @@
+#include <numeric>
+
+#include "base/vec.hpp"
+
+#include "gpu/gpu_fixture.hpp"
+#include "gpu/kernel.hpp"
+#include "gpu/readback.hpp"
+#include "gpu/timer.hpp"
+
+using namespace weft;
+using namespace weft::gpu;
+
+TEST_CASE("a kernel sees what was written and its result comes back, for any size and workgroup") {
+  GpuFixture fixture;
+  Device& device = fixture.device();
+  for (const std::uint32_t workgroup : {64U, 128U, 256U}) {
+    auto kernel = Kernel::create(device, "test/double.wgsl", {}, workgroup);
+    REQUIRE_MESSAGE(kernel, kernel.error().message);
+    for (const std::size_t count : {1UL, 63UL, 257UL, 100000UL}) {
+      std::vector<std::uint32_t> values(count);
+      std::iota(values.begin(), values.end(), 1U);
+      auto buffer = Buffer<std::uint32_t>::create_from(device, values, "values");
+      REQUIRE(buffer);
+      auto group = kernel->bind({*buffer});
+      REQUIRE_MESSAGE(group, group.error().message);
+      CommandList list;
+      { ComputePass pass(list, "double"); kernel->dispatch(pass, *group, count); }
+      REQUIRE(device.submit(list));
+      REQUIRE(device.submit(list));  // a list can be replayed
+      auto result = download(device, *buffer);
+      REQUIRE(result);
+      for (std::size_t i = 0; i < count; ++i) values[i] *= 4;
+      CHECK(*result == values);
+    }
+  }
+}
+
+TEST_CASE("past 65,535 workgroups a dispatch gets rows and still touches each element once") {
+  GpuFixture fixture;
+  Device& device = fixture.device();
+  const std::size_t count = 64UL * 65535 + 12345;
+  auto kernel = Kernel::create(device, "test/double.wgsl", {}, 64);
+  REQUIRE(kernel);
+  const std::vector<std::uint32_t> values(count, 1);
+  auto buffer = Buffer<std::uint32_t>::create_from(device, values, "values");
+  REQUIRE(buffer);
+  auto group = kernel->bind({*buffer});
+  REQUIRE(group);
+  CommandList list;
+  { ComputePass pass(list, "double"); kernel->dispatch(pass, *group, count); }
+  REQUIRE(device.submit(list));
+  auto result = download(device, *buffer);
+  REQUIRE(result);
+  CHECK(*result == std::vector<std::uint32_t>(count, 2));
+}
+
+TEST_CASE("a buffer over a limit is refused by its name and both numbers") {
+  GpuFixture fixture;
+  Device& device = fixture.device();
+  Limits limits = device.limits();
+  limits.max_storage_binding_size = 1000;
+  device.lower_limits(limits);
+  auto buffer = Buffer<float>::create(device, 251, "position");
+  REQUIRE_FALSE(buffer);
+  CHECK(buffer.error().kind == ErrorKind::Limit);
+  CHECK(buffer.error().message ==
+        "Buffer position needs 1004 bytes, more than this adapter's maxStorageBufferBindingSize of 1000.");
+  CHECK(Buffer<float>::create(device, 250, "position"));
+}
+
+TEST_CASE("the bytes of buffers are counted while they live") {
+  GpuFixture fixture;
+  Device& device = fixture.device();
+  {
+    auto a = Buffer<float>::create(device, 100, "a");
+    auto b = Buffer<Vec4f>::create(device, 10, "b");
+    CHECK(device.allocated_bytes() == 560);
+    *a = std::move(*Buffer<float>::create(device, 1, "c"));
+    CHECK(device.allocated_bytes() == 164);
+  }
+  CHECK(device.allocated_bytes() == 0);
+}
+
+TEST_CASE("a wrong kernel, a missing kernel and a wrong number of buffers are errors, not ends of the process") {
+  GpuFixture fixture;
+  Device& device = fixture.device();
+  CHECK(Kernel::create(device, "test/none.wgsl").error().kind == ErrorKind::Shader);
+  CHECK(Kernel::create(device, "test/double.wgsl", {{"kNothing", 1}}).error().kind == ErrorKind::Shader);
+  auto kernel = Kernel::create(device, "test/double.wgsl");
+  REQUIRE(kernel);
+  CHECK(kernel->bind({}).error().message == "Shader test/double.wgsl binds 1 things, not 0.");
+  auto uniform = Buffer<float>::create(device, 4, "uniform", kUniform);
+  REQUIRE(uniform);
+  const auto group = kernel->bind({*uniform});  // not a storage buffer
+  CHECK(group.error().kind == ErrorKind::Shader);
+}
+
+TEST_CASE("a list that does not validate is not submitted, and the device lives on") {
+  GpuFixture fixture;
+  Device& device = fixture.device();
+  auto a = Buffer<float>::create(device, 4, "a");
+  auto b = Buffer<float>::create(device, 2, "b");
+  REQUIRE(a);
+  REQUIRE(b);
+  CommandList list;
+  list.copy(a->source(), b->range(0, 16));  // past the end of b
+  const auto submitted = device.submit(list);
+  REQUIRE_FALSE(submitted);
+  CHECK(submitted.error().kind == ErrorKind::Shader);
+  CHECK(download(device, *a));
+}
+
+TEST_CASE("after a loss every call says so, and a new device works") {
+  auto device = Device::create();
+  REQUIRE(device);
+  auto buffer = Buffer<float>::create(**device, 4, "a");
+  REQUIRE(buffer);
+  (*device)->lose();
+  CHECK(download(**device, *buffer).error().kind == ErrorKind::DeviceLost);
+  CHECK(Buffer<float>::create(**device, 4, "b").error().kind == ErrorKind::DeviceLost);
+  CHECK((*device)->wait().error().kind == ErrorKind::DeviceLost);
+  GpuFixture fresh;
+  CHECK(Buffer<float>::create(fresh.device(), 4, "b"));
+}
+
+TEST_CASE("a readback does not block, and can be used again") {
+  GpuFixture fixture;
+  Device& device = fixture.device();
+  const std::vector<std::uint32_t> values = {1, 2, 3, 4};
+  auto buffer = Buffer<std::uint32_t>::create_from(device, values, "values");
+  auto readback = Readback::create(device, 16, "readback");
+  REQUIRE(readback);
+  for (int round = 0; round < 3; ++round) {
+    CommandList list;
+    list.copy(buffer->source(), readback->target());
+    REQUIRE(device.submit(list));
+    CHECK_FALSE(readback->pending());
+    readback->start();
+    CHECK(readback->pending());
+    while (!readback->ready()) device.poll();
+    const auto bytes = readback->take();
+    CHECK(std::equal(bytes.begin(), bytes.end(), std::as_bytes(std::span(values)).begin()));
+  }
+}
+
+TEST_CASE("a timer gives each pass a label and a time that is not negative") {
+  auto device = Device::create({.timestamps = true});
+  REQUIRE(device);
+  if (!(*device)->has_timestamps()) {
+    CHECK(Timer::create(**device, 4).error().kind == ErrorKind::Limit);
+    return;
+  }
+  auto timer = Timer::create(**device, 4);
+  REQUIRE(timer);
+  auto kernel = Kernel::create(**device, "test/double.wgsl");
+  auto buffer = Buffer<std::uint32_t>::create(**device, 1000000, "values");
+  auto group = kernel->bind({*buffer});
+  CommandList list;
+  for (const char* name : {"first", "second"}) {
+    ComputePass pass(list, name, timer->span(name));
+    kernel->dispatch(pass, *group, buffer->size());
+  }
+  timer->finish(list);
+  REQUIRE((*device)->submit(list));
+  auto spans = timer->read();
+  REQUIRE_MESSAGE(spans, spans.error().message);
+  REQUIRE(spans->size() == 2);
+  CHECK((*spans)[1].label == "second");
+  CHECK((*spans)[0].milliseconds > 0);
+  CHECK((*spans)[0].milliseconds < 1000);
+}
+
+TEST_CASE("an adapter is chosen by a part of its name, in any case") {
+  auto all = Device::adapters();
+  REQUIRE(all);
+  REQUIRE_FALSE(all->empty());
+  const std::string name = all->front().name;
+  CHECK(Device::create({.adapter = name.substr(0, 4)}));
+  const auto none = Device::create({.adapter = "no such card"});
+  REQUIRE_FALSE(none);
+  CHECK(none.error().kind == ErrorKind::NoAdapter);
+  CHECK(none.error().message.find(name) != std::string::npos);
+}
