@@ -1,0 +1,81 @@
+// make_models RAW_FOLDER MODELS_FOLDER: the meshes that the shipped scenes name, as binary PLY. Run by ./dev build.
+#include <cstdio>
+#include <string>
+
+#include "base/file.hpp"
+#include "mesh/gzip.hpp"
+#include "mesh/ply.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/read_mesh.hpp"
+#include "mesh/simplify.hpp"
+
+namespace weft::mesh {
+namespace {
+
+constexpr int kVersion = 1;  // of the recipes below: raise it, and every folder makes its models anew
+constexpr std::size_t kDragonTriangles = 100'000;  // at most, as in Sung et al.
+
+Result<TriangleMesh> make_unit_sphere(const std::string&) { return make_sphere(20, 20); }
+Result<TriangleMesh> make_armadillo(const std::string& raw) { return read_mesh(raw + "/armadillo.off"); }
+Result<TriangleMesh> make_dragon(const std::string& raw) {
+  WEFT_TRY(mesh, read_mesh(raw + "/dragon.ply.gz"));
+  return simplify(mesh, kDragonTriangles);
+}
+
+struct Recipe {
+  const char* name;
+  Result<TriangleMesh> (*make)(const std::string& raw_folder);
+};
+
+// Written into the file itself, so that model and stamp are there together or not at all.
+std::string stamp(const Recipe& recipe) {
+  return std::string("weft model ") + recipe.name + ", version " + std::to_string(kVersion);
+}
+
+bool is_made(const std::string& path, const Recipe& recipe) {
+  const auto bytes = read_file(path, kMaxMeshBytes);
+  const std::string begin = ply_begin(stamp(recipe));
+  if (!bytes || bytes->size() < begin.size()) return false;
+  return std::string(reinterpret_cast<const char*>(bytes->data()), begin.size()) == begin;
+}
+
+Result<void> make_model(const Recipe& recipe, const std::string& raw_folder, const std::string& models_folder) {
+  const std::string path = models_folder + "/" + recipe.name + ".ply";
+  if (is_made(path, recipe)) return {};
+  WEFT_TRY(mesh, recipe.make(raw_folder));
+  const std::size_t dropped = drop_degenerate_triangles(mesh);
+  WEFT_CHECK(check_mesh(mesh));
+  const double volume = signed_volume(mesh);
+  if (!(volume > 0.0)) return input_error("Model %s has the volume %g m³, so it faces inward.", recipe.name, volume);
+  WEFT_CHECK(write_file(path, write_ply(mesh, stamp(recipe))));
+  const auto [low, high] = bounds(mesh);
+  std::fprintf(stderr, "weft: made %s: %zu vertices, %zu triangles (%zu of no area dropped), from (%g, %g, %g) to "
+               "(%g, %g, %g), volume %g\n", path.c_str(), mesh.positions.size(), mesh.triangles.size(), dropped,
+               static_cast<double>(low.x), static_cast<double>(low.y), static_cast<double>(low.z),
+               static_cast<double>(high.x), static_cast<double>(high.y), static_cast<double>(high.z), volume);
+  return {};
+}
+
+Result<void> make_models(const std::string& raw_folder, const std::string& models_folder) {
+  static constexpr Recipe kRecipes[] = {
+      {"sphere", make_unit_sphere}, {"armadillo", make_armadillo}, {"dragon", make_dragon}};
+  WEFT_CHECK(make_folder(models_folder));
+  for (const Recipe& recipe : kRecipes)
+    if (auto made = make_model(recipe, raw_folder, models_folder); !made)
+      return made.error().while_doing(std::string("making model ") + recipe.name);
+  return {};
+}
+
+}  // namespace
+}  // namespace weft::mesh
+
+int main(int argument_count, char** arguments) {
+  if (argument_count != 3) {
+    std::fputs("usage: make_models RAW_FOLDER MODELS_FOLDER\n", stderr);
+    return weft::exit_code(weft::ErrorKind::Usage);
+  }
+  const auto made = weft::mesh::make_models(arguments[1], arguments[2]);
+  if (made) return 0;
+  std::fprintf(stderr, "weft: %s\n", made.error().message.c_str());
+  return weft::exit_code(made.error().kind);
+}

@@ -1,0 +1,89 @@
+#include "mesh/triangle_mesh.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace weft::mesh {
+namespace {
+
+Vec3d corner(const TriangleMesh& mesh, const Triangle& triangle, int index) {
+  return mesh.positions[triangle[static_cast<std::size_t>(index)]].to<double>();
+}
+
+bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
+  const Vec3d a = corner(mesh, t, 0);
+  return cross(corner(mesh, t, 1) - a, corner(mesh, t, 2) - a) == Vec3d{};
+}
+
+// A double beyond float's range is undefined to convert, so it is infinite by hand.
+float rounded(double value) {
+  if (std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max())) return static_cast<float>(value);
+  return std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(std::copysign(1.0, value)));
+}
+
+}  // namespace
+
+Bounds bounds(const TriangleMesh& mesh) {
+  if (mesh.positions.empty()) return {};
+  Bounds box{mesh.positions[0], mesh.positions[0]};
+  for (const Vec3f& p : mesh.positions) {
+    box.low = min(box.low, p);
+    box.high = max(box.high, p);
+  }
+  return box;
+}
+
+double signed_volume(const TriangleMesh& mesh) {
+  double six_volumes = 0.0;  // of the tetrahedra between each triangle and the origin
+  for (const Triangle& t : mesh.triangles)
+    six_volumes += dot(corner(mesh, t, 0), cross(corner(mesh, t, 1), corner(mesh, t, 2)));
+  return six_volumes / 6.0;
+}
+
+Result<void> check_mesh(const TriangleMesh& mesh) {
+  constexpr std::size_t kMaxCount = std::numeric_limits<std::uint32_t>::max();
+  if (mesh.triangles.empty()) return input_error("The mesh has no triangles.");
+  if (mesh.positions.size() > kMaxCount || mesh.triangles.size() > kMaxCount)
+    return input_error("The mesh has %zu vertices and %zu triangles, more than the limit of %zu.",
+                       mesh.positions.size(), mesh.triangles.size(), kMaxCount);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      if (const float value = mesh.positions[i][axis]; !std::isfinite(value))
+        return input_error("Vertex %zu has the coordinate %g, which is not finite.", i, static_cast<double>(value));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const std::uint32_t vertex : mesh.triangles[i])
+      if (vertex >= mesh.positions.size())
+        return input_error("Triangle %zu names vertex %u, but the mesh has only %zu vertices.", i, vertex,
+                           mesh.positions.size());
+  return {};
+}
+
+std::size_t drop_degenerate_triangles(TriangleMesh& mesh) {
+  const std::size_t before = mesh.triangles.size();
+  const auto end = std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                  [&mesh](const Triangle& t) { return is_degenerate(mesh, t); });
+  mesh.triangles.erase(end, mesh.triangles.end());
+  return before - mesh.triangles.size();
+}
+
+TriangleMesh transformed(const TriangleMesh& mesh, double scale, const Quaternion& rotation,
+                         const Vec3d& translation) {
+  assert(scale > 0.0);  // a negative one would turn the mesh inside out
+  const Vec3d axis{rotation[0], rotation[1], rotation[2]};
+  const double w = rotation[3];
+  const double norm = dot(axis, axis) + w * w;
+  assert(norm > 0.0);
+  TriangleMesh result = mesh;
+  for (Vec3f& p : result.positions) {
+    const Vec3d v = scale * p.to<double>();
+    const Vec3d turn = (2.0 / norm) * cross(axis, v);
+    const Vec3d moved = v + w * turn + cross(axis, turn) + translation;  // q v q⁻¹, multiplied out
+    p = {rounded(moved.x), rounded(moved.y), rounded(moved.z)};
+  }
+  return result;
+}
+
+}  // namespace weft::mesh
