@@ -1,0 +1,219 @@
+#include "scene/build.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "scene/names.hpp"
+
+namespace weft::scene {
+namespace {
+
+// Readers of values that the checks have passed.
+const Json& at(const Json& object, const char* key) {
+  const Json* value = object.find(key);
+  assert(value);
+  return *value;
+}
+double number(const Json& object, const char* key) { return at(object, key).number; }
+std::uint32_t whole(const Json& json) { return static_cast<std::uint32_t>(json.number); }
+std::string text(const Json& object, const char* key) {
+  const Json* value = object.find(key);
+  return value ? value->text : "";
+}
+std::optional<double> maybe_number(const Json& object, const char* key) {
+  const Json* value = object.find(key);
+  return value ? std::optional(value->number) : std::nullopt;
+}
+Vec3d vector(const Json& json) {
+  return {json.values[0].number, json.values[1].number, json.values[2].number};
+}
+Vec3d vector(const Json& object, const char* key) { return vector(at(object, key)); }
+
+/// The vector's direction; the largest component is made 1 first, so that no square underflows.
+Vec3d unit(const Vec3d& v) {
+  const double largest = std::max({v.x, -v.x, v.y, -v.y, v.z, -v.z});
+  const Vec3d scaled = v / largest;
+  return scaled / length(scaled);
+}
+
+template <class E, std::size_t N>
+E word(const Json& json, const char* const (&names)[N]) {
+  const auto found = std::find(std::begin(names), std::end(names), json.text);
+  assert(found != std::end(names));
+  return static_cast<E>(found - std::begin(names));
+}
+
+class Builder {
+ public:
+  explicit Builder(const std::string& file) : file_(file) {}
+
+  Result<Scene> scene(const Json& json) {
+    Scene scene;
+    scene.file = file_;
+    scene.title = text(json, "title");
+    scene.description = text(json, "description");
+    scene.gravity = vector(json, "gravity");
+    scene.external_force = vector(json, "external_force");
+    scene.drag = number(json, "drag");
+    scene.time = time(at(json, "time"));
+    scene.solver.kind = word<SolverKind>(at(at(json, "solver"), "kind"), kSolverKindNames);
+    if (scene.solver.kind == SolverKind::MassSpring)
+      scene.solver.forces = word<Forces>(at(at(json, "solver"), "forces"), kForcesNames);
+    scene.contact.method = word<ContactMethod>(at(at(json, "contact"), "method"), kContactMethodNames);
+    scene.contact.thickness = number(at(json, "contact"), "thickness");
+    for (const Json& one : at(json, "cloths").values) {
+      WEFT_TRY(built, cloth(one, path_of_index("cloths", scene.cloths.size())));
+      scene.cloths.push_back(std::move(built));
+    }
+    for (const Json& one : at(json, "colliders").values)
+      scene.colliders.push_back(collider(one, path_of_index("colliders", scene.colliders.size())));
+    if (const Json* camera = json.find("camera")) {
+      scene.camera =
+          Camera{vector(*camera, "eye"), vector(*camera, "target"), number(*camera, "fov_degrees")};
+      if (scene.camera->eye == scene.camera->target) return wrong("camera.target", "is the eye itself");
+    }
+    const Json& render = at(json, "render");
+    scene.render.view = word<View>(at(render, "view"), kViewNames);
+    scene.render.width = whole(at(render, "size").values[0]);
+    scene.render.height = whole(at(render, "size").values[1]);
+    return scene;
+  }
+
+ private:
+  std::string where(const std::string& path) const { return file_ + ": " + path; }
+  Error wrong(const std::string& path, const std::string& what) const {
+    return input_error("%s %s.", where(path).c_str(), what.c_str());
+  }
+
+  static Time time(const Json& json) {
+    Time time;
+    time.frame = number(json, "frame");
+    const Json& substeps = at(json, "substeps");
+    if (substeps.kind == Json::Kind::Number) time.substeps = whole(substeps);
+    time.frames = whole(at(json, "frames"));
+    return time;
+  }
+
+  static Transform transform(const Json& json) {
+    Transform transform;
+    transform.scale = number(json, "scale");
+    const std::vector<Json>& q = at(json, "rotate").values;
+    double sum = 0;  // of squares
+    for (std::size_t k = 0; k < 4; ++k) sum += q[k].number * q[k].number;
+    for (std::size_t k = 0; k < 4; ++k) transform.rotate[k] = q[k].number / std::sqrt(sum);
+    transform.translate = vector(json, "translate");
+    return transform;
+  }
+
+  Result<Cloth> cloth(const Json& json, const std::string& path) {
+    Cloth cloth;
+    cloth.where = where(path);
+    cloth.name = text(json, "name");
+    cloth.mesh = text(json, "mesh");
+    if (const Json* grid = json.find("grid")) {
+      const std::vector<Json>& size = at(json, "size").values;
+      cloth.grid = GridShape{whole(grid->values[0]), whole(grid->values[1]), size[0].number, size[1].number,
+                             word<Plane>(at(json, "plane"), kPlaneNames)};
+      grid_nodes_ += static_cast<std::size_t>(cloth.grid->nx) * cloth.grid->ny;
+      if (grid_nodes_ > kMaxGridNodes)
+        return wrong(path + ".grid", "brings the grids to " + std::to_string(grid_nodes_) +
+                                         " nodes, more than the limit of " + std::to_string(kMaxGridNodes));
+    }
+    cloth.transform = transform(at(json, "transform"));
+    cloth.density = maybe_number(json, "density");
+    cloth.node_mass = maybe_number(json, "node_mass");
+    const Json& stiffness = at(json, "stiffness");
+    cloth.stiffness = {number(stiffness, "structural"), number(stiffness, "shear"),
+                       number(stiffness, "bend")};
+    cloth.damping = number(json, "damping");
+    WEFT_TRY(pins, selectors(at(json, "pins"), path + ".pins", cloth));
+    cloth.pins = std::move(pins);
+    for (const Json& one : at(json, "motions").values) {
+      WEFT_TRY(built, motion(one, path_of_index(path + ".motions", cloth.motions.size()), cloth));
+      cloth.motions.push_back(std::move(built));
+    }
+    if (const Json* color = json.find("color")) cloth.color = vector(*color);
+    return cloth;
+  }
+
+  Result<std::vector<Selector>> selectors(const Json& json, const std::string& path,
+                                          const Cloth& cloth) const {
+    std::vector<Selector> all;
+    if (json.kind != Json::Kind::List) {
+      WEFT_TRY(one, selector(json, path, cloth));
+      all.push_back(std::move(one));
+      return all;
+    }
+    for (const Json& entry : json.values) {
+      WEFT_TRY(one, selector(entry, path_of_index(path, all.size()), cloth));
+      all.push_back(std::move(one));
+    }
+    return all;
+  }
+
+  Result<Selector> selector(const Json& json, const std::string& path, const Cloth& cloth) const {
+    if (json.kind == Json::Kind::Text) {
+      if (!cloth.grid) return wrong(path, "is " + in_quotes(json.text) + ", a part that only a grid has");
+      return Selector{where(path), word<GridPart>(json, kGridPartNames)};
+    }
+    if (const Json* box = json.find("box")) {
+      const SelectorBox what{vector(*box, "min"), vector(*box, "max")};
+      for (int axis = 0; axis < 3; ++axis)
+        if (what.max[axis] < what.min[axis])
+          return wrong(path_of_index(path + ".box.max", static_cast<std::size_t>(axis)),
+                       "is " + number_text(what.max[axis]) + ", below the box's min of " +
+                           number_text(what.min[axis]));
+      return Selector{where(path), what};
+    }
+    if (const Json* near = json.find("near"))
+      return Selector{where(path), SelectorNear{vector(*near, "point"), number(*near, "radius")}};
+    SelectorNodes what;
+    for (const Json& index : at(json, "nodes").values) what.indices.push_back(whole(index));
+    return Selector{where(path), std::move(what)};
+  }
+
+  Result<Motion> motion(const Json& json, const std::string& path, const Cloth& cloth) const {
+    Motion motion;
+    motion.where = where(path);
+    WEFT_TRY(nodes, selectors(at(json, "nodes"), path + ".nodes", cloth));
+    motion.nodes = std::move(nodes);
+    const std::string& kind = at(json, "kind").text;
+    if (kind == "line") {
+      motion.shape = MotionLine{unit(vector(json, "direction")), number(json, "speed"),
+                                maybe_number(json, "distance"), number(json, "start"), number(json, "ramp")};
+    } else if (kind == "rotation") {
+      motion.shape =
+          MotionRotation{unit(vector(json, "axis")),  vector(json, "center"), number(json, "speed"),
+                         maybe_number(json, "angle"), number(json, "start"),  number(json, "ramp")};
+    } else {
+      MotionPath shape;
+      for (const Json& point : at(json, "points").values) {
+        const double time = point.values[0].number;
+        if (!shape.points.empty() && time <= shape.points.back().time)
+          return wrong(path_of_index(path_of_index(path + ".points", shape.points.size()), 0),
+                       "is " + number_text(time) + " s, not after the " +
+                           number_text(shape.points.back().time) + " s of the point before it");
+        shape.points.push_back({time, vector(point.values[1])});
+      }
+      motion.shape = std::move(shape);
+    }
+    return motion;
+  }
+
+  Collider collider(const Json& json, const std::string& path) const {
+    const std::string& kind = at(json, "kind").text;
+    if (kind == "mesh")
+      return ColliderMesh{where(path), text(json, "mesh"), transform(at(json, "transform"))};
+    if (kind == "sphere") return ColliderSphere{vector(json, "center"), number(json, "radius")};
+    return ColliderPlane{vector(json, "point"), unit(vector(json, "normal"))};
+  }
+
+  const std::string& file_;
+  std::size_t grid_nodes_ = 0;
+};
+
+}  // namespace
+
+Result<Scene> build_scene(const Json& json, const std::string& file) { return Builder(file).scene(json); }
+
+}  // namespace weft::scene

@@ -1,0 +1,261 @@
+#include "scene/format.hpp"
+
+#include "scene/names.hpp"
+
+namespace weft::scene {
+namespace {
+
+using Kind = Type::Kind;
+
+constexpr double kFar = 1e6;            // m; f32 positions are 6 cm apart there
+constexpr double kSmall = 1e-6;         // m; below it f32 has no digits left beside a coordinate of 1 m
+constexpr double kLate = 1e6;           // s; eleven days
+constexpr double kMostNodes = 1 << 26;  // of all grids together, and of one node list
+
+// Plain values.
+constexpr Type kShortText{.kind = Kind::Text, .count_least = 1, .count_most = 200};
+constexpr Type kLongText{.kind = Kind::Text, .count_most = 10000};
+constexpr Type kMeshName{.kind = Kind::Text, .count_least = 1, .count_most = 1000};
+constexpr Type kPoint{
+    .kind = Kind::Numbers, .name = "point", .least = -kFar, .most = kFar, .unit = "m", .count_least = 3};
+constexpr Type kDirection{.kind = Kind::Numbers,
+                          .name = "direction",
+                          .least = -kFar,
+                          .most = kFar,
+                          .count_least = 3,
+                          .rule = Type::Rule::NonZero};
+constexpr Type kAcceleration{
+    .kind = Kind::Numbers, .least = -1e4, .most = 1e4, .unit = "m/s²", .count_least = 3};
+constexpr Type kForcePerMass{
+    .kind = Kind::Numbers, .least = -1e4, .most = 1e4, .unit = "N/kg", .count_least = 3};
+constexpr Type kRate{.kind = Kind::Number, .most = 1e4, .unit = "1/s"};
+constexpr Type kInstant{.kind = Kind::Number, .most = kLate, .unit = "s"};
+constexpr Type kLength{.kind = Kind::Number, .least = kSmall, .most = kFar, .unit = "m"};
+constexpr Type kSpeed{.kind = Kind::Number, .least = 1e-9, .most = 1e4, .unit = "m/s"};
+constexpr Type kTurnRate{.kind = Kind::Number, .least = 1e-9, .most = 1e4, .unit = "rad/s"};
+constexpr Type kAngle{.kind = Kind::Number, .least = 1e-9, .most = 1e6, .unit = "rad"};
+
+// transform
+constexpr Type kScale{.kind = Kind::Number, .least = 1e-6, .most = 1e6};
+constexpr Type kQuaternion{
+    .kind = Kind::Numbers, .least = -1.001, .most = 1.001, .count_least = 4, .rule = Type::Rule::Unit};
+constexpr Key kTransformKeys[] = {
+    {"scale", &kScale, "Factor on all lengths; applied first", "1"},
+    {"rotate", &kQuaternion, "Unit quaternion [x, y, z, w] (length within 0.001 of 1); applied second",
+     "[0, 0, 0, 1]"},
+    {"translate", &kPoint, "Shift; applied last", "[0, 0, 0]"},
+};
+constexpr Type kTransform{.kind = Kind::Object, .name = "transform", .keys = kTransformKeys};
+
+// time
+constexpr Type kFrame{.kind = Kind::Number, .least = 1e-6, .most = 10, .unit = "s"};
+constexpr Type kSubstepCount{.kind = Kind::Number, .least = 1, .most = 65536, .whole = true};
+constexpr const char* kAuto[] = {"auto"};
+constexpr Type kAutoWord{.kind = Kind::Choice, .choices = kAuto};
+constexpr const Type* kSubstepTypes[] = {&kSubstepCount, &kAutoWord};
+constexpr Type kSubsteps{.kind = Kind::Either, .types = kSubstepTypes};
+constexpr Type kFrames{.kind = Kind::Number, .least = 1, .most = 1e7, .whole = true};
+constexpr Key kTimeKeys[] = {
+    {"frame", &kFrame, "Simulated time of one frame (1/60 s)", "0.016666666666666666"},
+    {"substeps", &kSubsteps, "Steps in a frame; \"auto\" asks the solver how many are stable", "\"auto\""},
+    {"frames", &kFrames, "Frames of a run", "90"},
+};
+constexpr Type kTime{.kind = Kind::Object, .keys = kTimeKeys};
+
+// solver
+constexpr Type kSolverKind{.kind = Kind::Choice, .choices = kSolverKindNames};
+constexpr Type kForces{.kind = Kind::Choice, .choices = kForcesNames};
+constexpr Key kSolverKeys[] = {{"kind", &kSolverKind, "The method", "\"mass_spring\""}};
+constexpr Key kMassSpringKeys[] = {
+    {"forces", &kForces, "Gather over each node's springs, or scatter from each spring by atomic adds",
+     "\"node_centric\""},
+};
+constexpr Variant kSolverVariants[] = {{"mass_spring", kMassSpringKeys}};
+constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
+
+// contact
+constexpr Type kContactMethod{.kind = Kind::Choice, .choices = kContactMethodNames};
+constexpr Type kThickness{.kind = Kind::Number, .most = 10, .unit = "m"};
+constexpr Key kContactKeys[] = {
+    {"method", &kContactMethod, "How cloth meets colliders: not at all, all pairs, or pairs from a tree",
+     "\"bvh\""},
+    {"thickness", &kThickness, "Distance that contact keeps from a surface", "0.005"},
+};
+constexpr Type kContact{.kind = Kind::Object, .keys = kContactKeys};
+
+// selectors
+constexpr Type kGridPart{.kind = Kind::Choice, .choices = kGridPartNames};
+constexpr Key kBoxKeys[] = {
+    {"min", &kPoint, "Least corner", nullptr, true},
+    {"max", &kPoint, "Greatest corner, nowhere below min", nullptr, true},
+};
+constexpr Type kBox{.kind = Kind::Object, .keys = kBoxKeys};
+constexpr Type kNodeIndex{.kind = Kind::Number, .most = kMostNodes - 1, .whole = true};
+constexpr const Type* kNodeIndexTypes[] = {&kNodeIndex};
+constexpr Type kNodeList{
+    .kind = Kind::List, .count_least = 1, .count_most = 1 << 20, .types = kNodeIndexTypes};
+constexpr Key kNearKeys[] = {
+    {"point", &kPoint, "Centre", nullptr, true},
+    {"radius", &kLength, "Greatest distance from it", nullptr, true},
+};
+constexpr Type kNear{.kind = Kind::Object, .keys = kNearKeys};
+constexpr Key kSelectorKeys[] = {
+    {"box", &kBox, "Nodes whose rest position in the world lies in the box"},
+    {"nodes", &kNodeList, "Nodes by index: j * nx + i on a grid, the file's order on a mesh"},
+    {"near", &kNear, "Nodes whose rest position in the world is near a point"},
+};
+constexpr const char* kSelectorWays[] = {"box", "nodes", "near"};
+constexpr OneOf kSelectorOneOf[] = {{kSelectorWays}};
+constexpr Type kSelectorObject{.kind = Kind::Object, .keys = kSelectorKeys, .one_of = kSelectorOneOf};
+constexpr const Type* kSelectorTypes[] = {&kGridPart, &kSelectorObject};
+constexpr Type kSelector{.kind = Kind::Either, .name = "selector", .types = kSelectorTypes};
+constexpr const Type* kSelectorItem[] = {&kSelector};
+constexpr Type kPinList{.kind = Kind::List, .count_most = 1000, .types = kSelectorItem};
+constexpr Type kSelectorList{
+    .kind = Kind::List, .count_least = 1, .count_most = 1000, .types = kSelectorItem};
+constexpr const Type* kSelectorOrList[] = {&kGridPart, &kSelectorObject, &kSelectorList};
+constexpr Type kSelectors{.kind = Kind::Either, .types = kSelectorOrList};
+
+// motions
+constexpr const char* kMotionKindNames[] = {"line", "path", "rotation"};
+constexpr Type kMotionKind{.kind = Kind::Choice, .choices = kMotionKindNames};
+constexpr Key kMotionKeys[] = {
+    {"kind", &kMotionKind, "How the nodes move", nullptr, true},
+    {"nodes", &kSelectors, "The nodes that move: a selector or a list of them", nullptr, true},
+};
+constexpr Key kLineKeys[] = {
+    {"direction", &kDirection, "Any length but zero", nullptr, true},
+    {"speed", &kSpeed, "Full speed", nullptr, true},
+    {"distance", &kLength, "Where the motion ends; without it there is no end"},
+    {"start", &kInstant, "When the motion begins", "0"},
+    {"ramp", &kInstant, "Time in which the speed rises from 0, and falls to 0 before the end", "0"},
+};
+constexpr const Type* kPathPointTypes[] = {&kInstant, &kPoint};
+constexpr Type kPathPoint{.kind = Kind::Tuple, .types = kPathPointTypes};
+constexpr const Type* kPathPointItem[] = {&kPathPoint};
+constexpr Type kPathPoints{
+    .kind = Kind::List, .count_least = 1, .count_most = 100000, .types = kPathPointItem};
+constexpr Key kPathKeys[] = {
+    {"points", &kPathPoints,
+     "[time in s, [x, y, z] in m from the rest position], times rising; straight between", nullptr, true},
+};
+constexpr Key kRotationKeys[] = {
+    {"axis", &kDirection, "Any length but zero; the rotation is right-handed", nullptr, true},
+    {"center", &kPoint, "A point of the axis, in the world", nullptr, true},
+    {"speed", &kTurnRate, "Full speed", nullptr, true},
+    {"angle", &kAngle, "Where the rotation ends; without it there is no end"},
+    {"start", &kInstant, "When the motion begins", "0"},
+    {"ramp", &kInstant, "Time in which the speed rises from 0, and falls to 0 before the end", "0"},
+};
+constexpr Variant kMotionVariants[] = {{"line", kLineKeys}, {"path", kPathKeys}, {"rotation", kRotationKeys}};
+constexpr Type kMotion{
+    .kind = Kind::Object, .name = "motion", .keys = kMotionKeys, .variants = kMotionVariants};
+constexpr const Type* kMotionItem[] = {&kMotion};
+constexpr Type kMotions{.kind = Kind::List, .count_most = 1000, .types = kMotionItem};
+
+// cloths
+constexpr Type kGrid{.kind = Kind::Numbers, .least = 2, .most = 16384, .whole = true, .count_least = 2};
+constexpr Type kSize{.kind = Kind::Numbers, .least = kSmall, .most = kFar, .unit = "m", .count_least = 2};
+constexpr Type kPlane{.kind = Kind::Choice, .choices = kPlaneNames};
+constexpr Type kDensity{.kind = Kind::Number, .least = 1e-6, .most = 1e6, .unit = "kg/m²"};
+constexpr Type kNodeMass{.kind = Kind::Number, .least = 1e-12, .most = 1e6, .unit = "kg"};
+constexpr Type kSpringStiffness{.kind = Kind::Number, .most = 1e12, .unit = "N/m"};
+constexpr Type kDamping{.kind = Kind::Number, .most = 1e9, .unit = "N·s/m"};
+constexpr Type kColor{.kind = Kind::Numbers, .most = 1, .count_least = 3};
+constexpr Key kStiffnessKeys[] = {
+    {"structural", &kSpringStiffness, "Springs along the threads, or along the edges of a mesh", "5000"},
+    {"shear", &kSpringStiffness, "Springs along the diagonals", "2000"},
+    {"bend", &kSpringStiffness, "Springs over two cells, or over an edge of a mesh", "500"},
+};
+constexpr Type kStiffness{.kind = Kind::Object, .keys = kStiffnessKeys};
+constexpr Key kClothKeys[] = {
+    {"name", &kShortText, "For messages"},
+    {"grid", &kGrid, "Nodes along i and j; all grids together have at most 67108864"},
+    {"size", &kSize, "Width along i and height along j of a grid"},
+    {"plane", &kPlane, "A grid hangs (\"xy\": j runs down) or lies flat (\"xz\": j runs along +z)", "\"xy\""},
+    {"mesh", &kMeshName, "Name of a model, or path of an OBJ or PLY file relative to the scene"},
+    {"transform", &kTransform, "From the sheet centred on the origin, or the mesh, to the world", "{}"},
+    {"density", &kDensity, "Mass per rest area"},
+    {"node_mass", &kNodeMass, "Mass of every node alike"},
+    {"stiffness", &kStiffness, "Stiffness of the springs", "{}"},
+    {"damping", &kDamping, "Damping along each spring", "0.25"},
+    {"pins", &kPinList, "Nodes that stay where they are", "[]"},
+    {"motions", &kMotions, "Nodes that follow a given motion", "[]"},
+    {"color", &kColor, "Red, green and blue"},
+};
+constexpr const char* kShapeWays[] = {"grid", "mesh"};
+constexpr const char* kMassWays[] = {"density", "node_mass"};
+constexpr OneOf kClothOneOf[] = {{kShapeWays}, {kMassWays}};
+constexpr Needs kClothNeeds[] = {{"grid", "size"}, {"size", "grid"}, {"plane", "grid"}};
+constexpr Type kCloth{
+    .kind = Kind::Object, .name = "cloth", .keys = kClothKeys, .one_of = kClothOneOf, .needs = kClothNeeds};
+constexpr const Type* kClothItem[] = {&kCloth};
+constexpr Type kCloths{.kind = Kind::List, .count_least = 1, .count_most = 1000, .types = kClothItem};
+
+// colliders
+constexpr const char* kColliderKindNames[] = {"mesh", "sphere", "plane"};
+constexpr Type kColliderKind{.kind = Kind::Choice, .choices = kColliderKindNames};
+constexpr Key kColliderKeys[] = {{"kind", &kColliderKind, "The shape", nullptr, true}};
+constexpr Key kMeshColliderKeys[] = {
+    {"mesh", &kMeshName, "Name of a model, or path of an OBJ or PLY file relative to the scene", nullptr,
+     true},
+    {"transform", &kTransform, "From the mesh to the world", "{}"},
+};
+constexpr Key kSphereKeys[] = {
+    {"center", &kPoint, "Centre", nullptr, true},
+    {"radius", &kLength, "Radius", nullptr, true},
+};
+constexpr Key kPlaneKeys[] = {
+    {"point", &kPoint, "A point of the plane", nullptr, true},
+    {"normal", &kDirection, "Out of the solid side; any length but zero", nullptr, true},
+};
+constexpr Variant kColliderVariants[] = {
+    {"mesh", kMeshColliderKeys}, {"sphere", kSphereKeys}, {"plane", kPlaneKeys}};
+constexpr Type kCollider{
+    .kind = Kind::Object, .name = "collider", .keys = kColliderKeys, .variants = kColliderVariants};
+constexpr const Type* kColliderItem[] = {&kCollider};
+constexpr Type kColliders{.kind = Kind::List, .count_most = 1000, .types = kColliderItem};
+
+// camera and render
+constexpr Type kFov{.kind = Kind::Number, .least = 1, .most = 170, .unit = "°"};
+constexpr Key kCameraKeys[] = {
+    {"eye", &kPoint, "Where the camera is", nullptr, true},
+    {"target", &kPoint, "What it looks at, not the eye itself", nullptr, true},
+    {"fov_degrees", &kFov, "Vertical field of view", "35"},
+};
+constexpr Type kCamera{.kind = Kind::Object, .keys = kCameraKeys};
+constexpr Type kView{.kind = Kind::Choice, .choices = kViewNames};
+constexpr Type kPicture{
+    .kind = Kind::Numbers, .least = 16, .most = 16384, .whole = true, .unit = "pixels", .count_least = 2};
+constexpr Key kRenderKeys[] = {
+    {"view", &kView, "What is drawn", "\"textured\""},
+    {"size", &kPicture, "Width and height of the picture", "[1280, 720]"},
+};
+constexpr Type kRender{.kind = Kind::Object, .keys = kRenderKeys};
+
+// the scene
+constexpr const char* kFormatNames[] = {"weft-scene/1"};
+constexpr Type kFormat{.kind = Kind::Choice, .choices = kFormatNames};
+constexpr Key kSceneKeys[] = {
+    {"format", &kFormat, "The format and its version", nullptr, true},
+    {"title", &kShortText, "One line for people"},
+    {"description", &kLongText, "What the scene shows"},
+    {"gravity", &kAcceleration, "Acceleration of everything; y points up", "[0, -9.81, 0]"},
+    {"external_force", &kForcePerMass, "Uniform force on each kilogram of cloth, beside gravity",
+     "[0, 0, 0]"},
+    {"drag", &kRate, "Air drag: acceleration = -drag * velocity", "0"},
+    {"time", &kTime, "Frames and steps", "{}"},
+    {"solver", &kSolver, "How cloth moves", "{}"},
+    {"contact", &kContact, "How cloth meets colliders", "{}"},
+    {"cloths", &kCloths, "The sheets", nullptr, true},
+    {"colliders", &kColliders, "The obstacles", "[]"},
+    {"camera", &kCamera, "Without it the whole scene is framed"},
+    {"render", &kRender, "What a picture shows", "{}"},
+};
+constexpr Type kScene{.kind = Kind::Object, .keys = kSceneKeys};
+
+}  // namespace
+
+const Type& scene_type() { return kScene; }
+
+}  // namespace weft::scene

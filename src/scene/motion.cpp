@@ -1,0 +1,70 @@
+#include "scene/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/trig.hpp"
+
+namespace weft::scene {
+namespace {
+
+RigidTransform shift(const Vec3d& offset) {
+  RigidTransform transform;
+  transform.translation = offset;
+  return transform;
+}
+
+Vec3d path_offset(const MotionPath& path, double time) {
+  const std::vector<PathPoint>& points = path.points;
+  if (points.empty() || !(time > 0)) return points.empty() || points[0].time > 0 ? Vec3d{} : points[0].offset;
+  const auto next =
+      std::find_if(points.begin(), points.end(), [&](const PathPoint& p) { return p.time > time; });
+  if (next == points.end()) return points.back().offset;
+  const PathPoint from =
+      next == points.begin() ? PathPoint{} : *(next - 1);  // at rest at time 0, unless given
+  const double part = (time - from.time) / (next->time - from.time);
+  return from.offset * (1 - part) + next->offset * part;
+}
+
+/// Rodrigues: R = cos I + sin [a]x + (1 - cos) a a^T about the unit axis a; p' = c + R (p - c).
+RigidTransform rotation(const MotionRotation& motion, double angle) {
+  const Turn turn = turn_of(angle);
+  const Vec3d a = motion.axis;
+  const double rest = 1 - turn.cosine;
+  RigidTransform transform;
+  const double skew[9] = {0, -a.z, a.y, a.z, 0, -a.x, -a.y, a.x, 0};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      transform.rotation[3 * row + column] =
+          (row == column ? turn.cosine : 0) + turn.sine * skew[3 * row + column] + rest * a[row] * a[column];
+  transform.translation = motion.center - transform(motion.center);
+  return transform;
+}
+
+}  // namespace
+
+double travelled(double elapsed, double speed, double ramp, const std::optional<double>& end) {
+  if (!(elapsed > 0)) return 0;
+  if (end && *end < speed * ramp) {  // speed^2 = 2 a (end / 2) at the middle, a = speed / ramp
+    const double peak = std::sqrt(*end * speed / ramp);
+    ramp *= peak / speed;
+    speed = peak;
+  }
+  if (end) {
+    const double left = *end / speed + ramp - elapsed;  // time until the end
+    if (left <= 0) return *end;
+    if (left < ramp) return *end - 0.5 * speed * left * (left / ramp);
+  }
+  if (elapsed < ramp) return 0.5 * speed * elapsed * (elapsed / ramp);
+  return speed * (elapsed - 0.5 * ramp);
+}
+
+RigidTransform motion_at(const Motion& motion, double time) {
+  if (const auto* line = std::get_if<MotionLine>(&motion.shape))
+    return shift(line->direction * travelled(time - line->start, line->speed, line->ramp, line->distance));
+  if (const auto* path = std::get_if<MotionPath>(&motion.shape)) return shift(path_offset(*path, time));
+  const auto& turn = *std::get_if<MotionRotation>(&motion.shape);
+  return rotation(turn, travelled(time - turn.start, turn.speed, turn.ramp, turn.angle));
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,16 @@
+// The JSON words of the enumerations of scene.hpp, in their order: for the table of keys, the reader,
+// name_of.
+#pragma once
+
+namespace weft::scene {
+
+inline constexpr const char* kGridPartNames[] = {"top_left", "top_right", "bottom_left", "bottom_right",
+                                                 "top",      "bottom",    "left",        "right",
+                                                 "corners",  "edges"};
+inline constexpr const char* kPlaneNames[] = {"xy", "xz"};
+inline constexpr const char* kSolverKindNames[] = {"mass_spring"};
+inline constexpr const char* kForcesNames[] = {"node_centric", "spring_centric"};
+inline constexpr const char* kContactMethodNames[] = {"none", "paper", "bvh"};
+inline constexpr const char* kViewNames[] = {"textured", "wireframe", "normals", "stretch"};
+
+}  // namespace weft::scene

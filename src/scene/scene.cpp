@@ -1,0 +1,35 @@
+#include "scene/scene.hpp"
+
+#include "scene/names.hpp"
+
+namespace weft::scene {
+
+Vec3d transformed(const Transform& transform, const Vec3d& point) {
+  const Vec3d scaled = point * transform.scale;
+  const Vec3d q{transform.rotate[0], transform.rotate[1], transform.rotate[2]};
+  const Vec3d turn = 2.0 * cross(q, scaled);  // v' = v + w (2 q x v) + q x (2 q x v)
+  return scaled + transform.rotate[3] * turn + cross(q, turn) + transform.translate;
+}
+
+std::vector<Vec3d> grid_positions(const GridShape& grid, const Transform& transform) {
+  std::vector<Vec3d> positions;
+  positions.reserve(static_cast<std::size_t>(grid.nx) * grid.ny);
+  for (std::uint32_t j = 0; j < grid.ny; ++j) {
+    for (std::uint32_t i = 0; i < grid.nx; ++i) {
+      const double along = grid.width * (static_cast<double>(i) / (grid.nx - 1) - 0.5);
+      const double down = grid.height * (static_cast<double>(j) / (grid.ny - 1) - 0.5);
+      const Vec3d point = grid.plane == Plane::Xy ? Vec3d{along, -down, 0} : Vec3d{along, 0, down};
+      positions.push_back(transformed(transform, point));
+    }
+  }
+  return positions;
+}
+
+const char* name_of(GridPart part) { return kGridPartNames[static_cast<int>(part)]; }
+const char* name_of(Plane plane) { return kPlaneNames[static_cast<int>(plane)]; }
+const char* name_of(SolverKind kind) { return kSolverKindNames[static_cast<int>(kind)]; }
+const char* name_of(Forces forces) { return kForcesNames[static_cast<int>(forces)]; }
+const char* name_of(ContactMethod method) { return kContactMethodNames[static_cast<int>(method)]; }
+const char* name_of(View view) { return kViewNames[static_cast<int>(view)]; }
+
+}  // namespace weft::scene

@@ -1,0 +1,180 @@
+// A scene as plain data, as docs/scene.md describes it. SI units; y points up. load.hpp reads and checks one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace weft::scene {
+
+/// Scale first, then rotation, then translation.
+struct Transform {
+  double scale = 1;
+  std::array<double, 4> rotate{0, 0, 0, 1};  // unit quaternion x, y, z, w
+  Vec3d translate;                           // [m]
+};
+
+/// A part of a grid cloth by name. Row j = 0 is the top, column i = 0 is the left.
+enum class GridPart { TopLeft, TopRight, BottomLeft, BottomRight, Top, Bottom, Left, Right, Corners, Edges };
+
+/// Nodes whose rest position in the world lies in a box, faces included [m].
+struct SelectorBox {
+  Vec3d min, max;
+};
+/// Nodes whose rest position in the world is at most `radius` from `point` [m].
+struct SelectorNear {
+  Vec3d point;
+  double radius = 0;
+};
+/// Nodes by index: row by row on a grid (j * nx + i), the file's order on a mesh.
+struct SelectorNodes {
+  std::vector<std::uint32_t> indices;
+};
+/// Which nodes of a cloth are meant; select.hpp finds them.
+struct Selector {
+  std::string where;  // file and JSON path, for messages: "scenes/a.json: cloths[0].pins[1]"
+  std::variant<GridPart, SelectorBox, SelectorNear, SelectorNodes> what;
+};
+
+/// A translation along a line, with speed and place given by `start`, `ramp` and `distance` (motion.hpp).
+struct MotionLine {
+  Vec3d direction;                 // unit
+  double speed = 0;                // [m/s]
+  std::optional<double> distance;  // [m]; none: without end
+  double start = 0, ramp = 0;      // [s]
+};
+struct PathPoint {
+  double time = 0;  // [s]
+  Vec3d offset;     // from the rest position [m]
+};
+/// A translation along straight pieces between points at rising times.
+struct MotionPath {
+  std::vector<PathPoint> points;
+};
+/// A rotation about an axis through `center`, right-handed.
+struct MotionRotation {
+  Vec3d axis;                   // unit
+  Vec3d center;                 // in the world [m]
+  double speed = 0;             // [rad/s]
+  std::optional<double> angle;  // [rad]; none: without end
+  double start = 0, ramp = 0;   // [s]
+};
+/// Nodes that follow a given motion instead of the forces.
+struct Motion {
+  std::string where;  // file and JSON path
+  std::vector<Selector> nodes;
+  std::variant<MotionLine, MotionPath, MotionRotation> shape;
+};
+
+/// Where a grid lies before its transform, centred on the origin.
+enum class Plane {
+  Xy,  ///< hangs: i grows with +x, j with -y
+  Xz,  ///< lies flat: i grows with +x, j with +z
+};
+struct GridShape {
+  std::uint32_t nx = 0, ny = 0;  // nodes
+  double width = 0, height = 0;  // along i and along j [m]
+  Plane plane = Plane::Xy;
+};
+
+/// Spring stiffness [N/m].
+struct Stiffness {
+  double structural = 5000, shear = 2000, bend = 500;
+};
+
+struct Cloth {
+  std::string where;  // file and JSON path: "scenes/a.json: cloths[0]"
+  std::string name;
+  std::optional<GridShape> grid;  // either this
+  std::string mesh;               // or this: the name of a model or a path; see mesh_path
+  Transform transform;
+  std::optional<double> density;    // either this [kg/m²]
+  std::optional<double> node_mass;  // or this [kg]
+  Stiffness stiffness;
+  double damping = 0.25;  // along each spring [N·s/m]
+  std::vector<Selector> pins;
+  std::vector<Motion> motions;
+  std::optional<Vec3d> color;  // red, green, blue in [0, 1]
+};
+
+struct ColliderMesh {
+  std::string where;  // file and JSON path
+  std::string mesh;   // the name of a model or a path; see mesh_path
+  Transform transform;
+};
+struct ColliderSphere {
+  Vec3d center;       // [m]
+  double radius = 0;  // [m]
+};
+/// Solid on the side away from `normal`.
+struct ColliderPlane {
+  Vec3d point;   // [m]
+  Vec3d normal;  // unit
+};
+using Collider = std::variant<ColliderMesh, ColliderSphere, ColliderPlane>;
+
+struct Time {
+  double frame = 1.0 / 60.0;              // simulated time of a frame [s]
+  std::optional<std::uint32_t> substeps;  // none: the solver chooses
+  std::uint32_t frames = 90;
+};
+
+enum class SolverKind { MassSpring };
+enum class Forces { NodeCentric, SpringCentric };
+struct Solver {
+  SolverKind kind = SolverKind::MassSpring;
+  Forces forces = Forces::NodeCentric;
+};
+
+enum class ContactMethod { None, Paper, Bvh };
+struct Contact {
+  ContactMethod method = ContactMethod::Bvh;
+  double thickness = 0.005;  // [m]
+};
+
+struct Camera {
+  Vec3d eye, target;        // [m]
+  double fov_degrees = 35;  // vertical
+};
+
+enum class View { Textured, Wireframe, Normals, Stretch };
+struct Render {
+  View view = View::Textured;
+  std::uint32_t width = 1280, height = 720;  // [pixel]
+};
+
+struct Scene {
+  std::string file;  // the name it was read under; mesh paths start at its folder
+  std::string title, description;
+  Vec3d gravity{0, -9.81, 0};  // [m/s²]
+  Vec3d external_force;        // uniform, beside gravity [N/kg]
+  double drag = 0;             // a = -drag * v [1/s]
+  Time time;
+  Solver solver;
+  Contact contact;
+  std::vector<Cloth> cloths;
+  std::vector<Collider> colliders;
+  std::optional<Camera> camera;  // none: the renderer frames the scene
+  Render render;
+};
+
+/// A point after scale, rotation and translation. Adds and multiplies only: the same bits everywhere.
+Vec3d transformed(const Transform& transform, const Vec3d& point);
+
+/// The rest positions of a grid in the world [m], row by row: node j * nx + i.
+std::vector<Vec3d> grid_positions(const GridShape& grid, const Transform& transform);
+
+/// The JSON word for a value.
+const char* name_of(GridPart part);
+const char* name_of(Plane plane);
+const char* name_of(SolverKind kind);
+const char* name_of(Forces forces);
+const char* name_of(ContactMethod method);
+const char* name_of(View view);
+
+}  // namespace weft::scene

@@ -1,0 +1,132 @@
+#include "scene/select.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace weft::scene {
+namespace {
+
+constexpr double kFaceTolerance =
+    1e-9;  // m; a node meant to lie on a face is off it by rounding, far below this
+
+bool in_part(GridPart part, std::uint32_t i, std::uint32_t j, const Selection& from) {
+  const bool left = i == 0, right = i == from.nx - 1, top = j == 0, bottom = j == from.ny - 1;
+  switch (part) {
+    case GridPart::TopLeft:
+      return top && left;
+    case GridPart::TopRight:
+      return top && right;
+    case GridPart::BottomLeft:
+      return bottom && left;
+    case GridPart::BottomRight:
+      return bottom && right;
+    case GridPart::Top:
+      return top;
+    case GridPart::Bottom:
+      return bottom;
+    case GridPart::Left:
+      return left;
+    case GridPart::Right:
+      return right;
+    case GridPart::Corners:
+      return (top || bottom) && (left || right);
+    case GridPart::Edges:
+      break;
+  }
+  return top || bottom || left || right;
+}
+
+bool in_box(const SelectorBox& box, const Vec3d& p) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] < box.min[axis] - kFaceTolerance || p[axis] > box.max[axis] + kFaceTolerance) return false;
+  return true;
+}
+
+template <class Test>
+std::vector<std::uint32_t> where(const Selection& from, Test test) {
+  std::vector<std::uint32_t> nodes;
+  for (std::size_t node = 0; node < from.positions.size(); ++node)
+    if (test(node)) nodes.push_back(static_cast<std::uint32_t>(node));
+  return nodes;
+}
+
+void sort_once(std::vector<std::uint32_t>& nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+}
+
+/// Marks `nodes` as held by `holder`, unless another holds one of them already.
+Result<void> hold(const std::vector<std::uint32_t>& nodes, int holder, std::vector<int>& holders,
+                  const Cloth& cloth) {
+  for (const std::uint32_t node : nodes) {
+    const int other = holders[node];
+    if (other == 0)
+      return input_error(
+          "%s holds node %u, which the cloth's pins hold too; a node is pinned or moved, not both.",
+          cloth.motions[static_cast<std::size_t>(holder - 1)].where.c_str(), node);
+    if (other > 0)
+      return input_error("%s holds node %u, which motions[%d] holds too; a node follows one motion.",
+                         cloth.motions[static_cast<std::size_t>(holder - 1)].where.c_str(), node, other - 1);
+    holders[node] = holder;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<std::uint32_t>> select_nodes(const Selector& selector, const Selection& from) {
+  const std::size_t count = from.positions.size();
+  std::vector<std::uint32_t> nodes;
+  if (const auto* part = std::get_if<GridPart>(&selector.what)) {
+    if (from.nx == 0) return input_error("%s is a part that only a grid has.", selector.where.c_str());
+    assert(static_cast<std::size_t>(from.nx) * from.ny == count);
+    nodes = where(from, [&](std::size_t node) {
+      return in_part(*part, static_cast<std::uint32_t>(node % from.nx),
+                     static_cast<std::uint32_t>(node / from.nx), from);
+    });
+  } else if (const auto* box = std::get_if<SelectorBox>(&selector.what)) {
+    nodes = where(from, [&](std::size_t node) { return in_box(*box, from.positions[node]); });
+  } else if (const auto* near = std::get_if<SelectorNear>(&selector.what)) {
+    const double reach = near->radius + kFaceTolerance;
+    nodes = where(from, [&](std::size_t node) {
+      const Vec3d span = from.positions[node] - near->point;
+      return dot(span, span) <= reach * reach;
+    });
+  } else if (const auto* list = std::get_if<SelectorNodes>(&selector.what)) {
+    for (const std::uint32_t index : list->indices)
+      if (index >= count)
+        return input_error("%s names node %u; the cloth has %zu nodes, counted from 0.",
+                           selector.where.c_str(), index, count);
+    nodes = list->indices;
+    sort_once(nodes);
+  }
+  if (nodes.empty())
+    return input_error("%s selects none of the cloth's %zu nodes.", selector.where.c_str(), count);
+  return nodes;
+}
+
+Result<std::vector<std::uint32_t>> select_nodes(std::span<const Selector> selectors, const Selection& from) {
+  std::vector<std::uint32_t> all;
+  for (const Selector& selector : selectors) {
+    WEFT_TRY(nodes, select_nodes(selector, from));
+    all.insert(all.end(), nodes.begin(), nodes.end());
+  }
+  sort_once(all);
+  return all;
+}
+
+Result<HeldNodes> held_nodes(const Cloth& cloth, const Selection& from) {
+  HeldNodes held;
+  std::vector<int> holders(from.positions.size(), -1);  // 0: pins, k + 1: motion k
+  WEFT_TRY(pins, select_nodes(cloth.pins, from));
+  held.pins = std::move(pins);
+  WEFT_CHECK(hold(held.pins, 0, holders, cloth));
+  for (std::size_t k = 0; k < cloth.motions.size(); ++k) {
+    WEFT_TRY(moved, select_nodes(cloth.motions[k].nodes, from));
+    WEFT_CHECK(hold(moved, static_cast<int>(k) + 1, holders, cloth));
+    held.motions.push_back(std::move(moved));
+  }
+  return held;
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,209 @@
+#include <doctest/doctest.h>
+
+#include "scene/load.hpp"
+#include "scene/select.hpp"
+#include "texts.hpp"
+
+using namespace weft;
+using namespace weft::scene;
+
+namespace {
+
+Scene parsed(const std::string& text) {
+  auto scene = parse_scene(text, "a.json");
+  if (!scene) FAIL(scene.error().message);
+  return *scene;
+}
+
+}  // namespace
+
+TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
+  const Scene scene = parsed(minimal_scene());
+  CHECK(scene.title.empty());
+  CHECK(scene.description.empty());
+  CHECK(scene.gravity == Vec3d{0, -9.81, 0});
+  CHECK(scene.external_force == Vec3d{0, 0, 0});
+  CHECK(scene.drag == 0);
+  CHECK(scene.time.frame == 1.0 / 60.0);
+  CHECK_FALSE(scene.time.substeps);
+  CHECK(scene.time.frames == 90);
+  CHECK(scene.solver.kind == SolverKind::MassSpring);
+  CHECK(scene.solver.forces == Forces::NodeCentric);
+  CHECK(scene.contact.method == ContactMethod::Bvh);
+  CHECK(scene.contact.thickness == 0.005);
+  CHECK(scene.colliders.empty());
+  CHECK_FALSE(scene.camera);
+  CHECK(scene.render.view == View::Textured);
+  CHECK(scene.render.width == 1280);
+  CHECK(scene.render.height == 720);
+
+  const Cloth& cloth = scene.cloths.at(0);
+  CHECK(cloth.name.empty());
+  CHECK(cloth.grid->plane == Plane::Xy);
+  CHECK(cloth.transform.scale == 1);
+  CHECK(cloth.transform.rotate == std::array<double, 4>{0, 0, 0, 1});
+  CHECK(cloth.transform.translate == Vec3d{0, 0, 0});
+  CHECK(cloth.stiffness.structural == 5000);
+  CHECK(cloth.stiffness.shear == 2000);
+  CHECK(cloth.stiffness.bend == 500);
+  CHECK(cloth.damping == 0.25);
+  CHECK(cloth.pins.empty());
+  CHECK(cloth.motions.empty());
+  CHECK_FALSE(cloth.color);
+  CHECK_FALSE(cloth.node_mass);
+}
+
+TEST_CASE("a default-made Scene has the same defaults as one that is read") {
+  const Scene made, read = parsed(minimal_scene());
+  CHECK(made.gravity == read.gravity);
+  CHECK(made.time.frame == read.time.frame);
+  CHECK(made.time.substeps == read.time.substeps);
+  CHECK(made.time.frames == read.time.frames);
+  CHECK(made.solver.forces == read.solver.forces);
+  CHECK(made.contact.method == read.contact.method);
+  CHECK(made.contact.thickness == read.contact.thickness);
+  CHECK(made.render.view == read.render.view);
+  CHECK(made.render.width == read.render.width);
+  CHECK(Cloth{}.stiffness.structural == read.cloths[0].stiffness.structural);
+  CHECK(Cloth{}.stiffness.shear == read.cloths[0].stiffness.shear);
+  CHECK(Cloth{}.stiffness.bend == read.cloths[0].stiffness.bend);
+  CHECK(Cloth{}.damping == read.cloths[0].damping);
+  CHECK(Camera{}.fov_degrees == 35);
+}
+
+TEST_CASE("every key arrives where it belongs") {
+  const Scene scene = parsed(R"({
+    "format": "weft-scene/1", "title": "T", "description": "D", "gravity": [1, 2, 3], "external_force": [4, 5, 6],
+    "drag": 0.5, "time": {"frame": 0.02, "substeps": 12, "frames": 7},
+    "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "contact": {"method": "paper", "thickness": 0.01},
+    "cloths": [
+      {"name": "flag", "grid": [5, 3], "size": [4, 2], "plane": "xz", "node_mass": 0.1, "damping": 2,
+       "transform": {"scale": 2, "rotate": [0, 0, 0.6, 0.8], "translate": [1, 2, 3]},
+       "stiffness": {"structural": 1, "shear": 2, "bend": 3}, "color": [0.1, 0.2, 0.3],
+       "pins": ["top_left", {"box": {"min": [0, 1, 2], "max": [3, 4, 5]}}, {"nodes": [7, 8]},
+                {"near": {"point": [1, 2, 3], "radius": 0.5}}],
+       "motions": [
+         {"nodes": "right", "kind": "line", "direction": [0, 3, 4], "speed": 2, "distance": 5, "start": 1, "ramp": 0.5},
+         {"nodes": ["left", {"nodes": [1]}], "kind": "path", "points": [[1, [0, 0, 1]], [2, [0, 1, 0]]]},
+         {"nodes": {"nodes": [3]}, "kind": "rotation", "axis": [0, 0, 2], "center": [1, 1, 1], "speed": 3, "angle": 6,
+          "start": 2, "ramp": 1}]},
+      {"mesh": "shirt.obj", "density": 0.3}],
+    "colliders": [{"kind": "mesh", "mesh": "dragon", "transform": {"scale": 0.5}},
+                  {"kind": "sphere", "center": [1, 2, 3], "radius": 4},
+                  {"kind": "plane", "point": [0, -1, 0], "normal": [0, 5, 0]}],
+    "camera": {"eye": [0, 0, 5], "target": [0, 1, 0], "fov_degrees": 50},
+    "render": {"view": "stretch", "size": [640, 480]}})");
+  CHECK(scene.file == "a.json");
+  CHECK(scene.title == "T");
+  CHECK(scene.description == "D");
+  CHECK(scene.gravity == Vec3d{1, 2, 3});
+  CHECK(scene.external_force == Vec3d{4, 5, 6});
+  CHECK(scene.drag == 0.5);
+  CHECK(scene.time.frame == 0.02);
+  CHECK(scene.time.substeps == 12U);
+  CHECK(scene.time.frames == 7);
+  CHECK(scene.solver.forces == Forces::SpringCentric);
+  CHECK(scene.contact.method == ContactMethod::Paper);
+  CHECK(scene.contact.thickness == 0.01);
+  CHECK(scene.camera->eye == Vec3d{0, 0, 5});
+  CHECK(scene.camera->target == Vec3d{0, 1, 0});
+  CHECK(scene.camera->fov_degrees == 50);
+  CHECK(scene.render.view == View::Stretch);
+  CHECK(scene.render.width == 640);
+  CHECK(scene.render.height == 480);
+
+  REQUIRE(scene.cloths.size() == 2);
+  const Cloth& flag = scene.cloths[0];
+  CHECK(flag.name == "flag");
+  CHECK(flag.grid->nx == 5);
+  CHECK(flag.grid->ny == 3);
+  CHECK(flag.grid->width == 4);
+  CHECK(flag.grid->height == 2);
+  CHECK(flag.grid->plane == Plane::Xz);
+  CHECK(flag.node_mass == 0.1);
+  CHECK_FALSE(flag.density);
+  CHECK(flag.damping == 2);
+  CHECK(flag.stiffness.bend == 3);
+  CHECK(flag.color == Vec3d{0.1, 0.2, 0.3});
+  CHECK(flag.transform.scale == 2);
+  CHECK(flag.transform.rotate[3] == doctest::Approx(0.8));
+  CHECK(flag.transform.translate == Vec3d{1, 2, 3});
+  REQUIRE(flag.pins.size() == 4);
+  CHECK(std::get<GridPart>(flag.pins[0].what) == GridPart::TopLeft);
+  CHECK(std::get<SelectorBox>(flag.pins[1].what).max == Vec3d{3, 4, 5});
+  CHECK(std::get<SelectorNodes>(flag.pins[2].what).indices == std::vector<std::uint32_t>{7, 8});
+  CHECK(std::get<SelectorNear>(flag.pins[3].what).radius == 0.5);
+  CHECK(flag.pins[3].where == "a.json: cloths[0].pins[3]");
+  REQUIRE(flag.motions.size() == 3);
+  const auto& line = std::get<MotionLine>(flag.motions[0].shape);
+  CHECK(line.direction.y == doctest::Approx(0.6));
+  CHECK(line.direction.z == doctest::Approx(0.8));
+  CHECK(line.distance == 5.0);
+  CHECK(line.start == 1);
+  CHECK(line.ramp == 0.5);
+  CHECK(flag.motions[1].nodes.size() == 2);
+  CHECK(flag.motions[1].nodes[1].where == "a.json: cloths[0].motions[1].nodes[1]");
+  CHECK(std::get<MotionPath>(flag.motions[1].shape).points[1].offset == Vec3d{0, 1, 0});
+  CHECK(flag.motions[2].nodes[0].where == "a.json: cloths[0].motions[2].nodes");
+  const auto& turn = std::get<MotionRotation>(flag.motions[2].shape);
+  CHECK(turn.axis == Vec3d{0, 0, 1});
+  CHECK(turn.angle == 6.0);
+  CHECK(scene.cloths[1].mesh == "shirt.obj");
+  CHECK(scene.cloths[1].density == 0.3);
+  CHECK_FALSE(scene.cloths[1].grid);
+
+  REQUIRE(scene.colliders.size() == 3);
+  CHECK(std::get<ColliderMesh>(scene.colliders[0]).mesh == "dragon");
+  CHECK(std::get<ColliderMesh>(scene.colliders[0]).transform.scale == 0.5);
+  CHECK(std::get<ColliderSphere>(scene.colliders[1]).radius == 4);
+  CHECK(std::get<ColliderPlane>(scene.colliders[2]).normal == Vec3d{0, 1, 0});
+}
+
+TEST_CASE("the word of each enumerator is the one that the scene says") {
+  for (const char* word : {"textured", "wireframe", "normals", "stretch"})
+    CHECK(std::string(name_of(
+              parsed(scene_with("\"render\": {\"view\": \"" + std::string(word) + "\"}")).render.view)) ==
+          word);
+  for (const char* word : {"none", "paper", "bvh"})
+    CHECK(std::string(name_of(parsed(scene_with("\"contact\": {\"method\": \"" + std::string(word) + "\"}"))
+                                  .contact.method)) == word);
+  for (const char* word : {"node_centric", "spring_centric"})
+    CHECK(std::string(name_of(
+              parsed(scene_with("\"solver\": {\"forces\": \"" + std::string(word) + "\"}")).solver.forces)) ==
+          word);
+  CHECK(std::string(name_of(SolverKind::MassSpring)) == "mass_spring");
+  CHECK(std::string(name_of(Plane::Xz)) == "xz");
+  CHECK(std::string(name_of(GridPart::Edges)) == "edges");
+}
+
+TEST_CASE("limits themselves are accepted") {
+  CHECK(parse_scene(scene_with(R"("time": {"substeps": 65536, "frame": 10, "frames": 10000000})"), "a"));
+  CHECK(parse_scene(scene_with(R"("time": {"substeps": 1.0, "frame": 1e-6, "frames": 1})"), "a"));
+  CHECK(parse_scene(cloth_of(R"("grid": [2, 16384], "size": [1e-6, 1e6], "density": 1e-6)"), "a"));
+  CHECK(parse_scene(cloth_of(R"("grid": [8192, 8192], "size": [1, 1], "node_mass": 1e-12)"), "a"));
+  CHECK(parse_scene(cloth_with(R"("stiffness": {"structural": 0, "shear": 0, "bend": 1e12}, "damping": 0)"),
+                    "a"));
+  CHECK(parse_scene(scene_with(R"("contact": {"thickness": 0}, "drag": 10000)"), "a"));
+}
+
+TEST_CASE("quaternions within a thousandth of unit length are made unit, directions of any length too") {
+  const Scene scene = parsed(cloth_with(R"("transform": {"rotate": [0.5, 0.5, 0.5, 0.501]})"));
+  double sum = 0;
+  for (const double q : scene.cloths[0].transform.rotate) sum += q * q;
+  CHECK(sum == doctest::Approx(1).epsilon(1e-15));
+  for (const char* length : {"1e-320", "1e-200", "3", "1e6"}) {
+    const std::string text =
+        std::string("\"kind\": \"line\", \"speed\": 1, \"direction\": [0, -") + length + ", 0]";
+    CHECK(std::get<MotionLine>(parsed(motion_with(text)).cloths[0].motions[0].shape).direction ==
+          Vec3d{0, -1, 0});
+  }
+}
+
+TEST_CASE("a transform scales, then rotates, then translates") {
+  const double half = std::sqrt(0.5);
+  const Transform quarter_about_z{2, {0, 0, half, half}, {10, 0, 0}};
+  const Vec3d p = transformed(quarter_about_z, {1, 0, 0});  // (2, 0, 0), (0, 2, 0), (10, 2, 0)
+  CHECK(length(p - Vec3d{10, 2, 0}) < 1e-14);
+  const Vec3d q = transformed({1, {0.5, 0.5, 0.5, 0.5}, {}}, {1, 2, 3});  // x -> y -> z -> x
+  CHECK(length(q - Vec3d{3, 1, 2}) < 1e-14);
+}

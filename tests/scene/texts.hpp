@@ -1,0 +1,31 @@
+// Scene texts that tests build on.
+#pragma once
+
+#include <string>
+
+namespace weft::scene {
+
+/// A scene with one more key at the top: R"("drag": 1)".
+inline std::string scene_with(const std::string& members) {
+  return R"({"format": "weft-scene/1", "cloths": [{"grid": [4, 3], "size": [3, 2], "density": 0.2}], )" +
+         members + "}";
+}
+
+/// A scene of one cloth that has these keys.
+inline std::string cloth_of(const std::string& members) {
+  return R"({"format": "weft-scene/1", "cloths": [{)" + members + "}]}";
+}
+
+/// A scene of one good grid cloth with further keys.
+inline std::string cloth_with(const std::string& members) {
+  return cloth_of(R"("grid": [4, 3], "size": [3, 2], "density": 0.2, )" + members);
+}
+
+/// A scene with one motion of all corners.
+inline std::string motion_with(const std::string& members) {
+  return cloth_with(R"("motions": [{"nodes": "corners", )" + members + "}]");
+}
+
+inline std::string minimal_scene() { return cloth_of(R"("grid": [4, 3], "size": [3, 2], "density": 0.2)"); }
+
+}  // namespace weft::scene
