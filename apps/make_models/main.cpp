@@ -1,4 +1,5 @@
-// make_models RAW_FOLDER MODELS_FOLDER: the meshes that the shipped scenes name, as binary PLY. Run by ./dev build.
+// make_models RAW_FOLDER MODELS_FOLDER: the meshes that the shipped scenes name, as binary PLY. Run by ./dev
+// build.
 #include <cstdio>
 #include <string>
 
@@ -16,7 +17,15 @@ constexpr int kVersion = 1;  // of the recipes below: raise it, and every folder
 constexpr std::size_t kDragonTriangles = 100'000;  // at most, as in Sung et al.
 
 Result<TriangleMesh> make_unit_sphere(const std::string&) { return make_sphere(20, 20); }
-Result<TriangleMesh> make_armadillo(const std::string& raw) { return read_mesh(raw + "/armadillo.off"); }
+
+// Upright as it comes (y up), but with its back to the viewer: a half turn about y, which only flips signs.
+Result<TriangleMesh> make_armadillo(const std::string& raw) {
+  WEFT_TRY(mesh, read_mesh(raw + "/armadillo.off"));
+  for (Vec3f& p : mesh.positions) p = {-p.x, p.y, -p.z};
+  return mesh;
+}
+
+// Upright as it comes (y up), its side to the viewer and its head on the left.
 Result<TriangleMesh> make_dragon(const std::string& raw) {
   WEFT_TRY(mesh, read_mesh(raw + "/dragon.ply.gz"));
   return simplify(mesh, kDragonTriangles);
@@ -39,18 +48,22 @@ bool is_made(const std::string& path, const Recipe& recipe) {
   return std::string(reinterpret_cast<const char*>(bytes->data()), begin.size()) == begin;
 }
 
-Result<void> make_model(const Recipe& recipe, const std::string& raw_folder, const std::string& models_folder) {
+Result<void> make_model(const Recipe& recipe, const std::string& raw_folder,
+                        const std::string& models_folder) {
   const std::string path = models_folder + "/" + recipe.name + ".ply";
   if (is_made(path, recipe)) return {};
   WEFT_TRY(mesh, recipe.make(raw_folder));
   const std::size_t dropped = drop_degenerate_triangles(mesh);
   WEFT_CHECK(check_mesh(mesh));
   const double volume = signed_volume(mesh);
-  if (!(volume > 0.0)) return input_error("Model %s has the volume %g m³, so it faces inward.", recipe.name, volume);
+  if (!(volume > 0.0))
+    return input_error("Model %s has the volume %g m³, so it faces inward.", recipe.name, volume);
   WEFT_CHECK(write_file(path, write_ply(mesh, stamp(recipe))));
   const auto [low, high] = bounds(mesh);
-  std::fprintf(stderr, "weft: made %s: %zu vertices, %zu triangles (%zu of no area dropped), from (%g, %g, %g) to "
-               "(%g, %g, %g), volume %g\n", path.c_str(), mesh.positions.size(), mesh.triangles.size(), dropped,
+  std::fprintf(stderr,
+               "weft: made %s: %zu vertices, %zu triangles (%zu of no area dropped), from (%g, %g, %g) to "
+               "(%g, %g, %g), volume %g\n",
+               path.c_str(), mesh.positions.size(), mesh.triangles.size(), dropped,
                static_cast<double>(low.x), static_cast<double>(low.y), static_cast<double>(low.z),
                static_cast<double>(high.x), static_cast<double>(high.y), static_cast<double>(high.z), volume);
   return {};

@@ -43,7 +43,8 @@ std::vector<Edge> mesh_edges(std::span<const Triangle> triangles) {
   edges.reserve(3 * triangles.size());
   for (const Triangle& t : triangles)
     for (std::size_t k = 0; k < 3; ++k)
-      if (const std::uint32_t a = t[k], b = t[(k + 1) % 3]; a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+      if (const std::uint32_t a = t[k], b = t[(k + 1) % 3]; a != b)
+        edges.push_back({std::min(a, b), std::max(a, b)});
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;

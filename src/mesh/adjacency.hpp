@@ -19,7 +19,8 @@ struct Adjacency {
 
   std::size_t row_count() const { return offsets.empty() ? 0 : offsets.size() - 1; }
   std::span<const std::uint32_t> row(std::size_t index) const {
-    return std::span(entries).subspan(offsets[index], offsets[index + 1] - offsets[index]);
+    return std::span<const std::uint32_t>(entries).subspan(offsets[index],
+                                                           offsets[index + 1] - offsets[index]);
   }
 };
 

@@ -10,10 +10,12 @@ Result<void> check_grid(const Grid& grid) {
   const std::uint64_t nodes = std::uint64_t{grid.nx} * grid.ny;
   if (nodes > kMaxGridNodes)
     return input_error("Grid %u x %u has %llu nodes, more than the limit of %llu.", grid.nx, grid.ny,
-                       static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(kMaxGridNodes));
+                       static_cast<unsigned long long>(nodes),
+                       static_cast<unsigned long long>(kMaxGridNodes));
   for (const double size : {grid.width, grid.height})
     if (!(size > 0.0 && std::isfinite(size)))
-      return input_error("Grid %u x %u has the size %g m, which is not positive and finite.", grid.nx, grid.ny, size);
+      return input_error("Grid %u x %u has the size %g m, which is not positive and finite.", grid.nx,
+                         grid.ny, size);
   return {};
 }
 

@@ -11,21 +11,24 @@ namespace weft::mesh {
 
 /// Nodes in rows: i from 0 to nx - 1 along the width, j from 0 to ny - 1 along the height.
 struct Grid {
-  std::uint32_t nx = 2, ny = 2;           // nodes, each at least 2
-  double width = 1.0, height = 1.0;       // m
+  std::uint32_t nx = 2, ny = 2;      // nodes, each at least 2
+  double width = 1.0, height = 1.0;  // m
 };
 
-/// The most nodes of a grid: its springs, six for a node, and three force components for a node stay below 2^32.
+/// The most nodes of a grid: its springs, six for a node, and three force components for a node stay below
+/// 2^32.
 constexpr std::uint64_t kMaxGridNodes = std::uint64_t{1} << 28U;
 
-/// Errors  Input: fewer than 2 nodes a side, more than kMaxGridNodes, or a size that is not positive and finite.
-/// All functions below expect a grid that passed.
+/// Errors  Input: fewer than 2 nodes a side, more than kMaxGridNodes, or a size that is not positive and
+/// finite. All functions below expect a grid that passed.
 Result<void> check_grid(const Grid& grid);
 
 std::uint32_t node_count(const Grid& grid);
 
 /// Row by row: j * nx + i.
-constexpr std::uint32_t node_index(const Grid& grid, std::uint32_t i, std::uint32_t j) { return j * grid.nx + i; }
+constexpr std::uint32_t node_index(const Grid& grid, std::uint32_t i, std::uint32_t j) {
+  return j * grid.nx + i;
+}
 
 /// The rest coordinates of a node [m], from the corner i = 0, j = 0.
 struct RestPoint {
@@ -33,7 +36,8 @@ struct RestPoint {
 };
 RestPoint rest_point(const Grid& grid, std::uint32_t i, std::uint32_t j);
 
-/// Two triangles a quad, quads row by row. The diagonal alternates with i + j, so that no direction is preferred:
+/// Two triangles a quad, quads row by row. The diagonal alternates with i + j, so that no direction is
+/// preferred:
 ///
 ///      i ──>
 ///    j a───b───b'    a = (i, j)      b = (i + 1, j)

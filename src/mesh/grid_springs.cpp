@@ -35,7 +35,8 @@ std::vector<MeshSpring> grid_springs(const Grid& grid, BoundaryWeights weights) 
         springs.push_back({node + 1, below, SpringKind::Shear, diagonal, 1.0});
       }
       if (i + 2 < grid.nx) springs.push_back({node, node + 2, SpringKind::Bend, 2.0 * dx, row_weight});
-      if (j + 2 < grid.ny) springs.push_back({node, below + grid.nx, SpringKind::Bend, 2.0 * dy, column_weight});
+      if (j + 2 < grid.ny)
+        springs.push_back({node, below + grid.nx, SpringKind::Bend, 2.0 * dy, column_weight});
     }
   }
   return springs;

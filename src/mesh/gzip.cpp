@@ -20,8 +20,8 @@ struct Inflater {
 
 unsigned piece(std::size_t size) { return static_cast<unsigned>(std::min<std::size_t>(size, 1U << 30U)); }
 
-// Unpacks all members into `place`. sink(place, made) learns how many bytes were made there and returns where the
-// next ones go.
+// Unpacks all members into `place`. sink(place, made) learns how many bytes were made there and returns where
+// the next ones go.
 template <class Sink>
 Result<void> unpack(std::span<const std::byte> bytes, std::span<Bytef> place, Sink sink) {
   Inflater inflater;
@@ -52,7 +52,8 @@ Result<void> unpack(std::span<const std::byte> bytes, std::span<Bytef> place, Si
     if (status != Z_STREAM_END) continue;
     if (offset == bytes.size()) return {};
     if (!is_gzip(bytes.subspan(offset)))
-      return input_error("The gzip data end at byte %zu, but %zu bytes follow.", offset, bytes.size() - offset);
+      return input_error("The gzip data end at byte %zu, but %zu bytes follow.", offset,
+                         bytes.size() - offset);
     inflateReset(&stream);
   }
 }
@@ -71,8 +72,8 @@ Result<std::vector<std::byte>> gunzip(std::span<const std::byte> bytes) {
   WEFT_CHECK(unpack(bytes, scratch, [&](std::span<Bytef> place, unsigned made) -> Result<std::span<Bytef>> {
     size += made;
     if (size > limit)
-      return input_error("The %zu bytes of gzip data unpack to more than the limit of %llu bytes.", bytes.size(),
-                         static_cast<unsigned long long>(limit));
+      return input_error("The %zu bytes of gzip data unpack to more than the limit of %llu bytes.",
+                         bytes.size(), static_cast<unsigned long long>(limit));
     return place;
   }));
   // One byte more, so that zlib always has room to see the end of the stream.

@@ -6,7 +6,8 @@
 namespace weft::mesh {
 namespace {
 
-constexpr double kLonger = 1.001;  // a diagonal is longer than its quad's sides by more than rounding of coordinates
+constexpr double kLonger =
+    1.001;  // a diagonal is longer than its quad's sides by more than rounding of coordinates
 
 /// One triangle at an edge.
 struct Side {
@@ -48,12 +49,13 @@ void add_springs(const TriangleMesh& mesh, std::span<const Side> sides, double b
   const double edge_length = distance(mesh, first.node_a, first.node_b);
   const bool is_diagonal = sides.size() == 2 && first.opposite != sides[1].opposite &&
                            is_longest(mesh, first, edge_length) && is_longest(mesh, sides[1], edge_length);
-  springs.push_back({first.node_a, first.node_b, is_diagonal ? SpringKind::Shear : SpringKind::Structural, edge_length,
-                     sides.size() == 1 ? boundary_weight : 1.0});
+  springs.push_back({first.node_a, first.node_b, is_diagonal ? SpringKind::Shear : SpringKind::Structural,
+                     edge_length, sides.size() == 1 ? boundary_weight : 1.0});
   for (std::size_t i = 1; i < sides.size(); ++i) {
     const auto [low, high] = std::minmax(sides[i - 1].opposite, sides[i].opposite);
     if (low == high) continue;
-    springs.push_back({low, high, is_diagonal ? SpringKind::Shear : SpringKind::Bend, distance(mesh, low, high), 1.0});
+    springs.push_back(
+        {low, high, is_diagonal ? SpringKind::Shear : SpringKind::Bend, distance(mesh, low, high), 1.0});
   }
 }
 
@@ -65,13 +67,14 @@ std::vector<MeshSpring> mesh_springs(const TriangleMesh& mesh, BoundaryWeights w
   std::vector<MeshSpring> springs;
   springs.reserve(sides.size() + sides.size() / 4);
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-    while (end < sides.size() && sides[end].node_a == sides[begin].node_a && sides[end].node_b == sides[begin].node_b)
+    while (end < sides.size() && sides[end].node_a == sides[begin].node_a &&
+           sides[end].node_b == sides[begin].node_b)
       ++end;
-    add_springs(mesh, std::span(sides).subspan(begin, end - begin), boundary_weight, springs);
+    add_springs(mesh, std::span<const Side>(sides).subspan(begin, end - begin), boundary_weight, springs);
   }
-  // Of springs between the same nodes an edge stays before a bend, a shear before a bend, an edge before a shear across:
-  // edges were added first only within their own group, so their kinds decide.
-  std::stable_sort(springs.begin(), springs.end(), [](const MeshSpring& a, const MeshSpring& b) {
+  // Of the springs between two nodes the first kind stays: an edge before what only crosses one. Springs that
+  // agree in all three are equal, so the order of the sort does not matter.
+  std::sort(springs.begin(), springs.end(), [](const MeshSpring& a, const MeshSpring& b) {
     if (a.node_a != b.node_a) return a.node_a < b.node_a;
     return a.node_b != b.node_b ? a.node_b < b.node_b : a.kind < b.kind;
   });

@@ -11,8 +11,9 @@
 namespace weft::mesh {
 namespace {
 
-// A double or a float is halfway between two floats only with at most 113 significant digits, between two doubles
-// with at most 768: digits beyond these matter only by not being zero, which one more digit "1" stands for.
+// A double or a float is halfway between two floats only with at most 113 significant digits, between two
+// doubles with at most 768: digits beyond these matter only by not being zero, which one more digit "1"
+// stands for.
 constexpr int kMaxDigits = 770;
 constexpr int kMaxExponent = 1'000'000;  // beyond: zero or infinite, whatever the digits
 
@@ -30,7 +31,8 @@ void add_digit(Decimal& number, char digit, bool after_point) {
   if (number.digit_count == 0 && digit == '0') return;
   if (number.digit_count <= kMaxDigits - 1) {
     number.digits[number.digit_count++] = digit;
-    if (number.digit_count <= 19) number.mantissa = number.mantissa * 10 + static_cast<std::uint64_t>(digit - '0');
+    if (number.digit_count <= 19)
+      number.mantissa = number.mantissa * 10 + static_cast<std::uint64_t>(digit - '0');
     return;
   }
   ++number.exponent;
@@ -67,13 +69,15 @@ bool parse_decimal(std::string_view word, Decimal& number) {
   std::int64_t exponent = 0;
   for (; at < word.size(); ++at) {
     if (!is_digit(word[at])) return false;
-    if (exponent < (std::int64_t{1} << 40)) exponent = exponent * 10 + (word[at] - '0');  // sizes of words are smaller
+    if (exponent < (std::int64_t{1} << 40))
+      exponent = exponent * 10 + (word[at] - '0');  // sizes of words are smaller
   }
   number.exponent += negative_exponent ? -exponent : exponent;
   return true;
 }
 
-// Clinger's fast path: an integer below 2^53 times or over a power of ten up to 10^22, both exact, rounds once.
+// Clinger's fast path: an integer below 2^53 times or over a power of ten up to 10^22, both exact, rounds
+// once.
 bool fast_double(const Decimal& number, double& value) {
   static constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                        1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -101,8 +105,10 @@ T slow_value(Decimal& number) {
   char text[kMaxDigits + 16];
   std::memcpy(text, number.digits, static_cast<std::size_t>(number.digit_count));
   std::snprintf(text + number.digit_count, 15, "e%d", static_cast<int>(number.exponent));
-  if constexpr (sizeof(T) == sizeof(float)) return std::strtof(text, nullptr);
-  else return std::strtod(text, nullptr);
+  if constexpr (sizeof(T) == sizeof(float))
+    return std::strtof(text, nullptr);
+  else
+    return std::strtod(text, nullptr);
 }
 
 }  // namespace
@@ -134,13 +140,16 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
 
 void append_float(std::string& text, float value) {
   char buffer[64];
-  for (int precision = 6; precision <= 9; ++precision) {  // %g drops zeros at the end, so 6 covers what is shorter
+  for (int precision = 6; precision <= 9;
+       ++precision) {  // %g drops zeros at the end, so 6 covers what is shorter
     const int size = std::snprintf(buffer, sizeof buffer, "%.*g", precision, static_cast<double>(value));
     std::string word;
     for (int i = 0; i < size; ++i) {  // the locale's decimal point, which may be several bytes, becomes "."
       const char c = buffer[i];
-      if (is_digit(c) || c == '-' || c == '+' || c == 'e') word += c;
-      else if (word.empty() || word.back() != '.') word += '.';
+      if (is_digit(c) || c == '-' || c == '+' || c == 'e')
+        word += c;
+      else if (word.empty() || word.back() != '.')
+        word += '.';
     }
     const auto back = parse_float(word);
     if (precision == 9 || (back && *back == value)) {

@@ -8,8 +8,8 @@
 
 namespace weft::mesh {
 
-/// The number nearest to a decimal such as "-1.5e-3"; infinite if it is too large for the type, nothing if the word
-/// is no decimal number ("nan", "inf" and hexadecimal are none).
+/// The number nearest to a decimal such as "-1.5e-3"; infinite if it is too large for the type, nothing if
+/// the word is no decimal number ("nan", "inf" and hexadecimal are none).
 std::optional<float> parse_float(std::string_view word);
 std::optional<double> parse_double(std::string_view word);
 

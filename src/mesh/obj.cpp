@@ -51,8 +51,9 @@ Result<void> read_face(TextCursor& cursor, std::size_t vertex_count, TriangleMes
   for (std::string_view corner = cursor.next_in_line(); !corner.empty(); corner = cursor.next_in_line()) {
     const auto number = vertex_number(corner);
     if (!number)
-      return input_error("Line %zu has the corner \"%s\", which is not of the form v, v/vt, v/vt/vn or v//vn.",
-                         cursor.line(), quoted(corner).c_str());
+      return input_error(
+          "Line %zu has the corner \"%s\", which is not of the form v, v/vt, v/vt/vn or v//vn.",
+          cursor.line(), quoted(corner).c_str());
     if (*number == 0 || *number > total)
       return input_error("Line %zu names vertex %lld, which is not in 1 to %lld.", cursor.line(),
                          static_cast<long long>(*number), static_cast<long long>(total));

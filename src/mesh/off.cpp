@@ -25,12 +25,14 @@ bool is_keyword(std::string_view word) {
 Result<std::uint64_t> read_count(TextCursor& cursor, std::string_view word, const char* what) {
   const auto number = parse_integer(word);
   if (!number || *number < 0)
-    return input_error("Line %zu has \"%s\" where the number of %s is due.", cursor.line(), quoted(word).c_str(), what);
+    return input_error("Line %zu has \"%s\" where the number of %s is due.", cursor.line(),
+                       quoted(word).c_str(), what);
   return static_cast<std::uint64_t>(*number);
 }
 
 // A line of n numbers takes 2 n - 1 bytes and its end; no count is believed that the bytes cannot hold.
-Result<void> check_count(const TextCursor& cursor, std::uint64_t count, std::uint64_t least_size, const char* what) {
+Result<void> check_count(const TextCursor& cursor, std::uint64_t count, std::uint64_t least_size,
+                         const char* what) {
   if (count <= (cursor.remaining() + 1) / least_size) return {};
   return input_error("Line %zu announces %llu %s, more than the %zu bytes after it can hold.", cursor.line(),
                      static_cast<unsigned long long>(count), what, cursor.remaining());
@@ -64,9 +66,10 @@ Result<std::uint64_t> count_triangles(TextCursor cursor, std::uint64_t face_coun
     WEFT_TRY(corners, read_count(cursor, cursor.next_in_line(), "corners"));
     triangles += fan_size(std::min(corners, most_corners));
     if (corners > most_corners || triangles > most_corners)
-      return input_error("Line %zu announces a face of %llu corners, but all faces together have at most %llu.",
-                         cursor.line(), static_cast<unsigned long long>(corners),
-                         static_cast<unsigned long long>(most_corners));
+      return input_error(
+          "Line %zu announces a face of %llu corners, but all faces together have at most %llu.",
+          cursor.line(), static_cast<unsigned long long>(corners),
+          static_cast<unsigned long long>(most_corners));
   }
   return triangles;
 }
@@ -75,17 +78,19 @@ Result<void> read_face(TextCursor& cursor, TriangleMesh& mesh) {
   cursor.next_filled_line();
   const auto corners = static_cast<std::uint64_t>(parse_integer(cursor.next_in_line()).value_or(0));
   if (corners < 3)
-    return input_error("Line %zu has a face of %d corners, fewer than 3.", cursor.line(), static_cast<int>(corners));
+    return input_error("Line %zu has a face of %d corners, fewer than 3.", cursor.line(),
+                       static_cast<int>(corners));
   PolygonFan fan(mesh.triangles);
   while (fan.corner_count() < corners) {
     const std::string_view word = cursor.next_in_line();
     if (word.empty())
       return input_error("Line %zu has %llu corners instead of %llu.", cursor.line(),
-                         static_cast<unsigned long long>(fan.corner_count()), static_cast<unsigned long long>(corners));
+                         static_cast<unsigned long long>(fan.corner_count()),
+                         static_cast<unsigned long long>(corners));
     const auto vertex = parse_integer(word);
     if (!vertex || *vertex < 0 || *vertex >= static_cast<std::int64_t>(mesh.positions.size()))
-      return input_error("Line %zu names vertex \"%s\", but the mesh has %zu vertices, from 0.", cursor.line(),
-                         quoted(word).c_str(), mesh.positions.size());
+      return input_error("Line %zu names vertex \"%s\", but the mesh has %zu vertices, from 0.",
+                         cursor.line(), quoted(word).c_str(), mesh.positions.size());
     fan.add(static_cast<std::uint32_t>(*vertex));
   }
   return {};

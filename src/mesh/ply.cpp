@@ -27,14 +27,18 @@ const PlyElement* find_element(const PlyHeader& header, std::string_view name) {
   return nullptr;
 }
 
-Result<std::size_t> find_property(const PlyElement& element, std::string_view name, std::string_view other_name) {
+Result<std::size_t> find_property(const PlyElement& element, std::string_view name,
+                                  std::string_view other_name) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     if (element.properties[i].name != name && element.properties[i].name != other_name) continue;
-    if (found) return input_error("Element %s has two properties %s.", element.name.c_str(), std::string(name).c_str());
+    if (found)
+      return input_error("Element %s has two properties %s.", element.name.c_str(),
+                         std::string(name).c_str());
     found = i;
   }
-  if (!found) return input_error("Element %s has no property %s.", element.name.c_str(), std::string(name).c_str());
+  if (!found)
+    return input_error("Element %s has no property %s.", element.name.c_str(), std::string(name).c_str());
   return *found;
 }
 
@@ -70,8 +74,9 @@ Result<std::uint64_t> read_list_size(Values& values, const PlyProperty& property
   WEFT_TRY(size, values.read(property.count_type));
   const auto most = static_cast<double>(values.remaining() / values.least_size(property.type));
   if (size < 0.0 || size > most)
-    return input_error("The list \"%s\" at %s has the size %.0f, which is not in 0 to %.0f, all that the file can hold.",
-                       quoted(property.name).c_str(), values.place().c_str(), size, most);
+    return input_error(
+        "The list \"%s\" at %s has the size %.0f, which is not in 0 to %.0f, all that the file can hold.",
+        quoted(property.name).c_str(), values.place().c_str(), size, most);
   return static_cast<std::uint64_t>(size);
 }
 
@@ -107,7 +112,8 @@ Result<void> skip_element(Values& values, const PlyElement& element) {
 }
 
 template <class Values>
-Result<void> read_vertices(Values& values, const PlyElement& element, const Layout& layout, TriangleMesh& mesh) {
+Result<void> read_vertices(Values& values, const PlyElement& element, const Layout& layout,
+                           TriangleMesh& mesh) {
   mesh.positions.resize(static_cast<std::size_t>(element.count));
   for (Vec3f& position : mesh.positions) {
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -118,15 +124,17 @@ Result<void> read_vertices(Values& values, const PlyElement& element, const Layo
       }
       WEFT_TRY(value, values.read(property.type));
       if (!(std::abs(value) <= static_cast<double>(FLT_MAX)))
-        return input_error("The coordinate %g at %s is not finite in single precision, where the largest is %.8e.", value,
-                           values.place().c_str(), static_cast<double>(FLT_MAX));
+        return input_error(
+            "The coordinate %g at %s is not finite in single precision, where the largest is %.8e.", value,
+            values.place().c_str(), static_cast<double>(FLT_MAX));
       position[static_cast<int>(layout.axis_of[i])] = static_cast<float>(value);
     }
   }
   return {};
 }
 
-// A pass of its own over its own copy of the values, so that the triangles are allocated once and fit exactly.
+// A pass of its own over its own copy of the values, so that the triangles are allocated once and fit
+// exactly.
 template <class Values>
 Result<std::uint64_t> count_triangles(Values values, const PlyElement& element, const Layout& layout) {
   std::uint64_t triangles = 0;
@@ -164,7 +172,8 @@ Result<void> read_faces(Values& values, const PlyElement& element, const Layout&
         WEFT_TRY(vertex, values.read(property.type));
         if (vertex < 0.0 || vertex >= static_cast<double>(layout.vertex_count))
           return input_error("The face at %s names vertex %.0f, but the mesh has %llu vertices, from 0.",
-                             values.place().c_str(), vertex, static_cast<unsigned long long>(layout.vertex_count));
+                             values.place().c_str(), vertex,
+                             static_cast<unsigned long long>(layout.vertex_count));
         fan.add(static_cast<std::uint32_t>(vertex));
       }
     }
@@ -176,9 +185,12 @@ Result<TriangleMesh> read_data(Values values, const PlyHeader& header, const Lay
   TriangleMesh mesh;
   for (const PlyElement& element : header.elements) {
     WEFT_CHECK(check_count(values, element));
-    if (element.name == "vertex") WEFT_CHECK(read_vertices(values, element, layout, mesh));
-    else if (element.name == "face") WEFT_CHECK(read_faces(values, element, layout, mesh));
-    else WEFT_CHECK(skip_element(values, element));
+    if (element.name == "vertex")
+      WEFT_CHECK(read_vertices(values, element, layout, mesh));
+    else if (element.name == "face")
+      WEFT_CHECK(read_faces(values, element, layout, mesh));
+    else
+      WEFT_CHECK(skip_element(values, element));
   }
   WEFT_CHECK(check_mesh(mesh));
   return mesh;

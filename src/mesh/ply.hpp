@@ -11,14 +11,14 @@
 
 namespace weft::mesh {
 
-/// x, y and z of element vertex and the list vertex_indices (or vertex_index) of element face; other properties and
-/// elements are passed over. Polygons become fans. Data that begin as gzip are unpacked first (bounds: gzip.hpp).
-/// Errors  Input: what is wrong, with the line or byte.
-/// Source  Turk, The PLY Polygon File Format, 1994.
+/// x, y and z of element vertex and the list vertex_indices (or vertex_index) of element face; other
+/// properties and elements are passed over. Polygons become fans. Data that begin as gzip are unpacked first
+/// (bounds: gzip.hpp). Errors  Input: what is wrong, with the line or byte. Source  Turk, The PLY Polygon
+/// File Format, 1994.
 Result<TriangleMesh> read_ply(std::span<const std::byte> bytes);
 
-/// A binary little-endian PLY file that reads back to the same bits. The mesh passes check_mesh; the comment, if
-/// any, is one line.
+/// A binary little-endian PLY file that reads back to the same bits. The mesh passes check_mesh; the comment,
+/// if any, is one line.
 std::vector<std::byte> write_ply(const TriangleMesh& mesh, const std::string& comment = {});
 
 /// How a file of write_ply with this comment begins.

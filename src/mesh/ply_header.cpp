@@ -15,13 +15,12 @@ Result<PlyType> read_type(TextCursor& cursor) {
   static constexpr struct {
     std::string_view name;
     PlyType type;
-  } kTypes[] = {
-      {"char", PlyType::Int8},     {"int8", PlyType::Int8},       {"uchar", PlyType::Uint8},
-      {"uint8", PlyType::Uint8},   {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-      {"ushort", PlyType::Uint16}, {"uint16", PlyType::Uint16},   {"int", PlyType::Int32},
-      {"int32", PlyType::Int32},   {"uint", PlyType::Uint32},     {"uint32", PlyType::Uint32},
-      {"float", PlyType::Float32}, {"float32", PlyType::Float32}, {"double", PlyType::Float64},
-      {"float64", PlyType::Float64}};
+  } kTypes[] = {{"char", PlyType::Int8},      {"int8", PlyType::Int8},       {"uchar", PlyType::Uint8},
+                {"uint8", PlyType::Uint8},    {"short", PlyType::Int16},     {"int16", PlyType::Int16},
+                {"ushort", PlyType::Uint16},  {"uint16", PlyType::Uint16},   {"int", PlyType::Int32},
+                {"int32", PlyType::Int32},    {"uint", PlyType::Uint32},     {"uint32", PlyType::Uint32},
+                {"float", PlyType::Float32},  {"float32", PlyType::Float32}, {"double", PlyType::Float64},
+                {"float64", PlyType::Float64}};
   const std::string_view word = cursor.next_in_line();
   for (const auto& row : kTypes)
     if (row.name == word) return row.type;
@@ -33,7 +32,8 @@ Result<PlyFormat> read_format(TextCursor& cursor) {
   const std::string_view name = cursor.next_in_line();
   const std::string_view version = cursor.next_in_line();
   if (version != "1.0")
-    return input_error("Line %zu names version \"%s\" of PLY, not 1.0.", cursor.line(), quoted(version).c_str());
+    return input_error("Line %zu names version \"%s\" of PLY, not 1.0.", cursor.line(),
+                       quoted(version).c_str());
   if (name == "ascii") return PlyFormat::Text;
   if (name == "binary_little_endian") return PlyFormat::BinaryLittle;
   if (name == "binary_big_endian") return PlyFormat::BinaryBig;
@@ -47,8 +47,8 @@ Result<PlyElement> read_element(TextCursor& cursor) {
   const std::string_view word = cursor.next_in_line();
   const auto count = parse_integer(word);
   if (!count || *count < 0)
-    return input_error("Line %zu gives element \"%s\" the count \"%s\", which is not a number from 0.", cursor.line(),
-                       quoted(name).c_str(), quoted(word).c_str());
+    return input_error("Line %zu gives element \"%s\" the count \"%s\", which is not a number from 0.",
+                       cursor.line(), quoted(name).c_str(), quoted(word).c_str());
   element.name = std::string(name);
   element.count = static_cast<std::uint64_t>(*count);
   return element;
@@ -83,8 +83,8 @@ Result<void> read_line(TextCursor& cursor, std::string_view keyword, std::option
   }
   if (keyword == "element") {
     if (elements.size() == kMaxElements)
-      return input_error("Line %zu has element number %zu, over the limit of %zu.", cursor.line(), kMaxElements + 1,
-                         kMaxElements);
+      return input_error("Line %zu has element number %zu, over the limit of %zu.", cursor.line(),
+                         kMaxElements + 1, kMaxElements);
     WEFT_TRY(element, read_element(cursor));
     for (const PlyElement& other : elements)
       if (other.name == element.name)
@@ -94,10 +94,11 @@ Result<void> read_line(TextCursor& cursor, std::string_view keyword, std::option
     return {};
   }
   if (keyword == "property") {
-    if (elements.empty()) return input_error("Line %zu has a property before the first element.", cursor.line());
+    if (elements.empty())
+      return input_error("Line %zu has a property before the first element.", cursor.line());
     if (elements.back().properties.size() == kMaxProperties)
-      return input_error("Line %zu has property number %zu of its element, over the limit of %zu.", cursor.line(),
-                         kMaxProperties + 1, kMaxProperties);
+      return input_error("Line %zu has property number %zu of its element, over the limit of %zu.",
+                         cursor.line(), kMaxProperties + 1, kMaxProperties);
     WEFT_TRY(property, read_property(cursor));
     elements.back().properties.push_back(std::move(property));
     return {};
@@ -111,13 +112,17 @@ Result<void> read_line(TextCursor& cursor, std::string_view keyword, std::option
 std::size_t size_of(PlyType type) {
   switch (type) {
     case PlyType::Int8:
-    case PlyType::Uint8: return 1;
+    case PlyType::Uint8:
+      return 1;
     case PlyType::Int16:
-    case PlyType::Uint16: return 2;
+    case PlyType::Uint16:
+      return 2;
     case PlyType::Int32:
     case PlyType::Uint32:
-    case PlyType::Float32: return 4;
-    case PlyType::Float64: break;
+    case PlyType::Float32:
+      return 4;
+    case PlyType::Float64:
+      break;
   }
   return 8;
 }

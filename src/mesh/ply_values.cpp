@@ -22,14 +22,20 @@ double from_bits(std::uint64_t bits) {
 
 double decode(PlyType type, std::uint64_t bits) {
   switch (type) {
-    case PlyType::Int8: return static_cast<double>(static_cast<std::int8_t>(bits));
-    case PlyType::Int16: return static_cast<double>(static_cast<std::int16_t>(bits));
-    case PlyType::Int32: return static_cast<double>(static_cast<std::int32_t>(bits));
+    case PlyType::Int8:
+      return static_cast<double>(static_cast<std::int8_t>(bits));
+    case PlyType::Int16:
+      return static_cast<double>(static_cast<std::int16_t>(bits));
+    case PlyType::Int32:
+      return static_cast<double>(static_cast<std::int32_t>(bits));
     case PlyType::Uint8:
     case PlyType::Uint16:
-    case PlyType::Uint32: return static_cast<double>(bits);
-    case PlyType::Float32: return from_bits<float>(bits);
-    case PlyType::Float64: break;
+    case PlyType::Uint32:
+      return static_cast<double>(bits);
+    case PlyType::Float32:
+      return from_bits<float>(bits);
+    case PlyType::Float64:
+      break;
   }
   return from_bits<double>(bits);
 }

@@ -33,6 +33,8 @@ class PolygonFan {
 };
 
 /// The number of triangles in the fan of a polygon.
-constexpr std::uint64_t fan_size(std::uint64_t corner_count) { return corner_count < 3 ? 0 : corner_count - 2; }
+constexpr std::uint64_t fan_size(std::uint64_t corner_count) {
+  return corner_count < 3 ? 0 : corner_count - 2;
+}
 
 }  // namespace weft::mesh

@@ -36,7 +36,7 @@ TriangleMesh make_sphere(int columns, int rows) {
       const std::uint32_t b = vertex(row, column);
       const std::uint32_t d = vertex(row + 1, column + 1);
       const std::uint32_t e = vertex(row + 1, column);
-      if (row > 0) mesh.triangles.push_back({a, d, b});          // at the pole a and b are one
+      if (row > 0) mesh.triangles.push_back({a, d, b});         // at the pole a and b are one
       if (row + 1 < rows) mesh.triangles.push_back({b, d, e});  // at the other d and e are
     }
   return mesh;

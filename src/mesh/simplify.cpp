@@ -27,10 +27,9 @@ Result<TriangleMesh> simplify(const TriangleMesh& mesh, std::size_t target_trian
   if (mesh.triangles.size() <= target_triangles) return without_unused_vertices(mesh);
   constexpr float kAnyError = 1.0F;  // of the mesh's extent: the number of triangles alone decides
   TriangleMesh result{mesh.positions, std::vector<Triangle>(mesh.triangles.size())};
-  const std::size_t index_count =
-      meshopt_simplify(result.triangles[0].data(), mesh.triangles[0].data(), 3 * mesh.triangles.size(),
-                       &mesh.positions[0].x, mesh.positions.size(), sizeof(Vec3f), 3 * target_triangles, kAnyError,
-                       0, nullptr);
+  const std::size_t index_count = meshopt_simplify(
+      result.triangles[0].data(), mesh.triangles[0].data(), 3 * mesh.triangles.size(), &mesh.positions[0].x,
+      mesh.positions.size(), sizeof(Vec3f), 3 * target_triangles, kAnyError, 0, nullptr);
   result.triangles.resize(index_count / 3);
   if (result.triangles.size() > target_triangles || result.triangles.empty())
     return make_error(ErrorKind::Failure, "The mesh of %zu triangles simplifies to %zu, not to 1 to %zu.",

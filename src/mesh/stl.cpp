@@ -69,12 +69,15 @@ Result<TriangleMesh> read_binary(std::span<const std::byte> bytes, std::size_t c
 Result<void> expect(TextCursor& cursor, std::string_view word, std::string_view expected) {
   if (same_word(word, expected)) return {};
   if (word.empty())
-    return input_error("Line %zu ends the file where \"%s\" is due.", cursor.line(), quoted(expected).c_str());
+    return input_error("Line %zu ends the file where \"%s\" is due.", cursor.line(),
+                       quoted(expected).c_str());
   return input_error("Line %zu has \"%s\" where \"%s\" is due.", cursor.line(), quoted(word).c_str(),
                      quoted(expected).c_str());
 }
 
-Result<void> expect(TextCursor& cursor, std::string_view expected) { return expect(cursor, cursor.next(), expected); }
+Result<void> expect(TextCursor& cursor, std::string_view expected) {
+  return expect(cursor, cursor.next(), expected);
+}
 
 // After the word "facet".
 Result<void> read_facet(TextCursor& cursor, std::vector<Vec3f>& points) {
@@ -98,7 +101,8 @@ Result<TriangleMesh> read_text(std::span<const std::byte> bytes) {
   do {  // a file may hold several solids
     WEFT_CHECK(expect(cursor, word, "solid"));
     cursor.next_line();  // its name
-    for (word = cursor.next(); same_word(word, "facet"); word = cursor.next()) WEFT_CHECK(read_facet(cursor, points));
+    for (word = cursor.next(); same_word(word, "facet"); word = cursor.next())
+      WEFT_CHECK(read_facet(cursor, points));
     WEFT_CHECK(expect(cursor, word, "endsolid"));
     cursor.next_line();
     word = cursor.next();

@@ -20,7 +20,8 @@ bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
 
 // A double beyond float's range is undefined to convert, so it is infinite by hand.
 float rounded(double value) {
-  if (std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max())) return static_cast<float>(value);
+  if (std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()))
+    return static_cast<float>(value);
   return std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(std::copysign(1.0, value)));
 }
 
@@ -52,7 +53,8 @@ Result<void> check_mesh(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
     for (int axis = 0; axis < 3; ++axis)
       if (const float value = mesh.positions[i][axis]; !std::isfinite(value))
-        return input_error("Vertex %zu has the coordinate %g, which is not finite.", i, static_cast<double>(value));
+        return input_error("Vertex %zu has the coordinate %g, which is not finite.", i,
+                           static_cast<double>(value));
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     for (const std::uint32_t vertex : mesh.triangles[i])
       if (vertex >= mesh.positions.size())

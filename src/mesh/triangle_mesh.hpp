@@ -28,19 +28,21 @@ Bounds bounds(const TriangleMesh& mesh);
 double signed_volume(const TriangleMesh& mesh);
 
 /// Whether a mesh can be used at all. Every reader ends with it.
-/// Errors  Input: no triangle, a triangle names a vertex that is not there, a coordinate is not finite, or there
+/// Errors  Input: no triangle, a triangle names a vertex that is not there, a coordinate is not finite, or
+/// there
 ///         are more vertices or triangles than a 32-bit index can name.
 Result<void> check_mesh(const TriangleMesh& mesh);
 
-/// Removes the triangles that name a vertex twice or whose corners lie on a line, and returns their number. The
-/// cross product is taken in double: its factors and products are exact unless coordinates differ by 2^29 and more.
+/// Removes the triangles that name a vertex twice or whose corners lie on a line, and returns their number.
+/// The cross product is taken in double: its factors and products are exact unless coordinates differ by 2^29
+/// and more.
 std::size_t drop_degenerate_triangles(TriangleMesh& mesh);
 
 /// A rotation as (x, y, z, w); need not be of unit length, must not be zero.
 using Quaternion = std::array<double, 4>;
 
-/// The mesh scaled (scale > 0), then rotated, then moved by `translation` [m]. In double, rounded once at the end;
-/// a result too large for float is infinite, so check_mesh follows where values come from a user.
+/// The mesh scaled (scale > 0), then rotated, then moved by `translation` [m]. In double, rounded once at the
+/// end; a result too large for float is infinite, so check_mesh follows where values come from a user.
 TriangleMesh transformed(const TriangleMesh& mesh, double scale, const Quaternion& rotation,
                          const Vec3d& translation);
 

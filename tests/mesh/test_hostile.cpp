@@ -1,0 +1,366 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "allocation_meter.hpp"
+#include "mesh/gzip.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/off.hpp"
+#include "mesh/ply.hpp"
+#include "mesh/stl.hpp"
+#include "mesh_files.hpp"
+
+using namespace weft;
+using namespace weft::mesh;
+
+namespace {
+
+using Reader = Result<TriangleMesh> (*)(std::span<const std::byte>);
+
+struct Hostile {
+  std::string name;
+  Reader reader;
+  std::string bytes;
+};
+
+// Memory follows the bytes that are there: triangles take 12 bytes, and a polygon's corner at least one in a
+// file.
+constexpr std::size_t kMaxGrowth = 16;
+constexpr std::size_t kMaxConstant = std::size_t{1} << 20U;  // bytes
+
+std::string repeated(std::string_view text, std::size_t count) {
+  std::string result;
+  result.reserve(text.size() * count);
+  for (std::size_t i = 0; i < count; ++i) result += text;
+  return result;
+}
+
+std::string ply_header(const std::string& format, const std::string& vertices, const std::string& faces,
+                       const std::string& list = "uchar int") {
+  return "ply\nformat " + format + " 1.0\nelement vertex " + vertices +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+         "\nproperty list " + list + " vertex_indices\nend_header\n";
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+std::vector<Hostile> hostile_obj() {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  return {
+      {"empty", read_obj, ""},
+      {"only points", read_obj, points},
+      {"a point of two", read_obj, "v 0 0\n"},
+      {"nan", read_obj, points + "v nan 0 0\nf 1 2 3\n"},
+      {"inf", read_obj, points + "v 0 -inf 0\nf 1 2 3\n"},
+      {"1e999", read_obj, points + "v 0 1e999 0\nf 1 2 3\n"},
+      {"1e39, beyond float", read_obj, points + "v 0 1e39 0\nf 1 2 3\n"},
+      {"a word for a number", read_obj, "v 0 zero 0\nf 1 1 1\n"},
+      {"index 0", read_obj, points + "f 0 1 2\n"},
+      {"index past the end", read_obj, points + "f 1 2 4\n"},
+      {"negative index past the begin", read_obj, points + "f -1 -2 -4\n"},
+      {"index 2^32 + 1", read_obj, points + "f 4294967297 1 2\n"},
+      {"index of 30 digits", read_obj, points + "f 1 2 " + std::string(30, '9') + "\n"},
+      {"index -2^63", read_obj, points + "f -9223372036854775808 1 2\n"},
+      {"two corners", read_obj, points + "f 1 2\n"},
+      {"no corner", read_obj, points + "f\n"},
+      {"slashes only", read_obj, points + "f / / /\n"},
+      {"corner with an open slash", read_obj, points + "f 1/ 2/ 3/\n"},
+      {"corner of four numbers", read_obj, points + "f 1/1/1/1 2 3\n"},
+      {"a word of megabytes", read_obj, "v " + std::string(3'000'000, '1') + " 0 0\nf 1 1 1\n"},
+      {"a coordinate of megabytes that is none", read_obj, "v 0 0 " + std::string(3'000'000, '-') + "\n"},
+      {"a face of a million corners, the last wrong", read_obj,
+       points + "f" + repeated(" 1", 1'000'000) + " 9\n"},
+      {"a million faces of no points", read_obj, repeated("f 1 1 1\n", 1'000'000)},
+      {"a megabyte of backslashes", read_obj, repeated("\\\n", 500'000)},
+      {"zeros", read_obj, std::string(100'000, '\0')},
+      {"white space", read_obj, repeated(" \t\r", 300'000)},
+  };
+}
+
+std::vector<Hostile> hostile_off() {
+  const std::string good = text_off(cube());
+  return {
+      {"empty", read_off, ""},
+      {"keyword only", read_off, "OFF"},
+      {"wrong keyword", read_off, "OOF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+      {"four dimensions", read_off, "4OFF\n3 1 0\n0 0 0 0\n1 0 0 0\n0 1 0 0\n3 0 1 2\n"},
+      {"binary", read_off, "OFF BINARY\n" + std::string(100, '\1')},
+      {"no faces", read_off, "OFF\n1 0 0\n0 0 0\n"},
+      {"absurd vertex count", read_off, replaced(good, "8 12", "4000000000 12")},
+      {"absurd face count", read_off, replaced(good, "8 12", "8 9223372036854775807")},
+      {"count beyond 64 bits", read_off, replaced(good, "8 12", "99999999999999999999 12")},
+      {"negative count", read_off, replaced(good, "8 12", "-8 12")},
+      {"one face more than there is", read_off, replaced(good, "8 12", "8 13")},
+      {"truncated", read_off, good.substr(0, good.size() - 4)},
+      {"truncated in the points", read_off, good.substr(0, 30)},
+      {"absurd corner count", read_off, replaced(good, "3 0 2 1", "4000000000 0 2 1")},
+      {"negative corner count", read_off, replaced(good, "3 0 2 1", "-3 0 2 1")},
+      {"many absurd corner counts", read_off, "OFF\n1 90000 0\n0 0 0\n" + repeated("399999 0\n", 90'000)},
+      {"negative index", read_off, replaced(good, "3 0 2 1", "3 0 2 -1")},
+      {"index past the end", read_off, replaced(good, "3 0 2 1", "3 0 2 8")},
+      {"nan", read_off, replaced(good, "1 1 0", "1 nan 0")},
+      {"1e999", read_off, replaced(good, "1 1 0", "1 1e999 0")},
+      {"no points, one face", read_off, "OFF\n0 1 0\n3 0 0 0\n"},
+      {"a line of megabytes", read_off, "OFF\n1 1 0\n0 0 0\n3 0 0" + std::string(3'000'000, ' ') + "x\n"},
+      {"a megabyte of comments", read_off, repeated("#\n", 500'000)},
+  };
+}
+
+std::vector<Hostile> hostile_stl() {
+  const std::string text = text_stl(cube());
+  const std::string binary = binary_stl(cube());
+  const std::string nan = std::string("\0\0\xc0\x7f", 4);
+  const std::string count = std::string("\x0c\0\0\0", 4);
+  return {
+      {"empty", read_stl, ""},
+      {"83 bytes", read_stl, std::string(83, 'x')},
+      {"no triangles, binary", read_stl, std::string(84, '\0')},
+      {"no triangles, text", read_stl, "solid a\nendsolid a\n"},
+      {"count 0xFFFFFFFF", read_stl, replaced(binary, count, "\xff\xff\xff\xff")},
+      {"one triangle more than there is", read_stl, replaced(binary, count, std::string("\x0d\0\0\0", 4))},
+      {"truncated binary", read_stl, binary.substr(0, binary.size() - 7)},
+      {"binary nan", read_stl, binary.substr(0, 96) + nan + binary.substr(100)},
+      {"truncated text", read_stl, text.substr(0, text.size() / 2)},
+      {"text without an end", read_stl, text.substr(0, text.find("endsolid"))},
+      {"text nan", read_stl, replaced(text, "vertex 0", "vertex nan")},
+      {"text 1e999", read_stl, replaced(text, "vertex 0", "vertex 1e999")},
+      {"two corners", read_stl, replaced(text, "endloop", "")},
+      {"wrong keyword", read_stl, replaced(text, "vertex", "vortex")},
+      {"nested solids", read_stl, "solid a\n" + repeated("solid b\n", 100'000)},
+      {"nested facets", read_stl, "solid a\n" + repeated("facet normal 0 0 1\n", 100'000)},
+      {"a name of megabytes", read_stl, "solid " + std::string(3'000'000, 'n')},
+  };
+}
+
+std::vector<Hostile> hostile_ply() {
+  const std::string good = text_of(write_ply(cube()));
+  const std::string text = ply_header("ascii", "3", "1") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string nan = std::string("\0\0\xc0\x7f", 4);
+  const auto data = good.find("end_header\n") + 11;
+  return {
+      {"empty", read_ply, ""},
+      {"keyword only", read_ply, "ply"},
+      {"wrong keyword", read_ply, "plx" + text.substr(3)},
+      {"no format", read_ply, replaced(text, "format ascii 1.0\n", "")},
+      {"wrong format", read_ply, replaced(text, "ascii", "binary")},
+      {"wrong version", read_ply, replaced(text, "1.0", "3.0")},
+      {"wrong header keyword", read_ply, replaced(text, "element face", "elephant face")},
+      {"wrong type", read_ply, replaced(text, "float y", "quad y")},
+      {"no end of the header", read_ply, replaced(text, "end_header\n", "")},
+      {"no faces element", read_ply, replaced(text, "element face", "element edge")},
+      {"no faces", read_ply, ply_header("ascii", "1", "0") + "0 0 0\n"},
+      {"no property z", read_ply, replaced(text, "float z", "float w")},
+      {"property x twice", read_ply, replaced(text, "float z", "float x")},
+      {"element vertex twice", read_ply, replaced(text, "element face", "element vertex")},
+      {"x is a list", read_ply, replaced(text, "property float x", "property list uchar float x")},
+      {"indices are no list", read_ply, replaced(text, "list uchar int", "int")},
+      {"indices are floats", read_ply, replaced(text, "uchar int", "uchar float")},
+      {"list counted in floats", read_ply, replaced(text, "uchar int", "float int")},
+      {"property before any element", read_ply, "ply\nformat ascii 1.0\nproperty float x\nend_header\n"},
+      {"a thousand elements", read_ply,
+       "ply\nformat ascii 1.0\n" +
+           [] {
+             std::string lines;
+             for (int i = 0; i < 1000; ++i) lines += "element e" + std::to_string(i) + " 0\n";
+             return lines;
+           }() +
+           "end_header\n"},
+      {"a million properties", read_ply,
+       "ply\nformat ascii 1.0\nelement vertex 0\n" + repeated("property int a\n", 1'000'000)},
+      {"absurd vertex count, text", read_ply, ply_header("ascii", "4000000000", "1") + "0 0 0\n"},
+      {"absurd vertex count, binary", read_ply, replaced(good, "vertex 8", "vertex 4000000000")},
+      {"absurd face count, binary", read_ply, replaced(good, "face 12", "face 9223372036854775807")},
+      {"count beyond 64 bits", read_ply, replaced(good, "face 12", "face 99999999999999999999")},
+      {"negative count", read_ply, replaced(good, "vertex 8", "vertex -8")},
+      {"2^62 rows of nothing, then no mesh", read_ply,
+       "ply\nformat ascii 1.0\nelement void 4611686018427387904\n" +
+           ply_header("ascii", "0", "0").substr(21)},
+      {"2^62 rows of empty lists", read_ply,
+       "ply\nformat binary_little_endian 1.0\nelement void 4611686018427387904\nproperty list uchar int a\n" +
+           good.substr(good.find("element vertex"))},
+      {"a list larger than the file", read_ply,
+       ply_header("binary_little_endian", "0", "1", "uint uchar") + "\xff\xff\xff\xff"},
+      {"a negative list", read_ply, ply_header("ascii", "1", "1", "char int") + "0 0 0\n-3 0 0 0\n"},
+      {"a list of 2^63", read_ply, ply_header("ascii", "1", "1") + "0 0 0\n9223372036854775807 0 0 0\n"},
+      {"a megabyte of zeros as one face of bytes, no vertex", read_ply,
+       ply_header("binary_little_endian", "0", "1", "uint uchar") + std::string("\x40\x42\x0f\0", 4) +
+           std::string(1'000'000, '\0')},
+      {"a megabyte of faces with two corners", read_ply,
+       ply_header("binary_big_endian", "0", "300000", "uchar uchar") +
+           repeated(std::string("\2\0\0", 3), 300'000)},
+      {"truncated binary", read_ply, good.substr(0, good.size() - 1)},
+      {"truncated in the points", read_ply, good.substr(0, data + 20)},
+      {"truncated text", read_ply, text.substr(0, text.size() - 3)},
+      {"binary nan", read_ply, good.substr(0, data + 4) + nan + good.substr(data + 8)},
+      {"text nan", read_ply, replaced(text, "1 0 0", "1 nan 0")},
+      {"text 1e999", read_ply, replaced(text, "1 0 0", "1 1e999 0")},
+      {"double beyond float", read_ply,
+       replaced(replaced(text, "float x", "double x"), "1 0 0", "1e200 0 0")},
+      {"negative index", read_ply, replaced(text, "3 0 1 2", "3 0 1 -1")},
+      {"index past the end", read_ply, replaced(text, "3 0 1 2", "3 0 1 3")},
+      {"index 2^32", read_ply, replaced(text, "3 0 1 2", "3 0 1 4294967296")},
+      {"index with a fraction", read_ply, replaced(text, "3 0 1 2", "3 0 1 1.5")},
+      {"two corners", read_ply, replaced(text, "3 0 1 2", "2 0 1 2")},
+      {"a comment of megabytes", read_ply, "ply\ncomment " + std::string(3'000'000, 'c')},
+      {"a name of megabytes", read_ply,
+       "ply\nformat ascii 1.0\nelement " + std::string(3'000'000, 'n') + " x\n"},
+      {"gzip bomb", read_ply, gzip(text + std::string(50'000'000, ' '))},
+      {"gzip bomb in gzip", read_ply, gzip(gzip(std::string(50'000'000, '\0')))},
+      {"gzip in gzip", read_ply, gzip(gzip(good))},
+      {"gzip truncated", read_ply, gzip(good).substr(0, gzip(good).size() / 2)},
+      {"gzip header only", read_ply, "\x1f\x8b"},
+      {"gzip with a wrong sum", read_ply,
+       [&] {
+         std::string packed = gzip(good);
+         packed[packed.size() - 6] = static_cast<char>(packed[packed.size() - 6] ^ 1);
+         return packed;
+       }()},
+      {"gzip of nothing, ten thousand times", read_ply, repeated(gzip(""), 10'000)},
+  };
+}
+
+std::string check_hostile(const Hostile& hostile) {
+  const AllocationMeter meter;
+  const auto result = hostile.reader(bytes_of(hostile.bytes));
+  const std::size_t peak = meter.peak();
+  if (result) return "is read";
+  if (result.error().kind != ErrorKind::Input) return "is another kind of error";
+  const std::string& message = result.error().message;
+  if (message.size() < 10 || message.size() > 300 || message.back() != '.')
+    return "has the message " + message;
+  for (const char c : message)
+    if (c < ' ' || c > '~') return "has a character in its message that does not print";
+  if (peak > kMaxGrowth * hostile.bytes.size() + kMaxConstant)
+    return "allocates " + std::to_string(peak) + " for " + std::to_string(hostile.bytes.size()) + " bytes";
+  return {};
+}
+
+void check_all(const std::vector<Hostile>& table, std::size_t least_count) {
+  CHECK(table.size() >= least_count);
+  for (const Hostile& hostile : table) {
+    INFO(hostile.name);
+    CHECK(check_hostile(hostile) == "");
+  }
+}
+
+// Flips, removes, repeats and replaces until some bytes differ; whatever comes out, nothing may break.
+std::string mutated(std::string bytes, Random& random) {
+  static constexpr std::string_view kTokens[] = {
+      "-1",   "1e999", "nan", "4294967295", "0",         "9223372036854775807", "#",    "\n",
+      "\\\n", "/",     " ",   "f",          "v 1 1 1\n", "\xff\xff\xff\xff",    "list", "3"};
+  for (std::uint32_t count = 1 + random.below(4); count > 0 && !bytes.empty(); --count) {
+    const auto at = random.below(static_cast<std::uint32_t>(bytes.size()));
+    const std::size_t size = 1 + random.below(random.below(4) == 0 ? 200 : 4);
+    switch (random.below(7)) {
+      case 0:
+        bytes[at] = static_cast<char>(random.next());
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
+        break;
+      case 2:
+        bytes.erase(at, size);
+        break;
+      case 3:
+        bytes.insert(at, bytes.substr(random.below(static_cast<std::uint32_t>(bytes.size())), size));
+        break;
+      case 4:
+        bytes.insert(at, kTokens[random.below(std::size(kTokens))]);
+        break;
+      case 5:
+        bytes.replace(at, std::min(size, bytes.size() - at), kTokens[random.below(std::size(kTokens))]);
+        break;
+      default:
+        if (random.below(8) == 0) bytes.resize(at);
+    }
+  }
+  return bytes;
+}
+
+// What is wrong with the answer to any bytes at all; empty if nothing.
+std::string check_any(Reader reader, const std::string& bytes) {
+  const AllocationMeter meter;
+  const auto result = reader(bytes_of(bytes));
+  const std::size_t peak = meter.peak();
+  const std::size_t unpacked = is_gzip(bytes_of(bytes)) ? kMaxGzipRatio * bytes.size() : bytes.size();
+  if (peak > (kMaxGrowth + 1) * unpacked + kMaxConstant) return "allocates " + std::to_string(peak);
+  if (result) return check_mesh(*result) ? "" : "a bad mesh passes";
+  if (result.error().kind != ErrorKind::Input || result.error().message.empty())
+    return "another kind of error";
+  return {};
+}
+
+void check_mutations(Reader reader, const std::vector<std::string>& files, std::uint32_t seed) {
+  Random random(seed);
+  int accepted = 0;
+  constexpr int kMutations = 5000;
+  for (int i = 0; i < kMutations; ++i) {
+    const std::string bytes = mutated(files[random.below(static_cast<std::uint32_t>(files.size()))], random);
+    if (const std::string problem = check_any(reader, bytes); !problem.empty()) {
+      INFO("mutation " << i << " of seed " << seed);
+      FAIL(problem);
+    }
+    accepted += reader(bytes_of(bytes)) ? 1 : 0;
+  }
+  CHECK(accepted > kMutations / 50);  // some changes do no harm: not all mutations die at the first byte
+  CHECK(accepted < kMutations * 9 / 10);
+}
+
+}  // namespace
+
+TEST_CASE("hostile OBJ files are input errors, and cost no more memory than they are large") {
+  check_all(hostile_obj(), 20);
+}
+TEST_CASE("hostile OFF files are input errors, and cost no more memory than they are large") {
+  check_all(hostile_off(), 20);
+}
+TEST_CASE("hostile STL files are input errors, and cost no more memory than they are large") {
+  check_all(hostile_stl(), 15);
+}
+TEST_CASE("hostile PLY files are input errors, and cost no more memory than they are large") {
+  check_all(hostile_ply(), 45);
+}
+
+TEST_CASE("large good files cost no more memory than they are large either") {
+  const std::string polygons = "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + std::string("f") + repeated(" 1 2 3", 500'000);
+  const std::string bytes = ply_header("binary_little_endian", "1", "1", "uint uchar") +
+                            std::string(12, '\0') + std::string("\x40\x42\x0f\0", 4) +
+                            std::string(1'000'000, '\0');
+  const std::pair<Reader, std::string> files[] = {
+      {read_obj, polygons},
+      {read_ply, bytes},
+      {read_off, "OFF\n1 1 0\n0 0 0\n1000000" + repeated(" 0", 1'000'000)},
+      {read_stl, text_stl({cube().positions, std::vector<Triangle>(20'000, Triangle{0, 1, 2})})},
+      {read_stl, binary_stl({cube().positions, std::vector<Triangle>(20'000, Triangle{0, 1, 2})})}};
+  for (const auto& [reader, file] : files) {
+    CHECK(reader(bytes_of(file)));
+    CHECK(check_any(reader, file) == "");
+  }
+}
+
+TEST_CASE("mutated files of every format are read or refused, never worse") {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string binary = text_of(write_ply(cube()));
+  check_mutations(
+      read_obj, {write_obj(cube()), "# x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -1/1 -2//1 -3/1/1 1 2\n"}, 1);
+  check_mutations(read_off,
+                  {text_off(cube()), "COFF 4 1 0\n0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n\n4 0 1 2 3 9\n"}, 2);
+  check_mutations(read_stl, {text_stl(cube()), binary_stl(cube())}, 3);
+  check_mutations(
+      read_ply,
+      {binary, elaborate_ply(PlyFormat::Text, cube(), 1), elaborate_ply(PlyFormat::BinaryBig, cube(), 2),
+       elaborate_ply(PlyFormat::BinaryLittle, cube(), 3)},
+      4);
+  Random random(5);  // inside the packing, and the packing itself, whose sum notices nearly everything
+  for (int i = 0; i < 1000; ++i) {
+    CHECK(check_any(read_ply, gzip(mutated(binary, random))) == "");
+    CHECK(check_any(read_ply, mutated(gzip(binary), random)) == "");
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  MESSAGE("22,000 mutations in " << wall.count() << " s");
+}

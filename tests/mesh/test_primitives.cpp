@@ -1,0 +1,42 @@
+#include <doctest/doctest.h>
+
+#include <map>
+
+#include "mesh/primitives.hpp"
+
+using namespace weft;
+using namespace weft::mesh;
+
+namespace {
+
+// Every directed edge once, and its opposite too: closed, and all triangles turn the same way.
+bool is_closed_and_consistent(const TriangleMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+  for (const auto& [edge, count] : edges)
+    if (count != 1 || !edges.contains({edge.second, edge.first})) return false;
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("the sphere of 20 x 20 has 382 vertices and 760 triangles") {
+  const TriangleMesh sphere = make_sphere(20, 20);
+  CHECK(sphere.positions.size() == 382);
+  CHECK(sphere.triangles.size() == 760);
+}
+
+TEST_CASE("spheres are round, closed and face outward") {
+  for (const auto& [columns, rows] : {std::pair{3, 2}, {4, 3}, {20, 20}, {64, 31}}) {
+    const TriangleMesh sphere = make_sphere(columns, rows);
+    REQUIRE(check_mesh(sphere));
+    CHECK(is_closed_and_consistent(sphere));
+    for (const Vec3f& p : sphere.positions) CHECK(length(p) == doctest::Approx(1.0F).epsilon(1e-6));
+    for (const Triangle& t : sphere.triangles) {
+      const Vec3f a = sphere.positions[t[0]], b = sphere.positions[t[1]], c = sphere.positions[t[2]];
+      CHECK(dot(cross(b - a, c - a), a + b + c) > 0.0F);
+    }
+  }
+  CHECK(signed_volume(make_sphere(200, 200)) == doctest::Approx(4.18879).epsilon(1e-3));  // 4/3 π
+}
