@@ -11,9 +11,7 @@ namespace weft::scene {
 
 /// The scene in `json`, which check() has passed and completed.
 /// Errors  Input: what the table of keys cannot say: path times that do not rise, a box whose max is below
-/// its
-///         min, a grid's part named on a mesh, a camera that looks at itself, more grid nodes than
-///         kMaxGridNodes.
+///         min, a grid's part on a mesh, a camera that looks at itself, over kMaxGridNodes grid nodes.
 Result<Scene> build_scene(const Json& json, const std::string& file);
 
 inline constexpr std::size_t kMaxGridNodes = std::size_t{1} << 26U;  // of all grids together

@@ -21,8 +21,9 @@ Result<Scene> parse_scene(std::string_view text, const std::string& file,
 Result<Scene> load_scene(const std::string& path, std::span<const Override> overrides = {});
 
 /// Where the mesh called `mesh` is: a name of letters, digits, _ and - is models_folder/NAME.ply, all else a
-/// path relative to the folder of the scene's file. Errors  Input: a model that has not been made; a path
-/// with a control character.
+/// path relative to the folder of the scene's file.
+///
+/// Errors  Input: a model that has not been made; a path with a control character.
 Result<std::string> mesh_path(const Scene& scene, const std::string& mesh, const std::string& models_folder);
 
 }  // namespace weft::scene
