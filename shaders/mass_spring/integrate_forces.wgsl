@@ -1,0 +1,37 @@
+// Integrates every node under the forces that spring_forces summed, and clears them for the next substep. One
+// invocation per node. Source: Sung et al., Algorithm 1, second part.
+#include "shared/index.wgsl"
+#include "shared/integrate.wgsl"
+//                                                                               elements          unit
+@group(0) @binding(0) var<uniform>             step         : StepParams;
+@group(0) @binding(1) var<storage, read>       position_in  : array<vec4f>;   // vertex_count      m (w: inverse mass)
+@group(0) @binding(2) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count      m/s
+@group(0) @binding(3) var<storage, read>       rest         : array<vec4f>;   // vertex_count      m (w: motion)
+@group(0) @binding(4) var<storage, read>       motions      : array<vec4f>;   // 3 * motions * substeps
+@group(0) @binding(5) var<storage, read_write> force        : array<i32>;     // 3 * vertex_count  N * step.force_scale
+@group(0) @binding(6) var<storage, read_write> position_out : array<vec4f>;   // vertex_count      m
+@group(0) @binding(7) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count      m/s
+
+@compute @workgroup_size(kWorkgroupSize)
+fn integrate_forces(@builtin(global_invocation_id) id : vec3u) {
+  let node = flat_index(id);
+  if (node >= step.vertex_count) { return; }
+  let sum = vec3f(f32(force[3u * node]), f32(force[3u * node + 1u]), f32(force[3u * node + 2u]));
+  force[3u * node] = 0;
+  force[3u * node + 1u] = 0;
+  force[3u * node + 2u] = 0;
+  let before = NodeState(position_in[node], velocity_in[node]);
+  var after = NodeState(before.position, vec4f(0.0));
+  if (before.position.w != 0.0) {
+    after = integrate_free(step, before, sum / step.force_scale);
+  } else {
+    let place = rest[node];
+    let motion = u32(place.w);
+    if (motion > 1u) {
+      let row = step.first_motion + 3u * (motion - 2u);
+      after = integrate_moved(step, before, place.xyz, mat3x4f(motions[row], motions[row + 1u], motions[row + 2u]));
+    }
+  }
+  position_out[node] = after.position;
+  velocity_out[node] = after.velocity;
+}

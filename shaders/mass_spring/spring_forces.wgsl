@@ -1,0 +1,34 @@
+// Adds the force of every spring to its two nodes. One invocation per spring.
+// Source: Sung et al., Algorithm 1. WGSL has no f32 atomics, so forces are fixed point at step.force_scale units per
+// newton, the largest power of two for which no node's sum can overflow (src/solver/mass_spring/fixed_point.hpp).
+// Integer sums do not depend on thread order.
+#include "shared/index.wgsl"
+#include "shared/mass_spring.wgsl"
+#include "shared/spring_force.wgsl"
+#include "shared/step.wgsl"
+//                                                                           elements          unit
+@group(0) @binding(0) var<uniform>             step     : StepParams;
+@group(0) @binding(1) var<storage, read>       position : array<vec4f>;       // vertex_count      m
+@group(0) @binding(2) var<storage, read>       velocity : array<vec4f>;       // vertex_count      m/s
+@group(0) @binding(3) var<storage, read>       springs  : array<Spring>;      // spring_count
+@group(0) @binding(4) var<storage, read_write> force    : array<atomic<i32>>; // 3 * vertex_count  N * step.force_scale
+
+fn add_force(node : u32, f : vec3i) {
+  atomicAdd(&force[3u * node], f.x);
+  atomicAdd(&force[3u * node + 1u], f.y);
+  atomicAdd(&force[3u * node + 2u], f.z);
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn spring_forces(@builtin(global_invocation_id) id : vec3u) {
+  let index = flat_index(id);
+  if (index >= step.spring_count) { return; }
+  let s = springs[index];
+  let span = position[s.node_b].xyz - position[s.node_a].xyz;
+  let rate = velocity[s.node_b].xyz - velocity[s.node_a].xyz;
+  let spring = spring_state(span, rate, s.rest_length, s.stiffness, s.damping);
+  let tension = clamp(spring.tension, -step.force_limit, step.force_limit);
+  let f = vec3i(round(step.force_scale * tension * spring.direction));  // rounded once, so the pair cancels exactly
+  add_force(s.node_a, f);
+  add_force(s.node_b, -f);
+}

@@ -1,0 +1,8 @@
+// Mirror: Spring in src/state/model.hpp; tests/state compares the offsets.
+struct Spring {
+  node_a : u32,
+  node_b : u32,
+  rest_length : f32,  // m
+  stiffness : f32,    // N/m
+  damping : f32,      // N·s/m
+}

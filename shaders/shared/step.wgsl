@@ -1,0 +1,15 @@
+// What a substep needs to know. One block a substep, 256 bytes apart (gpu/command_list.hpp, kStepStride).
+// Mirror: src/state/step_params.hpp; tests/state compares the offsets.
+struct StepParams {
+  acceleration : vec4f,  // m/s²: gravity and the external force, xyz
+  dt : f32,              // s
+  drag : f32,            // 1/s
+  vertex_count : u32,
+  spring_count : u32,
+  force_scale : f32,     // fixed-point units per newton, a power of two
+  force_limit : f32,     // N; a spring's tension is cut to this, so that no sum can overflow
+  push_scale : f32,      // fixed-point units per metre, a power of two
+  thickness : f32,       // m
+  max_push : f32,        // m; a single push is cut to this, so that no sum can overflow
+  first_motion : u32,    // where this substep's block of `motions` begins, in vec4f
+}

@@ -1,0 +1,30 @@
+#include "element/last_good.hpp"
+
+namespace weft {
+
+Result<LastGood> LastGood::create(gpu::Device& device, const State& state) {
+  LastGood made;
+  WEFT_TRY(guard, gpu::Kernel::create(device, "element/guard.wgsl"));
+  made.guard_ = std::move(guard);
+  WEFT_TRY(keep, gpu::Kernel::create(device, "element/keep_last_good.wgsl"));
+  made.keep_ = std::move(keep);
+  WEFT_TRY(position, gpu::Buffer<Vec4f>::create(device, state.position[0].size(), "last good position"));
+  made.position_ = std::move(position);
+  WEFT_TRY(velocity, gpu::Buffer<Vec4f>::create(device, state.velocity[0].size(), "last good velocity"));
+  made.velocity_ = std::move(velocity);
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    WEFT_TRY(guard_group, made.guard_.bind({state.position[parity], state.velocity[parity], state.statistics}));
+    made.guard_groups_[parity] = std::move(guard_group);
+    WEFT_TRY(keep_group, made.keep_.bind({state.position[parity], state.velocity[parity], made.position_,
+                                          made.velocity_, state.statistics}));
+    made.keep_groups_[parity] = std::move(keep_group);
+  }
+  return made;
+}
+
+void LastGood::record(gpu::ComputePass& pass) const {
+  guard_.dispatch(pass, guard_groups_[pass.parity()], position_.size());
+  keep_.dispatch(pass, keep_groups_[pass.parity()], position_.size());
+}
+
+}  // namespace weft

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+
+#include "gpu/kernel.hpp"
+#include "state/state.hpp"
+
+namespace weft {
+
+/// Keeps the state of the last frame in which all was finite, and freezes the state there once a frame is not.
+/// Reads   position[parity], velocity[parity].
+/// Writes  the same once frozen; statistics.nonfinite, statistics.frozen.
+/// Errors  Shader, Limit, OutOfMemory.
+class LastGood {
+ public:
+  static Result<LastGood> create(gpu::Device& device, const State& state);
+  void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
+
+ private:
+  gpu::Kernel guard_, keep_;
+  gpu::Buffer<Vec4f> position_, velocity_;
+  std::array<gpu::BindGroup, 2> guard_groups_, keep_groups_;
+};
+
+}  // namespace weft

@@ -1,0 +1,47 @@
+#include "reference/mass_spring.hpp"
+
+namespace weft::reference {
+
+std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
+  std::vector<Vec3d> forces(system.position.size());
+  for (const SpringLink& spring : system.springs) {
+    const Vec3d span = system.position[spring.node_b] - system.position[spring.node_a];
+    const double len = length(span);
+    if (len == 0) continue;
+    const Vec3d direction = span / len;
+    const double rate = dot(system.velocity[spring.node_b] - system.velocity[spring.node_a], direction);
+    const Vec3d force = (spring.stiffness * (len - spring.rest_length) + spring.damping * rate) * direction;
+    forces[spring.node_a] += force;
+    forces[spring.node_b] -= force;
+  }
+  return forces;
+}
+
+void advance(MassSpringSystem& system, double dt) {
+  const std::vector<Vec3d> forces = spring_forces(system);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    if (system.inverse_mass[i] == 0) {
+      system.velocity[i] = {};
+      continue;
+    }
+    const Vec3d acceleration = system.acceleration + system.inverse_mass[i] * forces[i] - system.drag * system.velocity[i];
+    system.velocity[i] += dt * acceleration;
+    system.position[i] += dt * system.velocity[i];
+  }
+}
+
+double energy(const MassSpringSystem& system) {
+  double sum = 0;
+  for (std::size_t i = 0; i < system.position.size(); ++i) {
+    if (system.inverse_mass[i] == 0) continue;
+    const double mass = 1 / system.inverse_mass[i];
+    sum += 0.5 * mass * dot(system.velocity[i], system.velocity[i]) - mass * dot(system.acceleration, system.position[i]);
+  }
+  for (const SpringLink& spring : system.springs) {
+    const double elongation = length(system.position[spring.node_b] - system.position[spring.node_a]) - spring.rest_length;
+    sum += 0.5 * spring.stiffness * elongation * elongation;
+  }
+  return sum;
+}
+
+}  // namespace weft::reference

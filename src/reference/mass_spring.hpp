@@ -1,0 +1,36 @@
+// The oracle of the mass-spring kernels: the same steps as plain loops in double.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace weft::reference {
+
+struct SpringLink {
+  std::uint32_t node_a = 0, node_b = 0;
+  double rest_length = 0;  // [m]
+  double stiffness = 0;    // [N/m]
+  double damping = 0;      // [N·s/m]
+};
+
+/// Nodes and springs; node i is held where inverse_mass[i] is 0.
+struct MassSpringSystem {
+  std::vector<Vec3d> position, velocity;  // [m], [m/s]
+  std::vector<double> inverse_mass;       // [1/kg]
+  std::vector<SpringLink> springs;
+  Vec3d acceleration;  // gravity and external force [m/s²]
+  double drag = 0;     // [1/s]
+};
+
+/// The force of every node's springs [N].
+std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
+
+/// One step of semi-implicit Euler: v += dt (a + f/m - drag v), then x += dt v.
+void advance(MassSpringSystem& system, double dt);
+
+/// Kinetic, elastic and gravitational energy [J].
+double energy(const MassSpringSystem& system);
+
+}  // namespace weft::reference

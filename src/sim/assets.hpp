@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "scene/scene.hpp"
+
+namespace weft::sim {
+
+/// The meshes that a scene names, read, checked and placed in the world.
+struct Assets {
+  std::vector<mesh::TriangleMesh> cloths;   // one for each cloth of the scene; empty for a grid
+  std::vector<mesh::TriangleMesh> objects;  // one for each mesh collider, in their order
+  std::size_t dropped_triangles = 0;        // of zero area, left out of the objects
+};
+
+/// Errors  Input: a mesh is missing or malformed, or its transform makes it too large for f32.
+Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder);
+
+}  // namespace weft::sim

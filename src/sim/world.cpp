@@ -1,0 +1,271 @@
+#include "sim/world.hpp"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "scene/motion.hpp"
+#include "solver/registry.hpp"
+
+namespace weft::sim {
+namespace {
+
+std::size_t count_springs(const HostModel& model) {
+  std::size_t count = 0;
+  for (const ClothModel& cloth : model.cloths)
+    count += cloth.grid ? mesh::grid_spring_count(*cloth.grid) : build_springs(model, cloth).size();
+  return count;
+}
+
+collision::CollisionSetup collision_setup(const scene::Scene& scene, const Assets& assets) {
+  collision::CollisionSetup setup;
+  setup.method = scene.contact.method;
+  setup.thickness = scene.contact.thickness;
+  setup.objects = assets.objects;
+  for (const scene::Collider& collider : scene.colliders) {
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) setup.spheres.push_back(*sphere);
+    if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) setup.planes.push_back(*plane);
+  }
+  return setup;
+}
+
+}  // namespace
+
+std::string Snapshot::hash() const {
+  XXH3_state_t state;
+  XXH3_64bits_reset(&state);
+  XXH3_64bits_update(&state, position.data(), position.size() * sizeof(Vec4f));
+  XXH3_64bits_update(&state, velocity.data(), velocity.size() * sizeof(Vec4f));
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(XXH3_64bits_digest(&state)));
+  return text;
+}
+
+Result<std::unique_ptr<World>> World::create(gpu::Device& device, scene::Scene scene, const Assets& assets,
+                                             const WorldOptions& options) {
+  auto world = std::unique_ptr<World>(new World(device, std::move(scene)));
+  WEFT_CHECK(world->build(assets, options));
+  return world;
+}
+
+Result<void> World::build(const Assets& assets, const WorldOptions& options) {
+  assets_ = assets;
+  WEFT_TRY(host, build_model(scene_, assets.cloths));
+  spring_count_ = count_springs(host);
+  WEFT_TRY(limit, find_step_limit(device_, scene_, host));
+  limit_ = limit;
+  if (scene_.time.substeps) {
+    substeps_ = *scene_.time.substeps;
+  } else {
+    WEFT_TRY(chosen, choose_substeps(scene_, limit_));
+    substeps_ = chosen;
+  }
+  WEFT_TRY(model, Model::create(device_, std::move(host)));
+  model_ = std::move(model);
+  WEFT_TRY(state, State::create(device_, model_.host, substeps_));
+  state_ = std::move(state);
+  const bool has_contact = scene_.contact.method != scene::ContactMethod::None && !scene_.colliders.empty();
+  if (has_contact) {
+    WEFT_TRY(contacts, Contacts::create(device_, model_.host));
+    contacts_ = std::move(contacts);
+    WEFT_TRY(collision, collision::Collision::create(device_, model_, state_, *contacts_, collision_setup(scene_, assets)));
+    collision_ = std::move(collision);
+  }
+  WEFT_TRY(solver, make_solver(scene_.solver, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
+                                               options.workgroup_size}));
+  solver_ = std::move(solver);
+  constants_ = solver_->constants();
+  WEFT_TRY(surface, Surface::create(device_, model_, state_));
+  surface_ = std::move(surface);
+  WEFT_TRY(last_good, LastGood::create(device_, state_));
+  last_good_ = std::move(last_good);
+  for (Report& report : reports_) {
+    WEFT_TRY(readback, gpu::Readback::create(device_, sizeof(Statistics), "frame report"));
+    report.readback = std::move(readback);
+    report.commands.copy(state_.statistics.source(), report.readback.target());
+  }
+  motion_rows_.resize(3 * model_.host.motions.size() * substeps_);
+  write_steps();
+  record_frame(0);
+  record_frame(1);
+  // The surface of the rest state, so that it can be drawn before the first frame.
+  gpu::CommandList start;
+  {
+    gpu::ComputePass pass(start, "rest surface");
+    surface_->record(pass);
+  }
+  return device_.submit(start);
+}
+
+void World::write_steps() {
+  StepParams params;
+  const Vec3d acceleration = scene_.gravity + scene_.external_force;
+  params.acceleration = Vec4f::from(acceleration.to<float>(), 0);
+  params.dt = static_cast<float>(step());
+  params.drag = static_cast<float>(scene_.drag);
+  params.vertex_count = model_.vertex_count();
+  params.spring_count = constants_.spring_count;
+  params.force_scale = constants_.force_scale;
+  params.force_limit = constants_.force_limit;
+  params.thickness = static_cast<float>(scene_.contact.thickness);
+  if (collision_) {
+    params.push_scale = collision_->push_scale();
+    params.max_push = collision_->max_push();
+  }
+  std::vector<StepParams> steps(substeps_, params);
+  for (std::uint32_t s = 0; s < substeps_; ++s)
+    steps[s].first_motion = s * 3 * static_cast<std::uint32_t>(model_.host.motions.size());
+  state_.steps.write(device_, steps);
+}
+
+void World::write_motions() {
+  const auto& motions = model_.host.motions;
+  if (motions.empty()) return;
+  Vec4f* row = motion_rows_.data();
+  for (std::uint32_t s = 0; s < substeps_; ++s) {
+    const double time = (static_cast<double>(frame_) * substeps_ + s + 1) * step();
+    for (const scene::Motion& motion : motions) {
+      const scene::RigidTransform transform = scene::motion_at(motion, time);
+      for (int axis = 0; axis < 3; ++axis) {
+        const double* r = &transform.rotation[3 * axis];
+        *row++ = {static_cast<float>(r[0]), static_cast<float>(r[1]), static_cast<float>(r[2]),
+                  static_cast<float>(transform.translation[axis])};
+      }
+    }
+  }
+  state_.motions.write(device_, motion_rows_);
+}
+
+void World::record_frame(std::uint32_t parity) {
+  gpu::CommandList& list = frame_commands_[parity];
+  list.clear(state_.statistics.range(0, kStatisticsPerFrameBytes));
+  gpu::ComputePass pass(list, "frame");
+  for (std::uint32_t s = 0; s < substeps_; ++s) {
+    pass.set_step(s, (parity + s) & 1U);
+    solver_->record_predict(pass);
+    if (collision_) collision_->record(pass);
+    solver_->record_solve(pass);
+  }
+  pass.set_step(0, (parity + substeps_) & 1U);
+  last_good_->record(pass);
+  surface_->record(pass);
+}
+
+Result<gpu::CommandList> World::instrumented_frame(gpu::Timer& timer) const {
+  gpu::CommandList list;
+  list.clear(state_.statistics.range(0, kStatisticsPerFrameBytes));
+  for (std::uint32_t s = 0; s < substeps_; ++s) {
+    const auto stage = [&](const char* name, const auto& record) {
+      gpu::ComputePass pass(list, name, timer.span(name));
+      pass.set_step(s, (parity_ + s) & 1U);
+      record(pass);
+    };
+    stage("predict", [&](gpu::ComputePass& pass) { solver_->record_predict(pass); });
+    if (collision_) stage("collide", [&](gpu::ComputePass& pass) { collision_->record(pass); });
+    if (collision_) stage("respond", [&](gpu::ComputePass& pass) { solver_->record_solve(pass); });
+  }
+  const std::uint32_t parity = (parity_ + substeps_) & 1U;
+  {
+    gpu::ComputePass pass(list, "guard", timer.span("guard"));
+    pass.set_step(0, parity);
+    last_good_->record(pass);
+  }
+  {
+    gpu::ComputePass pass(list, "surface", timer.span("surface"));
+    pass.set_step(0, parity);
+    surface_->record(pass);
+  }
+  timer.finish(list);
+  return list;
+}
+
+Result<void> World::advance_frame() {
+  WEFT_CHECK(take_reports(false));
+  Report* free = nullptr;
+  while (free == nullptr) {
+    for (Report& report : reports_)
+      if (!report.readback.pending()) free = &report;
+    if (free != nullptr) break;
+    device_.poll();
+    WEFT_CHECK(take_reports(false));
+  }
+  write_motions();
+  WEFT_CHECK(device_.submit(frame_commands_[parity_]));
+  WEFT_CHECK(device_.submit(free->commands));
+  free->frame = frame_;
+  free->readback.start();
+  parity_ = (parity_ + substeps_) & 1U;
+  ++frame_;
+  return {};
+}
+
+Result<void> World::finish() {
+  WEFT_CHECK(device_.wait());
+  return take_reports(true);
+}
+
+Result<void> World::take_reports(bool wait_for_all) {
+  device_.poll();
+  // In the order of their frames, so that the first bad one is the one that is named.
+  std::array<Report*, 3> order = {&reports_[0], &reports_[1], &reports_[2]};
+  std::sort(order.begin(), order.end(), [](const Report* a, const Report* b) { return a->frame < b->frame; });
+  for (Report* report : order) {
+    if (!report->readback.pending()) continue;
+    while (wait_for_all && !report->readback.ready() && !report->readback.failed()) device_.poll();
+    if (report->readback.ready() || report->readback.failed()) WEFT_CHECK(take(*report));
+  }
+  return {};
+}
+
+Result<void> World::take(Report& report) {
+  const bool failed = report.readback.failed();
+  const std::vector<std::byte> bytes = report.readback.take();
+  if (failed) {
+    WEFT_CHECK(device_.status());
+    return make_error(ErrorKind::DeviceLost, "The report of frame %u did not arrive.", report.frame);
+  }
+  Statistics statistics;
+  std::memcpy(&statistics, bytes.data(), sizeof statistics);
+  totals_.nonfinite = statistics.nonfinite;
+  if (statistics.nonfinite != 0)
+    return make_error(ErrorKind::Diverged,
+                      "In frame %u the state of %u of %u nodes is not finite; the state is frozen as it was before that frame.",
+                      report.frame, statistics.nonfinite, model_.vertex_count());
+  ++totals_.frames;
+  totals_.contacts += statistics.hits;
+  totals_.contact_hash += statistics.hit_hash;
+  totals_.contact_overflow += statistics.contact_overflow;
+  totals_.max_stretch = std::max(totals_.max_stretch, statistics.max_stretch);
+  return {};
+}
+
+Result<void> World::reset() {
+  WEFT_CHECK(device_.wait());
+  for (Report& report : reports_)  // what they would say is of no more use
+    if (report.readback.pending()) report.readback.take();
+  state_.reset(device_, model_.host);
+  const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
+  state_.statistics.write(device_, zeros);
+  frame_ = 0;
+  parity_ = 0;
+  totals_ = {};
+  return {};
+}
+
+Result<Snapshot> World::snapshot() {
+  Snapshot snapshot;
+  WEFT_TRY(position, gpu::download(device_, state_.position[parity_]));
+  snapshot.position = std::move(position);
+  WEFT_TRY(velocity, gpu::download(device_, state_.velocity[parity_]));
+  snapshot.velocity = std::move(velocity);
+  return snapshot;
+}
+
+void World::set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity) {
+  state_.position[parity_].write(device_, std::span(&position, 1), node);
+  state_.velocity[parity_].write(device_, std::span(&velocity, 1), node);
+}
+
+}  // namespace weft::sim

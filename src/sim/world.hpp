@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/collision.hpp"
+#include "element/last_good.hpp"
+#include "element/surface.hpp"
+#include "gpu/readback.hpp"
+#include "gpu/timer.hpp"
+#include "sim/assets.hpp"
+#include "solver/solver.hpp"
+#include "state/state.hpp"
+
+namespace weft::sim {
+
+struct WorldOptions {
+  std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+};
+
+/// What the frames so far have reported.
+struct Totals {
+  std::uint32_t frames = 0;            // reported
+  std::uint64_t contacts = 0;          // narrow-phase hits
+  std::uint32_t contact_hash = 0;      // wrapping sum over all hits
+  std::uint64_t contact_overflow = 0;
+  float max_stretch = 0;               // the largest at the end of any frame, length / rest length
+  std::uint32_t nonfinite = 0;         // nodes
+};
+
+/// Position and velocity of all nodes in model order.
+struct Snapshot {
+  std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
+  std::vector<Vec4f> velocity;  // [m/s]
+  /// XXH3-64 of the bits of position, then velocity, as 16 hexadecimal digits.
+  std::string hash() const;
+};
+
+/// A running scene: owns the state, orders collision and solver, keeps time. The device must outlive it.
+class World {
+ public:
+  /// Errors  Input: the model cannot be built. Limit, OutOfMemory, Shader, DeviceLost.
+  static Result<std::unique_ptr<World>> create(gpu::Device& device, scene::Scene scene, const Assets& assets,
+                                               const WorldOptions& options = {});
+
+  /// Submits one frame of substeps. The host waits only where three frames are under way already.
+  /// Errors  Diverged: a node of an earlier frame was not finite; the state is frozen at the last good frame.
+  ///         DeviceLost, OutOfMemory, Shader.
+  Result<void> advance_frame();
+  /// Waits until all frames have reported. Errors as advance_frame.
+  Result<void> finish();
+  /// Back to the rest state at time 0.
+  Result<void> reset();
+
+  /// The current state, waited for.
+  Result<Snapshot> snapshot();
+  /// Overwrites the current state of one node: for tests of what bad values do.
+  void set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity);
+
+  const scene::Scene& scene() const { return scene_; }
+  gpu::Device& device() const { return device_; }
+  const Model& model() const { return model_; }
+  const State& state() const { return state_; }
+  const Surface& surface() const { return *surface_; }
+  const Assets& assets() const { return assets_; }
+  const Totals& totals() const { return totals_; }
+  const StepLimit& step_limit() const { return limit_; }
+  const SolverConstants& solver_constants() const { return constants_; }
+  std::uint32_t substeps() const { return substeps_; }
+  double step() const { return scene_.time.frame / substeps_; }  // [s]
+  std::uint32_t frame() const { return frame_; }
+  double time() const { return frame_ * scene_.time.frame; }  // [s]
+  std::size_t spring_count() const { return spring_count_; }
+  /// Which of State's buffers holds the current state.
+  std::uint32_t parity() const { return parity_; }
+  /// The commands of a frame that begins with this parity.
+  const gpu::CommandList& frame_commands(std::uint32_t parity) const { return frame_commands_[parity]; }
+  /// The same with a timed pass for each stage of a substep: for shares, not totals.
+  Result<gpu::CommandList> instrumented_frame(gpu::Timer& timer) const;
+
+ private:
+  struct Report {
+    gpu::Readback readback;
+    gpu::CommandList commands;
+    std::uint32_t frame = 0;
+  };
+
+  World(gpu::Device& device, scene::Scene scene) : device_(device), scene_(std::move(scene)) {}
+  Result<void> build(const Assets& assets, const WorldOptions& options);
+  void write_steps();
+  void write_motions();
+  void record_frame(std::uint32_t parity);
+  Result<void> take_reports(bool wait_for_all);
+  Result<void> take(Report& report);
+
+  gpu::Device& device_;
+  scene::Scene scene_;
+  Assets assets_;
+  Model model_;
+  State state_;
+  std::optional<Contacts> contacts_;
+  std::optional<collision::Collision> collision_;
+  std::unique_ptr<Solver> solver_;
+  std::optional<Surface> surface_;
+  std::optional<LastGood> last_good_;
+  StepLimit limit_;
+  SolverConstants constants_;
+  std::uint32_t substeps_ = 1, frame_ = 0, parity_ = 0;
+  std::size_t spring_count_ = 0;
+  std::array<gpu::CommandList, 2> frame_commands_;
+  std::array<Report, 3> reports_;
+  std::vector<Vec4f> motion_rows_;  // of one frame; kept so that a frame allocates nothing
+  Totals totals_;
+};
+
+}  // namespace weft::sim

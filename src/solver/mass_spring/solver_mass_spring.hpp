@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/mass_spring/advance_grid.hpp"
+#include "solver/mass_spring/advance_mesh.hpp"
+#include "solver/mass_spring/contact_response.hpp"
+#include "solver/mass_spring/fixed_point.hpp"
+#include "solver/mass_spring/integrate_forces.hpp"
+#include "solver/mass_spring/spring_forces.hpp"
+#include "solver/solver.hpp"
+
+namespace weft {
+
+/// Mass-spring cloth, semi-implicit Euler: v += dt f / m, then x += dt v. Source: docs/solvers/mass_spring.md.
+class SolverMassSpring : public Solver {
+ public:
+  /// Errors  Shader, Limit, OutOfMemory, DeviceLost.
+  static Result<std::unique_ptr<Solver>> create(const scene::Solver& settings, const SolverInputs& inputs);
+
+  void record_predict(gpu::ComputePass& pass) const override;
+  void record_solve(gpu::ComputePass& pass) const override;
+  SolverConstants constants() const override { return constants_; }
+
+ private:
+  /// Algorithm 1: one invocation a spring.
+  struct SpringCentric {
+    gpu::Buffer<Spring> springs;
+    gpu::Buffer<std::int32_t> force;  // 3 * vertex_count
+    SpringForces spring_forces;
+    IntegrateForces integrate_forces;
+  };
+  /// One invocation a node; a dispatch for each cloth.
+  struct NodeCentric {
+    gpu::Kernel grid_kernel, mesh_kernel;
+    std::vector<AdvanceGrid> grids;
+    std::vector<AdvanceMesh> meshes;
+  };
+
+  Result<void> create_spring_centric(const SolverInputs& inputs);
+  Result<void> create_node_centric(const SolverInputs& inputs);
+
+  SolverConstants constants_;
+  std::optional<SpringCentric> spring_centric_;
+  std::optional<NodeCentric> node_centric_;
+  std::optional<ContactResponse> contact_response_;
+};
+
+}  // namespace weft

@@ -1,0 +1,158 @@
+#include "solver/mass_spring/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.hpp"
+#include "gpu/readback.hpp"
+#include "mesh/lumped.hpp"
+
+namespace weft {
+namespace {
+
+constexpr std::uint32_t kBlock = 256;        // elements a block of the fixed-tree sum; one workgroup
+constexpr std::uint32_t kLargestPart = 64;   // nodes a side
+
+/// Mirror of PowerParams in shaders/mass_spring/apply_network.wgsl.
+struct PowerParams {
+  std::uint32_t count, use_damping, padding[2];
+};
+
+/// x <- A x / |A x| for the stiffness or the damping of one network.
+class PowerIteration {
+ public:
+  static Result<PowerIteration> create(gpu::Device& device, const SpringNetwork& network, bool damping) {
+    PowerIteration made;
+    const auto count = static_cast<std::uint32_t>(network.position.size());
+    made.count_ = count;
+    const Neighbours built = build_neighbours(network.springs, 0, count);
+    Random random(1);
+    std::vector<Vec4f> start(count);
+    for (Vec4f& x : start)
+      x = {static_cast<float>(random.uniform(-1, 1)), static_cast<float>(random.uniform(-1, 1)),
+           static_cast<float>(random.uniform(-1, 1)), 0};
+    const PowerParams params{count, damping ? 1U : 0U, {}};
+    WEFT_TRY(uniform, gpu::Buffer<PowerParams>::create_from(device, std::span(&params, 1), "power params",
+                                                            gpu::kUniform | gpu::kCopyTarget));
+    WEFT_TRY(offsets, gpu::Buffer<std::uint32_t>::create_from(device, built.offsets, "network offsets"));
+    WEFT_TRY(neighbours, gpu::Buffer<Neighbour>::create_from(device, built.entries, "network"));
+    WEFT_TRY(position, gpu::Buffer<Vec4f>::create_from(device, network.position, "network position"));
+    WEFT_TRY(x, gpu::Buffer<Vec4f>::create_from(device, start, "power x"));
+    WEFT_TRY(y, gpu::Buffer<Vec4f>::create(device, count, "power y"));
+    WEFT_TRY(partial, gpu::Buffer<float>::create(device, (count + kBlock - 1) / kBlock, "power partial sums"));
+    WEFT_TRY(norm, gpu::Buffer<float>::create(device, 1, "power norm"));
+    WEFT_TRY(apply, gpu::Kernel::create(device, "mass_spring/apply_network.wgsl"));
+    WEFT_TRY(sum_squares, gpu::Kernel::create(device, "mass_spring/sum_squares.wgsl", {}, kBlock));
+    WEFT_TRY(finish_norm, gpu::Kernel::create(device, "mass_spring/finish_norm.wgsl", {}, kBlock));
+    WEFT_TRY(scale, gpu::Kernel::create(device, "mass_spring/scale_by_norm.wgsl"));
+    WEFT_TRY(apply_group, apply.bind({uniform, offsets, neighbours, position, x, y}));
+    WEFT_TRY(sum_group, sum_squares.bind({y, partial}));
+    WEFT_TRY(finish_group, finish_norm.bind({partial, norm}));
+    WEFT_TRY(scale_group, scale.bind({y, norm, x}));
+    made.uniform_ = std::move(uniform), made.offsets_ = std::move(offsets), made.neighbours_ = std::move(neighbours);
+    made.position_ = std::move(position), made.x_ = std::move(x), made.y_ = std::move(y);
+    made.partial_ = std::move(partial), made.norm_ = std::move(norm);
+    made.apply_ = std::move(apply), made.sum_squares_ = std::move(sum_squares);
+    made.finish_norm_ = std::move(finish_norm), made.scale_ = std::move(scale);
+    made.apply_group_ = std::move(apply_group), made.sum_group_ = std::move(sum_group);
+    made.finish_group_ = std::move(finish_group), made.scale_group_ = std::move(scale_group);
+    return made;
+  }
+
+  /// The largest eigenvalue, from below.
+  Result<double> run(gpu::Device& device, std::uint32_t iterations) const {
+    gpu::CommandList list;
+    {
+      gpu::ComputePass pass(list, "power iteration");
+      for (std::uint32_t i = 0; i < iterations; ++i) {
+        apply_.dispatch(pass, apply_group_, count_);
+        sum_squares_.dispatch(pass, sum_group_, count_);
+        finish_norm_.dispatch_groups(pass, finish_group_, 1);
+        scale_.dispatch(pass, scale_group_, count_);
+      }
+    }
+    WEFT_CHECK(device.submit(list));
+    WEFT_TRY(norm, gpu::download(device, norm_));
+    return static_cast<double>(norm[0]);
+  }
+
+ private:
+  gpu::RawBuffer uniform_, offsets_, neighbours_, position_, x_, y_, partial_;
+  gpu::Buffer<float> norm_;
+  gpu::Kernel apply_, sum_squares_, finish_norm_, scale_;
+  gpu::BindGroup apply_group_, sum_group_, finish_group_, scale_group_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace
+
+SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth) {
+  SpringNetwork network;
+  HostModel part_model;
+  ClothModel part = cloth;
+  const std::uint32_t first = cloth.first_vertex;
+  part.first_vertex = 0;
+  part.first_triangle = 0;
+  if (cloth.grid) {
+    mesh::Grid grid = *cloth.grid;
+    grid.nx = std::min(grid.nx, kLargestPart);
+    grid.ny = std::min(grid.ny, kLargestPart);
+    grid.width *= static_cast<double>(grid.nx - 1) / (cloth.grid->nx - 1);
+    grid.height *= static_cast<double>(grid.ny - 1) / (cloth.grid->ny - 1);
+    part.grid = grid;
+    part.vertex_count = mesh::node_count(grid);
+    const double corner_area = mesh::vertex_areas(*cloth.grid)[0];
+    const double density = model.mass[first] / corner_area;  // unused where every node weighs the same
+    const std::vector<double> areas = mesh::vertex_areas(grid);
+    for (std::uint32_t j = 0; j < grid.ny; ++j)
+      for (std::uint32_t i = 0; i < grid.nx; ++i) {
+        const mesh::RestPoint p = mesh::rest_point(grid, i, j);
+        const double mass = cloth.weights == mesh::BoundaryWeights::Uniform ? model.mass[first]
+                                                                            : density * areas[mesh::node_index(grid, i, j)];
+        network.position.push_back(Vec4f::from(Vec3d{p.x, p.y, 0}.to<float>(), static_cast<float>(1 / mass)));
+      }
+  } else {
+    for (std::uint32_t v = first; v < first + cloth.vertex_count; ++v) {
+      network.position.push_back(Vec4f::from(model.rest_position[v].to<float>(), static_cast<float>(1 / model.mass[v])));
+      part_model.rest_position.push_back(model.rest_position[v]);
+    }
+    for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
+      mesh::Triangle triangle = model.triangles[cloth.first_triangle + t];
+      for (std::uint32_t& vertex : triangle) vertex -= first;
+      part_model.triangles.push_back(triangle);
+    }
+  }
+  network.springs = build_springs(part_model, part);
+  return network;
+}
+
+Result<NetworkSpectrum> find_spectrum(gpu::Device& device, const SpringNetwork& network, std::uint32_t iterations) {
+  NetworkSpectrum spectrum;
+  const auto any_damping = std::any_of(network.springs.begin(), network.springs.end(),
+                                       [](const Spring& spring) { return spring.damping > 0; });
+  for (const bool damping : {false, true}) {
+    if (damping && !any_damping) continue;
+    WEFT_TRY(power, PowerIteration::create(device, network, damping));
+    WEFT_TRY(value, power.run(device, iterations));
+    (damping ? spectrum.damping : spectrum.stiffness) = value;
+  }
+  return spectrum;
+}
+
+double largest_stable_step(double stiffness, double damping) {
+  if (!(stiffness > 0)) return damping > 0 ? 2 / damping : 0;
+  return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
+}
+
+Result<StepLimit> mass_spring_step_limit(gpu::Device& device, const HostModel& model, double drag) {
+  StepLimit limit;
+  for (const ClothModel& cloth : model.cloths) {
+    WEFT_TRY(spectrum, find_spectrum(device, stiffest_part(model, cloth)));
+    const double step = largest_stable_step(spectrum.stiffness, spectrum.damping + drag);
+    if (limit.largest_step != 0 && step >= limit.largest_step) continue;
+    limit = {std::sqrt(spectrum.stiffness), spectrum.damping + drag, step};
+  }
+  return limit;
+}
+
+}  // namespace weft

@@ -1,0 +1,53 @@
+#include "state/state.hpp"
+
+#include <algorithm>
+
+namespace weft {
+namespace {
+
+std::vector<Vec4f> rest_positions(const HostModel& model) {
+  std::vector<Vec4f> positions(model.vertex_count());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    positions[i] = Vec4f::from(model.rest_position[i].to<float>(), static_cast<float>(model.inverse_mass(i)));
+  return positions;
+}
+
+}  // namespace
+
+Result<State> State::create(gpu::Device& device, const HostModel& model, std::uint32_t substeps) {
+  State state;
+  const std::size_t count = model.vertex_count();
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    const std::string suffix = parity == 0 ? " a" : " b";
+    WEFT_TRY(position, gpu::Buffer<Vec4f>::create(device, count, "position" + suffix));
+    WEFT_TRY(velocity, gpu::Buffer<Vec4f>::create(device, count, "velocity" + suffix));
+    state.position[parity] = std::move(position);
+    state.velocity[parity] = std::move(velocity);
+  }
+  WEFT_TRY(steps, gpu::Buffer<StepParams>::create(device, substeps, "steps", gpu::kUniform | gpu::kCopyTarget));
+  state.steps = std::move(steps);
+  WEFT_TRY(motions, gpu::Buffer<Vec4f>::create(device, 3 * model.motions.size() * substeps, "motions"));
+  state.motions = std::move(motions);
+  WEFT_TRY(statistics, gpu::Buffer<std::uint32_t>::create(device, sizeof(Statistics) / 4, "statistics"));
+  state.statistics = std::move(statistics);
+  state.reset(device, model);
+  return state;
+}
+
+void State::reset(gpu::Device& device, const HostModel& model) const {
+  const std::vector<Vec4f> positions = rest_positions(model);
+  const std::vector<Vec4f> zeros(model.vertex_count());
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    position[parity].write(device, positions);
+    velocity[parity].write(device, zeros);
+  }
+}
+
+Result<Contacts> Contacts::create(gpu::Device& device, const HostModel& model) {
+  Contacts contacts;
+  WEFT_TRY(pushes, gpu::Buffer<std::int32_t>::create(device, 4 * model.vertex_count(), "pushes"));
+  contacts.pushes = std::move(pushes);
+  return contacts;
+}
+
+}  // namespace weft

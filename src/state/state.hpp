@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+
+#include "gpu/buffer.hpp"
+#include "state/model.hpp"
+#include "state/statistics.hpp"
+#include "state/step_params.hpp"
+
+namespace weft {
+
+/// What changes. Position and velocity stand in two buffers each: a substep with parity p reads [p], which thereby is
+/// the previous state, and writes [1 - p].
+struct State {
+  std::array<gpu::Buffer<Vec4f>, 2> position;  // vertex_count, m; w: inverse mass, 1/kg (0: kinematic)
+  std::array<gpu::Buffer<Vec4f>, 2> velocity;  // vertex_count, m/s; w: unused
+  gpu::Buffer<StepParams> steps;               // a block for each substep of a frame
+  gpu::Buffer<Vec4f> motions;                  // 3 rows for each moved group and substep: x, y, z of R·rest + t
+  gpu::Buffer<std::uint32_t> statistics;       // sizeof(Statistics) / 4
+
+  /// The rest state, at rest.
+  /// Errors  Limit, OutOfMemory.
+  static Result<State> create(gpu::Device& device, const HostModel& model, std::uint32_t substeps);
+  /// Writes the rest state at rest into both buffers.
+  void reset(gpu::Device& device, const HostModel& model) const;
+};
+
+/// What collision hands to a solver: for each vertex the sum of its pushes and their number, in fixed point
+/// (StepParams::push_scale), so that neither depends on the order of threads.
+struct Contacts {
+  gpu::Buffer<std::int32_t> pushes;  // 4 * vertex_count: x, y, z, count; the solver clears what it has read
+
+  static Result<Contacts> create(gpu::Device& device, const HostModel& model);
+};
+
+}  // namespace weft

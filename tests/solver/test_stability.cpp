@@ -1,0 +1,112 @@
+// The stability limit: found by power iteration, sharp, and kept by "auto".
+#include <cmath>
+
+#include "gpu/gpu_fixture.hpp"
+#include "solver/mass_spring/stability.hpp"
+#include "solver_rig.hpp"
+
+using namespace weft;
+
+namespace {
+
+std::string sheet(std::uint32_t nx, std::uint32_t ny, double structural, double shear, double bend, double damping) {
+  return R"("gravity": [0, 0, 0], "cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) + R"(], "size": [)" +
+         std::to_string(0.02 * (nx - 1)) + ", " + std::to_string(0.02 * (ny - 1)) + R"(], "density": 0.25, "damping": )" +
+         std::to_string(damping) + R"(, "stiffness": {"structural": )" + std::to_string(structural) + R"(, "shear": )" +
+         std::to_string(shear) + R"(, "bend": )" + std::to_string(bend) + "}}]";
+}
+constexpr double kNodeMass = 0.25 * 0.02 * 0.02;  // [kg]
+
+StepLimit limit_of(gpu::Device& device, const scene::Scene& scene) {
+  auto model = build_model(scene, std::vector<mesh::TriangleMesh>(scene.cloths.size()));
+  REQUIRE_OK(model);
+  const auto limit = find_step_limit(device, scene, *model);
+  REQUIRE_OK(limit);
+  return *limit;
+}
+
+double largest_speed(SolverRig& rig) {
+  double largest = 0;
+  for (const Vec4f& v : rig.velocities()) {
+    const double speed = static_cast<double>(length(v.xyz()));
+    if (!(speed <= largest)) largest = std::isfinite(speed) ? speed : HUGE_VAL;  // a NaN is no small speed
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("power iteration finds the highest frequency of lattices within 2 %") {
+  GpuFixture fixture;
+  for (const auto& [nx, ny] : {std::pair{32U, 32U}, {50U, 21U}, {200U, 100U}}) {
+    CAPTURE(nx); CAPTURE(ny);
+    // Structural and shear springs: omega² = 4 (k + s) / m.
+    const double plain = limit_of(fixture.device(), scene_of(sheet(nx, ny, 500, 200, 0, 0))).highest_frequency;
+    CHECK(plain == doctest::Approx(std::sqrt(4 * 700 / kNodeMass)).epsilon(0.02));
+    // All equal: the bend springs move the maximum off the checkerboard, to 10.125 k / m.
+    const double equal = limit_of(fixture.device(), scene_of(sheet(nx, ny, 300, 300, 300, 0))).highest_frequency;
+    CHECK(equal == doctest::Approx(std::sqrt(10.125 * 300 / kNodeMass)).epsilon(0.02));
+  }
+}
+
+TEST_CASE("the limit is sharp: a step 2 % below it is stable, one 3 % above it is not; with damping, one 15 % above") {
+  GpuFixture fixture;
+  for (const double damping : {0.0, 0.05}) {
+    const auto scene = scene_of(sheet(24, 17, 500, 200, 20, damping));
+    const double limit = limit_of(fixture.device(), scene).largest_step;
+    CAPTURE(damping);
+    // The limit joins the largest stiffness and the largest damping, which belong to different modes here.
+    for (const double factor : {0.98, damping == 0 ? 1.03 : 1.15}) {
+      SolverRig rig(fixture.device(), scene, factor * limit);
+      rig.perturb(2, 1e-6, 0);  // so small that the network stays linear
+      rig.advance(3000);
+      const double speed = largest_speed(rig);
+      if (factor < 1) CHECK(speed < 0.1);
+      else CHECK(speed > 1);
+    }
+  }
+}
+
+TEST_CASE("damping lowers the limit to (√(μ² + 4 λ) - μ) / λ, and a system without springs has none") {
+  CHECK(largest_stable_step(4, 0) == doctest::Approx(1));
+  CHECK(largest_stable_step(4, 3) == doctest::Approx(0.5));  // (5 - 3) / 4
+  CHECK(largest_stable_step(0, 0) == 0);
+  CHECK(largest_stable_step(0, 4) == doctest::Approx(0.5));
+}
+
+TEST_CASE("substeps are rounded up to a multiple of 4, and too many are refused with both numbers") {
+  auto scene = scene_of(sheet(4, 4, 500, 200, 0, 0));
+  StepLimit limit;
+  limit.largest_step = scene.time.frame / 5;
+  const auto substeps = choose_substeps(scene, limit);
+  REQUIRE_OK(substeps);
+  CHECK(*substeps == 8);  // 5 / 0.7 = 7.1
+  limit.largest_step = 1e-9;
+  const auto refused = choose_substeps(scene, limit);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().kind == ErrorKind::Limit);
+  CHECK(refused.error().message.find("65536") != std::string::npos);
+}
+
+void survives(std::uint32_t steps) {
+  GpuFixture fixture;
+  for (const double scale : {1.0, 10.0, 100.0}) {
+    for (const double damping : {0.0, 0.02}) {
+      const auto scene = scene_of(sheet(40, 40, 50 * scale, 20 * scale, 2 * scale, damping));
+      const StepLimit limit = limit_of(fixture.device(), scene);
+      const auto substeps = choose_substeps(scene, limit);
+      REQUIRE_OK(substeps);
+      SolverRig rig(fixture.device(), scene, scene.time.frame / *substeps);
+      rig.perturb(7, 0.004, 0.5);  // a fifth of a cell
+      const double start = reference::energy(rig.reference());
+      rig.advance(steps);
+      CAPTURE(scale); CAPTURE(damping); CAPTURE(*substeps);
+      const double end = reference::energy(rig.reference());
+      CHECK(end < 2 * start);
+      CHECK(largest_speed(rig) < 100);
+    }
+  }
+}
+
+TEST_CASE("auto survives 2,000 steps from a random start at three stiffness scales") { survives(2000); }
+TEST_CASE("long: auto survives 10,000 steps from a random start at three stiffness scales") { survives(10000); }

@@ -1,0 +1,58 @@
+#include <doctest/doctest.h>
+
+#include "gpu/shader_source.hpp"
+#include "state/model.hpp"
+#include "state/statistics.hpp"
+#include "state/step_params.hpp"
+#include "wgsl_layout.hpp"
+
+using namespace weft;
+
+namespace {
+
+std::string shader(const std::string& path) { return gpu::ShaderSource::load(path)->text; }
+
+std::uint32_t statistic(const std::string& name) {
+  const std::string text = shader("shared/statistics.wgsl");
+  const std::size_t at = text.find("const " + name + " = ");
+  return static_cast<std::uint32_t>(4 * std::stoul(text.substr(text.find("= ", at) + 2)));
+}
+
+}  // namespace
+
+TEST_CASE("StepParams lies in C++ as in WGSL") {
+  const WgslLayout wgsl = wgsl_layout(shader("shared/step.wgsl"), "StepParams");
+  CHECK(wgsl.offset.size() == 11);
+  CHECK(wgsl.offset.at("acceleration") == offsetof(StepParams, acceleration));
+  CHECK(wgsl.offset.at("dt") == offsetof(StepParams, dt));
+  CHECK(wgsl.offset.at("drag") == offsetof(StepParams, drag));
+  CHECK(wgsl.offset.at("vertex_count") == offsetof(StepParams, vertex_count));
+  CHECK(wgsl.offset.at("spring_count") == offsetof(StepParams, spring_count));
+  CHECK(wgsl.offset.at("force_scale") == offsetof(StepParams, force_scale));
+  CHECK(wgsl.offset.at("force_limit") == offsetof(StepParams, force_limit));
+  CHECK(wgsl.offset.at("push_scale") == offsetof(StepParams, push_scale));
+  CHECK(wgsl.offset.at("thickness") == offsetof(StepParams, thickness));
+  CHECK(wgsl.offset.at("max_push") == offsetof(StepParams, max_push));
+  CHECK(wgsl.offset.at("first_motion") == offsetof(StepParams, first_motion));
+  CHECK(wgsl.size <= sizeof(StepParams));
+}
+
+TEST_CASE("Spring lies in C++ as in WGSL") {
+  const WgslLayout wgsl = wgsl_layout(shader("shared/mass_spring.wgsl"), "Spring");
+  CHECK(wgsl.offset.at("node_a") == offsetof(Spring, node_a));
+  CHECK(wgsl.offset.at("node_b") == offsetof(Spring, node_b));
+  CHECK(wgsl.offset.at("rest_length") == offsetof(Spring, rest_length));
+  CHECK(wgsl.offset.at("stiffness") == offsetof(Spring, stiffness));
+  CHECK(wgsl.offset.at("damping") == offsetof(Spring, damping));
+  CHECK(wgsl.size == sizeof(Spring));
+}
+
+TEST_CASE("the statistics have the same places in C++ as in WGSL, and what is kept over frames comes last") {
+  CHECK(statistic("kStatHits") == offsetof(Statistics, hits));
+  CHECK(statistic("kStatHitHash") == offsetof(Statistics, hit_hash));
+  CHECK(statistic("kStatMaxStretch") == offsetof(Statistics, max_stretch));
+  CHECK(statistic("kStatContactOverflow") == offsetof(Statistics, contact_overflow));
+  CHECK(statistic("kStatNonfinite") == offsetof(Statistics, nonfinite));
+  CHECK(statistic("kStatFrozen") == offsetof(Statistics, frozen));
+  CHECK(kStatisticsPerFrameBytes == offsetof(Statistics, nonfinite));
+}

@@ -1,0 +1,68 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "scene/load.hpp"
+#include "state/model.hpp"
+
+using namespace weft;
+
+namespace {
+
+HostModel model_of(const std::string& cloths) {
+  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "cloths": [)" + cloths + "]}", "test.json");
+  REQUIRE_MESSAGE(scene, scene.error().message);
+  auto model = build_model(*scene, std::vector<mesh::TriangleMesh>(scene->cloths.size()));
+  REQUIRE_MESSAGE(model, model.error().message);
+  return std::move(*model);
+}
+
+}  // namespace
+
+TEST_CASE("the mass of a grid is its density times its area, scaled with its transform") {
+  const HostModel model = model_of(R"({"grid": [7, 12], "size": [2, 3], "density": 0.2, "transform": {"scale": 2}})");
+  CHECK(std::accumulate(model.mass.begin(), model.mass.end(), 0.0) == doctest::Approx(0.2 * 4 * 6));
+  CHECK(model.mass[0] * 4 == doctest::Approx(model.mass[8]));  // a corner has a quarter of an inner node's area
+  CHECK(model.cloths[0].grid->width == 4);
+  const auto springs = build_springs(model);
+  CHECK(springs[0].rest_length == doctest::Approx(4.0 / 6));
+}
+
+TEST_CASE("with a node mass every node weighs the same and every spring counts in full") {
+  const HostModel model = model_of(R"({"grid": [4, 5], "size": [1, 1], "node_mass": 0.3})");
+  for (const double mass : model.mass) CHECK(mass == 0.3);
+  for (const Spring& spring : build_springs(model))
+    CHECK((spring.stiffness == 5000.0F || spring.stiffness == 2000.0F || spring.stiffness == 500.0F));
+}
+
+TEST_CASE("cloths are numbered through, and pins and motions point at their nodes") {
+  const HostModel model = model_of(
+      R"({"grid": [3, 3], "size": [1, 1], "density": 1, "pins": ["top_left"]},
+         {"grid": [3, 4], "size": [1, 1], "density": 1, "pins": ["bottom"],
+          "motions": [{"nodes": "top_right", "kind": "line", "direction": [1, 0, 0], "speed": 1}]})");
+  CHECK(model.vertex_count() == 21);
+  CHECK(model.cloths[1].first_vertex == 9);
+  CHECK(model.cloths[1].first_triangle == 8);
+  CHECK(model.motion[0] == 1);
+  CHECK(model.motion[9 + 2] == 2);  // moved by motions[0]
+  CHECK(model.motion[9 + 9] == 1);
+  CHECK(model.inverse_mass(0) == 0);
+  CHECK(model.inverse_mass(1) > 0);
+  for (std::size_t t = 8; t < model.triangles.size(); ++t)
+    for (const std::uint32_t vertex : model.triangles[t]) CHECK(vertex >= 9);
+  for (const Spring& spring : build_springs(model, model.cloths[1])) CHECK(spring.node_a >= 9);
+}
+
+TEST_CASE("a cloth vertex without area is bad input that names the cloth") {
+  const auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "cloths": [{"mesh": "a.obj", "density": 1}]})", "test.json");
+  REQUIRE(scene);
+  mesh::TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
+  mesh.triangles = {{0, 1, 2}};
+  const auto model = build_model(*scene, {mesh});
+  REQUIRE_FALSE(model);
+  CHECK(model.error().kind == ErrorKind::Input);
+  CHECK(model.error().message.find("cloths[0]") != std::string::npos);
+}
