@@ -81,9 +81,10 @@ RenderPass::RenderPass(CommandList& list, const RenderTarget& target, const std:
 
 RenderPass::~RenderPass() { list_.commands_.push_back({CommandKind::EndRender, {}, {}, {}}); }
 
-void RenderPass::draw(Id pipeline, Id bind_group, std::uint32_t vertices, std::uint32_t instances) {
+void RenderPass::draw(Id pipeline, Id bind_group, std::uint32_t vertices, std::uint32_t instances,
+                      std::uint32_t first) {
   if (vertices == 0) return;
-  list_.commands_.push_back({CommandKind::Draw, {pipeline, bind_group, 0}, {vertices, instances, 0}, {}});
+  list_.commands_.push_back({CommandKind::Draw, {pipeline, bind_group, 0}, {vertices, instances, first}, {}});
 }
 
 void RenderPass::draw_indexed(Id pipeline, Id bind_group, Id index_buffer, std::uint32_t indices,

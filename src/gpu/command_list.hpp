@@ -99,7 +99,7 @@ class RenderPass {
   RenderPass(const RenderPass&) = delete;
   RenderPass& operator=(const RenderPass&) = delete;
 
-  void draw(Id pipeline, Id bind_group, std::uint32_t vertices, std::uint32_t instances = 1);
+  void draw(Id pipeline, Id bind_group, std::uint32_t vertices, std::uint32_t instances = 1, std::uint32_t first = 0);
   void draw_indexed(Id pipeline, Id bind_group, Id index_buffer, std::uint32_t indices, std::uint32_t first = 0);
 
  private:

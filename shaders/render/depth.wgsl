@@ -1,0 +1,10 @@
+// What the sun sees: depth alone. One vertex per index of the triangle list.
+#include "render/frame.wgsl"
+//                                                                           elements      unit
+@group(0) @binding(0) var<uniform>       frame    : Frame;                // 1
+@group(0) @binding(1) var<storage, read> position : array<vec4f>;         // vertex_count  m
+
+@vertex
+fn vertex_main(@builtin(vertex_index) i : u32) -> @builtin(position) vec4f {
+  return frame.light_projection * vec4f(position[i].xyz, 1.0);
+}

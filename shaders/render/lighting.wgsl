@@ -1,0 +1,33 @@
+// One sun with a shadow map and a sky. The includer declares `frame`, `shadow_map` and `shadow_sampler`.
+#include "render/frame.wgsl"
+const kKey = vec3f(1.80, 1.73, 1.62);       // irradiance over pi, so that light = albedo * kKey * cos
+const kSky = vec3f(0.42, 0.46, 0.53);
+const kGround = vec3f(0.21, 0.19, 0.17);
+const kTaps = 4u;            // bilinear, so 3.8 x 3.8 texels; nine over 5.2 looked the same and cost twice as much
+const kTapOffset = 0.9;      // texel
+const kNormalOffset = 2.0;   // texel; half of what the taps cover, so that a slope does not shade itself
+
+// Sky and ground, a little stronger where a surface faces the eye, so that shaded parts keep their form.
+fn ambient(normal : vec3f, to_eye : vec3f) -> vec3f {
+  return mix(kGround, kSky, 0.5 + 0.5 * normal.y) * (0.72 + 0.40 * saturate(dot(normal, to_eye)));
+}
+
+// The share of the sun that arrives at a surface, 0 to 1; 1 where it faces away.
+fn sun_visible(position : vec3f, normal : vec3f) -> f32 {
+  let facing = dot(normal, frame.to_light.xyz);
+  let slope = sqrt(saturate(1.0 - facing * facing));
+  let lifted = position + normal * (kNormalOffset * frame.to_light.w * (0.35 + 0.65 * slope));
+  let clip = frame.light_projection * vec4f(lifted, 1.0);  // orthographic: w is 1
+  let at = vec2f(0.5 + 0.5 * clip.x, 0.5 - 0.5 * clip.y);
+  let inside = all(at >= vec2f(0.0)) && all(at <= vec2f(1.0)) && clip.z <= 1.0;
+  // No return for what lies outside: software adapters go through both sides of an `if`, but not through a loop that
+  // none of their lanes needs.
+  let taps = select(0u, kTaps, inside && facing > 0.0);
+  let step = kTapOffset / f32(textureDimensions(shadow_map).x);
+  var sum = 0.0;
+  for (var i = 0u; i < taps; i++) {
+    let offset = step * (2.0 * vec2f(f32(i & 1u), f32(i >> 1u)) - 1.0);
+    sum += textureSampleCompareLevel(shadow_map, shadow_sampler, at + offset, clip.z);
+  }
+  return select(1.0, sum / f32(kTaps), taps > 0u);
+}

@@ -1,0 +1,19 @@
+#include "render/background.hpp"
+
+#include "render/picture_pipeline.hpp"
+
+namespace weft::render {
+
+Result<Background> Background::create(gpu::Device& device, scene::View view, const gpu::Buffer<FrameParams>& frame) {
+  Background made;
+  gpu::RenderPipelineInfo info = picture_pipeline(view);
+  info.depth_write = false;
+  info.depth_or_equal = true;  // it lies at depth 1, to which depth is cleared
+  WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/background.wgsl", info));
+  made.pipeline_ = std::move(pipeline);
+  WEFT_TRY(group, made.pipeline_.bind({frame}));
+  made.group_ = std::move(group);
+  return made;
+}
+
+}  // namespace weft::render

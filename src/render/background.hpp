@@ -1,0 +1,21 @@
+#pragma once
+
+#include "gpu/render_pipeline.hpp"
+#include "render/frame_params.hpp"
+#include "scene/scene.hpp"
+
+namespace weft::render {
+
+/// Fills what nothing else covers; drawn last, so that covered pixels cost nothing.
+class Background {
+ public:
+  Background() = default;
+  static Result<Background> create(gpu::Device& device, scene::View view, const gpu::Buffer<FrameParams>& frame);
+  void record(gpu::RenderPass& pass) const { pass.draw(pipeline_.id(), group_.id(), 3); }
+
+ private:
+  gpu::RenderPipeline pipeline_;
+  gpu::BindGroup group_;
+};
+
+}  // namespace weft::render

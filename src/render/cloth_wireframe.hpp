@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "render/cloth_surface.hpp"
+
+namespace weft::render {
+
+/// Draws all cloths as the edges of their triangles on a quiet sheet.
+class ClothWireframe {
+ public:
+  ClothWireframe() = default;
+  static Result<ClothWireframe> create(gpu::Device& device, const gpu::Buffer<FrameParams>& frame,
+                                       const ClothDraw& cloth);
+  void record(gpu::RenderPass& pass, std::uint32_t parity) const;
+
+ private:
+  struct Part {
+    gpu::Buffer<WeaveParams> weave;
+    std::array<gpu::BindGroup, 2> groups;  // by parity
+    std::uint32_t first_vertex = 0, vertex_count = 0;
+  };
+  gpu::RenderPipeline pipeline_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace weft::render

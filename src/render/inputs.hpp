@@ -1,0 +1,39 @@
+// What a picture is drawn from: buffers of the state, where they lie, and the obstacles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gpu/buffer.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "scene/scene.hpp"
+
+namespace weft::render {
+
+/// The triangles of one cloth, and how it looks.
+struct ClothRange {
+  std::uint32_t first_triangle = 0, triangle_count = 0;
+  std::optional<Vec3d> color;  // sRGB in [0, 1]; none: the next of a palette
+  double sheet_size = 1;       // the longer side of the sheet in uv [m]: the check repeats a few times over it
+};
+
+/// All cloths of a state. The buffers must outlive the renderer.
+struct ClothDraw {
+  std::array<const gpu::RawBuffer*, 2> position{};  // vertex_count x Vec4f [m]; parity says which is drawn
+  const gpu::RawBuffer* normal = nullptr;           // vertex_count x Vec4f, unit
+  const gpu::RawBuffer* uv = nullptr;               // vertex_count x 2 float [m]
+  const gpu::RawBuffer* triangles = nullptr;        // 3 x triangle_count uint32; usage kIndex and kStorage
+  const gpu::RawBuffer* stretch = nullptr;          // vertex_count x float, length / rest length; only View::Stretch
+  std::vector<ClothRange> ranges;
+};
+
+struct Inputs {
+  ClothDraw cloth;
+  std::vector<mesh::TriangleMesh> objects;     // in the world [m]; copied at creation
+  std::vector<scene::ColliderSphere> spheres;
+  std::vector<scene::ColliderPlane> planes;
+};
+
+}  // namespace weft::render

@@ -1,0 +1,27 @@
+// The colour map's key, drawn into a picture on the host.
+#pragma once
+
+#include <vector>
+
+#include "render/image.hpp"
+
+namespace weft::render {
+
+struct Rectangle {
+  int x = 0, y = 0, width = 0, height = 0;  // [pixel]
+};
+
+/// Where a legend stands in a picture of this size.
+struct LegendLayout {
+  Rectangle panel, bar, title;
+  std::vector<Rectangle> labels;  // from the highest value to the lowest
+  float text_height = 0;          // [pixel]
+};
+inline constexpr int kLegendLabels = 5;
+LegendLayout legend_layout(std::uint32_t width, std::uint32_t height);
+
+/// Draws the colour bar from `lowest` (below) to `highest` (above) with numbers and the title "stretch". A picture
+/// too small for it stays as it is.
+void draw_legend(Image& image, double lowest, double highest);
+
+}  // namespace weft::render
