@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/result.hpp"
+#include "collision/object_triangles.hpp"
+#include "gpu/kernel.hpp"
+#include "state/state.hpp"
+
+namespace weft::collision {
+
+/// Contacts by brute force: every cloth triangle against every object triangle. A dispatch takes a range of object
+/// triangles, so that none lasts long enough for a watchdog to end it.
+/// Reads   state.steps; state.position [m]: predicted and previous; model.triangles.
+/// Writes  contacts.pushes [m * push_scale; count], state.statistics: added to.
+/// Errors  Shader, Limit, OutOfMemory. Source: Sung et al.
+class PairsPaper {
+ public:
+  PairsPaper() = default;
+  static Result<PairsPaper> create(gpu::Device& device, const Model& model, const State& state,
+                                   const Contacts& contacts, std::span<const ObjectTriangle> triangles,
+                                   std::uint64_t max_pairs, std::uint32_t workgroup_size);
+  void record(gpu::ComputePass& pass) const;
+  std::size_t dispatch_count() const { return dispatches_.size(); }
+
+ private:
+  struct Dispatch {
+    std::array<gpu::BindGroup, 2> groups;  // by parity
+    std::uint64_t invocations = 0;
+  };
+
+  gpu::Kernel kernel_;
+  gpu::Buffer<ObjectTriangle> triangles_;
+  gpu::Buffer<std::uint32_t> ids_;
+  gpu::RawBuffer ranges_;
+  std::vector<Dispatch> dispatches_;
+};
+
+}  // namespace weft::collision
