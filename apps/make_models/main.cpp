@@ -1,5 +1,4 @@
-// make_models RAW_FOLDER MODELS_FOLDER: the meshes that the shipped scenes name, as binary PLY. Run by ./dev
-// build.
+// make_models RAW_FOLDER MODELS_FOLDER: the meshes that scenes name, as binary PLY. Run by ./dev build.
 #include <cstdio>
 #include <string>
 

@@ -15,8 +15,7 @@ struct Grid {
   double width = 1.0, height = 1.0;  // m
 };
 
-/// The most nodes of a grid: its springs, six for a node, and three force components for a node stay below
-/// 2^32.
+/// The most nodes of a grid: six springs and three force components for each stay below 2^32.
 constexpr std::uint64_t kMaxGridNodes = std::uint64_t{1} << 28U;
 
 /// Errors  Input: fewer than 2 nodes a side, more than kMaxGridNodes, or a size that is not positive and
@@ -36,8 +35,7 @@ struct RestPoint {
 };
 RestPoint rest_point(const Grid& grid, std::uint32_t i, std::uint32_t j);
 
-/// Two triangles a quad, quads row by row. The diagonal alternates with i + j, so that no direction is
-/// preferred:
+/// Two triangles a quad, quads row by row; the diagonal alternates with i + j, which prefers no direction:
 ///
 ///      i ──>
 ///    j a───b───b'    a = (i, j)      b = (i + 1, j)

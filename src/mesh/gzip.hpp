@@ -17,9 +17,8 @@ constexpr std::uint64_t kMaxMeshBytes = std::uint64_t{1} << 30U;  // of a mesh f
 bool is_gzip(std::span<const std::byte> bytes);
 
 /// The unpacked bytes of all members.
-/// Errors  Input: broken or truncated data, or an unpacked size over kMaxMeshBytes or kMaxGzipRatio times the
-/// packed
-///         size; the size is known before any of it is allocated.
+/// Errors  Input: broken or truncated data, or an unpacked size over kMaxMeshBytes or kMaxGzipRatio times
+///         the packed size; the size is known before any of it is allocated.
 Result<std::vector<std::byte>> gunzip(std::span<const std::byte> bytes);
 
 }  // namespace weft::mesh

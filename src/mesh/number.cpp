@@ -76,8 +76,7 @@ bool parse_decimal(std::string_view word, Decimal& number) {
   return true;
 }
 
-// Clinger's fast path: an integer below 2^53 times or over a power of ten up to 10^22, both exact, rounds
-// once.
+// Clinger's fast path: an integer up to 2^53 times or over a power of ten up to 10^22 rounds once.
 bool fast_double(const Decimal& number, double& value) {
   static constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                        1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};

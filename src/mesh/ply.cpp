@@ -133,8 +133,7 @@ Result<void> read_vertices(Values& values, const PlyElement& element, const Layo
   return {};
 }
 
-// A pass of its own over its own copy of the values, so that the triangles are allocated once and fit
-// exactly.
+// A pass of its own over its own copy of the values, so that the triangles are allocated once.
 template <class Values>
 Result<std::uint64_t> count_triangles(Values values, const PlyElement& element, const Layout& layout) {
   std::uint64_t triangles = 0;

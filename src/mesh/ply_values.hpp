@@ -21,8 +21,7 @@ class PlyTextValues {
   Result<double> read(PlyType type);
   /// Passes over values of a type; false at the end of the data.
   bool skip(PlyType type, std::uint64_t count);
-  /// The bytes that are left, and the fewest that a value takes: a digit and a space, which the last may
-  /// lack.
+  /// The bytes that are left, and the fewest that a value takes: a digit and a space, which the last lacks.
   std::uint64_t remaining() const { return std::uint64_t{cursor_.remaining()} + 1; }
   static std::uint64_t least_size(PlyType) { return 2; }
   /// Where the last value is: "line 12".

@@ -7,7 +7,7 @@ namespace weft::mesh {
 
 // Vertices: the north pole, then the rings from north to south, then the south pole. Seen from outside:
 //
-//     a───b    a, b: ring r, columns c + 1 and c (the angle grows to the left as seen from outside, y up)
+//     a───b    a, b: ring r, columns c + 1 and c (the angle grows to the left, y is up)
 //     │   │
 //     d───e    d, e: ring r + 1
 TriangleMesh make_sphere(int columns, int rows) {

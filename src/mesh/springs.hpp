@@ -20,12 +20,11 @@ struct MeshSpring {
 
 /// How much of a material's stiffness a spring on the boundary has.
 enum class BoundaryWeights {
-  Area,  ///< half: there is cloth on one side only, so that stiffness per width does not depend on the grid
+  Area,     ///< half: there is cloth on one side only, so that stiffness does not depend on the grid
   Uniform,  ///< all of it, as in Sung et al.
 };
 
-/// nx ≠ ny allowed: (nx-1) ny + nx (ny-1) structural, 2 (nx-1) (ny-1) shear and (nx-2) ny + nx (ny-2) bend
-/// springs.
+/// (nx-1) ny + nx (ny-1) structural, 2 (nx-1) (ny-1) shear and (nx-2) ny + nx (ny-2) bend springs.
 std::uint64_t grid_spring_count(const Grid& grid);
 
 /// The springs of a grid, ordered by the quad's or spring's node (i, j), row by row, and there:
@@ -41,13 +40,11 @@ std::vector<MeshSpring> grid_springs(const Grid& grid, BoundaryWeights weights);
 
 /// The springs of any triangle mesh that passed check_mesh, non-manifold or in several pieces, sorted by
 /// (node_a, node_b), no pair twice; rest lengths are the mesh's distances. Every edge is a spring:
-/// - Where exactly two triangles meet and their edge is longer by 1e-3 than all their others, the two are
-/// taken for a
-///   quad and the edge for its diagonal: it is Shear, and so is the other diagonal, between the opposite
-///   vertices.
-/// - All other edges are Structural; where two or more triangles meet, the vertices opposite to the edge in
-///   triangles that follow each other (by index) are joined by a Bend spring, unless a spring joins them
-///   already.
+/// - Where exactly two triangles meet and their edge is longer by 1e-3 than all their others, the two
+///   are taken for a quad and the edge for its diagonal: it is Shear, and so is the other diagonal, between
+///   the opposite vertices.
+/// - All other edges are Structural. Where two or more triangles meet, the vertices opposite to the edge in
+///   triangles that follow each other (by index) are joined by a Bend spring, unless a spring joins them.
 /// Weights are 1 but for the edges of a single triangle.
 std::vector<MeshSpring> mesh_springs(const TriangleMesh& mesh, BoundaryWeights weights);
 

@@ -29,13 +29,11 @@ double signed_volume(const TriangleMesh& mesh);
 
 /// Whether a mesh can be used at all. Every reader ends with it.
 /// Errors  Input: no triangle, a triangle names a vertex that is not there, a coordinate is not finite, or
-/// there
-///         are more vertices or triangles than a 32-bit index can name.
+///         there are more vertices or triangles than a 32-bit index can name.
 Result<void> check_mesh(const TriangleMesh& mesh);
 
 /// Removes the triangles that name a vertex twice or whose corners lie on a line, and returns their number.
-/// The cross product is taken in double: its factors and products are exact unless coordinates differ by 2^29
-/// and more.
+/// The cross product is taken in double, where it is zero only if its two products round to the same.
 std::size_t drop_degenerate_triangles(TriangleMesh& mesh);
 
 /// A rotation as (x, y, z, w); need not be of unit length, must not be zero.

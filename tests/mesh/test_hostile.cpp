@@ -61,6 +61,7 @@ std::vector<Hostile> hostile_obj() {
       {"1e39, beyond float", read_obj, points + "v 0 1e39 0\nf 1 2 3\n"},
       {"a word for a number", read_obj, "v 0 zero 0\nf 1 1 1\n"},
       {"index 0", read_obj, points + "f 0 1 2\n"},
+      {"index 0 before other points", read_obj, points + "f 0 1 2\n" + points},
       {"index past the end", read_obj, points + "f 1 2 4\n"},
       {"negative index past the begin", read_obj, points + "f -1 -2 -4\n"},
       {"index 2^32 + 1", read_obj, points + "f 4294967297 1 2\n"},

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include "base/random.hpp"
 #include "mesh/number.hpp"
@@ -64,6 +65,36 @@ TEST_CASE("a decimal on the middle of two floats goes to the even one, and besid
     wrong += parse_float(on + "00000001") != high;
   }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("a decimal that rounds to the middle of two floats as a double still goes to the nearer float") {
+  Random random(4);
+  int wrong = 0;
+  int beside = 0;  // decimals that are not the middle itself: rounding twice gets half of them wrong
+  for (int i = 0; i < 5'000; ++i) {
+    const auto low = static_cast<float>(random.uniform(1.0, 1000.0));
+    const double middle =
+        0.5 * (static_cast<double>(low) + static_cast<double>(std::nextafter(low, HUGE_VALF)));
+    char text[40];
+    std::snprintf(text, sizeof text, "%.16g", middle);
+    beside +=
+        std::strtod(text, nullptr) == middle && std::strtof(text, nullptr) != static_cast<float>(middle);
+    wrong += parse_float(text) != std::strtof(text, nullptr);
+  }
+  CHECK(wrong == 0);
+  CHECK(beside > 0);
+}
+
+TEST_CASE("a digit far behind a middle still decides") {
+  // 2^-1075 lies between 0 and the smallest double; it has 752 digits, so the last one here is number 853.
+  char middle[1200];
+  std::snprintf(middle, sizeof middle, "%.1075Lf", std::ldexp(1.0L, -1075));
+  const std::string zeros(100, '0');
+  CHECK(parse_double(middle + zeros) == 0.0);
+  CHECK(parse_double(middle + zeros + "1") == std::numeric_limits<double>::denorm_min());
+  CHECK(parse_float("1.000000059604644775390625" + std::string(2000, '0')) == 1.0F);
+  CHECK(parse_float("1.000000059604644775390625" + std::string(2000, '0') + "1") ==
+        std::nextafter(1.0F, 2.0F));
 }
 
 TEST_CASE("every float written is read back to the same bits, in at most nine digits") {

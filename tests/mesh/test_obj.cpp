@@ -92,7 +92,8 @@ TEST_CASE("an OBJ file written and read back has the same bits") {
 TEST_CASE("OBJ lines may be continued, and end with LF, CR LF or CR") {
   for (const char* text :
        {"v 0 0 0\nv 1 0 \\\n0\nv 0 1 0\nf 1 \\\n 2 3\n", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3",
-        "v 0 0 0\r\nv 1 0\\\r\n 0\r\nv 0 1 0 # v\r\nf 1 2 3 # 4\r\n", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0"}) {
+        "v 0 0 0\r\nv 1 0\\\r\n 0\r\nv 0 1 0 # v\r\nf 1 2 3 # 4\r\n",
+        "vn 0 \\\nf 1 1 1\nf 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0"}) {
     INFO(text);
     const auto mesh = read_obj(bytes_of(text));
     REQUIRE(mesh);

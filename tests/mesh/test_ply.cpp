@@ -69,6 +69,8 @@ TEST_CASE("an error in a PLY file gives its line or byte, the value and the limi
   const auto message = [](const std::string& text) { return read_ply(bytes_of(text)).error().message; };
   CHECK(message(header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n") ==
         "The face at line 13 names vertex 3, but the mesh has 3 vertices, from 0.");
+  CHECK(message(header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n") ==
+        "The face at line 13 names vertex -1, but the mesh has 3 vertices, from 0.");
   CHECK(message(header + "0 0 0\n1 0 0\n0 1e39 0\n3 0 1 2\n") ==
         "The coordinate inf at line 12 is not finite in single precision, where the largest is "
         "3.40282347e+38.");
@@ -76,5 +78,12 @@ TEST_CASE("an error in a PLY file gives its line or byte, the value and the limi
         "The value \"x\" on line 12 is not a finite number.");
   CHECK(message(header + "0 0 0\n1 0 0\n0 0 0\n2 0 1 2\n") ==
         "The face at line 13 has 2 corners, fewer than 3.");
+  CHECK(message(std::string(header).replace(header.find("uchar"), 5, "char") +
+                "0 0 0\n1 0 0\n0 0 0\n-3 0 1 2\n") ==
+        "The list \"vertex_index\" at line 13 has the size -3, which is not in 0 to 4, all that the file can "
+        "hold.");
+  CHECK(message(header + "0 0 0\n1 0 0\n0 0 0\n200 0 1 2\n") ==
+        "The list \"vertex_index\" at line 13 has the size 200, which is not in 0 to 4, all that the file "
+        "can hold.");
   CHECK(message("ply\nformat ascii 2.0\n") == "Line 2 names version \"2.0\" of PLY, not 1.0.");
 }

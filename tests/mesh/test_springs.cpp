@@ -150,6 +150,21 @@ TEST_CASE("an edge of three triangles has a bend spring between neighbours, in o
   CHECK(springs.at({0, 2}).weight == 0.5);
 }
 
+TEST_CASE("only a long edge between exactly two triangles is a diagonal") {
+  // A right angle at 2 in every triangle, opposite to the edge 0-1.
+  TriangleMesh mesh{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}}, {{0, 1, 2}}};
+  CHECK(by_pair(mesh_springs(mesh, BoundaryWeights::Area)).at({0, 1}).kind == SpringKind::Structural);
+  mesh.triangles.push_back({1, 0, 3});
+  auto springs = by_pair(mesh_springs(mesh, BoundaryWeights::Area));
+  CHECK(springs.at({0, 1}).kind == SpringKind::Shear);
+  CHECK(springs.at({2, 3}).kind == SpringKind::Shear);
+  mesh.triangles.push_back({0, 1, 4});
+  springs = by_pair(mesh_springs(mesh, BoundaryWeights::Area));
+  CHECK(springs.at({0, 1}).kind == SpringKind::Structural);
+  CHECK(springs.at({2, 3}).kind == SpringKind::Bend);
+  CHECK(springs.at({3, 4}).kind == SpringKind::Bend);
+}
+
 TEST_CASE("a bend spring is dropped where the mesh has an edge already, and pieces stay apart") {
   TriangleMesh tetrahedra{{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}},
                           {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
