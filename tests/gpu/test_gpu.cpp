@@ -181,3 +181,18 @@ TEST_CASE("an adapter is chosen by a part of its name, in any case") {
   CHECK(none.error().kind == ErrorKind::NoAdapter);
   CHECK(none.error().message.find(name) != std::string::npos);
 }
+
+TEST_CASE("every shader compiles in naga") {
+  GpuFixture fixture;
+  int compiled = 0;
+  for (const EmbeddedShader& shader : embedded_shaders()) {
+    const auto source = ShaderSource::load(shader.path);
+    REQUIRE(source);
+    if (source->text.find("@compute") == std::string::npos && source->text.find("@vertex") == std::string::npos) continue;
+    const auto module = backend::create_shader_module(fixture.device().context(), source->text, shader.path);
+    CHECK_MESSAGE(module, (module ? "" : module.error().message));
+    if (module) backend::release(ObjectKind::ShaderModule, *module);
+    ++compiled;
+  }
+  CHECK(compiled > 10);
+}

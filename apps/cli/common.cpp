@@ -1,0 +1,66 @@
+#include "common.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <climits>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "scene/load.hpp"
+
+namespace weft::cli {
+namespace {
+
+volatile sig_atomic_t g_interrupted = 0;
+
+void on_interrupt(int) { g_interrupted = 1; }
+
+}  // namespace
+
+Result<scene::Scene> load(const SceneOptions& options) {
+  std::vector<scene::Override> overrides;
+  if (!options.solver.empty()) overrides.push_back(scene::override_solver(options.solver));
+  for (const std::string& text : options.sets) {
+    WEFT_TRY(change, scene::parse_override(text));
+    overrides.push_back(change);
+  }
+  return scene::load_scene(options.path, overrides);
+}
+
+std::string models_folder() {
+  if (const char* folder = std::getenv("WEFT_MODELS")) return folder;
+  char path[PATH_MAX];
+  const ssize_t length = ::readlink("/proc/self/exe", path, sizeof path - 1);
+  if (length <= 0) return "models";
+  return (std::filesystem::path(std::string(path, static_cast<std::size_t>(length))).parent_path().parent_path() / "models").string();
+}
+
+void say(const char* format, ...) {
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::fputs("weft: ", stderr);
+  std::vfprintf(stderr, format, arguments);
+  std::fputc('\n', stderr);
+  va_end(arguments);
+}
+
+int report(const Error& error) {
+  say("%s", error.message.c_str());
+  return exit_code(error.kind);
+}
+
+bool interrupted() {
+  static const bool installed = [] {
+    struct sigaction action = {};
+    action.sa_handler = on_interrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl-C ends the process at once
+    sigaction(SIGINT, &action, nullptr);
+    return true;
+  }();
+  return installed && g_interrupted != 0;
+}
+
+}  // namespace weft::cli

@@ -1,0 +1,35 @@
+// What the commands share: options, the scene, where things are.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "gpu/device.hpp"
+#include "scene/scene.hpp"
+
+namespace weft::cli {
+
+/// Options that name a scene and change it.
+struct SceneOptions {
+  std::string path;
+  std::vector<std::string> sets;  // KEY=JSON
+  std::string solver;             // replaces the scene's solver object
+};
+
+/// The scene with its overrides. Errors  Input, Usage.
+Result<scene::Scene> load(const SceneOptions& options);
+
+/// The folder of the models that ./dev build makes: $WEFT_MODELS, or models/ beside the folder of this program.
+std::string models_folder();
+
+/// Says a message on stderr.
+[[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
+/// Says why a command failed; the exit code that stands for it.
+int report(const Error& error);
+
+/// Whether the user has asked to stop (Ctrl-C). The first call installs the handler.
+bool interrupted();
+
+}  // namespace weft::cli

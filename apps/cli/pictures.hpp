@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "render/png_writer.hpp"
+#include "render/renderer.hpp"
+#include "render/video_writer.hpp"
+#include "sim/world.hpp"
+
+namespace weft::cli {
+
+/// The frames of a run as PNG files and, where ffmpeg is, as a video.
+class Pictures {
+ public:
+  /// Errors  Shader, Limit, OutOfMemory; Failure where the folder cannot be written.
+  static Result<std::unique_ptr<Pictures>> create(const sim::World& world, const std::string& folder);
+
+  /// Draws the current state as the next frame; pictures are written as they arrive.
+  Result<void> draw(const sim::World& world);
+  /// Waits until all is written. Removes pictures that a longer run left in the folder.
+  Result<void> finish();
+  std::uint32_t count() const { return drawn_; }
+  bool has_video() const { return video_.has_value(); }
+
+ private:
+  Result<void> store(render::Image image);
+
+  std::string folder_;
+  gpu::Device* device_ = nullptr;
+  std::optional<render::Renderer> renderer_;
+  std::optional<render::VideoWriter> video_;
+  render::PngWriter png_;
+  gpu::CommandList list_;
+  std::uint32_t drawn_ = 0, stored_ = 0;
+};
+
+/// The box around all that a run is going to show: objects, the cloth at rest, and where motions take it [m].
+mesh::Bounds picture_bounds(const sim::World& world);
+
+}  // namespace weft::cli

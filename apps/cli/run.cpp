@@ -1,0 +1,107 @@
+#include "run.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "base/file.hpp"
+#include "mesh/obj.hpp"
+#include "pictures.hpp"
+#include "progress.hpp"
+#include "summary.hpp"
+
+namespace weft::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// The frame at which `fault` strikes, if it is of this kind.
+bool strikes(const std::string& fault, const char* kind, std::uint32_t frame) {
+  return fault == std::string(kind) + "@" + std::to_string(frame);
+}
+
+Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& options, Summary& summary) {
+  const std::uint32_t frames = options.frames.value_or(world.scene().time.frames);
+  Progress progress("simulating", frames);
+  for (std::uint32_t frame = 0; frame < frames; ++frame) {
+    if (interrupted()) return make_error(ErrorKind::Interrupted, "Interrupted after %u of %u frames.", frame, frames);
+    if (strikes(options.fault, "nan", frame)) world.set_node(0, {NAN, 0, 0, 1}, {});
+    if (strikes(options.fault, "lost", frame)) world.device().lose();
+    const auto start = Clock::now();
+    WEFT_CHECK(world.advance_frame());
+    WEFT_CHECK(world.finish());
+    summary.frame_ms.push_back(milliseconds_since(start));
+    if (pictures != nullptr) WEFT_CHECK(pictures->draw(world));
+    progress.show(frame + 1, summary.frame_ms.back());
+  }
+  return {};
+}
+
+Result<void> write_results(sim::World& world, const sim::Snapshot& snapshot, const Summary& summary, const std::string& folder) {
+  mesh::TriangleMesh final_mesh;
+  for (const Vec4f& position : snapshot.position) final_mesh.positions.push_back(position.xyz());
+  final_mesh.triangles = world.model().host.triangles;
+  WEFT_CHECK(write_file(folder + "/final.obj", mesh::write_obj(final_mesh)));
+  return write_file(folder + "/summary.json", summary_json(summary, world));
+}
+
+const char* end_of(const Result<void>& result) {
+  if (result) return "complete";
+  switch (result.error().kind) {
+    case ErrorKind::Interrupted: return "interrupted";
+    case ErrorKind::Diverged: return "diverged";
+    default: return "failed";
+  }
+}
+
+Result<void> run_scene(const RunOptions& options) {
+  interrupted();
+  WEFT_TRY(scene, load(options.scene));
+  WEFT_TRY(assets, sim::load_assets(scene, models_folder()));
+  if (assets.dropped_triangles > 0) say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
+  if (!options.out.empty()) WEFT_CHECK(make_folder(options.out));
+  gpu::DeviceOptions device_options;
+  device_options.adapter = options.adapter;
+  WEFT_TRY(device, gpu::Device::create(device_options));
+  if (options.frames) scene.time.frames = *options.frames;
+  WEFT_TRY(world, sim::World::create(*device, std::move(scene), assets));
+  std::unique_ptr<Pictures> pictures;
+  if (!options.out.empty()) {
+    WEFT_TRY(made, Pictures::create(*world, options.out));
+    pictures = std::move(made);
+    if (!pictures->has_video()) say("There is no ffmpeg on PATH, so there will be no run.mp4.");
+  }
+
+  Summary summary;
+  summary.scene = options.scene.path;
+  const auto start = Clock::now();
+  const Result<void> ended = simulate(*world, pictures.get(), options, summary);
+  // After a divergence or an interrupt the device still works, and what was reached is kept.
+  if (!ended && ended.error().kind != ErrorKind::Diverged && ended.error().kind != ErrorKind::Interrupted) return ended;
+  if (pictures) WEFT_CHECK(pictures->finish());
+  summary.end = end_of(ended);
+  summary.wall_s = milliseconds_since(start) / 1000;
+  WEFT_TRY(snapshot, world->snapshot());
+  summary.state_hash = snapshot.hash();
+  if (!options.out.empty()) WEFT_CHECK(write_results(*world, snapshot, summary, options.out));
+  const std::string text = options.json ? summary_json(summary, *world) : summary_text(summary, *world);
+  std::fputs(text.c_str(), stdout);
+  if (!options.json && pictures)
+    std::printf("  written     %s: %u pictures%s, final.obj, summary.json\n", options.out.c_str(), pictures->count(),
+                pictures->has_video() ? ", run.mp4" : "");
+  return ended;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const Result<void> result = run_scene(options);
+  return result ? 0 : report(result.error());
+}
+
+}  // namespace weft::cli

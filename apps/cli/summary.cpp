@@ -1,0 +1,91 @@
+#include "summary.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+namespace weft::cli {
+namespace {
+
+struct Times {
+  double median = 0, least = 0, sum = 0;  // [ms]
+};
+
+Times times_of(std::vector<double> milliseconds) {
+  if (milliseconds.empty()) return {};
+  std::sort(milliseconds.begin(), milliseconds.end());
+  return {milliseconds[milliseconds.size() / 2], milliseconds.front(),
+          std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0)};
+}
+
+std::string solver_name(const scene::Solver& solver) {
+  return std::string(scene::name_of(solver.kind)) + " (" + scene::name_of(solver.forces) + ")";
+}
+
+template <class... Values>
+void line(std::string& text, const char* format, Values... values) {
+  char buffer[512];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  text += buffer;
+  text += '\n';
+}
+
+}  // namespace
+
+std::string summary_json(const Summary& summary, const sim::World& world) {
+  const Times times = times_of(summary.frame_ms);
+  const sim::Totals& totals = world.totals();
+  const double simulated = totals.frames * world.scene().time.frame;
+  nlohmann::ordered_json json;
+  json["scene"] = summary.scene;
+  json["end"] = summary.end;
+  json["solver"] = scene::name_of(world.scene().solver.kind);
+  json["forces"] = scene::name_of(world.scene().solver.forces);
+  json["contact_method"] = scene::name_of(world.scene().contact.method);
+  json["adapter"] = world.device().adapter().name;
+  json["nodes"] = world.model().vertex_count();
+  json["triangles"] = world.model().triangle_count();
+  json["springs"] = world.spring_count();
+  json["frames"] = totals.frames;
+  json["substeps"] = world.substeps();
+  json["step_s"] = world.step();
+  json["stable_step_s"] = world.step_limit().largest_step;
+  json["simulated_s"] = simulated;
+  json["wall_s"] = summary.wall_s;
+  json["ms_per_frame"] = {{"median", times.median}, {"min", times.least}};
+  json["real_time_factor"] = times.sum > 0 ? simulated / (times.sum / 1000) : 0;
+  json["state_hash"] = summary.state_hash;
+  json["max_stretch"] = totals.max_stretch;
+  json["nonfinite"] = totals.nonfinite;
+  json["contacts"] = totals.contacts;
+  json["contact_hash"] = totals.contact_hash;
+  json["contact_overflow"] = totals.contact_overflow;
+  json["gpu_bytes"] = world.device().allocated_bytes();
+  return json.dump(2) + "\n";
+}
+
+std::string summary_text(const Summary& summary, const sim::World& world) {
+  const Times times = times_of(summary.frame_ms);
+  const sim::Totals& totals = world.totals();
+  const double simulated = totals.frames * world.scene().time.frame;
+  std::string text;
+  line(text, "%s: %s", summary.scene.c_str(), summary.end.c_str());
+  line(text, "  adapter     %s", world.device().adapter().name.c_str());
+  line(text, "  cloth       %u nodes, %u triangles, %zu springs", world.model().vertex_count(),
+       world.model().triangle_count(), world.spring_count());
+  line(text, "  solver      %s, %u substeps a frame", solver_name(world.scene().solver).c_str(), world.substeps());
+  line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)", 1e3 * world.step(),
+       1e3 * world.step_limit().largest_step, world.step_limit().highest_frequency);
+  line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
+  line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", times.median, times.least,
+       times.sum > 0 ? simulated / (times.sum / 1000) : 0);
+  line(text, "  contact     %s: %llu hits, overflow %llu", scene::name_of(world.scene().contact.method),
+       static_cast<unsigned long long>(totals.contacts), static_cast<unsigned long long>(totals.contact_overflow));
+  line(text, "  stretch     at most %.4f of the rest length", static_cast<double>(totals.max_stretch));
+  line(text, "  memory      %.1f MiB on the GPU", static_cast<double>(world.device().allocated_bytes()) / 1048576);
+  line(text, "  state hash  %s", summary.state_hash.c_str());
+  return text;
+}
+
+}  // namespace weft::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/world.hpp"
+
+namespace weft::cli {
+
+/// What a run has to say for itself; docs/cli.md lists the members.
+struct Summary {
+  std::string scene;                // the path as given
+  std::string end = "complete";     // or "interrupted", "diverged", "device lost"
+  std::vector<double> frame_ms;     // simulation alone [ms]
+  double wall_s = 0;                // pictures included [s]
+  std::string state_hash;
+};
+
+std::string summary_json(const Summary& summary, const sim::World& world);
+/// For people: a few lines.
+std::string summary_text(const Summary& summary, const sim::World& world);
+
+}  // namespace weft::cli
