@@ -10,7 +10,7 @@
 @group(0) @binding(5) var<storage, read> normal         : array<vec4f>;         // vertex_count  unit
 @group(0) @binding(6) var<storage, read> uv             : array<vec2f>;         // vertex_count  m
 @group(0) @binding(7) var<storage, read> stretch        : array<f32>;           // vertex_count  length / rest length
-const kWrap = 0.22;         // how far light reaches round the terminator: fibres stand up
+const kWrap = 0.16;         // how far light reaches round the terminator: fibres stand up
 const kTransmitted = 0.16;  // the share of the sun that comes through
 const kSheen = 0.20;
 

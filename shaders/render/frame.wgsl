@@ -6,7 +6,6 @@ struct Frame {
   eye : vec4f,                 // m
   to_light : vec4f,            // unit; w: the side of a shadow-map texel, m
   viewport : vec4f,            // width, height [pixel] and their inverses
-  ground : vec4f,              // m, the middle of what is drawn; w: where a floor has faded out, m
   stretch_range : vec4f,       // lowest, highest, 1 / (highest - lowest)
   color_map : array<vec4f, 9>, // linear red, green, blue at equal distances over stretch_range
 }
@@ -17,8 +16,9 @@ const kWireframe = 1u;  // scene::View
 fn background(pixel : vec2f) -> vec3f {
   let at = pixel * frame.viewport.zw;
   let corner = dot(at - 0.5, at - 0.5);
-  if (kView == kWireframe) { return mix(vec3f(0.0160, 0.0190, 0.0250), vec3f(0.0075, 0.0090, 0.0125), at.y) * (1.0 - 0.5 * corner); }
-  return mix(vec3f(0.800, 0.835, 0.875), vec3f(0.520, 0.545, 0.585), smoothstep(0.0, 1.0, at.y)) * (1.0 - 0.28 * corner);
+  let dark = mix(vec3f(0.0160, 0.0190, 0.0250), vec3f(0.0075, 0.0090, 0.0125), at.y) * (1.0 - 0.5 * corner);
+  let bright = mix(vec3f(0.800, 0.835, 0.875), vec3f(0.520, 0.545, 0.585), smoothstep(0.0, 1.0, at.y));
+  return select(bright * (1.0 - 0.28 * corner), dark, kView == kWireframe);
 }
 
 // The shoulder of Khronos PBR Neutral (github.com/KhronosGroup/ToneMapping): leaves all but highlights alone, and those

@@ -1,8 +1,8 @@
 // One sun with a shadow map and a sky. The includer declares `frame`, `shadow_map` and `shadow_sampler`.
 #include "render/frame.wgsl"
-const kKey = vec3f(1.80, 1.73, 1.62);       // irradiance over pi, so that light = albedo * kKey * cos
-const kSky = vec3f(0.42, 0.46, 0.53);
-const kGround = vec3f(0.21, 0.19, 0.17);
+const kKey = vec3f(1.92, 1.85, 1.73);       // irradiance over pi, so that light = albedo * kKey * cos
+const kSky = vec3f(0.37, 0.405, 0.465);
+const kGround = vec3f(0.185, 0.168, 0.15);
 const kTaps = 4u;            // bilinear, so 3.8 x 3.8 texels; nine over 5.2 looked the same and cost twice as much
 const kTapOffset = 0.9;      // texel
 const kNormalOffset = 2.0;   // texel; half of what the taps cover, so that a slope does not shade itself

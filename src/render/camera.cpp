@@ -55,7 +55,9 @@ Camera frame_camera(const mesh::Bounds& bounds, double aspect, double fov_degree
   const Vec3d middle = 0.5 * (bounds.low.to<double>() + bounds.high.to<double>());
   const double tan_y = std::tan(0.5 * fov_degrees * kDegree) / kMargin;
   Vec3d target = middle;
-  double distance = 1e-3;
+  double nearest = 0;  // the box's own reach towards the eye, which must stay outside
+  for (int i = 0; i < 8; ++i) nearest = std::max(nearest, dot(corner(bounds, i) - middle, basis.back));
+  double distance = 1.1 * nearest + 1e-3;
   for (const auto& [axis, tan] : {std::pair{basis.right, tan_y * aspect}, std::pair{basis.up, tan_y}}) {
     double a = 0, b = 0;  // the middle's own
     for (int i = 0; i < 8; ++i) {
@@ -106,7 +108,7 @@ LightView light_view(const mesh::Bounds& bounds, const Vec3d& to_light, std::uin
 Vec3d default_light(const Camera& camera) {
   const Basis basis = basis_of(camera);
   const Vec3d flat_back = normalized(Vec3d{basis.back.x, 0, basis.back.z} + 1e-9 * basis.up);
-  return normalized(-0.75 * basis.right + 0.90 * Vec3d{0, 1, 0} + 0.45 * flat_back);
+  return normalized(-0.85 * basis.right + 0.90 * Vec3d{0, 1, 0} + 0.40 * flat_back);
 }
 
 }  // namespace weft::render

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -121,7 +122,8 @@ Result<void> ChildProcess::write(std::span<const std::byte> bytes) {
     if (count < 0) {
       const int reason = errno;
       WEFT_CHECK(finish());
-      return make_error(ErrorKind::Failure, "Program %s takes no more input: %s.", name_.c_str(), std::strerror(reason));
+      return make_error(ErrorKind::Failure, "Program %s takes no more input: %s.", name_.c_str(),
+                        std::strerror(reason));
     }
     done += static_cast<std::size_t>(count);
   }

@@ -15,7 +15,8 @@ Result<ClothWireframe> ClothWireframe::create(gpu::Device& device, const gpu::Bu
     WEFT_TRY(weave, create_weave(device, range, made.parts_.size()));
     part.weave = std::move(weave);
     for (std::size_t parity = 0; parity < 2; ++parity) {
-      WEFT_TRY(group, made.pipeline_.bind({frame, part.weave, *cloth.position[parity], *cloth.normal, *cloth.triangles}));
+      WEFT_TRY(group, made.pipeline_.bind(
+                          {frame, part.weave, *cloth.position[parity], *cloth.normal, *cloth.triangles}));
       part.groups[parity] = std::move(group);
     }
     part.first_vertex = 3 * range.first_triangle;

@@ -14,11 +14,10 @@ struct FrameParams {
   Vec4f eye;            // [m]
   Vec4f to_light;       // unit; w: the side of a shadow-map texel [m]
   Vec4f viewport;       // width, height [pixel] and their inverses
-  Vec4f ground;         // [m]; w: where a floor has faded out [m]
   Vec4f stretch_range;  // lowest, highest, 1 / (highest - lowest)
   std::array<Vec4f, kColorMapSize> color_map{};  // linear
 };
-static_assert(sizeof(FrameParams) == 352);
-static_assert(offsetof(FrameParams, eye) == 128 && offsetof(FrameParams, color_map) == 208);
+static_assert(sizeof(FrameParams) == 336);
+static_assert(offsetof(FrameParams, eye) == 128 && offsetof(FrameParams, color_map) == 192);
 
 }  // namespace weft::render

@@ -36,10 +36,11 @@ LegendLayout legend_layout(std::uint32_t width, std::uint32_t height) {
   layout.text_height = text;
   const int pad = rounded(text);
   const int bar_width = rounded(1.2F * text), tick = rounded(0.9F * text), bar_height = rounded(0.4F * tall);
-  const int panel_width = std::max(bar_width + tick + rounded(label_width), rounded(text_width("stretch", text))) + 2 * pad;
+  const int content_width = std::max(bar_width + tick + rounded(label_width), rounded(text_width("stretch", text)));
+  const int panel_width = content_width + 2 * pad;
   const int panel_height = bar_height + rounded(2.5F * text) + 2 * pad;
-  layout.panel = {static_cast<int>(width) - panel_width - pad, (static_cast<int>(height) - panel_height) / 2, panel_width,
-                  panel_height};
+  layout.panel = {static_cast<int>(width) - panel_width - pad, (static_cast<int>(height) - panel_height) / 2,
+                  panel_width, panel_height};
   layout.title = {layout.panel.x + pad, layout.panel.y + pad, panel_width - 2 * pad, rounded(text)};
   layout.bar = {layout.panel.x + pad, layout.title.y + rounded(2.2F * text), bar_width, bar_height};
   for (int i = 0; i < kLegendLabels; ++i)

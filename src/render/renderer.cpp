@@ -78,7 +78,8 @@ Result<Renderer> Renderer::create(gpu::Device& device, const Settings& settings,
   std::vector<scene::ColliderPlane> planes = inputs.planes;
   const bool shadows_only = planes.empty();
   const Vec3d middle = middle_of(settings.bounds);
-  if (shadows_only && settings.ground_shadow) planes.push_back({{middle.x, settings.bounds.low.y, middle.z}, {0, 1, 0}});
+  if (shadows_only && settings.ground_shadow)
+    planes.push_back({{middle.x, settings.bounds.low.y, middle.z}, {0, 1, 0}});
   for (const scene::ColliderPlane& plane : planes) {
     const PlaneParams params =
         plane_params(plane, middle, kFloorReach * radius_of(settings.bounds), shadows_only);
@@ -124,7 +125,6 @@ void Renderer::write_frame() {
   params.eye = Vec4f::from(camera.eye.to<float>(), 1);
   params.to_light = Vec4f::from(to_light.to<float>(), static_cast<float>(light.texel));
   params.viewport = {width, height, 1 / width, 1 / height};
-  params.ground = Vec4f::from(middle.to<float>(), static_cast<float>(reach));
   const auto low = static_cast<float>(settings_.lowest_stretch), high = static_cast<float>(settings_.highest_stretch);
   params.stretch_range = {low, high, 1 / std::max(high - low, 1e-6F), 0};
   for (std::size_t i = 0; i < kColorMapSize; ++i)

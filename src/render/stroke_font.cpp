@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace weft::render {
 namespace {
@@ -43,7 +44,8 @@ constexpr float kPen = 0.42F;       // grid units, the pen's radius
 constexpr float kGridHeight = 6;
 
 const Glyph* find(char letter) {
-  const auto* glyph = std::find_if(std::begin(kGlyphs), std::end(kGlyphs), [&](const Glyph& g) { return g.letter == letter; });
+  const auto* glyph =
+      std::find_if(std::begin(kGlyphs), std::end(kGlyphs), [&](const Glyph& g) { return g.letter == letter; });
   return glyph == std::end(kGlyphs) ? nullptr : glyph;
 }
 
@@ -91,8 +93,9 @@ void draw_text(Image& image, float x, float y, float height, const std::string& 
     const Glyph* glyph = find(letter);
     const float width = static_cast<float>(glyph != nullptr ? glyph->width : 2);
     if (glyph != nullptr) {
-      const int left = static_cast<int>(std::floor(x - unit)), right = static_cast<int>(std::ceil(x + (width + 1) * unit));
-      const int top = static_cast<int>(std::floor(y - unit)), bottom = static_cast<int>(std::ceil(y + height + unit));
+      const int left = static_cast<int>(std::floor(x - unit)), top = static_cast<int>(std::floor(y - unit));
+      const int right = static_cast<int>(std::ceil(x + (width + 1) * unit));
+      const int bottom = static_cast<int>(std::ceil(y + height + unit));
       for (int py = top; py <= bottom; ++py)
         for (int px = left; px <= right; ++px) {
           const float gx = (static_cast<float>(px) + 0.5F - x) / unit, gy = (static_cast<float>(py) + 0.5F - y) / unit;

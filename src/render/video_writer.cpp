@@ -24,7 +24,7 @@ std::vector<std::string> arguments_of(const std::string& ffmpeg, std::uint32_t w
   std::snprintf(frames, sizeof frames, "%.10g", rate);
   std::vector<std::string> all = {ffmpeg, "-v", "error", "-f", "rawvideo", "-pixel_format", "rgba", "-video_size", size,
                                   "-framerate", frames, "-i", "pipe:0"};
-  // 4:2:0 needs even sides, so an odd one gets a black line; players take unmarked files of this size for BT.709.
+  // 4:2:0 needs even sides, so an odd one gets a black line. Without a word on it, players guess the colour matrix.
   const std::vector<std::string> picture = {
       "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
       "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"};
@@ -45,6 +45,7 @@ VideoWriter& VideoWriter::operator=(VideoWriter&& other) noexcept {
   std::swap(temporary_, other.temporary_);
   width_ = other.width_;
   height_ = other.height_;
+  frame_count_ = other.frame_count_;
   return *this;
 }
 VideoWriter::~VideoWriter() { give_up(); }
@@ -74,11 +75,16 @@ Result<void> VideoWriter::add(const Image& image) {
     return shape_error("A picture of %u x %u pixels is not of the video's %u x %u.", image.width, image.height, width_,
                        height_);
   const Result<void> written = ffmpeg_.write(std::as_bytes(std::span(image.rgba)));
+  ++frame_count_;
   if (!written) give_up();
   return written;
 }
 
 Result<void> VideoWriter::finish() {
+  if (frame_count_ == 0) {  // ffmpeg would call it a success
+    give_up();
+    return make_error(ErrorKind::Failure, "Video %s has no frames.", path_.c_str());
+  }
   if (auto ended = ffmpeg_.finish(); !ended) {
     give_up();
     return ended.error().while_doing("writing " + path_);

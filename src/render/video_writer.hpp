@@ -26,7 +26,7 @@ class VideoWriter {
 
   /// Errors  Shape: the picture has another size. Failure: ffmpeg has ended, with what it said.
   Result<void> add(const Image& image);
-  /// Errors  Failure: ffmpeg failed, with what it said, or the file cannot be renamed.
+  /// Errors  Failure: there was no frame, ffmpeg failed, with what it said, or the file cannot be renamed.
   Result<void> finish();
 
  private:
@@ -34,7 +34,7 @@ class VideoWriter {
 
   ChildProcess ffmpeg_;
   std::string path_, temporary_;  // `temporary_` is empty when there is nothing to remove
-  std::uint32_t width_ = 0, height_ = 0;
+  std::uint32_t width_ = 0, height_ = 0, frame_count_ = 0;
 };
 
 }  // namespace weft::render
