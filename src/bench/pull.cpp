@@ -8,6 +8,7 @@ namespace weft::bench {
 namespace {
 
 constexpr double kSlowestStepMs = 2000;
+constexpr std::uint32_t kCountedSteps = 2;  // the same for all methods, so that contacts and hashes can be compared
 
 struct Case {
   const char* object;
@@ -32,23 +33,31 @@ Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const sim
   return world->snapshot();
 }
 
-Result<Row> measure(gpu::Device& device, const Case& c, const scene::Scene& scene, const sim::Assets& assets,
-                    const sim::Snapshot& start, scene::ContactMethod method) {
-  scene::Scene fixed = scene;
-  fixed.contact.method = method;
-  const bool brute_force = method == scene::ContactMethod::Paper;
-  const std::uint32_t steps = brute_force ? 2 : c.quick ? 8 : 64;
-  WEFT_TRY(substeps, fix_step(device, fixed, assets, steps));
-  WEFT_TRY(world, sim::World::create(device, fixed, assets));
+/// The world of a method with `steps` substeps a submit, at the common state.
+Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scene scene, const sim::Assets& assets,
+                                                const sim::Snapshot& start, std::uint32_t steps) {
+  WEFT_CHECK(fix_step(device, scene, assets, steps));
+  WEFT_TRY(world, sim::World::create(device, scene, assets));
   world->restore(start);
   WEFT_CHECK(world->advance_frame());
   WEFT_CHECK(world->finish());
-  WEFT_TRY(snapshot, world->snapshot());
-  Row row = describe(*world, substeps);
+  return world;
+}
+
+Result<Row> measure(gpu::Device& device, const Case& c, scene::Scene scene, const sim::Assets& assets,
+                    const sim::Snapshot& start, scene::ContactMethod method) {
+  scene.contact.method = method;
+  scene::Scene at_60_hz = scene;
+  WEFT_TRY(substeps, fix_step(device, at_60_hz, assets, kCountedSteps));
+  WEFT_TRY(counted, start_world(device, scene, assets, start, kCountedSteps));
+  WEFT_TRY(snapshot, counted->snapshot());
+  Row row = describe(*counted, substeps);
   row.object = c.object;
   row.variant = scene::name_of(method);
-  row.contacts = world->totals().contacts;
+  row.contacts = counted->totals().contacts;
   row.state_hash = snapshot.hash();
+  const bool brute_force = method == scene::ContactMethod::Paper;
+  WEFT_TRY(world, start_world(device, scene, assets, start, brute_force ? kCountedSteps : c.quick ? 8 : 64));
   WEFT_TRY(timing, time_steps(*world, c.quick ? 200 : 300, brute_force ? 1 : 5));
   row.ms_per_step = timing.median;
   row.ms_per_step_min = timing.least;

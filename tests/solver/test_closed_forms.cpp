@@ -73,7 +73,7 @@ TEST_CASE("a strip under its own weight lengthens by the sum over its springs, n
 
 TEST_CASE("a stretched lattice has the moduli E = k'(k' + 2 s) / (k' + s) and nu = s / (k' + s) with k' = k + 4 b") {
   GpuFixture fixture;
-  for (const auto& [structural, shear, bend] : {std::array{400.0, 200.0, 0.0}, {400.0, 100.0, 20.0}, {300.0, 300.0, 50.0}}) {
+  for (const auto& [structural, shear, bend] : {std::array{400.0, 200.0, 0.0}, {300.0, 100.0, 25.0}}) {
     const std::uint32_t nx = 61, ny = 13;
     const double width = 3.0, height = 0.6, strain = 0.002, a = width / (nx - 1);
     const std::string stiffness = R"("stiffness": {"structural": )" + std::to_string(structural) + R"(, "shear": )" +
@@ -85,7 +85,7 @@ TEST_CASE("a stretched lattice has the moduli E = k'(k' + 2 s) / (k' + s) and nu
     auto position = rig.positions();
     for (Vec4f& x : position) x.x *= static_cast<float>(1 + strain);  // both ends held, stretched
     rig.set(position, std::vector<Vec4f>(position.size()));
-    rig.advance(10000);  // 4 s of drag 8 / s
+    rig.advance(7000);  // 2.8 s of drag 8 / s
     position = rig.positions();
     // In the middle third, away from the clamped ends.
     const std::uint32_t left = nx / 3, right = 2 * nx / 3;
