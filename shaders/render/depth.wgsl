@@ -6,5 +6,6 @@
 
 @vertex
 fn vertex_main(@builtin(vertex_index) i : u32) -> @builtin(position) vec4f {
-  return frame.light_projection * vec4f(position[i].xyz, 1.0);
+  let clip = frame.light_projection * vec4f(position[i].xyz, 1.0);  // parallel light: w is 1
+  return vec4f(clip.xy, saturate(clip.z), 1.0);  // what has left the bounds along the light still casts a shadow
 }

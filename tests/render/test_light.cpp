@@ -47,6 +47,32 @@ TEST_CASE("a shadow lies where the sun's rays say, and not beside it") {
   CHECK(at(0.5, 0.55) > 0.9 * lit);
 }
 
+TEST_CASE("a floor below the bounds gets its shadow, also from what has risen above them") {
+  GpuFixture fixture;
+  for (const double height : {0.0, 3.0}) {  // bounds hold heights of -0.1 to 0.1 m; the floor lies at -1 m
+    const auto level = [&](double u, double v) { return Vec3d{u - 0.5, height, 0.5 - v}; };
+    const Sheet sheet(fixture.device(), 11, level);
+    Inputs inputs;
+    inputs.cloth = sheet.draw();
+    inputs.planes = {{{0, -1, 0}, {0, 1, 0}}};
+    Settings settings;
+    settings.width = 400;
+    settings.height = 300;
+    settings.bounds = {{-0.7F, -0.1F, -0.7F}, {0.7F, 0.1F, 0.7F}};
+    settings.to_light = Vec3d{0, 1, 0};
+    settings.camera = Camera{{0, 0, 4}, {0, -0.6, 0}, 40};
+    auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
+    const Image image = value_of(renderer.draw(0));
+    const auto at = [&](double x, double z) {
+      const auto [u, v] = place(*settings.camera, 400.0 / 300.0, {x, -1, z});
+      return brightness(image, u, v, 1);
+    };
+    CAPTURE(height);
+    CHECK(at(0.4, 0.4) < 0.8 * at(0.6, 0.4));
+    CHECK(at(-0.4, 0.4) < 0.8 * at(-0.6, 0.4));
+  }
+}
+
 TEST_CASE("a lit surface does not shade itself") {
   GpuFixture fixture;
   // A sphere and a level sheet under a sun that stands 80 degrees from the zenith: every lit pixel of the sheet has the
