@@ -1,7 +1,7 @@
 # weft_test(NAME SOURCES ... IMPORTS rooms... LIBRARIES others... [GPU])
 #
 # One doctest program for a room; each test case becomes a ctest test. A GPU program is registered twice, once for
-# each software Vulkan driver that ./dev installs: "lavapipe.NAME.case" and "swiftshader.NAME.case".
+# each software Vulkan driver that ./dev installs: "lavapipe.NAME: case" and "swiftshader.NAME: case".
 # Cases whose name begins with "long:" run only with ./dev test --long (label "long").
 add_library(weft_test_main STATIC ${CMAKE_SOURCE_DIR}/tests/main.cpp)
 target_link_libraries(weft_test_main PUBLIC doctest::doctest)

@@ -24,6 +24,7 @@ struct GridParams {  // mirror: src/solver/mass_spring/advance_grid.hpp
 @group(0) @binding(7) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count        m/s
 
 fn pull(x : vec3f, v : vec3f, neighbour : u32, rest_length : f32, stiffness : f32, weight : f32) -> vec3f {
+  if (stiffness == 0.0) { return vec3f(0.0); }  // springs of no stiffness do not damp either
   let span = position_in[neighbour].xyz - x;
   var rate = vec3f(0.0);
   if (grid.damping > 0.0) { rate = velocity_in[neighbour].xyz - v; }

@@ -121,7 +121,7 @@ std::vector<Spring> build_springs(const HostModel& model, const ClothModel& clot
                                                                          : cloth.stiffness.bend;
     built.push_back({cloth.first_vertex + spring.node_a, cloth.first_vertex + spring.node_b,
                      static_cast<float>(spring.rest_length), static_cast<float>(spring.weight * stiffness),
-                     static_cast<float>(spring.weight * cloth.damping)});
+                     static_cast<float>(stiffness > 0 ? spring.weight * cloth.damping : 0)});
   }
   return built;
 }

@@ -27,12 +27,10 @@ std::vector<double> velocity_tolerance(const reference::MassSpringSystem& system
   for (const auto& spring : system.springs) {
     const Vec3d span = system.position[spring.node_b] - system.position[spring.node_a];
     const Vec3d rate = system.velocity[spring.node_b] - system.velocity[spring.node_a];
-    const double size = std::max({std::abs(system.position[spring.node_a].x), std::abs(system.position[spring.node_a].y),
-                                  std::abs(system.position[spring.node_a].z), length(span)});
     // length: the difference, three squares, two sums and a root round: within 6 of the span; direction 2 more; the
     // two products and the sum 4 more. Positions themselves are f32 in both.
     const double tension = spring.stiffness * (length(span) + spring.rest_length) + spring.damping * length(rate);
-    const double error = 12 * kUlp * (tension + spring.stiffness * size * 0) + 0.5 * force_unit;
+    const double error = 12 * kUlp * tension + 0.5 * force_unit;
     force[spring.node_a] += error;
     force[spring.node_b] += error;
   }
@@ -96,8 +94,8 @@ TEST_CASE("both formulations equal the reference on a mesh of any shape") {
 
 TEST_CASE("a grid and the same sheet as a mesh of springs move alike") {
   GpuFixture fixture;
-  // Without bend springs and damping (a triangle mesh has other bend springs, which damp too) and with nodes of equal mass, the two have the same springs.
-  const char* common = R"("node_mass": 0.001, "damping": 0, "stiffness": {"structural": 500, "shear": 200, "bend": 0})";
+  // Without bend springs (a triangle mesh has other ones) and with nodes of equal mass, the two have the same springs.
+  const char* common = R"("node_mass": 0.001, "damping": 0.02, "stiffness": {"structural": 500, "shear": 200, "bend": 0})";
   SolverRig grid(fixture.device(), scene_of(R"("cloths": [{"grid": [9, 12], "size": [0.8, 1.1], "plane": "xz", )" + std::string(common) +
                                             R"(, "transform": {"translate": [0.4, 0, 0.55]}}])"), 1e-4);
   SolverRig mesh(fixture.device(), scene_of(R"("cloths": [{"mesh": "a.obj", )" + std::string(common) + "}]"), 1e-4,
@@ -212,7 +210,7 @@ TEST_CASE("the state has the same bits for workgroups of 64, 128 and 256, and on
   }
 }
 
-TEST_CASE("a moved node is where its motion says, and has its velocity; a pinned node stays to the bit") {
+TEST_CASE("a pinned node stays to the bit while the sheet moves") {
   GpuFixture fixture;
   SolverRig rig(fixture.device(), scene_of(cloth(6, 6, "node_centric")), 1e-3);
   const auto before = rig.positions();

@@ -43,7 +43,7 @@ TEST_CASE("power iteration finds the highest frequency of lattices within 2 %") 
     // Structural and shear springs: omega² = 4 (k + s) / m.
     const double plain = limit_of(fixture.device(), scene_of(sheet(nx, ny, 500, 200, 0, 0))).highest_frequency;
     CHECK(plain == doctest::Approx(std::sqrt(4 * 700 / kNodeMass)).epsilon(0.02));
-    // All equal: the bend springs move the maximum off the checkerboard, to 10.125 k / m.
+    // All equal: the bend springs move the maximum off the alternating columns, to 10.125 k / m.
     const double equal = limit_of(fixture.device(), scene_of(sheet(nx, ny, 300, 300, 300, 0))).highest_frequency;
     CHECK(equal == doctest::Approx(std::sqrt(10.125 * 300 / kNodeMass)).epsilon(0.02));
   }
@@ -102,8 +102,7 @@ void survives(std::uint32_t side, std::uint32_t steps) {
       rig.advance(steps);
       CAPTURE(scale); CAPTURE(damping); CAPTURE(*substeps);
       const double end = reference::energy(rig.reference());
-      CHECK(end < 2 * start);
-      CHECK(largest_speed(rig) < 100);
+      CHECK(end < 2 * start);  // also false for NaN; an explosion multiplies it by thousands
     }
   }
 }
