@@ -1,8 +1,7 @@
 // Contacts by brute force: every cloth triangle against every object triangle. Source: Sung et al., section on
-// collision. One invocation for a cloth triangle and `chunk` object triangles; neighbours share the chunk, so that a
-// wave reads one object triangle at a time.
+// collision. One invocation for two cloth triangles and `chunk` object triangles.
 #include "shared/index.wgsl"
-#include "collision/contact_sum.wgsl"
+#include "collision/contact_pair.wgsl"
 
 // Mirror: PairRange in src/collision/pairs_paper.cpp.
 struct PairRange {
@@ -21,25 +20,37 @@ struct PairRange {
 @group(0) @binding(7) var<storage, read_write> statistics       : array<atomic<u32>>; // shared/statistics.wgsl
 @group(0) @binding(8) var<uniform>             range            : PairRange;          // 1
 
+// The paper has no boxes. They stand last, so that its cost is kept and its pairs are those of the tree.
+fn pair_hits(cloth : TrianglePoints, query : Box, object : TrianglePoints) -> bool {
+  return (edges_hit(cloth, object) | edges_hit(object, cloth)) & boxes_overlap(query, box_of(object));
+}
+
 @compute @workgroup_size(kWorkgroupSize)
-fn paper(@builtin(global_invocation_id) id : vec3u) {
+fn paper(@builtin(global_invocation_id) id : vec3u, @builtin(workgroup_id) group : vec3u) {
   let cloth_count = arrayLength(&cloth_triangles) / 3u;
-  let i = flat_index(id);
-  let begin = (i / cloth_count) * range.chunk;
-  if (begin >= range.count) { return; }
-  let triangle = i % cloth_count;
-  let nodes = cloth_nodes(triangle);
-  let cloth = cloth_points(nodes);
-  if (!all_finite(cloth)) { return; }
-  let query = query_box(cloth);
-  var sum : ContactSum;
-  let end = range.first + min(begin + range.chunk, range.count);
-  for (var t = range.first + begin; t < end; t++) {
-    let object = points_of(object_triangles[t]);
-    // The paper has no boxes. They stand last, so that its cost is kept and its pairs are those of the tree.
-    if ((edges_hit(cloth, object) || edges_hit(object, cloth)) && boxes_overlap(query, box_of(object))) {
-      add_pair(&sum, triangle, nodes, t);
+  if (2u * id.x >= cloth_count) { return; }
+  let pair = cloth_pair(2u * id.x, cloth_count);
+  let begin = range.first + group.y * range.chunk;  // the same for a whole wave: it reads one object triangle at a time
+  let end = min(begin + range.chunk, range.first + range.count);
+  var found : HitCount;
+  for (var first = begin; first < end; first += 32u) {
+    // Hits are marked first and added after: they are rare, and where a wave cannot skip a branch (software adapters)
+    // each test would pay for an addition; SwiftShader took four times as long.
+    var marks_a = 0u;
+    var marks_b = 0u;
+    let count = min(end - first, 32u);
+    for (var k = 0u; k < count; k++) {
+      let object = points_of(object_triangles[first + k]);
+      marks_a |= select(0u, 1u << k, pair.use_a & pair_hits(pair.a, pair.query_a, object));
+      marks_b |= select(0u, 1u << k, pair.use_b & pair_hits(pair.b, pair.query_b, object));
+    }
+    while ((marks_a | marks_b) != 0u) {
+      let in_a = marks_a != 0u;
+      let k = firstTrailingBit(select(marks_b, marks_a, in_a));
+      marks_b = select(marks_b & (marks_b - 1u), marks_b, in_a);
+      marks_a &= marks_a - 1u;
+      add_pair(&found, select(pair.second, pair.first, in_a), select(pair.nodes_b, pair.nodes_a, in_a), first + k);
     }
   }
-  write_sum(&sum, nodes);
+  write_count(found);
 }

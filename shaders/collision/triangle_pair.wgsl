@@ -24,34 +24,44 @@ fn cross_fused(a : vec3f, b : vec3f) -> vec3f { return fma(a.yzx, b.zxy, -(a.zxy
 fn dot_fused(a : vec3f, b : vec3f) -> f32 { return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x)); }
 fn largest(a : vec3f) -> f32 { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }
 
-fn segment_hits(s : vec3f, d : vec3f, e1 : vec3f, e2 : vec3f) -> bool {
-  let p = cross_fused(d, e2);
-  let q = cross_fused(s, e1);
-  let det = dot_fused(e1, p);
-  let side = select(-1.0, 1.0, det >= 0.0);
-  let a = abs(det);
-  let ua = side * dot_fused(s, p);
-  let va = side * dot_fused(d, q);
-  let ta = side * dot_fused(e2, q);
-  let size_s = kRounding * largest(s);
-  let size_d = largest(d);
-  let size_1 = largest(e1);
-  let size_2 = largest(e2);
-  let tolerance_a = kRounding * size_d * (size_1 * size_2);
-  let tolerance_u = size_s * (size_d * size_2);
-  let tolerance_v = size_s * (size_d * size_1);
-  let tolerance_t = size_s * (size_1 * size_2);
-  return a > tolerance_a && ua >= -tolerance_u && va >= -tolerance_v && ta > tolerance_t &&
-         (ua + va) - a <= 3.0 * max(max(tolerance_u, tolerance_v), tolerance_a) &&
-         a - ta > 2.0 * max(tolerance_t, tolerance_a);
-}
-
+// Whether an edge of `edges` hits `face`. With n = e1 x e2 and w = s x d the determinants are
+//   a = -d . n,   t a = s . n,   u a = e2 . w,   v a = -e1 . w:
+// the same sums of six products, and n serves all three edges.
 fn edges_hit(edges : TrianglePoints, face : TrianglePoints) -> bool {
   let e1 = face.b - face.a;
   let e2 = face.c - face.a;
-  return segment_hits(edges.a - face.a, edges.b - edges.a, e1, e2) ||
-         segment_hits(edges.b - face.a, edges.c - edges.b, e1, e2) ||
-         segment_hits(edges.c - face.a, edges.a - edges.c, e1, e2);
+  let n = cross_fused(e1, e2);
+  let size_1 = largest(e1);
+  let size_2 = largest(e2);
+  let size_n = kRounding * (size_1 * size_2);
+  let s0 = edges.a - face.a;
+  let s1 = edges.b - face.a;
+  let s2 = edges.c - face.a;
+  let d0 = edges.b - edges.a;
+  let d1 = edges.c - edges.b;
+  let d2 = edges.a - edges.c;
+  let det = -vec3f(dot_fused(d0, n), dot_fused(d1, n), dot_fused(d2, n));
+  let side = select(vec3f(-1.0), vec3f(1.0), det >= vec3f(0.0));
+  let a = abs(det);
+  let ta = side * vec3f(dot_fused(s0, n), dot_fused(s1, n), dot_fused(s2, n));
+  let size_s = vec3f(largest(s0), largest(s1), largest(s2));
+  let size_d = vec3f(largest(d0), largest(d1), largest(d2));
+  let tolerance_a = size_n * size_d;
+  let tolerance_t = size_n * size_s;
+  let crossing = (a > tolerance_a) & (ta > tolerance_t) & (a - ta > 2.0 * max(tolerance_t, tolerance_a));
+  if (!any(crossing)) { return false; }
+
+  let w0 = cross_fused(s0, d0);
+  let w1 = cross_fused(s1, d1);
+  let w2 = cross_fused(s2, d2);
+  let ua = side * vec3f(dot_fused(e2, w0), dot_fused(e2, w1), dot_fused(e2, w2));
+  let va = -side * vec3f(dot_fused(e1, w0), dot_fused(e1, w1), dot_fused(e1, w2));
+  let size_w = kRounding * (size_s * size_d);
+  let tolerance_u = size_w * size_2;
+  let tolerance_v = size_w * size_1;
+  let inside = (ua >= -tolerance_u) & (va >= -tolerance_v) &
+               ((ua + va) - a <= 3.0 * max(max(tolerance_u, tolerance_v), tolerance_a));
+  return any(crossing & inside);
 }
 
 fn box_of(t : TrianglePoints) -> Box { return Box(min(min(t.a, t.b), t.c), max(max(t.a, t.b), t.c)); }
@@ -74,7 +84,7 @@ fn boxes_overlap(query : Box, box : Box) -> bool {
 // overlap, and both methods then ask the same function. Nothing true is lost: triangles with a common point have boxes
 // with a common point, grown or not.
 fn triangles_intersect(cloth : TrianglePoints, query : Box, object : TrianglePoints) -> bool {
-  return boxes_overlap(query, box_of(object)) && (edges_hit(cloth, object) || edges_hit(object, cloth));
+  return boxes_overlap(query, box_of(object)) && (edges_hit(cloth, object) | edges_hit(object, cloth));
 }
 
 // Found on the bits: a compiler may take NaN and infinity to be absent.

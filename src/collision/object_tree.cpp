@@ -49,8 +49,7 @@ class Collapse {
       }
       const BinaryNode& child = binary_.nodes[made[k].binary];
       set_box(node, k, child.box);
-      node.child[k] = child.leaf() ? child.first : made[k].node;
-      node.count[k] = child.count;
+      node.child[k] = 8 * (child.leaf() ? child.first : made[k].node) + child.count;
       if (!child.leaf()) need = std::max(need, static_cast<std::uint32_t>(k) + made[k].need);
     }
     return need;

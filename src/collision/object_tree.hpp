@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,14 +14,16 @@ namespace weft::collision {
 /// Mirror of TreeNode in shaders/collision/bvh.wgsl.
 struct TreeNode {
   std::array<std::array<float, 4>, 3> low{}, high{};  // [axis][child], m
-  std::array<std::uint32_t, 4> child{};  // a leaf's first triangle, or an inner node
-  std::array<std::uint32_t, 4> count{};  // a leaf's triangles; 0: an inner node, or with child 0 none
+  std::array<std::uint32_t, 4> child{};  // 8 * a leaf's first triangle + their number; 8 * an inner node; 0: none
+  std::array<std::uint32_t, 4> spare{};  // fills the node up to a cache line
 
-  bool empty(std::size_t k) const { return child[k] == 0 && count[k] == 0; }
-  bool leaf(std::size_t k) const { return count[k] > 0; }
-  bool inner(std::size_t k) const { return count[k] == 0 && child[k] > 0; }
+  bool empty(std::size_t k) const { return child[k] == 0; }
+  bool leaf(std::size_t k) const { return count(k) > 0; }
+  bool inner(std::size_t k) const { return count(k) == 0 && child[k] > 0; }
+  std::uint32_t count(std::size_t k) const { return child[k] % 8; }
+  std::uint32_t index(std::size_t k) const { return child[k] / 8; }
 };
-static_assert(sizeof(TreeNode) == 128);
+static_assert(sizeof(TreeNode) == 128 && offsetof(TreeNode, high) == 48 && offsetof(TreeNode, child) == 96);
 
 struct ObjectTree {
   std::vector<TreeNode> nodes;            // the root is the first; depth first

@@ -11,7 +11,7 @@
 
 namespace weft::collision {
 
-/// Mirror of ObjectTriangle in shaders/collision/contact_sum.wgsl. The three w are the outward unit normal.
+/// Mirror of ObjectTriangle in shaders/collision/contact_pair.wgsl. The three w are the outward unit normal.
 struct ObjectTriangle {
   Vec4f a, b, c;  // [m]
 

@@ -10,7 +10,7 @@ Result<PairsBvh> PairsBvh::create(gpu::Device& device, const Model& model, const
     return make_error(ErrorKind::Limit, "The tree over %zu triangles needs a stack of %u, more than the kernel's %u.",
                       triangles.size(), tree.stack_size, kStackSize);
   PairsBvh bvh;
-  bvh.cloth_triangle_count_ = model.triangle_count();
+  bvh.invocations_ = (model.triangle_count() + 1) / 2;  // two cloth triangles each
   WEFT_TRY(kernel, gpu::Kernel::create(device, "collision/bvh.wgsl", {}, workgroup_size));
   bvh.kernel_ = std::move(kernel);
   WEFT_TRY(nodes, gpu::Buffer<TreeNode>::create_from(device, tree.nodes, "tree nodes"));
@@ -29,7 +29,7 @@ Result<PairsBvh> PairsBvh::create(gpu::Device& device, const Model& model, const
 }
 
 void PairsBvh::record(gpu::ComputePass& pass) const {
-  kernel_.dispatch(pass, groups_[pass.parity()], cloth_triangle_count_);
+  kernel_.dispatch(pass, groups_[pass.parity()], invocations_);
 }
 
 }  // namespace weft::collision

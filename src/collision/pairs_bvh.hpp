@@ -29,7 +29,7 @@ class PairsBvh {
   gpu::Buffer<ObjectTriangle> triangles_;
   gpu::Buffer<std::uint32_t> ids_;
   std::array<gpu::BindGroup, 2> groups_;  // by parity
-  std::uint32_t cloth_triangle_count_ = 0;
+  std::uint32_t invocations_ = 0;
 };
 
 }  // namespace weft::collision

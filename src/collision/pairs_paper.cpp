@@ -32,6 +32,10 @@ Result<PairsPaper> PairsPaper::create(gpu::Device& device, const Model& model, c
                                       const Contacts& contacts, std::span<const ObjectTriangle> triangles,
                                       std::uint64_t max_pairs, std::uint32_t workgroup_size) {
   PairsPaper paper;
+  paper.workgroups_ = (model.triangle_count() + 2 * workgroup_size - 1) / (2 * workgroup_size);  // two an invocation
+  if (paper.workgroups_ > device.limits().max_workgroups_per_dimension)
+    return make_error(ErrorKind::Limit, "Brute force over %u cloth triangles needs %u workgroups, more than this adapter's limit of %u.",
+                      model.triangle_count(), paper.workgroups_, device.limits().max_workgroups_per_dimension);
   WEFT_TRY(kernel, gpu::Kernel::create(device, "collision/paper.wgsl", {}, workgroup_size));
   paper.kernel_ = std::move(kernel);
   WEFT_TRY(buffer, gpu::Buffer<ObjectTriangle>::create_from(device, triangles, "object triangles"));
@@ -47,8 +51,7 @@ Result<PairsPaper> PairsPaper::create(gpu::Device& device, const Model& model, c
   paper.ranges_ = std::move(range_buffer);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     Dispatch dispatch;
-    const std::uint64_t chunks = (ranges[i].count + kChunk - 1) / kChunk;
-    dispatch.invocations = chunks * model.triangle_count();
+    dispatch.chunks = (ranges[i].count + kChunk - 1) / kChunk;
     for (std::size_t parity = 0; parity < 2; ++parity) {
       WEFT_TRY(group, paper.kernel_.bind({state.steps, state.position[1 - parity], state.position[parity],
                                           model.triangles, paper.triangles_, paper.ids_, contacts.pushes,
@@ -62,7 +65,7 @@ Result<PairsPaper> PairsPaper::create(gpu::Device& device, const Model& model, c
 
 void PairsPaper::record(gpu::ComputePass& pass) const {
   for (const Dispatch& dispatch : dispatches_)
-    kernel_.dispatch(pass, dispatch.groups[pass.parity()], dispatch.invocations);
+    kernel_.dispatch_groups(pass, dispatch.groups[pass.parity()], workgroups_, dispatch.chunks);
 }
 
 }  // namespace weft::collision

@@ -29,7 +29,7 @@ class PairsPaper {
  private:
   struct Dispatch {
     std::array<gpu::BindGroup, 2> groups;  // by parity
-    std::uint64_t invocations = 0;
+    std::uint32_t chunks = 0;  // of object triangles: workgroups along y
   };
 
   gpu::Kernel kernel_;
@@ -37,6 +37,7 @@ class PairsPaper {
   gpu::Buffer<std::uint32_t> ids_;
   gpu::RawBuffer ranges_;
   std::vector<Dispatch> dispatches_;
+  std::uint32_t workgroups_ = 0;  // along x, over the cloth triangles
 };
 
 }  // namespace weft::collision
