@@ -19,11 +19,12 @@ std::size_t count_springs(const HostModel& model) {
   return count;
 }
 
-collision::CollisionSetup collision_setup(const scene::Scene& scene, const Assets& assets) {
+collision::CollisionSetup collision_setup(const scene::Scene& scene, const Assets& assets, const WorldOptions& options) {
   collision::CollisionSetup setup;
   setup.method = scene.contact.method;
   setup.thickness = scene.contact.thickness;
   setup.objects = assets.objects;
+  setup.workgroup_size = options.workgroup_size;
   for (const scene::Collider& collider : scene.colliders) {
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) setup.spheres.push_back(*sphere);
     if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) setup.planes.push_back(*plane);
@@ -70,7 +71,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   if (has_contact) {
     WEFT_TRY(contacts, Contacts::create(device_, model_.host));
     contacts_ = std::move(contacts);
-    WEFT_TRY(collision, collision::Collision::create(device_, model_, state_, *contacts_, collision_setup(scene_, assets)));
+    WEFT_TRY(collision, collision::Collision::create(device_, model_, state_, *contacts_, collision_setup(scene_, assets, options)));
     collision_ = std::move(collision);
   }
   WEFT_TRY(solver, make_solver(scene_.solver, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
@@ -261,6 +262,11 @@ Result<Snapshot> World::snapshot() {
   WEFT_TRY(velocity, gpu::download(device_, state_.velocity[parity_]));
   snapshot.velocity = std::move(velocity);
   return snapshot;
+}
+
+void World::restore(const Snapshot& snapshot) {
+  state_.position[parity_].write(device_, snapshot.position);
+  state_.velocity[parity_].write(device_, snapshot.velocity);
 }
 
 void World::set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity) {

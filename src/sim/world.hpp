@@ -58,6 +58,8 @@ class World {
 
   /// The current state, waited for.
   Result<Snapshot> snapshot();
+  /// Makes a snapshot of this model the current state; time goes on from where it is.
+  void restore(const Snapshot& snapshot);
   /// Overwrites the current state of one node: for tests of what bad values do.
   void set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity);
 
