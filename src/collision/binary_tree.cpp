@@ -79,9 +79,10 @@ class Builder {
     }
     const Plane plane = depth < kMaxHeuristicDepth ? cheapest_plane(begin, end, low, high) : Plane{};
     if (plane.axis < 0) return halve(begin, end, low, high);
-    const auto middle = std::partition(
-        tree_.order.begin() + begin, tree_.order.begin() + end,
-        [&](std::uint32_t t) { return bin_of(centers_[t][plane.axis], low[plane.axis], high[plane.axis]) < plane.bin; });
+    const auto middle =
+        std::partition(tree_.order.begin() + begin, tree_.order.begin() + end, [&](std::uint32_t t) {
+          return bin_of(centers_[t][plane.axis], low[plane.axis], high[plane.axis]) < plane.bin;
+        });
     return static_cast<std::uint32_t>(middle - tree_.order.begin());
   }
 

@@ -1,4 +1,5 @@
-// A binary tree of boxes by the surface area heuristic, from which object_tree.hpp makes the one that kernels read.
+// A binary tree of boxes by the surface area heuristic, from which object_tree.hpp makes the one that kernels
+// read.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +26,9 @@ struct BinaryTree {
   std::vector<std::uint32_t> order;  // triangle numbers, leaf after leaf, rising inside a leaf
 };
 
-/// Splits at the cheapest of 16 planes on each axis (Wald 2007, On fast Construction of SAH-based Bounding Volume
-/// Hierarchies) until at most kLeafTriangles are left. Past 40 levels it halves by number, so that the depth is at
-/// most 40 + log2(triangles) whatever the input. The same tree on every machine.
+/// Splits at the cheapest of 16 planes on each axis (Wald 2007, On fast Construction of SAH-based Bounding
+/// Volume Hierarchies) until at most kLeafTriangles are left. Past 40 levels it halves by number, so that the
+/// depth is at most 40 + log2(triangles) whatever the input. The same tree on every machine.
 BinaryTree build_binary_tree(std::span<const ObjectTriangle> triangles);
 
 }  // namespace weft::collision

@@ -23,7 +23,8 @@ class CollidersAnalytic {
   CollidersAnalytic() = default;
   static Result<CollidersAnalytic> create(gpu::Device& device, const State& state, const Contacts& contacts,
                                           std::span<const scene::ColliderSphere> spheres,
-                                          std::span<const scene::ColliderPlane> planes, std::uint32_t workgroup_size);
+                                          std::span<const scene::ColliderPlane> planes,
+                                          std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const;
 
  private:

@@ -16,10 +16,12 @@ Result<Collision> Collision::create(gpu::Device& device, const Model& model, con
   const double longest = collision::max_push(model.host, setup.thickness);
   collision.max_push_ = static_cast<float>(longest);
   collision.push_scale_ = collision::push_scale(
-      {triangles_at_vertex(model.host), triangles.size(), setup.spheres.size() + setup.planes.size()}, longest);
+      {triangles_at_vertex(model.host), triangles.size(), setup.spheres.size() + setup.planes.size()},
+      longest);
 
   if (!triangles.empty() && setup.method == scene::ContactMethod::Paper) {
-    WEFT_TRY(paper, PairsPaper::create(device, model, state, contacts, triangles, setup.max_pairs, setup.workgroup_size));
+    WEFT_TRY(paper, PairsPaper::create(device, model, state, contacts, triangles, setup.max_pairs,
+                                       setup.workgroup_size));
     collision.paper_ = std::move(paper);
   }
   if (!triangles.empty() && setup.method == scene::ContactMethod::Bvh) {

@@ -19,20 +19,21 @@ namespace weft::collision {
 /// What the cloth can touch, and how that is found. The last two change no result.
 struct CollisionSetup {
   scene::ContactMethod method = scene::ContactMethod::Bvh;
-  double thickness = 0.005;                  // [m]
-  std::vector<mesh::TriangleMesh> objects;   // in the world [m], closed and facing outward, without zero areas
+  double thickness = 0.005;                 // [m]
+  std::vector<mesh::TriangleMesh> objects;  // in the world [m], closed and facing outward, without zero areas
   std::vector<scene::ColliderSphere> spheres;
   std::vector<scene::ColliderPlane> planes;
-  std::uint64_t max_pairs = 1ULL << 28U;     // of a dispatch of method paper: 13 ms at 20 G pairs/s
+  std::uint64_t max_pairs = 1ULL << 28U;  // of a dispatch of method paper: 13 ms at 20 G pairs/s
   std::uint32_t workgroup_size = 256;
 };
 
 /// The collision part of a substep: after the solver has predicted positions, before it answers.
-/// Reads   state.steps: thickness, max_push [m], push_scale (of this class); state.position [m]: predicted, previous.
-/// Writes  contacts.pushes [m * push_scale; count]; state.statistics: hits, hit_hash, contact_overflow. Added to, so
+/// Reads   state.steps: thickness, max_push [m], push_scale (of this class); state.position [m]: predicted,
+/// previous. Writes  contacts.pushes [m * push_scale; count]; state.statistics: hits, hit_hash,
+/// contact_overflow. Added to, so
 ///         the solver clears the first and the frame the second.
-/// Errors  Input: an object has a triangle without area, a radius or normal is off. Limit, Shader, OutOfMemory.
-/// Source: Sung et al.; docs/collision.md.
+/// Errors  Input: an object has a triangle without area, a radius or normal is off. Limit, Shader,
+/// OutOfMemory. Source: Sung et al.; docs/collision.md.
 class Collision {
  public:
   Collision() = default;

@@ -23,13 +23,16 @@ static_assert(sizeof(ObjectTriangle) == 48);
 struct Box {
   Vec3f low, high;
 
-  bool contains(const Box& other) const { return min(low, other.low) == low && max(high, other.high) == high; }
+  bool contains(const Box& other) const {
+    return min(low, other.low) == low && max(high, other.high) == high;
+  }
 };
 Box box_of(const ObjectTriangle& triangle);
 Box united(const Box& a, const Box& b);
 
 /// The triangles of all meshes, mesh after mesh: a triangle's number here is its id in hit hashes.
-/// Errors  Input: a coordinate is not finite, or a triangle has no area (mesh::drop_degenerate_triangles first).
+/// Errors  Input: a coordinate is not finite, or a triangle has no area (mesh::drop_degenerate_triangles
+/// first).
 Result<std::vector<ObjectTriangle>> object_triangles(std::span<const mesh::TriangleMesh> objects);
 
 }  // namespace weft::collision

@@ -7,7 +7,8 @@ Result<PairsBvh> PairsBvh::create(gpu::Device& device, const Model& model, const
                                   std::uint32_t workgroup_size) {
   const ObjectTree tree = build_object_tree(triangles);
   if (tree.stack_size > kStackSize)
-    return make_error(ErrorKind::Limit, "The tree over %zu triangles needs a stack of %u, more than the kernel's %u.",
+    return make_error(ErrorKind::Limit,
+                      "The tree over %zu triangles needs a stack of %u, more than the kernel's %u.",
                       triangles.size(), tree.stack_size, kStackSize);
   PairsBvh bvh;
   bvh.invocations_ = (model.triangle_count() + 1) / 2;  // two cloth triangles each
@@ -15,14 +16,15 @@ Result<PairsBvh> PairsBvh::create(gpu::Device& device, const Model& model, const
   bvh.kernel_ = std::move(kernel);
   WEFT_TRY(nodes, gpu::Buffer<TreeNode>::create_from(device, tree.nodes, "tree nodes"));
   bvh.nodes_ = std::move(nodes);
-  WEFT_TRY(leaf_triangles, gpu::Buffer<ObjectTriangle>::create_from(device, tree.triangles, "object triangles"));
+  WEFT_TRY(leaf_triangles,
+           gpu::Buffer<ObjectTriangle>::create_from(device, tree.triangles, "object triangles"));
   bvh.triangles_ = std::move(leaf_triangles);
   WEFT_TRY(ids, gpu::Buffer<std::uint32_t>::create_from(device, tree.ids, "object ids"));
   bvh.ids_ = std::move(ids);
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, bvh.kernel_.bind({state.steps, state.position[1 - parity], state.position[parity],
-                                      model.triangles, bvh.triangles_, bvh.ids_, contacts.pushes, state.statistics,
-                                      bvh.nodes_}));
+                                      model.triangles, bvh.triangles_, bvh.ids_, contacts.pushes,
+                                      state.statistics, bvh.nodes_}));
     bvh.groups_[parity] = std::move(group);
   }
   return bvh;

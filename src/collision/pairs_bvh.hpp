@@ -14,7 +14,8 @@ namespace weft::collision {
 /// Contacts through a tree over the object triangles: the pairs and pushes of PairsPaper, bit for bit.
 /// Reads   state.steps; state.position [m]: predicted and previous; model.triangles.
 /// Writes  contacts.pushes [m * push_scale; count], state.statistics: added to.
-/// Errors  Limit: the tree needs a longer stack than the kernel has. Shader, OutOfMemory. Source: docs/collision.md.
+/// Errors  Limit: the tree needs a longer stack than the kernel has. Shader, OutOfMemory. Source:
+/// docs/collision.md.
 class PairsBvh {
  public:
   PairsBvh() = default;

@@ -6,15 +6,16 @@
 namespace weft::collision {
 namespace {
 
-/// Mirror of PairRange in shaders/collision/paper.wgsl; one stands in each 256 bytes, WebGPU's offset alignment.
+/// Mirror of PairRange in shaders/collision/paper.wgsl; one stands in each 256 bytes, WebGPU's offset
+/// alignment.
 struct PairRange {
   std::uint32_t first = 0, count = 0, chunk = 0;
   std::uint32_t padding[61] = {};
 };
 static_assert(sizeof(PairRange) == 256);
 
-/// Object triangles that one invocation takes: enough to pay for its cloth triangle, few enough for a 10K sheet over
-/// 50K triangles to fill the largest GPU (20,000 * 200 invocations).
+/// Object triangles that one invocation takes: enough to pay for its cloth triangle, few enough for a 10K
+/// sheet over 50K triangles to fill the largest GPU (20,000 * 200 invocations).
 constexpr std::uint32_t kChunk = 256;
 
 std::vector<PairRange> split(std::uint64_t cloth_count, std::uint64_t object_count, std::uint64_t max_pairs) {
@@ -32,10 +33,13 @@ Result<PairsPaper> PairsPaper::create(gpu::Device& device, const Model& model, c
                                       const Contacts& contacts, std::span<const ObjectTriangle> triangles,
                                       std::uint64_t max_pairs, std::uint32_t workgroup_size) {
   PairsPaper paper;
-  paper.workgroups_ = (model.triangle_count() + 2 * workgroup_size - 1) / (2 * workgroup_size);  // two an invocation
+  paper.workgroups_ =
+      (model.triangle_count() + 2 * workgroup_size - 1) / (2 * workgroup_size);  // two an invocation
   if (paper.workgroups_ > device.limits().max_workgroups_per_dimension)
-    return make_error(ErrorKind::Limit, "Brute force over %u cloth triangles needs %u workgroups, more than this adapter's limit of %u.",
-                      model.triangle_count(), paper.workgroups_, device.limits().max_workgroups_per_dimension);
+    return make_error(
+        ErrorKind::Limit,
+        "Brute force over %u cloth triangles needs %u workgroups, more than this adapter's limit of %u.",
+        model.triangle_count(), paper.workgroups_, device.limits().max_workgroups_per_dimension);
   WEFT_TRY(kernel, gpu::Kernel::create(device, "collision/paper.wgsl", {}, workgroup_size));
   paper.kernel_ = std::move(kernel);
   WEFT_TRY(buffer, gpu::Buffer<ObjectTriangle>::create_from(device, triangles, "object triangles"));

@@ -12,11 +12,10 @@
 
 namespace weft::collision {
 
-/// Contacts by brute force: every cloth triangle against every object triangle. A dispatch takes a range of object
-/// triangles, so that none lasts long enough for a watchdog to end it.
-/// Reads   state.steps; state.position [m]: predicted and previous; model.triangles.
-/// Writes  contacts.pushes [m * push_scale; count], state.statistics: added to.
-/// Errors  Shader, Limit, OutOfMemory. Source: Sung et al.
+/// Contacts by brute force: every cloth triangle against every object triangle. A dispatch takes a range of
+/// object triangles, so that none lasts long enough for a watchdog to end it. Reads   state.steps;
+/// state.position [m]: predicted and previous; model.triangles. Writes  contacts.pushes [m * push_scale;
+/// count], state.statistics: added to. Errors  Shader, Limit, OutOfMemory. Source: Sung et al.
 class PairsPaper {
  public:
   PairsPaper() = default;
@@ -29,7 +28,7 @@ class PairsPaper {
  private:
   struct Dispatch {
     std::array<gpu::BindGroup, 2> groups;  // by parity
-    std::uint32_t chunks = 0;  // of object triangles: workgroups along y
+    std::uint32_t chunks = 0;              // of object triangles: workgroups along y
   };
 
   gpu::Kernel kernel_;

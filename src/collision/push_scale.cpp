@@ -9,7 +9,8 @@ double max_push(const HostModel& model, double thickness) {
   double longest = 0;
   for (const mesh::Triangle& triangle : model.triangles)
     for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(longest, length(model.rest_position[triangle[(k + 1) % 3]] - model.rest_position[triangle[k]]));
+      longest = std::max(
+          longest, length(model.rest_position[triangle[(k + 1) % 3]] - model.rest_position[triangle[k]]));
   return thickness + 2 * longest;
 }
 
@@ -21,10 +22,11 @@ std::uint64_t triangles_at_vertex(const HostModel& model) {
 }
 
 float push_scale(const PushBound& bound, double max_push) {
-  const double pushes = static_cast<double>(bound.triangles_at_vertex) * static_cast<double>(bound.object_triangles) +
-                        static_cast<double>(bound.analytic_colliders);
+  const double pushes =
+      static_cast<double>(bound.triangles_at_vertex) * static_cast<double>(bound.object_triangles) +
+      static_cast<double>(bound.analytic_colliders);
   if (pushes == 0 || max_push <= 0) return 1;
-  constexpr double kLimit = 2147483648.0;                   // 2^31
+  constexpr double kLimit = 2147483648.0;  // 2^31
   constexpr double kRounding = 1 + 1.0 / (1U << 21U);
   const auto fits = [&](int exponent) {
     return pushes * (max_push * kRounding * std::ldexp(1.0, exponent) + 1) < kLimit;

@@ -9,10 +9,11 @@ namespace weft::collision {
 
 /// The longest push that is believed [m]: thickness + 2 * the longest rest edge of a cloth triangle.
 ///
-/// A push brings a node's previous position to `thickness` outside the object triangle's plane. The pair intersects at
-/// the predicted positions, so a point of the cloth triangle lies in that plane, and each of its nodes lies at most
-/// one edge, as stretched, from it; the previous position lies a substep's travel further. Stretch and travel together
-/// get one more rest edge: beyond that a substep has moved a node past whole triangles, and its contacts mean nothing.
+/// A push brings a node's previous position to `thickness` outside the object triangle's plane. The pair
+/// intersects at the predicted positions, so a point of the cloth triangle lies in that plane, and each of
+/// its nodes lies at most one edge, as stretched, from it; the previous position lies a substep's travel
+/// further. Stretch and travel together get one more rest edge: beyond that a substep has moved a node past
+/// whole triangles, and its contacts mean nothing.
 double max_push(const HostModel& model, double thickness);
 
 /// What can add up at one node.
@@ -27,10 +28,11 @@ std::uint64_t triangles_at_vertex(const HostModel& model);
 
 /// Fixed-point units per metre: the largest power of two for which no sum can leave an i32.
 ///
-/// A node gets at most `triangles_at_vertex * object_triangles + analytic_colliders` pushes. Each is at most max_push
-/// long; as |normal| <= 1 + 2^-23 and max_push and two products are rounded to f32 (2^-24 each), a component is at most
-/// max_push * scale * (1 + 2^-21) units, and rounding to an integer adds less than 1. The sum over all must stay below
-/// 2^31; so does the number of pushes. Without colliders the scale is 1. Within 2^-126 and 2^126, as f32 holds it.
+/// A node gets at most `triangles_at_vertex * object_triangles + analytic_colliders` pushes. Each is at most
+/// max_push long; as |normal| <= 1 + 2^-23 and max_push and two products are rounded to f32 (2^-24 each), a
+/// component is at most max_push * scale * (1 + 2^-21) units, and rounding to an integer adds less than 1.
+/// The sum over all must stay below 2^31; so does the number of pushes. Without colliders the scale is 1.
+/// Within 2^-126 and 2^126, as f32 holds it.
 float push_scale(const PushBound& bound, double max_push);
 
 }  // namespace weft::collision

@@ -26,8 +26,10 @@ struct Pose {
   }
 };
 
-/// A sheet of n x n nodes that lies in a box's upper part, waves, and has moved down and sideways by 2 % of its size.
-inline Pose sheet_over(const mesh::Bounds& box, std::uint32_t n, double height, double wave, std::uint64_t seed) {
+/// A sheet of n x n nodes that lies in a box's upper part, waves, and has moved down and sideways by 2 % of
+/// its size.
+inline Pose sheet_over(const mesh::Bounds& box, std::uint32_t n, double height, double wave,
+                       std::uint64_t seed) {
   const mesh::Grid grid{n, n, 1, 1};
   Pose pose;
   pose.triangles = mesh::grid_triangles(grid);
@@ -69,7 +71,8 @@ inline HostModel host_model(const Pose& pose) {
 /// Model, state and contacts of a pose, with the collision recorded for one substep.
 class CollisionRun {
  public:
-  CollisionRun(gpu::Device& device, const Pose& pose, const collision::CollisionSetup& setup, std::uint32_t parity = 0)
+  CollisionRun(gpu::Device& device, const Pose& pose, const collision::CollisionSetup& setup,
+               std::uint32_t parity = 0)
       : device_(device), parity_(parity) {
     auto model = Model::create(device, host_model(pose));
     REQUIRE(model);

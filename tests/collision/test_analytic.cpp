@@ -46,8 +46,8 @@ TEST_CASE("nodes near spheres and planes get the pushes of double, and count onc
   const std::vector<Vec3d> previous = positions(pose.previous), predicted = positions(pose.predicted);
   std::vector<double> inverse_mass;
   for (const Vec4f& p : pose.previous) inverse_mass.push_back(p.w);
-  const auto expected = reference::analytic_pushes(previous, predicted, inverse_mass, setup.spheres, setup.planes,
-                                                   {setup.thickness, found.max_push});
+  const auto expected = reference::analytic_pushes(previous, predicted, inverse_mass, setup.spheres,
+                                                   setup.planes, {setup.thickness, found.max_push});
   std::uint32_t hits = 0, hash = 0;
   std::size_t doubtful = 0;
   for (std::uint32_t node = 0; node < expected.size(); ++node) {
@@ -61,13 +61,19 @@ TEST_CASE("nodes near spheres and planes get the pushes of double, and count onc
     };
     for (const auto& sphere : setup.spheres) count(sphere);
     for (const auto& plane : setup.planes) count(plane);
-    if (doubt) { ++doubtful; continue; }
+    if (doubt) {
+      ++doubtful;
+      continue;
+    }
     CAPTURE(node);
     REQUIRE(static_cast<std::uint32_t>(found.pushes[4 * node + 3]) == expected[node].count);
     for (int axis = 0; axis < 3; ++axis) {
-      const double sum = found.pushes[4 * node + static_cast<std::size_t>(axis)] / static_cast<double>(found.push_scale);
-      // Half a unit and 1e-6 m a push: roundings of coordinates up to 3 m, and f32's root and quotients (2.5 ulp).
-      CHECK(std::abs(sum - expected[node].sum[axis]) <= expected[node].count * (0.5 / found.push_scale + 1e-6));
+      const double sum =
+          found.pushes[4 * node + static_cast<std::size_t>(axis)] / static_cast<double>(found.push_scale);
+      // Half a unit and 1e-6 m a push: roundings of coordinates up to 3 m, and f32's root and quotients (2.5
+      // ulp).
+      CHECK(std::abs(sum - expected[node].sum[axis]) <=
+            expected[node].count * (0.5 / found.push_scale + 1e-6));
     }
   }
   CHECK(doubtful < 20);
@@ -89,7 +95,9 @@ TEST_CASE("a sphere pushes a node at its centre straight up, and far and tiny on
   setup.spheres = {{{0, 0, 0}, 1}};
   setup.thickness = 0.5;
   const Found found = find_contacts(fixture.device(), pose, setup);
-  const auto units = [&](double metres) { return static_cast<std::int32_t>(std::round(metres * found.push_scale)); };
+  const auto units = [&](double metres) {
+    return static_cast<std::int32_t>(std::round(metres * found.push_scale));
+  };
   CHECK(found.pushes[1] == units(std::min<double>(1.5, found.max_push)));
   CHECK(found.pushes[0] == 0);
   for (std::size_t i = 1; i < 64; ++i) {
@@ -97,7 +105,8 @@ TEST_CASE("a sphere pushes a node at its centre straight up, and far and tiny on
     const double distance = std::ldexp(1.0, static_cast<int>(4 * i) - 128) - 1;
     CHECK(found.pushes[4 * i + 3] == (distance < 0.5 ? 1 : 0));
     if (distance < 0.5 && i > 2)  // 2^-120 m and less may be flushed to zero, and then go up
-      CHECK(std::abs(found.pushes[4 * i] - units(std::min<double>(0.5 - distance, found.max_push))) <= units(1e-6));
+      CHECK(std::abs(found.pushes[4 * i] - units(std::min<double>(0.5 - distance, found.max_push))) <=
+            units(1e-6));
   }
 }
 

@@ -1,4 +1,5 @@
-// What must not break: empty and tiny objects, values that are not finite, sums at their bound, a short stack.
+// What must not break: empty and tiny objects, values that are not finite, sums at their bound, a short
+// stack.
 #include <stdlib.h>
 
 #include <algorithm>
@@ -65,8 +66,10 @@ TEST_CASE("objects of a few triangles are found alike by both methods") {
 TEST_CASE("nodes that are not finite end in no contact, and the others keep theirs") {
   GpuFixture fixture;
   const Pose clean = sphere_pose();
-  constexpr float kInf = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kLargest = std::numeric_limits<float>::max(), kLeast = std::numeric_limits<float>::denorm_min();
+  constexpr float kInf = std::numeric_limits<float>::infinity(),
+                  kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kLargest = std::numeric_limits<float>::max(),
+                  kLeast = std::numeric_limits<float>::denorm_min();
   for (const ContactMethod method : kMethods) {
     CollisionRun run(fixture.device(), clean, sphere_setup(method));
     const Found expected = run.run();
@@ -91,7 +94,8 @@ TEST_CASE("nodes that are not finite end in no contact, and the others keep thei
     }
     for (const float extreme : {kLargest, kLeast, 0.0F}) {  // must end, whatever they find
       Pose pose = clean;
-      for (std::size_t i = 0; i < pose.predicted.size(); i += 3) pose.predicted[i] = {extreme, -extreme, extreme, 1};
+      for (std::size_t i = 0; i < pose.predicted.size(); i += 3)
+        pose.predicted[i] = {extreme, -extreme, extreme, 1};
       run.place(pose);
       CHECK(run.run().statistics.contact_overflow == 0);
     }
@@ -156,7 +160,8 @@ TEST_CASE("the sum of pushes that are all equal and as long as can be stays belo
     setup.method = method;
     const Found found = find_contacts(fixture.device(), pose, setup);
     CHECK(found.pushes[3] == 8 * kObjects);
-    const double expected = 8.0 * kObjects * std::round(static_cast<double>(found.push_scale) * found.max_push);
+    const double expected =
+        8.0 * kObjects * std::round(static_cast<double>(found.push_scale) * found.max_push);
     CHECK(found.pushes[0] == expected);
     CHECK(expected > 1073741824.0 * 0.99);  // the bound is used: twice the scale would overflow
     CHECK(found.statistics.hits == 8 * kObjects);
@@ -172,7 +177,8 @@ TEST_CASE("a stack that is too short is counted, never silent") {
   REQUIRE(bytes);
   std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   const std::string declared = "const kStackSize = " + std::to_string(collision::kStackSize) + "u;";
-  REQUIRE_MESSAGE(text.find(declared) != std::string::npos, "bvh.wgsl and object_tree.hpp disagree about kStackSize");
+  REQUIRE_MESSAGE(text.find(declared) != std::string::npos,
+                  "bvh.wgsl and object_tree.hpp disagree about kStackSize");
   text.replace(text.find(declared), declared.size(), "const kStackSize = 1u;");
   REQUIRE(write_file(path, text));
   GpuFixture fixture;

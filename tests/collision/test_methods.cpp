@@ -19,7 +19,8 @@ namespace {
 struct PoseShape {
   double height, wave;  // of the object's height
 };
-constexpr PoseShape kShapes[] = {{0.9, 0.0}, {0.6, 0.02}, {0.4, 0.2}};  // lies on it, sags through it, is crumpled
+constexpr PoseShape kShapes[] = {
+    {0.9, 0.0}, {0.6, 0.02}, {0.4, 0.2}};  // lies on it, sags through it, is crumpled
 
 mesh::TriangleMesh object_of(const std::string& name) {
   if (name == "sphere") return mesh::make_sphere(20, 20);
@@ -50,7 +51,8 @@ bool explained(const Statistics& found, const reference::PairList& list) {
     std::uint32_t hash = hash_of(list.hits);
     for (std::size_t i = 0; i < list.ambiguous.size(); ++i)
       if ((some >> i & 1U) != 0) hash += hash_pair(list.ambiguous[i].cloth, list.ambiguous[i].object);
-    if (found.hit_hash == hash && found.hits == list.hits.size() + static_cast<std::size_t>(std::popcount(some)))
+    if (found.hit_hash == hash &&
+        found.hits == list.hits.size() + static_cast<std::size_t>(std::popcount(some)))
       return true;
   }
   return false;
@@ -65,7 +67,8 @@ void check_pushes(const Pose& pose, const mesh::TriangleMesh& object, const Foun
   for (const Vec4f& p : pose.previous) {
     previous.push_back(p.xyz().to<double>());
     inverse_mass.push_back(p.w);
-    size = std::max({size, std::abs(previous.back().x), std::abs(previous.back().y), std::abs(previous.back().z)});
+    size = std::max(
+        {size, std::abs(previous.back().x), std::abs(previous.back().y), std::abs(previous.back().z)});
   }
   const auto expected = reference::pushes_of(list.hits, pose.triangles, previous, inverse_mass, object,
                                              {thickness, found.max_push});
@@ -76,10 +79,12 @@ void check_pushes(const Pose& pose, const mesh::TriangleMesh& object, const Foun
     if (doubtful[node]) continue;
     CAPTURE(node);
     REQUIRE(static_cast<std::uint32_t>(found.pushes[4 * node + 3]) == expected[node].count);
-    // Each push is rounded to half a unit; its distance carries a few roundings of the coordinates (2^-24 each).
+    // Each push is rounded to half a unit; its distance carries a few roundings of the coordinates (2^-24
+    // each).
     const double tolerance = expected[node].count * (0.5 / found.push_scale + 8 * size / (1U << 24U));
     for (int axis = 0; axis < 3; ++axis) {
-      const double sum = found.pushes[4 * node + static_cast<std::size_t>(axis)] / static_cast<double>(found.push_scale);
+      const double sum =
+          found.pushes[4 * node + static_cast<std::size_t>(axis)] / static_cast<double>(found.push_scale);
       CHECK(std::abs(sum - expected[node].sum[axis]) <= tolerance);
     }
   }
@@ -113,9 +118,15 @@ void check_object(const std::string& name, std::uint32_t nodes) {
 
 }  // namespace
 
-TEST_CASE("paper and bvh find the pairs of double and push by the same bits: sphere") { check_object("sphere", 41); }
-TEST_CASE("paper and bvh find the pairs of double and push by the same bits: armadillo") { check_object("armadillo", 14); }
-TEST_CASE("paper and bvh find the pairs of double and push by the same bits: dragon") { check_object("dragon", 10); }
+TEST_CASE("paper and bvh find the pairs of double and push by the same bits: sphere") {
+  check_object("sphere", 41);
+}
+TEST_CASE("paper and bvh find the pairs of double and push by the same bits: armadillo") {
+  check_object("armadillo", 14);
+}
+TEST_CASE("paper and bvh find the pairs of double and push by the same bits: dragon") {
+  check_object("dragon", 10);
+}
 TEST_CASE("long: paper and bvh find the pairs of double and push by the same bits: larger sheets") {
   check_object("armadillo", 60);
   check_object("dragon", 50);
@@ -169,7 +180,8 @@ TEST_CASE("several objects are one list: hits and pushes are those of the joined
   for (Vec3f& p : right.positions) p.x += 1.5F;
   const auto first = static_cast<std::uint32_t>(joined.positions.size());
   joined.positions.insert(joined.positions.end(), right.positions.begin(), right.positions.end());
-  for (const mesh::Triangle& t : right.triangles) joined.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  for (const mesh::Triangle& t : right.triangles)
+    joined.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   const Pose pose = sheet_over(mesh::bounds(joined), 25, 0.7, 0.02, 5);
   for (const ContactMethod method : {ContactMethod::Paper, ContactMethod::Bvh}) {
     CollisionSetup apart = setup_of(method, left, 0.02);
@@ -188,11 +200,14 @@ TEST_CASE("at large offsets and odd scales the pairs are those of double") {
   };
   for (const Place& place : {Place{1e-4, {}}, Place{1e4, {}}, Place{50, {1e5, -1e5, 1e5}}}) {
     CAPTURE(place.scale);
-    const mesh::TriangleMesh object = mesh::transformed(mesh::make_sphere(20, 20), place.scale, {0, 0, 0, 1}, place.offset);
+    const mesh::TriangleMesh object =
+        mesh::transformed(mesh::make_sphere(20, 20), place.scale, {0, 0, 0, 1}, place.offset);
     const Pose pose = sheet_over(mesh::bounds(object), 20, 0.7, 0.02, 11);
     const reference::PairList list = reference::find_pairs(pose.predicted_mesh(), object);
-    const Found paper = find_contacts(fixture.device(), pose, setup_of(ContactMethod::Paper, object, 0.01 * place.scale));
-    const Found bvh = find_contacts(fixture.device(), pose, setup_of(ContactMethod::Bvh, object, 0.01 * place.scale));
+    const Found paper =
+        find_contacts(fixture.device(), pose, setup_of(ContactMethod::Paper, object, 0.01 * place.scale));
+    const Found bvh =
+        find_contacts(fixture.device(), pose, setup_of(ContactMethod::Bvh, object, 0.01 * place.scale));
     CHECK(paper.same_as(bvh));
     CHECK(bvh.statistics.hits > 50);
     CHECK(explained(bvh.statistics, list));

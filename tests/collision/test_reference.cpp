@@ -1,8 +1,8 @@
 // The oracle itself, against what is known without it.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 
 #include "base/random.hpp"
 #include "mesh/primitives.hpp"
@@ -61,7 +61,9 @@ TEST_CASE("a segment meets a triangle where the definition says, in integers and
 }
 
 TEST_CASE("the double verdict is ambiguous next to a bound and certain away from it") {
-  const auto at = [](double x) { return segment_triangle({x, 1, -1}, {x, 1, 1}, kReal); };  // u + v = 1 at x = 3
+  const auto at = [](double x) {
+    return segment_triangle({x, 1, -1}, {x, 1, 1}, kReal);
+  };  // u + v = 1 at x = 3
   CHECK(at(3) == Verdict::Hit);
   CHECK(at(3 + 1e-6) == Verdict::Ambiguous);
   CHECK(at(3 + 1e-3) == Verdict::Miss);

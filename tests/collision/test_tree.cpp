@@ -33,17 +33,20 @@ std::vector<ObjectTriangle> scattered(std::uint32_t count, std::uint64_t seed, d
 }
 
 Box child_box(const TreeNode& node, std::size_t k) {
-  return {{node.low[0][k], node.low[1][k], node.low[2][k]}, {node.high[0][k], node.high[1][k], node.high[2][k]}};
+  return {{node.low[0][k], node.low[1][k], node.low[2][k]},
+          {node.high[0][k], node.high[1][k], node.high[2][k]}};
 }
 
-/// Walks as the kernel does, all boxes hit: counts triangles and nodes, checks boxes, gives the largest stack.
+/// Walks as the kernel does, all boxes hit: counts triangles and nodes, checks boxes, gives the largest
+/// stack.
 struct Walk {
   const ObjectTree& tree;
   std::vector<std::uint32_t> seen;  // how often each triangle was in a leaf
   std::vector<std::uint32_t> visits;
   std::size_t largest_stack = 0;
 
-  explicit Walk(const ObjectTree& tree_) : tree(tree_), seen(tree_.triangles.size()), visits(tree_.nodes.size()) {
+  explicit Walk(const ObjectTree& tree_)
+      : tree(tree_), seen(tree_.triangles.size()), visits(tree_.nodes.size()) {
     std::vector<std::pair<std::uint32_t, Box>> stack;
     constexpr float kAll = std::numeric_limits<float>::max();
     if (!tree.nodes.empty()) stack.push_back({0, {{-kAll, -kAll, -kAll}, {kAll, kAll, kAll}}});
@@ -85,8 +88,7 @@ void check_tree(const std::vector<ObjectTriangle>& triangles) {
   std::vector<std::uint32_t> ids = tree.ids;
   std::sort(ids.begin(), ids.end());
   for (std::uint32_t i = 0; i < ids.size(); ++i) CHECK(ids[i] == i);
-  for (std::uint32_t i = 0; i < tree.ids.size(); ++i)
-    CHECK(tree.triangles[i].a == triangles[tree.ids[i]].a);
+  for (std::uint32_t i = 0; i < tree.ids.size(); ++i) CHECK(tree.triangles[i].a == triangles[tree.ids[i]].a);
 }
 
 std::uint32_t depth(const BinaryTree& tree, std::uint32_t node) {
@@ -97,24 +99,30 @@ std::uint32_t depth(const BinaryTree& tree, std::uint32_t node) {
 }  // namespace
 
 TEST_CASE("each triangle is in exactly one leaf, in boxes that hold it, for every number of triangles") {
-  for (const std::uint32_t count : {0U, 1U, 2U, 3U, 4U, 5U, 8U, 9U, 16U, 17U, 31U, 32U, 33U, 255U, 256U, 257U, 2047U,
-                                    2048U, 2049U, 16383U, 16384U, 16385U}) {
+  for (const std::uint32_t count :
+       {0U,  1U,  2U,   3U,   4U,   5U,    8U,    9U,    16U,    17U,    31U,
+        32U, 33U, 255U, 256U, 257U, 2047U, 2048U, 2049U, 16383U, 16384U, 16385U}) {
     CAPTURE(count);
     check_tree(scattered(count, count, 0.05));
   }
 }
 
-TEST_CASE("triangles that no plane parts still end in leaves of four, at a depth that grows with the logarithm") {
+TEST_CASE(
+    "triangles that no plane parts still end in leaves of four, at a depth that grows with the logarithm") {
   const std::vector<ObjectTriangle> same(5000, triangle_at({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
   check_tree(same);
   CHECK(depth(build_binary_tree(same), 0) <= 11);  // 5000 / 4 < 2^11
 }
 
-TEST_CASE("sizes that shrink by half, the worst for the surface area heuristic, stay within the depth and the stack") {
-  std::vector<ObjectTriangle> shrinking;  // 16 bins part four sizes from the rest at a time: 60 levels without a limit
+TEST_CASE(
+    "sizes that shrink by half, the worst for the surface area heuristic, stay within the depth and the "
+    "stack") {
+  std::vector<ObjectTriangle>
+      shrinking;  // 16 bins part four sizes from the rest at a time: 60 levels without a limit
   for (int i = 0; i < 240; ++i) {
     const float x = std::ldexp(1.0F, 120 - i);
-    for (int copy = 0; copy < 6; ++copy) shrinking.push_back(triangle_at({x, 0, 0}, {1.5F * x, 0, 0}, {x, x, 0}));
+    for (int copy = 0; copy < 6; ++copy)
+      shrinking.push_back(triangle_at({x, 0, 0}, {1.5F * x, 0, 0}, {x, x, 0}));
   }
   check_tree(shrinking);
   CHECK(depth(build_binary_tree(shrinking), 0) <= 40 + 11);

@@ -29,7 +29,10 @@ std::vector<std::uint32_t> run_pairs(gpu::Device& device, const std::vector<Vec4
   auto group = kernel->bind({*input, *output});
   REQUIRE(group);
   gpu::CommandList list;
-  { gpu::ComputePass pass(list, "pairs"); kernel->dispatch(pass, *group, output->size()); }
+  {
+    gpu::ComputePass pass(list, "pairs");
+    kernel->dispatch(pass, *group, output->size());
+  }
   REQUIRE(device.submit(list));
   auto results = gpu::download(device, *output);
   REQUIRE(results);
@@ -101,7 +104,8 @@ double check_real(gpu::Device& device, const std::vector<RealPair>& pairs, const
   return share;
 }
 
-std::vector<RealPair> random_pairs(std::uint32_t count, std::uint64_t seed, double scale, const Vec3d& offset) {
+std::vector<RealPair> random_pairs(std::uint32_t count, std::uint64_t seed, double scale,
+                                   const Vec3d& offset) {
   Random random(seed);
   const auto point = [&](double range) {
     return Vec3d{random.uniform(-range, range), random.uniform(-range, range), random.uniform(-range, range)};
@@ -122,7 +126,8 @@ TEST_CASE("all pairs of triangles on the corners of a cube are found as in integ
   GpuFixture fixture;
   std::vector<LatticeTriangle> triangles;
   const auto corner = [](std::int64_t i) { return LatticePoint{i & 1, (i >> 1) & 1, (i >> 2) & 1}; };
-  for (std::int64_t i = 0; i < 512; ++i) triangles.push_back({corner(i & 7), corner((i >> 3) & 7), corner(i >> 6)});
+  for (std::int64_t i = 0; i < 512; ++i)
+    triangles.push_back({corner(i & 7), corner((i >> 3) & 7), corner(i >> 6)});
   std::vector<LatticePair> pairs;
   for (const LatticeTriangle& cloth : triangles)
     for (const LatticeTriangle& object : triangles) pairs.push_back({cloth, object});
@@ -135,7 +140,8 @@ TEST_CASE("all triangles of a 3 x 3 x 3 lattice are found as in integers against
   const auto point = [](std::uint32_t i) { return LatticePoint{i % 3, i / 3 % 3, i / 9}; };
   std::vector<LatticePair> pairs;
   for (int k = 0; k < 40; ++k) {
-    const LatticeTriangle object = {point(random.below(27)), point(random.below(27)), point(random.below(27))};
+    const LatticeTriangle object = {point(random.below(27)), point(random.below(27)),
+                                    point(random.below(27))};
     for (std::uint32_t a = 0; a < 27; ++a)
       for (std::uint32_t b = a + 1; b < 27; ++b)
         for (std::uint32_t c = b + 1; c < 27; ++c) pairs.push_back({{point(a), point(b), point(c)}, object});
@@ -143,7 +149,9 @@ TEST_CASE("all triangles of a 3 x 3 x 3 lattice are found as in integers against
   CHECK(check_lattice(fixture.device(), pairs) > 1000);
 }
 
-TEST_CASE("random pairs on a lattice are found as in integers: apart, touching, sharing corners, coplanar, slivers") {
+TEST_CASE(
+    "random pairs on a lattice are found as in integers: apart, touching, sharing corners, coplanar, "
+    "slivers") {
   GpuFixture fixture;
   Random random(1);
   constexpr std::int64_t kHalf = kLatticeExtent / 2;
@@ -152,16 +160,30 @@ TEST_CASE("random pairs on a lattice are found as in integers: apart, touching, 
     const std::int64_t half = i % 2 == 0 ? kHalf : 3;  // small lattices touch often
     LatticePair pair{random_triangle(random, half), random_triangle(random, half)};
     switch (i % 10) {
-      case 1: pair.cloth[0] = pair.object[random.below(3)]; break;                                    // a corner
-      case 2: pair.cloth[0] = pair.object[1], pair.cloth[1] = pair.object[0]; break;                  // an edge
-      case 3: for (auto& p : pair.cloth) p[2] = 0; for (auto& p : pair.object) p[2] = 0; break;       // coplanar
-      case 4: for (std::size_t k = 0; k < 3; ++k) pair.object[2][k] = pair.object[1][k];              // a line
-              pair.object[2][0] = std::min(pair.object[2][0] + 1, half); break;                       // or a sliver
-      case 5: for (std::size_t k = 0; k < 3; ++k)                                                     // on an edge
-                pair.cloth[0][k] = (pair.object[0][k] + pair.object[1][k]) / 2;
-              break;
-      case 6: for (auto& p : pair.object) p[1] = 0; pair.cloth[0][1] = 0; break;                      // in the plane
-      default: break;
+      case 1:
+        pair.cloth[0] = pair.object[random.below(3)];
+        break;  // a corner
+      case 2:
+        pair.cloth[0] = pair.object[1], pair.cloth[1] = pair.object[0];
+        break;  // an edge
+      case 3:
+        for (auto& p : pair.cloth) p[2] = 0;
+        for (auto& p : pair.object) p[2] = 0;
+        break;  // coplanar
+      case 4:
+        for (std::size_t k = 0; k < 3; ++k) pair.object[2][k] = pair.object[1][k];  // a line
+        pair.object[2][0] = std::min(pair.object[2][0] + 1, half);
+        break;  // or a sliver
+      case 5:
+        for (std::size_t k = 0; k < 3; ++k)  // on an edge
+          pair.cloth[0][k] = (pair.object[0][k] + pair.object[1][k]) / 2;
+        break;
+      case 6:
+        for (auto& p : pair.object) p[1] = 0;
+        pair.cloth[0][1] = 0;
+        break;  // in the plane
+      default:
+        break;
     }
     pairs.push_back(pair);
   }
@@ -175,5 +197,6 @@ TEST_CASE("random real pairs are found as in double wherever rounding leaves no 
   CHECK(check_real(fixture.device(), random_pairs(50000, 3, 1e4, {}), "scale 1e4") < 1e-3);
   // Coordinates are multiples of 1/128 there: the inputs are coarse, the verdict on them is not.
   CHECK(check_real(fixture.device(), random_pairs(50000, 4, 1, {1e5, -1e5, 1e5}), "offset 1e5") < 0.02);
-  CHECK(check_real(fixture.device(), random_pairs(50000, 5, 1e3, {1e5, -1e5, 1e5}), "scale 1e3, offset 1e5") < 1e-3);
+  CHECK(check_real(fixture.device(), random_pairs(50000, 5, 1e3, {1e5, -1e5, 1e5}), "scale 1e3, offset 1e5") <
+        1e-3);
 }

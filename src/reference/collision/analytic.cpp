@@ -28,11 +28,13 @@ Surface surface_at(const scene::ColliderPlane& plane, const Vec3d& point) {
 std::vector<NodePush> analytic_pushes(std::span<const Vec3d> previous, std::span<const Vec3d> predicted,
                                       std::span<const double> inverse_mass,
                                       std::span<const scene::ColliderSphere> spheres,
-                                      std::span<const scene::ColliderPlane> planes, const PushLimits& limits) {
+                                      std::span<const scene::ColliderPlane> planes,
+                                      const PushLimits& limits) {
   std::vector<NodePush> pushes(previous.size());
   for (std::size_t node = 0; node < previous.size(); ++node) {
     if (inverse_mass[node] == 0) continue;
-    for (const auto& sphere : spheres) add_push(pushes[node], sphere, previous[node], predicted[node], limits);
+    for (const auto& sphere : spheres)
+      add_push(pushes[node], sphere, previous[node], predicted[node], limits);
     for (const auto& plane : planes) add_push(pushes[node], plane, previous[node], predicted[node], limits);
   }
   return pushes;

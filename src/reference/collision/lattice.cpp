@@ -5,11 +5,14 @@
 namespace weft::reference {
 namespace {
 
-LatticePoint minus(const LatticePoint& a, const LatticePoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+LatticePoint minus(const LatticePoint& a, const LatticePoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 /// x . (y x z)
 std::int64_t determinant(const LatticePoint& x, const LatticePoint& y, const LatticePoint& z) {
-  return x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) + x[2] * (y[0] * z[1] - y[1] * z[0]);
+  return x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
+         x[2] * (y[0] * z[1] - y[1] * z[0]);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace weft::reference {
 inline constexpr std::int64_t kLatticeExtent = 44;
 static_assert(3.0 * 64 / (1U << 24U) * kLatticeExtent * kLatticeExtent * kLatticeExtent < 1,
               "a tolerance below 1 tells integers apart");
-static_assert(6 * kLatticeExtent * kLatticeExtent * kLatticeExtent < (1 << 24), "f32 holds every determinant");
+static_assert(6 * kLatticeExtent * kLatticeExtent * kLatticeExtent < (1 << 24),
+              "f32 holds every determinant");
 
 using LatticePoint = std::array<std::int64_t, 3>;
 using LatticeTriangle = std::array<LatticePoint, 3>;

@@ -23,7 +23,8 @@ bool overlap(const Box& a, const Box& b) {
 
 Box grown(const Box& box) {
   float size = 0;
-  for (int axis = 0; axis < 3; ++axis) size = std::max({size, std::abs(box.low[axis]), std::abs(box.high[axis])});
+  for (int axis = 0; axis < 3; ++axis)
+    size = std::max({size, std::abs(box.low[axis]), std::abs(box.high[axis])});
   const float growth = size / (1U << 20U);
   return {box.low - Vec3f{growth, growth, growth}, box.high + Vec3f{growth, growth, growth}};
 }
@@ -39,7 +40,8 @@ bool finite(const mesh::TriangleMesh& mesh, std::uint32_t triangle) {
 
 TrianglePoints points_of(const mesh::TriangleMesh& mesh, std::uint32_t triangle) {
   const mesh::Triangle& t = mesh.triangles[triangle];
-  return {mesh.positions[t[0]].to<double>(), mesh.positions[t[1]].to<double>(), mesh.positions[t[2]].to<double>()};
+  return {mesh.positions[t[0]].to<double>(), mesh.positions[t[1]].to<double>(),
+          mesh.positions[t[2]].to<double>()};
 }
 
 PairList find_pairs(const mesh::TriangleMesh& cloth, const mesh::TriangleMesh& object) {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "reference/collision/segment_triangle.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "reference/collision/segment_triangle.hpp"
 
 namespace weft::reference {
 
@@ -24,9 +24,10 @@ struct PairList {
 
 TrianglePoints points_of(const mesh::TriangleMesh& mesh, std::uint32_t triangle);
 
-/// Every cloth triangle against every object triangle. Pairs whose boxes lie apart by more than the f32 kernels' bound,
-/// 2^-21 of the largest cloth coordinate, miss there and have no common point here, so skipping them loses nothing; twice
-/// that bound is taken, so that no rounding of it matters. Cloth triangles that are not finite have no pairs.
+/// Every cloth triangle against every object triangle. Pairs whose boxes lie apart by more than the f32
+/// kernels' bound, 2^-21 of the largest cloth coordinate, miss there and have no common point here, so
+/// skipping them loses nothing; twice that bound is taken, so that no rounding of it matters. Cloth triangles
+/// that are not finite have no pairs.
 PairList find_pairs(const mesh::TriangleMesh& cloth, const mesh::TriangleMesh& object);
 
 }  // namespace weft::reference

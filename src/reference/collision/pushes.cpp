@@ -8,7 +8,8 @@ double push_length(double distance, const PushLimits& limits) {
   return std::clamp(limits.thickness - distance, 0.0, limits.max_push);
 }
 
-std::vector<NodePush> pushes_of(std::span<const TrianglePair> pairs, std::span<const mesh::Triangle> cloth_triangles,
+std::vector<NodePush> pushes_of(std::span<const TrianglePair> pairs,
+                                std::span<const mesh::Triangle> cloth_triangles,
                                 std::span<const Vec3d> previous, std::span<const double> inverse_mass,
                                 const mesh::TriangleMesh& object, const PushLimits& limits) {
   std::vector<NodePush> pushes(previous.size());

@@ -11,7 +11,7 @@
 namespace weft::reference {
 
 struct NodePush {
-  Vec3d sum;                // [m]
+  Vec3d sum;  // [m]
   std::uint32_t count = 0;
 };
 
@@ -23,10 +23,11 @@ struct PushLimits {
 /// (thickness - distance)+, cut to max_push [m].
 double push_length(double distance, const PushLimits& limits);
 
-/// For each node the sum of its pushes and their number: each pair pushes the three nodes of its cloth triangle along
-/// the object triangle's outward normal, from their previous positions. Source: Sung et al., Algorithm 2.
-/// A node with inverse mass 0 gets none.
-std::vector<NodePush> pushes_of(std::span<const TrianglePair> pairs, std::span<const mesh::Triangle> cloth_triangles,
+/// For each node the sum of its pushes and their number: each pair pushes the three nodes of its cloth
+/// triangle along the object triangle's outward normal, from their previous positions. Source: Sung et al.,
+/// Algorithm 2. A node with inverse mass 0 gets none.
+std::vector<NodePush> pushes_of(std::span<const TrianglePair> pairs,
+                                std::span<const mesh::Triangle> cloth_triangles,
                                 std::span<const Vec3d> previous, std::span<const double> inverse_mass,
                                 const mesh::TriangleMesh& object, const PushLimits& limits);
 

@@ -13,7 +13,8 @@ double winding_number(const Vec3d& point, const mesh::TriangleMesh& mesh) {
     const Vec3d c = mesh.positions[t[2]].to<double>() - point;
     const double la = length(a), lb = length(b), lc = length(c);
     // tan(angle / 2) = det(a, b, c) / (la lb lc + (a.b) lc + (b.c) la + (c.a) lb), equation 8
-    angle += 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    angle +=
+        2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   }
   return angle / kFourPi;
 }
