@@ -128,8 +128,8 @@ TEST_CASE("paper and bvh find the pairs of double and push by the same bits: dra
   check_object("dragon", 10);
 }
 TEST_CASE("long: paper and bvh find the pairs of double and push by the same bits: larger sheets") {
-  check_object("armadillo", 60);
-  check_object("dragon", 50);
+  check_object("armadillo", 40);
+  check_object("dragon", 30);
 }
 
 TEST_CASE("no bit depends on the workgroup, on the run, on the split, or on the parity of the substep") {
