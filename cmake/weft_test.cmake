@@ -1,4 +1,4 @@
-# weft_test(NAME SOURCES ... IMPORTS rooms... LIBRARIES others... [GPU])
+# weft_test(NAME SOURCES ... IMPORTS rooms... LIBRARIES others... [GPU [DRIVERS lavapipe]])
 #
 # One doctest program for a room; each test case becomes a ctest test. A GPU program is registered twice, once for
 # each software Vulkan driver that ./dev installs: "lavapipe.NAME: case" and "swiftshader.NAME: case".
@@ -10,14 +10,17 @@ set(WEFT_ICD_lavapipe /usr/share/vulkan/icd.d/lvp_icd.x86_64.json)
 set(WEFT_ICD_swiftshader /usr/lib/chromium/vk_swiftshader_icd.json)
 
 function(weft_test NAME)
-  cmake_parse_arguments(TEST "GPU" "" "SOURCES;IMPORTS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "GPU" "" "SOURCES;IMPORTS;LIBRARIES;DRIVERS" ${ARGN})
+  if(NOT TEST_DRIVERS)
+    set(TEST_DRIVERS lavapipe swiftshader)
+  endif()
   list(TRANSFORM TEST_IMPORTS PREPEND weft_)
   add_executable(test_${NAME} ${TEST_SOURCES})
   target_include_directories(test_${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_link_libraries(test_${NAME} PRIVATE ${TEST_IMPORTS} ${TEST_LIBRARIES} weft_test_main)
   target_compile_definitions(test_${NAME} PRIVATE WEFT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   if(TEST_GPU)
-    foreach(driver lavapipe swiftshader)
+    foreach(driver ${TEST_DRIVERS})
       weft_discover(${NAME} ${driver}. "VK_DRIVER_FILES=${WEFT_ICD_${driver}};VK_ICD_FILENAMES=${WEFT_ICD_${driver}}")
     endforeach()
   else()
