@@ -39,12 +39,14 @@ std::string models_folder() {
 }
 
 void say(const char* format, ...) {
+  char text[4096];
   std::va_list arguments;
   va_start(arguments, format);
-  std::fputs("weft: ", stderr);
-  std::vfprintf(stderr, format, arguments);
-  std::fputc('\n', stderr);
+  std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
+  for (char* c = text; *c != 0; ++c)  // a file's name may hold a newline or an escape, a message is one line
+    if (static_cast<unsigned char>(*c) < ' ' || *c == 0x7f) *c = '?';
+  std::fprintf(stderr, "weft: %s\n", text);
 }
 
 int report(const Error& error) {
@@ -56,8 +58,9 @@ bool interrupted() {
   static const bool installed = [] {
     struct sigaction action = {};
     action.sa_handler = on_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl-C ends the process at once
+    action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal ends the process at once
     sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
     return true;
   }();
   return installed && g_interrupted != 0;

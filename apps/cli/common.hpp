@@ -24,12 +24,12 @@ Result<scene::Scene> load(const SceneOptions& options);
 /// The folder of the models that ./dev build makes: $WEFT_MODELS, or models/ beside the folder of this program.
 std::string models_folder();
 
-/// Says a message on stderr.
+/// Says a message on stderr, in one line: control characters become "?".
 [[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
 /// Says why a command failed; the exit code that stands for it.
 int report(const Error& error);
 
-/// Whether the user has asked to stop (Ctrl-C). The first call installs the handler.
+/// Whether the user has asked to stop (SIGINT, SIGTERM). The first call installs the handler.
 bool interrupted();
 
 }  // namespace weft::cli

@@ -36,6 +36,7 @@ complete -c weft -n "__fish_seen_subcommand_from run bench" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
 complete -c weft -n "__fish_seen_subcommand_from bench" -a "hanging pull"
 complete -c weft -n "__fish_seen_subcommand_from bench" -l quick
+complete -c weft -n "__fish_seen_subcommand_from bench" -l unchecked
 complete -c weft -n "__fish_seen_subcommand_from completion" -a "bash zsh fish"
 )";
 

@@ -1,6 +1,9 @@
 // The command line. Data goes to stdout, all else to stderr; docs/cli.md lists commands and exit codes.
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 
 #include "bench.hpp"
 #include "completion.hpp"
@@ -13,13 +16,26 @@ using namespace weft::cli;
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("SCENE", options.path, "Scene file, as docs/scene.md describes it")->required();
-  command.add_option("--set", options.sets, "Change a value of the scene: cloths.0.grid=[128,128]")->type_name("KEY=JSON");
+  command.add_option("--set", options.sets, "Change a value of the scene: cloths.0.grid=[128,128]")
+      ->type_name("KEY=JSON")
+      ->allow_extra_args(false);  // else it takes SCENE for a second value
   command.add_option("--solver", options.solver, "Replace the scene's solver by this kind's defaults")->type_name("KIND");
+}
+
+/// The exit code of a command whose data may not all have reached a full disk or a closed pipe.
+int finish_output(int code) {
+  const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (whole || code != 0) return code;
+  say("Standard output cannot be written: %s.", std::strerror(errno));
+  return 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Mesa's drivers ask for a Wayland display, and say so on stderr where there is no session. weft opens no window.
+  setenv("XDG_RUNTIME_DIR", "/nonexistent", 0);
+
   CLI::App app(
       "Example: weft run scenes/pull-armadillo.json --out out/pull\n\n"
       "Real-time cloth on any GPU: simulates a scene and draws it.\n",
@@ -60,14 +76,18 @@ int main(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    return finish_output(app.exit(wanted));
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    say("%s; weft --help and weft COMMAND --help say more.", error.what());
+    return 2;
   }
-  if (*run_command) return run(run_options);
-  if (*check_command) return check(check_options);
-  if (*adapters_command) return list_adapters();
-  if (*schema_command) return print_schema();
-  if (*bench_command) return bench(bench_options);
-  if (*completion_command) return print_completion(shell);
-  return 2;
+  int code = 2;
+  if (*run_command) code = run(run_options);
+  if (*check_command) code = check(check_options);
+  if (*adapters_command) code = list_adapters();
+  if (*schema_command) code = print_schema();
+  if (*bench_command) code = bench(bench_options);
+  if (*completion_command) code = print_completion(shell);
+  return finish_output(code);
 }

@@ -113,8 +113,9 @@ Result<void> Pictures::finish() {
     WEFT_CHECK(store(std::move(image)));
   }
   WEFT_CHECK(png_.finish());
-  if (video_ && stored_ > 0) WEFT_CHECK(video_->finish());
   std::error_code ignored;
+  if (has_video()) WEFT_CHECK(video_->finish());
+  else std::filesystem::remove(folder_ + "/run.mp4", ignored);
   for (std::uint32_t old = stored_; std::filesystem::remove(folder_ + "/" + frame_name(old), ignored); ++old) {
   }
   return {};

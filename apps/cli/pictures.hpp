@@ -18,10 +18,12 @@ class Pictures {
 
   /// Draws the current state as the next frame; pictures are written as they arrive.
   Result<void> draw(const sim::World& world);
-  /// Waits until all is written. Removes pictures that a longer run left in the folder.
+  /// Waits until all is written. Removes pictures and a video that an earlier run left in the folder.
   Result<void> finish();
   std::uint32_t count() const { return drawn_; }
-  bool has_video() const { return video_.has_value(); }
+  bool can_video() const { return video_.has_value(); }
+  /// Whether there are frames to make a video of, and ffmpeg to make it.
+  bool has_video() const { return can_video() && drawn_ > 0; }
 
  private:
   Result<void> store(render::Image image);
