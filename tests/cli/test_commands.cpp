@@ -1,0 +1,233 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "mesh/mesh_files.hpp"
+#include "mesh/obj.hpp"
+#include "mesh/ply.hpp"
+#include "weft.hpp"
+
+using namespace weft;
+
+namespace {
+
+const std::vector<std::string> kCommands = {"run", "check", "adapters", "schema", "bench", "completion"};
+
+/// The words of small letters that follow "--" in a text.
+std::set<std::string> options_in(const std::string& text) {
+  std::set<std::string> options;
+  for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at + 2)) {
+    const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz", at + 2);
+    options.insert(text.substr(at + 2, end - at - 2));
+  }
+  options.erase("");
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("check reads a scene and its meshes without any adapter") {
+  const TemporaryFolder folder;
+  put(folder, "cube.obj", mesh::write_obj(mesh::cube()));
+  const std::string scene =
+      put(folder, "a.json", tiny_scene(R"("colliders": [{"kind": "mesh", "mesh": "cube.obj"}], )"));
+  const Ended ended = run_without_driver({"check", scene});
+  CHECK(ended.code == 0);
+  CHECK(ended.err == "");
+  CHECK(ended.out ==
+        scene + " is a valid scene: 1 cloth with 30 nodes and 40 triangles, 1 collider with 12 triangles.\n");
+}
+
+TEST_CASE("check accepts every shipped scene") {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(WEFT_SOURCE_DIR "/scenes")) {
+    const Ended ended = run_without_driver({"check", entry.path().string()});
+    CHECK_MESSAGE(ended.code == 0, ended.err);
+    ++count;
+  }
+  CHECK(count >= 3);
+}
+
+TEST_CASE("check says how many triangles of a collider have no area, and goes on") {
+  const TemporaryFolder folder;
+  put(folder, "flat.obj", mesh::write_obj(mesh::cube()) + "f 1 1 2\nf 1 2 2\n");
+  put(folder, "a.json", tiny_scene(R"("colliders": [{"kind": "mesh", "mesh": "flat.obj"}], )"));
+  const Ended ended = run_without_driver({"check", "a.json"}, {{}, folder.path(""), false});
+  CHECK(ended.code == 0);
+  CHECK(ended.err == "weft: 2 triangles of the colliders have no area and are left out.\n");
+  CHECK(ended.out.find("1 collider with 12 triangles") != std::string::npos);
+}
+
+TEST_CASE("meshes lie beside their scene and models beside the program, wherever weft is run from") {
+  const TemporaryFolder folder;
+  for (const char* name : {"bin", "models", "scenes", "elsewhere", "others"})
+    std::filesystem::create_directory(folder.path(name));
+  const std::filesystem::path binary = WEFT_BINARY;
+  std::filesystem::copy_file(binary, folder.path("bin/weft"));
+  std::filesystem::create_symlink(binary.parent_path() / "libwgpu_native.so",
+                                  folder.path("bin/libwgpu_native.so"));
+  std::filesystem::create_symlink("bin/weft", folder.path("link"));
+  put(folder, "models/block.ply", mesh::text_of(mesh::write_ply(mesh::cube())));
+  put(folder, "scenes/cube.obj", mesh::write_obj(mesh::cube()));
+  put(folder, "scenes/a.json", tiny_scene(R"("colliders": [{"kind": "mesh", "mesh": "cube.obj"},
+                                                            {"kind": "mesh", "mesh": "block"}], )"));
+  const CallOptions elsewhere = on_lavapipe({{"WEFT_MODELS"}, folder.path("elsewhere"), false});
+  for (const char* program : {"bin/weft", "link"}) {
+    const Ended ended = call({folder.path(program), "check", "../scenes/a.json"}, elsewhere);
+    CHECK_MESSAGE(ended.code == 0, ended.err);
+    CHECK(ended.out.find("2 colliders with 24 triangles") != std::string::npos);
+  }
+  // WEFT_MODELS goes before the place beside the program.
+  const Ended other = call({folder.path("bin/weft"), "check", "../scenes/a.json"},
+                           on_lavapipe({{"WEFT_MODELS=../others"}, folder.path("elsewhere"), false}));
+  CHECK(other.code == 3);
+  CHECK(check_message(other.err) == "");
+  CHECK(other.err.find("block") != std::string::npos);
+}
+
+TEST_CASE("adapters names the adapter on stdout and says nothing else") {
+  const Ended ended = run_weft({"adapters"});
+  CHECK(ended.code == 0);
+  CHECK(ended.out.find("llvmpipe") != std::string::npos);
+  CHECK(ended.out.find("(CPU, Vulkan, ") != std::string::npos);
+  CHECK(ended.err == "");
+}
+
+TEST_CASE("without a driver adapters and run end with exit code 4 and one sentence") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"adapters"},
+                                             {"run", scene},
+                                             {"run", scene, "--out", folder.path("out")},
+                                             {"bench", "hanging", "--quick"}}) {
+    const Ended ended = run_without_driver(arguments);
+    CHECK(ended.code == 4);
+    CHECK(ended.out == "");
+    CHECK(check_message(ended.err) == "");
+    CHECK(ended.err.find("No WebGPU adapter was found") != std::string::npos);
+  }
+  CHECK(!std::filesystem::exists(folder.path("out")));
+}
+
+TEST_CASE(
+    "an adapter is named by any part of its name, and a name that fits none is answered with those there "
+    "are") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  CHECK(run_weft({"run", scene, "--frames", "0", "--adapter", "LLVMpipe"}).code == 0);
+  const Ended ended = run_weft({"run", scene, "--adapter", "nosuch"});
+  CHECK(ended.code == 4);
+  CHECK(check_message(ended.err) == "");
+  CHECK(ended.err.find("\"nosuch\"") != std::string::npos);
+  CHECK(ended.err.find("llvmpipe") != std::string::npos);
+}
+
+TEST_CASE("schema prints a JSON Schema that knows the keys of a scene") {
+  const Ended ended = run_without_driver({"schema"});
+  CHECK(ended.code == 0);
+  CHECK(ended.err == "");
+  const auto schema = json_of(ended.out);
+  CHECK(schema.at("$schema") == "https://json-schema.org/draft/2020-12/schema");
+  for (const char* key : {"format", "time", "solver", "contact", "cloths", "colliders"})
+    CHECK(schema.at("properties").contains(key));
+}
+
+TEST_CASE("the help of every command begins with an example") {
+  std::vector<std::vector<std::string>> calls = {{"--help"}};
+  for (const std::string& command : kCommands) calls.push_back({command, "--help"});
+  for (const auto& arguments : calls) {
+    const Ended ended = run_without_driver(arguments);
+    CAPTURE(arguments[0]);
+    CHECK(ended.code == 0);
+    CHECK(ended.err == "");
+    CHECK(ended.out.rfind("Example: ", 0) == 0);
+    CHECK(ended.out.substr(0, ended.out.find('\n')).find("weft ") != std::string::npos);
+    if (arguments.size() == 2) CHECK(ended.out.find("weft " + arguments[0]) != std::string::npos);
+    CHECK(ended.out.find("--fault") == std::string::npos);
+  }
+  CHECK(run_without_driver({"--version"}).out.rfind("weft 0.", 0) == 0);
+}
+
+TEST_CASE("completion prints scripts that shells accept and that know every command and option") {
+  const TemporaryFolder folder;
+  for (const std::string shell : {"bash", "zsh", "fish"}) {
+    const Ended ended = run_without_driver({"completion", shell});
+    CAPTURE(shell);
+    CHECK(ended.code == 0);
+    CHECK(ended.err == "");
+    const std::string script = put(folder, "weft." + shell, ended.out);
+    const std::string checker = shell == "fish"                        ? "fish"
+                                : shell == "zsh" && has_program("zsh") ? "zsh"
+                                                                       : "bash";
+    if (has_program(checker)) CHECK(call({"/usr/bin/env", checker, "-n", script}).code == 0);
+    for (const std::string& command : kCommands) {
+      CHECK(ended.out.find(command) != std::string::npos);
+      for (const std::string& option : options_in(run_without_driver({command, "--help"}).out)) {
+        if (shell == "fish" && option == "help") continue;
+        INFO(command << " --" << option);
+        CHECK(ended.out.find((shell == "fish" ? "-l " : "--") + option) != std::string::npos);
+      }
+    }
+  }
+  const std::string words =
+      "source " + folder.path("weft.bash") + "; COMP_WORDS=(weft run --f); COMP_CWORD=2; _weft; ";
+  CHECK(call({"/bin/bash", "-c", words + "echo ${COMPREPLY[@]}"}).out == "--frames\n");
+}
+
+TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const std::vector<std::vector<std::string>> calls = {{},
+                                                       {"walk"},
+                                                       {"--nosuch"},
+                                                       {"run"},
+                                                       {"check"},
+                                                       {"run", scene, "--nosuch"},
+                                                       {"run", scene, "more"},
+                                                       {"run", scene, "--frames", "x"},
+                                                       {"run", scene, "--frames", "-1"},
+                                                       {"run", scene, "--frames", "2.5"},
+                                                       {"run", scene, "--frames", "99999999999"},
+                                                       {"run", scene, "--frames"},
+                                                       {"run", scene, "--out"},
+                                                       {"check", scene, "--set"},
+                                                       {"check", scene, "--set", ""},
+                                                       {"check", scene, "--set", "drag"},
+                                                       {"check", scene, "--frames", "1"},
+                                                       {"bench"},
+                                                       {"bench", "nosuch"},
+                                                       {"completion"},
+                                                       {"completion", "cmd"},
+                                                       {"run", scene, "--no\nsuch"}};
+  for (const auto& arguments : calls) {
+    std::string all;
+    for (const std::string& argument : arguments) all += " " + argument;
+    CAPTURE(all);
+    const Ended ended = run_without_driver(arguments);
+    CHECK(ended.code == 2);
+    CHECK(ended.out == "");
+    CHECK(check_message(ended.err) == "");
+  }
+}
+
+TEST_CASE("an option takes one value, so that the scene may come after it") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  CHECK(run_without_driver({"check", "--set", "drag=1", scene}).code == 0);
+  CHECK(run_without_driver({"check", "--set", "drag=1", "--set", "gravity=[0,0,0]", scene}).code == 0);
+  CHECK(run_without_driver({"check", "--solver", "mass_spring", "--set=drag=1", scene}).code == 0);
+}
+
+TEST_CASE("output that cannot be written whole is a failure") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  for (const std::string command : {"schema", "completion bash", "run --help", "--version"}) {
+    const Ended ended = call({"/bin/sh", "-c", std::string(WEFT_BINARY) + " " + command + " > /dev/full"});
+    CAPTURE(command);
+    CHECK(ended.code == 1);
+    CHECK(ended.err == "weft: Standard output cannot be written: No space left on device.\n");
+  }
+  CHECK(call({"/bin/sh", "-c", WEFT_BINARY " check " + scene + " > /dev/full"}).code == 1);
+}

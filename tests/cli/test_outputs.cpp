@@ -1,0 +1,82 @@
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "weft.hpp"
+
+using namespace weft;
+
+namespace {
+
+/// Whether the message names a limit, and gives a need that is over what there is.
+bool gives_both_numbers(const std::string& message) {
+  const std::size_t at = message.find("need");
+  unsigned long long need = 0, limit = 0;
+  return at != std::string::npos &&
+         std::sscanf(message.c_str() + at,
+                     "%*[a-z] %llu bytes, more than this adapter's max%*[A-Za-z] of %llu", &need,
+                     &limit) == 2 &&
+         need > limit;
+}
+
+/// Runs one frame into this folder, which must fail in these words and leave no temporary file.
+void check_refused(const TemporaryFolder& folder, const std::string& out, const std::string& words) {
+  CAPTURE(out);
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const Ended ended = run_weft({"run", scene, "--out", folder.path(out), "--frames", "1"});
+  CHECK(ended.code == 1);
+  CHECK(ended.out == "");
+  CHECK(check_message(ended.err) == "");
+  CHECK(ended.err.find(words) != std::string::npos);
+  for (const std::string& name : names_in(folder.path(""))) CHECK(name.find(".tmp") == std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("a folder that cannot be made or written ends the run with exit code 1 and one sentence") {
+  const TemporaryFolder folder;
+  put(folder, "file", "in the way");
+  std::filesystem::create_directories(folder.path("closed"));
+  REQUIRE(::chmod(folder.path("closed").c_str(), 0555) == 0);
+  check_refused(folder, "file", "file");
+  check_refused(folder, "file/out", "file/out cannot be made: Not a directory");
+  check_refused(folder, "closed", "closed");
+  check_refused(folder, "closed/out", "closed/out cannot be made: Permission denied");
+  CHECK(read_text(folder.path("file")) == "in the way");
+}
+
+TEST_CASE("a folder in the place of a result ends the run with exit code 1 and one sentence") {
+  const TemporaryFolder folder;
+  std::vector<std::string> names = {"final.obj", "summary.json", "frame_00000.png"};
+  if (has_program("ffmpeg")) names.emplace_back("run.mp4");
+  for (const std::string& name : names) {
+    std::filesystem::create_directories(folder.path("out-" + name + "/" + name + "/more"));
+    check_refused(folder, "out-" + name, name);
+  }
+}
+
+TEST_CASE("what the adapter cannot hold is refused with the limit and both numbers, and nothing is written") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  // 64 Mi nodes of 16 bytes; 60 motions of 48 bytes in each of 65,536 substeps.
+  const Ended grid =
+      run_weft({"run", scene, "--set", "cloths.0.grid=[16384,4096]", "--out", folder.path("out")});
+  CHECK(grid.code == 4);
+  CHECK(gives_both_numbers(grid.err));
+  CHECK(grid.peak < (std::size_t{kSanitized ? 1024 : 256} << 20U));  // and no gigabytes on the way
+  std::string motions;
+  for (int k = 0; k < 60; ++k)
+    motions += std::string(k == 0 ? "" : ",") + R"({"nodes": [{"nodes": [)" + std::to_string(k + 10) +
+               R"(]}], "kind": "line", "direction": [1, 0, 0], "speed": 1})";
+  const Ended many = run_weft({"run", scene, "--set", "cloths.0.grid=[10,10]", "--set", "time.substeps=65536",
+                               "--set", "cloths.0.motions=[" + motions + "]", "--out", folder.path("out")});
+  CHECK(many.code == 4);
+  CHECK(gives_both_numbers(many.err));
+  for (const Ended& ended : {grid, many}) {
+    CHECK(ended.out == "");
+    CHECK(check_message(ended.err) == "");
+  }
+  CHECK(names_in(folder.path("")) == std::vector<std::string>{"a.json"});
+}

@@ -1,0 +1,178 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "mesh/grid.hpp"
+#include "weft.hpp"
+
+using namespace weft;
+
+namespace {
+
+nlohmann::json run_json(const std::string& scene, std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {"run", scene, "--json"});
+  const Ended ended = run_weft(more);
+  REQUIRE_MESSAGE(ended.code == 0, ended.err);
+  return json_of(ended.out);
+}
+
+}  // namespace
+
+TEST_CASE("run leaves pictures, the final mesh, the summary and a video, and prints the summary as JSON") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const std::string out = folder.path("new/out");
+  const Ended ended = run_weft({"run", scene, "--out", out, "--json"});
+  REQUIRE_MESSAGE(ended.code == 0, ended.err);
+  CHECK(ended.err ==
+        (has_program("ffmpeg") ? "" : "weft: There is no ffmpeg on PATH, so there will be no run.mp4.\n"));
+
+  std::vector<std::string> names = {"final.obj", "frame_00000.png", "frame_00001.png", "frame_00002.png",
+                                    "summary.json"};
+  if (has_program("ffmpeg")) names.insert(names.begin() + 4, "run.mp4");
+  CHECK(names_in(out) == names);
+  CHECK(json_of(ended.out) == json_of(read_text(out + "/summary.json")));
+  const mesh::TriangleMesh final_mesh = read_obj_file(out + "/final.obj");
+  CHECK(final_mesh.positions.size() == 30);
+  CHECK(final_mesh.triangles.size() == 40);
+  const std::string png = read_text(out + "/frame_00002.png");  // signature, then IHDR with width and height
+  CHECK(png.substr(0, 24) == std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x40\0\0\0\x30", 24));
+}
+
+TEST_CASE("the summary has every documented member, with the values that follow from the scene") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const auto summary = run_json(scene);
+  CHECK(summary.at("scene") == scene);
+  CHECK(summary.at("end") == "complete");
+  CHECK(summary.at("solver") == "mass_spring");
+  CHECK(summary.at("forces") == "node_centric");
+  CHECK(summary.at("contact_method") == "bvh");
+  CHECK(summary.at("adapter").get<std::string>().find("llvmpipe") != std::string::npos);
+  CHECK(summary.at("nodes") == 30);      // 6 * 5
+  CHECK(summary.at("triangles") == 40);  // 2 * 5 * 4
+  // Structural 5 * 5 + 6 * 4, shear 2 * 5 * 4, bend 4 * 5 + 6 * 3.
+  CHECK(summary.at("springs") == 49 + 40 + 38);
+  CHECK(summary.at("frames") == 3);
+  CHECK(summary.at("substeps") == 4);
+  CHECK(summary.at("simulated_s").get<double>() == doctest::Approx(3.0 / 60));
+  CHECK(summary.at("step_s").get<double>() == doctest::Approx(1.0 / 240));
+  CHECK(summary.at("stable_step_s").get<double>() > 1.0 / 240);
+  const double median = summary.at("ms_per_frame").at("median"), least = summary.at("ms_per_frame").at("min");
+  CHECK(least > 0);
+  CHECK(median >= least);
+  const double wall = summary.at("wall_s");  // holds three frames, of which two take at least the median
+  CHECK(wall >= (2 * median + least) / 1000);
+  CHECK(wall < 20);
+  const double factor = summary.at("real_time_factor");
+  CHECK(factor >= 0.05 / wall);
+  CHECK(factor <= 0.05 / ((2 * median + least) / 1000) * 1.0001);
+  const std::string hash = summary.at("state_hash");
+  CHECK(hash.size() == 16);
+  CHECK(hash.find_first_not_of("0123456789abcdef") == std::string::npos);
+  CHECK(summary.at("max_stretch").get<double>() > 1);
+  CHECK(summary.at("max_stretch").get<double>() < 1.5);
+  CHECK(summary.at("nonfinite") == 0);
+  CHECK(summary.at("contacts") == 0);
+  CHECK(summary.at("contact_hash") == 0);
+  CHECK(summary.at("contact_overflow") == 0);
+  CHECK(summary.at("gpu_bytes").get<std::uint64_t>() > 30 * 16 * 4);
+}
+
+TEST_CASE("a run counts its contacts, and those of the paper's method are the tree's") {
+  const std::string scene = WEFT_SOURCE_DIR "/scenes/pull-sphere.json";
+  const std::vector<std::string> small = {"--frames", "2", "--set", "cloths.0.grid=[16,16]"};
+  const auto tree = run_json(scene, small);
+  std::vector<std::string> with_paper = small;
+  with_paper.insert(with_paper.end(), {"--set", "contact.method=paper"});
+  const auto paper = run_json(scene, with_paper);
+  CHECK(tree.at("contacts").get<std::uint64_t>() > 0);
+  CHECK(paper.at("contact_method") == "paper");
+  for (const char* member : {"contacts", "contact_hash", "state_hash"})
+    CHECK(paper.at(member) == tree.at(member));
+}
+
+TEST_CASE("two runs end in the same bits, and a longer one in others") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const auto first = run_json(scene), again = run_json(scene, {"--out", folder.path("out")});
+  CHECK(first.at("state_hash") == again.at("state_hash"));
+  CHECK(run_json(scene, {"--frames", "4"}).at("state_hash") != first.at("state_hash"));
+}
+
+TEST_CASE("a shorter run, or one without a video, leaves nothing of the run before it") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const std::string out = folder.path("out");
+  run_json(scene, {"--out", out, "--frames", "4"});
+  CHECK(count_frames(out) == 4);
+  const Ended without =
+      run_weft({"run", scene, "--out", out, "--frames", "2"}, {{"PATH=/nonexistent"}, "", false});
+  CHECK(without.code == 0);
+  CHECK(without.err == "weft: There is no ffmpeg on PATH, so there will be no run.mp4.\n");
+  CHECK(names_in(out) ==
+        std::vector<std::string>{"final.obj", "frame_00000.png", "frame_00001.png", "summary.json"});
+  put(folder, "out/run.mp4", "old");
+  run_json(scene, {"--out", out, "--frames", "0"});
+  CHECK(names_in(out) == std::vector<std::string>{"final.obj", "summary.json"});
+}
+
+TEST_CASE("no frames at all leave the cloth as it lies at rest") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const auto summary = run_json(scene, {"--frames", "0", "--out", folder.path("out")});
+  CHECK(summary.at("end") == "complete");
+  CHECK(summary.at("frames") == 0);
+  CHECK(summary.at("simulated_s") == 0);
+  CHECK(summary.at("real_time_factor") == 0);
+  const auto rest = read_obj_file(folder.path("out/final.obj"));
+  const mesh::Grid grid{6, 5, 1.0, 0.8};
+  REQUIRE(rest.positions.size() == 30);
+  CHECK(rest.triangles == mesh::grid_triangles(grid));
+  for (std::uint32_t j = 0; j < 5; ++j)
+    for (std::uint32_t i = 0; i < 6; ++i) {  // the sheet is centred, and j goes down
+      const Vec3f at = rest.positions[j * 6 + i];
+      CHECK(at.x == doctest::Approx(-0.5 + 0.2 * i));
+      CHECK(at.y == doctest::Approx(0.4 - 0.2 * j));
+      CHECK(at.z == 0);
+    }
+}
+
+TEST_CASE("--set changes a value, in order, and --solver replaces the whole solver") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene(R"("solver": {"forces": "spring_centric"}, )"));
+  CHECK(run_json(scene, {"--frames", "1"}).at("forces") == "spring_centric");
+  CHECK(run_json(scene, {"--frames", "1", "--solver", "mass_spring"}).at("forces") == "node_centric");
+  const auto changed =
+      run_json(scene, {"--set", "cloths.0.grid=[3,3]", "--set", "cloths[0].grid=[9,7]", "--set",
+                       "time.frames=1", "--set", "contact.method=none", "--set", "time.substeps=8"});
+  CHECK(changed.at("nodes") == 63);
+  CHECK(changed.at("frames") == 1);
+  CHECK(changed.at("substeps") == 8);
+  CHECK(changed.at("contact_method") == "none");
+}
+
+TEST_CASE("run takes relative paths from where it is run, and its lines for people say what was written") {
+  const TemporaryFolder folder;
+  put(folder, "a.json", tiny_scene());
+  const Ended ended =
+      run_weft({"run", "a.json", "--out", "out", "--frames", "2"}, {{}, folder.path(""), false});
+  REQUIRE_MESSAGE(ended.code == 0, ended.err);
+  CHECK(count_frames(folder.path("out")) == 2);
+  const auto summary = json_of(read_text(folder.path("out/summary.json")));
+  CHECK(ended.out.rfind("a.json: complete\n", 0) == 0);
+  CHECK(ended.out.find("state hash  " + summary.at("state_hash").get<std::string>()) != std::string::npos);
+  CHECK(ended.out.find("out: 2 pictures") != std::string::npos);
+}
+
+TEST_CASE("a bar shows progress on a terminal, and clears its line at the end") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const Ended ended = run_weft({"run", scene, "--json"}, {{}, "", true});
+  CHECK(ended.code == 0);
+  CHECK(ended.err.find("\rsimulating [##########....................] 1/3") != std::string::npos);
+  CHECK(ended.err.find("\rsimulating [##############################] 3/3") != std::string::npos);
+  CHECK(ended.err.substr(ended.err.rfind('\r')) == "\r\x1b[K");
+  CHECK(json_of(ended.out).at("frames") == 3);  // on stdout there is only data
+  CHECK(run_weft({"run", scene, "--json"}).err == "");
+}
