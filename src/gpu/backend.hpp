@@ -65,7 +65,8 @@ Result<void> status(Context&);
 void lose(Context&);
 
 enum class MapState : std::uint32_t { Idle, Pending, Ready, Failed };
-void map_read(Context&, Id buffer, std::uint64_t bytes, MapState* state);
+/// Sets `state` to Ready or Failed when the time has come, be it after whoever asked has gone.
+void map_read(Context&, Id buffer, std::uint64_t bytes, const std::shared_ptr<MapState>& state);
 std::span<const std::byte> mapped_range(Id buffer, std::uint64_t bytes);
 void unmap(Id buffer);
 

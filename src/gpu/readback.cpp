@@ -15,7 +15,7 @@ Result<Readback> Readback::create(Device& device, std::uint64_t bytes, const std
 void Readback::start() {
   assert(!pending());
   *state_ = backend::MapState::Pending;
-  backend::map_read(device_->context(), buffer_.id(), buffer_.bytes(), state_.get());
+  backend::map_read(device_->context(), buffer_.id(), buffer_.bytes(), state_);
 }
 
 std::vector<std::byte> Readback::take() {

@@ -35,7 +35,7 @@ class Readback {
 
  private:
   RawBuffer buffer_;
-  std::unique_ptr<backend::MapState> state_ = std::make_unique<backend::MapState>(backend::MapState::Idle);
+  std::shared_ptr<backend::MapState> state_ = std::make_shared<backend::MapState>(backend::MapState::Idle);
   Device* device_ = nullptr;
 };
 

@@ -91,13 +91,17 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   write_steps();
   record_frame(0);
   record_frame(1);
-  // The surface of the rest state, so that it can be drawn before the first frame.
-  gpu::CommandList start;
+  return submit_rest();
+}
+
+Result<void> World::submit_rest() {
+  gpu::CommandList list;
   {
-    gpu::ComputePass pass(start, "rest surface");
-    surface_->record(pass);
+    gpu::ComputePass pass(list, "rest");
+    last_good_->record(pass);  // what a first frame that is not finite goes back to
+    surface_->record(pass);    // so that the rest state can be drawn
   }
-  return device_.submit(start);
+  return device_.submit(list);
 }
 
 void World::write_steps() {
@@ -252,7 +256,7 @@ Result<void> World::reset() {
   frame_ = 0;
   parity_ = 0;
   totals_ = {};
-  return {};
+  return submit_rest();
 }
 
 Result<Snapshot> World::snapshot() {

@@ -93,6 +93,8 @@ class World {
 
   World(gpu::Device& device, scene::Scene scene) : device_(device), scene_(std::move(scene)) {}
   Result<void> build(const Assets& assets, const WorldOptions& options);
+  /// What follows from the rest state, before the first frame.
+  Result<void> submit_rest();
   void write_steps();
   void write_motions();
   void record_frame(std::uint32_t parity);

@@ -143,6 +143,21 @@ TEST_CASE("a readback does not block, and can be used again") {
   }
 }
 
+TEST_CASE("a readback that goes while its bytes are on their way harms nothing") {
+  GpuFixture fixture;
+  Device& device = fixture.device();
+  auto buffer = Buffer<std::uint32_t>::create(device, 1000, "values");
+  for (int round = 0; round < 20; ++round) {
+    auto readback = Readback::create(device, 4000, "readback");
+    REQUIRE(readback);
+    CommandList list;
+    list.copy(buffer->source(), readback->target());
+    REQUIRE(device.submit(list));
+    readback->start();
+  }
+  CHECK(device.wait());
+}
+
 TEST_CASE("a timer gives each pass a label and a time that is not negative") {
   auto device = Device::create({.timestamps = true});
   REQUIRE(device);

@@ -80,6 +80,21 @@ TEST_CASE("a node that is not finite freezes the state at the last good frame, w
   }
 }
 
+TEST_CASE("a first frame that is not finite freezes the state at rest, and a reset thaws it") {
+  GpuFixture fixture;
+  auto world = world_of(fixture.device(), small_scene());
+  const std::string rest = hash_of(*world);
+  world->set_node(40, {0, NAN, 0, 1}, {});
+  REQUIRE(world->advance_frame());
+  CHECK(world->finish().error().kind == ErrorKind::Diverged);
+  const auto snapshot = world->snapshot();
+  REQUIRE_OK(snapshot);
+  CHECK(snapshot->hash() == rest);
+  REQUIRE(world->reset());
+  advance(*world, 2);
+  CHECK(world->totals().nonfinite == 0);
+}
+
 TEST_CASE("a moved edge is where its motion says at the end of every frame") {
   GpuFixture fixture;
   auto parsed = scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "none"}, "time": {"substeps": 5},

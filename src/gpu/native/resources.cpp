@@ -21,7 +21,8 @@ WGPUBufferUsage buffer_usage(std::uint32_t usage) {
 }
 
 void on_mapped(WGPUMapAsyncStatus status, WGPUStringView, void* user, void*) {
-  *static_cast<MapState*>(user) = status == WGPUMapAsyncStatus_Success ? MapState::Ready : MapState::Failed;
+  const std::unique_ptr<std::shared_ptr<MapState>> state(static_cast<std::shared_ptr<MapState>*>(user));
+  **state = status == WGPUMapAsyncStatus_Success ? MapState::Ready : MapState::Failed;
 }
 
 }  // namespace
@@ -107,7 +108,7 @@ void poll(Context& context, bool wait) {
   }
 }
 
-void map_read(Context& context, Id buffer, std::uint64_t bytes, MapState* state) {
+void map_read(Context& context, Id buffer, std::uint64_t bytes, const std::shared_ptr<MapState>& state) {
   if (context.lost) {
     *state = MapState::Failed;
     return;
@@ -115,7 +116,7 @@ void map_read(Context& context, Id buffer, std::uint64_t bytes, MapState* state)
   WGPUBufferMapCallbackInfo callback = WGPU_BUFFER_MAP_CALLBACK_INFO_INIT;
   callback.mode = WGPUCallbackMode_AllowSpontaneous;
   callback.callback = on_mapped;
-  callback.userdata1 = state;
+  callback.userdata1 = new std::shared_ptr<MapState>(state);  // the callback's own share, since it may come late
   wgpuBufferMapAsync(handle<WGPUBuffer>(buffer), WGPUMapMode_Read, 0, bytes, callback);
 }
 
