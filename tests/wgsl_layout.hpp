@@ -14,7 +14,8 @@ struct WgslLayout {
 };
 
 inline WgslLayout wgsl_layout(const std::string& text, const std::string& name) {
-  static const std::map<std::string, std::uint32_t> kSizes = {{"f32", 4}, {"u32", 4}, {"i32", 4}, {"vec4f", 16}};
+  static const std::map<std::string, std::uint32_t> kSizes = {
+      {"f32", 4}, {"u32", 4}, {"i32", 4}, {"vec4f", 16}};
   WgslLayout layout;
   const std::size_t begin = text.find("struct " + name + " {");
   std::istringstream lines(text.substr(begin, text.find("\n}", begin) - begin));

@@ -17,9 +17,10 @@ void print(const bench::Row& row) {
                 static_cast<unsigned long long>(row.nodes), row.skipped.c_str());
     return;
   }
-  std::printf("%-10s %-22s %9llu %9.4f %9.4f %8u %5.1f %9.1f %9.3g %10llu  %s\n", row.object.c_str(), row.variant.c_str(),
-              static_cast<unsigned long long>(row.nodes), row.ms_per_step, row.ms_per_step_min, row.substeps,
-              row.dispatches_per_step, row.bytes_per_step / row.ms_per_step * 1e-6, row.real_time_factor,
+  std::printf("%-10s %-22s %9llu %9.4f %9.4f %8u %5.1f %9.1f %9.3g %10llu  %s\n", row.object.c_str(),
+              row.variant.c_str(), static_cast<unsigned long long>(row.nodes), row.ms_per_step,
+              row.ms_per_step_min, row.substeps, row.dispatches_per_step,
+              row.bytes_per_step / row.ms_per_step * 1e-6, row.real_time_factor,
               static_cast<unsigned long long>(row.contacts), row.state_hash.c_str());
   std::fflush(stdout);
 }
@@ -49,15 +50,18 @@ Result<void> run_bench(const BenchOptions& options) {
   WEFT_TRY(device, gpu::Device::create(device_options));
   std::printf("%s, %s%s\n", device->adapter().name.c_str(), device->adapter().driver.c_str(),
               options.unchecked ? ", kernels unchecked" : "");
-  std::printf("%-10s %-22s %9s %9s %9s %8s %5s %9s %9s %10s  %s\n", "object", "variant", "nodes", "ms/step", "least",
-              "substeps", "disp.", "GB/s", "real time", "contacts", "state hash");
+  std::printf("%-10s %-22s %9s %9s %9s %8s %5s %9s %9s %10s  %s\n", "object", "variant", "nodes", "ms/step",
+              "least", "substeps", "disp.", "GB/s", "real time", "contacts", "state hash");
   const std::filesystem::path root = std::filesystem::path(models_folder()).parent_path();
   const bench::Folders folders{(root / "scenes").string(), models_folder()};
   auto rows = options.name == "hanging" ? bench::run_hanging(*device, options.quick, print)
                                         : bench::run_pull(*device, options.quick, folders, print);
   if (!rows) return rows.error();
   if (options.json.empty()) return {};
-  nlohmann::ordered_json json = {{"bench", options.name}, {"adapter", device->adapter().name}, {"driver", device->adapter().driver}, {"unchecked", options.unchecked}};
+  nlohmann::ordered_json json = {{"bench", options.name},
+                                 {"adapter", device->adapter().name},
+                                 {"driver", device->adapter().driver},
+                                 {"unchecked", options.unchecked}};
   for (const bench::Row& row : *rows) json["rows"].push_back(json_of(row));
   return write_file(options.json, json.dump(1) + "\n");
 }

@@ -35,7 +35,11 @@ std::string models_folder() {
   char path[PATH_MAX];
   const ssize_t length = ::readlink("/proc/self/exe", path, sizeof path - 1);
   if (length <= 0) return "models";
-  return (std::filesystem::path(std::string(path, static_cast<std::size_t>(length))).parent_path().parent_path() / "models").string();
+  return (std::filesystem::path(std::string(path, static_cast<std::size_t>(length)))
+              .parent_path()
+              .parent_path() /
+          "models")
+      .string();
 }
 
 void say(const char* format, ...) {

@@ -21,7 +21,8 @@ struct SceneOptions {
 /// The scene with its overrides. Errors  Input, Usage.
 Result<scene::Scene> load(const SceneOptions& options);
 
-/// The folder of the models that ./dev build makes: $WEFT_MODELS, or models/ beside the folder of this program.
+/// The folder of the models that ./dev build makes: $WEFT_MODELS, or models/ beside the folder of this
+/// program.
 std::string models_folder();
 
 /// Says a message on stderr, in one line: control characters become "?".

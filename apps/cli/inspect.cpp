@@ -15,10 +15,14 @@ Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
   std::size_t object_triangles = 0;
   for (const mesh::TriangleMesh& object : assets.objects) object_triangles += object.triangles.size();
-  std::printf("%s is a valid scene: %zu cloth%s with %zu nodes and %zu triangles, %zu collider%s with %zu triangles.\n",
-              options.path.c_str(), scene.cloths.size(), scene.cloths.size() == 1 ? "" : "s", model.vertex_count(),
-              model.triangles.size(), scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s", object_triangles);
-  if (assets.dropped_triangles > 0) say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
+  std::printf(
+      "%s is a valid scene: %zu cloth%s with %zu nodes and %zu triangles, %zu collider%s with %zu "
+      "triangles.\n",
+      options.path.c_str(), scene.cloths.size(), scene.cloths.size() == 1 ? "" : "s", model.vertex_count(),
+      model.triangles.size(), scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s",
+      object_triangles);
+  if (assets.dropped_triangles > 0)
+    say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
   return {};
 }
 
@@ -33,9 +37,12 @@ int list_adapters() {
   const auto adapters = gpu::Device::adapters();
   if (!adapters) return report(adapters.error());
   if (adapters->empty())
-    return report(make_error(ErrorKind::NoAdapter, "No WebGPU adapter was found: this machine has no Vulkan, Metal or D3D12 driver."));
+    return report(
+        make_error(ErrorKind::NoAdapter,
+                   "No WebGPU adapter was found: this machine has no Vulkan, Metal or D3D12 driver."));
   for (const gpu::AdapterInfo& adapter : *adapters)
-    std::printf("%s (%s, %s, %s)\n", adapter.name.c_str(), adapter.type.c_str(), adapter.backend.c_str(), adapter.driver.c_str());
+    std::printf("%s (%s, %s, %s)\n", adapter.name.c_str(), adapter.type.c_str(), adapter.backend.c_str(),
+                adapter.driver.c_str());
   return 0;
 }
 

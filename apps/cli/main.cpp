@@ -19,7 +19,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("--set", options.sets, "Change a value of the scene: cloths.0.grid=[128,128]")
       ->type_name("KEY=JSON")
       ->allow_extra_args(false);  // else it takes SCENE for a second value
-  command.add_option("--solver", options.solver, "Replace the scene's solver by this kind's defaults")->type_name("KIND");
+  command.add_option("--solver", options.solver, "Replace the scene's solver by this kind's defaults")
+      ->type_name("KIND");
 }
 
 /// The exit code of a command whose data may not all have reached a full disk or a closed pipe.
@@ -33,7 +34,8 @@ int finish_output(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Mesa's drivers ask for a Wayland display, and say so on stderr where there is no session. weft opens no window.
+  // Mesa's drivers ask for a Wayland display, and say so on stderr where there is no session. weft opens no
+  // window.
   setenv("XDG_RUNTIME_DIR", "/nonexistent", 0);
 
   CLI::App app(
@@ -44,35 +46,51 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", WEFT_VERSION);
 
   RunOptions run_options;
-  CLI::App* run_command = app.add_subcommand(
-      "run", "Example: weft run scenes/hanging.json --frames 120 --out out/hanging\n\nSimulate a scene, draw it, say how it went.");
+  CLI::App* run_command = app.add_subcommand("run",
+                                             "Example: weft run scenes/hanging.json --frames 120 --out "
+                                             "out/hanging\n\nSimulate a scene, draw it, say how it went.");
   add_scene_options(*run_command, run_options.scene);
-  run_command->add_option("--frames", run_options.frames, "Frames to simulate instead of the scene's")->check(CLI::Range(0U, 1000000U));
-  run_command->add_option("--out", run_options.out, "Folder for pictures, video, final.obj and summary.json")->type_name("DIR");
-  run_command->add_option("--adapter", run_options.adapter, "Use the GPU whose name contains this")->type_name("NAME");
+  run_command->add_option("--frames", run_options.frames, "Frames to simulate instead of the scene's")
+      ->check(CLI::Range(0U, 1000000U));
+  run_command->add_option("--out", run_options.out, "Folder for pictures, video, final.obj and summary.json")
+      ->type_name("DIR");
+  run_command->add_option("--adapter", run_options.adapter, "Use the GPU whose name contains this")
+      ->type_name("NAME");
   run_command->add_flag("--json", run_options.json, "Print the summary as JSON");
   run_command->add_option("--fault", run_options.fault)->group("");  // for tests
 
   SceneOptions check_options;
-  CLI::App* check_command = app.add_subcommand("check", "Example: weft check scenes/hanging.json\n\nRead a scene and its meshes without running it.");
+  CLI::App* check_command = app.add_subcommand(
+      "check", "Example: weft check scenes/hanging.json\n\nRead a scene and its meshes without running it.");
   add_scene_options(*check_command, check_options);
 
-  CLI::App* adapters_command = app.add_subcommand("adapters", "Example: weft adapters\n\nList the GPUs that weft can use.");
-  CLI::App* schema_command = app.add_subcommand("schema", "Example: weft schema > weft-scene.schema.json\n\nPrint the JSON Schema of scenes.");
+  CLI::App* adapters_command =
+      app.add_subcommand("adapters", "Example: weft adapters\n\nList the GPUs that weft can use.");
+  CLI::App* schema_command = app.add_subcommand(
+      "schema", "Example: weft schema > weft-scene.schema.json\n\nPrint the JSON Schema of scenes.");
 
   BenchOptions bench_options;
-  CLI::App* bench_command = app.add_subcommand(
-      "bench", "Example: weft bench hanging --quick --json results.json\n\nMeasure: hanging (both formulations over sizes), pull (contact methods over objects and sizes).");
-  bench_command->add_option("NAME", bench_options.name, "hanging or pull")->required()->check(CLI::IsMember({"hanging", "pull"}));
+  CLI::App* bench_command =
+      app.add_subcommand("bench",
+                         "Example: weft bench hanging --quick --json results.json\n\nMeasure: hanging (both "
+                         "formulations over sizes), pull (contact methods over objects and sizes).");
+  bench_command->add_option("NAME", bench_options.name, "hanging or pull")
+      ->required()
+      ->check(CLI::IsMember({"hanging", "pull"}));
   bench_command->add_flag("--quick", bench_options.quick, "Small sizes only, for machines without a GPU");
-  bench_command->add_option("--json", bench_options.json, "Write the results to this file too")->type_name("FILE");
-  bench_command->add_option("--adapter", bench_options.adapter, "Use the GPU whose name contains this")->type_name("NAME");
-  bench_command->add_flag("--unchecked", bench_options.unchecked, "Compile kernels without run-time checks (native only)");
+  bench_command->add_option("--json", bench_options.json, "Write the results to this file too")
+      ->type_name("FILE");
+  bench_command->add_option("--adapter", bench_options.adapter, "Use the GPU whose name contains this")
+      ->type_name("NAME");
+  bench_command->add_flag("--unchecked", bench_options.unchecked,
+                          "Compile kernels without run-time checks (native only)");
 
   std::string shell;
   CLI::App* completion_command = app.add_subcommand(
       "completion", "Example: eval \"$(weft completion bash)\"\n\nPrint the completion script of a shell.");
-  completion_command->add_option("SHELL", shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  completion_command->add_option("SHELL", shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
 
   try {
     app.parse(argc, argv);

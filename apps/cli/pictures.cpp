@@ -50,10 +50,17 @@ mesh::Bounds picture_bounds(const sim::World& world) {
   const HostModel& model = world.model().host;
   mesh::Bounds bounds{model.rest_position[0].to<float>(), model.rest_position[0].to<float>()};
   const double end = world.scene().time.frames * world.scene().time.frame;
+  double sag = 0;  // how far a sheet can hang down from where it is held or lies [m]
+  for (const auto& uv : model.uv)
+    sag = std::max({sag, static_cast<double>(uv[0]), static_cast<double>(uv[1])});
+  const Vec3d pull = world.scene().gravity + world.scene().external_force;
+  const Vec3d down = length(pull) > 0 ? pull / length(pull) : Vec3d{};
   for (std::size_t v = 0; v < model.vertex_count(); ++v) {
     include(bounds, model.rest_position[v].to<float>());
+    include(bounds, (model.rest_position[v] + sag * down).to<float>());
     if (model.motion[v] > 1)
-      include(bounds, scene::motion_at(model.motions[model.motion[v] - 2], end)(model.rest_position[v]).to<float>());
+      include(bounds,
+              scene::motion_at(model.motions[model.motion[v] - 2], end)(model.rest_position[v]).to<float>());
   }
   for (const mesh::TriangleMesh& object : world.assets().objects) {
     const mesh::Bounds box = mesh::bounds(object);
@@ -82,7 +89,8 @@ Result<std::unique_ptr<Pictures>> Pictures::create(const sim::World& world, cons
   settings.bounds = picture_bounds(world);
   WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs_of(world)));
   made->renderer_ = std::move(renderer);
-  WEFT_TRY(video, render::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height, 1 / world.scene().time.frame));
+  WEFT_TRY(video, render::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height,
+                                              1 / world.scene().time.frame));
   made->video_ = std::move(video);
   return made;
 }
@@ -114,9 +122,12 @@ Result<void> Pictures::finish() {
   }
   WEFT_CHECK(png_.finish());
   std::error_code ignored;
-  if (has_video()) WEFT_CHECK(video_->finish());
-  else std::filesystem::remove(folder_ + "/run.mp4", ignored);
-  for (std::uint32_t old = stored_; std::filesystem::remove(folder_ + "/" + frame_name(old), ignored); ++old) {
+  if (has_video())
+    WEFT_CHECK(video_->finish());
+  else
+    std::filesystem::remove(folder_ + "/run.mp4", ignored);
+  for (std::uint32_t old = stored_; std::filesystem::remove(folder_ + "/" + frame_name(old), ignored);
+       ++old) {
   }
   return {};
 }

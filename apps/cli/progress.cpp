@@ -21,8 +21,8 @@ void Progress::show(std::uint32_t done, double milliseconds_per_item) {
   const double left = done == 0 ? 0 : passed.count() / done * (total_ - done);
   std::string bar(filled, '#');
   bar.resize(kWidth, '.');
-  std::fprintf(stderr, "\r%s [%s] %u/%u  %.1f ms a frame  %.0f s left\033[K", what_.c_str(), bar.c_str(), done, total_,
-               milliseconds_per_item, left);
+  std::fprintf(stderr, "\r%s [%s] %u/%u  %.1f ms a frame  %.0f s left\033[K", what_.c_str(), bar.c_str(),
+               done, total_, milliseconds_per_item, left);
   std::fflush(stderr);
 }
 

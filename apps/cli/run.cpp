@@ -29,7 +29,8 @@ Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& o
   const std::uint32_t frames = options.frames.value_or(world.scene().time.frames);
   Progress progress("simulating", frames);
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
-    if (interrupted()) return make_error(ErrorKind::Interrupted, "Interrupted after %u of %u frames.", frame, frames);
+    if (interrupted())
+      return make_error(ErrorKind::Interrupted, "Interrupted after %u of %u frames.", frame, frames);
     if (strikes(options.fault, "nan", frame)) world.set_node(0, {NAN, 0, 0, 1}, {});
     if (strikes(options.fault, "lost", frame)) world.device().lose();
     const auto start = Clock::now();
@@ -42,7 +43,8 @@ Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& o
   return {};
 }
 
-Result<void> write_results(sim::World& world, const sim::Snapshot& snapshot, const Summary& summary, const std::string& folder) {
+Result<void> write_results(sim::World& world, const sim::Snapshot& snapshot, const Summary& summary,
+                           const std::string& folder) {
   mesh::TriangleMesh final_mesh;
   for (const Vec4f& position : snapshot.position) final_mesh.positions.push_back(position.xyz());
   final_mesh.triangles = world.model().host.triangles;
@@ -53,9 +55,12 @@ Result<void> write_results(sim::World& world, const sim::Snapshot& snapshot, con
 const char* end_of(const Result<void>& result) {
   if (result) return "complete";
   switch (result.error().kind) {
-    case ErrorKind::Interrupted: return "interrupted";
-    case ErrorKind::Diverged: return "diverged";
-    default: return "failed";
+    case ErrorKind::Interrupted:
+      return "interrupted";
+    case ErrorKind::Diverged:
+      return "diverged";
+    default:
+      return "failed";
   }
 }
 
@@ -69,7 +74,8 @@ Result<void> check_size(const scene::Scene& scene, const sim::Assets& assets, co
   const std::uint64_t bytes = nodes * sizeof(Vec4f), limit = device.limits().max_storage_binding_size;
   if (bytes <= limit) return {};
   return make_error(ErrorKind::Limit,
-                    "The positions of %llu nodes need %llu bytes, more than this adapter's maxStorageBufferBindingSize of %llu.",
+                    "The positions of %llu nodes need %llu bytes, more than this adapter's "
+                    "maxStorageBufferBindingSize of %llu.",
                     static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes),
                     static_cast<unsigned long long>(limit));
 }
@@ -78,7 +84,8 @@ Result<void> run_scene(const RunOptions& options) {
   interrupted();
   WEFT_TRY(scene, load(options.scene));
   WEFT_TRY(assets, sim::load_assets(scene, models_folder()));
-  if (assets.dropped_triangles > 0) say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
+  if (assets.dropped_triangles > 0)
+    say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
   gpu::DeviceOptions device_options;
   device_options.adapter = options.adapter;
   WEFT_TRY(device, gpu::Device::create(device_options));
@@ -98,7 +105,8 @@ Result<void> run_scene(const RunOptions& options) {
   const auto start = Clock::now();
   const Result<void> ended = simulate(*world, pictures.get(), options, summary);
   // After a divergence or an interrupt the device still works, and what was reached is kept.
-  if (!ended && ended.error().kind != ErrorKind::Diverged && ended.error().kind != ErrorKind::Interrupted) return ended;
+  if (!ended && ended.error().kind != ErrorKind::Diverged && ended.error().kind != ErrorKind::Interrupted)
+    return ended;
   if (pictures) WEFT_CHECK(pictures->finish());
   summary.end = end_of(ended);
   summary.wall_s = milliseconds_since(start) / 1000;
@@ -108,8 +116,8 @@ Result<void> run_scene(const RunOptions& options) {
   const std::string text = options.json ? summary_json(summary, *world) : summary_text(summary, *world);
   std::fputs(text.c_str(), stdout);
   if (!options.json && pictures)
-    std::printf("  written     %s: %u pictures%s, final.obj, summary.json\n", options.out.c_str(), pictures->count(),
-                pictures->has_video() ? ", run.mp4" : "");
+    std::printf("  written     %s: %u pictures%s, final.obj, summary.json\n", options.out.c_str(),
+                pictures->count(), pictures->has_video() ? ", run.mp4" : "");
   return ended;
 }
 

@@ -74,16 +74,19 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   line(text, "  adapter     %s", world.device().adapter().name.c_str());
   line(text, "  cloth       %u nodes, %u triangles, %zu springs", world.model().vertex_count(),
        world.model().triangle_count(), world.spring_count());
-  line(text, "  solver      %s, %u substeps a frame", solver_name(world.scene().solver).c_str(), world.substeps());
+  line(text, "  solver      %s, %u substeps a frame", solver_name(world.scene().solver).c_str(),
+       world.substeps());
   line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)", 1e3 * world.step(),
        1e3 * world.step_limit().largest_step, world.step_limit().highest_frequency);
   line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
-  line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", times.median, times.least,
-       times.sum > 0 ? simulated / (times.sum / 1000) : 0);
+  line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", times.median,
+       times.least, times.sum > 0 ? simulated / (times.sum / 1000) : 0);
   line(text, "  contact     %s: %llu hits, overflow %llu", scene::name_of(world.scene().contact.method),
-       static_cast<unsigned long long>(totals.contacts), static_cast<unsigned long long>(totals.contact_overflow));
+       static_cast<unsigned long long>(totals.contacts),
+       static_cast<unsigned long long>(totals.contact_overflow));
   line(text, "  stretch     at most %.4f of the rest length", static_cast<double>(totals.max_stretch));
-  line(text, "  memory      %.1f MiB on the GPU", static_cast<double>(world.device().allocated_bytes()) / 1048576);
+  line(text, "  memory      %.1f MiB on the GPU",
+       static_cast<double>(world.device().allocated_bytes()) / 1048576);
   line(text, "  state hash  %s", summary.state_hash.c_str());
   return text;
 }

@@ -9,10 +9,10 @@ namespace weft::cli {
 
 /// What a run has to say for itself; docs/cli.md lists the members.
 struct Summary {
-  std::string scene;                // the path as given
-  std::string end = "complete";     // or "interrupted", "diverged"
-  std::vector<double> frame_ms;     // simulation alone [ms]
-  double wall_s = 0;                // pictures included [s]
+  std::string scene;             // the path as given
+  std::string end = "complete";  // or "interrupted", "diverged"
+  std::vector<double> frame_ms;  // simulation alone [ms]
+  double wall_s = 0;             // pictures included [s]
   std::string state_hash;
 };
 

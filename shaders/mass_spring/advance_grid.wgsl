@@ -41,13 +41,7 @@ fn advance_grid(@builtin(global_invocation_id) id : vec3u) {
   let node = grid.first_vertex + index;
   let before = NodeState(position_in[node], velocity_in[node]);
   if (before.position.w == 0.0) {
-    let place = rest[node];
-    let motion = u32(place.w);
-    var after = NodeState(before.position, vec4f(0.0));
-    if (motion > 1u) {
-      let row = step.first_motion + 3u * (motion - 2u);
-      after = integrate_moved(step, before, place.xyz, mat3x4f(motions[row], motions[row + 1u], motions[row + 2u]));
-    }
+    let after = integrate_held(step, before, rest[node]);
     position_out[node] = after.position;
     velocity_out[node] = after.velocity;
     return;

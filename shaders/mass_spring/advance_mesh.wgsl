@@ -26,14 +26,9 @@ fn advance_mesh(@builtin(global_invocation_id) id : vec3u) {
   if (index >= range.count) { return; }
   let node = range.first + index;
   let before = NodeState(position_in[node], velocity_in[node]);
-  var after = NodeState(before.position, vec4f(0.0));
+  var after : NodeState;
   if (before.position.w == 0.0) {
-    let place = rest[node];
-    let motion = u32(place.w);
-    if (motion > 1u) {
-      let row = step.first_motion + 3u * (motion - 2u);
-      after = integrate_moved(step, before, place.xyz, mat3x4f(motions[row], motions[row + 1u], motions[row + 2u]));
-    }
+    after = integrate_held(step, before, rest[node]);
   } else {
     var force = vec3f(0.0);
     for (var entry = offsets[index]; entry < offsets[index + 1u]; entry++) {

@@ -21,16 +21,11 @@ fn integrate_forces(@builtin(global_invocation_id) id : vec3u) {
   force[3u * node + 1u] = 0;
   force[3u * node + 2u] = 0;
   let before = NodeState(position_in[node], velocity_in[node]);
-  var after = NodeState(before.position, vec4f(0.0));
-  if (before.position.w != 0.0) {
-    after = integrate_free(step, before, sum / step.force_scale);
+  var after : NodeState;
+  if (before.position.w == 0.0) {
+    after = integrate_held(step, before, rest[node]);
   } else {
-    let place = rest[node];
-    let motion = u32(place.w);
-    if (motion > 1u) {
-      let row = step.first_motion + 3u * (motion - 2u);
-      after = integrate_moved(step, before, place.xyz, mat3x4f(motions[row], motions[row + 1u], motions[row + 2u]));
-    }
+    after = integrate_free(step, before, sum / step.force_scale);
   }
   position_out[node] = after.position;
   velocity_out[node] = after.velocity;

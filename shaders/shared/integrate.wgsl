@@ -14,8 +14,13 @@ fn integrate_free(params : StepParams, before : NodeState, force : vec3f) -> Nod
   return NodeState(vec4f(before.position.xyz + params.dt * velocity, inverse_mass), vec4f(velocity, 0.0));
 }
 
-// A node that is moved: `rows` are x, y and z of R·rest + t at the end of the substep.
-fn integrate_moved(params : StepParams, before : NodeState, rest : vec3f, rows : mat3x4f) -> NodeState {
-  let position = vec4f(rest, 1.0) * rows;
+// A kinematic node: `place` is its rest position and, in w, its motion (HostModel::motion). The including kernel binds
+// `motions`, whose rows are x, y and z of R·rest + t at the end of the substep.
+fn integrate_held(params : StepParams, before : NodeState, place : vec4f) -> NodeState {
+  let motion = u32(place.w);
+  if (motion < 2u) { return NodeState(before.position, vec4f(0.0)); }  // pinned
+  let row = params.first_motion + 3u * (motion - 2u);
+  let rest = vec4f(place.xyz, 1.0);
+  let position = vec3f(dot(rest, motions[row]), dot(rest, motions[row + 1u]), dot(rest, motions[row + 2u]));
   return NodeState(vec4f(position, 0.0), vec4f((position - before.position.xyz) / params.dt, 0.0));
 }

@@ -23,7 +23,8 @@ struct Descriptor {
 Result<void> write_and_sync(const std::string& path, std::span<const std::byte> bytes) {
   const Descriptor file{::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
   if (file.value < 0)
-    return make_error(ErrorKind::Failure, "File %s cannot be written: %s.", path.c_str(), std::strerror(errno));
+    return make_error(ErrorKind::Failure, "File %s cannot be written: %s.", path.c_str(),
+                      std::strerror(errno));
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t count = ::write(file.value, bytes.data() + done, bytes.size() - done);
     if (count < 0 && errno == EINTR) continue;
@@ -33,7 +34,8 @@ Result<void> write_and_sync(const std::string& path, std::span<const std::byte> 
     done += static_cast<std::size_t>(count);
   }
   if (::fsync(file.value) != 0 && errno != EINVAL)
-    return make_error(ErrorKind::Failure, "File %s cannot be synced: %s.", path.c_str(), std::strerror(errno));
+    return make_error(ErrorKind::Failure, "File %s cannot be synced: %s.", path.c_str(),
+                      std::strerror(errno));
   return {};
 }
 
@@ -71,7 +73,8 @@ Result<void> write_file(const std::string& path, std::span<const std::byte> byte
   if (::rename(temporary.c_str(), path.c_str()) != 0) {
     const int reason = errno;
     ::unlink(temporary.c_str());
-    return make_error(ErrorKind::Failure, "File %s cannot be replaced: %s.", path.c_str(), std::strerror(reason));
+    return make_error(ErrorKind::Failure, "File %s cannot be replaced: %s.", path.c_str(),
+                      std::strerror(reason));
   }
   return {};
 }

@@ -44,17 +44,24 @@ Error shape_error(const char* format, ...) {
 
 int exit_code(ErrorKind kind) {
   switch (kind) {
-    case ErrorKind::Usage: return 2;
-    case ErrorKind::Input: return 3;
+    case ErrorKind::Usage:
+      return 2;
+    case ErrorKind::Input:
+      return 3;
     case ErrorKind::NoAdapter:
     case ErrorKind::Limit:
-    case ErrorKind::OutOfMemory: return 4;
-    case ErrorKind::DeviceLost: return 5;
-    case ErrorKind::Diverged: return 6;
-    case ErrorKind::Interrupted: return 130;
+    case ErrorKind::OutOfMemory:
+      return 4;
+    case ErrorKind::DeviceLost:
+      return 5;
+    case ErrorKind::Diverged:
+      return 6;
+    case ErrorKind::Interrupted:
+      return 130;
     case ErrorKind::Failure:
     case ErrorKind::Shape:
-    case ErrorKind::Shader: break;
+    case ErrorKind::Shader:
+      break;
   }
   return 1;
 }

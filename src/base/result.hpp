@@ -81,14 +81,14 @@ class [[nodiscard]] Result<void> {
 #define WEFT_CONCAT(a, b) WEFT_CONCAT_INNER(a, b)
 
 /// Declares `name` as the value of `expression`, or returns its error.
-#define WEFT_TRY(name, expression)                                    \
-  auto WEFT_CONCAT(weft_result_, __LINE__) = (expression);            \
-  if (!WEFT_CONCAT(weft_result_, __LINE__))                           \
+#define WEFT_TRY(name, expression)                                     \
+  auto WEFT_CONCAT(weft_result_, __LINE__) = (expression);             \
+  if (!WEFT_CONCAT(weft_result_, __LINE__))                            \
     return ::weft::Error(WEFT_CONCAT(weft_result_, __LINE__).error()); \
   auto name = std::move(WEFT_CONCAT(weft_result_, __LINE__)).value()
 
 /// Returns the error of `expression`, a Result<void>, if it has one.
-#define WEFT_CHECK(expression)                                            \
-  do {                                                                    \
+#define WEFT_CHECK(expression)                                                                    \
+  do {                                                                                            \
     if (auto weft_check_ = (expression); !weft_check_) return ::weft::Error(weft_check_.error()); \
   } while (false)

@@ -9,9 +9,12 @@ enum class Formulation { Grid, Mesh, SpringCentric };
 
 const char* name_of(Formulation formulation) {
   switch (formulation) {
-    case Formulation::Grid: return "node_centric, grid";
-    case Formulation::Mesh: return "node_centric, any mesh";
-    case Formulation::SpringCentric: break;
+    case Formulation::Grid:
+      return "node_centric, grid";
+    case Formulation::Mesh:
+      return "node_centric, any mesh";
+    case Formulation::SpringCentric:
+      break;
   }
   return "spring_centric";
 }
@@ -25,13 +28,17 @@ struct Experiment {
 Result<Experiment> make_experiment(std::uint32_t side, Formulation formulation) {
   Experiment made;
   const std::string count = std::to_string(side);
-  const std::string shape = formulation == Formulation::Mesh
-                                ? R"("mesh": "sheet.obj", "pins": [{"nodes": [0, )" + std::to_string(side - 1) + "]}]"
-                                : R"("grid": [)" + count + ", " + count + R"(], "size": [2, 2], "pins": ["top_left", "top_right"])";
+  const std::string shape =
+      formulation == Formulation::Mesh
+          ? R"("mesh": "sheet.obj", "pins": [{"nodes": [0, )" + std::to_string(side - 1) + "]}]"
+          : R"("grid": [)" + count + ", " + count + R"(], "size": [2, 2], "pins": ["top_left", "top_right"])";
   const std::string forces = formulation == Formulation::SpringCentric ? "spring_centric" : "node_centric";
   WEFT_TRY(scene, scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "none"},
-    "solver": {"kind": "mass_spring", "forces": ")" + forces + R"("}, "cloths": [{)" + shape + R"(, "density": 0.2, "damping": 0.001,
-    "stiffness": {"structural": 5000, "shear": 2000, "bend": 500}}]})", "bench hanging"));
+    "solver": {"kind": "mass_spring", "forces": ")" +
+                                         forces + R"("}, "cloths": [{)" + shape +
+                                         R"(, "density": 0.2, "damping": 0.001,
+    "stiffness": {"structural": 5000, "shear": 2000, "bend": 500}}]})",
+                                     "bench hanging"));
   made.scene = std::move(scene);
   made.assets.cloths.resize(1);
   if (formulation == Formulation::Mesh) {
@@ -68,15 +75,18 @@ Result<Row> measure(gpu::Device& device, std::uint32_t side, Formulation formula
 
 }  // namespace
 
-Result<std::vector<Row>> run_hanging(gpu::Device& device, bool quick, const std::function<void(const Row&)>& done) {
+Result<std::vector<Row>> run_hanging(gpu::Device& device, bool quick,
+                                     const std::function<void(const Row&)>& done) {
   const std::vector<std::uint32_t> sides =
-      quick ? std::vector<std::uint32_t>{64, 100, 128} : std::vector<std::uint32_t>{64, 100, 128, 200, 256, 400, 512, 800, 2048};
+      quick ? std::vector<std::uint32_t>{64, 100, 128}
+            : std::vector<std::uint32_t>{64, 100, 128, 200, 256, 400, 512, 800, 2048};
   std::vector<Row> rows;
   for (const std::uint32_t side : sides)
     for (const Formulation formulation : {Formulation::Grid, Formulation::Mesh, Formulation::SpringCentric}) {
       auto row = measure(device, side, formulation, quick);
       if (!row) {
-        if (row.error().kind != ErrorKind::Limit && row.error().kind != ErrorKind::OutOfMemory) return row.error();
+        if (row.error().kind != ErrorKind::Limit && row.error().kind != ErrorKind::OutOfMemory)
+          return row.error();
         Row skipped;
         skipped.object = "none";
         skipped.variant = name_of(formulation);

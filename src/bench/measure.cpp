@@ -23,7 +23,8 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
   return Timing{times[times.size() / 2], times.front()};
 }
 
-Result<std::uint32_t> fix_step(gpu::Device& device, scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps) {
+Result<std::uint32_t> fix_step(gpu::Device& device, scene::Scene& scene, const sim::Assets& assets,
+                               std::uint32_t steps) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
   scene.time.frame = 1.0 / 60;
   WEFT_TRY(limit, find_step_limit(device, scene, model));
@@ -37,12 +38,14 @@ Row describe(const sim::World& world, std::uint32_t substeps) {
   Row row;
   row.nodes = world.model().vertex_count();
   row.springs = world.spring_count();
-  for (const mesh::TriangleMesh& object : world.assets().objects) row.object_triangles += object.triangles.size();
+  for (const mesh::TriangleMesh& object : world.assets().objects)
+    row.object_triangles += object.triangles.size();
   row.substeps = substeps;
   constexpr double kFramePasses = 3;  // guard, keep, surface: once a frame, for one cloth
   row.dispatches_per_step =
       (static_cast<double>(world.frame_commands(0).dispatch_count()) - kFramePasses) / world.substeps();
-  row.bytes_per_step = 4.0 * sizeof(Vec4f) * static_cast<double>(row.nodes);  // position and velocity, in and out
+  row.bytes_per_step =
+      4.0 * sizeof(Vec4f) * static_cast<double>(row.nodes);  // position and velocity, in and out
   return row;
 }
 

@@ -10,18 +10,18 @@ namespace weft::bench {
 
 /// One row of a benchmark: what was run, how long a step took, and the state it reached.
 struct Row {
-  std::string object;    // "none", "sphere", "armadillo", "dragon"
-  std::string variant;   // formulation or contact method
+  std::string object;   // "none", "sphere", "armadillo", "dragon"
+  std::string variant;  // formulation or contact method
   std::uint64_t nodes = 0, springs = 0, object_triangles = 0;
-  std::uint32_t substeps = 0;        // of a 60 Hz frame, chosen by "auto"
+  std::uint32_t substeps = 0;  // of a 60 Hz frame, chosen by "auto"
   double dispatches_per_step = 0;
-  double ms_per_step = 0;            // median over the timed submits, queue drained
+  double ms_per_step = 0;  // median over the timed submits, queue drained
   double ms_per_step_min = 0;
-  double real_time_factor = 0;       // simulated seconds per wall second
-  double bytes_per_step = 0;         // that the state alone must move: read once, written once
-  std::uint64_t contacts = 0;        // hits of the counted frames
-  std::string state_hash;            // after the counted frames, before the timed ones
-  std::string skipped;               // why this row was not run; empty where it was
+  double real_time_factor = 0;  // simulated seconds per wall second
+  double bytes_per_step = 0;    // that the state alone must move: read once, written once
+  std::uint64_t contacts = 0;   // hits of the counted frames
+  std::string state_hash;       // after the counted frames, before the timed ones
+  std::string skipped;          // why this row was not run; empty where it was
 };
 
 struct Timing {
@@ -33,7 +33,8 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
 
 /// Sets the scene to `steps` substeps a frame with the step that "auto" chooses for a frame of 1/60 s.
 /// Returns the substeps of a 60 Hz frame. Errors  Limit, DeviceLost.
-Result<std::uint32_t> fix_step(gpu::Device& device, scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps);
+Result<std::uint32_t> fix_step(gpu::Device& device, scene::Scene& scene, const sim::Assets& assets,
+                               std::uint32_t steps);
 
 /// What stands in every row: sizes, dispatches, bytes.
 Row describe(const sim::World& world, std::uint32_t substeps);

@@ -8,7 +8,8 @@ namespace weft::bench {
 namespace {
 
 constexpr double kSlowestStepMs = 2000;
-constexpr std::uint32_t kCountedSteps = 2;  // the same for all methods, so that contacts and hashes can be compared
+constexpr std::uint32_t kCountedSteps =
+    2;  // the same for all methods, so that contacts and hashes can be compared
 
 struct Case {
   const char* object;
@@ -24,7 +25,8 @@ Result<scene::Scene> load_case(const Case& c, const Folders& folders) {
 }
 
 /// The state at which the methods are compared, reached by the tree.
-Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const sim::Assets& assets, double seconds) {
+Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const sim::Assets& assets,
+                              double seconds) {
   scene.contact.method = scene::ContactMethod::Bvh;
   WEFT_TRY(world, sim::World::create(device, scene, assets));
   const int frames = static_cast<int>(std::ceil(seconds / scene.time.frame));
@@ -34,8 +36,9 @@ Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const sim
 }
 
 /// The world of a method with `steps` substeps a submit, at the common state.
-Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scene scene, const sim::Assets& assets,
-                                                const sim::Snapshot& start, std::uint32_t steps) {
+Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scene scene,
+                                                const sim::Assets& assets, const sim::Snapshot& start,
+                                                std::uint32_t steps) {
   WEFT_CHECK(fix_step(device, scene, assets, steps));
   WEFT_TRY(world, sim::World::create(device, scene, assets));
   world->restore(start);
@@ -81,7 +84,8 @@ Result<std::vector<Row>> run_pull(gpu::Device& device, bool quick, const Folders
       WEFT_TRY(scene, load_case(c, folders));
       WEFT_TRY(assets, sim::load_assets(scene, folders.models));
       WEFT_TRY(start, warm_up(device, scene, assets, quick ? 0.05 : 0.4));
-      for (const auto method : {scene::ContactMethod::None, scene::ContactMethod::Bvh, scene::ContactMethod::Paper}) {
+      for (const auto method :
+           {scene::ContactMethod::None, scene::ContactMethod::Bvh, scene::ContactMethod::Paper}) {
         if (method == scene::ContactMethod::Paper && too_slow) {
           Row skipped;
           skipped.object = object;

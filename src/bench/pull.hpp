@@ -11,10 +11,10 @@ struct Folders {
   std::string scenes, models;
 };
 
-/// The paper's second experiment: the pull scenes over three objects, with contact `none`, `bvh` and `paper`, over grids
-/// of 64² to 800² nodes (`quick`: 32² and 64² over the sphere and the armadillo). All methods are timed from the same
-/// state, 0.4 s into the scene (`quick`: 0.05 s). Brute force is left out from the first size whose step takes over 2 s.
-/// Errors  Input: a scene or model is missing. DeviceLost, Shader.
+/// The paper's second experiment: the pull scenes over three objects, with contact `none`, `bvh` and `paper`,
+/// over grids of 64² to 800² nodes (`quick`: 32² and 64² over the sphere and the armadillo). All methods are
+/// timed from the same state, 0.4 s into the scene (`quick`: 0.05 s). Brute force is left out from the first
+/// size whose step takes over 2 s. Errors  Input: a scene or model is missing. DeviceLost, Shader.
 Result<std::vector<Row>> run_pull(gpu::Device& device, bool quick, const Folders& folders,
                                   const std::function<void(const Row&)>& done);
 

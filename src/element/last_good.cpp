@@ -13,7 +13,8 @@ Result<LastGood> LastGood::create(gpu::Device& device, const State& state) {
   WEFT_TRY(velocity, gpu::Buffer<Vec4f>::create(device, state.velocity[0].size(), "last good velocity"));
   made.velocity_ = std::move(velocity);
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(guard_group, made.guard_.bind({state.position[parity], state.velocity[parity], state.statistics}));
+    WEFT_TRY(guard_group,
+             made.guard_.bind({state.position[parity], state.velocity[parity], state.statistics}));
     made.guard_groups_[parity] = std::move(guard_group);
     WEFT_TRY(keep_group, made.keep_.bind({state.position[parity], state.velocity[parity], made.position_,
                                           made.velocity_, state.statistics}));

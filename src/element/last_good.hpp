@@ -7,10 +7,9 @@
 
 namespace weft {
 
-/// Keeps the state of the last frame in which all was finite, and freezes the state there once a frame is not.
-/// Reads   position[parity], velocity[parity].
-/// Writes  the same once frozen; statistics.nonfinite, statistics.frozen.
-/// Errors  Shader, Limit, OutOfMemory.
+/// Keeps the state of the last frame in which all was finite, and freezes the state there once a frame is
+/// not. Reads   position[parity], velocity[parity]. Writes  the same once frozen; statistics.nonfinite,
+/// statistics.frozen. Errors  Shader, Limit, OutOfMemory.
 class LastGood {
  public:
   static Result<LastGood> create(gpu::Device& device, const State& state);

@@ -33,7 +33,8 @@ Result<Surface> Surface::create(gpu::Device& device, const Model& model, const S
                                                              gpu::kUniform | gpu::kCopyTarget));
     for (std::size_t parity = 0; parity < 2; ++parity) {
       WEFT_TRY(group, made.kernel_.bind({buffer, state.position[parity], model.rest_position, model.triangles,
-                                         made.offsets_, made.around_, made.normal_, made.stretch_, state.statistics}));
+                                         made.offsets_, made.around_, made.normal_, made.stretch_,
+                                         state.statistics}));
       part.groups[parity] = std::move(group);
     }
     part.params = std::move(buffer);

@@ -10,7 +10,8 @@ namespace weft {
 
 /// The normal and the stretch of every vertex, once a frame: for drawing and for the summary.
 /// Reads   position[parity], rest_position [m]; triangles.
-/// Writes  normal: vertex_count x Vec4f, unit; stretch: vertex_count x f32, length / rest length of the most stretched
+/// Writes  normal: vertex_count x Vec4f, unit; stretch: vertex_count x f32, length / rest length of the most
+/// stretched
 ///         edge at the vertex; statistics.max_stretch.
 /// Errors  Shader, Limit, OutOfMemory.
 class Surface {

@@ -41,13 +41,15 @@ Result<Id> create_buffer(Context&, std::uint64_t bytes, std::uint32_t usage, con
 void write_buffer(Context&, Id buffer, std::uint64_t offset, std::span<const std::byte> bytes);
 
 Result<Id> create_shader_module(Context&, const std::string& text, const std::string& label);
-Result<Id> create_bind_group_layout(Context&, std::span<const BindingLayout>, bool for_render, const std::string& label);
+Result<Id> create_bind_group_layout(Context&, std::span<const BindingLayout>, bool for_render,
+                                    const std::string& label);
 Result<Id> create_pipeline_layout(Context&, Id bind_group_layout, const std::string& label);
-Result<Id> create_bind_group(Context&, Id layout, std::span<const BindingLayout>, std::span<const BindingSource>,
-                             const std::string& label);
-Result<Id> create_compute_pipeline(Context&, Id layout, Id module, const std::string& entry, std::span<const Constant>,
-                                   const std::string& label);
-Result<Id> create_render_pipeline(Context&, Id layout, Id module, const RenderPipelineInfo&, const std::string& label);
+Result<Id> create_bind_group(Context&, Id layout, std::span<const BindingLayout>,
+                             std::span<const BindingSource>, const std::string& label);
+Result<Id> create_compute_pipeline(Context&, Id layout, Id module, const std::string& entry,
+                                   std::span<const Constant>, const std::string& label);
+Result<Id> create_render_pipeline(Context&, Id layout, Id module, const RenderPipelineInfo&,
+                                  const std::string& label);
 
 Result<Id> create_texture(Context&, const TextureInfo&, const std::string& label);
 Result<Id> create_texture_view(Context&, Id texture, const std::string& label);

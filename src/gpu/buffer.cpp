@@ -6,14 +6,16 @@ Result<RawBuffer> RawBuffer::create(Device& device, std::uint64_t bytes, std::ui
                                     const std::string& label) {
   const Limits& limits = device.limits();
   if (bytes > limits.max_buffer_size)
-    return make_error(ErrorKind::Limit, "Buffer %s needs %llu bytes, more than this adapter's maxBufferSize of %llu.",
+    return make_error(ErrorKind::Limit,
+                      "Buffer %s needs %llu bytes, more than this adapter's maxBufferSize of %llu.",
                       label.c_str(), static_cast<unsigned long long>(bytes),
                       static_cast<unsigned long long>(limits.max_buffer_size));
   if ((usage & kStorage) != 0 && bytes > limits.max_storage_binding_size)
-    return make_error(ErrorKind::Limit,
-                      "Buffer %s needs %llu bytes, more than this adapter's maxStorageBufferBindingSize of %llu.",
-                      label.c_str(), static_cast<unsigned long long>(bytes),
-                      static_cast<unsigned long long>(limits.max_storage_binding_size));
+    return make_error(
+        ErrorKind::Limit,
+        "Buffer %s needs %llu bytes, more than this adapter's maxStorageBufferBindingSize of %llu.",
+        label.c_str(), static_cast<unsigned long long>(bytes),
+        static_cast<unsigned long long>(limits.max_storage_binding_size));
   WEFT_TRY(id, backend::create_buffer(device.context(), bytes, usage, label));
   RawBuffer buffer;
   buffer.object_ = Object(ObjectKind::Buffer, id);

@@ -20,8 +20,10 @@ class RawBuffer {
   RawBuffer& operator=(RawBuffer&& other) noexcept;
   ~RawBuffer();
 
-  /// Errors  Limit: larger than the device's limit, which is named with both numbers. OutOfMemory, DeviceLost.
-  static Result<RawBuffer> create(Device& device, std::uint64_t bytes, std::uint32_t usage, const std::string& label);
+  /// Errors  Limit: larger than the device's limit, which is named with both numbers. OutOfMemory,
+  /// DeviceLost.
+  static Result<RawBuffer> create(Device& device, std::uint64_t bytes, std::uint32_t usage,
+                                  const std::string& label);
 
   Id id() const { return object_.id(); }
   std::uint64_t bytes() const { return bytes_; }

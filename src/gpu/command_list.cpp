@@ -46,9 +46,9 @@ void CommandList::reset() {
 }
 
 std::size_t CommandList::dispatch_count() const {
-  return static_cast<std::size_t>(std::count_if(commands_.begin(), commands_.end(), [](const Command& command) {
-    return command.kind == CommandKind::Dispatch;
-  }));
+  return static_cast<std::size_t>(
+      std::count_if(commands_.begin(), commands_.end(),
+                    [](const Command& command) { return command.kind == CommandKind::Dispatch; }));
 }
 
 std::uint32_t CommandList::add_label(const std::string& label) {
@@ -56,7 +56,8 @@ std::uint32_t CommandList::add_label(const std::string& label) {
   return static_cast<std::uint32_t>(labels_.size() - 1);
 }
 
-ComputePass::ComputePass(CommandList& list, const std::string& label, PassTimestamps timestamps) : list_(list) {
+ComputePass::ComputePass(CommandList& list, const std::string& label, PassTimestamps timestamps)
+    : list_(list) {
   list_.commands_.push_back({CommandKind::BeginCompute,
                              {timestamps.query_set},
                              {list_.add_label(label), timestamps.begin, timestamps.end},
@@ -73,7 +74,8 @@ void ComputePass::dispatch(Id pipeline, Id bind_group, std::array<std::uint32_t,
                              {}});
 }
 
-RenderPass::RenderPass(CommandList& list, const RenderTarget& target, const std::string& label) : list_(list) {
+RenderPass::RenderPass(CommandList& list, const RenderTarget& target, const std::string& label)
+    : list_(list) {
   list_.targets_.push_back(target);
   const auto index = static_cast<std::uint32_t>(list_.targets_.size() - 1);
   list_.commands_.push_back({CommandKind::BeginRender, {}, {index, list_.add_label(label)}, {}});
@@ -90,7 +92,8 @@ void RenderPass::draw(Id pipeline, Id bind_group, std::uint32_t vertices, std::u
 void RenderPass::draw_indexed(Id pipeline, Id bind_group, Id index_buffer, std::uint32_t indices,
                               std::uint32_t first) {
   if (indices == 0) return;
-  list_.commands_.push_back({CommandKind::Draw, {pipeline, bind_group, index_buffer}, {indices, 1, first}, {}});
+  list_.commands_.push_back(
+      {CommandKind::Draw, {pipeline, bind_group, index_buffer}, {indices, 1, first}, {}});
 }
 
 }  // namespace weft::gpu

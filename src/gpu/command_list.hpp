@@ -11,16 +11,17 @@
 namespace weft::gpu {
 
 enum class CommandKind : std::uint8_t {
-  BeginCompute,   // args[0]: label; args[1], args[2]: begin and end timestamp, or kNoTimestamp; ids[0]: query set
+  BeginCompute,  // args[0]: label; args[1], args[2]: begin and end timestamp, or kNoTimestamp; ids[0]: query
+                 // set
   EndCompute,
-  Dispatch,       // ids: pipeline, bind group; args: x, y, z, offset of the step's uniform block, has such a block
-  CopyBuffer,     // ids: source, target; sizes: source offset, target offset, bytes
-  ClearBuffer,    // ids: buffer; sizes: offset, bytes
-  ResolveQueries, // ids: query set, buffer; args: count
-  BeginRender,    // args[0]: index of the render target, args[1]: label
+  Dispatch,  // ids: pipeline, bind group; args: x, y, z, offset of the step's uniform block, has such a block
+  CopyBuffer,      // ids: source, target; sizes: source offset, target offset, bytes
+  ClearBuffer,     // ids: buffer; sizes: offset, bytes
+  ResolveQueries,  // ids: query set, buffer; args: count
+  BeginRender,     // args[0]: index of the render target, args[1]: label
   EndRender,
-  Draw,           // ids: pipeline, bind group, index buffer or 0; args: count, instances, first
-  CopyTexture,    // ids: texture, buffer; args: width, height, bytes a row
+  Draw,         // ids: pipeline, bind group, index buffer or 0; args: count, instances, first
+  CopyTexture,  // ids: texture, buffer; args: width, height, bytes a row
 };
 
 struct Command {
@@ -43,7 +44,8 @@ class CommandList {
  public:
   void copy(const BindingSource& source, const BindingSource& target);  ///< whole ranges of equal size
   void clear(const BindingSource& buffer);
-  void copy_texture(Id texture, Id buffer, std::uint32_t width, std::uint32_t height, std::uint32_t row_bytes);
+  void copy_texture(Id texture, Id buffer, std::uint32_t width, std::uint32_t height,
+                    std::uint32_t row_bytes);
   void resolve_queries(Id query_set, std::uint32_t count, Id buffer);
   void append(const CommandList& other);
   void reset();
@@ -70,8 +72,8 @@ struct PassTimestamps {
 };
 
 /// Records dispatches into a list, from its making to its end of life.
-/// Knows the substep that is being recorded: kernels that read StepParams get that substep's block, and wrappers that
-/// swap buffers every substep choose theirs by its parity.
+/// Knows the substep that is being recorded: kernels that read StepParams get that substep's block, and
+/// wrappers that swap buffers every substep choose theirs by its parity.
 class ComputePass {
  public:
   ComputePass(CommandList& list, const std::string& label, PassTimestamps timestamps = {});
@@ -99,8 +101,10 @@ class RenderPass {
   RenderPass(const RenderPass&) = delete;
   RenderPass& operator=(const RenderPass&) = delete;
 
-  void draw(Id pipeline, Id bind_group, std::uint32_t vertices, std::uint32_t instances = 1, std::uint32_t first = 0);
-  void draw_indexed(Id pipeline, Id bind_group, Id index_buffer, std::uint32_t indices, std::uint32_t first = 0);
+  void draw(Id pipeline, Id bind_group, std::uint32_t vertices, std::uint32_t instances = 1,
+            std::uint32_t first = 0);
+  void draw_indexed(Id pipeline, Id bind_group, Id index_buffer, std::uint32_t indices,
+                    std::uint32_t first = 0);
 
  private:
   CommandList& list_;

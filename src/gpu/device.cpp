@@ -18,7 +18,8 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
 
 void Device::lower_limits(const Limits& limits) {
   limits_.max_buffer_size = std::min(limits_.max_buffer_size, limits.max_buffer_size);
-  limits_.max_storage_binding_size = std::min(limits_.max_storage_binding_size, limits.max_storage_binding_size);
+  limits_.max_storage_binding_size =
+      std::min(limits_.max_storage_binding_size, limits.max_storage_binding_size);
 }
 
 Result<void> Device::submit(const CommandList& list) { return backend::submit(*context_, list); }

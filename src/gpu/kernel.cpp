@@ -8,7 +8,8 @@ namespace weft::gpu {
 Result<BindGroup> BindGroup::create(Device& device, Id layout, std::span<const BindingLayout> bindings,
                                     std::initializer_list<Binding> sources, const std::string& label) {
   if (sources.size() != bindings.size())
-    return shape_error("Shader %s binds %zu things, not %zu.", label.c_str(), bindings.size(), sources.size());
+    return shape_error("Shader %s binds %zu things, not %zu.", label.c_str(), bindings.size(),
+                       sources.size());
   std::vector<BindingSource> list;
   for (const Binding& binding : sources) list.push_back(binding.source);
   WEFT_TRY(id, backend::create_bind_group(device.context(), layout, bindings, list, label));
@@ -20,17 +21,18 @@ Result<BindGroup> BindGroup::create(Device& device, Id layout, std::span<const B
 Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vector<Constant> constants,
                               std::uint32_t workgroup_size) {
   if (workgroup_size > device.limits().max_invocations_per_workgroup)
-    return make_error(ErrorKind::Limit, "Kernel %s has workgroups of %u, more than this adapter's limit of %u.",
-                      path.c_str(), workgroup_size, device.limits().max_invocations_per_workgroup);
+    return make_error(ErrorKind::Limit,
+                      "Kernel %s has workgroups of %u, more than this adapter's limit of %u.", path.c_str(),
+                      workgroup_size, device.limits().max_invocations_per_workgroup);
   WEFT_TRY(source, ShaderSource::load(path));
   Kernel kernel;
   kernel.device_ = &device;
   kernel.label_ = path;
   kernel.workgroup_size_ = workgroup_size;
   kernel.bindings_ = std::move(source.bindings);
-  kernel.reads_step_ = std::any_of(kernel.bindings_.begin(), kernel.bindings_.end(), [](const BindingLayout& binding) {
-    return binding.kind == BindingKind::StepUniform;
-  });
+  kernel.reads_step_ =
+      std::any_of(kernel.bindings_.begin(), kernel.bindings_.end(),
+                  [](const BindingLayout& binding) { return binding.kind == BindingKind::StepUniform; });
   if (source.text.find("override kWorkgroupSize") != std::string::npos)
     constants.push_back({"kWorkgroupSize", static_cast<double>(workgroup_size)});
 
@@ -63,7 +65,8 @@ void Kernel::dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t c
   dispatch_groups(pass, group, kGroupsPerRow, static_cast<std::uint32_t>(rows));
 }
 
-void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x, std::uint32_t y) const {
+void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x,
+                             std::uint32_t y) const {
   pass.dispatch(pipeline_.id(), group.id(), {x, y, 1}, reads_step_);
 }
 

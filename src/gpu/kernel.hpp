@@ -40,17 +40,16 @@ class Kernel {
  public:
   Kernel() = default;
 
-  /// Compiles shaders/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its fixed
-  /// workgroup size.
-  /// Errors  Shader: it does not compile, or its bindings exceed the adapter's limits.
+  /// Compiles shaders/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its
+  /// fixed workgroup size. Errors  Shader: it does not compile, or its bindings exceed the adapter's limits.
   static Result<Kernel> create(Device& device, const std::string& path, std::vector<Constant> constants = {},
                                std::uint32_t workgroup_size = kDefaultWorkgroupSize);
 
   /// Errors  Shape: another number of buffers than the shader binds.
   Result<BindGroup> bind(std::initializer_list<Binding> sources) const;
 
-  /// One invocation for each of `count` elements. The kernel finds its element by flat_index (shared/index.wgsl),
-  /// since past 65,535 workgroups the dispatch gets a second dimension.
+  /// One invocation for each of `count` elements. The kernel finds its element by flat_index
+  /// (shared/index.wgsl), since past 65,535 workgroups the dispatch gets a second dimension.
   void dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const;
   void dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x, std::uint32_t y = 1) const;
 

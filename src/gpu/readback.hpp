@@ -15,8 +15,8 @@
 
 namespace weft::gpu {
 
-/// Bytes on their way from the GPU to the host, without the host waiting: record the copy, submit, start, look again
-/// later.
+/// Bytes on their way from the GPU to the host, without the host waiting: record the copy, submit, start,
+/// look again later.
 class Readback {
  public:
   Readback() = default;

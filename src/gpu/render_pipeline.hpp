@@ -15,7 +15,8 @@ class RenderPipeline {
  public:
   RenderPipeline() = default;
   /// Errors  Shader: it does not compile, or does not fit the formats.
-  static Result<RenderPipeline> create(Device& device, const std::string& path, const RenderPipelineInfo& info);
+  static Result<RenderPipeline> create(Device& device, const std::string& path,
+                                       const RenderPipelineInfo& info);
 
   /// Errors  Shape: another number of things than the shader binds.
   Result<BindGroup> bind(std::initializer_list<Binding> sources) const;

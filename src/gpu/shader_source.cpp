@@ -51,7 +51,8 @@ std::string between(const std::string& line, char open, char close, std::size_t 
 }
 
 Result<BindingKind> binding_kind(const std::string& address_space, const std::string& type) {
-  if (address_space == "uniform") return type == "StepParams" ? BindingKind::StepUniform : BindingKind::Uniform;
+  if (address_space == "uniform")
+    return type == "StepParams" ? BindingKind::StepUniform : BindingKind::Uniform;
   if (address_space == "storage" || address_space == "storage,read") return BindingKind::StorageRead;
   if (address_space == "storage,read_write") return BindingKind::StorageReadWrite;
   if (type.rfind("texture_depth_2d", 0) == 0) return BindingKind::DepthTexture;
@@ -74,7 +75,8 @@ Result<std::vector<BindingLayout>> parse_bindings(const std::string& text) {
     if (var == std::string::npos || colon == std::string::npos)
       return make_error(ErrorKind::Shader, "Binding \"%s\" is not declared on one line.", line.c_str());
     BindingLayout binding;
-    binding.binding = static_cast<std::uint32_t>(std::atoi(between(line, '(', ')', line.find("@binding")).c_str()));
+    binding.binding =
+        static_cast<std::uint32_t>(std::atoi(between(line, '(', ')', line.find("@binding")).c_str()));
     const bool has_space = line[var + 4] == '<';
     const std::string space = has_space ? between(line, '<', '>', var) : "";
     const std::size_t name = has_space ? line.find('>', var) + 1 : var + 4;
@@ -88,8 +90,8 @@ Result<std::vector<BindingLayout>> parse_bindings(const std::string& text) {
             [](const BindingLayout& a, const BindingLayout& b) { return a.binding < b.binding; });
   for (std::size_t i = 0; i < bindings.size(); ++i)
     if (bindings[i].binding != i)
-      return make_error(ErrorKind::Shader, "Binding %s has number %u where %zu is next.", bindings[i].name.c_str(),
-                        bindings[i].binding, i);
+      return make_error(ErrorKind::Shader, "Binding %s has number %u where %zu is next.",
+                        bindings[i].name.c_str(), bindings[i].binding, i);
   return bindings;
 }
 

@@ -22,9 +22,9 @@ struct ShaderSource {
   std::string text;
   std::vector<BindingLayout> bindings;  // of group 0, in the order of their numbers
 
-  /// Reads shaders/`path` and what it includes, each file once. Where WEFT_SHADERS names a folder, files are read
-  /// from there, so that a kernel can be changed without a build.
-  /// Errors  Shader: a file is missing, or a binding is not of a kind that weft knows.
+  /// Reads shaders/`path` and what it includes, each file once. Where WEFT_SHADERS names a folder, files are
+  /// read from there, so that a kernel can be changed without a build. Errors  Shader: a file is missing, or
+  /// a binding is not of a kind that weft knows.
   static Result<ShaderSource> load(const std::string& path);
 };
 

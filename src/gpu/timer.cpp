@@ -8,13 +8,15 @@ namespace weft::gpu {
 
 Result<Timer> Timer::create(Device& device, std::uint32_t max_spans) {
   if (!device.has_timestamps())
-    return make_error(ErrorKind::Limit, "Adapter %s has no timestamp queries.", device.adapter().name.c_str());
+    return make_error(ErrorKind::Limit, "Adapter %s has no timestamp queries.",
+                      device.adapter().name.c_str());
   Timer timer;
   timer.device_ = &device;
   timer.max_spans_ = max_spans;
   WEFT_TRY(queries, backend::create_timestamp_queries(device.context(), 2 * max_spans, "timer"));
   timer.queries_ = Object(ObjectKind::QuerySet, queries);
-  WEFT_TRY(ticks, Buffer<std::uint64_t>::create(device, 2UL * max_spans, "timer ticks", kQueryResolve | kCopySource));
+  WEFT_TRY(ticks, Buffer<std::uint64_t>::create(device, 2UL * max_spans, "timer ticks",
+                                                kQueryResolve | kCopySource));
   timer.ticks_ = std::move(ticks);
   return timer;
 }

@@ -11,8 +11,8 @@
 
 namespace weft::gpu {
 
-/// Times passes on the GPU. Timestamps stand only at the bounds of passes, so an instrumented run splits into more
-/// passes than a plain one: use it to see shares, not to quote totals.
+/// Times passes on the GPU. Timestamps stand only at the bounds of passes, so an instrumented run splits into
+/// more passes than a plain one: use it to see shares, not to quote totals.
 class Timer {
  public:
   struct Span {

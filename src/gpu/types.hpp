@@ -26,7 +26,7 @@ enum class ObjectKind : std::uint8_t {
 };
 
 struct AdapterInfo {
-  std::string name;     // "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string name;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string vendor;
   std::string driver;   // the driver's own description
   std::string backend;  // "Vulkan"
@@ -40,7 +40,7 @@ struct Limits {
   std::uint32_t max_storage_buffers_per_stage = 0;
   std::uint32_t max_invocations_per_workgroup = 0;
   std::uint32_t max_workgroups_per_dimension = 0;
-  std::uint32_t max_texture_size = 0;  // pixels a side
+  std::uint32_t max_texture_size = 0;                // pixels a side
   std::uint32_t min_uniform_offset_alignment = 256;  // bytes
 };
 

@@ -24,7 +24,8 @@ void advance(MassSpringSystem& system, double dt) {
       system.velocity[i] = {};
       continue;
     }
-    const Vec3d acceleration = system.acceleration + system.inverse_mass[i] * forces[i] - system.drag * system.velocity[i];
+    const Vec3d acceleration =
+        system.acceleration + system.inverse_mass[i] * forces[i] - system.drag * system.velocity[i];
     system.velocity[i] += dt * acceleration;
     system.position[i] += dt * system.velocity[i];
   }
@@ -35,10 +36,12 @@ double energy(const MassSpringSystem& system) {
   for (std::size_t i = 0; i < system.position.size(); ++i) {
     if (system.inverse_mass[i] == 0) continue;
     const double mass = 1 / system.inverse_mass[i];
-    sum += 0.5 * mass * dot(system.velocity[i], system.velocity[i]) - mass * dot(system.acceleration, system.position[i]);
+    sum += 0.5 * mass * dot(system.velocity[i], system.velocity[i]) -
+           mass * dot(system.acceleration, system.position[i]);
   }
   for (const SpringLink& spring : system.springs) {
-    const double elongation = length(system.position[spring.node_b] - system.position[spring.node_a]) - spring.rest_length;
+    const double elongation =
+        length(system.position[spring.node_b] - system.position[spring.node_a]) - spring.rest_length;
     sum += 0.5 * spring.stiffness * elongation * elongation;
   }
   return sum;

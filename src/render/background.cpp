@@ -4,7 +4,8 @@
 
 namespace weft::render {
 
-Result<Background> Background::create(gpu::Device& device, scene::View view, const gpu::Buffer<FrameParams>& frame) {
+Result<Background> Background::create(gpu::Device& device, scene::View view,
+                                      const gpu::Buffer<FrameParams>& frame) {
   Background made;
   gpu::RenderPipelineInfo info = picture_pipeline(view);
   info.depth_write = false;

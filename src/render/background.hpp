@@ -10,7 +10,8 @@ namespace weft::render {
 class Background {
  public:
   Background() = default;
-  static Result<Background> create(gpu::Device& device, scene::View view, const gpu::Buffer<FrameParams>& frame);
+  static Result<Background> create(gpu::Device& device, scene::View view,
+                                   const gpu::Buffer<FrameParams>& frame);
   void record(gpu::RenderPass& pass) const { pass.draw(pipeline_.id(), group_.id(), 3); }
 
  private:

@@ -47,8 +47,9 @@ Basis basis_of(const Camera& camera) {
 }
 
 // A corner at (x, y, z) of the viewer's axes lies in the frame, seen along -z from the point (cx, cy, d), if
-// |x - cx| <= (d - z) t with t = tan(fov_x / 2): d t >= A - cx and d t >= B + cx, where A and B are the largest z t + x
-// and z t - x. So cx = (A - B) / 2 lets the camera come nearest, to d = (A + B) / (2 t). The same holds for y.
+// |x - cx| <= (d - z) t with t = tan(fov_x / 2): d t >= A - cx and d t >= B + cx, where A and B are the
+// largest z t + x and z t - x. So cx = (A - B) / 2 lets the camera come nearest, to d = (A + B) / (2 t). The
+// same holds for y.
 Camera frame_camera(const mesh::Bounds& bounds, double aspect, double fov_degrees) {
   const Basis basis = basis_looking({std::sin(kAzimuth) * std::cos(kElevation), std::sin(kElevation),
                                      std::cos(kAzimuth) * std::cos(kElevation)});

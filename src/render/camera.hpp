@@ -25,8 +25,8 @@ Camera frame_camera(const mesh::Bounds& bounds, double aspect, double fov_degree
 /// World to clip space, depth 0 at `near` and 1 at `far` [m].
 Mat4d view_projection(const Camera& camera, double aspect, double near, double far);
 
-/// World to the clip space of a parallel light from the direction `to_light`, just around `bounds`; the side of one
-/// of the map's `texels` comes back too.
+/// World to the clip space of a parallel light from the direction `to_light`, just around `bounds`; the side
+/// of one of the map's `texels` comes back too.
 struct LightView {
   Mat4d projection;
   double texel = 0;  // [m]

@@ -17,7 +17,8 @@ extern char** environ;
 namespace weft::render {
 namespace {
 
-/// Keeps SIGPIPE from this thread while it lives, so that a write to a dead program is an error and not our end.
+/// Keeps SIGPIPE from this thread while it lives, so that a write to a dead program is an error and not our
+/// end.
 class NoPipeSignal {
  public:
   NoPipeSignal() {
@@ -72,7 +73,8 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& argumen
   child.name_ = arguments[0].substr(arguments[0].rfind('/') + 1);
   int pipe[2];
   if (::pipe2(pipe, O_CLOEXEC) != 0)
-    return make_error(ErrorKind::Failure, "No pipe to %s can be made: %s.", child.name_.c_str(), std::strerror(errno));
+    return make_error(ErrorKind::Failure, "No pipe to %s can be made: %s.", child.name_.c_str(),
+                      std::strerror(errno));
   child.input_ = pipe[1];
   child.said_ = open_nameless();
 
@@ -80,8 +82,10 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& argumen
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_adddup2(&files, pipe[0], 0);
   posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
-  if (child.said_ >= 0) posix_spawn_file_actions_adddup2(&files, child.said_, 2);
-  else posix_spawn_file_actions_addopen(&files, 2, "/dev/null", O_WRONLY, 0);
+  if (child.said_ >= 0)
+    posix_spawn_file_actions_adddup2(&files, child.said_, 2);
+  else
+    posix_spawn_file_actions_addopen(&files, 2, "/dev/null", O_WRONLY, 0);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
@@ -140,10 +144,10 @@ Result<void> ChildProcess::finish() {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   const std::string words = last_words();
   if (WIFSIGNALED(status))
-    return make_error(ErrorKind::Failure, "Program %s was ended by signal %d%s%s.", name_.c_str(), WTERMSIG(status),
-                      words.empty() ? "" : ": ", words.c_str());
-  return make_error(ErrorKind::Failure, "Program %s failed with exit code %d%s%s.", name_.c_str(), WEXITSTATUS(status),
-                    words.empty() ? "" : ": ", words.c_str());
+    return make_error(ErrorKind::Failure, "Program %s was ended by signal %d%s%s.", name_.c_str(),
+                      WTERMSIG(status), words.empty() ? "" : ": ", words.c_str());
+  return make_error(ErrorKind::Failure, "Program %s failed with exit code %d%s%s.", name_.c_str(),
+                    WEXITSTATUS(status), words.empty() ? "" : ": ", words.c_str());
 }
 
 void ChildProcess::close_input() {

@@ -17,7 +17,8 @@ namespace weft::render {
 /// The file that a program's name stands for on PATH.
 std::optional<std::string> find_program(const std::string& name);
 
-/// A running program. Its standard output is dropped; the end of what it says on standard error becomes the error.
+/// A running program. Its standard output is dropped; the end of what it says on standard error becomes the
+/// error.
 class ChildProcess {
  public:
   ChildProcess() = default;

@@ -23,15 +23,19 @@ constexpr Dye kPalette[] = {
 Dye dye_of(const Vec3f& color) {
   const Vec3f white{1, 0.97F, 0.88F};
   const Vec3f complement = Vec3f{1, 1, 1} - color;
-  return {color, 0.40F * color, 0.22F * color + 0.78F * white, 0.35F * color + 0.4F * complement + 0.25F * white};
+  return {color, 0.40F * color, 0.22F * color + 0.78F * white,
+          0.35F * color + 0.4F * complement + 0.25F * white};
 }
 
 const char* entry_of(scene::View view) {
   switch (view) {
     case scene::View::Textured:
-    case scene::View::Wireframe: break;  // has a class of its own
-    case scene::View::Normals: return "fragment_normals";
-    case scene::View::Stretch: return "fragment_stretch";
+    case scene::View::Wireframe:
+      break;  // has a class of its own
+    case scene::View::Normals:
+      return "fragment_normals";
+    case scene::View::Stretch:
+      return "fragment_stretch";
   }
   return "fragment_textured";
 }
@@ -46,9 +50,11 @@ WeaveParams weave_of(const ClothRange& range, std::size_t index) {
           Vec4f::from(srgb_to_linear(dye.accent), 0), Vec4f::from(srgb_to_linear(dye.back), 0.68F)};
 }
 
-Result<gpu::Buffer<WeaveParams>> create_weave(gpu::Device& device, const ClothRange& range, std::size_t index) {
+Result<gpu::Buffer<WeaveParams>> create_weave(gpu::Device& device, const ClothRange& range,
+                                              std::size_t index) {
   const WeaveParams params = weave_of(range, index);
-  return gpu::Buffer<WeaveParams>::create_from(device, {&params, 1}, "weave", gpu::kUniform | gpu::kCopyTarget);
+  return gpu::Buffer<WeaveParams>::create_from(device, {&params, 1}, "weave",
+                                               gpu::kUniform | gpu::kCopyTarget);
 }
 
 Result<ClothSurface> ClothSurface::create(gpu::Device& device, scene::View view,
@@ -60,7 +66,8 @@ Result<ClothSurface> ClothSurface::create(gpu::Device& device, scene::View view,
   WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/cloth.wgsl", info));
   made.pipeline_ = std::move(pipeline);
   made.index_buffer_ = cloth.triangles->id();
-  const gpu::RawBuffer& stretch = cloth.stretch != nullptr ? *cloth.stretch : *cloth.uv;  // read in one view only
+  const gpu::RawBuffer& stretch =
+      cloth.stretch != nullptr ? *cloth.stretch : *cloth.uv;  // read in one view only
   for (const ClothRange& range : cloth.ranges) {
     Part part;
     WEFT_TRY(weave, create_weave(device, range, made.parts_.size()));
@@ -79,7 +86,8 @@ Result<ClothSurface> ClothSurface::create(gpu::Device& device, scene::View view,
 
 void ClothSurface::record(gpu::RenderPass& pass, std::uint32_t parity) const {
   for (const Part& part : parts_)
-    pass.draw_indexed(pipeline_.id(), part.groups[parity].id(), index_buffer_, part.index_count, part.first_index);
+    pass.draw_indexed(pipeline_.id(), part.groups[parity].id(), index_buffer_, part.index_count,
+                      part.first_index);
 }
 
 }  // namespace weft::render

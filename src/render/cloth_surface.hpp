@@ -15,14 +15,16 @@ struct WeaveParams {
 };
 /// The check of cloth number `index`, woven from its colour or from a palette's.
 WeaveParams weave_of(const ClothRange& range, std::size_t index);
-Result<gpu::Buffer<WeaveParams>> create_weave(gpu::Device& device, const ClothRange& range, std::size_t index);
+Result<gpu::Buffer<WeaveParams>> create_weave(gpu::Device& device, const ClothRange& range,
+                                              std::size_t index);
 
 /// Draws the triangles of all cloths, woven, or coloured by normal or stretch.
 class ClothSurface {
  public:
   ClothSurface() = default;
-  static Result<ClothSurface> create(gpu::Device& device, scene::View view, const gpu::Buffer<FrameParams>& frame,
-                                     const ShadowMap& shadow, const ClothDraw& cloth);
+  static Result<ClothSurface> create(gpu::Device& device, scene::View view,
+                                     const gpu::Buffer<FrameParams>& frame, const ShadowMap& shadow,
+                                     const ClothDraw& cloth);
   void record(gpu::RenderPass& pass, std::uint32_t parity) const;
 
  private:

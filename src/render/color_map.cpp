@@ -21,7 +21,8 @@ Vec3f map_color(float value) {
   const float place = std::clamp(value, 0.0F, 1.0F) * static_cast<float>(kColorMapSize - 1);
   const auto below = std::min(static_cast<std::size_t>(place), kColorMapSize - 2);
   const float share = place - static_cast<float>(below);
-  const Vec3f mixed = (1 - share) * srgb_to_linear(kColorMap[below]) + share * srgb_to_linear(kColorMap[below + 1]);
+  const Vec3f mixed =
+      (1 - share) * srgb_to_linear(kColorMap[below]) + share * srgb_to_linear(kColorMap[below + 1]);
   return {linear_to_srgb(mixed.x), linear_to_srgb(mixed.y), linear_to_srgb(mixed.z)};
 }
 

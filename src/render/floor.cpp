@@ -6,7 +6,8 @@
 
 namespace weft::render {
 
-PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle, double reach, bool shadows_only) {
+PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle, double reach,
+                         bool shadows_only) {
   const Vec3d normal = plane.normal / length(plane.normal);
   const Vec3d center = middle - dot(normal, middle - plane.point) * normal;
   const Vec3d helper = std::abs(normal.x) < 0.9 ? Vec3d{1, 0, 0} : Vec3d{0, 0, 1};

@@ -12,7 +12,8 @@ struct PlaneParams {
   Vec4f across;  // unit; w: 1 for a floor, 0 for one that is seen only by the shadows on it
 };
 /// The part of a plane under what is drawn: around the point nearest to `middle`, `reach` [m] to each side.
-PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle, double reach, bool shadows_only);
+PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle, double reach,
+                         bool shadows_only);
 
 /// Draws a plane that fades into the background.
 class Floor {

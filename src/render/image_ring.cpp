@@ -57,7 +57,8 @@ Result<Image> ImageRing::take() {
   if (early) return std::move(*early);
   WEFT_CHECK(device_->wait());
   WEFT_TRY(image, try_take());
-  if (!image) return make_error(ErrorKind::DeviceLost, "A picture of %u x %u pixels did not arrive.", width_, height_);
+  if (!image)
+    return make_error(ErrorKind::DeviceLost, "A picture of %u x %u pixels did not arrive.", width_, height_);
   return std::move(*image);
 }
 

@@ -16,7 +16,7 @@ namespace weft::render {
 struct ClothRange {
   std::uint32_t first_triangle = 0, triangle_count = 0;
   std::optional<Vec3d> color;  // sRGB in [0, 1]; none: the next of a palette
-  double sheet_size = 1;       // the longer side of the sheet in uv [m]: the check repeats a few times over it
+  double sheet_size = 1;  // the longer side of the sheet in uv [m]: the check repeats a few times over it
 };
 
 /// All cloths of a state. The buffers must outlive the renderer.
@@ -25,13 +25,13 @@ struct ClothDraw {
   const gpu::RawBuffer* normal = nullptr;           // vertex_count x Vec4f, unit
   const gpu::RawBuffer* uv = nullptr;               // vertex_count x 2 float [m]
   const gpu::RawBuffer* triangles = nullptr;        // 3 x triangle_count uint32; usage kIndex and kStorage
-  const gpu::RawBuffer* stretch = nullptr;          // vertex_count x float, length / rest length; only View::Stretch
+  const gpu::RawBuffer* stretch = nullptr;  // vertex_count x float, length / rest length; only View::Stretch
   std::vector<ClothRange> ranges;
 };
 
 struct Inputs {
   ClothDraw cloth;
-  std::vector<mesh::TriangleMesh> objects;     // in the world [m]; copied at creation
+  std::vector<mesh::TriangleMesh> objects;  // in the world [m]; copied at creation
   std::vector<scene::ColliderSphere> spheres;
   std::vector<scene::ColliderPlane> planes;
 };

@@ -36,7 +36,8 @@ LegendLayout legend_layout(std::uint32_t width, std::uint32_t height) {
   layout.text_height = text;
   const int pad = rounded(text);
   const int bar_width = rounded(1.2F * text), tick = rounded(0.9F * text), bar_height = rounded(0.4F * tall);
-  const int content_width = std::max(bar_width + tick + rounded(label_width), rounded(text_width("stretch", text)));
+  const int content_width =
+      std::max(bar_width + tick + rounded(label_width), rounded(text_width("stretch", text)));
   const int panel_width = content_width + 2 * pad;
   const int panel_height = bar_height + rounded(2.5F * text) + 2 * pad;
   layout.panel = {static_cast<int>(width) - panel_width - pad, (static_cast<int>(height) - panel_height) / 2,
@@ -68,8 +69,10 @@ void draw_legend(Image& image, double lowest, double highest) {
     const Rectangle& label = layout.labels[static_cast<std::size_t>(i)];
     char number[32];
     std::snprintf(number, sizeof number, "%.2f", highest - (highest - lowest) * i / (kLegendLabels - 1));
-    fill(image, {bar.x + bar.width, bar.y + i * (bar.height - 1) / (kLegendLabels - 1), bar.width / 3, 1}, kInk, 1);
-    draw_text(image, static_cast<float>(label.x), static_cast<float>(label.y), layout.text_height, number, kInk);
+    fill(image, {bar.x + bar.width, bar.y + i * (bar.height - 1) / (kLegendLabels - 1), bar.width / 3, 1},
+         kInk, 1);
+    draw_text(image, static_cast<float>(label.x), static_cast<float>(label.y), layout.text_height, number,
+              kInk);
   }
 }
 

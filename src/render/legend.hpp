@@ -20,8 +20,8 @@ struct LegendLayout {
 inline constexpr int kLegendLabels = 5;
 LegendLayout legend_layout(std::uint32_t width, std::uint32_t height);
 
-/// Draws the colour bar from `lowest` (below) to `highest` (above) with numbers and the title "stretch". A picture
-/// too small for it stays as it is.
+/// Draws the colour bar from `lowest` (below) to `highest` (above) with numbers and the title "stretch". A
+/// picture too small for it stays as it is.
 void draw_legend(Image& image, double lowest, double highest);
 
 }  // namespace weft::render

@@ -29,7 +29,8 @@ struct Mat4d {
   std::array<double, 4> apply(const Vec3d& p) const {
     std::array<double, 4> clip{};
     for (int row = 0; row < 4; ++row)
-      clip[static_cast<std::size_t>(row)] = at(row, 0) * p.x + at(row, 1) * p.y + at(row, 2) * p.z + at(row, 3);
+      clip[static_cast<std::size_t>(row)] =
+          at(row, 0) * p.x + at(row, 1) * p.y + at(row, 2) * p.z + at(row, 3);
     return clip;
   }
 };

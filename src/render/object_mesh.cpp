@@ -60,8 +60,10 @@ ObjectMesh join_objects(const Inputs& inputs) {
   }
   std::vector<const mesh::TriangleMesh*> open;
   for (const mesh::TriangleMesh& mesh : inputs.objects) {
-    if (is_closed(mesh)) append(mesh, all);
-    else open.push_back(&mesh);
+    if (is_closed(mesh))
+      append(mesh, all);
+    else
+      open.push_back(&mesh);
   }
   all.closed_index_count = all.indices.size();
   for (const mesh::TriangleMesh* mesh : open) append(*mesh, all);

@@ -19,8 +19,8 @@ struct ObjectMesh {
 /// The normal of each vertex: the sum of its triangles' normals times their areas, made unit.
 std::vector<Vec3f> vertex_normals(const mesh::TriangleMesh& mesh);
 
-/// Whether a mesh is a solid's surface that faces outward: each side of a triangle is that of one other, run through
-/// the other way.
+/// Whether a mesh is a solid's surface that faces outward: each side of a triangle is that of one other, run
+/// through the other way.
 bool is_closed(const mesh::TriangleMesh& mesh);
 
 /// All meshes and spheres of `inputs`: first those that are closed, then the others.

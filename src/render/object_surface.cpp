@@ -24,8 +24,10 @@ Result<ObjectSurface> ObjectSurface::create(gpu::Device& device, scene::View vie
   info.cull = gpu::CullMode::Back;
   WEFT_TRY(closed, gpu::RenderPipeline::create(device, "render/object.wgsl", info));
   made.closed_ = std::move(closed);
-  for (auto [pipeline, group] : {std::pair{&made.open_, &made.open_group_}, {&made.closed_, &made.closed_group_}}) {
-    WEFT_TRY(bound, pipeline->bind({frame, shadow.texture(), shadow.sampler(), buffers.position, buffers.normal}));
+  for (auto [pipeline, group] :
+       {std::pair{&made.open_, &made.open_group_}, {&made.closed_, &made.closed_group_}}) {
+    WEFT_TRY(bound,
+             pipeline->bind({frame, shadow.texture(), shadow.sampler(), buffers.position, buffers.normal}));
     *group = std::move(bound);
   }
   made.index_buffer_ = buffers.indices.id();

@@ -8,8 +8,8 @@ namespace weft::render {
 
 /// The obstacles on the GPU. They do not move, so they are uploaded once.
 struct ObjectBuffers {
-  gpu::Buffer<Vec4f> position, normal;  // vertex_count, m and unit
-  gpu::Buffer<std::uint32_t> indices;   // 3 * triangle_count
+  gpu::Buffer<Vec4f> position, normal;                         // vertex_count, m and unit
+  gpu::Buffer<std::uint32_t> indices;                          // 3 * triangle_count
   std::uint32_t closed_index_count = 0, open_index_count = 0;  // the closed ones come first
 
   /// Errors  Limit, OutOfMemory.
@@ -20,8 +20,9 @@ struct ObjectBuffers {
 class ObjectSurface {
  public:
   ObjectSurface() = default;
-  static Result<ObjectSurface> create(gpu::Device& device, scene::View view, const gpu::Buffer<FrameParams>& frame,
-                                      const ShadowMap& shadow, const ObjectBuffers& buffers);
+  static Result<ObjectSurface> create(gpu::Device& device, scene::View view,
+                                      const gpu::Buffer<FrameParams>& frame, const ShadowMap& shadow,
+                                      const ObjectBuffers& buffers);
   void record(gpu::RenderPass& pass) const;
 
  private:

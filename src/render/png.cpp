@@ -9,8 +9,8 @@
 
 namespace {
 
-/// zlib's fastest level instead of stb's own compressor, which takes several times as long for larger files. The result
-/// is freed by stb.
+/// zlib's fastest level instead of stb's own compressor, which takes several times as long for larger files.
+/// The result is freed by stb.
 unsigned char* compress_quickly(unsigned char* data, int size, int* compressed_size, int /*quality*/) {
   uLongf length = compressBound(static_cast<uLong>(size));
   auto* bytes = static_cast<unsigned char*>(std::malloc(length));
@@ -33,7 +33,8 @@ unsigned char* compress_quickly(unsigned char* data, int size, int* compressed_s
 namespace weft::render {
 namespace {
 
-constexpr int kFilterUp = 2;  // smooth pictures compress well by rows; trying all five filters costs more than it saves
+constexpr int kFilterUp =
+    2;  // smooth pictures compress well by rows; trying all five filters costs more than it saves
 
 void append(void* context, void* data, int size) {
   auto& bytes = *static_cast<std::vector<std::byte>*>(context);
@@ -55,7 +56,8 @@ Result<std::vector<std::byte>> encode_png(const Image& image) {
   stbi_write_force_png_filter = kFilterUp;
   std::vector<std::byte> bytes;
   if (stbi_write_png_to_func(append, &bytes, width, height, channels, data, channels * width) == 0)
-    return make_error(ErrorKind::OutOfMemory, "A picture of %d x %d pixels cannot be compressed.", width, height);
+    return make_error(ErrorKind::OutOfMemory, "A picture of %d x %d pixels cannot be compressed.", width,
+                      height);
   return bytes;
 }
 

@@ -25,7 +25,8 @@ Result<void> check_cloth(const ClothDraw& cloth, View view) {
   for (std::size_t i = 0; i < std::size(needed); ++i)
     if (needed[i] == nullptr) return shape_error("A picture needs buffer %s.", kNames[i]);
   const std::uint64_t vertices = cloth.position[0]->bytes() / sizeof(Vec4f);
-  const auto check = [vertices](const char* name, const gpu::RawBuffer& buffer, std::uint64_t size) -> Result<void> {
+  const auto check = [vertices](const char* name, const gpu::RawBuffer& buffer,
+                                std::uint64_t size) -> Result<void> {
     if (buffer.bytes() == vertices * size) return {};
     return shape_error("Buffer %s (%llu vertices) and buffer position (%llu) disagree.", name,
                        static_cast<unsigned long long>(buffer.bytes() / size),
@@ -96,8 +97,10 @@ Result<void> Renderer::create_targets() {
   WEFT_TRY(color, gpu::Texture::create(*device_, {width, height, kSamples, kColorFormat, gpu::kRenderTarget},
                                        "picture samples"));
   color_ = std::move(color);
-  WEFT_TRY(resolved, gpu::Texture::create(*device_, {width, height, 1, kColorFormat,
-                                                     gpu::kRenderTarget | gpu::kTextureCopySource}, "picture"));
+  WEFT_TRY(resolved,
+           gpu::Texture::create(
+               *device_, {width, height, 1, kColorFormat, gpu::kRenderTarget | gpu::kTextureCopySource},
+               "picture"));
   resolved_ = std::move(resolved);
   WEFT_TRY(depth, gpu::Texture::create(*device_, {width, height, kSamples, kDepthFormat, gpu::kRenderTarget},
                                        "picture depth"));
@@ -125,7 +128,8 @@ void Renderer::write_frame() {
   params.eye = Vec4f::from(camera.eye.to<float>(), 1);
   params.to_light = Vec4f::from(to_light.to<float>(), static_cast<float>(light.texel));
   params.viewport = {width, height, 1 / width, 1 / height};
-  const auto low = static_cast<float>(settings_.lowest_stretch), high = static_cast<float>(settings_.highest_stretch);
+  const auto low = static_cast<float>(settings_.lowest_stretch),
+             high = static_cast<float>(settings_.highest_stretch);
   params.stretch_range = {low, high, 1 / std::max(high - low, 1e-6F), 0};
   for (std::size_t i = 0; i < kColorMapSize; ++i)
     params.color_map[i] = Vec4f::from(srgb_to_linear(kColorMap[i]), 1);
@@ -137,7 +141,7 @@ void Renderer::record(gpu::CommandList& list, std::uint32_t parity) const {
   {
     const gpu::RenderTarget target = {color_.view(), resolved_.view(), depth_.view(), {0, 0, 0, 1}, false};
     gpu::RenderPass pass(list, target, "picture");
-    cloth_surface_.record(pass, parity);    // of the two, one is empty
+    cloth_surface_.record(pass, parity);  // of the two, one is empty
     cloth_wireframe_.record(pass, parity);
     object_surface_.record(pass);
     for (const Floor& floor : floors_) floor.record(pass);

@@ -22,12 +22,12 @@ using scene::View;
 struct Settings {
   std::uint32_t width = 1280, height = 720;  // [pixel]
   View view = View::Textured;
-  mesh::Bounds bounds;                  // of all that is drawn over the whole run [m]: light, depth and camera fit it
-  std::optional<Camera> camera;         // none: frame_camera(bounds)
-  std::optional<Vec3d> to_light;        // direction; none: default_light(camera)
+  mesh::Bounds bounds;  // of all that is drawn over the whole run [m]: light, depth and camera fit it
+  std::optional<Camera> camera;                          // none: frame_camera(bounds)
+  std::optional<Vec3d> to_light;                         // direction; none: default_light(camera)
   double lowest_stretch = 0.95, highest_stretch = 1.15;  // the ends of the colour map
-  bool legend = true;                   // on View::Stretch
-  bool ground_shadow = false;           // a soft shadow below all, where the scene has no plane
+  bool legend = true;                                    // on View::Stretch
+  bool ground_shadow = false;  // a soft shadow below all, where the scene has no plane
 };
 
 /// Draws a state's buffers where they lie, with light and shadow, into pictures.
@@ -36,7 +36,8 @@ struct Settings {
 class Renderer {
  public:
   /// Reads   inputs.cloth: buffers that outlive the renderer; inputs.objects are copied.
-  /// Errors  Shape: buffers disagree in size, or the view lacks one. Limit: the picture is larger than the adapter
+  /// Errors  Shape: buffers disagree in size, or the view lacks one. Limit: the picture is larger than the
+  /// adapter
   ///         can make. OutOfMemory.
   static Result<Renderer> create(gpu::Device& device, const Settings& settings, const Inputs& inputs);
 

@@ -18,8 +18,8 @@ class ShadowMap {
 
   ShadowMap() = default;
   /// Errors  Limit: the adapter's textures are smaller than kTexels.
-  static Result<ShadowMap> create(gpu::Device& device, const gpu::Buffer<FrameParams>& frame, const ClothDraw& cloth,
-                                  const ObjectBuffers& objects);
+  static Result<ShadowMap> create(gpu::Device& device, const gpu::Buffer<FrameParams>& frame,
+                                  const ClothDraw& cloth, const ObjectBuffers& objects);
   void record(gpu::CommandList& list, std::uint32_t parity) const;
 
   gpu::BindingSource texture() const { return depth_.source(); }

@@ -39,13 +39,13 @@ constexpr Glyph kGlyphs[] = {
     {'c', 4, "43 32 12 03 05 16 36 45"},
     {'h', 4, "00 06,03 12 32 43 46"},
 };
-constexpr float kGap = 1.6F;        // grid units between letters
-constexpr float kPen = 0.42F;       // grid units, the pen's radius
+constexpr float kGap = 1.6F;   // grid units between letters
+constexpr float kPen = 0.42F;  // grid units, the pen's radius
 constexpr float kGridHeight = 6;
 
 const Glyph* find(char letter) {
-  const auto* glyph =
-      std::find_if(std::begin(kGlyphs), std::end(kGlyphs), [&](const Glyph& g) { return g.letter == letter; });
+  const auto* glyph = std::find_if(std::begin(kGlyphs), std::end(kGlyphs),
+                                   [&](const Glyph& g) { return g.letter == letter; });
   return glyph == std::end(kGlyphs) ? nullptr : glyph;
 }
 
@@ -75,7 +75,8 @@ void blend(Image& image, int x, int y, Color color, float share) {
   std::uint8_t* pixel = image.pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
   const std::uint8_t over[] = {color.red, color.green, color.blue};
   for (int i = 0; i < 3; ++i)
-    pixel[i] = static_cast<std::uint8_t>(std::lround(pixel[i] + share * static_cast<float>(over[i] - pixel[i])));
+    pixel[i] =
+        static_cast<std::uint8_t>(std::lround(pixel[i] + share * static_cast<float>(over[i] - pixel[i])));
 }
 
 float text_width(const std::string& text, float height) {
@@ -98,7 +99,8 @@ void draw_text(Image& image, float x, float y, float height, const std::string& 
       const int bottom = static_cast<int>(std::ceil(y + height + unit));
       for (int py = top; py <= bottom; ++py)
         for (int px = left; px <= right; ++px) {
-          const float gx = (static_cast<float>(px) + 0.5F - x) / unit, gy = (static_cast<float>(py) + 0.5F - y) / unit;
+          const float gx = (static_cast<float>(px) + 0.5F - x) / unit,
+                      gy = (static_cast<float>(py) + 0.5F - y) / unit;
           const float cover = (kPen - distance_to_strokes(glyph->strokes, gx, gy)) * unit + 0.5F;
           if (cover > 0) blend(image, px, py, color, std::min(cover, 1.0F));
         }

@@ -10,8 +10,9 @@
 
 namespace weft::render {
 
-/// An MP4 file, encoded by the ffmpeg program: H.264 where it has libx264, else MPEG-4 part 2; yuv420p, BT.709, ready
-/// to stream. The file appears when finish succeeds; before that, and after any error, there is none.
+/// An MP4 file, encoded by the ffmpeg program: H.264 where it has libx264, else MPEG-4 part 2; yuv420p,
+/// BT.709, ready to stream. The file appears when finish succeeds; before that, and after any error, there is
+/// none.
 class VideoWriter {
  public:
   VideoWriter() = default;
@@ -21,8 +22,8 @@ class VideoWriter {
 
   /// Nothing where there is no ffmpeg on PATH.
   /// Errors  Failure: the place cannot be written, or ffmpeg cannot be started.
-  static Result<std::optional<VideoWriter>> create(const std::string& path, std::uint32_t width, std::uint32_t height,
-                                                   double frames_per_second = 60);
+  static Result<std::optional<VideoWriter>> create(const std::string& path, std::uint32_t width,
+                                                   std::uint32_t height, double frames_per_second = 60);
 
   /// Errors  Shape: the picture has another size. Failure: ffmpeg has ended, with what it said.
   Result<void> add(const Image& image);

@@ -13,8 +13,10 @@ Result<mesh::TriangleMesh> load_placed(const scene::Scene& scene, const std::str
   if (!path) return path.error().while_doing("loading " + where);
   auto read = mesh::read_mesh(*path);
   if (!read) return read.error().while_doing("loading " + where);
-  mesh::TriangleMesh placed = mesh::transformed(*read, transform.scale, transform.rotate, transform.translate);
-  if (auto checked = mesh::check_mesh(placed); !checked) return checked.error().while_doing("placing " + where);
+  mesh::TriangleMesh placed =
+      mesh::transformed(*read, transform.scale, transform.rotate, transform.translate);
+  if (auto checked = mesh::check_mesh(placed); !checked)
+    return checked.error().while_doing("placing " + where);
   return placed;
 }
 
@@ -36,7 +38,8 @@ Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_
     WEFT_TRY(placed, load_placed(scene, object->mesh, object->transform, object->where, models_folder));
     assets.dropped_triangles += mesh::drop_degenerate_triangles(placed);
     if (placed.triangles.empty())
-      return input_error("%s: mesh %s has no triangle with an area.", object->where.c_str(), object->mesh.c_str());
+      return input_error("%s: mesh %s has no triangle with an area.", object->where.c_str(),
+                         object->mesh.c_str());
     assets.objects.push_back(std::move(placed));
   }
   return assets;

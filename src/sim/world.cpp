@@ -19,7 +19,8 @@ std::size_t count_springs(const HostModel& model) {
   return count;
 }
 
-collision::CollisionSetup collision_setup(const scene::Scene& scene, const Assets& assets, const WorldOptions& options) {
+collision::CollisionSetup collision_setup(const scene::Scene& scene, const Assets& assets,
+                                          const WorldOptions& options) {
   collision::CollisionSetup setup;
   setup.method = scene.contact.method;
   setup.thickness = scene.contact.thickness;
@@ -71,7 +72,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   if (has_contact) {
     WEFT_TRY(contacts, Contacts::create(device_, model_.host));
     contacts_ = std::move(contacts);
-    WEFT_TRY(collision, collision::Collision::create(device_, model_, state_, *contacts_, collision_setup(scene_, assets, options)));
+    WEFT_TRY(collision, collision::Collision::create(device_, model_, state_, *contacts_,
+                                                     collision_setup(scene_, assets, options)));
     collision_ = std::move(collision);
   }
   WEFT_TRY(solver, make_solver(scene_.solver, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
@@ -236,7 +238,8 @@ Result<void> World::take(Report& report) {
   totals_.nonfinite = statistics.nonfinite;
   if (statistics.nonfinite != 0)
     return make_error(ErrorKind::Diverged,
-                      "In frame %u the state of %u of %u nodes is not finite; the state is frozen as it was before that frame.",
+                      "In frame %u the state of %u of %u nodes is not finite; the state is frozen as it was "
+                      "before that frame.",
                       report.frame, statistics.nonfinite, model_.vertex_count());
   ++totals_.frames;
   totals_.contacts += statistics.hits;

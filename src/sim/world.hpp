@@ -24,12 +24,12 @@ struct WorldOptions {
 
 /// What the frames so far have reported.
 struct Totals {
-  std::uint32_t frames = 0;            // reported
-  std::uint64_t contacts = 0;          // narrow-phase hits
-  std::uint32_t contact_hash = 0;      // wrapping sum over all hits
+  std::uint32_t frames = 0;        // reported
+  std::uint64_t contacts = 0;      // narrow-phase hits
+  std::uint32_t contact_hash = 0;  // wrapping sum over all hits
   std::uint64_t contact_overflow = 0;
-  float max_stretch = 0;               // the largest at the end of any frame, length / rest length
-  std::uint32_t nonfinite = 0;         // nodes
+  float max_stretch = 0;        // the largest at the end of any frame, length / rest length
+  std::uint32_t nonfinite = 0;  // nodes
 };
 
 /// Position and velocity of all nodes in model order.

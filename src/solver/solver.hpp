@@ -24,8 +24,8 @@ struct SolverConstants {
   float force_limit = 0;  // [N]
 };
 
-/// A method that moves the cloth. A substep is record_predict, then collision at the predicted positions, then
-/// record_solve.
+/// A method that moves the cloth. A substep is record_predict, then collision at the predicted positions,
+/// then record_solve.
 class Solver {
  public:
   virtual ~Solver() = default;

@@ -40,7 +40,8 @@ PlacedCloth place_mesh(const mesh::TriangleMesh& mesh) {
   const int thin = size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2);
   for (const Vec3f& p : mesh.positions) {
     placed.positions.push_back(p.to<double>());
-    placed.uv.push_back({p[thin == 0 ? 1 : 0] - box.low[thin == 0 ? 1 : 0], p[thin == 2 ? 1 : 2] - box.low[thin == 2 ? 1 : 2]});
+    placed.uv.push_back({p[thin == 0 ? 1 : 0] - box.low[thin == 0 ? 1 : 0],
+                         p[thin == 2 ? 1 : 2] - box.low[thin == 2 ? 1 : 2]});
   }
   return placed;
 }
@@ -57,7 +58,8 @@ void append(HostModel& model, const scene::Cloth& cloth, const PlacedCloth& plac
   model.rest_position.insert(model.rest_position.end(), placed.positions.begin(), placed.positions.end());
   model.uv.insert(model.uv.end(), placed.uv.begin(), placed.uv.end());
   model.motion.resize(model.vertex_count(), 0);
-  for (const double area : placed.areas) model.mass.push_back(cloth.node_mass ? *cloth.node_mass : *cloth.density * area);
+  for (const double area : placed.areas)
+    model.mass.push_back(cloth.node_mass ? *cloth.node_mass : *cloth.density * area);
   for (mesh::Triangle triangle : placed.triangles) {
     for (std::uint32_t& vertex : triangle) vertex += part.first_vertex;
     model.triangles.push_back(triangle);
@@ -67,7 +69,8 @@ void append(HostModel& model, const scene::Cloth& cloth, const PlacedCloth& plac
 
 }  // namespace
 
-Result<HostModel> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes) {
+Result<HostModel> build_model(const scene::Scene& scene,
+                              const std::vector<mesh::TriangleMesh>& cloth_meshes) {
   HostModel model;
   for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
     const scene::Cloth& cloth = scene.cloths[c];
@@ -76,14 +79,16 @@ Result<HostModel> build_model(const scene::Scene& scene, const std::vector<mesh:
     scene::Selection selection;
     if (cloth.grid) {
       const double scale = cloth.transform.scale;
-      part.grid = mesh::Grid{cloth.grid->nx, cloth.grid->ny, cloth.grid->width * scale, cloth.grid->height * scale};
+      part.grid =
+          mesh::Grid{cloth.grid->nx, cloth.grid->ny, cloth.grid->width * scale, cloth.grid->height * scale};
       placed = place_grid(cloth, *part.grid);
       selection.nx = part.grid->nx;
       selection.ny = part.grid->ny;
     } else {
       placed = place_mesh(cloth_meshes[c]);
     }
-    if (auto areas = mesh::check_vertex_areas(placed.areas); !areas) return areas.error().while_doing("building " + cloth.where);
+    if (auto areas = mesh::check_vertex_areas(placed.areas); !areas)
+      return areas.error().while_doing("building " + cloth.where);
     selection.positions = placed.positions;
     WEFT_TRY(held, scene::held_nodes(cloth, selection));
     append(model, cloth, placed, part);
@@ -146,7 +151,7 @@ Result<Model> Model::create(gpu::Device& device, HostModel host) {
   model.uv = std::move(uv);
   const std::span indices(host.triangles.data()->data(), 3 * host.triangles.size());
   WEFT_TRY(triangles, gpu::Buffer<std::uint32_t>::create_from(device, indices, "triangles",
-                                                               gpu::kStorageDefault | gpu::kIndex));
+                                                              gpu::kStorageDefault | gpu::kIndex));
   model.triangles = std::move(triangles);
   model.host = std::move(host);
   return model;

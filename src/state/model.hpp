@@ -37,13 +37,14 @@ struct ClothModel {
   std::optional<Vec3d> color;
 };
 
-/// The model on the host. Vertices, triangles and springs of all cloths are numbered through, cloth after cloth.
+/// The model on the host. Vertices, triangles and springs of all cloths are numbered through, cloth after
+/// cloth.
 struct HostModel {
   std::vector<ClothModel> cloths;
-  std::vector<Vec3d> rest_position;           // in the world [m]
-  std::vector<std::array<float, 2>> uv;       // place on the sheet [m], for the weave
-  std::vector<double> mass;                   // [kg]
-  std::vector<std::uint32_t> motion;          // 0: free; 1: pinned; 1 + k: moved by motions[k - 1]
+  std::vector<Vec3d> rest_position;      // in the world [m]
+  std::vector<std::array<float, 2>> uv;  // place on the sheet [m], for the weave
+  std::vector<double> mass;              // [kg]
+  std::vector<std::uint32_t> motion;     // 0: free; 1: pinned; 1 + k: moved by motions[k - 1]
   std::vector<mesh::Triangle> triangles;
   std::vector<scene::Motion> motions;
 
@@ -53,8 +54,9 @@ struct HostModel {
   double inverse_mass(std::size_t vertex) const { return kinematic(vertex) ? 0.0 : 1.0 / mass[vertex]; }
 };
 
-/// Places the scene's cloths in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for a grid).
-/// Errors  Input: a cloth vertex has no area, a selector selects nothing, a node is both pinned and moved.
+/// Places the scene's cloths in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for a
+/// grid). Errors  Input: a cloth vertex has no area, a selector selects nothing, a node is both pinned and
+/// moved.
 Result<HostModel> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes);
 
 /// The springs of one cloth in the order of mesh/springs.hpp, with the model's node numbers.
@@ -65,9 +67,9 @@ std::vector<Spring> build_springs(const HostModel& model);
 /// The model on the GPU: what more than one room reads.
 struct Model {
   HostModel host;
-  gpu::Buffer<Vec4f> rest_position;        // vertex_count, m; w: HostModel::motion, as a number
-  gpu::Buffer<std::array<float, 2>> uv;    // vertex_count, m
-  gpu::Buffer<std::uint32_t> triangles;    // 3 * triangle_count
+  gpu::Buffer<Vec4f> rest_position;      // vertex_count, m; w: HostModel::motion, as a number
+  gpu::Buffer<std::array<float, 2>> uv;  // vertex_count, m
+  gpu::Buffer<std::uint32_t> triangles;  // 3 * triangle_count
 
   /// Errors  Limit, OutOfMemory.
   static Result<Model> create(gpu::Device& device, HostModel host);

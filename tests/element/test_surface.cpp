@@ -15,7 +15,8 @@ using namespace weft;
 namespace {
 
 HostModel model_of(const std::string& cloth, const mesh::TriangleMesh& mesh = {}) {
-  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "cloths": [)" + cloth + "]}", "test.json");
+  const auto scene =
+      scene::parse_scene(R"({"format": "weft-scene/1", "cloths": [)" + cloth + "]}", "test.json");
   REQUIRE(scene);
   auto model = build_model(*scene, std::vector<mesh::TriangleMesh>(scene->cloths.size(), mesh));
   REQUIRE(model);
@@ -58,25 +59,32 @@ void check_surface(HostModel host, std::uint64_t seed) {
     for (const ClothModel& cloth : built.cloths)
       for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
         const mesh::Triangle& triangle = built.triangles[cloth.first_triangle + t];
-        const auto at = [&](int corner) { return position[triangle[static_cast<std::size_t>(corner)]].xyz().to<double>(); };
+        const auto at = [&](int corner) {
+          return position[triangle[static_cast<std::size_t>(corner)]].xyz().to<double>();
+        };
         const Vec3d area = cross(at(1) - at(0), at(2) - at(0));
         for (int corner = 0; corner < 3; ++corner) {
-          const std::uint32_t a = triangle[static_cast<std::size_t>(corner)], b = triangle[static_cast<std::size_t>((corner + 1) % 3)];
+          const std::uint32_t a = triangle[static_cast<std::size_t>(corner)],
+                              b = triangle[static_cast<std::size_t>((corner + 1) % 3)];
           sums[a] += area;
           const std::uint32_t apart = std::max(a, b) - std::min(a, b);
           if (cloth.grid && apart != 1 && apart != cloth.grid->nx) continue;  // a quad's diagonal
-          const Vec3d rest = built.rest_position[b].to<float>().to<double>() - built.rest_position[a].to<float>().to<double>();
-          const double ratio = length(position[b].xyz().to<double>() - position[a].xyz().to<double>()) / length(rest);
+          const Vec3d rest = built.rest_position[b].to<float>().to<double>() -
+                             built.rest_position[a].to<float>().to<double>();
+          const double ratio =
+              length(position[b].xyz().to<double>() - position[a].xyz().to<double>()) / length(rest);
           largest[a] = std::max(largest[a], ratio);
           largest[b] = std::max(largest[b], ratio);
         }
       }
     for (std::size_t i = 0; i < position.size(); ++i) {
-      // A sum of up to 8 cross products of spans of 0.1 m between coordinates of 1 m: 1e-7 / 0.1 of each, doubled.
+      // A sum of up to 8 cross products of spans of 0.1 m between coordinates of 1 m: 1e-7 / 0.1 of each,
+      // doubled.
       CHECK(length((*normal)[i].xyz().to<double>() - sums[i] / length(sums[i])) < 3e-5);
       CHECK(static_cast<double>((*stretch)[i]) == doctest::Approx(largest[i]).epsilon(1e-5));
     }
-    const double reported = static_cast<double>(std::bit_cast<float>((*statistics)[offsetof(Statistics, max_stretch) / 4]));
+    const double reported =
+        static_cast<double>(std::bit_cast<float>((*statistics)[offsetof(Statistics, max_stretch) / 4]));
     CHECK(reported == doctest::Approx(*std::max_element(largest.begin(), largest.end())).epsilon(1e-5));
   }
 }
@@ -84,7 +92,10 @@ void check_surface(HostModel host, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("normals and stretch of grids equal double precision; the diagonals of a grid do not count") {
-  check_surface(model_of(R"({"grid": [11, 8], "size": [1, 0.8], "density": 1}, {"grid": [5, 9], "size": [0.5, 1], "density": 1})"), 1);
+  check_surface(
+      model_of(
+          R"({"grid": [11, 8], "size": [1, 0.8], "density": 1}, {"grid": [5, 9], "size": [0.5, 1], "density": 1})"),
+      1);
 }
 TEST_CASE("normals and stretch of a mesh equal double precision, all edges counted") {
   check_surface(model_of(R"({"mesh": "a.obj", "density": 1})", mesh::make_sphere(14, 9)), 2);

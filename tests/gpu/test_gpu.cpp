@@ -24,7 +24,10 @@ TEST_CASE("a kernel sees what was written and its result comes back, for any siz
       auto group = kernel->bind({*buffer});
       REQUIRE_MESSAGE(group, group.error().message);
       CommandList list;
-      { ComputePass pass(list, "double"); kernel->dispatch(pass, *group, count); }
+      {
+        ComputePass pass(list, "double");
+        kernel->dispatch(pass, *group, count);
+      }
       REQUIRE(device.submit(list));
       REQUIRE(device.submit(list));  // a list can be replayed
       auto result = download(device, *buffer);
@@ -47,7 +50,10 @@ TEST_CASE("past 65,535 workgroups a dispatch gets rows and still touches each el
   auto group = kernel->bind({*buffer});
   REQUIRE(group);
   CommandList list;
-  { ComputePass pass(list, "double"); kernel->dispatch(pass, *group, count); }
+  {
+    ComputePass pass(list, "double");
+    kernel->dispatch(pass, *group, count);
+  }
   REQUIRE(device.submit(list));
   auto result = download(device, *buffer);
   REQUIRE(result);
@@ -81,7 +87,8 @@ TEST_CASE("the bytes of buffers are counted while they live") {
   CHECK(device.allocated_bytes() == 0);
 }
 
-TEST_CASE("a wrong kernel, a missing kernel and a wrong number of buffers are errors, not ends of the process") {
+TEST_CASE(
+    "a wrong kernel, a missing kernel and a wrong number of buffers are errors, not ends of the process") {
   GpuFixture fixture;
   Device& device = fixture.device();
   CHECK(Kernel::create(device, "test/none.wgsl").error().kind == ErrorKind::Shader);
@@ -203,7 +210,9 @@ TEST_CASE("every shader compiles in naga") {
   for (const EmbeddedShader& shader : embedded_shaders()) {
     const auto source = ShaderSource::load(shader.path);
     REQUIRE(source);
-    if (source->text.find("@compute") == std::string::npos && source->text.find("@vertex") == std::string::npos) continue;
+    if (source->text.find("@compute") == std::string::npos &&
+        source->text.find("@vertex") == std::string::npos)
+      continue;
     const auto module = backend::create_shader_module(fixture.device().context(), source->text, shader.path);
     CHECK_MESSAGE(module, (module ? "" : module.error().message));
     if (module) backend::release(ObjectKind::ShaderModule, *module);

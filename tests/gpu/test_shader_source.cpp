@@ -35,5 +35,6 @@ TEST_CASE("an include is put in once, and the embedded shaders are complete") {
   REQUIRE(source);
   CHECK(source->text.find("#include") == std::string::npos);
   CHECK(source->text.find("fn flat_index") == source->text.rfind("fn flat_index"));
-  for (const EmbeddedShader& shader : embedded_shaders()) CHECK_MESSAGE(ShaderSource::load(shader.path), shader.path);
+  for (const EmbeddedShader& shader : embedded_shaders())
+    CHECK_MESSAGE(ShaderSource::load(shader.path), shader.path);
 }

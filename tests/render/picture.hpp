@@ -9,7 +9,8 @@
 
 namespace weft {
 
-/// The mean of red, green and blue, 0 to 255, over a square of `2 * reach + 1` pixels around a place in [0, 1]^2.
+/// The mean of red, green and blue, 0 to 255, over a square of `2 * reach + 1` pixels around a place in [0,
+/// 1]^2.
 inline double brightness(const render::Image& image, double u, double v, int reach = 2) {
   const int x = static_cast<int>(u * image.width), y = static_cast<int>(v * image.height);
   double sum = 0;
@@ -23,7 +24,8 @@ inline double brightness(const render::Image& image, double u, double v, int rea
 inline std::size_t color_count(const render::Image& image) {
   std::set<std::uint32_t> colors;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-    colors.insert(std::uint32_t{image.rgba[i]} << 16U | std::uint32_t{image.rgba[i + 1]} << 8U | image.rgba[i + 2]);
+    colors.insert(std::uint32_t{image.rgba[i]} << 16U | std::uint32_t{image.rgba[i + 1]} << 8U |
+                  image.rgba[i + 2]);
   return colors.size();
 }
 

@@ -30,7 +30,8 @@ struct Sheet {
   gpu::Buffer<std::uint32_t> triangles;
   mesh::TriangleMesh mesh;
 
-  Sheet(gpu::Device& device, std::uint32_t count, const Shape& shape, double size = 1, const Shape& next_shape = {}) {
+  Sheet(gpu::Device& device, std::uint32_t count, const Shape& shape, double size = 1,
+        const Shape& next_shape = {}) {
     mesh = mesh_of(count, shape);
     std::vector<std::array<float, 2>> places;
     std::vector<float> lengths;

@@ -44,8 +44,9 @@ TEST_CASE("a framed camera has all corners of a box in its frame, and one of the
     CAPTURE(round);
     CHECK(farthest < 1);
     const Vec3f size = box.high - box.low;
-    if (std::min({size.x, size.y, size.z}) < 0.2F || fov > 50) continue;  // where the eye keeps off the box itself
-    CHECK(farthest == doctest::Approx(1 / 1.06));                        // the margin
+    if (std::min({size.x, size.y, size.z}) < 0.2F || fov > 50)
+      continue;                                    // where the eye keeps off the box itself
+    CHECK(farthest == doctest::Approx(1 / 1.06));  // the margin
   }
 }
 
@@ -57,7 +58,8 @@ TEST_CASE("a box without extent is framed from nearby") {
 TEST_CASE("the projection puts near at depth 0, far at 1, and up above right of the middle") {
   const Camera camera{{0, 0, 5}, {0, 0, 0}, 90};
   const Mat4d projection = view_projection(camera, 2, 1, 9);
-  const auto near = projection.apply({0, 0, 4}), far = projection.apply({0, 0, -4}), rim = projection.apply({10, 5, 0});
+  const auto near = projection.apply({0, 0, 4}), far = projection.apply({0, 0, -4}),
+             rim = projection.apply({10, 5, 0});
   CHECK(near[2] / near[3] == doctest::Approx(0));
   CHECK(far[2] / far[3] == doctest::Approx(1));
   CHECK(rim[0] / rim[3] == doctest::Approx(1));  // tan 45 degrees = 1, aspect 2
@@ -67,9 +69,10 @@ TEST_CASE("the projection puts near at depth 0, far at 1, and up above right of 
 TEST_CASE("a viewer's axes are unit vectors at right angles, right-handed, also straight up and down") {
   Random random(3);
   for (int round = 0; round < 200; ++round) {
-    const Vec3d back = round == 0   ? Vec3d{0, 1, 0}
-                       : round == 1 ? Vec3d{0, -1, 0}
-                                    : Vec3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const Vec3d back = round == 0 ? Vec3d{0, 1, 0}
+                       : round == 1
+                           ? Vec3d{0, -1, 0}
+                           : Vec3d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     const Basis basis = basis_looking(back);
     CHECK(length(cross(basis.right, basis.up) - basis.back) == doctest::Approx(0));
     CHECK(length(basis.right) == doctest::Approx(1));

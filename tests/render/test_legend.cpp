@@ -95,7 +95,8 @@ TEST_CASE("the colour map's brightness grows all the way") {
   double before = -1;
   for (int i = 0; i <= 100; ++i) {
     const Vec3f c = map_color(static_cast<float>(i) / 100);
-    const double luminance = 0.2126 * srgb_to_linear(c.x) + 0.7152 * srgb_to_linear(c.y) + 0.0722 * srgb_to_linear(c.z);
+    const double luminance =
+        0.2126 * srgb_to_linear(c.x) + 0.7152 * srgb_to_linear(c.y) + 0.0722 * srgb_to_linear(c.z);
     CHECK(luminance > before);
     before = luminance;
   }

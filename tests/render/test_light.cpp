@@ -16,8 +16,8 @@ std::array<double, 2> place(const Camera& camera, double aspect, const Vec3d& po
 
 TEST_CASE("a shadow lies where the sun's rays say, and not beside it") {
   GpuFixture fixture;
-  // A sheet of 1 m at height 1 m, over a floor at height 0; the sun comes from (-1, 2, 0), so that the shadow is moved
-  // by 1 / 2 m along x: from 0 to 1 m instead of -0.5 to 0.5 m.
+  // A sheet of 1 m at height 1 m, over a floor at height 0; the sun comes from (-1, 2, 0), so that the shadow
+  // is moved by 1 / 2 m along x: from 0 to 1 m instead of -0.5 to 0.5 m.
   const auto level = [](double u, double v) { return Vec3d{u - 0.5, 1, 0.5 - v}; };
   const Sheet sheet(fixture.device(), 11, level);
   Inputs inputs;
@@ -75,8 +75,8 @@ TEST_CASE("a floor below the bounds gets its shadow, also from what has risen ab
 
 TEST_CASE("a lit surface does not shade itself") {
   GpuFixture fixture;
-  // A sphere and a level sheet under a sun that stands 80 degrees from the zenith: every lit pixel of the sheet has the
-  // same brightness, within a step of the 8-bit target and the sheen's change over the picture.
+  // A sphere and a level sheet under a sun that stands 80 degrees from the zenith: every lit pixel of the
+  // sheet has the same brightness, within a step of the 8-bit target and the sheen's change over the picture.
   const auto level = [](double u, double v) { return Vec3d{2 * u - 1, 0, 1 - 2 * v}; };
   const Sheet sheet(fixture.device(), 30, level, 2);
   Inputs inputs;
@@ -111,7 +111,9 @@ TEST_CASE("the ground's shadow is drawn on request, and only where there is no f
   settings.width = 320;
   settings.height = 240;
   settings.bounds = {{-1, 0, -1}, {1, 1, 1}};
-  const auto draw = [&] { return value_of(value_of(Renderer::create(fixture.device(), settings, inputs)).draw(0)); };
+  const auto draw = [&] {
+    return value_of(value_of(Renderer::create(fixture.device(), settings, inputs)).draw(0));
+  };
   const Image without = draw();
   settings.ground_shadow = true;
   const Image with = draw();
@@ -135,7 +137,9 @@ TEST_CASE("a floor seen from below does not hide the scene") {
   settings.height = 150;
   settings.bounds = {{-0.5F, 0, -0.5F}, {0.5F, 1, 0.5F}};
   settings.camera = Camera{{0, -2, 3}, {0, 0.5, 0}, 35};
-  const auto draw = [&] { return value_of(value_of(Renderer::create(fixture.device(), settings, inputs)).draw(0)); };
+  const auto draw = [&] {
+    return value_of(value_of(Renderer::create(fixture.device(), settings, inputs)).draw(0));
+  };
   const Image without = draw();
   inputs.planes = {{{0, -0.2, 0}, {0, 1, 0}}};
   CHECK(difference(without, draw()) == 0);

@@ -17,7 +17,8 @@ TEST_CASE("a sphere's normals point away from its middle") {
 
 TEST_CASE("a larger triangle counts for more in a normal") {
   //   vertex 0 belongs to a triangle of area 1/2 that faces z and to one of area 2 that faces x
-  const mesh::TriangleMesh bent{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 0, 2}}, {{0, 1, 2}, {0, 3, 4}}};
+  const mesh::TriangleMesh bent{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 0, 2}},
+                                {{0, 1, 2}, {0, 3, 4}}};
   const Vec3f n = vertex_normals(bent)[0];
   CHECK(n.x / n.z == doctest::Approx(4));
 }

@@ -18,12 +18,17 @@ std::size_t struct_size(const std::string& text, const std::string& name) {
   REQUIRE(begin != std::string::npos);
   const std::string body = text.substr(begin, text.find('}', begin) - begin);
   std::size_t size = 0;
-  for (std::size_t colon = body.find(" : "); colon != std::string::npos; colon = body.find(" : ", colon + 1)) {
+  for (std::size_t colon = body.find(" : "); colon != std::string::npos;
+       colon = body.find(" : ", colon + 1)) {
     const std::string type = body.substr(colon + 3, body.find_first_of("\n/", colon) - colon - 3);
-    if (type.rfind("vec4f", 0) == 0) size += 16;
-    else if (type.rfind("mat4x4f", 0) == 0) size += 64;
-    else if (type.rfind("array<vec4f, 9>", 0) == 0) size += 144;
-    else FAIL("unknown type " << type);
+    if (type.rfind("vec4f", 0) == 0)
+      size += 16;
+    else if (type.rfind("mat4x4f", 0) == 0)
+      size += 64;
+    else if (type.rfind("array<vec4f, 9>", 0) == 0)
+      size += 144;
+    else
+      FAIL("unknown type " << type);
   }
   return size;
 }

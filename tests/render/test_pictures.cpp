@@ -6,7 +6,9 @@ using namespace weft::render;
 
 namespace {
 
-Vec3d waves(double u, double v) { return {2 * u - 1, 0.62 + 0.08 * std::sin(9 * u) * std::cos(4 * v), 1 - 2 * v}; }
+Vec3d waves(double u, double v) {
+  return {2 * u - 1, 0.62 + 0.08 * std::sin(9 * u) * std::cos(4 * v), 1 - 2 * v};
+}
 Vec3d square(double u, double v) { return {2 * u - 1, 2 * v - 1, 0}; }  // 2 m x 2 m, faces +z
 
 Settings settings_for(const mesh::Bounds& bounds, View view = View::Textured) {
@@ -30,8 +32,8 @@ bool is_blue(const std::uint8_t* pixel) {
   return pixel[0] - 127U <= 1 && pixel[1] - 127U <= 1 && pixel[2] == 255;
 }
 bool is_blue(const Image& image, double u, double v) {
-  return is_blue(image.pixel(static_cast<std::uint32_t>(u * image.width),
-                             static_cast<std::uint32_t>(v * image.height)));
+  return is_blue(
+      image.pixel(static_cast<std::uint32_t>(u * image.width), static_cast<std::uint32_t>(v * image.height)));
 }
 
 }  // namespace
@@ -42,11 +44,13 @@ TEST_CASE("each view of a waved sheet over a sphere shows something, and somethi
   Inputs inputs;
   inputs.cloth = sheet.draw();
   inputs.spheres = {{{0, 0, 0}, 0.5}};
-  inputs.objects = {mesh::TriangleMesh{{{-1, -0.5F, 1}, {-0.6F, -0.5F, 1}, {-0.8F, 0.2F, 1}}, {{0, 1, 2}}}};  // open
+  inputs.objects = {
+      mesh::TriangleMesh{{{-1, -0.5F, 1}, {-0.6F, -0.5F, 1}, {-0.8F, 0.2F, 1}}, {{0, 1, 2}}}};  // open
   std::vector<Image> images;
   for (const View view : {View::Textured, View::Wireframe, View::Normals, View::Stretch}) {
     Settings settings = settings_for({{-1, -0.5F, -1}, {1, 0.7F, 1}}, view);
-    settings.camera = Camera{{1.5, 3.2, 2.6}, {0, 0, 0}, 35};  // from above: the sheet fills half of the picture
+    settings.camera =
+        Camera{{1.5, 3.2, 2.6}, {0, 0, 0}, 35};  // from above: the sheet fills half of the picture
     auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
     images.push_back(value_of(renderer.draw(0)));
     CAPTURE(name_of(view));
@@ -70,8 +74,7 @@ TEST_CASE("a flat square covers the pixels that geometry says, and its normal is
     auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
     const Image image = value_of(renderer.draw(0));
     std::size_t covered = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-      covered += is_blue(&image.rgba[i]);
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) covered += is_blue(&image.rgba[i]);
     const double side = 2 * 150 / (20 * std::tan(10 * 3.14159265358979 / 180));  // pixels: 85.07
     CAPTURE(width);
     const double visible = std::min(side, static_cast<double>(width));
@@ -112,12 +115,13 @@ TEST_CASE("front and back of a cloth have different colours, and normals face th
     std::array<double, 3> sum{};
     for (std::uint32_t y = 45; y < 105; ++y)
       for (std::uint32_t x = 70; x < 130; ++x)
-        for (std::size_t channel = 0; channel < 3; ++channel) sum[channel] += image.pixel(x, y)[channel] / 3600.0;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+          sum[channel] += image.pixel(x, y)[channel] / 3600.0;
     return sum;
   };
   const auto front = middle(View::Textured, 1), back = middle(View::Textured, -1);
-  CHECK(front[2] > front[0] + 40);                            // blue
-  CHECK(back[2] - back[0] < 0.5 * (front[2] - front[0]));      // turned towards the complement
+  CHECK(front[2] > front[0] + 40);                                         // blue
+  CHECK(back[2] - back[0] < 0.5 * (front[2] - front[0]));                  // turned towards the complement
   CHECK(middle(View::Normals, -1)[2] == doctest::Approx(0).epsilon(0.5));  // -z
 }
 
@@ -162,12 +166,15 @@ TEST_CASE("a wireframe shows the sides of triangles and hides what lies behind")
   CHECK(on_edge > in_cell + 40);
   // At the same places of the nearer layer nothing of the farther one shines through.
   const Image folded = row(two_layers);
-  CHECK(brightness(folded, 0.5, 0.5 - 10.0 / 150, 0) > brightness(folded, 0.5 + 14.0 / 200, 0.5 - 6.0 / 150, 0) + 40);
+  CHECK(brightness(folded, 0.5, 0.5 - 10.0 / 150, 0) >
+        brightness(folded, 0.5 + 14.0 / 200, 0.5 - 6.0 / 150, 0) + 40);
 }
 
 TEST_CASE("stretch goes through the colour map from its lowest to its highest value") {
   GpuFixture fixture;
-  const auto stretched = [](double u, double v) { return Vec3d{2 * u - 1 + 0.3 * (u * u - u), 2 * v - 1, 0}; };
+  const auto stretched = [](double u, double v) {
+    return Vec3d{2 * u - 1 + 0.3 * (u * u - u), 2 * v - 1, 0};
+  };
   const Sheet sheet(fixture.device(), 21, stretched, 2);  // dx/du / 2 = 1 + 0.15 (2 u - 1): from 0.85 to 1.15
   Inputs inputs;
   inputs.cloth = sheet.draw();

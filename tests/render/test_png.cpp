@@ -30,8 +30,9 @@ Image read(const std::string& path) {
   int width = 0, height = 0, channels = 0;
   stbi_uc* pixels = stbi_load(path.c_str(), &width, &height, &channels, 4);
   REQUIRE(pixels != nullptr);
-  Image image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
-              std::vector<std::uint8_t>(pixels, pixels + std::size_t{4} * static_cast<std::size_t>(width * height))};
+  Image image{
+      static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+      std::vector<std::uint8_t>(pixels, pixels + std::size_t{4} * static_cast<std::size_t>(width * height))};
   stbi_image_free(pixels);
   return image;
 }
@@ -74,7 +75,8 @@ TEST_CASE("a writer that is given up still writes what waits") {
   const TemporaryFolder folder;
   {
     PngWriter writer(8);
-    for (int i = 0; i < 5; ++i) REQUIRE(writer.push(folder.path(std::to_string(i) + ".png"), noise(64, 64, 1)));
+    for (int i = 0; i < 5; ++i)
+      REQUIRE(writer.push(folder.path(std::to_string(i) + ".png"), noise(64, 64, 1)));
   }
   for (int i = 0; i < 5; ++i) CHECK(std::filesystem::exists(folder.path(std::to_string(i) + ".png")));
 }

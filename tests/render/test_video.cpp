@@ -39,7 +39,9 @@ std::size_t files_in(const std::string& folder) {
 /// PATH with another value while it lives.
 class PathIs {
  public:
-  explicit PathIs(const std::string& value) : before_(::getenv("PATH")) { ::setenv("PATH", value.c_str(), 1); }
+  explicit PathIs(const std::string& value) : before_(::getenv("PATH")) {
+    ::setenv("PATH", value.c_str(), 1);
+  }
   ~PathIs() { ::setenv("PATH", before_.c_str(), 1); }
 
  private:
@@ -56,16 +58,21 @@ TEST_CASE("a video has the frames, the size and the rate that were given, and ap
     auto writer = VideoWriter::create(path, width, height, 30);
     REQUIRE(writer);
     REQUIRE(*writer);
-    for (int i = 0; i < 24; ++i) REQUIRE((*writer)->add(colored(width, height, static_cast<std::uint8_t>(10 * i))));
+    for (int i = 0; i < 24; ++i)
+      REQUIRE((*writer)->add(colored(width, height, static_cast<std::uint8_t>(10 * i))));
     CHECK_FALSE(std::filesystem::exists(path));
     const auto finished = (*writer)->finish();
     REQUIRE_MESSAGE(finished, finished.error().message);
-    const std::string probe = output_of("ffprobe -v error -count_frames -select_streams v:0 -of csv=p=0 -show_entries "
-                                        "stream=width,height,pix_fmt,r_frame_rate,nb_read_frames '" + path + "'");
+    const std::string probe = output_of(
+        "ffprobe -v error -count_frames -select_streams v:0 -of csv=p=0 -show_entries "
+        "stream=width,height,pix_fmt,r_frame_rate,nb_read_frames '" +
+        path + "'");
     char expected[80];
-    std::snprintf(expected, sizeof expected, "%u,%u,yuv420p,30/1,24\n", (width + 1) / 2 * 2, (height + 1) / 2 * 2);
+    std::snprintf(expected, sizeof expected, "%u,%u,yuv420p,30/1,24\n", (width + 1) / 2 * 2,
+                  (height + 1) / 2 * 2);
     CHECK(probe == expected);
-    const std::string head = output_of("head -c 4096 '" + path + "' | tr -d '\\0' | grep -ao 'moov' | head -1");
+    const std::string head =
+        output_of("head -c 4096 '" + path + "' | tr -d '\\0' | grep -ao 'moov' | head -1");
     CHECK(head == "moov\n");  // ready to stream: the index stands at the front
   }
   CHECK(files_in(folder.path("")) == 2);
@@ -124,7 +131,8 @@ TEST_CASE("an encoder that dies is an error with its words, and not our end") {
   REQUIRE(writer);
   REQUIRE(*writer);
   Result<void> added;
-  for (int i = 0; i < 20 && added; ++i) added = (*writer)->add(colored(640, 480, 0));  // more than a pipe holds
+  for (int i = 0; i < 20 && added; ++i)
+    added = (*writer)->add(colored(640, 480, 0));  // more than a pipe holds
   REQUIRE_FALSE(added);
   CHECK(added.error().message.find("The disk is on fire") != std::string::npos);
   CHECK(added.error().message.find("exit code 3") != std::string::npos);

@@ -32,8 +32,9 @@ std::vector<double> block_means(const std::string& path) {
   return means;
 }
 
-/// The last state's picture is not black and is the stored one but for small things: edges are drawn differently by
-/// different drivers, and a node that meets the object a step earlier makes another small fold.
+/// The last state's picture is not black and is the stored one but for small things: edges are drawn
+/// differently by different drivers, and a node that meets the object a step earlier makes another small
+/// fold.
 void check_picture(const sim::World& world, const std::string& object) {
   const TemporaryFolder folder;
   auto pictures = cli::Pictures::create(world, folder.path(""));
@@ -43,7 +44,9 @@ void check_picture(const sim::World& world, const std::string& object) {
   const auto finished = (*pictures)->finish();
   REQUIRE_OK(finished);
   const std::string stored = WEFT_SOURCE_DIR "/tests/sim/pictures/pull-" + object + ".png";
-  if (std::getenv("WEFT_STORE_PICTURES") != nullptr) std::filesystem::copy_file(folder.path("frame_00000.png"), stored, std::filesystem::copy_options::overwrite_existing);
+  if (std::getenv("WEFT_STORE_PICTURES") != nullptr)
+    std::filesystem::copy_file(folder.path("frame_00000.png"), stored,
+                               std::filesystem::copy_options::overwrite_existing);
   const std::vector<double> now = block_means(folder.path("frame_00000.png")), then = block_means(stored);
   double brightness = 0, difference = 0;
   std::size_t far = 0;
@@ -61,7 +64,8 @@ void check_picture(const sim::World& world, const std::string& object) {
 void check_pull(const std::string& object, std::uint32_t side) {
   GpuFixture fixture;
   const std::string count = std::to_string(side);
-  const scene::Scene scene = shipped_scene("pull-" + object, {{"cloths.0.grid", "[" + count + "," + count + "]"}, {"render.size", "[640,360]"}});
+  const scene::Scene scene = shipped_scene(
+      "pull-" + object, {{"cloths.0.grid", "[" + count + "," + count + "]"}, {"render.size", "[640,360]"}});
   auto world = world_of(fixture.device(), scene);
   advance(*world, 2);
   CHECK_MESSAGE(world->totals().contacts > 0, "the sheet touches the object within two frames");
@@ -72,9 +76,10 @@ void check_pull(const std::string& object, std::uint32_t side) {
   const auto in_box = [&](const Vec3f& p) { return max(p, box.low) == p && min(p, box.high) == p; };
   std::size_t inside = 0;
   for (const Vec4f& node : snapshot->position)
-    if (in_box(node.xyz())) inside += reference::inside(node.xyz().to<double>(), world->assets().objects[0]) ? 1 : 0;
-  MESSAGE(object, " ", side, "²: ", world->substeps(), " substeps, ", world->totals().contacts, " hits, stretch ",
-          world->totals().max_stretch, ", inside ", inside);
+    if (in_box(node.xyz()))
+      inside += reference::inside(node.xyz().to<double>(), world->assets().objects[0]) ? 1 : 0;
+  MESSAGE(object, " ", side, "²: ", world->substeps(), " substeps, ", world->totals().contacts,
+          " hits, stretch ", world->totals().max_stretch, ", inside ", inside);
   CHECK(inside == 0);
   CHECK(world->totals().max_stretch <= 1.5F);
   CHECK(world->totals().contact_overflow == 0);
@@ -84,8 +89,16 @@ void check_pull(const std::string& object, std::uint32_t side) {
 }  // namespace
 
 TEST_CASE("no node of a sheet of 48² ends inside the sphere it is pulled over") { check_pull("sphere", 48); }
-TEST_CASE("no node of a sheet of 48² ends inside the armadillo it is pulled over") { check_pull("armadillo", 48); }
+TEST_CASE("no node of a sheet of 48² ends inside the armadillo it is pulled over") {
+  check_pull("armadillo", 48);
+}
 TEST_CASE("no node of a sheet of 48² ends inside the dragon it is pulled over") { check_pull("dragon", 48); }
-TEST_CASE("long: no node of a sheet of 64² and 100² ends inside the sphere") { check_pull("sphere", 64), check_pull("sphere", 100); }
-TEST_CASE("long: no node of a sheet of 64² and 100² ends inside the armadillo") { check_pull("armadillo", 64), check_pull("armadillo", 100); }
-TEST_CASE("long: no node of a sheet of 64² and 100² ends inside the dragon") { check_pull("dragon", 64), check_pull("dragon", 100); }
+TEST_CASE("long: no node of a sheet of 64² and 100² ends inside the sphere") {
+  check_pull("sphere", 64), check_pull("sphere", 100);
+}
+TEST_CASE("long: no node of a sheet of 64² and 100² ends inside the armadillo") {
+  check_pull("armadillo", 64), check_pull("armadillo", 100);
+}
+TEST_CASE("long: no node of a sheet of 64² and 100² ends inside the dragon") {
+  check_pull("dragon", 64), check_pull("dragon", 100);
+}

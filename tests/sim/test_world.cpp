@@ -9,9 +9,12 @@ using namespace weft;
 namespace {
 
 scene::Scene small_scene(const std::string& members = "") {
-  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": 7}, "contact": {"method": "none"},
+  auto scene =
+      scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": 7}, "contact": {"method": "none"},
     "cloths": [{"grid": [13, 9], "size": [1, 1], "density": 0.3, "damping": 0.005, "pins": ["top_left"],
-    "stiffness": {"structural": 100, "shear": 50, "bend": 5}}])" + members + "}", "small.json");
+    "stiffness": {"structural": 100, "shear": 50, "bend": 5}}])" +
+                             members + "}",
+                         "small.json");
   REQUIRE_OK(scene);
   return std::move(*scene);
 }
@@ -34,15 +37,18 @@ TEST_CASE("a world repeats bit for bit, also after a reset, with an odd number o
   CHECK(a->totals().frames == 11);
 }
 
-TEST_CASE("the pull over the sphere has the same bits for the tree and brute force, and for each workgroup size") {
+TEST_CASE(
+    "the pull over the sphere has the same bits for the tree and brute force, and for each workgroup size") {
   GpuFixture fixture;
   std::string hash;
   std::uint64_t contacts = 0;
   std::uint32_t contact_hash = 0;
-  for (const auto& [method, workgroup] : {std::pair{"bvh", 256U}, {"paper", 256U}, {"bvh", 64U}, {"bvh", 128U}, {"bvh", 256U}}) {
+  for (const auto& [method, workgroup] :
+       {std::pair{"bvh", 256U}, {"paper", 256U}, {"bvh", 64U}, {"bvh", 128U}, {"bvh", 256U}}) {
     CAPTURE(method);
     CAPTURE(workgroup);
-    const scene::Scene scene = shipped_scene("pull-sphere", {{"cloths.0.grid", "[28,37]"}, {"contact.method", method}});
+    const scene::Scene scene =
+        shipped_scene("pull-sphere", {{"cloths.0.grid", "[28,37]"}, {"contact.method", method}});
     auto world = world_of(fixture.device(), scene, {.workgroup_size = workgroup});
     advance(*world, 12);
     if (hash.empty()) {
@@ -57,7 +63,8 @@ TEST_CASE("the pull over the sphere has the same bits for the tree and brute for
   }
 }
 
-TEST_CASE("a node that is not finite freezes the state at the last good frame, within three frames of the host") {
+TEST_CASE(
+    "a node that is not finite freezes the state at the last good frame, within three frames of the host") {
   GpuFixture fixture;
   for (const float bad : {NAN, INFINITY, -INFINITY}) {
     auto world = world_of(fixture.device(), small_scene());
@@ -97,10 +104,12 @@ TEST_CASE("a first frame that is not finite freezes the state at rest, and a res
 
 TEST_CASE("a moved edge is where its motion says at the end of every frame") {
   GpuFixture fixture;
-  auto parsed = scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "none"}, "time": {"substeps": 5},
+  auto parsed =
+      scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "none"}, "time": {"substeps": 5},
     "cloths": [{"grid": [5, 5], "size": [1, 1], "density": 1, "damping": 0, "stiffness": {"structural": 20, "shear": 10, "bend": 1},
     "motions": [{"nodes": "top", "kind": "line", "direction": [1, 0, 0], "speed": 0.6},
-                {"nodes": "bottom", "kind": "rotation", "axis": [0, 1, 0], "center": [0, 0, 0], "speed": 2}]}]})", "moved.json");
+                {"nodes": "bottom", "kind": "rotation", "axis": [0, 1, 0], "center": [0, 0, 0], "speed": 2}]}]})",
+                         "moved.json");
   REQUIRE_OK(parsed);
   auto world = world_of(fixture.device(), *parsed);
   const auto start = world->snapshot();
@@ -110,22 +119,27 @@ TEST_CASE("a moved edge is where its motion says at the end of every frame") {
     REQUIRE_OK(now);
     const double time = frame / 60.0;
     for (std::size_t i = 0; i < 5; ++i) {
-      CHECK(static_cast<double>(now->position[i].x) == doctest::Approx(static_cast<double>(start->position[i].x) + 0.6 * time));
+      CHECK(static_cast<double>(now->position[i].x) ==
+            doctest::Approx(static_cast<double>(start->position[i].x) + 0.6 * time));
       CHECK(static_cast<double>(now->velocity[i].x) == doctest::Approx(0.6).epsilon(1e-3));
       const Vec4f& before = start->position[20 + i];
       const Vec4f& after = now->position[20 + i];
-      CHECK(static_cast<double>(after.x) == doctest::Approx(static_cast<double>(before.x) * std::cos(2 * time)).epsilon(1e-5));
-      CHECK(static_cast<double>(after.z) == doctest::Approx(-static_cast<double>(before.x) * std::sin(2 * time)).epsilon(1e-4));
+      CHECK(static_cast<double>(after.x) ==
+            doctest::Approx(static_cast<double>(before.x) * std::cos(2 * time)).epsilon(1e-5));
+      CHECK(static_cast<double>(after.z) ==
+            doctest::Approx(-static_cast<double>(before.x) * std::sin(2 * time)).epsilon(1e-4));
     }
   }
 }
 
 TEST_CASE("a sheet that falls on a plane and a sphere stays on their outer side") {
   GpuFixture fixture;
-  auto parsed = scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "bvh", "thickness": 0.01},
+  auto parsed =
+      scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "bvh", "thickness": 0.01},
     "cloths": [{"grid": [20, 20], "size": [1, 1], "plane": "xz", "density": 0.3, "damping": 0.01, "transform": {"translate": [0, 0.55, 0]},
     "stiffness": {"structural": 100, "shear": 50, "bend": 5}}],
-    "colliders": [{"kind": "sphere", "center": [0, 0.2, 0], "radius": 0.3}, {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}]})", "fall.json");
+    "colliders": [{"kind": "sphere", "center": [0, 0.2, 0], "radius": 0.3}, {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}]})",
+                         "fall.json");
   REQUIRE_OK(parsed);
   auto world = world_of(fixture.device(), *parsed);
   advance(*world, 60);
@@ -139,7 +153,8 @@ TEST_CASE("a sheet that falls on a plane and a sphere stays on their outer side"
   CHECK(world->totals().max_stretch < 1.5F);
 }
 
-TEST_CASE("a scene too large for the adapter is refused before anything is simulated, with the limit's name") {
+TEST_CASE(
+    "a scene too large for the adapter is refused before anything is simulated, with the limit's name") {
   GpuFixture fixture;
   gpu::Limits limits = fixture.device().limits();
   limits.max_storage_binding_size = 1000;

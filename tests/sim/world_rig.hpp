@@ -16,13 +16,15 @@ namespace weft {
 
 inline const std::string kModels = WEFT_SOURCE_DIR "/models";
 
-inline scene::Scene shipped_scene(const std::string& name, const std::vector<scene::Override>& overrides = {}) {
+inline scene::Scene shipped_scene(const std::string& name,
+                                  const std::vector<scene::Override>& overrides = {}) {
   auto scene = scene::load_scene(WEFT_SOURCE_DIR "/scenes/" + name + ".json", overrides);
   REQUIRE_OK(scene);
   return std::move(*scene);
 }
 
-inline std::unique_ptr<sim::World> world_of(gpu::Device& device, const scene::Scene& scene, const sim::WorldOptions& options = {}) {
+inline std::unique_ptr<sim::World> world_of(gpu::Device& device, const scene::Scene& scene,
+                                            const sim::WorldOptions& options = {}) {
   auto assets = sim::load_assets(scene, kModels);
   REQUIRE_OK(assets);
   auto world = sim::World::create(device, scene, *assets, options);

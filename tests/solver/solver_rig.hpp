@@ -19,7 +19,8 @@ namespace weft {
 #define REQUIRE_OK(result) REQUIRE_MESSAGE(static_cast<bool>(result), (result).error().message)
 
 inline scene::Scene scene_of(const std::string& members) {
-  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "none"}, )" + members + "}", "test.json");
+  auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "contact": {"method": "none"}, )" + members + "}", "test.json");
   REQUIRE_OK(scene);
   return std::move(*scene);
 }
@@ -104,8 +105,8 @@ class SolverRig {
     }
     for (const Vec4f& v : velocities()) system.velocity.push_back(v.xyz().to<double>());
     for (const Spring& s : build_springs(model_.host))
-      system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length), static_cast<double>(s.stiffness),
-                                static_cast<double>(s.damping)});
+      system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
+                                static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
     system.acceleration = scene_.gravity + scene_.external_force;
     system.drag = scene_.drag;
     return system;

@@ -22,7 +22,12 @@ std::string grid(std::uint32_t nx, std::uint32_t ny, double width, double height
 TEST_CASE("free fall follows y = y0 - g h² n (n + 1) / 2, the sum of semi-implicit Euler") {
   GpuFixture fixture;
   const double h = 1.0 / 256;  // exact in f32
-  SolverRig rig(fixture.device(), scene_of(grid(5, 4, 1, 1, R"("density": 0.2, "damping": 0, "stiffness": {"structural": 10, "shear": 5, "bend": 1})")), h);
+  SolverRig rig(
+      fixture.device(),
+      scene_of(
+          grid(5, 4, 1, 1,
+               R"("density": 0.2, "damping": 0, "stiffness": {"structural": 10, "shear": 5, "bend": 1})")),
+      h);
   const auto start = rig.positions();
   const int steps = 100;
   rig.advance(steps);
@@ -30,20 +35,25 @@ TEST_CASE("free fall follows y = y0 - g h² n (n + 1) / 2, the sum of semi-impli
   const double fall = kGravity * h * h * steps * (steps + 1) / 2;
   for (std::size_t i = 0; i < end.size(); ++i) {
     // Each step rounds a position below 1 m and a velocity below 4 m/s.
-    CHECK(std::abs(static_cast<double>(start[i].y) - fall - static_cast<double>(end[i].y)) < steps * (1.2e-7 + h * 4 * 1.2e-7) * 4);
+    CHECK(std::abs(static_cast<double>(start[i].y) - fall - static_cast<double>(end[i].y)) <
+          steps * (1.2e-7 + h * 4 * 1.2e-7) * 4);
     CHECK(std::abs(end[i].x - start[i].x) < 1e-6F);
   }
 }
 
 TEST_CASE("a hanging node stretches its spring by m g / k") {
   GpuFixture fixture;
-  // 2 x 2 nodes, the upper two pinned. Each lower node hangs by one boundary spring (half of 100 N/m) and weighs a
-  // quarter of 0.4 kg: 0.1 * 9.81 / 50 = 19.62 mm.
+  // 2 x 2 nodes, the upper two pinned. Each lower node hangs by one boundary spring (half of 100 N/m) and
+  // weighs a quarter of 0.4 kg: 0.1 * 9.81 / 50 = 19.62 mm.
   for (const char* forces : {"node_centric", "spring_centric"}) {
-    SolverRig rig(fixture.device(),
-                  scene_of(R"("solver": {"kind": "mass_spring", "forces": ")" + std::string(forces) + R"("}, )" +
-                           grid(2, 2, 1, 1, R"("density": 0.4, "damping": 0.8, "pins": ["top"], "stiffness": {"structural": 100, "shear": 0, "bend": 0})")),
-                  1e-3);
+    SolverRig rig(
+        fixture.device(),
+        scene_of(
+            R"("solver": {"kind": "mass_spring", "forces": ")" + std::string(forces) + R"("}, )" +
+            grid(
+                2, 2, 1, 1,
+                R"("density": 0.4, "damping": 0.8, "pins": ["top"], "stiffness": {"structural": 100, "shear": 0, "bend": 0})")),
+        1e-3);
     const auto start = rig.positions();
     rig.advance(20000);  // 20 s: forty decay times of 2 m / c = 0.5 s
     const auto end = rig.positions();
@@ -56,32 +66,44 @@ TEST_CASE("a strip under its own weight lengthens by the sum over its springs, n
   GpuFixture fixture;
   const std::uint32_t ny = 41;
   const double density = 0.2, length = 2, k = 200;  // structural springs alone: E = k [N/m]
-  SolverRig rig(fixture.device(),
-                scene_of(R"("drag": 3, )" + grid(5, ny, 0.2, length, R"("density": 0.2, "damping": 0, "pins": ["top"], "stiffness": {"structural": 200, "shear": 0, "bend": 0})")),
-                1e-3);
+  SolverRig rig(
+      fixture.device(),
+      scene_of(
+          R"("drag": 3, )" +
+          grid(
+              5, ny, 0.2, length,
+              R"("density": 0.2, "damping": 0, "pins": ["top"], "stiffness": {"structural": 200, "shear": 0, "bend": 0})")),
+      1e-3);
   rig.advance(12000);  // 12 s; the slowest mode decays as exp(-1.5 t)
   const auto end = rig.positions();
-  // Spring n of a column carries the ny - n - 1 rows below it and half the last: a row weighs density·a·g per width.
+  // Spring n of a column carries the ny - n - 1 rows below it and half the last: a row weighs density·a·g per
+  // width.
   const double a = length / (ny - 1);
   double elongation = 0;
   for (std::uint32_t n = 0; n + 1 < ny; ++n) elongation += density * a * a * kGravity * (ny - 1.5 - n) / k;
   const double continuum = density * kGravity * length * length / (2 * k);
   CHECK(elongation == doctest::Approx(continuum).epsilon(2.0 / ny));
   for (std::uint32_t i = 0; i < 5; ++i)
-    CHECK(static_cast<double>(end[i].y - end[(ny - 1) * 5 + i].y) - length == doctest::Approx(elongation).epsilon(2e-3));
+    CHECK(static_cast<double>(end[i].y - end[(ny - 1) * 5 + i].y) - length ==
+          doctest::Approx(elongation).epsilon(2e-3));
 }
 
-TEST_CASE("a stretched lattice has the moduli E = k'(k' + 2 s) / (k' + s) and nu = s / (k' + s) with k' = k + 4 b") {
+TEST_CASE(
+    "a stretched lattice has the moduli E = k'(k' + 2 s) / (k' + s) and nu = s / (k' + s) with k' = k + 4 "
+    "b") {
   GpuFixture fixture;
   for (const auto& [structural, shear, bend] : {std::array{400.0, 200.0, 0.0}, {300.0, 100.0, 25.0}}) {
     const std::uint32_t nx = 61, ny = 13;
     const double width = 3.0, height = 0.6, strain = 0.002, a = width / (nx - 1);
-    const std::string stiffness = R"("stiffness": {"structural": )" + std::to_string(structural) + R"(, "shear": )" +
-                                  std::to_string(shear) + R"(, "bend": )" + std::to_string(bend) + "}";
-    SolverRig rig(fixture.device(),
-                  scene_of(R"("gravity": [0, 0, 0], "drag": 8, )" +
-                           grid(nx, ny, width, height, R"("density": 0.2, "damping": 0.01, "pins": ["left", "right"], )" + stiffness)),
-                  4e-4);
+    const std::string stiffness = R"("stiffness": {"structural": )" + std::to_string(structural) +
+                                  R"(, "shear": )" + std::to_string(shear) + R"(, "bend": )" +
+                                  std::to_string(bend) + "}";
+    SolverRig rig(
+        fixture.device(),
+        scene_of(R"("gravity": [0, 0, 0], "drag": 8, )" +
+                 grid(nx, ny, width, height,
+                      R"("density": 0.2, "damping": 0.01, "pins": ["left", "right"], )" + stiffness)),
+        4e-4);
     auto position = rig.positions();
     for (Vec4f& x : position) x.x *= static_cast<float>(1 + strain);  // both ends held, stretched
     rig.set(position, std::vector<Vec4f>(position.size()));
@@ -102,12 +124,16 @@ TEST_CASE("a stretched lattice has the moduli E = k'(k' + 2 s) / (k' + s) and nu
       const std::uint32_t low = ia < ib ? ia : ib, high = ia < ib ? ib : ia;
       if (low > cut || high <= cut) continue;
       const Vec3d span = system.position[spring.node_b] - system.position[spring.node_a];
-      force += spring.stiffness * (weft::length(span) - spring.rest_length) * std::abs(span.x) / weft::length(span);
+      force += spring.stiffness * (weft::length(span) - spring.rest_length) * std::abs(span.x) /
+               weft::length(span);
     }
     const double k = structural + 4 * bend;
     const double modulus = k * (k + 2 * shear) / (k + shear), poisson = shear / (k + shear);
-    CAPTURE(structural); CAPTURE(shear); CAPTURE(bend);
-    // Strain 0.2 % leaves terms of second order of that size; the free sides bend differently in a row of springs.
+    CAPTURE(structural);
+    CAPTURE(shear);
+    CAPTURE(bend);
+    // Strain 0.2 % leaves terms of second order of that size; the free sides bend differently in a row of
+    // springs.
     CHECK(force / height / along == doctest::Approx(modulus).epsilon(0.01));
     CHECK(-across / along == doctest::Approx(poisson).epsilon(0.02));
   }
@@ -115,30 +141,38 @@ TEST_CASE("a stretched lattice has the moduli E = k'(k' + 2 s) / (k' + s) and nu
 
 TEST_CASE("a standing wave swings as the discrete chain says: omega = 2 √(k/m) sin(q a / 2)") {
   GpuFixture fixture;
-  // Structural springs alone: every row is a chain with free ends of half the mass, whose modes are cos(p π i / (n-1)).
+  // Structural springs alone: every row is a chain with free ends of half the mass, whose modes are cos(p π i
+  // / (n-1)).
   const std::uint32_t n = 33;
   const double density = 0.2, k = 100, a = 1.0 / 32, amplitude = 1e-3;
   const double m = density * a * a, h = 2e-4;
   for (const int mode : {1, 3, 8}) {
-    SolverRig rig(fixture.device(),
-                  scene_of(R"("gravity": [0, 0, 0], )" + grid(n, 5, 1, 4.0 / 32, R"("density": 0.2, "damping": 0, "stiffness": {"structural": 100, "shear": 0, "bend": 0})")), h);
+    SolverRig rig(
+        fixture.device(),
+        scene_of(
+            R"("gravity": [0, 0, 0], )" +
+            grid(n, 5, 1, 4.0 / 32,
+                 R"("density": 0.2, "damping": 0, "stiffness": {"structural": 100, "shear": 0, "bend": 0})")),
+        h);
     const auto rest = rig.positions();
     auto position = rest;
     for (std::size_t i = 0; i < position.size(); ++i)
-      position[i].x += static_cast<float>(amplitude * std::cos(kPi * mode * static_cast<double>(i % n) / (n - 1)));
+      position[i].x +=
+          static_cast<float>(amplitude * std::cos(kPi * mode * static_cast<double>(i % n) / (n - 1)));
     rig.set(position, std::vector<Vec4f>(position.size()));
     const double omega = 2 * std::sqrt(k / m) * std::sin(kPi * mode / (2.0 * (n - 1)));
     // Semi-implicit Euler of x'' = -ω² x from rest: x_s = A (cos sθ - tan(θ/2) sin sθ), sin(θ/2) = ω h / 2.
     const double theta = 2 * std::asin(omega * h / 2);
     const int steps = 700;
     rig.advance(steps);
-    const double expected = amplitude * (std::cos(steps * theta) - std::tan(theta / 2) * std::sin(steps * theta));
+    const double expected =
+        amplitude * (std::cos(steps * theta) - std::tan(theta / 2) * std::sin(steps * theta));
     const auto end = rig.positions();
     CAPTURE(mode);
     for (std::size_t i = 0; i < end.size(); ++i) {
       const double shape = std::cos(kPi * mode * static_cast<double>(i % n) / (n - 1));
-      // A spring's length is known to 2^-25 of 1/2 m (where its nodes stand), 3e-8 m: 3e-5 of the amplitude; over 700
-      // steps such errors add up as a random walk that the chain spreads.
+      // A spring's length is known to 2^-25 of 1/2 m (where its nodes stand), 3e-8 m: 3e-5 of the amplitude;
+      // over 700 steps such errors add up as a random walk that the chain spreads.
       CHECK(std::abs(static_cast<double>(end[i].x - rest[i].x) - expected * shape) < 4e-3 * amplitude);
     }
   }
@@ -146,12 +180,15 @@ TEST_CASE("a standing wave swings as the discrete chain says: omega = 2 √(k/m)
 
 TEST_CASE("the energy of an undamped sheet does not drift") {
   GpuFixture fixture;
-  const auto scene = scene_of(R"("gravity": [0, 0, 0], )" + grid(16, 16, 1, 1, R"("density": 0.2, "damping": 0, "stiffness": {"structural": 500, "shear": 200, "bend": 20})"));
+  const auto scene = scene_of(
+      R"("gravity": [0, 0, 0], )" +
+      grid(16, 16, 1, 1,
+           R"("density": 0.2, "damping": 0, "stiffness": {"structural": 500, "shear": 200, "bend": 20})"));
   auto host = build_model(scene, {{}});
   const auto limit = mass_spring_step_limit(fixture.device(), *host, 0);
   REQUIRE_OK(limit);
-  // Semi-implicit Euler keeps an energy that differs from the true one by O(ω h) of it: at a tenth of the limit the true
-  // one swings by a few per cent and its mean over many periods stands still.
+  // Semi-implicit Euler keeps an energy that differs from the true one by O(ω h) of it: at a tenth of the
+  // limit the true one swings by a few per cent and its mean over many periods stands still.
   SolverRig rig(fixture.device(), scene, 0.1 * limit->largest_step);
   rig.perturb(11, 0.002, 0.3);
   const auto mean_energy = [&](int windows) {

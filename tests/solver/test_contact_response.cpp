@@ -7,7 +7,9 @@
 
 using namespace weft;
 
-TEST_CASE("a node with contacts goes to its previous place plus the mean push, turns at half speed, and is cleared") {
+TEST_CASE(
+    "a node with contacts goes to its previous place plus the mean push, turns at half speed, and is "
+    "cleared") {
   GpuFixture fixture;
   gpu::Device& device = fixture.device();
   Random random(4);
@@ -28,7 +30,8 @@ TEST_CASE("a node with contacts goes to its previous place plus the mean push, t
     predicted[i] = {draw(1), draw(1), draw(1), 2};
     velocity[i] = {draw(3), draw(3), draw(3), 0};
     if (random.below(3) == 0) continue;
-    for (std::uint32_t axis = 0; axis < 3; ++axis) pushes[4 * i + axis] = static_cast<std::int32_t>(random.below(2000000)) - 1000000;
+    for (std::uint32_t axis = 0; axis < 3; ++axis)
+      pushes[4 * i + axis] = static_cast<std::int32_t>(random.below(2000000)) - 1000000;
     pushes[4 * i + 3] = 1 + static_cast<std::int32_t>(random.below(9));
   }
   StepParams params;
@@ -63,7 +66,8 @@ TEST_CASE("a node with contacts goes to its previous place plus the mean push, t
       }
       const double mean = pushes[4 * i + static_cast<std::uint32_t>(axis)] / (1048576.0 * hits);
       const double expected = static_cast<double>(previous[i].xyz()[axis]) + mean;
-      CHECK(std::abs(static_cast<double>((*position)[i].xyz()[axis]) - expected) <= 4 * 6e-8);  // |x| < 2, a quotient and a sum
+      CHECK(std::abs(static_cast<double>((*position)[i].xyz()[axis]) - expected) <=
+            4 * 6e-8);  // |x| < 2, a quotient and a sum
       CHECK((*turned)[i].xyz()[axis] == -0.5F * v);
     }
     CHECK((*position)[i].w == 2.0F);

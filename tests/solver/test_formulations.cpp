@@ -12,31 +12,37 @@ using namespace weft;
 
 namespace {
 
-constexpr double kUlp = 1.0 / 16777216;  // 2^-24: half the spacing of f32 around 1, as a relative rounding error
+constexpr double kUlp =
+    1.0 / 16777216;  // 2^-24: half the spacing of f32 around 1, as a relative rounding error
 
 std::string cloth(std::uint32_t nx, std::uint32_t ny, const char* forces, const char* more = "") {
-  return R"("solver": {"kind": "mass_spring", "forces": ")" + std::string(forces) + R"("}, "cloths": [{"grid": [)" +
-         std::to_string(nx) + ", " + std::to_string(ny) + R"(], "size": [1.0, 0.8], "density": 0.2, "damping": 0.02,
-         "stiffness": {"structural": 500, "shear": 200, "bend": 20}, "pins": ["top_left", "top_right"])" + more + "}]";
+  return R"("solver": {"kind": "mass_spring", "forces": ")" + std::string(forces) +
+         R"("}, "cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
+         R"(], "size": [1.0, 0.8], "density": 0.2, "damping": 0.02,
+         "stiffness": {"structural": 500, "shear": 200, "bend": 20}, "pins": ["top_left", "top_right"])" +
+         more + "}]";
 }
 
-/// How far a component of one step's velocity may be from the reference: the rounding of each spring's tension and
-/// direction, of the sum, of the update, and for the fixed-point sum half a unit a spring.
-std::vector<double> velocity_tolerance(const reference::MassSpringSystem& system, double dt, double force_unit) {
+/// How far a component of one step's velocity may be from the reference: the rounding of each spring's
+/// tension and direction, of the sum, of the update, and for the fixed-point sum half a unit a spring.
+std::vector<double> velocity_tolerance(const reference::MassSpringSystem& system, double dt,
+                                       double force_unit) {
   std::vector<double> force(system.position.size(), 0.0);
   for (const auto& spring : system.springs) {
     const Vec3d span = system.position[spring.node_b] - system.position[spring.node_a];
     const Vec3d rate = system.velocity[spring.node_b] - system.velocity[spring.node_a];
-    // length: the difference, three squares, two sums and a root round: within 6 of the span; direction 2 more; the
-    // two products and the sum 4 more. Positions themselves are f32 in both.
-    const double tension = spring.stiffness * (length(span) + spring.rest_length) + spring.damping * length(rate);
+    // length: the difference, three squares, two sums and a root round: within 6 of the span; direction 2
+    // more; the two products and the sum 4 more. Positions themselves are f32 in both.
+    const double tension =
+        spring.stiffness * (length(span) + spring.rest_length) + spring.damping * length(rate);
     const double error = 12 * kUlp * tension + 0.5 * force_unit;
     force[spring.node_a] += error;
     force[spring.node_b] += error;
   }
   std::vector<double> tolerance(system.position.size());
   for (std::size_t i = 0; i < tolerance.size(); ++i)
-    tolerance[i] = dt * system.inverse_mass[i] * (force[i] * 2) + 4 * kUlp * (length(system.velocity[i]) + dt * 20);
+    tolerance[i] =
+        dt * system.inverse_mass[i] * (force[i] * 2) + 4 * kUlp * (length(system.velocity[i]) + dt * 20);
   return tolerance;
 }
 
@@ -51,8 +57,9 @@ void check_one_step(SolverRig& rig, double force_unit) {
     for (int axis = 0; axis < 3; ++axis) {
       const double dv = std::abs(static_cast<double>(velocity[i].xyz()[axis]) - expected.velocity[i][axis]);
       const double dx = std::abs(static_cast<double>(position[i].xyz()[axis]) - expected.position[i][axis]);
-      worst = std::max({worst, dv / tolerance[i],
-                        dx / (rig.dt() * tolerance[i] + 2 * kUlp * (1 + std::abs(expected.position[i][axis])))});
+      worst =
+          std::max({worst, dv / tolerance[i],
+                    dx / (rig.dt() * tolerance[i] + 2 * kUlp * (1 + std::abs(expected.position[i][axis])))});
     }
   }
   CHECK_MESSAGE(worst <= 1, "error / tolerance = ", worst);
@@ -65,11 +72,15 @@ TEST_CASE("both formulations equal the reference within the rounding of one step
   for (const auto& [nx, ny] : {std::pair{2U, 2U}, {2U, 5U}, {7U, 3U}, {13U, 29U}, {40U, 31U}}) {
     for (const char* forces : {"node_centric", "spring_centric"}) {
       for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        CAPTURE(nx); CAPTURE(ny); CAPTURE(forces); CAPTURE(seed);
+        CAPTURE(nx);
+        CAPTURE(ny);
+        CAPTURE(forces);
+        CAPTURE(seed);
         SolverRig rig(fixture.device(), scene_of(cloth(nx, ny, forces)), 1e-4);
         rig.perturb(seed, 0.3 / nx, 1.0);
         const bool spring_centric = std::string(forces) == "spring_centric";
-        const auto fixed_point = force_fixed_point(build_springs(rig.model().host), rig.model().vertex_count());
+        const auto fixed_point =
+            force_fixed_point(build_springs(rig.model().host), rig.model().vertex_count());
         check_one_step(rig, spring_centric ? 1 / static_cast<double>(fixed_point.scale) : 0);
       }
     }
@@ -87,19 +98,24 @@ TEST_CASE("both formulations equal the reference on a mesh of any shape") {
       SolverRig rig(fixture.device(), scene, 1e-4, {mesh});
       rig.perturb(5, 0.03, 0.5);
       const auto fixed_point = force_fixed_point(build_springs(rig.model().host), rig.model().vertex_count());
-      check_one_step(rig, std::string(forces) == "spring_centric" ? 1 / static_cast<double>(fixed_point.scale) : 0);
+      check_one_step(
+          rig, std::string(forces) == "spring_centric" ? 1 / static_cast<double>(fixed_point.scale) : 0);
     }
   }
 }
 
 TEST_CASE("a grid and the same sheet as a mesh of springs move alike") {
   GpuFixture fixture;
-  // Without bend springs (a triangle mesh has other ones) and with nodes of equal mass, the two have the same springs.
-  const char* common = R"("node_mass": 0.001, "damping": 0.02, "stiffness": {"structural": 500, "shear": 200, "bend": 0})";
-  SolverRig grid(fixture.device(), scene_of(R"("cloths": [{"grid": [9, 12], "size": [0.8, 1.1], "plane": "xz", )" + std::string(common) +
-                                            R"(, "transform": {"translate": [0.4, 0, 0.55]}}])"), 1e-4);
-  SolverRig mesh(fixture.device(), scene_of(R"("cloths": [{"mesh": "a.obj", )" + std::string(common) + "}]"), 1e-4,
-                 {sheet_mesh(9, 12, 0.8, 1.1)});
+  // Without bend springs (a triangle mesh has other ones) and with nodes of equal mass, the two have the same
+  // springs.
+  const char* common =
+      R"("node_mass": 0.001, "damping": 0.02, "stiffness": {"structural": 500, "shear": 200, "bend": 0})";
+  SolverRig grid(fixture.device(),
+                 scene_of(R"("cloths": [{"grid": [9, 12], "size": [0.8, 1.1], "plane": "xz", )" +
+                          std::string(common) + R"(, "transform": {"translate": [0.4, 0, 0.55]}}])"),
+                 1e-4);
+  SolverRig mesh(fixture.device(), scene_of(R"("cloths": [{"mesh": "a.obj", )" + std::string(common) + "}]"),
+                 1e-4, {sheet_mesh(9, 12, 0.8, 1.1)});
   grid.perturb(9, 0.01, 0.2);
   mesh.set(grid.positions(), grid.velocities());
   grid.advance(50);
@@ -127,7 +143,8 @@ TEST_CASE("spring-centric forces of any cloth sum to exactly zero") {
     std::vector<Spring> springs;
     for (std::uint32_t s = 0; s < 5 * count; ++s) {
       const std::uint32_t a = random.below(count), b = random.below(count);
-      if (a != b) springs.push_back({a, b, 0.1F + draw(0.1), static_cast<float>(random.uniform(1, 1e4)), 1.0F});
+      if (a != b)
+        springs.push_back({a, b, 0.1F + draw(0.1), static_cast<float>(random.uniform(1, 1e4)), 1.0F});
     }
     auto spring_buffer = gpu::Buffer<Spring>::create_from(device, springs, "springs");
     auto force = gpu::Buffer<std::int32_t>::create(device, 3UL * count, "force");
@@ -188,7 +205,8 @@ TEST_CASE("the fixed-point scale is the largest power of two for which the worst
   CHECK(fixed_point.limit == doctest::Approx(20));
   CHECK(largest < 2147483648.0);
   CHECK(2 * largest >= 2147483648.0);
-  CHECK(std::exp2(std::round(std::log2(static_cast<double>(fixed_point.scale)))) == static_cast<double>(fixed_point.scale));
+  CHECK(std::exp2(std::round(std::log2(static_cast<double>(fixed_point.scale)))) ==
+        static_cast<double>(fixed_point.scale));
 }
 
 TEST_CASE("the state has the same bits for workgroups of 64, 128 and 256, and on every run") {
@@ -196,7 +214,8 @@ TEST_CASE("the state has the same bits for workgroups of 64, 128 and 256, and on
   for (const char* forces : {"node_centric", "spring_centric"}) {
     std::vector<Vec4f> position, velocity;
     for (const std::uint32_t workgroup : {64U, 128U, 256U, 256U}) {
-      CAPTURE(forces); CAPTURE(workgroup);
+      CAPTURE(forces);
+      CAPTURE(workgroup);
       SolverRig rig(fixture.device(), scene_of(cloth(37, 28, forces)), 2e-4, {}, workgroup);
       rig.perturb(3, 0.005, 1.0);
       rig.advance(100);
@@ -216,6 +235,7 @@ TEST_CASE("a pinned node stays to the bit while the sheet moves") {
   const auto before = rig.positions();
   rig.advance(40);
   const auto after = rig.positions();
-  for (const std::size_t pinned : {0UL, 5UL}) CHECK(std::memcmp(&before[pinned], &after[pinned], sizeof(Vec4f)) == 0);
+  for (const std::size_t pinned : {0UL, 5UL})
+    CHECK(std::memcmp(&before[pinned], &after[pinned], sizeof(Vec4f)) == 0);
   CHECK(length(after[20].xyz() - before[20].xyz()) > 0.001F);
 }

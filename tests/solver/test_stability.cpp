@@ -9,10 +9,12 @@ using namespace weft;
 
 namespace {
 
-std::string sheet(std::uint32_t nx, std::uint32_t ny, double structural, double shear, double bend, double damping) {
-  return R"("gravity": [0, 0, 0], "cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) + R"(], "size": [)" +
-         std::to_string(0.02 * (nx - 1)) + ", " + std::to_string(0.02 * (ny - 1)) + R"(], "density": 0.25, "damping": )" +
-         std::to_string(damping) + R"(, "stiffness": {"structural": )" + std::to_string(structural) + R"(, "shear": )" +
+std::string sheet(std::uint32_t nx, std::uint32_t ny, double structural, double shear, double bend,
+                  double damping) {
+  return R"("gravity": [0, 0, 0], "cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
+         R"(], "size": [)" + std::to_string(0.02 * (nx - 1)) + ", " + std::to_string(0.02 * (ny - 1)) +
+         R"(], "density": 0.25, "damping": )" + std::to_string(damping) +
+         R"(, "stiffness": {"structural": )" + std::to_string(structural) + R"(, "shear": )" +
          std::to_string(shear) + R"(, "bend": )" + std::to_string(bend) + "}}]";
 }
 constexpr double kNodeMass = 0.25 * 0.02 * 0.02;  // [kg]
@@ -39,17 +41,22 @@ double largest_speed(SolverRig& rig) {
 TEST_CASE("power iteration finds the highest frequency of lattices within 2 %") {
   GpuFixture fixture;
   for (const auto& [nx, ny] : {std::pair{32U, 32U}, {50U, 21U}, {200U, 100U}}) {
-    CAPTURE(nx); CAPTURE(ny);
+    CAPTURE(nx);
+    CAPTURE(ny);
     // Structural and shear springs: omega² = 4 (k + s) / m.
-    const double plain = limit_of(fixture.device(), scene_of(sheet(nx, ny, 500, 200, 0, 0))).highest_frequency;
+    const double plain =
+        limit_of(fixture.device(), scene_of(sheet(nx, ny, 500, 200, 0, 0))).highest_frequency;
     CHECK(plain == doctest::Approx(std::sqrt(4 * 700 / kNodeMass)).epsilon(0.02));
     // All equal: the bend springs move the maximum off the alternating columns, to 10.125 k / m.
-    const double equal = limit_of(fixture.device(), scene_of(sheet(nx, ny, 300, 300, 300, 0))).highest_frequency;
+    const double equal =
+        limit_of(fixture.device(), scene_of(sheet(nx, ny, 300, 300, 300, 0))).highest_frequency;
     CHECK(equal == doctest::Approx(std::sqrt(10.125 * 300 / kNodeMass)).epsilon(0.02));
   }
 }
 
-TEST_CASE("the limit is sharp: a step 2 % below it is stable, one 3 % above it is not; with damping, one 15 % above") {
+TEST_CASE(
+    "the limit is sharp: a step 2 % below it is stable, one 3 % above it is not; with damping, one 15 % "
+    "above") {
   GpuFixture fixture;
   for (const double damping : {0.0, 0.05}) {
     const auto scene = scene_of(sheet(24, 17, 500, 200, 20, damping));
@@ -61,8 +68,10 @@ TEST_CASE("the limit is sharp: a step 2 % below it is stable, one 3 % above it i
       rig.perturb(2, 1e-6, 0);  // so small that the network stays linear
       rig.advance(3000);
       const double speed = largest_speed(rig);
-      if (factor < 1) CHECK(speed < 0.1);
-      else CHECK(speed > 1);
+      if (factor < 1)
+        CHECK(speed < 0.1);
+      else
+        CHECK(speed > 1);
     }
   }
 }
@@ -100,7 +109,9 @@ void survives(std::uint32_t side, std::uint32_t steps) {
       rig.perturb(7, 0.004, 0.5);  // a fifth of a cell
       const double start = reference::energy(rig.reference());
       rig.advance(steps);
-      CAPTURE(scale); CAPTURE(damping); CAPTURE(*substeps);
+      CAPTURE(scale);
+      CAPTURE(damping);
+      CAPTURE(*substeps);
       const double end = reference::energy(rig.reference());
       CHECK(end < 2 * start);  // also false for NaN; an explosion multiplies it by thousands
     }
@@ -108,4 +119,6 @@ void survives(std::uint32_t side, std::uint32_t steps) {
 }
 
 TEST_CASE("auto survives 2,000 steps from a random start at three stiffness scales") { survives(24, 2000); }
-TEST_CASE("long: auto survives 10,000 steps from a random start at three stiffness scales") { survives(40, 10000); }
+TEST_CASE("long: auto survives 10,000 steps from a random start at three stiffness scales") {
+  survives(40, 10000);
+}

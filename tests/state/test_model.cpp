@@ -11,7 +11,8 @@ using namespace weft;
 namespace {
 
 HostModel model_of(const std::string& cloths) {
-  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "cloths": [)" + cloths + "]}", "test.json");
+  const auto scene =
+      scene::parse_scene(R"({"format": "weft-scene/1", "cloths": [)" + cloths + "]}", "test.json");
   REQUIRE_MESSAGE(scene, scene.error().message);
   auto model = build_model(*scene, std::vector<mesh::TriangleMesh>(scene->cloths.size()));
   REQUIRE_MESSAGE(model, model.error().message);
@@ -21,9 +22,11 @@ HostModel model_of(const std::string& cloths) {
 }  // namespace
 
 TEST_CASE("the mass of a grid is its density times its area, scaled with its transform") {
-  const HostModel model = model_of(R"({"grid": [7, 12], "size": [2, 3], "density": 0.2, "transform": {"scale": 2}})");
+  const HostModel model =
+      model_of(R"({"grid": [7, 12], "size": [2, 3], "density": 0.2, "transform": {"scale": 2}})");
   CHECK(std::accumulate(model.mass.begin(), model.mass.end(), 0.0) == doctest::Approx(0.2 * 4 * 6));
-  CHECK(model.mass[0] * 4 == doctest::Approx(model.mass[8]));  // a corner has a quarter of an inner node's area
+  CHECK(model.mass[0] * 4 ==
+        doctest::Approx(model.mass[8]));  // a corner has a quarter of an inner node's area
   CHECK(model.cloths[0].grid->width == 4);
   const auto springs = build_springs(model);
   CHECK(springs[0].rest_length == doctest::Approx(4.0 / 6));

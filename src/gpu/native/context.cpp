@@ -71,14 +71,18 @@ void on_error(WGPUDevice const*, WGPUErrorType type, WGPUStringView message, voi
   }
   if (context.failed) return;  // the first error is the cause
   context.failed = true;
-  const bool memory = type == WGPUErrorType_OutOfMemory || what.find("Not enough memory") != std::string::npos;
+  const bool memory =
+      type == WGPUErrorType_OutOfMemory || what.find("Not enough memory") != std::string::npos;
   context.failure = {memory ? ErrorKind::OutOfMemory : ErrorKind::Shader,
                      memory ? "The GPU has no memory left (" + what + ")." : what};
 }
 
-void on_adapter_device(WGPURequestDeviceStatus status, WGPUDevice device, WGPUStringView message, void* user, void* why) {
-  if (status == WGPURequestDeviceStatus_Success) *static_cast<WGPUDevice*>(user) = device;
-  else *static_cast<std::string*>(why) = text(message);
+void on_adapter_device(WGPURequestDeviceStatus status, WGPUDevice device, WGPUStringView message, void* user,
+                       void* why) {
+  if (status == WGPURequestDeviceStatus_Success)
+    *static_cast<WGPUDevice*>(user) = device;
+  else
+    *static_cast<std::string*>(why) = text(message);
 }
 
 /// The adapter that the options name, or the fastest kind there is.
@@ -99,8 +103,8 @@ Result<WGPUAdapter> choose(const std::vector<WGPUAdapter>& adapters, const std::
     best_rank = rank(info);
   }
   if (best == nullptr)
-    return make_error(ErrorKind::NoAdapter, "No adapter's name contains \"%s\"; there are: %s.", wanted.c_str(),
-                      names.c_str());
+    return make_error(ErrorKind::NoAdapter, "No adapter's name contains \"%s\"; there are: %s.",
+                      wanted.c_str(), names.c_str());
   return best;
 }
 
@@ -113,7 +117,8 @@ Result<void> open_device(Opened& opened, const DeviceOptions& options) {
   const WGPUFeatureName timestamp_query = WGPUFeatureName_TimestampQuery;
 
   WGPUDeviceDescriptor descriptor = WGPU_DEVICE_DESCRIPTOR_INIT;
-  descriptor.label = view("weft");
+  const std::string label = "weft";
+  descriptor.label = view(label);
   descriptor.requiredLimits = &limits;
   descriptor.requiredFeatures = &timestamp_query;
   descriptor.requiredFeatureCount = opened.timestamps ? 1 : 0;
@@ -131,7 +136,8 @@ Result<void> open_device(Opened& opened, const DeviceOptions& options) {
   callback.userdata2 = &reason;
   wgpuAdapterRequestDevice(context.adapter, &descriptor, callback);
   if (context.device == nullptr)
-    return make_error(ErrorKind::Failure, "Adapter %s gives no device: %s.", opened.adapter.name.c_str(), reason.c_str());
+    return make_error(ErrorKind::Failure, "Adapter %s gives no device: %s.", opened.adapter.name.c_str(),
+                      reason.c_str());
   context.queue = wgpuDeviceGetQueue(context.device);
 
   opened.limits.max_buffer_size = limits.maxBufferSize;

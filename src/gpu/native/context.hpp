@@ -44,7 +44,8 @@ Id id_of(Handle handle_) {
 /// What a creating call made, or the error it left.
 template <class Handle>
 Result<Id> made(Context& context, Handle handle_, const char* what, const std::string& label) {
-  if (auto error = context.take_error(); !error) return error.error().while_doing(std::string("making ") + what + " " + label);
+  if (auto error = context.take_error(); !error)
+    return error.error().while_doing(std::string("making ") + what + " " + label);
   if (handle_ == nullptr)
     return make_error(ErrorKind::Failure, "The GPU gives no %s for %s.", what, label.c_str());
   return id_of(handle_);

@@ -7,10 +7,14 @@ namespace weft::gpu::backend {
 
 WGPUTextureFormat texture_format(TextureFormat format) {
   switch (format) {
-    case TextureFormat::None: break;
-    case TextureFormat::Rgba8Unorm: return WGPUTextureFormat_RGBA8Unorm;
-    case TextureFormat::Rgba8UnormSrgb: return WGPUTextureFormat_RGBA8UnormSrgb;
-    case TextureFormat::Depth32Float: return WGPUTextureFormat_Depth32Float;
+    case TextureFormat::None:
+      break;
+    case TextureFormat::Rgba8Unorm:
+      return WGPUTextureFormat_RGBA8Unorm;
+    case TextureFormat::Rgba8UnormSrgb:
+      return WGPUTextureFormat_RGBA8UnormSrgb;
+    case TextureFormat::Depth32Float:
+      return WGPUTextureFormat_Depth32Float;
   }
   return WGPUTextureFormat_Undefined;
 }
@@ -26,18 +30,30 @@ WGPUBindGroupLayoutEntry layout_entry(const BindingLayout& binding, WGPUShaderSt
   entry.texture.sampleType = WGPUTextureSampleType_BindingNotUsed;
   entry.storageTexture.access = WGPUStorageTextureAccess_BindingNotUsed;
   switch (binding.kind) {
-    case BindingKind::StepUniform: entry.buffer.hasDynamicOffset = 1; [[fallthrough]];
-    case BindingKind::Uniform: entry.buffer.type = WGPUBufferBindingType_Uniform; break;
-    case BindingKind::StorageRead: entry.buffer.type = WGPUBufferBindingType_ReadOnlyStorage; break;
-    case BindingKind::StorageReadWrite: entry.buffer.type = WGPUBufferBindingType_Storage; break;
+    case BindingKind::StepUniform:
+      entry.buffer.hasDynamicOffset = 1;
+      [[fallthrough]];
+    case BindingKind::Uniform:
+      entry.buffer.type = WGPUBufferBindingType_Uniform;
+      break;
+    case BindingKind::StorageRead:
+      entry.buffer.type = WGPUBufferBindingType_ReadOnlyStorage;
+      break;
+    case BindingKind::StorageReadWrite:
+      entry.buffer.type = WGPUBufferBindingType_Storage;
+      break;
     case BindingKind::Texture:
     case BindingKind::DepthTexture:
       entry.texture.sampleType =
           binding.kind == BindingKind::Texture ? WGPUTextureSampleType_Float : WGPUTextureSampleType_Depth;
       entry.texture.viewDimension = WGPUTextureViewDimension_2D;
       break;
-    case BindingKind::Sampler: entry.sampler.type = WGPUSamplerBindingType_Filtering; break;
-    case BindingKind::ComparisonSampler: entry.sampler.type = WGPUSamplerBindingType_Comparison; break;
+    case BindingKind::Sampler:
+      entry.sampler.type = WGPUSamplerBindingType_Filtering;
+      break;
+    case BindingKind::ComparisonSampler:
+      entry.sampler.type = WGPUSamplerBindingType_Comparison;
+      break;
   }
   return entry;
 }
@@ -62,15 +78,14 @@ Result<Id> create_shader_module(Context& context, const std::string& source, con
   WGPUShaderModuleDescriptor descriptor = WGPU_SHADER_MODULE_DESCRIPTOR_INIT;
   descriptor.label = view(label);
   descriptor.nextInChain = &wgsl.chain;
-  WGPUShaderModule module =
-      context.unchecked
-          ? wgpuDeviceCreateShaderModuleTrusted(context.device, &descriptor, WGPUShaderRuntimeChecks_None)
-          : wgpuDeviceCreateShaderModule(context.device, &descriptor);
+  WGPUShaderModule module = context.unchecked ? wgpuDeviceCreateShaderModuleTrusted(
+                                                    context.device, &descriptor, WGPUShaderRuntimeChecks_None)
+                                              : wgpuDeviceCreateShaderModule(context.device, &descriptor);
   return made(context, module, "shader", label);
 }
 
-Result<Id> create_bind_group_layout(Context& context, std::span<const BindingLayout> bindings, bool for_render,
-                                    const std::string& label) {
+Result<Id> create_bind_group_layout(Context& context, std::span<const BindingLayout> bindings,
+                                    bool for_render, const std::string& label) {
   WEFT_CHECK(context.take_error());
   std::vector<WGPUBindGroupLayoutEntry> entries;
   for (const BindingLayout& binding : bindings)
@@ -80,7 +95,8 @@ Result<Id> create_bind_group_layout(Context& context, std::span<const BindingLay
   descriptor.label = view(label);
   descriptor.entries = entries.data();
   descriptor.entryCount = entries.size();
-  return made(context, wgpuDeviceCreateBindGroupLayout(context.device, &descriptor), "bind group layout", label);
+  return made(context, wgpuDeviceCreateBindGroupLayout(context.device, &descriptor), "bind group layout",
+              label);
 }
 
 Result<Id> create_pipeline_layout(Context& context, Id bind_group_layout, const std::string& label) {

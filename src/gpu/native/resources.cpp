@@ -31,22 +31,35 @@ WGPUTextureFormat texture_format(TextureFormat format);  // pipelines.cpp
 
 void release(ObjectKind kind, Id id) {
   switch (kind) {
-    case ObjectKind::Buffer: return wgpuBufferRelease(handle<WGPUBuffer>(id));
-    case ObjectKind::Texture: return wgpuTextureRelease(handle<WGPUTexture>(id));
-    case ObjectKind::TextureView: return wgpuTextureViewRelease(handle<WGPUTextureView>(id));
-    case ObjectKind::Sampler: return wgpuSamplerRelease(handle<WGPUSampler>(id));
-    case ObjectKind::ShaderModule: return wgpuShaderModuleRelease(handle<WGPUShaderModule>(id));
-    case ObjectKind::BindGroupLayout: return wgpuBindGroupLayoutRelease(handle<WGPUBindGroupLayout>(id));
-    case ObjectKind::PipelineLayout: return wgpuPipelineLayoutRelease(handle<WGPUPipelineLayout>(id));
-    case ObjectKind::BindGroup: return wgpuBindGroupRelease(handle<WGPUBindGroup>(id));
-    case ObjectKind::ComputePipeline: return wgpuComputePipelineRelease(handle<WGPUComputePipeline>(id));
-    case ObjectKind::RenderPipeline: return wgpuRenderPipelineRelease(handle<WGPURenderPipeline>(id));
-    case ObjectKind::QuerySet: return wgpuQuerySetRelease(handle<WGPUQuerySet>(id));
-    case ObjectKind::None: return;
+    case ObjectKind::Buffer:
+      return wgpuBufferRelease(handle<WGPUBuffer>(id));
+    case ObjectKind::Texture:
+      return wgpuTextureRelease(handle<WGPUTexture>(id));
+    case ObjectKind::TextureView:
+      return wgpuTextureViewRelease(handle<WGPUTextureView>(id));
+    case ObjectKind::Sampler:
+      return wgpuSamplerRelease(handle<WGPUSampler>(id));
+    case ObjectKind::ShaderModule:
+      return wgpuShaderModuleRelease(handle<WGPUShaderModule>(id));
+    case ObjectKind::BindGroupLayout:
+      return wgpuBindGroupLayoutRelease(handle<WGPUBindGroupLayout>(id));
+    case ObjectKind::PipelineLayout:
+      return wgpuPipelineLayoutRelease(handle<WGPUPipelineLayout>(id));
+    case ObjectKind::BindGroup:
+      return wgpuBindGroupRelease(handle<WGPUBindGroup>(id));
+    case ObjectKind::ComputePipeline:
+      return wgpuComputePipelineRelease(handle<WGPUComputePipeline>(id));
+    case ObjectKind::RenderPipeline:
+      return wgpuRenderPipelineRelease(handle<WGPURenderPipeline>(id));
+    case ObjectKind::QuerySet:
+      return wgpuQuerySetRelease(handle<WGPUQuerySet>(id));
+    case ObjectKind::None:
+      return;
   }
 }
 
-Result<Id> create_buffer(Context& context, std::uint64_t bytes, std::uint32_t usage, const std::string& label) {
+Result<Id> create_buffer(Context& context, std::uint64_t bytes, std::uint32_t usage,
+                         const std::string& label) {
   WEFT_CHECK(context.take_error());
   WGPUBufferDescriptor descriptor = WGPU_BUFFER_DESCRIPTOR_INIT;
   descriptor.label = view(label);
@@ -83,7 +96,8 @@ Result<Id> create_sampler(Context& context, const SamplerInfo& info, const std::
   WGPUSamplerDescriptor descriptor = WGPU_SAMPLER_DESCRIPTOR_INIT;
   descriptor.label = view(label);
   descriptor.magFilter = descriptor.minFilter = info.linear ? WGPUFilterMode_Linear : WGPUFilterMode_Nearest;
-  descriptor.addressModeU = descriptor.addressModeV = info.repeat ? WGPUAddressMode_Repeat : WGPUAddressMode_ClampToEdge;
+  descriptor.addressModeU = descriptor.addressModeV =
+      info.repeat ? WGPUAddressMode_Repeat : WGPUAddressMode_ClampToEdge;
   if (info.comparison) descriptor.compare = WGPUCompareFunction_LessEqual;
   return made(context, wgpuDeviceCreateSampler(context.device, &descriptor), "sampler", label);
 }
@@ -103,7 +117,8 @@ double timestamp_period(Context& context) {
 
 void poll(Context& context, bool wait) {
   if (context.lost) return;
-  // With `wait`, wgpu-native returns early when a submission takes very long; the queue is asked until it is empty.
+  // With `wait`, wgpu-native returns early when a submission takes very long; the queue is asked until it is
+  // empty.
   while (wgpuDevicePoll(context.device, wait ? 1 : 0, nullptr) == 0 && wait && !context.lost) {
   }
 }
@@ -116,12 +131,14 @@ void map_read(Context& context, Id buffer, std::uint64_t bytes, const std::share
   WGPUBufferMapCallbackInfo callback = WGPU_BUFFER_MAP_CALLBACK_INFO_INIT;
   callback.mode = WGPUCallbackMode_AllowSpontaneous;
   callback.callback = on_mapped;
-  callback.userdata1 = new std::shared_ptr<MapState>(state);  // the callback's own share, since it may come late
+  callback.userdata1 =
+      new std::shared_ptr<MapState>(state);  // the callback's own share, since it may come late
   wgpuBufferMapAsync(handle<WGPUBuffer>(buffer), WGPUMapMode_Read, 0, bytes, callback);
 }
 
 std::span<const std::byte> mapped_range(Id buffer, std::uint64_t bytes) {
-  return {static_cast<const std::byte*>(wgpuBufferGetConstMappedRange(handle<WGPUBuffer>(buffer), 0, bytes)), bytes};
+  return {static_cast<const std::byte*>(wgpuBufferGetConstMappedRange(handle<WGPUBuffer>(buffer), 0, bytes)),
+          bytes};
 }
 
 void unmap(Id buffer) { wgpuBufferUnmap(handle<WGPUBuffer>(buffer)); }

@@ -1,4 +1,5 @@
-// Encodes a command list and submits it, if and only if it validates: wgpu-native ends the process on a bad submit.
+// Encodes a command list and submits it, if and only if it validates: wgpu-native ends the process on a bad
+// submit.
 #include <utility>
 
 #include "gpu/native/context.hpp"
@@ -20,27 +21,32 @@ class Encoder {
 
   void encode(const Command& command) {
     switch (command.kind) {
-      case CommandKind::BeginCompute: return begin_compute(command);
-      case CommandKind::Dispatch: return dispatch(command);
+      case CommandKind::BeginCompute:
+        return begin_compute(command);
+      case CommandKind::Dispatch:
+        return dispatch(command);
       case CommandKind::EndCompute:
         wgpuComputePassEncoderEnd(compute_);
         return wgpuComputePassEncoderRelease(std::exchange(compute_, nullptr));
       case CommandKind::CopyBuffer:
-        return wgpuCommandEncoderCopyBufferToBuffer(encoder_, handle<WGPUBuffer>(command.ids[0]), command.sizes[0],
-                                                    handle<WGPUBuffer>(command.ids[1]), command.sizes[1],
-                                                    command.sizes[2]);
+        return wgpuCommandEncoderCopyBufferToBuffer(encoder_, handle<WGPUBuffer>(command.ids[0]),
+                                                    command.sizes[0], handle<WGPUBuffer>(command.ids[1]),
+                                                    command.sizes[1], command.sizes[2]);
       case CommandKind::ClearBuffer:
         return wgpuCommandEncoderClearBuffer(encoder_, handle<WGPUBuffer>(command.ids[0]), command.sizes[0],
                                              command.sizes[1]);
       case CommandKind::ResolveQueries:
-        return wgpuCommandEncoderResolveQuerySet(encoder_, handle<WGPUQuerySet>(command.ids[0]), 0, command.args[0],
-                                                 handle<WGPUBuffer>(command.ids[1]), 0);
-      case CommandKind::BeginRender: return begin_render(command);
-      case CommandKind::Draw: return draw(command);
+        return wgpuCommandEncoderResolveQuerySet(encoder_, handle<WGPUQuerySet>(command.ids[0]), 0,
+                                                 command.args[0], handle<WGPUBuffer>(command.ids[1]), 0);
+      case CommandKind::BeginRender:
+        return begin_render(command);
+      case CommandKind::Draw:
+        return draw(command);
       case CommandKind::EndRender:
         wgpuRenderPassEncoderEnd(render_);
         return wgpuRenderPassEncoderRelease(std::exchange(render_, nullptr));
-      case CommandKind::CopyTexture: return copy_texture(command);
+      case CommandKind::CopyTexture:
+        return copy_texture(command);
     }
   }
   WGPUCommandBuffer finish() { return wgpuCommandEncoderFinish(encoder_, nullptr); }
@@ -64,8 +70,8 @@ class Encoder {
       wgpuComputePassEncoderSetPipeline(compute_, handle<WGPUComputePipeline>(command.ids[0]));
     const bool reads_step = command.args[4] != 0;
     if (std::exchange(group_, command.ids[1]) != command.ids[1] || reads_step)
-      wgpuComputePassEncoderSetBindGroup(compute_, 0, handle<WGPUBindGroup>(command.ids[1]), reads_step ? 1 : 0,
-                                         &command.args[3]);
+      wgpuComputePassEncoderSetBindGroup(compute_, 0, handle<WGPUBindGroup>(command.ids[1]),
+                                         reads_step ? 1 : 0, &command.args[3]);
     wgpuComputePassEncoderDispatchWorkgroups(compute_, command.args[0], command.args[1], command.args[2]);
   }
 
@@ -76,7 +82,8 @@ class Encoder {
     color.resolveTarget = handle<WGPUTextureView>(target.resolve);
     color.loadOp = WGPULoadOp_Clear;
     color.storeOp = target.resolve != 0 ? WGPUStoreOp_Discard : WGPUStoreOp_Store;
-    color.clearValue = {target.clear_color[0], target.clear_color[1], target.clear_color[2], target.clear_color[3]};
+    color.clearValue = {target.clear_color[0], target.clear_color[1], target.clear_color[2],
+                        target.clear_color[3]};
     WGPURenderPassDepthStencilAttachment depth = WGPU_RENDER_PASS_DEPTH_STENCIL_ATTACHMENT_INIT;
     depth.view = handle<WGPUTextureView>(target.depth);
     depth.depthLoadOp = WGPULoadOp_Clear;
@@ -95,8 +102,8 @@ class Encoder {
     wgpuRenderPassEncoderSetBindGroup(render_, 0, handle<WGPUBindGroup>(command.ids[1]), 0, nullptr);
     if (command.ids[2] == 0)
       return wgpuRenderPassEncoderDraw(render_, command.args[0], command.args[1], command.args[2], 0);
-    wgpuRenderPassEncoderSetIndexBuffer(render_, handle<WGPUBuffer>(command.ids[2]), WGPUIndexFormat_Uint32, 0,
-                                        WGPU_WHOLE_SIZE);
+    wgpuRenderPassEncoderSetIndexBuffer(render_, handle<WGPUBuffer>(command.ids[2]), WGPUIndexFormat_Uint32,
+                                        0, WGPU_WHOLE_SIZE);
     wgpuRenderPassEncoderDrawIndexed(render_, command.args[0], command.args[1], command.args[2], 0, 0);
   }
 

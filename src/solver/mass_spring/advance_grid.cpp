@@ -13,9 +13,10 @@ GridParams grid_params(const ClothModel& cloth) {
   params.nx = grid.nx;
   params.ny = grid.ny;
   params.uniform_weights = cloth.weights == mesh::BoundaryWeights::Uniform ? 1 : 0;
-  params.stiffness = {static_cast<float>(cloth.stiffness.structural), static_cast<float>(cloth.stiffness.shear),
-                      static_cast<float>(cloth.stiffness.bend), 0};
-  params.rest_length = {static_cast<float>(di), static_cast<float>(dj), static_cast<float>(std::sqrt(di * di + dj * dj)), 0};
+  params.stiffness = {static_cast<float>(cloth.stiffness.structural),
+                      static_cast<float>(cloth.stiffness.shear), static_cast<float>(cloth.stiffness.bend), 0};
+  params.rest_length = {static_cast<float>(di), static_cast<float>(dj),
+                        static_cast<float>(std::sqrt(di * di + dj * dj)), 0};
   params.damping = static_cast<float>(cloth.damping);
   return params;
 }

@@ -7,10 +7,10 @@
 
 namespace weft {
 
-/// One substep of a grid cloth: forces gathered per node, then semi-implicit Euler. Source: docs/solvers/mass_spring.md.
-/// Reads   steps, motions; position[parity] [m], velocity[parity] [m/s], rest_position [m].
-/// Writes  position[1 - parity], velocity[1 - parity] of the cloth's vertices.
-/// Errors  Shader, OutOfMemory.
+/// One substep of a grid cloth: forces gathered per node, then semi-implicit Euler. Source:
+/// docs/solvers/mass_spring.md. Reads   steps, motions; position[parity] [m], velocity[parity] [m/s],
+/// rest_position [m]. Writes  position[1 - parity], velocity[1 - parity] of the cloth's vertices. Errors
+/// Shader, OutOfMemory.
 class AdvanceGrid {
  public:
   static Result<AdvanceGrid> create(gpu::Device& device, const gpu::Kernel& kernel, const Model& model,

@@ -5,7 +5,8 @@ namespace weft {
 Result<AdvanceMesh> AdvanceMesh::create(gpu::Device& device, const gpu::Kernel& kernel, const Model& model,
                                         const State& state, const ClothModel& cloth) {
   AdvanceMesh made;
-  const Neighbours built = build_neighbours(build_springs(model.host, cloth), cloth.first_vertex, cloth.vertex_count);
+  const Neighbours built =
+      build_neighbours(build_springs(model.host, cloth), cloth.first_vertex, cloth.vertex_count);
   WEFT_TRY(offsets, gpu::Buffer<std::uint32_t>::create_from(device, built.offsets, "neighbour offsets"));
   made.offsets_ = std::move(offsets);
   WEFT_TRY(neighbours, gpu::Buffer<Neighbour>::create_from(device, built.entries, "neighbours"));

@@ -8,10 +8,9 @@
 
 namespace weft {
 
-/// One substep of a cloth of any shape: forces gathered per node over its neighbours, then semi-implicit Euler.
-/// Source: docs/solvers/mass_spring.md.
-/// Reads   steps, motions; position[parity] [m], velocity[parity] [m/s], rest_position [m].
-/// Writes  position[1 - parity], velocity[1 - parity] of the cloth's vertices.
+/// One substep of a cloth of any shape: forces gathered per node over its neighbours, then semi-implicit
+/// Euler. Source: docs/solvers/mass_spring.md. Reads   steps, motions; position[parity] [m], velocity[parity]
+/// [m/s], rest_position [m]. Writes  position[1 - parity], velocity[1 - parity] of the cloth's vertices.
 /// Errors  Shader, Limit, OutOfMemory.
 class AdvanceMesh {
  public:

@@ -2,8 +2,8 @@
 
 namespace weft {
 
-Result<ContactResponse> ContactResponse::create(gpu::Device& device, const State& state, const Contacts& contacts,
-                                                std::uint32_t workgroup_size) {
+Result<ContactResponse> ContactResponse::create(gpu::Device& device, const State& state,
+                                                const Contacts& contacts, std::uint32_t workgroup_size) {
   ContactResponse made;
   WEFT_TRY(kernel, gpu::Kernel::create(device, "mass_spring/contact_response.wgsl", {}, workgroup_size));
   made.kernel_ = std::move(kernel);

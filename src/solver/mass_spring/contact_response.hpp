@@ -7,9 +7,8 @@
 
 namespace weft {
 
-/// Answers contacts by the mean of their pushes from the previous position, and velocity × -0.5; clears the pushes.
-/// Source: Sung et al., Algorithm 2.
-/// Reads   steps; position[parity] [m]: the previous positions.
+/// Answers contacts by the mean of their pushes from the previous position, and velocity × -0.5; clears the
+/// pushes. Source: Sung et al., Algorithm 2. Reads   steps; position[parity] [m]: the previous positions.
 /// Writes  position[1 - parity], velocity[1 - parity] of vertices with contacts; contacts.pushes, to zero.
 /// Errors  Shader, OutOfMemory.
 class ContactResponse {

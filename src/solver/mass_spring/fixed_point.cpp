@@ -16,7 +16,8 @@ ForceFixedPoint force_fixed_point(const std::vector<Spring>& springs, std::uint3
   const double most = valence.empty() ? 0.0 : *std::max_element(valence.begin(), valence.end());
   if (most == 0 || limit == 0) return {};
   constexpr double kDirection = 1 + 1.0 / (1 << 20);  // no component of a direction is larger: see the header
-  const double bound = (2147483648.0 - most / 2) / (static_cast<double>(static_cast<float>(limit)) * kDirection * most);
+  const double bound =
+      (2147483648.0 - most / 2) / (static_cast<double>(static_cast<float>(limit)) * kDirection * most);
   int exponent = 0;
   std::frexp(bound, &exponent);  // bound = f 2^exponent with f in [1/2, 1)
   double scale = std::ldexp(1.0, exponent - 1);

@@ -3,7 +3,8 @@
 namespace weft {
 
 Result<IntegrateForces> IntegrateForces::create(gpu::Device& device, const Model& model, const State& state,
-                                                const gpu::Buffer<std::int32_t>& force, std::uint32_t workgroup_size) {
+                                                const gpu::Buffer<std::int32_t>& force,
+                                                std::uint32_t workgroup_size) {
   IntegrateForces made;
   WEFT_TRY(kernel, gpu::Kernel::create(device, "mass_spring/integrate_forces.wgsl", {}, workgroup_size));
   made.kernel_ = std::move(kernel);

@@ -25,11 +25,14 @@ Result<void> SolverMassSpring::create_spring_centric(const SolverInputs& inputs)
   constants_ = {static_cast<std::uint32_t>(springs.size()), fixed_point.scale, fixed_point.limit};
   WEFT_TRY(spring_buffer, gpu::Buffer<Spring>::create_from(inputs.device, springs, "springs"));
   made.springs = std::move(spring_buffer);
-  WEFT_TRY(force, gpu::Buffer<std::int32_t>::create(inputs.device, 3UL * inputs.model.vertex_count(), "force"));
+  WEFT_TRY(force,
+           gpu::Buffer<std::int32_t>::create(inputs.device, 3UL * inputs.model.vertex_count(), "force"));
   made.force = std::move(force);
-  WEFT_TRY(forces, SpringForces::create(inputs.device, inputs.state, made.springs, made.force, inputs.workgroup_size));
+  WEFT_TRY(forces, SpringForces::create(inputs.device, inputs.state, made.springs, made.force,
+                                        inputs.workgroup_size));
   made.spring_forces = std::move(forces);
-  WEFT_TRY(integrate, IntegrateForces::create(inputs.device, inputs.model, inputs.state, made.force, inputs.workgroup_size));
+  WEFT_TRY(integrate, IntegrateForces::create(inputs.device, inputs.model, inputs.state, made.force,
+                                              inputs.workgroup_size));
   made.integrate_forces = std::move(integrate);
   spring_centric_ = std::move(made);
   return {};
@@ -49,10 +52,12 @@ Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
   }
   for (const ClothModel& cloth : cloths) {
     if (is_grid(cloth)) {
-      WEFT_TRY(advance, AdvanceGrid::create(inputs.device, made.grid_kernel, inputs.model, inputs.state, cloth));
+      WEFT_TRY(advance,
+               AdvanceGrid::create(inputs.device, made.grid_kernel, inputs.model, inputs.state, cloth));
       made.grids.push_back(std::move(advance));
     } else {
-      WEFT_TRY(advance, AdvanceMesh::create(inputs.device, made.mesh_kernel, inputs.model, inputs.state, cloth));
+      WEFT_TRY(advance,
+               AdvanceMesh::create(inputs.device, made.mesh_kernel, inputs.model, inputs.state, cloth));
       made.meshes.push_back(std::move(advance));
     }
   }
@@ -60,7 +65,8 @@ Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
   return {};
 }
 
-Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& settings, const SolverInputs& inputs) {
+Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& settings,
+                                                         const SolverInputs& inputs) {
   auto made = std::make_unique<SolverMassSpring>();
   if (settings.forces == scene::Forces::SpringCentric) {
     WEFT_CHECK(made->create_spring_centric(inputs));
@@ -68,7 +74,8 @@ Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& se
     WEFT_CHECK(made->create_node_centric(inputs));
   }
   if (inputs.contacts != nullptr) {
-    WEFT_TRY(response, ContactResponse::create(inputs.device, inputs.state, *inputs.contacts, inputs.workgroup_size));
+    WEFT_TRY(response,
+             ContactResponse::create(inputs.device, inputs.state, *inputs.contacts, inputs.workgroup_size));
     made->contact_response_ = std::move(response);
   }
   return std::unique_ptr<Solver>(std::move(made));

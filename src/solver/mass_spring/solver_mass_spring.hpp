@@ -13,7 +13,8 @@
 
 namespace weft {
 
-/// Mass-spring cloth, semi-implicit Euler: v += dt f / m, then x += dt v. Source: docs/solvers/mass_spring.md.
+/// Mass-spring cloth, semi-implicit Euler: v += dt f / m, then x += dt v. Source:
+/// docs/solvers/mass_spring.md.
 class SolverMassSpring : public Solver {
  public:
   /// Errors  Shader, Limit, OutOfMemory, DeviceLost.

@@ -2,8 +2,10 @@
 
 namespace weft {
 
-Result<SpringForces> SpringForces::create(gpu::Device& device, const State& state, const gpu::Buffer<Spring>& springs,
-                                          const gpu::Buffer<std::int32_t>& force, std::uint32_t workgroup_size) {
+Result<SpringForces> SpringForces::create(gpu::Device& device, const State& state,
+                                          const gpu::Buffer<Spring>& springs,
+                                          const gpu::Buffer<std::int32_t>& force,
+                                          std::uint32_t workgroup_size) {
   if (force.size() != 3 * state.position[0].size())
     return shape_error("Buffer force (%zu) is not three times buffer position (%zu).", force.size(),
                        state.position[0].size());
@@ -11,7 +13,8 @@ Result<SpringForces> SpringForces::create(gpu::Device& device, const State& stat
   WEFT_TRY(kernel, gpu::Kernel::create(device, "mass_spring/spring_forces.wgsl", {}, workgroup_size));
   made.kernel_ = std::move(kernel);
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group, made.kernel_.bind({state.steps, state.position[parity], state.velocity[parity], springs, force}));
+    WEFT_TRY(group, made.kernel_.bind(
+                        {state.steps, state.position[parity], state.velocity[parity], springs, force}));
     made.groups_[parity] = std::move(group);
   }
   made.count_ = springs.size();

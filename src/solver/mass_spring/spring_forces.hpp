@@ -9,11 +9,12 @@ namespace weft {
 
 /// Adds the force of every spring to its two nodes. Source: Sung et al., Algorithm 1.
 /// Reads   steps; position[parity] [m], velocity[parity] [m/s]: vertex_count x Vec4f; springs.
-/// Writes  force [N * StepParams::force_scale]: 3 * vertex_count x int32, added to; integrate_forces clears it.
-/// Errors  Shader, OutOfMemory. Shape: force is not three times position.
+/// Writes  force [N * StepParams::force_scale]: 3 * vertex_count x int32, added to; integrate_forces clears
+/// it. Errors  Shader, OutOfMemory. Shape: force is not three times position.
 class SpringForces {
  public:
-  static Result<SpringForces> create(gpu::Device& device, const State& state, const gpu::Buffer<Spring>& springs,
+  static Result<SpringForces> create(gpu::Device& device, const State& state,
+                                     const gpu::Buffer<Spring>& springs,
                                      const gpu::Buffer<std::int32_t>& force, std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const { kernel_.dispatch(pass, groups_[pass.parity()], count_); }
 

@@ -10,8 +10,8 @@
 namespace weft {
 namespace {
 
-constexpr std::uint32_t kBlock = 256;        // elements a block of the fixed-tree sum; one workgroup
-constexpr std::uint32_t kLargestPart = 64;   // nodes a side
+constexpr std::uint32_t kBlock = 256;       // elements a block of the fixed-tree sum; one workgroup
+constexpr std::uint32_t kLargestPart = 64;  // nodes a side
 
 /// Mirror of PowerParams in shaders/mass_spring/apply_network.wgsl.
 struct PowerParams {
@@ -39,7 +39,8 @@ class PowerIteration {
     WEFT_TRY(position, gpu::Buffer<Vec4f>::create_from(device, network.position, "network position"));
     WEFT_TRY(x, gpu::Buffer<Vec4f>::create_from(device, start, "power x"));
     WEFT_TRY(y, gpu::Buffer<Vec4f>::create(device, count, "power y"));
-    WEFT_TRY(partial, gpu::Buffer<float>::create(device, (count + kBlock - 1) / kBlock, "power partial sums"));
+    WEFT_TRY(partial,
+             gpu::Buffer<float>::create(device, (count + kBlock - 1) / kBlock, "power partial sums"));
     WEFT_TRY(norm, gpu::Buffer<float>::create(device, 1, "power norm"));
     WEFT_TRY(apply, gpu::Kernel::create(device, "mass_spring/apply_network.wgsl"));
     WEFT_TRY(sum_squares, gpu::Kernel::create(device, "mass_spring/sum_squares.wgsl", {}, kBlock));
@@ -49,7 +50,8 @@ class PowerIteration {
     WEFT_TRY(sum_group, sum_squares.bind({y, partial}));
     WEFT_TRY(finish_group, finish_norm.bind({partial, norm}));
     WEFT_TRY(scale_group, scale.bind({y, norm, x}));
-    made.uniform_ = std::move(uniform), made.offsets_ = std::move(offsets), made.neighbours_ = std::move(neighbours);
+    made.uniform_ = std::move(uniform), made.offsets_ = std::move(offsets),
+    made.neighbours_ = std::move(neighbours);
     made.position_ = std::move(position), made.x_ = std::move(x), made.y_ = std::move(y);
     made.partial_ = std::move(partial), made.norm_ = std::move(norm);
     made.apply_ = std::move(apply), made.sum_squares_ = std::move(sum_squares);
@@ -107,13 +109,15 @@ SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth) {
     for (std::uint32_t j = 0; j < grid.ny; ++j)
       for (std::uint32_t i = 0; i < grid.nx; ++i) {
         const mesh::RestPoint p = mesh::rest_point(grid, i, j);
-        const double mass = cloth.weights == mesh::BoundaryWeights::Uniform ? model.mass[first]
-                                                                            : density * areas[mesh::node_index(grid, i, j)];
+        const double mass = cloth.weights == mesh::BoundaryWeights::Uniform
+                                ? model.mass[first]
+                                : density * areas[mesh::node_index(grid, i, j)];
         network.position.push_back(Vec4f::from(Vec3d{p.x, p.y, 0}.to<float>(), static_cast<float>(1 / mass)));
       }
   } else {
     for (std::uint32_t v = first; v < first + cloth.vertex_count; ++v) {
-      network.position.push_back(Vec4f::from(model.rest_position[v].to<float>(), static_cast<float>(1 / model.mass[v])));
+      network.position.push_back(
+          Vec4f::from(model.rest_position[v].to<float>(), static_cast<float>(1 / model.mass[v])));
       part_model.rest_position.push_back(model.rest_position[v]);
     }
     for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
@@ -126,7 +130,8 @@ SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth) {
   return network;
 }
 
-Result<NetworkSpectrum> find_spectrum(gpu::Device& device, const SpringNetwork& network, std::uint32_t iterations) {
+Result<NetworkSpectrum> find_spectrum(gpu::Device& device, const SpringNetwork& network,
+                                      std::uint32_t iterations) {
   NetworkSpectrum spectrum;
   const auto any_damping = std::any_of(network.springs.begin(), network.springs.end(),
                                        [](const Spring& spring) { return spring.damping > 0; });
