@@ -32,7 +32,7 @@ task_test() {
   setup_packages $TEST_PACKAGES
   task_build
   setup_node
-  (cd tests/tint && [ -e node_modules/.package-lock.json ] || npm --prefix tests/tint ci --silent --no-audit --no-fund)
+  [ -e tests/tint/node_modules/.package-lock.json ] || npm --prefix tests/tint ci --no-audit --no-fund --loglevel=error >/dev/null
   ctest --test-dir build --output-on-failure -j "$(nproc)" --no-tests=error "${labels[@]}" "$@"
 }
 

@@ -1,5 +1,6 @@
 // Contacts through the tree over the object triangles: the pairs and pushes of paper.wgsl, bit for bit, in
-// O(log) visits. One invocation for two cloth triangles: one walk with the box of both costs little more than either alone.
+// O(log) visits. One invocation for kTrianglesEach cloth triangles, 1 or 2: one walk with the box of both costs little more
+// than either alone, which pays where the card is full of invocations anyway (src/collision/pairs_bvh.cpp chooses).
 // Source: docs/collision.md.
 //
 // Leaves that the walk finds wait in a short list and are tested together, so that invocations of a wave, which find
@@ -25,15 +26,17 @@ struct TreeNode {
 @group(0) @binding(7) var<storage, read_write> statistics       : array<atomic<u32>>; // shared/statistics.wgsl
 @group(0) @binding(8) var<storage, read>       tree             : array<TreeNode>;
 
+override kTrianglesEach : u32 = 2;
 const kStackSize = 32u;  // kStackSize of object_tree.hpp, which proves that it suffices
 const kLeafRoom = 8u;    // waiting leaves; a node adds at most 4, a leaf holds at most 4 triangles: 32 marks
 
 @compute @workgroup_size(kWorkgroupSize)
 fn bvh(@builtin(global_invocation_id) id : vec3u) {
   let cloth_count = arrayLength(&cloth_triangles) / 3u;
-  let first = 2u * flat_index(id);
+  let first = kTrianglesEach * flat_index(id);
   if (first >= cloth_count) { return; }
-  let pair = cloth_pair(first, cloth_count);
+  var pair = cloth_pair(first, cloth_count);
+  pair.use_b = pair.use_b && kTrianglesEach == 2u;
   if (!pair.use_a && !pair.use_b) { return; }
   var query = pair.query_a;
   if (!pair.use_a) { query = pair.query_b; }

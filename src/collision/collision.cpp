@@ -25,7 +25,8 @@ Result<Collision> Collision::create(gpu::Device& device, const Model& model, con
     collision.paper_ = std::move(paper);
   }
   if (!triangles.empty() && setup.method == scene::ContactMethod::Bvh) {
-    WEFT_TRY(bvh, PairsBvh::create(device, model, state, contacts, triangles, setup.workgroup_size));
+    WEFT_TRY(bvh, PairsBvh::create(device, model, state, contacts, triangles, setup.workgroup_size,
+                                   setup.triangles_each));
     collision.bvh_ = std::move(bvh);
   }
   if (!setup.spheres.empty() || !setup.planes.empty()) {

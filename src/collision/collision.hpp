@@ -16,7 +16,7 @@
 
 namespace weft::collision {
 
-/// What the cloth can touch, and how that is found. The last two change no result.
+/// What the cloth can touch, and how that is found. The last three change no result.
 struct CollisionSetup {
   scene::ContactMethod method = scene::ContactMethod::Bvh;
   double thickness = 0.005;                 // [m]
@@ -25,6 +25,8 @@ struct CollisionSetup {
   std::vector<scene::ColliderPlane> planes;
   std::uint64_t max_pairs = 1ULL << 28U;  // of a dispatch of method paper: 13 ms at 20 G pairs/s
   std::uint32_t workgroup_size = 256;
+  std::uint32_t triangles_each =
+      0;  // cloth triangles an invocation of method bvh, 1 or 2; 0: the faster one here
 };
 
 /// The collision part of a substep: after the solver has predicted positions, before it answers.

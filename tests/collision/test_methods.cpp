@@ -148,6 +148,10 @@ TEST_CASE("no bit depends on the workgroup, on the run, on the split, or on the 
       CHECK(find_contacts(fixture.device(), pose, setup).same_as(first));
     }
     CHECK(find_contacts(fixture.device(), pose, setup, 1).same_as(first));
+    for (const std::uint32_t each : {1U, 2U}) {
+      setup.triangles_each = each;
+      CHECK(find_contacts(fixture.device(), pose, setup).same_as(first));
+    }
     for (const std::uint64_t pairs : {1ULL, 100000ULL, 1000000ULL}) {  // 1: an object triangle a dispatch
       if (pairs == 1 && method == ContactMethod::Bvh) continue;
       setup.max_pairs = pairs;
@@ -171,7 +175,11 @@ TEST_CASE("the last of an odd number of cloth triangles counts once") {
   pose.triangles.resize(even->cloth + 1);
   const reference::PairList list = reference::find_pairs(pose.predicted_mesh(), object);
   for (const ContactMethod method : {ContactMethod::Paper, ContactMethod::Bvh})
-    CHECK(explained(find_contacts(fixture.device(), pose, setup_of(method, object, 0.02)).statistics, list));
+    for (const std::uint32_t each : {1U, 2U}) {
+      CollisionSetup setup = setup_of(method, object, 0.02);
+      setup.triangles_each = each;
+      CHECK(explained(find_contacts(fixture.device(), pose, setup).statistics, list));
+    }
 }
 
 TEST_CASE("several objects are one list: hits and pushes are those of the joined mesh") {
