@@ -2,7 +2,7 @@
 
 compile() {  # compile PRESET
   [ -e "$(build_folder "$1")/build.ninja" ] || cmake --preset "$1" >/dev/null
-  cmake --build --preset "$1" -- --quiet
+  cmake --build --preset "$1" -- --quiet >&2
 }
 build_folder() { [ "$1" = release ] && echo build || echo "build/$1"; }
 
