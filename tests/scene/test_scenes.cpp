@@ -49,7 +49,8 @@ TEST_CASE("the hanging scene is the cloth of the figures, the paper's has the pa
   CHECK(hanging.contact.method == ContactMethod::None);
   CHECK_FALSE(hanging.time.substeps);
   const Scene paper = loaded("hanging-paper.json");
-  CHECK(paper.cloths[0].node_mass == 1.0);
+  CHECK(paper.cloths[0].node_mass == 20.0);
+  CHECK(paper.cloths[0].stiffness.bend == 219000);
   CHECK(paper.time.substeps == 1U);
   CHECK(paper.time.frame == 0.005);
   CHECK(paper.solver.forces == Forces::SpringCentric);
