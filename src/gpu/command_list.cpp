@@ -24,21 +24,6 @@ void CommandList::resolve_queries(Id query_set, std::uint32_t count, Id buffer) 
   commands_.push_back({CommandKind::ResolveQueries, {query_set, buffer}, {count}, {}});
 }
 
-void CommandList::append(const CommandList& other) {
-  const auto first_label = static_cast<std::uint32_t>(labels_.size());
-  const auto first_target = static_cast<std::uint32_t>(targets_.size());
-  labels_.insert(labels_.end(), other.labels_.begin(), other.labels_.end());
-  targets_.insert(targets_.end(), other.targets_.begin(), other.targets_.end());
-  for (Command command : other.commands_) {
-    if (command.kind == CommandKind::BeginCompute) command.args[0] += first_label;
-    if (command.kind == CommandKind::BeginRender) {
-      command.args[0] += first_target;
-      command.args[1] += first_label;
-    }
-    commands_.push_back(command);
-  }
-}
-
 void CommandList::reset() {
   commands_.clear();
   targets_.clear();

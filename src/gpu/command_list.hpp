@@ -47,7 +47,6 @@ class CommandList {
   void copy_texture(Id texture, Id buffer, std::uint32_t width, std::uint32_t height,
                     std::uint32_t row_bytes);
   void resolve_queries(Id query_set, std::uint32_t count, Id buffer);
-  void append(const CommandList& other);
   void reset();
 
   std::size_t dispatch_count() const;

@@ -160,34 +160,6 @@ void World::record_frame(std::uint32_t parity) {
   surface_->record(pass);
 }
 
-Result<gpu::CommandList> World::instrumented_frame(gpu::Timer& timer) const {
-  gpu::CommandList list;
-  list.clear(state_.statistics.range(0, kStatisticsPerFrameBytes));
-  for (std::uint32_t s = 0; s < substeps_; ++s) {
-    const auto stage = [&](const char* name, const auto& record) {
-      gpu::ComputePass pass(list, name, timer.span(name));
-      pass.set_step(s, (parity_ + s) & 1U);
-      record(pass);
-    };
-    stage("predict", [&](gpu::ComputePass& pass) { solver_->record_predict(pass); });
-    if (collision_) stage("collide", [&](gpu::ComputePass& pass) { collision_->record(pass); });
-    if (collision_) stage("respond", [&](gpu::ComputePass& pass) { solver_->record_solve(pass); });
-  }
-  const std::uint32_t parity = (parity_ + substeps_) & 1U;
-  {
-    gpu::ComputePass pass(list, "guard", timer.span("guard"));
-    pass.set_step(0, parity);
-    last_good_->record(pass);
-  }
-  {
-    gpu::ComputePass pass(list, "surface", timer.span("surface"));
-    pass.set_step(0, parity);
-    surface_->record(pass);
-  }
-  timer.finish(list);
-  return list;
-}
-
 Result<void> World::advance_frame() {
   WEFT_CHECK(take_reports(false));
   Report* free = nullptr;

@@ -11,7 +11,6 @@
 #include "element/last_good.hpp"
 #include "element/surface.hpp"
 #include "gpu/readback.hpp"
-#include "gpu/timer.hpp"
 #include "sim/assets.hpp"
 #include "solver/solver.hpp"
 #include "state/state.hpp"
@@ -81,8 +80,6 @@ class World {
   std::uint32_t parity() const { return parity_; }
   /// The commands of a frame that begins with this parity.
   const gpu::CommandList& frame_commands(std::uint32_t parity) const { return frame_commands_[parity]; }
-  /// The same with a timed pass for each stage of a substep: for shares, not totals.
-  Result<gpu::CommandList> instrumented_frame(gpu::Timer& timer) const;
 
  private:
   struct Report {
