@@ -57,10 +57,14 @@ Result<Id> create_sampler(Context&, const SamplerInfo&, const std::string& label
 Result<Id> create_timestamp_queries(Context&, std::uint32_t count, const std::string& label);
 double timestamp_period(Context&);  ///< ns a tick
 
-/// Encodes the list and submits it; a list that does not validate is an error and is not submitted.
-Result<void> submit(Context&, const CommandList&);
-/// Runs callbacks that are due; with `wait`, first blocks until the queue is empty (never in a browser).
-void poll(Context&, bool wait);
+/// Encodes the lists one after the other into one submit; what does not validate is an error and is not
+/// submitted. In a browser the error arrives later, with wait or status.
+Result<void> submit(Context&, std::span<const CommandList* const>);
+/// Runs callbacks that are due.
+void poll(Context&);
+/// Returns once the queue is empty, all maps have settled and every error of earlier calls is known. In a
+/// browser the caller sleeps meanwhile (Asyncify), and nothing else may be called.
+void wait(Context&);
 /// The error that nobody asked for, if there was one since the device was made.
 Result<void> status(Context&);
 /// Gives the device up, as a driver reset would: for tests of loss.
@@ -69,8 +73,8 @@ void lose(Context&);
 enum class MapState : std::uint32_t { Idle, Pending, Ready, Failed };
 /// Sets `state` to Ready or Failed when the time has come, be it after whoever asked has gone.
 void map_read(Context&, Id buffer, std::uint64_t bytes, const std::shared_ptr<MapState>& state);
-std::span<const std::byte> mapped_range(Id buffer, std::uint64_t bytes);
-void unmap(Id buffer);
+/// Copies the first bytes of a mapped buffer and unmaps it.
+void take_mapped(Id buffer, std::span<std::byte> target);
 
 }  // namespace backend
 }  // namespace weft::gpu

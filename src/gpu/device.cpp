@@ -22,10 +22,13 @@ void Device::lower_limits(const Limits& limits) {
       std::min(limits_.max_storage_binding_size, limits.max_storage_binding_size);
 }
 
-Result<void> Device::submit(const CommandList& list) { return backend::submit(*context_, list); }
+Result<void> Device::submit(const CommandList& list) {
+  const CommandList* const lists[] = {&list};
+  return submit(lists);
+}
 
 Result<void> Device::wait() {
-  backend::poll(*context_, true);
+  backend::wait(*context_);
   return backend::status(*context_);
 }
 

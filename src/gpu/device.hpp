@@ -25,13 +25,14 @@ class Device {
   /// Lowers a limit, so that a test can reach it. Never raises one.
   void lower_limits(const Limits& limits);
 
-  /// Submits the list once.
+  /// Submits the lists, in their order, as one.
   /// Errors  DeviceLost, OutOfMemory, Shader (a command does not validate; nothing was submitted).
+  Result<void> submit(std::span<const CommandList* const> lists) { return backend::submit(*context_, lists); }
   Result<void> submit(const CommandList& list);
-  /// Blocks until all that was submitted is done (native only), then says whether the device is well.
+  /// Waits until all that was submitted is done, then says whether the device is well.
   Result<void> wait();
   /// Runs the callbacks that are due, without blocking.
-  void poll() { backend::poll(*context_, false); }
+  void poll() { backend::poll(*context_); }
   /// Whether anything has gone wrong that no call returned.
   Result<void> status() { return backend::status(*context_); }
   /// Gives the device up as a driver reset would, so that a test can see what follows.

@@ -18,15 +18,15 @@ void Readback::start() {
   backend::map_read(device_->context(), buffer_.id(), buffer_.bytes(), state_);
 }
 
-std::vector<std::byte> Readback::take() {
-  assert(ready() || failed());
-  std::vector<std::byte> bytes;
-  if (ready()) {
-    const auto range = backend::mapped_range(buffer_.id(), buffer_.bytes());
-    bytes.assign(range.begin(), range.end());
-    backend::unmap(buffer_.id());
-  }
+void Readback::take(std::span<std::byte> target) {
+  assert((ready() || failed()) && target.size() <= buffer_.bytes());
+  if (ready()) backend::take_mapped(buffer_.id(), target);
   *state_ = backend::MapState::Idle;
+}
+
+std::vector<std::byte> Readback::take() {
+  std::vector<std::byte> bytes(failed() ? 0 : buffer_.bytes());
+  take(bytes);
   return bytes;
 }
 

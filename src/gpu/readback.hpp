@@ -30,8 +30,10 @@ class Readback {
   /// True once the bytes are here; needs Device::poll now and then.
   bool ready() const { return *state_ == backend::MapState::Ready; }
   bool failed() const { return *state_ == backend::MapState::Failed; }
-  /// The bytes, copied out; the readback can then be used again. Only when ready or failed.
-  std::vector<std::byte> take();
+  /// Copies the bytes out, if it has not failed; the readback can then be used again. Only when ready or
+  /// failed.
+  void take(std::span<std::byte> target);
+  std::vector<std::byte> take();  ///< empty where it failed
 
  private:
   RawBuffer buffer_;

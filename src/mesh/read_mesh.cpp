@@ -25,19 +25,29 @@ Reader find_reader(std::string_view path) {
   return nullptr;
 }
 
-Result<TriangleMesh> read(const std::string& path) {
-  const Reader reader = find_reader(path);
+Result<TriangleMesh> read(std::span<const std::byte> bytes, const std::string& name) {
+  const Reader reader = find_reader(name);
   if (reader == nullptr) return input_error("The name does not end in .obj, .off, .stl, .ply or .ply.gz.");
-  WEFT_TRY(bytes, read_file(path, kMaxMeshBytes));
   return reader(bytes);
+}
+
+Result<TriangleMesh> read(const std::string& path) {
+  if (find_reader(path) == nullptr) return read({}, path);  // whatever the file holds
+  WEFT_TRY(bytes, read_file(path, kMaxMeshBytes));
+  return read(bytes, path);
+}
+
+Result<TriangleMesh> named(Result<TriangleMesh> mesh, const std::string& name) {
+  if (!mesh) return mesh.error().while_doing("reading mesh " + name);
+  return mesh;
 }
 
 }  // namespace
 
-Result<TriangleMesh> read_mesh(const std::string& path) {
-  auto mesh = read(path);
-  if (!mesh) return mesh.error().while_doing("reading mesh " + path);
-  return mesh;
+Result<TriangleMesh> read_mesh(const std::string& path) { return named(read(path), path); }
+
+Result<TriangleMesh> read_mesh(std::span<const std::byte> bytes, const std::string& name) {
+  return named(read(bytes, name), name);
 }
 
 }  // namespace weft::mesh

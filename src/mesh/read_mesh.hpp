@@ -1,6 +1,8 @@
 // A mesh from a file of any format that weft knows.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include "base/result.hpp"
@@ -12,5 +14,8 @@ namespace weft::mesh {
 /// binary shows from the content. The mesh passes check_mesh. Errors  Input: "While reading mesh PATH: ...",
 /// also for a file that is missing or over kMaxMeshBytes.
 Result<TriangleMesh> read_mesh(const std::string& path);
+
+/// The same from a file's bytes; `name` only says which format they are in.
+Result<TriangleMesh> read_mesh(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace weft::mesh

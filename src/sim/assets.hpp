@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,9 @@ struct Assets {
 
 /// Errors  Input: a mesh is missing or malformed, or its transform makes it too large for f32.
 Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder);
+
+/// The same where meshes do not come from files: `read` gives the one that the scene calls by a name.
+using MeshReader = std::function<Result<mesh::TriangleMesh>(const std::string& name)>;
+Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read);
 
 }  // namespace weft::sim

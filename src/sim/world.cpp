@@ -93,7 +93,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   write_steps();
   record_frame(0);
   record_frame(1);
-  return submit_rest();
+  WEFT_CHECK(submit_rest());
+  return device_.wait();  // in a browser, only now is it known whether all of this could be made
 }
 
 Result<void> World::submit_rest() {
@@ -160,7 +161,7 @@ void World::record_frame(std::uint32_t parity) {
   surface_->record(pass);
 }
 
-Result<void> World::advance_frame() {
+Result<void> World::advance_frame(const gpu::CommandList* draw) {
   WEFT_CHECK(take_reports(false));
   Report* free = nullptr;
   while (free == nullptr) {
@@ -171,13 +172,18 @@ Result<void> World::advance_frame() {
     WEFT_CHECK(take_reports(false));
   }
   write_motions();
-  WEFT_CHECK(device_.submit(frame_commands_[parity_]));
-  WEFT_CHECK(device_.submit(free->commands));
+  const std::array<const gpu::CommandList*, 3> lists = {&frame_commands_[parity_], &free->commands, draw};
+  WEFT_CHECK(device_.submit(std::span(lists).first(draw != nullptr ? 3 : 2)));
   free->frame = frame_;
   free->readback.start();
-  parity_ = (parity_ + substeps_) & 1U;
+  parity_ = parity_after();
   ++frame_;
   return {};
+}
+
+bool World::has_room() const {
+  return std::any_of(reports_.begin(), reports_.end(),
+                     [](const Report& report) { return !report.readback.pending(); });
 }
 
 Result<void> World::finish() {
@@ -200,13 +206,12 @@ Result<void> World::take_reports(bool wait_for_all) {
 
 Result<void> World::take(Report& report) {
   const bool failed = report.readback.failed();
-  const std::vector<std::byte> bytes = report.readback.take();
+  Statistics statistics;
+  report.readback.take(std::as_writable_bytes(std::span(&statistics, 1)));
   if (failed) {
     WEFT_CHECK(device_.status());
     return make_error(ErrorKind::DeviceLost, "The report of frame %u did not arrive.", report.frame);
   }
-  Statistics statistics;
-  std::memcpy(&statistics, bytes.data(), sizeof statistics);
   totals_.nonfinite = statistics.nonfinite;
   if (statistics.nonfinite != 0)
     return make_error(ErrorKind::Diverged,

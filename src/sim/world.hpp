@@ -46,10 +46,14 @@ class World {
   static Result<std::unique_ptr<World>> create(gpu::Device& device, scene::Scene scene, const Assets& assets,
                                                const WorldOptions& options = {});
 
-  /// Submits one frame of substeps. The host waits only where three frames are under way already.
+  /// Submits one frame of substeps and, with them, what draws its end (a list for parity_after()). The host
+  /// waits only where three frames are under way already: where it must not, it asks has_room first.
   /// Errors  Diverged: a node of an earlier frame was not finite; the state is frozen at the last good frame.
   ///         DeviceLost, OutOfMemory, Shader.
-  Result<void> advance_frame();
+  Result<void> advance_frame(const gpu::CommandList* draw = nullptr);
+  /// Takes the reports that have arrived. Errors as advance_frame.
+  Result<void> poll() { return take_reports(false); }
+  bool has_room() const;
   /// Waits until all frames have reported. Errors as advance_frame.
   Result<void> finish();
   /// Back to the rest state at time 0.
@@ -78,6 +82,8 @@ class World {
   std::size_t spring_count() const { return spring_count_; }
   /// Which of State's buffers holds the current state.
   std::uint32_t parity() const { return parity_; }
+  /// Which it will be after one more frame.
+  std::uint32_t parity_after() const { return (parity_ + substeps_) & 1U; }
   /// The commands of a frame that begins with this parity.
   const gpu::CommandList& frame_commands(std::uint32_t parity) const { return frame_commands_[parity]; }
 

@@ -1,6 +1,7 @@
 // Buffers, textures, samplers, queries, and reading buffers back.
 #include <cassert>
 #include <chrono>
+#include <cstring>
 
 #include "gpu/native/context.hpp"
 
@@ -115,11 +116,13 @@ double timestamp_period(Context& context) {
   return static_cast<double>(wgpuQueueGetTimestampPeriod(context.queue));
 }
 
-void poll(Context& context, bool wait) {
-  if (context.lost) return;
-  // With `wait`, wgpu-native returns early when a submission takes very long; the queue is asked until it is
-  // empty.
-  while (wgpuDevicePoll(context.device, wait ? 1 : 0, nullptr) == 0 && wait && !context.lost) {
+void poll(Context& context) {
+  if (!context.lost) wgpuDevicePoll(context.device, 0, nullptr);
+}
+
+void wait(Context& context) {
+  // wgpu-native returns early when a submission takes very long; the queue is asked until it is empty.
+  while (!context.lost && wgpuDevicePoll(context.device, 1, nullptr) == 0) {
   }
 }
 
@@ -136,11 +139,10 @@ void map_read(Context& context, Id buffer, std::uint64_t bytes, const std::share
   wgpuBufferMapAsync(handle<WGPUBuffer>(buffer), WGPUMapMode_Read, 0, bytes, callback);
 }
 
-std::span<const std::byte> mapped_range(Id buffer, std::uint64_t bytes) {
-  return {static_cast<const std::byte*>(wgpuBufferGetConstMappedRange(handle<WGPUBuffer>(buffer), 0, bytes)),
-          bytes};
+void take_mapped(Id buffer, std::span<std::byte> target) {
+  const auto mapped = handle<WGPUBuffer>(buffer);
+  std::memcpy(target.data(), wgpuBufferGetConstMappedRange(mapped, 0, target.size()), target.size());
+  wgpuBufferUnmap(mapped);
 }
-
-void unmap(Id buffer) { wgpuBufferUnmap(handle<WGPUBuffer>(buffer)); }
 
 }  // namespace weft::gpu::backend

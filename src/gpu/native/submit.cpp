@@ -10,15 +10,20 @@ namespace {
 /// What is being encoded, and what is already set, so that repeats are left out.
 class Encoder {
  public:
-  Encoder(Context& context, const CommandList& list) : list_(list) {
-    encoder_ = wgpuDeviceCreateCommandEncoder(context.device, nullptr);
-  }
+  explicit Encoder(Context& context) : encoder_(wgpuDeviceCreateCommandEncoder(context.device, nullptr)) {}
   ~Encoder() {
     if (encoder_ != nullptr) wgpuCommandEncoderRelease(encoder_);
   }
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
+  void encode(const CommandList& list) {
+    list_ = &list;
+    for (const Command& command : list.commands()) encode(command);
+  }
+  WGPUCommandBuffer finish() { return wgpuCommandEncoderFinish(encoder_, nullptr); }
+
+ private:
   void encode(const Command& command) {
     switch (command.kind) {
       case CommandKind::BeginCompute:
@@ -49,16 +54,14 @@ class Encoder {
         return copy_texture(command);
     }
   }
-  WGPUCommandBuffer finish() { return wgpuCommandEncoderFinish(encoder_, nullptr); }
 
- private:
   void begin_compute(const Command& command) {
     WGPUPassTimestampWrites writes = WGPU_PASS_TIMESTAMP_WRITES_INIT;
     writes.querySet = handle<WGPUQuerySet>(command.ids[0]);
     writes.beginningOfPassWriteIndex = command.args[1];
     writes.endOfPassWriteIndex = command.args[2];
     WGPUComputePassDescriptor descriptor = WGPU_COMPUTE_PASS_DESCRIPTOR_INIT;
-    descriptor.label = view(list_.label(command.args[0]));
+    descriptor.label = view(list_->label(command.args[0]));
     descriptor.timestampWrites = command.ids[0] != 0 ? &writes : nullptr;
     compute_ = wgpuCommandEncoderBeginComputePass(encoder_, &descriptor);
     pipeline_ = 0;
@@ -76,7 +79,7 @@ class Encoder {
   }
 
   void begin_render(const Command& command) {
-    const RenderTarget& target = list_.targets()[command.args[0]];
+    const RenderTarget& target = list_->targets()[command.args[0]];
     WGPURenderPassColorAttachment color = WGPU_RENDER_PASS_COLOR_ATTACHMENT_INIT;
     color.view = handle<WGPUTextureView>(target.color);
     color.resolveTarget = handle<WGPUTextureView>(target.resolve);
@@ -90,7 +93,7 @@ class Encoder {
     depth.depthStoreOp = target.store_depth ? WGPUStoreOp_Store : WGPUStoreOp_Discard;
     depth.depthClearValue = 1.0F;
     WGPURenderPassDescriptor descriptor = WGPU_RENDER_PASS_DESCRIPTOR_INIT;
-    descriptor.label = view(list_.label(command.args[1]));
+    descriptor.label = view(list_->label(command.args[1]));
     descriptor.colorAttachments = &color;
     descriptor.colorAttachmentCount = target.color != 0 ? 1 : 0;
     descriptor.depthStencilAttachment = target.depth != 0 ? &depth : nullptr;
@@ -118,7 +121,7 @@ class Encoder {
     wgpuCommandEncoderCopyTextureToBuffer(encoder_, &source, &target, &size);
   }
 
-  const CommandList& list_;
+  const CommandList* list_ = nullptr;  // the one that is being encoded
   WGPUCommandEncoder encoder_ = nullptr;
   WGPUComputePassEncoder compute_ = nullptr;
   WGPURenderPassEncoder render_ = nullptr;
@@ -127,10 +130,10 @@ class Encoder {
 
 }  // namespace
 
-Result<void> submit(Context& context, const CommandList& list) {
+Result<void> submit(Context& context, std::span<const CommandList* const> lists) {
   WEFT_CHECK(context.take_error());
-  Encoder encoder(context, list);
-  for (const Command& command : list.commands()) encoder.encode(command);
+  Encoder encoder(context);
+  for (const CommandList* list : lists) encoder.encode(*list);
   WGPUCommandBuffer buffer = encoder.finish();
   const auto error = context.take_error();
   if (error) wgpuQueueSubmit(context.queue, 1, &buffer);
