@@ -1,0 +1,107 @@
+#include "session.hpp"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "mesh/obj.hpp"
+#include "mesh/ply.hpp"
+#include "mesh/read_mesh.hpp"
+#include "scene/load.hpp"
+
+namespace weft::web {
+namespace {
+
+constexpr const char* kSceneName = "scene";  // what messages call the text that a page hands over
+
+}  // namespace
+
+Result<void> Session::open(const std::string& adapter) {
+  close();
+  gpu::DeviceOptions options;
+  options.adapter = adapter;
+  WEFT_TRY(device, gpu::Device::create(options));
+  device_ = std::move(device);
+  return {};
+}
+
+void Session::close() {
+  world_.reset();
+  device_.reset();
+}
+
+Result<void> Session::add_mesh(const std::string& name, std::span<const std::byte> bytes) {
+  // A model's plain name is that of a PLY file, as on the command line.
+  const std::string file = name.find('.') == std::string::npos ? name + ".ply" : name;
+  WEFT_TRY(mesh, mesh::read_mesh(bytes, file));
+  meshes_[name] = std::move(mesh);
+  return {};
+}
+
+Result<scene::Scene> Session::parse() const { return scene::parse_scene(text_, kSceneName, changes_); }
+
+Result<void> Session::load(const std::string& text, const std::string& changes) {
+  world_.reset();
+  snapshot_ = {};
+  exported_ = {};
+  text_ = text;
+  changes_.clear();
+  std::istringstream lines(changes);
+  for (std::string line; std::getline(lines, line);) {
+    WEFT_TRY(change, scene::parse_override(line));
+    changes_.push_back(change);
+  }
+  WEFT_TRY(scene, parse());
+  const auto find_mesh = [this](const std::string& name) -> Result<mesh::TriangleMesh> {
+    if (const auto found = meshes_.find(name); found != meshes_.end()) return found->second;
+    return input_error("Mesh %s was not handed over with the scene.", name.c_str());
+  };
+  WEFT_TRY(assets, sim::load_assets(scene, find_mesh));
+  WEFT_CHECK(device_->status());
+  WEFT_TRY(world, sim::World::create(*device_, std::move(scene), assets));
+  world_ = std::move(world);
+  return {};
+}
+
+Result<void> Session::advance() { return world_->advance_frame(); }
+
+Result<void> Session::take_snapshot() {
+  WEFT_TRY(snapshot, world_->snapshot());
+  snapshot_ = std::move(snapshot);
+  return {};
+}
+
+Result<void> Session::export_mesh(const std::string& format) {
+  WEFT_CHECK(take_snapshot());
+  mesh::TriangleMesh shape;
+  for (const Vec4f& position : snapshot_.position) shape.positions.push_back(position.xyz());
+  shape.triangles = world_->model().host.triangles;
+  if (format == "ply") {
+    exported_ = mesh::write_ply(shape);
+  } else if (format == "obj") {
+    const std::string text = mesh::write_obj(shape);
+    const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
+    exported_.assign(bytes.begin(), bytes.end());
+  } else {
+    return input_error("The format %s is not known; there are obj and ply.", format.c_str());
+  }
+  return {};
+}
+
+std::string Session::describe() const {
+  const sim::World& world = *world_;
+  nlohmann::ordered_json json;
+  json["adapter"] = device_->adapter().name;
+  json["nodes"] = world.model().vertex_count();
+  json["triangles"] = world.model().triangle_count();
+  json["springs"] = world.spring_count();
+  json["substeps"] = world.substeps();
+  json["frameSeconds"] = world.scene().time.frame;
+  json["stepSeconds"] = world.step();
+  json["stableStepSeconds"] = world.step_limit().largest_step;
+  json["frames"] = world.scene().time.frames;
+  json["droppedTriangles"] = world.assets().dropped_triangles;
+  json["gpuBytes"] = device_->allocated_bytes();
+  return json.dump();
+}
+
+}  // namespace weft::web

@@ -1,0 +1,53 @@
+// What one WebAssembly module holds: a device, the scene that was loaded last, and its running world.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/device.hpp"
+#include "scene/override.hpp"
+#include "sim/world.hpp"
+
+namespace weft::web {
+
+class Session {
+ public:
+  /// Opens the device, anew where it was lost. Errors  NoAdapter, Failure.
+  Result<void> open(const std::string& adapter);
+  /// Keeps a mesh that scenes may name. Errors  Input: it is malformed.
+  Result<void> add_mesh(const std::string& name, std::span<const std::byte> bytes);
+  /// Replaces the world by that of the scene in `text`. `changes` are lines of KEY=JSON.
+  /// Errors  Input, Limit, Shader, OutOfMemory, DeviceLost. There is no world afterwards.
+  Result<void> load(const std::string& text, const std::string& changes);
+  /// Changes one key of the running scene. Errors as World::change.
+  Result<void> set(const std::string& key, const std::string& value);
+  void close();
+
+  Result<void> advance();
+  /// The state as it is, kept until the next call.
+  Result<void> take_snapshot();
+  const sim::Snapshot& snapshot() const { return snapshot_; }
+  /// The bytes of a file of the present shape: "obj" or "ply".
+  Result<void> export_mesh(const std::string& format);
+  const std::vector<std::byte>& exported() const { return exported_; }
+
+  /// What was loaded, as JSON.
+  std::string describe() const;
+  sim::World* world() { return world_.get(); }
+
+ private:
+  Result<scene::Scene> parse() const;
+
+  std::unique_ptr<gpu::Device> device_;
+  std::map<std::string, mesh::TriangleMesh> meshes_;
+  std::string text_;
+  std::vector<scene::Override> changes_;
+  std::unique_ptr<sim::World> world_;
+  sim::Snapshot snapshot_;
+  std::vector<std::byte> exported_;
+};
+
+}  // namespace weft::web

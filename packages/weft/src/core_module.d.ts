@@ -1,0 +1,5 @@
+// What Emscripten makes (packages/weft/core/CMakeLists.txt): build/core_module.js.
+import type { CoreModule } from "./core.js";
+
+declare function createCore(options: Record<string, unknown>): Promise<CoreModule>;
+export default createCore;

@@ -1,0 +1,31 @@
+// What a scene is to this package: JSON of the format weft-scene/1, which the core checks. Names and bytes of its
+// meshes are all that is looked at here.
+
+/** A scene as JSON text or as the object it stands for (docs/scene.md). */
+export type Scene = string | { format: string; [key: string]: unknown };
+
+/** The bytes of a mesh file: .ply, .obj, .stl or .off, packed with gzip or not. */
+export type Bytes = ArrayBuffer | Uint8Array;
+
+/** The meshes that a scene names, each once: what `meshes` must hold. */
+export function meshNames(scene: Scene): string[] {
+  const json = (typeof scene === "string" ? JSON.parse(scene) : scene) as Record<string, unknown>;
+  const parts = [json["cloths"], json["colliders"]].flatMap((list) => (Array.isArray(list) ? list : []) as unknown[]);
+  const names = parts.map((part) => (part as { mesh?: unknown } | null)?.mesh);
+  return [...new Set(names.filter((name) => typeof name === "string"))];
+}
+
+export function sceneText(scene: Scene): string { return typeof scene === "string" ? scene : JSON.stringify(scene); }
+
+/** Lines of KEY=JSON, as `weft run --set` takes them. */
+export function changeLines(set: Readonly<Record<string, unknown>>): string {
+  return Object.entries(set).map(([key, value]) => `${key}=${JSON.stringify(value)}`).join("\n");
+}
+
+/** The bytes, unpacked where they are gzip data. */
+export async function unpacked(bytes: Bytes): Promise<Uint8Array> {
+  const raw = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes);
+  if (raw[0] !== 0x1f || raw[1] !== 0x8b) return raw;
+  const stream = new Blob([raw as Uint8Array<ArrayBuffer>]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}

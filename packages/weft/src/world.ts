@@ -1,0 +1,415 @@
+import { Core } from "./core.js";
+import { WeftError } from "./error.js";
+import { changeLines, sceneText, unpacked, type Bytes, type Scene } from "./scene.js";
+
+export const VIEWS = ["textured", "wireframe", "normals", "stretch"] as const;
+export type View = (typeof VIEWS)[number];
+/** Metres. */
+export type Point = readonly [x: number, y: number, z: number];
+
+export interface SceneOptions {
+  /** Mesh files by the name that the scene gives them; those of earlier scenes are still known. */
+  meshes?: Readonly<Record<string, Bytes>>;
+  /** Changes before the scene is checked, by dotted key: `{ "cloths.0.grid": [128, 128] }`. */
+  set?: Readonly<Record<string, unknown>>;
+}
+
+export interface WorldOptions extends SceneOptions {
+  scene: Scene;
+  /** Where to draw; null: nowhere, as in Node and in tests. */
+  canvas: HTMLCanvasElement | OffscreenCanvas | null;
+  /** Default: that of the browser. In Node: `create([])` of the package `webgpu`. */
+  gpu?: GPU;
+  /** Part of the adapter's name; another adapter is refused. */
+  adapter?: string;
+  view?: View;
+}
+
+/** What was loaded. */
+export interface WorldInfo {
+  adapter: string;
+  nodes: number;
+  triangles: number;
+  springs: number;
+  /** Steps a frame, and how long each is and may be [s]. */
+  substeps: number;
+  stepSeconds: number;
+  stableStepSeconds: number;
+  /** Simulated time of a frame [s]. */
+  frameSeconds: number;
+  /** Frames that the scene asks for. */
+  frames: number;
+  /** Triangles of obstacles without area, left out. */
+  droppedTriangles: number;
+  gpuBytes: number;
+}
+
+/** What the frames so far have reported; up to three frames old. */
+export interface Statistics {
+  frames: number;
+  /** Simulated time [s]. */
+  seconds: number;
+  contacts: number;
+  contactHash: number;
+  contactOverflow: number;
+  /** Largest length / rest length at the end of any frame. */
+  maxStretch: number;
+  nonfinite: number;
+}
+
+export interface Snapshot {
+  /** x, y, z of every node in model order [m], then [m/s]. */
+  positions: Float32Array;
+  velocities: Float32Array;
+  /** XXH3-64 of the bits of the state: equal on every host with the same adapter. */
+  hash: string;
+}
+
+export interface Pick {
+  node: number;
+  /** Where the ray meets the cloth [m]. */
+  point: Point;
+}
+
+export interface Camera {
+  eye: Point;
+  target: Point;
+  /** Vertical field of view [degrees]. */
+  fov: number;
+}
+
+/** Bytes and objects that are in use. */
+export interface MemoryUse {
+  wasmHeap: number;
+  wasmSize: number;
+  gpuBytes: number;
+  gpuObjects: number;
+}
+
+interface Events {
+  /** After a tick of run in which a frame was simulated or drawn. */
+  frame: Statistics;
+  /** Something failed while running; the world is paused. After "device-lost", `recover` starts anew. */
+  error: WeftError;
+}
+
+/** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
+export async function createWorld(options: WorldOptions): Promise<World> {
+  const gpu = options.gpu ?? (globalThis.navigator as Navigator | undefined)?.gpu;
+  const world = new World(await Core.create(gpu), options);
+  try {
+    await world.open();
+    await world.load(options.scene, options);
+  } catch (reason) {
+    world.dispose();
+    throw reason;
+  }
+  return world;
+}
+
+/**
+ * A running scene. Lengths are metres, times seconds. Places on the canvas are in clip coordinates: x from -1 at the
+ * left to 1, y from -1 at the bottom to 1. Calls that return a promise are carried out one after the other.
+ */
+export class World {
+  private readonly canvas: WorldOptions["canvas"];
+  private readonly adapter: string;
+  private readonly listeners: { [name in keyof Events]: Set<(event: Events[name]) => void> } = {
+    frame: new Set(), error: new Set() };
+  private current: WorldInfo | null = null;
+  private scene: { scene: Scene; set: Readonly<Record<string, unknown>> } = { scene: "", set: {} };
+  private readonly meshes = new Map<string, Uint8Array>();
+  private readonly totals: Statistics = { frames: 0, seconds: 0, contacts: 0, contactHash: 0, contactOverflow: 0,
+    maxStretch: 0, nonfinite: 0 };
+  private shownView: View;
+  private playing = false;
+  private lastTick = 0;
+  private due = 0; // simulated time that has come due since the last frame [s]
+  private stale = true; // whether the canvas shows something else than it would now
+  private timer = 0;
+  private disposed = false;
+
+  /** @internal */
+  constructor(private readonly core: Core, options: WorldOptions) {
+    this.canvas = options.canvas;
+    this.adapter = options.adapter ?? "";
+    this.shownView = options.view ?? "textured";
+  }
+
+  /** @internal */
+  async open(): Promise<void> {
+    await this.core.sleep("open", this.adapter);
+    if (!this.canvas) return;
+    const context = (this.canvas as HTMLCanvasElement).getContext("webgpu");
+    if (!context) throw new WeftError("failure", "The canvas gives no WebGPU context: it has another one already.");
+    const { handle, format } = this.core.backend.attachCanvas(context);
+    await this.core.sleep("canvas", handle, format, this.canvas.width, this.canvas.height);
+  }
+
+  get info(): WorldInfo {
+    if (!this.current) throw new WeftError("failure", "No scene is loaded.");
+    return this.current;
+  }
+  get statistics(): Readonly<Statistics> { return this.totals; }
+  get running(): boolean { return this.playing; }
+  /** Whether a call is under way; what returns at once then throws. */
+  get busy(): boolean { return this.core.busy; }
+  get view(): View { return this.shownView; }
+
+  on<Name extends keyof Events>(name: Name, listener: (event: Events[Name]) => void): () => void {
+    this.listeners[name].add(listener);
+    return () => void this.listeners[name].delete(listener);
+  }
+
+  /** Replaces the scene on the same device. Where it cannot be built, no scene is loaded any more. */
+  async load(scene: Scene, { meshes = {}, set = {} }: SceneOptions = {}): Promise<void> {
+    this.current = null;
+    for (const [name, bytes] of Object.entries(meshes)) {
+      const plain = await unpacked(bytes);
+      this.meshes.set(name, plain);
+      await this.addMesh(name, plain);
+    }
+    await this.core.sleep("load", sceneText(scene), changeLines(set));
+    this.scene = { scene, set };
+    this.core.call("describe");
+    this.current = JSON.parse(this.core.text()) as WorldInfo;
+    if (this.canvas) await this.core.sleep("view", VIEWS.indexOf(this.shownView));
+    this.changed();
+  }
+
+  private async addMesh(name: string, bytes: Uint8Array): Promise<void> {
+    await this.core.idle();
+    this.core.withBytes(bytes, (at, size) => this.core.check("add_mesh", name, at, size));
+  }
+
+  /** After a loss: a new device, and the scene from its rest state. */
+  async recover(): Promise<void> {
+    await this.open();
+    for (const [name, bytes] of this.meshes) await this.addMesh(name, bytes);
+    await this.load(this.scene.scene, { set: this.scene.set });
+  }
+
+  // Time
+
+  /** Plays in real time, as far as the machine can. */
+  run(): void {
+    if (this.playing) return;
+    this.playing = true;
+    this.lastTick = performance.now();
+    this.due = 0;
+    this.schedule();
+  }
+
+  pause(): void {
+    this.playing = false;
+    this.schedule();
+  }
+
+  /** Simulates this many frames and waits for them. */
+  async step(frames = 1): Promise<Statistics> {
+    for (let i = 0; i < frames; i++) {
+      await this.core.idle();
+      while (this.core.call("has_room") === 0) {
+        await this.core.sleep("finish");
+      }
+      this.core.check("advance");
+    }
+    await this.core.sleep("finish");
+    this.changed();
+    return { ...this.totals };
+  }
+
+  /** Back to the rest state at time 0; grabbed nodes are let go. */
+  async reset(): Promise<void> {
+    await this.core.sleep("reset");
+    this.changed();
+  }
+
+  // Change
+
+  /**
+   * Changes a key of the scene while it moves: `gravity`, `external_force`, `drag`, `wind.velocity`, `wind.gusts`,
+   * `wind.wavelength`. Any other is refused: load the scene anew with `set`.
+   */
+  async setParameter(key: string, value: unknown): Promise<void> {
+    await this.core.sleep("set", key, JSON.stringify(value));
+  }
+
+  /** Takes hold of a node: from now on it is drawn to `target`, by a force as it were, with a bounded speed. */
+  async grab(node: number, target: Point): Promise<void> { await this.core.sleep("grab", node, ...target); }
+  /** Moves the target of a node that is held. */
+  async drag(node: number, target: Point): Promise<void> { await this.core.sleep("drag", node, ...target); }
+  async release(node: number): Promise<void> { await this.core.sleep("release", node); }
+
+  // Look
+
+  /** The node of the cloth under a place on the canvas. */
+  async pick(x: number, y: number): Promise<Pick | null> {
+    await this.core.sleep("pick", x, y);
+    const [node, ...point] = this.numbers("picked", 4) as [number, number, number, number];
+    return node < 0 ? null : { node, point };
+  }
+
+  /** The point under a place on the canvas that is as far from the camera's plane as `reference`. */
+  pointAt(x: number, y: number, reference: Point): Point {
+    return this.numbers("point_at", 3, x, y, ...reference) as [number, number, number];
+  }
+
+  /** Where a point is seen on the canvas. */
+  project(point: Point): [x: number, y: number] { return this.numbers("project", 2, ...point) as [number, number]; }
+
+  get camera(): Camera {
+    const n = this.numbers("camera", 7) as [number, number, number, number, number, number, number];
+    return { eye: [n[0], n[1], n[2]], target: [n[3], n[4], n[5]], fov: n[6] };
+  }
+  set camera({ eye, target, fov }: Camera) { this.look("set_camera", ...eye, ...target, fov); }
+  /** Turns the camera about its target [rad]. */
+  orbit(dx: number, dy: number): void { this.look("orbit", dx, dy); }
+  /** Moves the camera along the picture, in picture heights. */
+  pan(dx: number, dy: number): void { this.look("pan", dx, dy); }
+  /** Moves the camera to `factor` times its distance. */
+  zoom(factor: number): void { this.look("zoom", factor); }
+  /** The camera of the scene again, or one that has all in view. */
+  resetCamera(): void { this.look("reset_camera"); }
+
+  async setView(view: View): Promise<void> {
+    await this.core.sleep("view", VIEWS.indexOf(view));
+    this.shownView = view;
+    this.changed();
+  }
+
+  /** Sets the canvas's size in device pixels. */
+  async resize(width: number, height: number): Promise<void> {
+    if (!this.canvas) return;
+    await this.core.idle();
+    this.canvas.width = width;
+    this.canvas.height = height;
+    await this.core.sleep("resize", width, height);
+    this.changed();
+  }
+
+  // Read
+
+  async snapshot(): Promise<Snapshot> {
+    await this.core.sleep("snapshot");
+    const hash = this.core.text();
+    const packed = (name: string) => {
+      const at = this.core.call(name) >>> 2;
+      const all = this.core.module.HEAPF32.subarray(at, at + 4 * this.info.nodes);
+      const out = new Float32Array(3 * this.info.nodes);
+      for (let node = 0; node < this.info.nodes; node++) out.set(all.subarray(4 * node, 4 * node + 3), 3 * node);
+      return out;
+    };
+    return { positions: packed("positions"), velocities: packed("velocities"), hash };
+  }
+
+  /** x, y, z of every node in model order [m]. */
+  async positions(): Promise<Float32Array> { return (await this.snapshot()).positions; }
+
+  /** The cloths' shape as a file. */
+  async exportMesh(format: "obj" | "ply"): Promise<Uint8Array<ArrayBuffer>> {
+    await this.core.sleep("export", format);
+    const at = this.core.call("exported") >>> 0;
+    return this.core.module.HEAPU8.slice(at, at + this.core.call("exported_size")) as Uint8Array<ArrayBuffer>;
+  }
+
+  memory(): MemoryUse {
+    return {
+      wasmHeap: this.core.call("heap_bytes"),
+      wasmSize: this.core.module.HEAPU8.length,
+      gpuBytes: this.core.call("gpu_bytes"),
+      gpuObjects: this.core.backend.alive,
+    };
+  }
+
+  /** The device underneath, for tests of its loss and for tools. */
+  get device(): GPUDevice | null { return this.core.backend.device; }
+
+  dispose(): void {
+    if (this.disposed) return;
+    this.disposed = true;
+    this.playing = false;
+    if (this.timer !== 0) unschedule(this.timer);
+    void this.core.idle().then(() => this.core.call("close"));
+  }
+
+  // The frame
+
+  private schedule(): void {
+    if (this.timer === 0 && !this.disposed) this.timer = schedule((now) => this.tick(now));
+  }
+
+  private changed(): void {
+    this.readTotals();
+    this.stale = true;
+    this.schedule();
+  }
+
+  private tick(now: number): void {
+    this.timer = 0;
+    if (this.disposed) return;
+    try {
+      if (!this.core.busy && this.current) this.frame(now);
+    } catch (reason) {
+      this.playing = false;
+      const error = reason instanceof WeftError ? reason : new WeftError("failure", String(reason));
+      for (const listener of this.listeners.error) listener(error);
+      return;
+    }
+    if (this.playing || this.stale) this.schedule();
+  }
+
+  private frame(now: number): void {
+    this.core.check("poll");
+    let advanced = false;
+    if (this.playing) {
+      const frameSeconds = this.info.frameSeconds;
+      // What is late by more than a frame is dropped: slower than real time, never a burst.
+      this.due = Math.min(this.due + (now - this.lastTick) / 1000, 2 * frameSeconds);
+      this.lastTick = now;
+      // A display of 60 Hz ticks a little early or late; half a millisecond of slack keeps one frame a tick.
+      if (this.due + 5e-4 >= frameSeconds && this.core.call("has_room") !== 0) {
+        this.due -= frameSeconds;
+        this.core.check(this.canvas ? "advance_and_draw" : "advance");
+        advanced = true;
+      }
+    }
+    if (this.canvas && this.stale && !advanced) this.core.check("draw");
+    if (!advanced && !this.stale) return;
+    this.stale = false;
+    this.readTotals();
+    for (const listener of this.listeners.frame) listener(this.totals);
+  }
+
+  private readTotals(): void {
+    if (!this.current || this.core.busy) return;
+    const at = this.core.call("totals") >>> 3;
+    const values = this.core.module.HEAPF64;
+    this.totals.frames = values[at]!;
+    this.totals.seconds = values[at + 1]!;
+    this.totals.contacts = values[at + 2]!;
+    this.totals.contactHash = values[at + 3]!;
+    this.totals.contactOverflow = values[at + 4]!;
+    this.totals.maxStretch = values[at + 5]!;
+    this.totals.nonfinite = values[at + 6]!;
+  }
+
+  private numbers(name: string, count: number, ...args: number[]): number[] {
+    const at = this.core.call(name, ...args) >>> 3;
+    return Array.from(this.core.module.HEAPF64.subarray(at, at + count));
+  }
+
+  private look(name: string, ...args: number[]): void {
+    void this.core.sleep(name, ...args).then(() => this.changed());
+  }
+}
+
+function schedule(callback: (now: number) => void): number {
+  if (typeof requestAnimationFrame === "function") return requestAnimationFrame(callback);
+  return setTimeout(() => callback(performance.now()), 1) as unknown as number;
+}
+
+function unschedule(timer: number): void {
+  if (typeof cancelAnimationFrame === "function") cancelAnimationFrame(timer);
+  else clearTimeout(timer);
+}
