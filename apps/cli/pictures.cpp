@@ -87,37 +87,37 @@ Result<std::unique_ptr<Pictures>> Pictures::create(const sim::World& world, cons
   settings.view = wanted.view;
   settings.camera = world.scene().camera;
   settings.bounds = picture_bounds(world);
-  WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs_of(world)));
-  made->renderer_ = std::move(renderer);
-  WEFT_TRY(video, render::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height,
-                                              1 / world.scene().time.frame));
+  WEFT_TRY(offscreen, picture::Offscreen::create(world.device(), settings, inputs_of(world)));
+  made->offscreen_ = std::move(offscreen);
+  WEFT_TRY(video, picture::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height,
+                                               1 / world.scene().time.frame));
   made->video_ = std::move(video);
   return made;
 }
 
 Result<void> Pictures::draw(const sim::World& world) {
-  while (renderer_->full()) {
-    WEFT_TRY(image, renderer_->read());
+  while (offscreen_->full()) {
+    WEFT_TRY(image, offscreen_->read());
     WEFT_CHECK(store(std::move(image)));
   }
   list_.reset();
-  renderer_->record(list_, world.parity());
+  offscreen_->record(list_, world.parity());
   WEFT_CHECK(device_->submit(list_));
-  renderer_->start();
+  offscreen_->start();
   ++drawn_;
-  WEFT_TRY(arrived, renderer_->try_take());
+  WEFT_TRY(arrived, offscreen_->try_take());
   if (arrived) WEFT_CHECK(store(std::move(*arrived)));
   return {};
 }
 
-Result<void> Pictures::store(render::Image image) {
+Result<void> Pictures::store(picture::Image image) {
   if (video_) WEFT_CHECK(video_->add(image));
   return png_.push(folder_ + "/" + frame_name(stored_++), std::move(image));
 }
 
 Result<void> Pictures::finish() {
-  while (renderer_->pending() > 0) {
-    WEFT_TRY(image, renderer_->read());
+  while (offscreen_->pending() > 0) {
+    WEFT_TRY(image, offscreen_->read());
     WEFT_CHECK(store(std::move(image)));
   }
   WEFT_CHECK(png_.finish());

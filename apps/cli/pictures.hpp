@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "render/png_writer.hpp"
-#include "render/renderer.hpp"
-#include "render/video_writer.hpp"
+#include "picture/offscreen.hpp"
+#include "picture/png_writer.hpp"
+#include "picture/video_writer.hpp"
 #include "sim/world.hpp"
 
 namespace weft::cli {
@@ -26,13 +26,13 @@ class Pictures {
   bool has_video() const { return can_video() && drawn_ > 0; }
 
  private:
-  Result<void> store(render::Image image);
+  Result<void> store(picture::Image image);
 
   std::string folder_;
   gpu::Device* device_ = nullptr;
-  std::optional<render::Renderer> renderer_;
-  std::optional<render::VideoWriter> video_;
-  render::PngWriter png_;
+  std::optional<picture::Offscreen> offscreen_;
+  std::optional<picture::VideoWriter> video_;
+  picture::PngWriter png_;
   gpu::CommandList list_;
   std::uint32_t drawn_ = 0, stored_ = 0;
 };

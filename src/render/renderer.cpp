@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/legend.hpp"
-#include "render/picture_pipeline.hpp"
 
 namespace weft::render {
 namespace {
@@ -97,16 +95,9 @@ Result<void> Renderer::create_targets() {
   WEFT_TRY(color, gpu::Texture::create(*device_, {width, height, kSamples, kColorFormat, gpu::kRenderTarget},
                                        "picture samples"));
   color_ = std::move(color);
-  WEFT_TRY(resolved,
-           gpu::Texture::create(
-               *device_, {width, height, 1, kColorFormat, gpu::kRenderTarget | gpu::kTextureCopySource},
-               "picture"));
-  resolved_ = std::move(resolved);
   WEFT_TRY(depth, gpu::Texture::create(*device_, {width, height, kSamples, kDepthFormat, gpu::kRenderTarget},
                                        "picture depth"));
   depth_ = std::move(depth);
-  WEFT_TRY(ring, ImageRing::create(*device_, width, height));
-  ring_ = std::move(ring);
   return {};
 }
 
@@ -136,43 +127,14 @@ void Renderer::write_frame() {
   frame_.write(*device_, {&params, 1});
 }
 
-void Renderer::record(gpu::CommandList& list, std::uint32_t parity) const {
+void Renderer::record(gpu::CommandList& list, std::uint32_t parity, gpu::Id target) const {
   shadow_map_.record(list, parity);
-  {
-    const gpu::RenderTarget target = {color_.view(), resolved_.view(), depth_.view(), {0, 0, 0, 1}, false};
-    gpu::RenderPass pass(list, target, "picture");
-    cloth_surface_.record(pass, parity);  // of the two, one is empty
-    cloth_wireframe_.record(pass, parity);
-    object_surface_.record(pass);
-    for (const Floor& floor : floors_) floor.record(pass);
-    background_.record(pass);
-  }
-  ring_.record(list, resolved_);
-}
-
-void Renderer::finish(Image& image) const {
-  if (settings_.view == View::Stretch && settings_.legend)
-    draw_legend(image, settings_.lowest_stretch, settings_.highest_stretch);
-}
-
-Result<std::optional<Image>> Renderer::try_take() {
-  WEFT_TRY(image, ring_.try_take());
-  if (image) finish(*image);
-  return image;
-}
-
-Result<Image> Renderer::read() {
-  WEFT_TRY(image, ring_.take());
-  finish(image);
-  return image;
-}
-
-Result<Image> Renderer::draw(std::uint32_t parity) {
-  gpu::CommandList list;
-  record(list, parity);
-  WEFT_CHECK(device_->submit(list));
-  start();
-  return read();
+  gpu::RenderPass pass(list, {color_.view(), target, depth_.view(), {0, 0, 0, 1}, false}, "picture");
+  cloth_surface_.record(pass, parity);  // of the two, one is empty
+  cloth_wireframe_.record(pass, parity);
+  object_surface_.record(pass);
+  for (const Floor& floor : floors_) floor.record(pass);
+  background_.record(pass);
 }
 
 void Renderer::set_camera(const Camera& camera) {

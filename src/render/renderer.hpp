@@ -1,18 +1,18 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "gpu/device.hpp"
+#include "gpu/texture.hpp"
 #include "render/background.hpp"
 #include "render/camera.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/cloth_wireframe.hpp"
 #include "render/floor.hpp"
-#include "render/image_ring.hpp"
 #include "render/inputs.hpp"
 #include "render/object_surface.hpp"
+#include "render/picture_pipeline.hpp"
 #include "render/shadow_map.hpp"
 
 namespace weft::render {
@@ -26,33 +26,20 @@ struct Settings {
   std::optional<Camera> camera;                          // none: frame_camera(bounds)
   std::optional<Vec3d> to_light;                         // direction; none: default_light(camera)
   double lowest_stretch = 0.95, highest_stretch = 1.15;  // the ends of the colour map
-  bool legend = true;                                    // on View::Stretch
   bool ground_shadow = false;  // a soft shadow below all, where the scene has no plane
 };
 
-/// Draws a state's buffers where they lie, with light and shadow, into pictures.
-/// A frame: reset a list, record, submit it, start, and take what has arrived; read waits. Not more than
-/// ImageRing::kSlots pictures may be on their way.
+/// Draws a state's buffers where they lie, with light and shadow, into a texture of the caller's.
 class Renderer {
  public:
   /// Reads   inputs.cloth: buffers that outlive the renderer; inputs.objects are copied.
   /// Errors  Shape: buffers disagree in size, or the view lacks one. Limit: the picture is larger than the
-  /// adapter
-  ///         can make. OutOfMemory.
+  ///         adapter can make. OutOfMemory.
   static Result<Renderer> create(gpu::Device& device, const Settings& settings, const Inputs& inputs);
 
-  /// Records all passes and the copy to the host. `parity` chooses the position buffer.
-  void record(gpu::CommandList& list, std::uint32_t parity) const;
-  /// Call after the submit of what record recorded.
-  void start() { ring_.start(); }
-  bool full() const { return ring_.full(); }
-  std::size_t pending() const { return ring_.pending(); }
-  /// The oldest picture, if it has arrived; never blocks.
-  Result<std::optional<Image>> try_take();
-  /// The oldest picture, waited for. There must be one.
-  Result<Image> read();
-  /// Record, submit, start and read in one, waiting: for single pictures.
-  Result<Image> draw(std::uint32_t parity);
+  /// Records all passes. `parity` chooses the position buffer; `target` is the view of a texture of the
+  /// settings' size and of kColorFormat, with one sample a pixel.
+  void record(gpu::CommandList& list, std::uint32_t parity, gpu::Id target) const;
 
   /// Moves the camera, from the next submit on; the light stays.
   void set_camera(const Camera& camera);
@@ -61,12 +48,11 @@ class Renderer {
  private:
   Result<void> create_targets();
   void write_frame();
-  void finish(Image& image) const;
 
   gpu::Device* device_ = nullptr;
   Settings settings_;
   gpu::Buffer<FrameParams> frame_;
-  gpu::Texture color_, resolved_, depth_;
+  gpu::Texture color_, depth_;
   ObjectBuffers objects_;
   ShadowMap shadow_map_;
   ObjectSurface object_surface_;
@@ -74,7 +60,6 @@ class Renderer {
   ClothWireframe cloth_wireframe_;
   std::vector<Floor> floors_;
   Background background_;
-  ImageRing ring_;
 };
 
 }  // namespace weft::render

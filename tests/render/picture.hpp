@@ -5,13 +5,13 @@
 #include <cstdlib>
 #include <set>
 
-#include "render/image.hpp"
+#include "picture/image.hpp"
 
 namespace weft {
 
 /// The mean of red, green and blue, 0 to 255, over a square of `2 * reach + 1` pixels around a place in [0,
 /// 1]^2.
-inline double brightness(const render::Image& image, double u, double v, int reach = 2) {
+inline double brightness(const picture::Image& image, double u, double v, int reach = 2) {
   const int x = static_cast<int>(u * image.width), y = static_cast<int>(v * image.height);
   double sum = 0;
   for (int dy = -reach; dy <= reach; ++dy)
@@ -21,7 +21,7 @@ inline double brightness(const render::Image& image, double u, double v, int rea
   return sum / (3 * (2 * reach + 1) * (2 * reach + 1));
 }
 
-inline std::size_t color_count(const render::Image& image) {
+inline std::size_t color_count(const picture::Image& image) {
   std::set<std::uint32_t> colors;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4)
     colors.insert(std::uint32_t{image.rgba[i]} << 16U | std::uint32_t{image.rgba[i + 1]} << 8U |
@@ -30,7 +30,7 @@ inline std::size_t color_count(const render::Image& image) {
 }
 
 /// Pixels of which a channel differs by more than `tolerance`.
-inline std::size_t difference(const render::Image& a, const render::Image& b, int tolerance = 0) {
+inline std::size_t difference(const picture::Image& a, const picture::Image& b, int tolerance = 0) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
     int largest = 0;

@@ -1,8 +1,10 @@
+#include "picture/offscreen.hpp"
 #include "render/picture.hpp"
 #include "render/sheet.hpp"
 
 using namespace weft;
 using namespace weft::render;
+using picture::Image, picture::Offscreen;
 
 namespace {
 
@@ -30,8 +32,8 @@ TEST_CASE("a shadow lies where the sun's rays say, and not beside it") {
   settings.to_light = Vec3d{-1, 2, 0};
   settings.camera = Camera{{0.5, 2.5, 5}, {0.4, 0.3, 0}, 35};
   const double aspect = 400.0 / 300.0;
-  auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-  const Image image = value_of(renderer.draw(0));
+  auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
+  const Image image = value_of(offscreen.draw(0));
   const auto at = [&](double x, double z) {
     const auto [u, v] = place(*settings.camera, aspect, {x, 0, z});
     return brightness(image, u, v, 1);
@@ -61,8 +63,8 @@ TEST_CASE("a floor below the bounds gets its shadow, also from what has risen ab
     settings.bounds = {{-0.7F, -0.1F, -0.7F}, {0.7F, 0.1F, 0.7F}};
     settings.to_light = Vec3d{0, 1, 0};
     settings.camera = Camera{{0, 0, 4}, {0, -0.6, 0}, 40};
-    auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-    const Image image = value_of(renderer.draw(0));
+    auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
+    const Image image = value_of(offscreen.draw(0));
     const auto at = [&](double x, double z) {
       const auto [u, v] = place(*settings.camera, 400.0 / 300.0, {x, -1, z});
       return brightness(image, u, v, 1);
@@ -89,8 +91,8 @@ TEST_CASE("a lit surface does not shade itself") {
   settings.bounds = {{-1, -1, -1}, {1, 1, 1}};
   settings.to_light = Vec3d{std::sin(1.396), std::cos(1.396), 0.2};
   settings.camera = Camera{{0, 8, 0.01}, {0, 0, 0}, 12};
-  auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-  const Image image = value_of(renderer.draw(0));
+  auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
+  const Image image = value_of(offscreen.draw(0));
   double low = 255, high = 0;
   for (double u = 0.1; u < 0.9; u += 0.01)
     for (double v = 0.1; v < 0.9; v += 0.01) {
@@ -112,7 +114,7 @@ TEST_CASE("the ground's shadow is drawn on request, and only where there is no f
   settings.height = 240;
   settings.bounds = {{-1, 0, -1}, {1, 1, 1}};
   const auto draw = [&] {
-    return value_of(value_of(Renderer::create(fixture.device(), settings, inputs)).draw(0));
+    return value_of(value_of(Offscreen::create(fixture.device(), settings, inputs)).draw(0));
   };
   const Image without = draw();
   settings.ground_shadow = true;
@@ -138,7 +140,7 @@ TEST_CASE("a floor seen from below does not hide the scene") {
   settings.bounds = {{-0.5F, 0, -0.5F}, {0.5F, 1, 0.5F}};
   settings.camera = Camera{{0, -2, 3}, {0, 0.5, 0}, 35};
   const auto draw = [&] {
-    return value_of(value_of(Renderer::create(fixture.device(), settings, inputs)).draw(0));
+    return value_of(value_of(Offscreen::create(fixture.device(), settings, inputs)).draw(0));
   };
   const Image without = draw();
   inputs.planes = {{{0, -0.2, 0}, {0, 1, 0}}};

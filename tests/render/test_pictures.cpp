@@ -1,8 +1,10 @@
+#include "picture/offscreen.hpp"
 #include "render/picture.hpp"
 #include "render/sheet.hpp"
 
 using namespace weft;
 using namespace weft::render;
+using picture::Image, picture::Offscreen;
 
 namespace {
 
@@ -51,8 +53,8 @@ TEST_CASE("each view of a waved sheet over a sphere shows something, and somethi
     Settings settings = settings_for({{-1, -0.5F, -1}, {1, 0.7F, 1}}, view);
     settings.camera =
         Camera{{1.5, 3.2, 2.6}, {0, 0, 0}, 35};  // from above: the sheet fills half of the picture
-    auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-    images.push_back(value_of(renderer.draw(0)));
+    auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
+    images.push_back(value_of(offscreen.draw(0)));
     CAPTURE(name_of(view));
     CHECK(images.back().rgba.size() == 200 * 150 * 4);
     CHECK(color_count(images.back()) > 200);
@@ -71,8 +73,8 @@ TEST_CASE("a flat square covers the pixels that geometry says, and its normal is
   for (const std::uint32_t width : {64U, 200U, 255U, 333U}) {  // three of four are not multiples of 64 pixels
     Settings settings = frontal(View::Normals);
     settings.width = width;
-    auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-    const Image image = value_of(renderer.draw(0));
+    auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
+    const Image image = value_of(offscreen.draw(0));
     std::size_t covered = 0;
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) covered += is_blue(&image.rgba[i]);
     const double side = 2 * 150 / (20 * std::tan(10 * 3.14159265358979 / 180));  // pixels: 85.07
@@ -91,8 +93,8 @@ TEST_CASE("parity chooses the buffer that is drawn") {
   inputs.cloth = sheet.draw();
   Settings settings = frontal(View::Normals);
   settings.bounds.high.x = 2;
-  auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-  const Image here = value_of(renderer.draw(0)), there = value_of(renderer.draw(1));
+  auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
+  const Image here = value_of(offscreen.draw(0)), there = value_of(offscreen.draw(1));
   const double left = 0.5 - 0.7 * 42.5 / 200, right = 0.5 + 1.5 * 42.5 / 200;  // 1 m is 42.5 pixels
   CHECK(is_blue(here, left, 0.5));
   CHECK_FALSE(is_blue(here, right, 0.5));
@@ -110,8 +112,8 @@ TEST_CASE("front and back of a cloth have different colours, and normals face th
     Settings settings = frontal(view);
     settings.camera->eye.z *= side;
     settings.to_light = Vec3d{0, 0.5, side};  // light the side that is seen
-    auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-    const Image image = value_of(renderer.draw(0));
+    auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
+    const Image image = value_of(offscreen.draw(0));
     std::array<double, 3> sum{};
     for (std::uint32_t y = 45; y < 105; ++y)
       for (std::uint32_t x = 70; x < 130; ++x)
@@ -132,8 +134,8 @@ TEST_CASE("every cloth of a state is drawn in its own colour") {
   inputs.cloth = sheet.draw();
   inputs.cloth.ranges = {{0, 16, Vec3d{0.9, 0.1, 0.1}, 2.0}, {16, 16, Vec3d{0.1, 0.1, 0.9}, 2.0}};
   for (const View view : {View::Textured, View::Wireframe}) {
-    auto renderer = value_of(Renderer::create(fixture.device(), frontal(view), inputs));
-    const Image image = value_of(renderer.draw(0));
+    auto offscreen = value_of(Offscreen::create(fixture.device(), frontal(view), inputs));
+    const Image image = value_of(offscreen.draw(0));
     const auto red_less_blue = [&](std::uint32_t top) {
       double sum = 0;
       for (std::uint32_t y = top; y < top + 30; ++y)
@@ -155,8 +157,8 @@ TEST_CASE("a wireframe shows the sides of triangles and hides what lies behind")
     const Sheet sheet(fixture.device(), 5, shape, 2);
     Inputs inputs;
     inputs.cloth = sheet.draw();
-    auto renderer = value_of(Renderer::create(fixture.device(), frontal(View::Wireframe), inputs));
-    const Image image = value_of(renderer.draw(0));
+    auto offscreen = value_of(Offscreen::create(fixture.device(), frontal(View::Wireframe), inputs));
+    const Image image = value_of(offscreen.draw(0));
     return image;
   };
   const Image flat = row(square);
@@ -181,10 +183,9 @@ TEST_CASE("stretch goes through the colour map from its lowest to its highest va
   Settings settings = frontal(View::Stretch);
   settings.lowest_stretch = 0.85;
   settings.highest_stretch = 1.15;
-  settings.legend = false;
   settings.to_light = Vec3d{0, 0, 1};  // faces the sheet: full light, the map's own colour
-  auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-  const Image image = value_of(renderer.draw(0));
+  auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs, false));
+  const Image image = value_of(offscreen.draw(0));
   for (const double u : {0.1, 0.3, 0.5, 0.7, 0.9}) {
     const double x = 0.5 + (2 * u - 1 + 0.3 * (u * u - u)) * 42.53 / 200;
     const Vec3f expected = 255.0F * map_color(static_cast<float>(u));
@@ -202,21 +203,21 @@ TEST_CASE("a buffer that is missing or of another size is refused in words") {
   Inputs inputs;
   inputs.cloth = sheet.draw();
   inputs.cloth.stretch = nullptr;
-  CHECK(Renderer::create(fixture.device(), frontal(View::Textured), inputs));  // needed in one view only
-  const auto missing = Renderer::create(fixture.device(), frontal(View::Stretch), inputs);
+  CHECK(Offscreen::create(fixture.device(), frontal(View::Textured), inputs));  // needed in one view only
+  const auto missing = Offscreen::create(fixture.device(), frontal(View::Stretch), inputs);
   REQUIRE_FALSE(missing);
   CHECK(missing.error().message == "View stretch needs buffer stretch.");
   inputs.cloth.uv = &sheet.stretch;
-  const auto disagree = Renderer::create(fixture.device(), frontal(View::Textured), inputs);
+  const auto disagree = Offscreen::create(fixture.device(), frontal(View::Textured), inputs);
   REQUIRE_FALSE(disagree);
   CHECK(disagree.error().kind == ErrorKind::Shape);
   inputs.cloth = sheet.draw();
   inputs.cloth.ranges[0].triangle_count += 1;
-  const auto past = Renderer::create(fixture.device(), frontal(View::Textured), inputs);
+  const auto past = Offscreen::create(fixture.device(), frontal(View::Textured), inputs);
   REQUIRE_FALSE(past);
   CHECK(past.error().message == "A cloth's triangles end at 33, past the 32 of buffer triangles.");
   inputs.cloth = sheet.draw();
   Settings huge = frontal(View::Textured);
   huge.width = 1000000;
-  CHECK(Renderer::create(fixture.device(), huge, inputs).error().kind == ErrorKind::Limit);
+  CHECK(Offscreen::create(fixture.device(), huge, inputs).error().kind == ErrorKind::Limit);
 }

@@ -12,7 +12,7 @@
 
 #include "base/result.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 
 /// The file that a program's name stands for on PATH.
 std::optional<std::string> find_program(const std::string& name);
@@ -56,4 +56,4 @@ class ChildProcess {
   int said_ = -1;
 };
 
-}  // namespace weft::render
+}  // namespace weft::picture

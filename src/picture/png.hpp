@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "render/image.hpp"
+#include "picture/image.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 
 /// The bytes of a PNG file: without an alpha channel where every pixel is opaque.
 /// Errors  OutOfMemory.
@@ -16,4 +16,4 @@ Result<std::vector<std::byte>> encode_png(const Image& image);
 /// Errors  Failure: the place cannot be written.
 Result<void> write_png(const std::string& path, const Image& image);
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "picture/legend.hpp"
+#include "picture/stroke_font.hpp"
 #include "render/color_map.hpp"
-#include "render/legend.hpp"
-#include "render/stroke_font.hpp"
 
 using namespace weft;
-using namespace weft::render;
+using namespace weft::picture;
 
 namespace {
 
@@ -45,7 +45,7 @@ TEST_CASE("a legend has its bar, its title and five numbers where its layout say
       const std::uint8_t* pixel =
           image.pixel(static_cast<std::uint32_t>(layout.bar.x + 1), static_cast<std::uint32_t>(y));
       const auto from_top = static_cast<float>(y - layout.bar.y) / static_cast<float>(layout.bar.height - 1);
-      const Vec3f expected = 255.0F * map_color(1 - from_top);
+      const Vec3f expected = 255.0F * render::map_color(1 - from_top);
       CHECK(std::abs(static_cast<float>(pixel[0]) - expected.x) <= 0.51F);
       CHECK(std::abs(static_cast<float>(pixel[2]) - expected.z) <= 0.51F);
     }
@@ -94,9 +94,9 @@ TEST_CASE("text over the rim of a picture is cut") {
 TEST_CASE("the colour map's brightness grows all the way") {
   double before = -1;
   for (int i = 0; i <= 100; ++i) {
-    const Vec3f c = map_color(static_cast<float>(i) / 100);
-    const double luminance =
-        0.2126 * srgb_to_linear(c.x) + 0.7152 * srgb_to_linear(c.y) + 0.0722 * srgb_to_linear(c.z);
+    const Vec3f c = render::map_color(static_cast<float>(i) / 100);
+    const double luminance = 0.2126 * render::srgb_to_linear(c.x) + 0.7152 * render::srgb_to_linear(c.y) +
+                             0.0722 * render::srgb_to_linear(c.z);
     CHECK(luminance > before);
     before = luminance;
   }

@@ -1,4 +1,4 @@
-#include "render/png.hpp"
+#include "picture/png.hpp"
 
 #include <zlib.h>
 
@@ -30,7 +30,7 @@ unsigned char* compress_quickly(unsigned char* data, int size, int* compressed_s
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
 
-namespace weft::render {
+namespace weft::picture {
 namespace {
 
 constexpr int kFilterUp =
@@ -66,4 +66,4 @@ Result<void> write_png(const std::string& path, const Image& image) {
   return write_file(path, bytes);
 }
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "base/result.hpp"
-#include "render/image.hpp"
+#include "picture/image.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 
 /// Writes PNG files on a thread of its own, so that the next picture is drawn meanwhile.
 class PngWriter {
@@ -42,4 +42,4 @@ class PngWriter {
   std::thread thread_;
 };
 
-}  // namespace weft::render
+}  // namespace weft::picture

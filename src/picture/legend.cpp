@@ -1,13 +1,13 @@
-#include "render/legend.hpp"
+#include "picture/legend.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "picture/stroke_font.hpp"
 #include "render/color_map.hpp"
-#include "render/stroke_font.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 namespace {
 
 constexpr Color kInk = {38, 42, 48};
@@ -59,7 +59,8 @@ void draw_legend(Image& image, double lowest, double highest) {
   draw_text(image, static_cast<float>(layout.title.x), static_cast<float>(layout.title.y), layout.text_height,
             "stretch", kInk);
   for (int row = 0; row < bar.height; ++row) {
-    const Vec3f color = 255.0F * map_color(1 - static_cast<float>(row) / static_cast<float>(bar.height - 1));
+    const Vec3f color =
+        255.0F * render::map_color(1 - static_cast<float>(row) / static_cast<float>(bar.height - 1));
     fill(image, {bar.x, bar.y + row, bar.width, 1},
          {static_cast<std::uint8_t>(std::lround(color.x)), static_cast<std::uint8_t>(std::lround(color.y)),
           static_cast<std::uint8_t>(std::lround(color.z))},
@@ -76,4 +77,4 @@ void draw_legend(Image& image, double lowest, double highest) {
   }
 }
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -4,8 +4,8 @@
 
 #include "base/file.hpp"
 #include "base/random.hpp"
-#include "render/png.hpp"
-#include "render/png_writer.hpp"
+#include "picture/png.hpp"
+#include "picture/png_writer.hpp"
 #include "temporary_folder.hpp"
 
 #define STBI_ONLY_PNG
@@ -14,7 +14,7 @@
 #include <stb/stb_image.h>
 
 using namespace weft;
-using namespace weft::render;
+using namespace weft::picture;
 
 namespace {
 

@@ -1,11 +1,11 @@
-#include "render/png_writer.hpp"
+#include "picture/png_writer.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "render/png.hpp"
+#include "picture/png.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 
 PngWriter::PngWriter(std::size_t capacity) : capacity_(std::max<std::size_t>(capacity, 1)) {
   thread_ = std::thread([this] { work(); });
@@ -53,4 +53,4 @@ void PngWriter::work() {
   }
 }
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "render/image.hpp"
+#include "picture/image.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 
 struct Color {
   std::uint8_t red = 0, green = 0, blue = 0;
@@ -21,4 +21,4 @@ float text_width(const std::string& text, float height);
 /// letters of "stretch"; anything else is a gap.
 void draw_text(Image& image, float x, float y, float height, const std::string& text, Color color);
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "base/random.hpp"
-#include "render/video_writer.hpp"
+#include "picture/video_writer.hpp"
 #include "temporary_folder.hpp"
 
 using namespace weft;
-using namespace weft::render;
+using namespace weft::picture;
 
 namespace {
 

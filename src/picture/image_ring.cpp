@@ -1,9 +1,9 @@
-#include "render/image_ring.hpp"
+#include "picture/image_ring.hpp"
 
 #include <cassert>
 #include <cstring>
 
-namespace weft::render {
+namespace weft::picture {
 
 constexpr std::uint32_t kRowAlignment = 256;  // bytes; WebGPU's for copies of textures
 
@@ -62,4 +62,4 @@ Result<Image> ImageRing::take() {
   return std::move(*image);
 }
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -1,11 +1,11 @@
-#include "render/stroke_font.hpp"
+#include "picture/stroke_font.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iterator>
 
-namespace weft::render {
+namespace weft::picture {
 namespace {
 
 // Strokes as corners "xy" on a grid of 4 by 6, top left 00; a comma lifts the pen.
@@ -109,4 +109,4 @@ void draw_text(Image& image, float x, float y, float height, const std::string& 
   }
 }
 
-}  // namespace weft::render
+}  // namespace weft::picture

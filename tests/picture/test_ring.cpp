@@ -1,8 +1,10 @@
+#include "picture/offscreen.hpp"
 #include "render/picture.hpp"
 #include "render/sheet.hpp"
 
 using namespace weft;
-using namespace weft::render;
+using namespace weft::picture;
+using render::Inputs, render::Settings, render::View;
 
 namespace {
 
@@ -29,10 +31,10 @@ TEST_CASE("the same picture twice in a row has the same bits") {
   for (const View view : {View::Textured, View::Wireframe}) {
     Settings settings = small();
     settings.view = view;
-    auto renderer = value_of(Renderer::create(fixture.device(), settings, inputs));
-    const Image first = value_of(renderer.draw(0));
-    CHECK(value_of(renderer.draw(0)).rgba == first.rgba);
-    auto again = value_of(Renderer::create(fixture.device(), settings, inputs));
+    auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
+    const Image first = value_of(offscreen.draw(0));
+    CHECK(value_of(offscreen.draw(0)).rgba == first.rgba);
+    auto again = value_of(Offscreen::create(fixture.device(), settings, inputs));
     CHECK(value_of(again.draw(0)).rgba == first.rgba);
   }
 }
@@ -42,26 +44,26 @@ TEST_CASE("pictures arrive in the order in which they were drawn, without waitin
   const Sheet sheet(fixture.device(), 30, waves, 2, steep);
   Inputs inputs;
   inputs.cloth = sheet.draw();
-  auto renderer = value_of(Renderer::create(fixture.device(), small(), inputs));
-  const std::array<Image, 2> expected = {value_of(renderer.draw(0)), value_of(renderer.draw(1))};
+  auto offscreen = value_of(Offscreen::create(fixture.device(), small(), inputs));
+  const std::array<Image, 2> expected = {value_of(offscreen.draw(0)), value_of(offscreen.draw(1))};
   REQUIRE(difference(expected[0], expected[1]) > 0);
 
   std::uint32_t drawn = 0, taken = 0;
   while (taken < 10) {
-    if (drawn < 10 && !renderer.full()) {
+    if (drawn < 10 && !offscreen.full()) {
       gpu::CommandList list;
-      renderer.record(list, drawn++ % 2);
+      offscreen.record(list, drawn++ % 2);
       REQUIRE(fixture.device().submit(list));
-      renderer.start();
+      offscreen.start();
     }
-    const auto image = value_of(renderer.try_take());
+    const auto image = value_of(offscreen.try_take());
     if (!image) continue;
     CAPTURE(taken);
     CHECK(image->rgba == expected[taken % 2].rgba);
     ++taken;
   }
-  CHECK(renderer.pending() == 0);
-  CHECK_FALSE(value_of(renderer.try_take()));
+  CHECK(offscreen.pending() == 0);
+  CHECK_FALSE(value_of(offscreen.try_take()));
 }
 
 TEST_CASE("a recorded list can be replayed while the ring stands at the same slot") {
@@ -69,29 +71,13 @@ TEST_CASE("a recorded list can be replayed while the ring stands at the same slo
   const Sheet sheet(fixture.device(), 10, waves, 2);
   Inputs inputs;
   inputs.cloth = sheet.draw();
-  auto renderer = value_of(Renderer::create(fixture.device(), small(), inputs));
+  auto offscreen = value_of(Offscreen::create(fixture.device(), small(), inputs));
   gpu::CommandList list;
-  renderer.record(list, 0);
+  offscreen.record(list, 0);
   REQUIRE(fixture.device().submit(list));
   REQUIRE(fixture.device().submit(list));
-  renderer.start();
-  CHECK(value_of(renderer.read()).rgba == value_of(renderer.draw(0)).rgba);
-}
-
-TEST_CASE("a camera that is moved changes the next picture, and back gives the first again") {
-  GpuFixture fixture;
-  const Sheet sheet(fixture.device(), 10, waves, 2);
-  Inputs inputs;
-  inputs.cloth = sheet.draw();
-  auto renderer = value_of(Renderer::create(fixture.device(), small(), inputs));
-  const Camera before = renderer.camera();
-  const Image first = value_of(renderer.draw(0));
-  Camera nearer = before;
-  nearer.eye = 0.5 * (before.eye + before.target);
-  renderer.set_camera(nearer);
-  CHECK(difference(value_of(renderer.draw(0)), first) > 1000);
-  renderer.set_camera(before);
-  CHECK(value_of(renderer.draw(0)).rgba == first.rgba);
+  offscreen.start();
+  CHECK(value_of(offscreen.read()).rgba == value_of(offscreen.draw(0)).rgba);
 }
 
 TEST_CASE("a picture on a lost device is an error") {
@@ -99,9 +85,9 @@ TEST_CASE("a picture on a lost device is an error") {
   const Sheet sheet(*device, 5, waves, 2);
   Inputs inputs;
   inputs.cloth = sheet.draw();
-  auto renderer = value_of(Renderer::create(*device, small(), inputs));
+  auto offscreen = value_of(Offscreen::create(*device, small(), inputs));
   device->lose();
-  const auto image = renderer.draw(0);
+  const auto image = offscreen.draw(0);
   REQUIRE_FALSE(image);
   CHECK(image.error().kind == ErrorKind::DeviceLost);
 }

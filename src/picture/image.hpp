@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace weft::render {
+namespace weft::picture {
 
 /// A picture: rows from top to bottom, each pixel red, green, blue, alpha, in sRGB.
 struct Image {
@@ -16,4 +16,4 @@ struct Image {
   }
 };
 
-}  // namespace weft::render
+}  // namespace weft::picture

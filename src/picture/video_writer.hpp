@@ -5,10 +5,10 @@
 #include <string>
 
 #include "base/result.hpp"
-#include "render/child_process.hpp"
-#include "render/image.hpp"
+#include "picture/child_process.hpp"
+#include "picture/image.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 
 /// An MP4 file, encoded by the ffmpeg program: H.264 where it has libx264, else MPEG-4 part 2; yuv420p,
 /// BT.709, ready to stream. The file appears when finish succeeds; before that, and after any error, there is
@@ -38,4 +38,4 @@ class VideoWriter {
   std::uint32_t width_ = 0, height_ = 0, frame_count_ = 0;
 };
 
-}  // namespace weft::render
+}  // namespace weft::picture

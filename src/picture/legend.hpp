@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "render/image.hpp"
+#include "picture/image.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 
 struct Rectangle {
   int x = 0, y = 0, width = 0, height = 0;  // [pixel]
@@ -24,4 +24,4 @@ LegendLayout legend_layout(std::uint32_t width, std::uint32_t height);
 /// picture too small for it stays as it is.
 void draw_legend(Image& image, double lowest, double highest);
 
-}  // namespace weft::render
+}  // namespace weft::picture

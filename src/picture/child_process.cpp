@@ -1,4 +1,4 @@
-#include "render/child_process.hpp"
+#include "picture/child_process.hpp"
 
 #include <fcntl.h>
 #include <pthread.h>
@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace weft::render {
+namespace weft::picture {
 namespace {
 
 /// Keeps SIGPIPE from this thread while it lives, so that a write to a dead program is an error and not our
@@ -167,4 +167,4 @@ std::string ChildProcess::last_words() {
   return words.substr(words.rfind('\n') + 1);
 }
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -1,4 +1,4 @@
-#include "render/video_writer.hpp"
+#include "picture/video_writer.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace weft::render {
+namespace weft::picture {
 namespace {
 
 /// Whether this ffmpeg can encode one black frame as H.264.
@@ -118,4 +118,4 @@ void VideoWriter::give_up() {
   temporary_.clear();
 }
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -6,9 +6,9 @@
 
 #include "gpu/readback.hpp"
 #include "gpu/texture.hpp"
-#include "render/image.hpp"
+#include "picture/image.hpp"
 
-namespace weft::render {
+namespace weft::picture {
 
 /// Pictures on their way to the host, oldest first: while one is drawn, those before it arrive.
 class ImageRing {
@@ -37,4 +37,4 @@ class ImageRing {
   std::size_t oldest_ = 0, pending_ = 0;
 };
 
-}  // namespace weft::render
+}  // namespace weft::picture

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "gpu/texture.hpp"
+#include "picture/image.hpp"
+#include "picture/image_ring.hpp"
+#include "render/renderer.hpp"
+
+namespace weft::picture {
+
+/// Draws into pictures on the host.
+/// A frame: reset a list, record, submit it, start, and take what has arrived; read waits. Not more than
+/// ImageRing::kSlots pictures may be on their way.
+class Offscreen {
+ public:
+  /// `legend`: whether a picture of View::Stretch shows what its colours mean.
+  /// Errors  those of render::Renderer::create.
+  static Result<Offscreen> create(gpu::Device& device, const render::Settings& settings,
+                                  const render::Inputs& inputs, bool legend = true);
+
+  /// Records all passes and the copy to the host. `parity` chooses the position buffer.
+  void record(gpu::CommandList& list, std::uint32_t parity) const;
+  /// Call after the submit of what record recorded.
+  void start() { ring_.start(); }
+  bool full() const { return ring_.full(); }
+  std::size_t pending() const { return ring_.pending(); }
+  /// The oldest picture, if it has arrived; never blocks.
+  Result<std::optional<Image>> try_take();
+  /// The oldest picture, waited for. There must be one.
+  Result<Image> read();
+  /// Record, submit, start and read in one, waiting: for single pictures.
+  Result<Image> draw(std::uint32_t parity);
+
+ private:
+  void finish(Image& image) const;
+
+  gpu::Device* device_ = nullptr;
+  render::Renderer renderer_;
+  gpu::Texture resolved_;
+  ImageRing ring_;
+  bool legend_ = false;
+  double lowest_stretch_ = 0, highest_stretch_ = 0;  // the legend's ends
+};
+
+}  // namespace weft::picture
