@@ -61,7 +61,7 @@ enum TextureUsage : std::uint32_t {
   kTextureCopySource = 1U << 2U,
 };
 
-enum class TextureFormat : std::uint8_t { None, Rgba8UnormSrgb, Rgba8Unorm, Depth32Float };
+enum class TextureFormat : std::uint8_t { None, Rgba8UnormSrgb, Bgra8UnormSrgb, Rgba8Unorm, Depth32Float };
 
 /// What a binding of a shader is; read from its WGSL.
 enum class BindingKind : std::uint8_t {

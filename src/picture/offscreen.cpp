@@ -13,7 +13,7 @@ Result<Offscreen> Offscreen::create(gpu::Device& device, const render::Settings&
   made.highest_stretch_ = settings.highest_stretch;
   WEFT_TRY(renderer, render::Renderer::create(device, settings, inputs));
   made.renderer_ = std::move(renderer);
-  const gpu::TextureInfo resolved = {settings.width, settings.height, 1, render::kColorFormat,
+  const gpu::TextureInfo resolved = {settings.width, settings.height, 1, settings.color_format,
                                      gpu::kRenderTarget | gpu::kTextureCopySource};
   WEFT_TRY(texture, gpu::Texture::create(device, resolved, "picture"));
   made.resolved_ = std::move(texture);

@@ -1,13 +1,11 @@
 #include "render/background.hpp"
 
-#include "render/picture_pipeline.hpp"
-
 namespace weft::render {
 
-Result<Background> Background::create(gpu::Device& device, scene::View view,
+Result<Background> Background::create(gpu::Device& device, const Look& look,
                                       const gpu::Buffer<FrameParams>& frame) {
   Background made;
-  gpu::RenderPipelineInfo info = picture_pipeline(view);
+  gpu::RenderPipelineInfo info = picture_pipeline(look);
   info.depth_write = false;
   info.depth_or_equal = true;  // it lies at depth 1, to which depth is cleared
   WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/background.wgsl", info));

@@ -2,7 +2,7 @@
 
 #include "gpu/render_pipeline.hpp"
 #include "render/frame_params.hpp"
-#include "scene/scene.hpp"
+#include "render/picture_pipeline.hpp"
 
 namespace weft::render {
 
@@ -10,7 +10,7 @@ namespace weft::render {
 class Background {
  public:
   Background() = default;
-  static Result<Background> create(gpu::Device& device, scene::View view,
+  static Result<Background> create(gpu::Device& device, const Look& look,
                                    const gpu::Buffer<FrameParams>& frame);
   void record(gpu::RenderPass& pass) const { pass.draw(pipeline_.id(), group_.id(), 3); }
 

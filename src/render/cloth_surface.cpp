@@ -1,7 +1,5 @@
 #include "render/cloth_surface.hpp"
 
-#include "render/picture_pipeline.hpp"
-
 namespace weft::render {
 namespace {
 
@@ -50,30 +48,35 @@ WeaveParams weave_of(const ClothRange& range, std::size_t index) {
           Vec4f::from(srgb_to_linear(dye.accent), 0), Vec4f::from(srgb_to_linear(dye.back), 0.68F)};
 }
 
-Result<gpu::Buffer<WeaveParams>> create_weave(gpu::Device& device, const ClothRange& range,
-                                              std::size_t index) {
-  const WeaveParams params = weave_of(range, index);
-  return gpu::Buffer<WeaveParams>::create_from(device, {&params, 1}, "weave",
-                                               gpu::kUniform | gpu::kCopyTarget);
+Result<std::vector<gpu::Buffer<WeaveParams>>> create_weaves(gpu::Device& device,
+                                                            const std::vector<ClothRange>& ranges) {
+  std::vector<gpu::Buffer<WeaveParams>> weaves;
+  for (const ClothRange& range : ranges) {
+    const WeaveParams params = weave_of(range, weaves.size());
+    WEFT_TRY(weave, gpu::Buffer<WeaveParams>::create_from(device, {&params, 1}, "weave",
+                                                          gpu::kUniform | gpu::kCopyTarget));
+    weaves.push_back(std::move(weave));
+  }
+  return weaves;
 }
 
-Result<ClothSurface> ClothSurface::create(gpu::Device& device, scene::View view,
+Result<ClothSurface> ClothSurface::create(gpu::Device& device, const Look& look,
                                           const gpu::Buffer<FrameParams>& frame, const ShadowMap& shadow,
+                                          std::span<const gpu::Buffer<WeaveParams>> weaves,
                                           const ClothDraw& cloth) {
   ClothSurface made;
-  gpu::RenderPipelineInfo info = picture_pipeline(view);
-  info.fragment_entry = entry_of(view);
+  gpu::RenderPipelineInfo info = picture_pipeline(look);
+  info.fragment_entry = entry_of(look.view);
   WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/cloth.wgsl", info));
   made.pipeline_ = std::move(pipeline);
   made.index_buffer_ = cloth.triangles->id();
   const gpu::RawBuffer& stretch =
       cloth.stretch != nullptr ? *cloth.stretch : *cloth.uv;  // read in one view only
   for (const ClothRange& range : cloth.ranges) {
+    const gpu::Buffer<WeaveParams>& weave = weaves[made.parts_.size()];
     Part part;
-    WEFT_TRY(weave, create_weave(device, range, made.parts_.size()));
-    part.weave = std::move(weave);
     for (std::size_t parity = 0; parity < 2; ++parity) {
-      WEFT_TRY(group, made.pipeline_.bind({frame, shadow.texture(), shadow.sampler(), part.weave,
+      WEFT_TRY(group, made.pipeline_.bind({frame, shadow.texture(), shadow.sampler(), weave,
                                            *cloth.position[parity], *cloth.normal, *cloth.uv, stretch}));
       part.groups[parity] = std::move(group);
     }

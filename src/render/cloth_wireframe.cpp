@@ -1,22 +1,21 @@
 #include "render/cloth_wireframe.hpp"
 
-#include "render/picture_pipeline.hpp"
-
 namespace weft::render {
 
-Result<ClothWireframe> ClothWireframe::create(gpu::Device& device, const gpu::Buffer<FrameParams>& frame,
+Result<ClothWireframe> ClothWireframe::create(gpu::Device& device, const Look& look,
+                                              const gpu::Buffer<FrameParams>& frame,
+                                              std::span<const gpu::Buffer<WeaveParams>> weaves,
                                               const ClothDraw& cloth) {
   ClothWireframe made;
-  const gpu::RenderPipelineInfo info = picture_pipeline(scene::View::Wireframe);
-  WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/cloth_wireframe.wgsl", info));
+  WEFT_TRY(pipeline,
+           gpu::RenderPipeline::create(device, "render/cloth_wireframe.wgsl", picture_pipeline(look)));
   made.pipeline_ = std::move(pipeline);
   for (const ClothRange& range : cloth.ranges) {
+    const gpu::Buffer<WeaveParams>& weave = weaves[made.parts_.size()];
     Part part;
-    WEFT_TRY(weave, create_weave(device, range, made.parts_.size()));
-    part.weave = std::move(weave);
     for (std::size_t parity = 0; parity < 2; ++parity) {
-      WEFT_TRY(group, made.pipeline_.bind(
-                          {frame, part.weave, *cloth.position[parity], *cloth.normal, *cloth.triangles}));
+      WEFT_TRY(group,
+               made.pipeline_.bind({frame, weave, *cloth.position[parity], *cloth.normal, *cloth.triangles}));
       part.groups[parity] = std::move(group);
     }
     part.first_vertex = 3 * range.first_triangle;

@@ -11,13 +11,14 @@ namespace weft::render {
 class ClothWireframe {
  public:
   ClothWireframe() = default;
-  static Result<ClothWireframe> create(gpu::Device& device, const gpu::Buffer<FrameParams>& frame,
+  static Result<ClothWireframe> create(gpu::Device& device, const Look& look,
+                                       const gpu::Buffer<FrameParams>& frame,
+                                       std::span<const gpu::Buffer<WeaveParams>> weaves,
                                        const ClothDraw& cloth);
   void record(gpu::RenderPass& pass, std::uint32_t parity) const;
 
  private:
   struct Part {
-    gpu::Buffer<WeaveParams> weave;
     std::array<gpu::BindGroup, 2> groups;  // by parity
     std::uint32_t first_vertex = 0, vertex_count = 0;
   };

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "render/picture_pipeline.hpp"
-
 namespace weft::render {
 
 PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle, double reach,
@@ -19,19 +17,34 @@ PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle,
           Vec4f::from(across.to<float>(), shadows_only ? 0.0F : 1.0F)};
 }
 
-Result<Floor> Floor::create(gpu::Device& device, scene::View view, const gpu::Buffer<FrameParams>& frame,
-                            const ShadowMap& shadow, const PlaneParams& params) {
-  Floor made;
-  WEFT_TRY(buffer, gpu::Buffer<PlaneParams>::create_from(device, {&params, 1}, "plane",
-                                                         gpu::kUniform | gpu::kCopyTarget));
-  made.params_ = std::move(buffer);
-  gpu::RenderPipelineInfo info = picture_pipeline(view);
+Result<std::vector<gpu::Buffer<PlaneParams>>> create_planes(gpu::Device& device,
+                                                            const std::vector<PlaneParams>& planes) {
+  std::vector<gpu::Buffer<PlaneParams>> buffers;
+  for (const PlaneParams& params : planes) {
+    WEFT_TRY(buffer, gpu::Buffer<PlaneParams>::create_from(device, {&params, 1}, "plane",
+                                                           gpu::kUniform | gpu::kCopyTarget));
+    buffers.push_back(std::move(buffer));
+  }
+  return buffers;
+}
+
+Result<Floors> Floors::create(gpu::Device& device, const Look& look, const gpu::Buffer<FrameParams>& frame,
+                              const ShadowMap& shadow, std::span<const gpu::Buffer<PlaneParams>> planes) {
+  Floors made;
+  if (planes.empty()) return made;
+  gpu::RenderPipelineInfo info = picture_pipeline(look);
   info.cull = gpu::CullMode::Back;  // from below, a floor does not hide the scene
   WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/floor.wgsl", info));
   made.pipeline_ = std::move(pipeline);
-  WEFT_TRY(group, made.pipeline_.bind({frame, shadow.texture(), shadow.sampler(), made.params_}));
-  made.group_ = std::move(group);
+  for (const gpu::Buffer<PlaneParams>& plane : planes) {
+    WEFT_TRY(group, made.pipeline_.bind({frame, shadow.texture(), shadow.sampler(), plane}));
+    made.groups_.push_back(std::move(group));
+  }
   return made;
+}
+
+void Floors::record(gpu::RenderPass& pass) const {
+  for (const gpu::BindGroup& group : groups_) pass.draw(pipeline_.id(), group.id(), 6);
 }
 
 }  // namespace weft::render

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "gpu/render_pipeline.hpp"
+#include "render/picture_pipeline.hpp"
 #include "render/shadow_map.hpp"
 
 namespace weft::render {
@@ -15,18 +19,20 @@ struct PlaneParams {
 PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle, double reach,
                          bool shadows_only);
 
-/// Draws a plane that fades into the background.
-class Floor {
+Result<std::vector<gpu::Buffer<PlaneParams>>> create_planes(gpu::Device& device,
+                                                            const std::vector<PlaneParams>& planes);
+
+/// Draws planes that fade into the background.
+class Floors {
  public:
-  Floor() = default;
-  static Result<Floor> create(gpu::Device& device, scene::View view, const gpu::Buffer<FrameParams>& frame,
-                              const ShadowMap& shadow, const PlaneParams& params);
-  void record(gpu::RenderPass& pass) const { pass.draw(pipeline_.id(), group_.id(), 6); }
+  Floors() = default;
+  static Result<Floors> create(gpu::Device& device, const Look& look, const gpu::Buffer<FrameParams>& frame,
+                               const ShadowMap& shadow, std::span<const gpu::Buffer<PlaneParams>> planes);
+  void record(gpu::RenderPass& pass) const;
 
  private:
-  gpu::Buffer<PlaneParams> params_;
   gpu::RenderPipeline pipeline_;
-  gpu::BindGroup group_;
+  std::vector<gpu::BindGroup> groups_;  // one a plane
 };
 
 }  // namespace weft::render

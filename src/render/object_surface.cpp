@@ -1,7 +1,5 @@
 #include "render/object_surface.hpp"
 
-#include "render/picture_pipeline.hpp"
-
 namespace weft::render {
 
 Result<ObjectBuffers> ObjectBuffers::create(gpu::Device& device, const ObjectMesh& mesh) {
@@ -14,11 +12,11 @@ Result<ObjectBuffers> ObjectBuffers::create(gpu::Device& device, const ObjectMes
   return ObjectBuffers{std::move(position), std::move(normal), std::move(indices), closed, open};
 }
 
-Result<ObjectSurface> ObjectSurface::create(gpu::Device& device, scene::View view,
+Result<ObjectSurface> ObjectSurface::create(gpu::Device& device, const Look& look,
                                             const gpu::Buffer<FrameParams>& frame, const ShadowMap& shadow,
                                             const ObjectBuffers& buffers) {
   ObjectSurface made;
-  gpu::RenderPipelineInfo info = picture_pipeline(view);
+  gpu::RenderPipelineInfo info = picture_pipeline(look);
   WEFT_TRY(open, gpu::RenderPipeline::create(device, "render/object.wgsl", info));
   made.open_ = std::move(open);
   info.cull = gpu::CullMode::Back;

@@ -2,6 +2,7 @@
 
 #include "gpu/render_pipeline.hpp"
 #include "render/object_mesh.hpp"
+#include "render/picture_pipeline.hpp"
 #include "render/shadow_map.hpp"
 
 namespace weft::render {
@@ -20,7 +21,7 @@ struct ObjectBuffers {
 class ObjectSurface {
  public:
   ObjectSurface() = default;
-  static Result<ObjectSurface> create(gpu::Device& device, scene::View view,
+  static Result<ObjectSurface> create(gpu::Device& device, const Look& look,
                                       const gpu::Buffer<FrameParams>& frame, const ShadowMap& shadow,
                                       const ObjectBuffers& buffers);
   void record(gpu::RenderPass& pass) const;

@@ -6,16 +6,21 @@
 namespace weft::render {
 
 inline constexpr std::uint32_t kSamples = 4;
-inline constexpr auto kColorFormat = gpu::TextureFormat::Rgba8UnormSrgb;
 inline constexpr auto kDepthFormat = gpu::TextureFormat::Depth32Float;
 
-/// What every pipeline that draws into the picture has in common.
-inline gpu::RenderPipelineInfo picture_pipeline(scene::View view) {
+/// What the pipelines that draw into a picture depend on.
+struct Look {
+  scene::View view = scene::View::Textured;
+  gpu::TextureFormat color_format = gpu::TextureFormat::Rgba8UnormSrgb;
+};
+
+/// What all of them have in common.
+inline gpu::RenderPipelineInfo picture_pipeline(const Look& look) {
   gpu::RenderPipelineInfo info;
-  info.color = kColorFormat;
+  info.color = look.color_format;
   info.depth = kDepthFormat;
   info.samples = kSamples;
-  info.constants = {{"kView", static_cast<double>(view)}};
+  info.constants = {{"kView", static_cast<double>(look.view)}};
   return info;
 }
 

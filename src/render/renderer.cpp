@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace weft::render {
 namespace {
 
@@ -16,88 +15,105 @@ double radius_of(const mesh::Bounds& bounds) {
   return std::max(0.5 * length(bounds.high.to<double>() - bounds.low.to<double>()), 1e-3);
 }
 
-Result<void> check_cloth(const ClothDraw& cloth, View view) {
+std::uint64_t vertex_count(const ClothDraw& cloth) { return cloth.position[0]->bytes() / sizeof(Vec4f); }
+
+Result<void> check_size(const ClothDraw& cloth, const char* name, const gpu::RawBuffer& buffer,
+                        std::uint64_t size) {
+  if (buffer.bytes() == vertex_count(cloth) * size) return {};
+  return shape_error("Buffer %s (%llu vertices) and buffer position (%llu) disagree.", name,
+                     static_cast<unsigned long long>(buffer.bytes() / size),
+                     static_cast<unsigned long long>(vertex_count(cloth)));
+}
+
+Result<void> check_cloth(const ClothDraw& cloth) {
   const gpu::RawBuffer* const needed[] = {cloth.position[0], cloth.position[1], cloth.normal, cloth.uv,
                                           cloth.triangles};
   static constexpr const char* kNames[] = {"position[0]", "position[1]", "normal", "uv", "triangles"};
   for (std::size_t i = 0; i < std::size(needed); ++i)
     if (needed[i] == nullptr) return shape_error("A picture needs buffer %s.", kNames[i]);
-  const std::uint64_t vertices = cloth.position[0]->bytes() / sizeof(Vec4f);
-  const auto check = [vertices](const char* name, const gpu::RawBuffer& buffer,
-                                std::uint64_t size) -> Result<void> {
-    if (buffer.bytes() == vertices * size) return {};
-    return shape_error("Buffer %s (%llu vertices) and buffer position (%llu) disagree.", name,
-                       static_cast<unsigned long long>(buffer.bytes() / size),
-                       static_cast<unsigned long long>(vertices));
-  };
   const std::uint64_t triangles = cloth.triangles->bytes() / sizeof(mesh::Triangle);
   for (const ClothRange& range : cloth.ranges)
     if (const std::uint64_t end = std::uint64_t{range.first_triangle} + range.triangle_count; end > triangles)
       return shape_error("A cloth's triangles end at %llu, past the %llu of buffer triangles.",
                          static_cast<unsigned long long>(end), static_cast<unsigned long long>(triangles));
-  WEFT_CHECK(check("position[1]", *cloth.position[1], sizeof(Vec4f)));
-  WEFT_CHECK(check("normal", *cloth.normal, sizeof(Vec4f)));
-  WEFT_CHECK(check("uv", *cloth.uv, 2 * sizeof(float)));
+  WEFT_CHECK(check_size(cloth, "position[1]", *cloth.position[1], sizeof(Vec4f)));
+  WEFT_CHECK(check_size(cloth, "normal", *cloth.normal, sizeof(Vec4f)));
+  return check_size(cloth, "uv", *cloth.uv, 2 * sizeof(float));
+}
+
+Result<void> check_view(const ClothDraw& cloth, View view) {
   if (view != View::Stretch) return {};
   if (cloth.stretch == nullptr) return shape_error("View stretch needs buffer stretch.");
-  return check("stretch", *cloth.stretch, sizeof(float));
+  return check_size(cloth, "stretch", *cloth.stretch, sizeof(float));
+}
+
+/// The scene's planes, or the ground that takes shadows only.
+std::vector<PlaneParams> planes_of(const Inputs& inputs, const Settings& settings) {
+  const Vec3d middle = middle_of(settings.bounds);
+  const double reach = kFloorReach * radius_of(settings.bounds);
+  std::vector<PlaneParams> planes;
+  for (const scene::ColliderPlane& plane : inputs.planes)
+    planes.push_back(plane_params(plane, middle, reach, false));
+  if (planes.empty() && settings.ground_shadow)
+    planes.push_back(
+        plane_params({{middle.x, settings.bounds.low.y, middle.z}, {0, 1, 0}}, middle, reach, true));
+  return planes;
 }
 
 }  // namespace
 
 Result<Renderer> Renderer::create(gpu::Device& device, const Settings& settings, const Inputs& inputs) {
-  WEFT_CHECK(check_cloth(inputs.cloth, settings.view));
-  if (settings.width == 0 || settings.height == 0)
-    return input_error("A picture of %u x %u pixels is empty.", settings.width, settings.height);
+  WEFT_CHECK(check_cloth(inputs.cloth));
   Renderer made;
   made.device_ = &device;
   made.settings_ = settings;
   const double aspect = static_cast<double>(settings.width) / settings.height;
   if (!settings.camera) made.settings_.camera = frame_camera(settings.bounds, aspect);
   if (!settings.to_light) made.settings_.to_light = default_light(*made.settings_.camera);
-
-  WEFT_TRY(frame, gpu::Buffer<FrameParams>::create(device, 1, "frame", gpu::kUniform | gpu::kCopyTarget));
-  made.frame_ = std::move(frame);
-  made.write_frame();
-  WEFT_CHECK(made.create_targets());
-  WEFT_TRY(objects, ObjectBuffers::create(device, join_objects(inputs)));
-  made.objects_ = std::move(objects);
-  WEFT_TRY(shadow_map, ShadowMap::create(device, made.frame_, inputs.cloth, made.objects_));
-  made.shadow_map_ = std::move(shadow_map);
-  WEFT_TRY(object_surface,
-           ObjectSurface::create(device, settings.view, made.frame_, made.shadow_map_, made.objects_));
-  made.object_surface_ = std::move(object_surface);
-  if (settings.view == View::Wireframe) {
-    WEFT_TRY(cloth, ClothWireframe::create(device, made.frame_, inputs.cloth));
-    made.cloth_wireframe_ = std::move(cloth);
-  } else {
-    WEFT_TRY(cloth, ClothSurface::create(device, settings.view, made.frame_, made.shadow_map_, inputs.cloth));
-    made.cloth_surface_ = std::move(cloth);
-  }
-  std::vector<scene::ColliderPlane> planes = inputs.planes;
-  const bool shadows_only = planes.empty();
-  const Vec3d middle = middle_of(settings.bounds);
-  if (shadows_only && settings.ground_shadow)
-    planes.push_back({{middle.x, settings.bounds.low.y, middle.z}, {0, 1, 0}});
-  for (const scene::ColliderPlane& plane : planes) {
-    const PlaneParams params =
-        plane_params(plane, middle, kFloorReach * radius_of(settings.bounds), shadows_only);
-    WEFT_TRY(floor, Floor::create(device, settings.view, made.frame_, made.shadow_map_, params));
-    made.floors_.push_back(std::move(floor));
-  }
-  WEFT_TRY(background, Background::create(device, settings.view, made.frame_));
-  made.background_ = std::move(background);
+  WEFT_CHECK(made.create_scene(inputs));
+  WEFT_CHECK(made.resize(settings.width, settings.height));
+  WEFT_CHECK(made.set_view(settings.view));
   return made;
 }
 
-Result<void> Renderer::create_targets() {
-  const std::uint32_t width = settings_.width, height = settings_.height;
-  WEFT_TRY(color, gpu::Texture::create(*device_, {width, height, kSamples, kColorFormat, gpu::kRenderTarget},
+Result<void> Renderer::create_scene(const Inputs& inputs) {
+  scene_.cloth = inputs.cloth;
+  WEFT_TRY(frame, gpu::Buffer<FrameParams>::create(*device_, 1, "frame", gpu::kUniform | gpu::kCopyTarget));
+  scene_.frame = std::move(frame);
+  WEFT_TRY(weaves, create_weaves(*device_, inputs.cloth.ranges));
+  scene_.weaves = std::move(weaves);
+  WEFT_TRY(planes, create_planes(*device_, planes_of(inputs, settings_)));
+  scene_.planes = std::move(planes);
+  WEFT_TRY(objects, ObjectBuffers::create(*device_, join_objects(inputs)));
+  scene_.objects = std::move(objects);
+  WEFT_TRY(shadow_map, ShadowMap::create(*device_, scene_.frame, inputs.cloth, scene_.objects));
+  scene_.shadow_map = std::move(shadow_map);
+  return {};
+}
+
+Result<void> Renderer::resize(std::uint32_t width, std::uint32_t height) {
+  if (width == 0 || height == 0) return input_error("A picture of %u x %u pixels is empty.", width, height);
+  WEFT_TRY(color, gpu::Texture::create(*device_,
+                                       {width, height, kSamples, settings_.color_format, gpu::kRenderTarget},
                                        "picture samples"));
-  color_ = std::move(color);
   WEFT_TRY(depth, gpu::Texture::create(*device_, {width, height, kSamples, kDepthFormat, gpu::kRenderTarget},
                                        "picture depth"));
+  color_ = std::move(color);
   depth_ = std::move(depth);
+  settings_.width = width;
+  settings_.height = height;
+  write_frame();
+  return {};
+}
+
+Result<void> Renderer::set_view(View view) {
+  auto& passes = passes_[static_cast<std::size_t>(view)];
+  if (!passes) {
+    WEFT_CHECK(check_view(scene_.cloth, view));
+    WEFT_TRY(made, ViewPasses::create(*device_, {view, settings_.color_format}, scene_));
+    passes = std::move(made);
+  }
+  settings_.view = view;
   return {};
 }
 
@@ -124,17 +140,13 @@ void Renderer::write_frame() {
   params.stretch_range = {low, high, 1 / std::max(high - low, 1e-6F), 0};
   for (std::size_t i = 0; i < kColorMapSize; ++i)
     params.color_map[i] = Vec4f::from(srgb_to_linear(kColorMap[i]), 1);
-  frame_.write(*device_, {&params, 1});
+  scene_.frame.write(*device_, {&params, 1});
 }
 
 void Renderer::record(gpu::CommandList& list, std::uint32_t parity, gpu::Id target) const {
-  shadow_map_.record(list, parity);
+  scene_.shadow_map.record(list, parity);
   gpu::RenderPass pass(list, {color_.view(), target, depth_.view(), {0, 0, 0, 1}, false}, "picture");
-  cloth_surface_.record(pass, parity);  // of the two, one is empty
-  cloth_wireframe_.record(pass, parity);
-  object_surface_.record(pass);
-  for (const Floor& floor : floors_) floor.record(pass);
-  background_.record(pass);
+  passes_[static_cast<std::size_t>(settings_.view)]->record(pass, parity);
 }
 
 void Renderer::set_camera(const Camera& camera) {

@@ -1,19 +1,13 @@
 #pragma once
 
+#include <array>
 #include <optional>
-#include <vector>
 
 #include "gpu/device.hpp"
 #include "gpu/texture.hpp"
-#include "render/background.hpp"
 #include "render/camera.hpp"
-#include "render/cloth_surface.hpp"
-#include "render/cloth_wireframe.hpp"
-#include "render/floor.hpp"
 #include "render/inputs.hpp"
-#include "render/object_surface.hpp"
-#include "render/picture_pipeline.hpp"
-#include "render/shadow_map.hpp"
+#include "render/view_passes.hpp"
 
 namespace weft::render {
 
@@ -22,6 +16,7 @@ using scene::View;
 struct Settings {
   std::uint32_t width = 1280, height = 720;  // [pixel]
   View view = View::Textured;
+  gpu::TextureFormat color_format = gpu::TextureFormat::Rgba8UnormSrgb;  // of the texture drawn into
   mesh::Bounds bounds;  // of all that is drawn over the whole run [m]: light, depth and camera fit it
   std::optional<Camera> camera;                          // none: frame_camera(bounds)
   std::optional<Vec3d> to_light;                         // direction; none: default_light(camera)
@@ -37,29 +32,31 @@ class Renderer {
   ///         adapter can make. OutOfMemory.
   static Result<Renderer> create(gpu::Device& device, const Settings& settings, const Inputs& inputs);
 
-  /// Records all passes. `parity` chooses the position buffer; `target` is the view of a texture of the
-  /// settings' size and of kColorFormat, with one sample a pixel.
+  /// Records all passes. `parity` chooses the position buffer; `target` is the view of a texture of the size
+  /// and the color_format of the settings, with one sample a pixel. The list serves until the size or the
+  /// view changes.
   void record(gpu::CommandList& list, std::uint32_t parity, gpu::Id target) const;
 
+  /// Another size of the texture drawn into [pixel]; the camera keeps its place and vertical field of view.
+  /// Errors  Input: a side is 0. Limit, OutOfMemory. After an error the size is as it was.
+  Result<void> resize(std::uint32_t width, std::uint32_t height);
+  /// What the picture shows. The pipelines of a view are made when it is first asked for, and kept.
+  /// Errors  Shape: the inputs lack what the view shows. Shader. After an error the view is as it was.
+  Result<void> set_view(View view);
+  View view() const { return settings_.view; }
   /// Moves the camera, from the next submit on; the light stays.
   void set_camera(const Camera& camera);
   const Camera& camera() const { return *settings_.camera; }
 
  private:
-  Result<void> create_targets();
+  Result<void> create_scene(const Inputs& inputs);
   void write_frame();
 
   gpu::Device* device_ = nullptr;
   Settings settings_;
-  gpu::Buffer<FrameParams> frame_;
   gpu::Texture color_, depth_;
-  ObjectBuffers objects_;
-  ShadowMap shadow_map_;
-  ObjectSurface object_surface_;
-  ClothSurface cloth_surface_;
-  ClothWireframe cloth_wireframe_;
-  std::vector<Floor> floors_;
-  Background background_;
+  DrawnScene scene_;
+  std::array<std::optional<ViewPasses>, 4> passes_;  // by view
 };
 
 }  // namespace weft::render

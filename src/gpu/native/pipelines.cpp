@@ -13,6 +13,8 @@ WGPUTextureFormat texture_format(TextureFormat format) {
       return WGPUTextureFormat_RGBA8Unorm;
     case TextureFormat::Rgba8UnormSrgb:
       return WGPUTextureFormat_RGBA8UnormSrgb;
+    case TextureFormat::Bgra8UnormSrgb:
+      return WGPUTextureFormat_BGRA8UnormSrgb;
     case TextureFormat::Depth32Float:
       return WGPUTextureFormat_Depth32Float;
   }
