@@ -37,8 +37,4 @@ class Pictures {
   std::uint32_t drawn_ = 0, stored_ = 0;
 };
 
-/// The box around all that a run is likely to show: objects, the cloth at rest, hanging down by its own
-/// length, and where motions take it [m].
-mesh::Bounds picture_bounds(const sim::World& world);
-
 }  // namespace weft::cli

@@ -1,0 +1,72 @@
+#include "render/scene_inputs.hpp"
+
+#include <algorithm>
+
+#include "scene/motion.hpp"
+
+namespace weft::render {
+namespace {
+
+void include(mesh::Bounds& bounds, const Vec3f& point) {
+  bounds.low = min(bounds.low, point);
+  bounds.high = max(bounds.high, point);
+}
+
+}  // namespace
+
+Inputs inputs_of(const Model& model, const State& state, const gpu::RawBuffer& normal,
+                 const gpu::RawBuffer& stretch, const scene::Scene& scene,
+                 const std::vector<mesh::TriangleMesh>& objects) {
+  Inputs inputs;
+  inputs.cloth.position = {&state.position[0], &state.position[1]};
+  inputs.cloth.normal = &normal;
+  inputs.cloth.stretch = &stretch;
+  inputs.cloth.uv = &model.uv;
+  inputs.cloth.triangles = &model.triangles;
+  for (const ClothModel& cloth : model.host.cloths) {
+    double size = 0;
+    for (std::uint32_t v = 0; v < cloth.vertex_count; ++v) {
+      const auto& uv = model.host.uv[cloth.first_vertex + v];
+      size = std::max({size, static_cast<double>(uv[0]), static_cast<double>(uv[1])});
+    }
+    inputs.cloth.ranges.push_back({cloth.first_triangle, cloth.triangle_count, cloth.color, size});
+  }
+  inputs.objects = objects;
+  for (const scene::Collider& collider : scene.colliders) {
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) inputs.spheres.push_back(*sphere);
+    if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) inputs.planes.push_back(*plane);
+  }
+  return inputs;
+}
+
+mesh::Bounds scene_bounds(const HostModel& model, const scene::Scene& scene,
+                          const std::vector<mesh::TriangleMesh>& objects) {
+  mesh::Bounds bounds{model.rest_position[0].to<float>(), model.rest_position[0].to<float>()};
+  const double end = scene.time.frames * scene.time.frame;
+  double sag = 0;  // how far a sheet can hang down from where it is held or lies [m]
+  for (const auto& uv : model.uv)
+    sag = std::max({sag, static_cast<double>(uv[0]), static_cast<double>(uv[1])});
+  const Vec3d pull = scene.gravity + scene.external_force;
+  const Vec3d down = length(pull) > 0 ? pull / length(pull) : Vec3d{};
+  for (std::size_t v = 0; v < model.vertex_count(); ++v) {
+    include(bounds, model.rest_position[v].to<float>());
+    include(bounds, (model.rest_position[v] + sag * down).to<float>());
+    if (model.motion[v] > 1)
+      include(bounds,
+              scene::motion_at(model.motions[model.motion[v] - 2], end)(model.rest_position[v]).to<float>());
+  }
+  for (const mesh::TriangleMesh& object : objects) {
+    const mesh::Bounds box = mesh::bounds(object);
+    include(bounds, box.low);
+    include(bounds, box.high);
+  }
+  for (const scene::Collider& collider : scene.colliders)
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) {
+      const Vec3d r{sphere->radius, sphere->radius, sphere->radius};
+      include(bounds, (sphere->center - r).to<float>());
+      include(bounds, (sphere->center + r).to<float>());
+    }
+  return bounds;
+}
+
+}  // namespace weft::render

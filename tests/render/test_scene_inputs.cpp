@@ -1,0 +1,77 @@
+#include "gpu/gpu_fixture.hpp"
+#include "render/scene_inputs.hpp"
+#include "render/sheet.hpp"
+
+using namespace weft;
+using namespace weft::render;
+
+namespace {
+
+/// Two cloths of one triangle each; the second is moved by 2 m along x in every second.
+HostModel two_triangles() {
+  scene::MotionLine line;
+  line.direction = {1, 0, 0};
+  line.speed = 2;
+  HostModel model;
+  model.cloths.resize(2);
+  model.cloths[0].vertex_count = model.cloths[1].vertex_count = model.cloths[1].first_vertex = 3;
+  model.cloths[0].triangle_count = model.cloths[1].triangle_count = model.cloths[1].first_triangle = 1;
+  model.cloths[1].color = Vec3d{0.1, 0.2, 0.3};
+  model.rest_position = {{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}, {0, 0, 1}, {1, 0, 1}, {0, 0.5, 1}};
+  model.uv = {{0, 0}, {1, 0}, {0, 0.5F}, {0, 0}, {1, 0}, {0, 1.5F}};
+  model.mass.assign(6, 0.1);
+  model.motion = {0, 0, 0, 2, 2, 2};
+  model.triangles = {{0, 1, 2}, {3, 4, 5}};
+  model.motions = {scene::Motion{"", {}, line}};
+  return model;
+}
+
+scene::Scene one_second() {
+  scene::Scene scene;
+  scene.gravity = {0, -9.81, 0};
+  scene.time.frame = 0.1;
+  scene.time.frames = 10;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a scene's bounds hold the sheet at rest, hanging, and where a motion takes it") {
+  const mesh::Bounds bounds = scene_bounds(two_triangles(), one_second(), {});
+  CHECK(bounds.low == Vec3f{0, -1.5F, 0});  // the longest sheet has 1.5 m
+  CHECK(bounds.high.x == doctest::Approx(3));
+  CHECK(bounds.high.y == 0.5F);
+  CHECK(bounds.high.z == 1);
+}
+
+TEST_CASE("a scene's bounds hold meshes and spheres, and no plane") {
+  scene::Scene scene = one_second();
+  scene.colliders = {scene::ColliderSphere{{-5, 0, 0}, 0.5}, scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}}};
+  const mesh::TriangleMesh object{{{0, 7, 0}, {0, 8, 0}, {0, 8, 4}}, {{0, 1, 2}}};
+  const mesh::Bounds bounds = scene_bounds(two_triangles(), scene, {object});
+  CHECK(bounds.low == Vec3f{-5.5F, -1.5F, -0.5F});
+  CHECK(bounds.high.y == 8);
+  CHECK(bounds.high.z == 4);
+}
+
+TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by cloth") {
+  GpuFixture fixture;
+  scene::Scene scene = one_second();
+  scene.colliders = {scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}}, scene::ColliderSphere{{-5, 0, 0}, 0.5}};
+  const Model model = value_of(Model::create(fixture.device(), two_triangles()));
+  const State state = value_of(State::create(fixture.device(), model.host, 1));
+  const auto stretch = value_of(gpu::Buffer<float>::create(fixture.device(), 6, "stretch"));
+  const Inputs inputs = inputs_of(model, state, model.rest_position, stretch, scene, {{}, {}});
+  CHECK(inputs.cloth.position[1] == &state.position[1]);
+  CHECK(inputs.cloth.normal == &model.rest_position);
+  CHECK(inputs.cloth.stretch == &stretch);
+  REQUIRE(inputs.cloth.ranges.size() == 2);
+  CHECK(inputs.cloth.ranges[1].first_triangle == 1);
+  CHECK(inputs.cloth.ranges[1].triangle_count == 1);
+  CHECK(inputs.cloth.ranges[1].color == Vec3d{0.1, 0.2, 0.3});
+  CHECK(inputs.cloth.ranges[0].sheet_size == 1);
+  CHECK(inputs.cloth.ranges[1].sheet_size == 1.5);
+  CHECK(inputs.objects.size() == 2);
+  CHECK(inputs.spheres.size() == 1);
+  CHECK(inputs.planes.size() == 1);
+}
