@@ -7,7 +7,6 @@
 namespace weft::render {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr double kAzimuth = 32 * kDegree;    // to the right of the z axis
 constexpr double kElevation = 16 * kDegree;  // above the horizon
 constexpr double kMargin = 1.06;
@@ -32,6 +31,8 @@ Mat4d view_matrix(const Basis& basis, const Vec3d& eye) {
 }
 
 }  // namespace
+
+double half_height(const Camera& camera) { return std::tan(0.5 * camera.fov_degrees * kDegree); }
 
 Basis basis_looking(const Vec3d& back) {
   const Vec3d axis = normalized(back);
@@ -73,7 +74,7 @@ Camera frame_camera(const mesh::Bounds& bounds, double aspect, double fov_degree
 }
 
 Mat4d view_projection(const Camera& camera, double aspect, double near, double far) {
-  const double scale = 1 / std::tan(0.5 * camera.fov_degrees * kDegree);
+  const double scale = 1 / half_height(camera);
   Mat4d projection;
   projection.at(0, 0) = scale / aspect;
   projection.at(1, 1) = scale;

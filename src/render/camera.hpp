@@ -10,6 +10,10 @@ namespace weft::render {
 
 using scene::Camera;
 
+inline constexpr double kDegree = 0.017453292519943295;
+/// Half of the picture's height at a distance of 1.
+double half_height(const Camera& camera);
+
 /// Three unit vectors of a viewer: right, up and away from what is looked at.
 struct Basis {
   Vec3d right, up, back;

@@ -1,0 +1,38 @@
+// What lies under a pointer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "render/camera.hpp"
+
+namespace weft::render {
+
+struct Ray {
+  Vec3d origin;     // [m]
+  Vec3d direction;  // unit
+};
+/// From the eye through a place in the picture: x to the right, y upwards, each from -1 to 1.
+Ray pick_ray(const Camera& camera, double aspect, double x, double y);
+
+/// A point's place in the picture, as pick_ray has it, and how far before the eye it lies; where that is not
+/// positive, the point is not seen and has no place.
+struct Projected {
+  double x = 0, y = 0;
+  double depth = 0;  // along the view, not along the ray [m]
+};
+Projected project(const Camera& camera, double aspect, const Vec3d& point);
+
+struct PickedNode {
+  std::uint32_t node = 0;      // the corner of `triangle` nearest to `point`
+  std::uint32_t triangle = 0;  // the first that the ray meets
+  Vec3d point;                 // where [m]
+  double distance = 0;         // from the ray's origin [m]
+};
+/// The first triangle that a ray meets, from either side, and its corner nearest to there. A ray through a
+/// side that two triangles share meets one of them; a ray within a triangle's plane does not meet it.
+std::optional<PickedNode> pick_node(const Ray& ray, std::span<const Vec4f> positions,
+                                    std::span<const mesh::Triangle> triangles);
+
+}  // namespace weft::render
