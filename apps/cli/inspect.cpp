@@ -4,7 +4,7 @@
 
 #include "scene/schema.hpp"
 #include "sim/assets.hpp"
-#include "state/model.hpp"
+#include "model/host_model.hpp"
 
 namespace weft::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "state/model.hpp"
+#include "model/host_model.hpp"
 
 namespace weft {
 

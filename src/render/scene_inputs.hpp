@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/inputs.hpp"
+#include "model/host_model.hpp"
 #include "state/model.hpp"
 #include "state/state.hpp"
 

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "gpu/shader_source.hpp"
-#include "state/model.hpp"
+#include "model/host_model.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
 #include "wgsl_layout.hpp"

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "scene/load.hpp"
-#include "state/model.hpp"
+#include "model/host_model.hpp"
 
 using namespace weft;
 
