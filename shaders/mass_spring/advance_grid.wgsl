@@ -41,7 +41,7 @@ fn advance_grid(@builtin(global_invocation_id) id : vec3u) {
   let node = grid.first_vertex + index;
   let before = NodeState(position_in[node], velocity_in[node]);
   if (before.position.w == 0.0) {
-    let after = integrate_held(step, before, rest[node]);
+    let after = integrate_held(before, rest[node]);
     position_out[node] = after.position;
     velocity_out[node] = after.velocity;
     return;
@@ -74,7 +74,7 @@ fn advance_grid(@builtin(global_invocation_id) id : vec3u) {
   if (j > 1u) { force += pull(x, v, node - 2u * nx, 2.0 * rest_j, bend, along_j); }
   if (j + 2u < ny) { force += pull(x, v, node + 2u * nx, 2.0 * rest_j, bend, along_j); }
 
-  let after = integrate_free(step, before, force);
+  let after = integrate_free(before, force);
   position_out[node] = after.position;
   velocity_out[node] = after.velocity;
 }

@@ -28,7 +28,7 @@ fn advance_mesh(@builtin(global_invocation_id) id : vec3u) {
   let before = NodeState(position_in[node], velocity_in[node]);
   var after : NodeState;
   if (before.position.w == 0.0) {
-    after = integrate_held(step, before, rest[node]);
+    after = integrate_held(before, rest[node]);
   } else {
     var force = vec3f(0.0);
     for (var entry = offsets[index]; entry < offsets[index + 1u]; entry++) {
@@ -38,7 +38,7 @@ fn advance_mesh(@builtin(global_invocation_id) id : vec3u) {
       let spring = spring_state(span, rate, neighbour.rest_length, neighbour.stiffness, neighbour.damping);
       force += spring.tension * spring.direction;
     }
-    after = integrate_free(step, before, force);
+    after = integrate_free(before, force);
   }
   position_out[node] = after.position;
   velocity_out[node] = after.velocity;

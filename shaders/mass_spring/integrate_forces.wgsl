@@ -23,9 +23,9 @@ fn integrate_forces(@builtin(global_invocation_id) id : vec3u) {
   let before = NodeState(position_in[node], velocity_in[node]);
   var after : NodeState;
   if (before.position.w == 0.0) {
-    after = integrate_held(step, before, rest[node]);
+    after = integrate_held(before, rest[node]);
   } else {
-    after = integrate_free(step, before, sum / step.force_scale);
+    after = integrate_free(before, sum / step.force_scale);
   }
   position_out[node] = after.position;
   velocity_out[node] = after.velocity;

@@ -12,4 +12,9 @@ struct StepParams {
   thickness : f32,       // m
   max_push : f32,        // m; a single push is cut to this, so that no sum can overflow
   first_motion : u32,    // where this substep's block of `motions` begins, in vec4f
+  wind : vec4f,          // m/s: the mean, xyz; w: 1 where wind blows, else 0 and the four below are not read
+  wind_wave_a : vec4f,   // 1/m: how a wave's phase grows along xyz, in turns; w: what time has taken off it, in [0, 1)
+  wind_wave_b : vec4f,
+  gust_a : vec4f,        // m/s: what the crest of a wave adds to the wind, xyz
+  gust_b : vec4f,
 }

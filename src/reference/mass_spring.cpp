@@ -1,5 +1,7 @@
 #include "reference/mass_spring.hpp"
 
+#include <cmath>
+
 namespace weft::reference {
 
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
@@ -17,6 +19,15 @@ std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
   return forces;
 }
 
+Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time) {
+  Vec3d sum = wind.velocity;
+  for (const scene::WindWave& wave : wind.waves) {
+    const double u = 2 * scene::turn_part(dot(wave.gradient, place) - wave.rate * time) - 1;
+    sum += 4 * u * (1 - std::abs(u)) * wave.gust;
+  }
+  return sum;
+}
+
 void advance(MassSpringSystem& system, double dt) {
   const std::vector<Vec3d> forces = spring_forces(system);
   for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -24,11 +35,12 @@ void advance(MassSpringSystem& system, double dt) {
       system.velocity[i] = {};
       continue;
     }
-    const Vec3d acceleration =
-        system.acceleration + system.inverse_mass[i] * forces[i] - system.drag * system.velocity[i];
+    const Vec3d slip = system.velocity[i] - wind_at(system.wind, system.position[i], system.time);
+    const Vec3d acceleration = system.acceleration + system.inverse_mass[i] * forces[i] - system.drag * slip;
     system.velocity[i] += dt * acceleration;
     system.position[i] += dt * system.velocity[i];
   }
+  system.time += dt;
 }
 
 double energy(const MassSpringSystem& system) {

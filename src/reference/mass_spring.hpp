@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "scene/wind.hpp"
 
 namespace weft::reference {
 
@@ -22,12 +23,17 @@ struct MassSpringSystem {
   std::vector<SpringLink> springs;
   Vec3d acceleration;  // gravity and external force [m/s²]
   double drag = 0;     // [1/s]
+  scene::WindField wind;
+  double time = 0;  // [s]; advance counts it up
 };
 
 /// The force of every node's springs [N].
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
 
-/// One step of semi-implicit Euler: v += dt (a + f/m - drag v), then x += dt v.
+/// The wind at a place and time [m/s].
+Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time);
+
+/// One step of semi-implicit Euler: v += dt (a + f/m - drag (v - w)), then x += dt v.
 void advance(MassSpringSystem& system, double dt);
 
 /// Kinetic, elastic and gravitational energy [J].

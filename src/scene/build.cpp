@@ -55,6 +55,8 @@ class Builder {
     scene.gravity = vector(json, "gravity");
     scene.external_force = vector(json, "external_force");
     scene.drag = number(json, "drag");
+    const Json& wind = at(json, "wind");
+    scene.wind = {vector(wind, "velocity"), number(wind, "gusts"), number(wind, "wavelength")};
     scene.time = time(at(json, "time"));
     scene.solver.kind = word<SolverKind>(at(at(json, "solver"), "kind"), kSolverKindNames);
     if (scene.solver.kind == SolverKind::MassSpring)

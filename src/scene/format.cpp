@@ -28,6 +28,7 @@ constexpr Type kAcceleration{
     .kind = Kind::Numbers, .least = -1e4, .most = 1e4, .unit = "m/s²", .count_least = 3};
 constexpr Type kForcePerMass{
     .kind = Kind::Numbers, .least = -1e4, .most = 1e4, .unit = "N/kg", .count_least = 3};
+constexpr Type kVelocity{.kind = Kind::Numbers, .least = -1e3, .most = 1e3, .unit = "m/s", .count_least = 3};
 constexpr Type kRate{.kind = Kind::Number, .most = 1e4, .unit = "1/s"};
 constexpr Type kInstant{.kind = Kind::Number, .most = kLate, .unit = "s"};
 constexpr Type kLength{.kind = Kind::Number, .least = kSmall, .most = kFar, .unit = "m"};
@@ -46,6 +47,15 @@ constexpr Key kTransformKeys[] = {
     {"translate", &kPoint, "Shift; applied last", "[0, 0, 0]"},
 };
 constexpr Type kTransform{.kind = Kind::Object, .name = "transform", .keys = kTransformKeys};
+
+// wind
+constexpr Type kPart{.kind = Kind::Number, .most = 1};
+constexpr Key kWindKeys[] = {
+    {"velocity", &kVelocity, "The mean", "[0, 0, 0]"},
+    {"gusts", &kPart, "Strength of the gusts, as a part of the mean", "0"},
+    {"wavelength", &kLength, "Length of the gusts along the wind", "1"},
+};
+constexpr Type kWind{.kind = Kind::Object, .keys = kWindKeys};
 
 // time
 constexpr Type kFrame{.kind = Kind::Number, .least = 1e-6, .most = 10, .unit = "s"};
@@ -243,7 +253,8 @@ constexpr Key kSceneKeys[] = {
     {"gravity", &kAcceleration, "Acceleration of everything; y points up", "[0, -9.81, 0]"},
     {"external_force", &kForcePerMass, "Uniform force on each kilogram of cloth, beside gravity",
      "[0, 0, 0]"},
-    {"drag", &kRate, "Air drag: acceleration = -drag * velocity", "0"},
+    {"drag", &kRate, "Air drag: acceleration = -drag * (velocity - wind)", "0"},
+    {"wind", &kWind, "The moving air that drag pulls towards", "{}"},
     {"time", &kTime, "Frames and steps", "{}"},
     {"solver", &kSolver, "How cloth moves", "{}"},
     {"contact", &kContact, "How cloth meets colliders", "{}"},

@@ -118,6 +118,13 @@ struct ColliderPlane {
 };
 using Collider = std::variant<ColliderMesh, ColliderSphere, ColliderPlane>;
 
+/// What drag pulls towards. Gusts are two waves that travel through it (wind.hpp).
+struct Wind {
+  Vec3d velocity;         // the mean [m/s]
+  double gusts = 0;       // their strength, from 0 to 1 of the mean
+  double wavelength = 1;  // of the gusts along the wind [m]
+};
+
 struct Time {
   double frame = 1.0 / 60.0;              // simulated time of a frame [s]
   std::optional<std::uint32_t> substeps;  // none: the solver chooses
@@ -153,7 +160,8 @@ struct Scene {
   std::string title, description;
   Vec3d gravity{0, -9.81, 0};  // [m/s²]
   Vec3d external_force;        // uniform, beside gravity [N/kg]
-  double drag = 0;             // a = -drag * v [1/s]
+  double drag = 0;             // a = -drag * (v - wind) [1/s]
+  Wind wind;
   Time time;
   Solver solver;
   Contact contact;

@@ -90,7 +90,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
     report.commands.copy(state_.statistics.source(), report.readback.target());
   }
   motion_rows_.resize(3 * model_.host.motions.size() * substeps_);
-  write_steps();
+  steps_ = FrameSteps(base_params(), substeps_, model_.host.motions.size(), step());
+  steps_.set_air(scene_, 0);
   record_frame(0);
   record_frame(1);
   WEFT_CHECK(submit_rest());
@@ -107,12 +108,9 @@ Result<void> World::submit_rest() {
   return device_.submit(list);
 }
 
-void World::write_steps() {
+StepParams World::base_params() const {
   StepParams params;
-  const Vec3d acceleration = scene_.gravity + scene_.external_force;
-  params.acceleration = Vec4f::from(acceleration.to<float>(), 0);
   params.dt = static_cast<float>(step());
-  params.drag = static_cast<float>(scene_.drag);
   params.vertex_count = model_.vertex_count();
   params.spring_count = constants_.spring_count;
   params.force_scale = constants_.force_scale;
@@ -122,10 +120,7 @@ void World::write_steps() {
     params.push_scale = collision_->push_scale();
     params.max_push = collision_->max_push();
   }
-  std::vector<StepParams> steps(substeps_, params);
-  for (std::uint32_t s = 0; s < substeps_; ++s)
-    steps[s].first_motion = s * 3 * static_cast<std::uint32_t>(model_.host.motions.size());
-  state_.steps.write(device_, steps);
+  return params;
 }
 
 void World::write_motions() {
@@ -171,6 +166,7 @@ Result<void> World::advance_frame(const gpu::CommandList* draw) {
     device_.poll();
     WEFT_CHECK(take_reports(false));
   }
+  steps_.write(device_, state_.steps, time());
   write_motions();
   const std::array<const gpu::CommandList*, 3> lists = {&frame_commands_[parity_], &free->commands, draw};
   WEFT_CHECK(device_.submit(std::span(lists).first(draw != nullptr ? 3 : 2)));
@@ -233,6 +229,7 @@ Result<void> World::reset() {
   state_.reset(device_, model_.host);
   const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
   state_.statistics.write(device_, zeros);
+  steps_.rewind();
   frame_ = 0;
   parity_ = 0;
   totals_ = {};

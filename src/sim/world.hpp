@@ -12,6 +12,7 @@
 #include "element/surface.hpp"
 #include "gpu/readback.hpp"
 #include "sim/assets.hpp"
+#include "sim/frame_steps.hpp"
 #include "solver/solver.hpp"
 #include "state/state.hpp"
 
@@ -98,7 +99,8 @@ class World {
   Result<void> build(const Assets& assets, const WorldOptions& options);
   /// What follows from the rest state, before the first frame.
   Result<void> submit_rest();
-  void write_steps();
+  /// What all substeps have in common.
+  StepParams base_params() const;
   void write_motions();
   void record_frame(std::uint32_t parity);
   Result<void> take_reports(bool wait_for_all);
@@ -120,6 +122,7 @@ class World {
   std::size_t spring_count_ = 0;
   std::array<gpu::CommandList, 2> frame_commands_;
   std::array<Report, 3> reports_;
+  FrameSteps steps_;
   std::vector<Vec4f> motion_rows_;  // of one frame; kept so that a frame allocates nothing
   Totals totals_;
 };

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "base/vec.hpp"
+#include "scene/wind.hpp"
 
 namespace weft {
 
@@ -20,9 +22,17 @@ struct StepParams {
   float thickness = 0;    // [m]
   float max_push = 0;     // [m]
   std::uint32_t first_motion = 0;
-  std::uint32_t padding[50] = {};  // to kStepStride
+  std::uint32_t padding_before_wind[2] = {};
+  Vec4f wind;                      // [m/s]; w: 1 where wind blows
+  Vec4f wind_wave_a, wind_wave_b;  // [1/m]; w: in [0, 1)
+  Vec4f gust_a, gust_b;            // [m/s]
+  std::uint32_t padding[28] = {};  // to kStepStride
 };
 static_assert(sizeof(StepParams) == 256);
 static_assert(offsetof(StepParams, dt) == 16 && offsetof(StepParams, first_motion) == 52);
+static_assert(offsetof(StepParams, wind) == 64 && offsetof(StepParams, gust_b) == 128);
+
+/// Sets the wind; `turns` is how far time has brought each wave.
+void set_wind(StepParams& params, const scene::WindField& wind, const std::array<double, 2>& turns);
 
 }  // namespace weft

@@ -24,6 +24,9 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(scene.gravity == Vec3d{0, -9.81, 0});
   CHECK(scene.external_force == Vec3d{0, 0, 0});
   CHECK(scene.drag == 0);
+  CHECK(scene.wind.velocity == Vec3d{0, 0, 0});
+  CHECK(scene.wind.gusts == 0);
+  CHECK(scene.wind.wavelength == 1);
   CHECK(scene.time.frame == 1.0 / 60.0);
   CHECK_FALSE(scene.time.substeps);
   CHECK(scene.time.frames == 90);
@@ -56,6 +59,8 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
 TEST_CASE("a default-made Scene has the same defaults as one that is read") {
   const Scene made, read = parsed(minimal_scene());
   CHECK(made.gravity == read.gravity);
+  CHECK(made.wind.gusts == read.wind.gusts);
+  CHECK(made.wind.wavelength == read.wind.wavelength);
   CHECK(made.time.frame == read.time.frame);
   CHECK(made.time.substeps == read.time.substeps);
   CHECK(made.time.frames == read.time.frames);
@@ -74,7 +79,7 @@ TEST_CASE("a default-made Scene has the same defaults as one that is read") {
 TEST_CASE("every key arrives where it belongs") {
   const Scene scene = parsed(R"({
     "format": "weft-scene/1", "title": "T", "description": "D", "gravity": [1, 2, 3], "external_force": [4, 5, 6],
-    "drag": 0.5, "time": {"frame": 0.02, "substeps": 12, "frames": 7},
+    "drag": 0.5, "wind": {"velocity": [7, 8, 9], "gusts": 0.25, "wavelength": 3}, "time": {"frame": 0.02, "substeps": 12, "frames": 7},
     "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "contact": {"method": "paper", "thickness": 0.01},
     "cloths": [
       {"name": "flag", "grid": [5, 3], "size": [4, 2], "plane": "xz", "node_mass": 0.1, "damping": 2,
@@ -99,6 +104,9 @@ TEST_CASE("every key arrives where it belongs") {
   CHECK(scene.gravity == Vec3d{1, 2, 3});
   CHECK(scene.external_force == Vec3d{4, 5, 6});
   CHECK(scene.drag == 0.5);
+  CHECK(scene.wind.velocity == Vec3d{7, 8, 9});
+  CHECK(scene.wind.gusts == 0.25);
+  CHECK(scene.wind.wavelength == 3);
   CHECK(scene.time.frame == 0.02);
   CHECK(scene.time.substeps == 12U);
   CHECK(scene.time.frames == 7);

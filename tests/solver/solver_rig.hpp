@@ -27,6 +27,8 @@ inline scene::Scene scene_of(const std::string& members) {
 
 class SolverRig {
  public:
+  static constexpr double kTime = 100.3;  // s; at which the wind stands still
+
   SolverRig(gpu::Device& device, const scene::Scene& scene, double dt,
             std::vector<mesh::TriangleMesh> meshes = {}, std::uint32_t workgroup_size = 256)
       : device_(device), scene_(scene), dt_(dt) {
@@ -46,6 +48,8 @@ class SolverRig {
     params.acceleration = Vec4f::from((scene.gravity + scene.external_force).to<float>(), 0);
     params.dt = static_cast<float>(dt);
     params.drag = static_cast<float>(scene.drag);
+    const scene::WindField wind = scene::wind_field(scene.wind);
+    set_wind(params, wind, {wind.waves[0].rate * kTime, wind.waves[1].rate * kTime});
     params.vertex_count = model_.vertex_count();
     params.spring_count = solver_->constants().spring_count;
     params.force_scale = solver_->constants().force_scale;
@@ -109,6 +113,8 @@ class SolverRig {
                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
     system.acceleration = scene_.gravity + scene_.external_force;
     system.drag = scene_.drag;
+    system.wind = scene::wind_field(scene_.wind);
+    system.time = kTime;
     return system;
   }
 

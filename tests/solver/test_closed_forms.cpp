@@ -41,6 +41,32 @@ TEST_CASE("free fall follows y = y0 - g h² n (n + 1) / 2, the sum of semi-impli
   }
 }
 
+TEST_CASE("without springs a node takes on the wind as v_n = w (1 - (1 - c h)^n)") {
+  GpuFixture fixture;
+  const double h = 1.0 / 256, drag = 3;  // exact in f32
+  const Vec3d wind{2, -0.5, 1};
+  const std::string air = R"("gravity": [0, 0, 0], "drag": 3, "wind": {"velocity": [2, -0.5, 1]}, )";
+  const std::string loose = R"("density": 0.2, "stiffness": {"structural": 0, "shear": 0, "bend": 0})";
+  const std::string scatter = R"("solver": {"kind": "mass_spring", "forces": "spring_centric"}, )";
+  SolverRig rigs[] = {{fixture.device(), scene_of(air + grid(3, 4, 1, 1, loose)), h},
+                      {fixture.device(), scene_of(air + scatter + grid(3, 4, 1, 1, loose)), h},
+                      {fixture.device(),
+                       scene_of(air + R"("cloths": [{"mesh": "a.obj", )" + loose + "}]"),
+                       h,
+                       {sheet_mesh(3, 4, 1, 1)}}};
+  for (SolverRig& rig : rigs) {
+    int steps = 0;
+    for (const int more : {1, 9, 90, 1900}) {
+      rig.advance(static_cast<std::uint32_t>(more));
+      steps += more;
+      const Vec3d expected = wind * (1 - std::pow(1 - drag * h, steps));
+      for (const Vec4f& v : rig.velocities())
+        // Each step rounds three times at most 2 m/s; what is left of a rounding falls as (1 - c h)^n.
+        CHECK(length(v.xyz().to<double>() - expected) < 3 * 1.2e-7 * std::min(steps, 86) * 2);
+    }
+  }
+}
+
 TEST_CASE("a hanging node stretches its spring by m g / k") {
   GpuFixture fixture;
   // 2 x 2 nodes, the upper two pinned. Each lower node hangs by one boundary spring (half of 100 N/m) and

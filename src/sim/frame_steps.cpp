@@ -1,0 +1,40 @@
+#include "sim/frame_steps.hpp"
+
+namespace weft::sim {
+
+FrameSteps::FrameSteps(const StepParams& base, std::uint32_t substeps, std::size_t motion_count, double step)
+    : steps_(substeps, base), step_(step) {
+  for (std::uint32_t s = 0; s < substeps; ++s)
+    steps_[s].first_motion = s * 3 * static_cast<std::uint32_t>(motion_count);
+}
+
+void FrameSteps::set_air(const scene::Scene& scene, double time) {
+  for (std::size_t wave = 0; wave < start_turns_.size(); ++wave)
+    start_turns_[wave] = scene::turn_part(turns(wave, time));
+  start_ = time;
+  wind_ = scene::wind_field(scene.wind);
+  const Vec3d acceleration = scene.gravity + scene.external_force;
+  for (StepParams& params : steps_) {
+    params.acceleration = Vec4f::from(acceleration.to<float>(), 0);
+    params.drag = static_cast<float>(scene.drag);
+  }
+  changed_ = true;
+}
+
+void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, double time) {
+  if (!changed_ && !wind_.varies()) return;
+  for (std::size_t s = 0; s < steps_.size(); ++s) {
+    const double now = time + static_cast<double>(s) * step_;  // the substep's forces are those at its start
+    set_wind(steps_[s], wind_, {turns(0, now), turns(1, now)});
+  }
+  steps.write(device, steps_);
+  changed_ = false;
+}
+
+void FrameSteps::rewind() {
+  start_ = 0;
+  start_turns_ = {};
+  changed_ = true;
+}
+
+}  // namespace weft::sim

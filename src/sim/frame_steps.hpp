@@ -1,0 +1,42 @@
+// The parameters of a frame's substeps.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "scene/wind.hpp"
+#include "state/state.hpp"
+
+namespace weft::sim {
+
+/// StepParams for each substep of a frame. They go to the GPU again only where something in them has changed;
+/// the host's copy is kept, so that a frame allocates nothing.
+class FrameSteps {
+ public:
+  FrameSteps() = default;
+  /// `base`: what all substeps have in common and no scene changes while it runs.
+  FrameSteps(const StepParams& base, std::uint32_t substeps, std::size_t motion_count, double step);
+
+  /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
+  /// where they are.
+  void set_air(const scene::Scene& scene, double time);
+  /// Writes the substeps of the frame that begins at `time` [s].
+  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, double time);
+  /// Time begins anew at 0.
+  void rewind();
+
+ private:
+  double turns(std::size_t wave, double time) const {
+    return start_turns_[wave] + wind_.waves[wave].rate * (time - start_);
+  }
+
+  std::vector<StepParams> steps_;
+  scene::WindField wind_;
+  double step_ = 0;                         // [s]
+  double start_ = 0;                        // when the wind became what it is [s]
+  std::array<double, 2> start_turns_ = {};  // of its waves, then
+  bool changed_ = true;
+};
+
+}  // namespace weft::sim
