@@ -4,6 +4,11 @@
 #include <emscripten.h>
 #include <malloc.h>
 
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include "render/orbit.hpp"
 #include "session.hpp"
 
 namespace {
@@ -17,6 +22,13 @@ std::uint32_t code(const weft::Result<void>& result) {
   if (result) return 0;
   message = result.error().message;
   return 1 + static_cast<std::uint32_t>(result.error().kind);
+}
+
+/// Numbers for the other side to read at once.
+const double* give(std::initializer_list<double> numbers) {
+  static std::array<double, 8> given;
+  std::copy(numbers.begin(), numbers.end(), given.begin());
+  return given.data();
 }
 
 std::string text(const char* data, std::uint32_t size) { return {data, size}; }
@@ -54,7 +66,9 @@ EMSCRIPTEN_KEEPALIVE void weft_describe() { message = session->describe(); }
 
 /// Whether weft_advance would go without waiting.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_has_room() { return session->world()->has_room() ? 1 : 0; }
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_advance() { return code(session->advance()); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_advance() { return code(session->advance(false)); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_advance_and_draw() { return code(session->advance(true)); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_draw() { return code(session->draw()); }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_poll() { return code(session->world()->poll()); }
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_finish() { return code(session->world()->finish()); }
@@ -64,18 +78,12 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reset() { return code(session->world()->
 /// frames reported, simulated s, contacts, contact hash, contact overflow, largest stretch, nodes that are
 /// not finite, frames submitted.
 EMSCRIPTEN_KEEPALIVE const double* weft_totals() {
-  static double values[8];
   const weft::sim::World& world = *session->world();
   const weft::sim::Totals& totals = world.totals();
-  values[0] = totals.frames;
-  values[1] = totals.frames * world.scene().time.frame;
-  values[2] = static_cast<double>(totals.contacts);
-  values[3] = totals.contact_hash;
-  values[4] = static_cast<double>(totals.contact_overflow);
-  values[5] = static_cast<double>(totals.max_stretch);
-  values[6] = totals.nonfinite;
-  values[7] = world.frame();
-  return values;
+  return give({static_cast<double>(totals.frames), totals.frames * world.scene().time.frame,
+               static_cast<double>(totals.contacts), static_cast<double>(totals.contact_hash),
+               static_cast<double>(totals.contact_overflow), static_cast<double>(totals.max_stretch),
+               static_cast<double>(totals.nonfinite), static_cast<double>(world.frame())});
 }
 EMSCRIPTEN_KEEPALIVE double weft_gpu_bytes() {
   return static_cast<double>(session->world()->device().allocated_bytes());
@@ -87,6 +95,64 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_snapshot() {
   if (failed == 0) message = session->snapshot().hash();
   return failed;
 }
+/// Before weft_load. `format`: a gpu::TextureFormat.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_canvas(std::uint32_t target, std::uint32_t format,
+                                               std::uint32_t width, std::uint32_t height) {
+  session->set_canvas({target, static_cast<weft::gpu::TextureFormat>(format), width, height});
+  return 0;
+}
+/// Sleeps.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_resize(std::uint32_t width, std::uint32_t height) {
+  return code(session->resize(width, height));
+}
+/// Sleeps. `view`: a scene::View.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_view(std::uint32_t view) {
+  return code(session->set_view(static_cast<weft::scene::View>(view)));
+}
+/// Sleeps.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_pick(double x, double y) { return code(session->pick(x, y)); }
+/// node or -1; x, y, z [m].
+EMSCRIPTEN_KEEPALIVE const double* weft_picked() {
+  const auto& picked = session->picked();
+  if (!picked) return give({-1, 0, 0, 0});
+  return give({static_cast<double>(picked->node), picked->point.x, picked->point.y, picked->point.z});
+}
+EMSCRIPTEN_KEEPALIVE const double* weft_point_at(double x, double y, double rx, double ry, double rz) {
+  const weft::Vec3d point = session->view()->point_at(x, y, {rx, ry, rz});
+  return give({point.x, point.y, point.z});
+}
+EMSCRIPTEN_KEEPALIVE const double* weft_project(double x, double y, double z) {
+  const weft::render::Projected projected = session->view()->project({x, y, z});
+  return give({projected.x, projected.y});
+}
+
+/// eye, target [m], vertical field of view [degrees].
+EMSCRIPTEN_KEEPALIVE const double* weft_camera() {
+  const weft::scene::Camera& c = session->view()->camera();
+  return give({c.eye.x, c.eye.y, c.eye.z, c.target.x, c.target.y, c.target.z, c.fov_degrees});
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_set_camera(double ex, double ey, double ez, double tx, double ty,
+                                                   double tz, double fov) {
+  if (auto* view = session->view()) view->set_camera({{ex, ey, ez}, {tx, ty, tz}, fov});
+  return 0;
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reset_camera() {
+  if (auto* view = session->view()) view->reset_camera();
+  return 0;
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_orbit(double dx, double dy) {
+  if (auto* view = session->view()) view->set_camera(weft::render::orbit(view->camera(), dx, dy));
+  return 0;
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_pan(double dx, double dy) {
+  if (auto* view = session->view()) view->set_camera(weft::render::pan(view->camera(), dx, dy));
+  return 0;
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_zoom(double factor) {
+  if (auto* view = session->view()) view->set_camera(weft::render::zoom(view->camera(), factor));
+  return 0;
+}
+
 EMSCRIPTEN_KEEPALIVE const weft::Vec4f* weft_positions() { return session->snapshot().position.data(); }
 EMSCRIPTEN_KEEPALIVE const weft::Vec4f* weft_velocities() { return session->snapshot().velocity.data(); }
 /// Sleeps.

@@ -25,7 +25,9 @@ Result<void> Session::open(const std::string& adapter) {
 }
 
 void Session::close() {
+  view_.reset();
   world_.reset();
+  canvas_ = {};
   device_.reset();
 }
 
@@ -40,6 +42,7 @@ Result<void> Session::add_mesh(const std::string& name, std::span<const std::byt
 Result<scene::Scene> Session::parse() const { return scene::parse_scene(text_, kSceneName, changes_); }
 
 Result<void> Session::load(const std::string& text, const std::string& changes) {
+  view_.reset();
   world_.reset();
   snapshot_ = {};
   exported_ = {};
@@ -59,10 +62,46 @@ Result<void> Session::load(const std::string& text, const std::string& changes) 
   WEFT_CHECK(device_->status());
   WEFT_TRY(world, sim::World::create(*device_, std::move(scene), assets));
   world_ = std::move(world);
-  return {};
+  if (canvas_.target == 0) return {};
+  auto view = View::create(*world_, canvas_, shown_);
+  if (view) view_.emplace(std::move(*view));
+  const auto drawable = view ? device_->wait() : Result<void>(view.error());  // now it is known
+  if (drawable) return {};
+  view_.reset();
+  world_.reset();
+  return drawable;
 }
 
-Result<void> Session::advance() { return world_->advance_frame(); }
+Result<void> Session::resize(std::uint32_t width, std::uint32_t height) {
+  canvas_.width = width;
+  canvas_.height = height;
+  if (!view_) return {};
+  WEFT_CHECK(view_->resize(width, height));
+  return device_->wait();
+}
+
+Result<void> Session::set_view(scene::View view) {
+  shown_ = view;
+  if (!view_) return {};
+  WEFT_CHECK(view_->set_view(view));
+  return device_->wait();
+}
+
+Result<void> Session::advance(bool draw) {
+  return world_->advance_frame(draw && view_ ? &view_->list(world_->parity_after()) : nullptr);
+}
+
+Result<void> Session::draw() {
+  return view_ ? device_->submit(view_->list(world_->parity())) : Result<void>();
+}
+
+Result<void> Session::pick(double x, double y) {
+  picked_.reset();
+  if (!view_) return make_error(ErrorKind::Failure, "Nothing can be picked without a canvas.");
+  WEFT_CHECK(take_snapshot());
+  picked_ = render::pick_node(view_->ray(x, y), snapshot_.position, world_->model().host.triangles);
+  return {};
+}
 
 Result<void> Session::take_snapshot() {
   WEFT_TRY(snapshot, world_->snapshot());

@@ -10,6 +10,7 @@
 #include "gpu/device.hpp"
 #include "scene/override.hpp"
 #include "sim/world.hpp"
+#include "view.hpp"
 
 namespace weft::web {
 
@@ -26,7 +27,17 @@ class Session {
   Result<void> set(const std::string& key, const std::string& value);
   void close();
 
-  Result<void> advance();
+  /// Draws there from now on; before the next load.
+  void set_canvas(const Canvas& canvas) { canvas_ = canvas; }
+  Result<void> resize(std::uint32_t width, std::uint32_t height);
+  Result<void> set_view(scene::View view);
+
+  Result<void> advance(bool draw);
+  /// Draws the current state.
+  Result<void> draw();
+  /// The node under (x, y) in clip coordinates; picked() has it until the next call.
+  Result<void> pick(double x, double y);
+  const std::optional<render::PickedNode>& picked() const { return picked_; }
   /// The state as it is, kept until the next call.
   Result<void> take_snapshot();
   const sim::Snapshot& snapshot() const { return snapshot_; }
@@ -37,6 +48,7 @@ class Session {
   /// What was loaded, as JSON.
   std::string describe() const;
   sim::World* world() { return world_.get(); }
+  View* view() { return view_ ? &*view_ : nullptr; }
 
  private:
   Result<scene::Scene> parse() const;
@@ -46,6 +58,10 @@ class Session {
   std::string text_;
   std::vector<scene::Override> changes_;
   std::unique_ptr<sim::World> world_;
+  Canvas canvas_;
+  scene::View shown_ = scene::View::Textured;
+  std::optional<View> view_;  // draws from the world's buffers: goes before it
+  std::optional<render::PickedNode> picked_;
   sim::Snapshot snapshot_;
   std::vector<std::byte> exported_;
 };

@@ -144,6 +144,7 @@ export class World {
     if (!context) throw new WeftError("failure", "The canvas gives no WebGPU context: it has another one already.");
     const { handle, format } = this.core.backend.attachCanvas(context);
     await this.core.sleep("canvas", handle, format, this.canvas.width, this.canvas.height);
+    await this.core.sleep("view", VIEWS.indexOf(this.shownView));
   }
 
   get info(): WorldInfo {
@@ -173,7 +174,6 @@ export class World {
     this.scene = { scene, set };
     this.core.call("describe");
     this.current = JSON.parse(this.core.text()) as WorldInfo;
-    if (this.canvas) await this.core.sleep("view", VIEWS.indexOf(this.shownView));
     this.changed();
   }
 
@@ -263,11 +263,11 @@ export class World {
     return { eye: [n[0], n[1], n[2]], target: [n[3], n[4], n[5]], fov: n[6] };
   }
   set camera({ eye, target, fov }: Camera) { this.look("set_camera", ...eye, ...target, fov); }
-  /** Turns the camera about its target [rad]. */
+  /** Turns the eye about the target, to the right and upwards [rad]: for a scene that follows a pointer, negate. */
   orbit(dx: number, dy: number): void { this.look("orbit", dx, dy); }
-  /** Moves the camera along the picture, in picture heights. */
+  /** Moves the picture to the right and upwards, in picture heights. */
   pan(dx: number, dy: number): void { this.look("pan", dx, dy); }
-  /** Moves the camera to `factor` times its distance. */
+  /** What is looked at becomes `factor` times as large. */
   zoom(factor: number): void { this.look("zoom", factor); }
   /** The camera of the scene again, or one that has all in view. */
   resetCamera(): void { this.look("reset_camera"); }

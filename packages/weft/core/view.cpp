@@ -1,0 +1,55 @@
+#include "view.hpp"
+
+#include "render/scene_inputs.hpp"
+
+namespace weft::web {
+
+Result<View> View::create(const sim::World& world, const Canvas& canvas, scene::View view) {
+  View made;
+  made.canvas_ = canvas;
+  const std::vector<mesh::TriangleMesh>& objects = world.assets().objects;
+  render::Settings settings;
+  settings.width = canvas.width;
+  settings.height = canvas.height;
+  settings.view = view;
+  settings.color_format = canvas.format;
+  settings.camera = world.scene().camera;
+  settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
+  const render::Inputs inputs = render::inputs_of(world.model(), world.state(), world.surface().normal(),
+                                                  world.surface().stretch(), world.scene(), objects);
+  WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs));
+  made.renderer_ = std::move(renderer);
+  made.first_camera_ = made.renderer_.camera();
+  made.record();
+  return made;
+}
+
+void View::record() {
+  for (std::uint32_t parity = 0; parity < 2; ++parity) {
+    lists_[parity].reset();
+    renderer_.record(lists_[parity], parity, canvas_.target);
+  }
+}
+
+Result<void> View::resize(std::uint32_t width, std::uint32_t height) {
+  WEFT_CHECK(renderer_.resize(width, height));
+  canvas_.width = width;
+  canvas_.height = height;
+  record();
+  return {};
+}
+
+Result<void> View::set_view(scene::View view) {
+  WEFT_CHECK(renderer_.set_view(view));
+  record();
+  return {};
+}
+
+Vec3d View::point_at(double x, double y, const Vec3d& reference) const {
+  const render::Ray towards = ray(x, y);
+  const Vec3d forward = camera().target - camera().eye;
+  const double depth = dot(reference - towards.origin, forward) / dot(towards.direction, forward);
+  return towards.origin + depth * towards.direction;
+}
+
+}  // namespace weft::web

@@ -1,0 +1,49 @@
+// What a page sees of a world: the renderer on the canvas, its recorded lists and the camera.
+#pragma once
+
+#include <array>
+
+#include "render/pick.hpp"
+#include "render/renderer.hpp"
+#include "sim/world.hpp"
+
+namespace weft::web {
+
+/// Where a page draws: a texture view that is another texture in every frame (gpu/web/imports.hpp).
+struct Canvas {
+  gpu::Id target = 0;  // 0: none
+  gpu::TextureFormat format = gpu::TextureFormat::Rgba8UnormSrgb;
+  std::uint32_t width = 0, height = 0;  // [pixel]
+};
+
+class View {
+ public:
+  /// Errors  Limit, Shader, OutOfMemory.
+  static Result<View> create(const sim::World& world, const Canvas& canvas, scene::View view);
+
+  Result<void> resize(std::uint32_t width, std::uint32_t height);
+  Result<void> set_view(scene::View view);
+
+  /// What draws the state that lies in this parity's buffers.
+  const gpu::CommandList& list(std::uint32_t parity) const { return lists_[parity]; }
+
+  const render::Camera& camera() const { return renderer_.camera(); }
+  void set_camera(const render::Camera& camera) { renderer_.set_camera(camera); }
+  void reset_camera() { renderer_.set_camera(first_camera_); }
+
+  render::Ray ray(double x, double y) const { return render::pick_ray(camera(), aspect(), x, y); }
+  render::Projected project(const Vec3d& point) const { return render::project(camera(), aspect(), point); }
+  /// The point on the ray through (x, y) that is as far along the view as `reference`.
+  Vec3d point_at(double x, double y, const Vec3d& reference) const;
+
+ private:
+  double aspect() const { return static_cast<double>(canvas_.width) / canvas_.height; }
+  void record();
+
+  Canvas canvas_;
+  render::Renderer renderer_;
+  render::Camera first_camera_;
+  std::array<gpu::CommandList, 2> lists_;  // by parity
+};
+
+}  // namespace weft::web
