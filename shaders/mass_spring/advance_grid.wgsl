@@ -46,6 +46,12 @@ fn advance_grid(@builtin(global_invocation_id) id : vec3u) {
     velocity_out[node] = after.velocity;
     return;
   }
+  if (is_grabbed(node)) {
+    let after = integrate_grabbed(node, before);
+    position_out[node] = after.position;
+    velocity_out[node] = after.velocity;
+    return;
+  }
   let j = index / nx;
   let i = index - j * nx;
   let x = before.position.xyz;

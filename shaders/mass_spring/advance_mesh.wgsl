@@ -29,6 +29,8 @@ fn advance_mesh(@builtin(global_invocation_id) id : vec3u) {
   var after : NodeState;
   if (before.position.w == 0.0) {
     after = integrate_held(before, rest[node]);
+  } else if (is_grabbed(node)) {
+    after = integrate_grabbed(node, before);
   } else {
     var force = vec3f(0.0);
     for (var entry = offsets[index]; entry < offsets[index + 1u]; entry++) {

@@ -24,6 +24,8 @@ fn integrate_forces(@builtin(global_invocation_id) id : vec3u) {
   var after : NodeState;
   if (before.position.w == 0.0) {
     after = integrate_held(before, rest[node]);
+  } else if (is_grabbed(node)) {
+    after = integrate_grabbed(node, before);
   } else {
     after = integrate_free(before, sum / step.force_scale);
   }

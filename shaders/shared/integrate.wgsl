@@ -1,11 +1,9 @@
 // Semi-implicit Euler for one node: v += dt (a + f/m - drag (v - w)), then x += dt v. Kinematic nodes follow their motion.
 // Source: docs/solvers/mass_spring.md, equations 3 to 5. The including kernel binds `step` and `motions`.
+#include "shared/grab.wgsl"
+#include "shared/node_state.wgsl"
 #include "shared/step.wgsl"
 #include "shared/wind.wgsl"
-struct NodeState {
-  position : vec4f,  // m; w: inverse mass, 1/kg
-  velocity : vec4f,  // m/s
-}
 
 fn integrate_free(before : NodeState, force : vec3f) -> NodeState {
   let inverse_mass = before.position.w;

@@ -1,5 +1,7 @@
 // What a substep needs to know. One block a substep, 256 bytes apart (gpu/command_list.hpp, kStepStride).
 // Mirror: src/state/step_params.hpp; tests/state compares the offsets.
+const kMaxGrabs = 4u;
+
 struct StepParams {
   acceleration : vec4f,  // m/s²: gravity and the external force, xyz
   dt : f32,              // s
@@ -12,9 +14,13 @@ struct StepParams {
   thickness : f32,       // m
   max_push : f32,        // m; a single push is cut to this, so that no sum can overflow
   first_motion : u32,    // where this substep's block of `motions` begins, in vec4f
+  grab_rate : f32,       // 1/s; at most 1 / dt
+  grab_speed : f32,      // m/s
   wind : vec4f,          // m/s: the mean, xyz; w: 1 where wind blows, else 0 and the four below are not read
   wind_wave_a : vec4f,   // 1/m: how a wave's phase grows along xyz, in turns; w: what time has taken off it, in [0, 1)
   wind_wave_b : vec4f,
   gust_a : vec4f,        // m/s: what the crest of a wave adds to the wind, xyz
   gust_b : vec4f,
+  grab_node : vec4u,     // the held nodes; 0xffffffff where a place is free
+  grab_target : array<vec4f, kMaxGrabs>,  // m: where they are pulled, xyz
 }

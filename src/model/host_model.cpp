@@ -67,6 +67,27 @@ void append(HostModel& model, const scene::Cloth& cloth, const PlacedCloth& plac
   model.cloths.push_back(part);
 }
 
+/// Finds the one free node of each of the cloth's grabs.
+Result<void> append_grabs(HostModel& model, const scene::Cloth& cloth, const scene::Selection& selection,
+                          std::uint32_t first) {
+  for (const scene::Grab& grab : cloth.grabs) {
+    WEFT_TRY(nodes, scene::select_nodes(grab.node, selection));
+    if (nodes.size() != 1)
+      return input_error("%s selects %zu nodes; a grab holds exactly one.", grab.node.where.c_str(),
+                         nodes.size());
+    const std::uint32_t node = first + nodes[0];
+    if (model.kinematic(node))
+      return input_error("%s selects node %u, which is %s; a grab holds a free node.",
+                         grab.node.where.c_str(), nodes[0], model.motion[node] == 1 ? "pinned" : "moved");
+    for (const NodeGrab& other : model.grabs)
+      if (other.node == node && scene::overlap(other.grab, grab))
+        return input_error("%s holds node %u, which %s holds at the same time.", grab.where.c_str(), nodes[0],
+                           other.grab.where.c_str());
+    model.grabs.push_back({node, grab});
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<HostModel> build_model(const scene::Scene& scene,
@@ -99,6 +120,7 @@ Result<HostModel> build_model(const scene::Scene& scene,
       for (const std::uint32_t node : held.motions[m])
         model.motion[first + node] = 1 + static_cast<std::uint32_t>(model.motions.size());
     }
+    WEFT_CHECK(append_grabs(model, cloth, selection, first));
   }
   return model;
 }

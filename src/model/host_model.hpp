@@ -13,7 +13,7 @@
 #include "mesh/grid.hpp"
 #include "mesh/springs.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "scene/scene.hpp"
+#include "scene/grab.hpp"
 
 namespace weft {
 
@@ -37,6 +37,12 @@ struct ClothModel {
   std::optional<Vec3d> color;
 };
 
+/// A grab of the scene, and the node that it means.
+struct NodeGrab {
+  std::uint32_t node = 0;
+  scene::Grab grab;
+};
+
 /// The model on the host. Vertices, triangles and springs of all cloths are numbered through, cloth after
 /// cloth.
 struct HostModel {
@@ -47,6 +53,7 @@ struct HostModel {
   std::vector<std::uint32_t> motion;     // 0: free; 1: pinned; 1 + k: moved by motions[k - 1]
   std::vector<mesh::Triangle> triangles;
   std::vector<scene::Motion> motions;
+  std::vector<NodeGrab> grabs;
 
   std::size_t vertex_count() const { return rest_position.size(); }
   bool kinematic(std::size_t vertex) const { return motion[vertex] != 0; }
@@ -56,7 +63,7 @@ struct HostModel {
 
 /// Places the scene's cloths in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for a
 /// grid). Errors  Input: a cloth vertex has no area, a selector selects nothing, a node is both pinned and
-/// moved.
+/// moved, a grab does not mean one free node or shares it with another.
 Result<HostModel> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes);
 
 /// The springs of one cloth in the order of mesh/springs.hpp, with the model's node numbers.

@@ -3,6 +3,15 @@
 #include <cmath>
 
 namespace weft::reference {
+namespace {
+
+const Follower* follower(const MassSpringSystem& system, std::size_t node) {
+  for (const Follower& held : system.grabs)
+    if (held.node == node) return &held;
+  return nullptr;
+}
+
+}  // namespace
 
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
   std::vector<Vec3d> forces(system.position.size());
@@ -33,6 +42,14 @@ void advance(MassSpringSystem& system, double dt) {
   for (std::size_t i = 0; i < forces.size(); ++i) {
     if (system.inverse_mass[i] == 0) {
       system.velocity[i] = {};
+      continue;
+    }
+    if (const Follower* held = follower(system, i)) {
+      Vec3d velocity = system.grab_rate * (held->target - system.position[i]);
+      const double speed = length(velocity);
+      if (speed > system.grab_speed) velocity *= system.grab_speed / speed;
+      system.velocity[i] = velocity;
+      system.position[i] += dt * velocity;
       continue;
     }
     const Vec3d slip = system.velocity[i] - wind_at(system.wind, system.position[i], system.time);

@@ -16,6 +16,12 @@ struct SpringLink {
   double damping = 0;      // [N·s/m]
 };
 
+/// A node that is pulled to a point.
+struct Follower {
+  std::uint32_t node = 0;
+  Vec3d target;  // [m]
+};
+
 /// Nodes and springs; node i is held where inverse_mass[i] is 0.
 struct MassSpringSystem {
   std::vector<Vec3d> position, velocity;  // [m], [m/s]
@@ -25,6 +31,9 @@ struct MassSpringSystem {
   double drag = 0;     // [1/s]
   scene::WindField wind;
   double time = 0;  // [s]; advance counts it up
+  std::vector<Follower> grabs;
+  double grab_rate = 0;   // [1/s]
+  double grab_speed = 0;  // [m/s]
 };
 
 /// The force of every node's springs [N].
@@ -33,7 +42,8 @@ std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
 /// The wind at a place and time [m/s].
 Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time);
 
-/// One step of semi-implicit Euler: v += dt (a + f/m - drag (v - w)), then x += dt v.
+/// One step of semi-implicit Euler: v += dt (a + f/m - drag (v - w)), then x += dt v. A held node
+/// has v = rate (target - x), cut to the grabs' speed, instead.
 void advance(MassSpringSystem& system, double dt);
 
 /// Kinetic, elastic and gravitational energy [J].

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "scene/grab.hpp"
 #include "scene/names.hpp"
 
 namespace weft::scene {
@@ -67,6 +68,7 @@ class Builder {
       WEFT_TRY(built, cloth(one, path_of_index("cloths", scene.cloths.size())));
       scene.cloths.push_back(std::move(built));
     }
+    WEFT_CHECK(check_grabs(scene.cloths));
     for (const Json& one : at(json, "colliders").values)
       scene.colliders.push_back(collider(one, path_of_index("colliders", scene.colliders.size())));
     if (const Json* camera = json.find("camera")) {
@@ -134,6 +136,10 @@ class Builder {
       WEFT_TRY(built, motion(one, path_of_index(path + ".motions", cloth.motions.size()), cloth));
       cloth.motions.push_back(std::move(built));
     }
+    for (const Json& one : at(json, "grabs").values) {
+      WEFT_TRY(built, grab(one, path_of_index(path + ".grabs", cloth.grabs.size()), cloth));
+      cloth.grabs.push_back(std::move(built));
+    }
     if (const Json* color = json.find("color")) cloth.color = vector(*color);
     return cloth;
   }
@@ -200,6 +206,43 @@ class Builder {
       motion.shape = std::move(shape);
     }
     return motion;
+  }
+
+  Result<Grab> grab(const Json& json, const std::string& path, const Cloth& cloth) const {
+    Grab grab;
+    grab.where = where(path);
+    WEFT_TRY(node, selector(at(json, "node"), path + ".node", cloth));
+    grab.node = std::move(node);
+    grab.start = number(json, "start");
+    grab.end = maybe_number(json, "end");
+    if (grab.end && *grab.end <= grab.start)
+      return wrong(path + ".end", "is " + number_text(*grab.end) + " s, not after the start at " +
+                                      number_text(grab.start) + " s");
+    for (const Json& point : at(json, "path").values) {
+      const double time = number(point, "time");
+      if (!grab.path.empty() && time <= grab.path.back().time)
+        return wrong(path_of_index(path + ".path", grab.path.size()) + ".time",
+                     "is " + number_text(time) + " s, not after the " + number_text(grab.path.back().time) +
+                         " s of the point before it");
+      grab.path.push_back({time, vector(point, "point")});
+    }
+    return grab;
+  }
+
+  /// No more grabs at any time than there are places. Their number can only grow where one starts.
+  static Result<void> check_grabs(const std::vector<Cloth>& cloths) {
+    std::vector<const Grab*> all;
+    for (const Cloth& cloth : cloths)
+      for (const Grab& grab : cloth.grabs) all.push_back(&grab);
+    for (const Grab* grab : all) {
+      const auto count = std::count_if(all.begin(), all.end(), [&](const Grab* other) {
+        return other->start <= grab->start && overlap(*other, *grab);
+      });
+      if (static_cast<std::size_t>(count) > kMaxGrabs)
+        return input_error("%s is one of %zu that hold a node at %g s; the limit is %zu at once.",
+                           grab->where.c_str(), static_cast<std::size_t>(count), grab->start, kMaxGrabs);
+    }
+    return {};
   }
 
   Collider collider(const Json& json, const std::string& path) const {

@@ -163,6 +163,25 @@ constexpr Type kMotion{
 constexpr const Type* kMotionItem[] = {&kMotion};
 constexpr Type kMotions{.kind = Kind::List, .count_most = 1000, .types = kMotionItem};
 
+// grabs
+constexpr Key kGrabPointKeys[] = {
+    {"time", &kInstant, "When", nullptr, true},
+    {"point", &kPoint, "Where, in the world", nullptr, true},
+};
+constexpr Type kGrabPoint{.kind = Kind::Object, .keys = kGrabPointKeys};
+constexpr const Type* kGrabPointItem[] = {&kGrabPoint};
+constexpr Type kGrabPath{.kind = Kind::List, .count_least = 1, .count_most = 100000, .types = kGrabPointItem};
+constexpr Key kGrabKeys[] = {
+    {"node", &kSelector, "The node that is held: a selector of exactly one free node", nullptr, true},
+    {"start", &kInstant, "When it is taken", "0"},
+    {"end", &kInstant, "When it is let go; without it never"},
+    {"path", &kGrabPath, "Where it is pulled, times rising; straight between, still before and after",
+     nullptr, true},
+};
+constexpr Type kGrab{.kind = Kind::Object, .name = "grab", .keys = kGrabKeys};
+constexpr const Type* kGrabItem[] = {&kGrab};
+constexpr Type kGrabs{.kind = Kind::List, .count_most = 1000, .types = kGrabItem};
+
 // cloths
 constexpr Type kGrid{.kind = Kind::Numbers, .least = 2, .most = 16384, .whole = true, .count_least = 2};
 constexpr Type kSize{.kind = Kind::Numbers, .least = kSmall, .most = kFar, .unit = "m", .count_least = 2};
@@ -191,6 +210,7 @@ constexpr Key kClothKeys[] = {
     {"damping", &kDamping, "Damping along each spring", "0.25"},
     {"pins", &kPinList, "Nodes that stay where they are", "[]"},
     {"motions", &kMotions, "Nodes that follow a given motion", "[]"},
+    {"grabs", &kGrabs, "Nodes that are pulled to a point for a while", "[]"},
     {"color", &kColor, "Red, green and blue"},
 };
 constexpr const char* kShapeWays[] = {"grid", "mesh"};

@@ -71,6 +71,19 @@ struct Motion {
   std::variant<MotionLine, MotionPath, MotionRotation> shape;
 };
 
+struct GrabPoint {
+  double time = 0;  // [s]
+  Vec3d point;      // in the world [m]
+};
+/// One free node that is pulled along a path for a while (grab.hpp).
+struct Grab {
+  std::string where;  // file and JSON path
+  Selector node;
+  double start = 0;           // [s]
+  std::optional<double> end;  // when it is let go [s]; none: never
+  std::vector<GrabPoint> path;
+};
+
 /// Where a grid lies before its transform, centred on the origin.
 enum class Plane {
   Xy,  ///< hangs: i grows with +x, j with -y
@@ -99,6 +112,7 @@ struct Cloth {
   double damping = 0.25;  // along each spring [N·s/m]
   std::vector<Selector> pins;
   std::vector<Motion> motions;
+  std::vector<Grab> grabs;
   std::optional<Vec3d> color;  // red, green, blue in [0, 1]
 };
 

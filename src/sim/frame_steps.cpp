@@ -21,14 +21,18 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
   changed_ = true;
 }
 
-void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, double time) {
-  if (!changed_ && !wind_.varies()) return;
+void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
+                       double time) {
+  const bool held = grabs.any(time, time + static_cast<double>(steps_.size()) * step_);
+  if (!changed_ && !wind_.varies() && !held && !held_) return;
   for (std::size_t s = 0; s < steps_.size(); ++s) {
     const double now = time + static_cast<double>(s) * step_;  // the substep's forces are those at its start
     set_wind(steps_[s], wind_, {turns(0, now), turns(1, now)});
+    grabs.set(steps_[s], now + step_);  // a follower, as a motion, goes to where the target is at the end
   }
   steps.write(device, steps_);
   changed_ = false;
+  held_ = held;
 }
 
 void FrameSteps::rewind() {

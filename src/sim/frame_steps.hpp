@@ -6,6 +6,7 @@
 
 #include "scene/scene.hpp"
 #include "scene/wind.hpp"
+#include "sim/grabs.hpp"
 #include "state/state.hpp"
 
 namespace weft::sim {
@@ -22,7 +23,7 @@ class FrameSteps {
   /// where they are.
   void set_air(const scene::Scene& scene, double time);
   /// Writes the substeps of the frame that begins at `time` [s].
-  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, double time);
+  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs, double time);
   /// Time begins anew at 0.
   void rewind();
 
@@ -37,6 +38,7 @@ class FrameSteps {
   double start_ = 0;                        // when the wind became what it is [s]
   std::array<double, 2> start_turns_ = {};  // of its waves, then
   bool changed_ = true;
+  bool held_ = false;  // in the frame that was written last
 };
 
 }  // namespace weft::sim

@@ -90,6 +90,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
     report.commands.copy(state_.statistics.source(), report.readback.target());
   }
   motion_rows_.resize(3 * model_.host.motions.size() * substeps_);
+  grabs_.emplace(model_.host);
   steps_ = FrameSteps(base_params(), substeps_, model_.host.motions.size(), step());
   steps_.set_air(scene_, 0);
   record_frame(0);
@@ -166,7 +167,7 @@ Result<void> World::advance_frame(const gpu::CommandList* draw) {
     device_.poll();
     WEFT_CHECK(take_reports(false));
   }
-  steps_.write(device_, state_.steps, time());
+  steps_.write(device_, state_.steps, *grabs_, time());
   write_motions();
   const std::array<const gpu::CommandList*, 3> lists = {&frame_commands_[parity_], &free->commands, draw};
   WEFT_CHECK(device_.submit(std::span(lists).first(draw != nullptr ? 3 : 2)));
@@ -230,11 +231,18 @@ Result<void> World::reset() {
   const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
   state_.statistics.write(device_, zeros);
   steps_.rewind();
+  grabs_->release_all();
   frame_ = 0;
   parity_ = 0;
   totals_ = {};
   return submit_rest();
 }
+
+Result<void> World::grab(std::uint32_t node, const Vec3d& target) {
+  return grabs_->grab(node, target, time());
+}
+Result<void> World::drag(std::uint32_t node, const Vec3d& target) { return grabs_->drag(node, target); }
+Result<void> World::release(std::uint32_t node) { return grabs_->release(node); }
 
 Result<Snapshot> World::snapshot() {
   Snapshot snapshot;

@@ -13,6 +13,7 @@
 #include "gpu/readback.hpp"
 #include "sim/assets.hpp"
 #include "sim/frame_steps.hpp"
+#include "sim/grabs.hpp"
 #include "solver/solver.hpp"
 #include "state/state.hpp"
 
@@ -57,7 +58,16 @@ class World {
   bool has_room() const;
   /// Waits until all frames have reported. Errors as advance_frame.
   Result<void> finish();
-  /// Back to the rest state at time 0.
+  /// Holds a free node, numbered through all cloths, and pulls it to `target` [m]: from the next frame on, by
+  /// a part of the way in each substep, no faster than grab_speed(). Its springs and contacts go on. Errors
+  /// Input: no such node; it is pinned, moved or held. Limit: scene::kMaxGrabs are held.
+  Result<void> grab(std::uint32_t node, const Vec3d& target);
+  /// Pulls a node that grab() holds to another place. Errors  Input: it is not held.
+  Result<void> drag(std::uint32_t node, const Vec3d& target);
+  /// Lets go a node that grab() holds: it goes on with its velocity. Errors  Input: it is not held.
+  Result<void> release(std::uint32_t node);
+
+  /// Back to the rest state at time 0; what grab() holds is let go.
   Result<void> reset();
 
   /// The current state, waited for.
@@ -122,6 +132,7 @@ class World {
   std::size_t spring_count_ = 0;
   std::array<gpu::CommandList, 2> frame_commands_;
   std::array<Report, 3> reports_;
+  std::optional<Grabs> grabs_;
   FrameSteps steps_;
   std::vector<Vec4f> motion_rows_;  // of one frame; kept so that a frame allocates nothing
   Totals totals_;

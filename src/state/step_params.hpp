@@ -5,9 +5,12 @@
 #include <cstdint>
 
 #include "base/vec.hpp"
+#include "scene/grab.hpp"
 #include "scene/wind.hpp"
 
 namespace weft {
+
+inline constexpr std::uint32_t kNoNode = 0xffffffffU;
 
 /// Mirror of shaders/shared/step.wgsl.
 struct StepParams {
@@ -22,15 +25,19 @@ struct StepParams {
   float thickness = 0;    // [m]
   float max_push = 0;     // [m]
   std::uint32_t first_motion = 0;
-  std::uint32_t padding_before_wind[2] = {};
+  float grab_rate = 0;             // [1/s]
+  float grab_speed = 0;            // [m/s]
   Vec4f wind;                      // [m/s]; w: 1 where wind blows
   Vec4f wind_wave_a, wind_wave_b;  // [1/m]; w: in [0, 1)
   Vec4f gust_a, gust_b;            // [m/s]
-  std::uint32_t padding[28] = {};  // to kStepStride
+  std::array<std::uint32_t, scene::kMaxGrabs> grab_node = {kNoNode, kNoNode, kNoNode, kNoNode};
+  std::array<Vec4f, scene::kMaxGrabs> grab_target = {};  // [m]
+  std::uint32_t padding[8] = {};                         // to kStepStride
 };
 static_assert(sizeof(StepParams) == 256);
 static_assert(offsetof(StepParams, dt) == 16 && offsetof(StepParams, first_motion) == 52);
 static_assert(offsetof(StepParams, wind) == 64 && offsetof(StepParams, gust_b) == 128);
+static_assert(offsetof(StepParams, grab_node) == 144 && offsetof(StepParams, grab_target) == 160);
 
 /// Sets the wind; `turns` is how far time has brought each wave.
 void set_wind(StepParams& params, const scene::WindField& wind, const std::array<double, 2>& turns);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "scene/load.hpp"
 #include "model/host_model.hpp"
+#include "scene/load.hpp"
 
 using namespace weft;
 
@@ -68,4 +68,28 @@ TEST_CASE("a cloth vertex without area is bad input that names the cloth") {
   REQUIRE_FALSE(model);
   CHECK(model.error().kind == ErrorKind::Input);
   CHECK(model.error().message.find("cloths[0]") != std::string::npos);
+}
+
+TEST_CASE("a grab must mean exactly one free node, which no other grab has at the same time") {
+  const auto refused = [](const std::string& more) {
+    const auto scene = scene::parse_scene(
+        R"({"format": "weft-scene/1", "cloths": [{"grid": [3, 3], "size": [1, 1], "density": 1,
+           "pins": ["top_left"], "grabs": [)" +
+            more + "]}]}",
+        "test.json");
+    REQUIRE_MESSAGE(scene, scene.error().message);
+    const auto model = build_model(*scene, {{}});
+    return model ? "node " + std::to_string(model->grabs.at(0).node) : model.error().message;
+  };
+  const std::string path = R"(, "path": [{"time": 0, "point": [0, 0, 0]}]})";
+  CHECK(refused(R"({"node": "bottom_left")" + path) == "node 6");
+  CHECK(refused(R"({"node": "bottom")" + path) ==
+        "test.json: cloths[0].grabs[0].node selects 3 nodes; a grab holds exactly one.");
+  CHECK(refused(R"({"node": "top_left")" + path) ==
+        "test.json: cloths[0].grabs[0].node selects node 0, which is pinned; a grab holds a free node.");
+  const std::string first = R"({"node": {"nodes": [4]}, "start": 1, "end": 2)" + path + ", ";
+  CHECK(refused(first + R"({"node": {"nodes": [4]}, "start": 2)" + path) == "node 4");
+  CHECK(refused(first + R"({"node": {"nodes": [4]})" + path) ==
+        "test.json: cloths[0].grabs[1] holds node 4, which test.json: cloths[0].grabs[0] holds at the same "
+        "time.");
 }

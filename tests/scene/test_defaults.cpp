@@ -52,6 +52,7 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(cloth.damping == 0.25);
   CHECK(cloth.pins.empty());
   CHECK(cloth.motions.empty());
+  CHECK(cloth.grabs.empty());
   CHECK_FALSE(cloth.color);
   CHECK_FALSE(cloth.node_mass);
 }
@@ -91,7 +92,8 @@ TEST_CASE("every key arrives where it belongs") {
          {"nodes": "right", "kind": "line", "direction": [0, 3, 4], "speed": 2, "distance": 5, "start": 1, "ramp": 0.5},
          {"nodes": ["left", {"nodes": [1]}], "kind": "path", "points": [[1, [0, 0, 1]], [2, [0, 1, 0]]]},
          {"nodes": {"nodes": [3]}, "kind": "rotation", "axis": [0, 0, 2], "center": [1, 1, 1], "speed": 3, "angle": 6,
-          "start": 2, "ramp": 1}]},
+          "start": 2, "ramp": 1}],
+       "grabs": [{"node": {"nodes": [6]}, "start": 1, "end": 2, "path": [{"time": 1.5, "point": [1, 2, 3]}]}]},
       {"mesh": "shirt.obj", "density": 0.3}],
     "colliders": [{"kind": "mesh", "mesh": "dragon", "transform": {"scale": 0.5}},
                   {"kind": "sphere", "center": [1, 2, 3], "radius": 4},
@@ -136,6 +138,13 @@ TEST_CASE("every key arrives where it belongs") {
   CHECK(flag.transform.scale == 2);
   CHECK(flag.transform.rotate[3] == doctest::Approx(0.8));
   CHECK(flag.transform.translate == Vec3d{1, 2, 3});
+  REQUIRE(flag.grabs.size() == 1);
+  CHECK(flag.grabs[0].where == "a.json: cloths[0].grabs[0]");
+  CHECK(flag.grabs[0].node.where == "a.json: cloths[0].grabs[0].node");
+  CHECK(flag.grabs[0].start == 1);
+  CHECK(flag.grabs[0].end == 2.0);
+  CHECK(flag.grabs[0].path[0].time == 1.5);
+  CHECK(flag.grabs[0].path[0].point == Vec3d{1, 2, 3});
   REQUIRE(flag.pins.size() == 4);
   CHECK(std::get<GridPart>(flag.pins[0].what) == GridPart::TopLeft);
   CHECK(std::get<SelectorBox>(flag.pins[1].what).max == Vec3d{3, 4, 5});

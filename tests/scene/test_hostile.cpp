@@ -91,6 +91,20 @@ std::vector<Hostile> hostile_scenes() {
        "render.size[1] is 15; it must be from 16 to 16384 pixels"},
       {scene_with(R"("render": {"size": [1280.5, 720]})"), "render.size[0] is 1280.5, not a whole number"},
       {scene_with(R"("render": {"sise": [1280, 720]})"), R"(render.sise is not known; did you mean "size"?)"},
+      // grabs
+      {cloth_with(R"("grabs": [{"node": "top_left"}])"),
+       "cloths[0].grabs[0].path is missing; it must be a list"},
+      {cloth_with(R"("grabs": [{"node": "top_left", "path": []}])"), "cloths[0].grabs[0].path has 0 entries"},
+      {cloth_with(R"("grabs": [{"node": ["top"], "path": [{"time": 0, "point": [0, 0, 0]}]}])"),
+       "cloths[0].grabs[0].node is a list of 1, not"},
+      {cloth_with(R"("grabs": [{"node": "top_left", "path": [{"time": 0, "offset": [0, 0, 0]}]}])"),
+       "cloths[0].grabs[0].path[0].offset is not known"},
+      {cloth_with(
+           R"("grabs": [{"node": "top_left", "start": 2, "end": 2, "path": [{"time": 0, "point": [0, 0, 0]}]}])"),
+       "cloths[0].grabs[0].end is 2 s, not after the start at 2 s", false},
+      {cloth_with(
+           R"("grabs": [{"node": "top_left", "path": [{"time": 1, "point": [0, 0, 0]}, {"time": 1, "point": [0, 0, 0]}]}])"),
+       "cloths[0].grabs[0].path[1].time is 1 s, not after the 1 s of the point before it", false},
       // A cloth's shape and mass.
       {cloth_of(R"("density": 0.2)"), R"(cloths[0] has neither "grid" nor "mesh"; it must have one of them)"},
       {cloth_of(R"("grid": [4, 3], "size": [3, 2], "mesh": "shirt", "density": 0.2)"),

@@ -44,7 +44,7 @@ class SolverRig {
     auto solver = make_solver(scene.solver, {device, model_, state_, nullptr, workgroup_size});
     REQUIRE_OK(solver);
     solver_ = std::move(*solver);
-    StepParams params;
+    StepParams& params = params_;
     params.acceleration = Vec4f::from((scene.gravity + scene.external_force).to<float>(), 0);
     params.dt = static_cast<float>(dt);
     params.drag = static_cast<float>(scene.drag);
@@ -74,6 +74,16 @@ class SolverRig {
   void set(const std::vector<Vec4f>& position, const std::vector<Vec4f>& velocity) {
     state_.position[parity_].write(device_, position);
     state_.velocity[parity_].write(device_, velocity);
+  }
+
+  /// Holds a node from now on.
+  void hold(std::uint32_t node, const Vec3d& target, double rate, double speed) {
+    params_.grab_rate = static_cast<float>(rate);
+    params_.grab_speed = static_cast<float>(speed);
+    params_.grab_node[grabs_.size()] = node;
+    params_.grab_target[grabs_.size()] = Vec4f::from(target.to<float>(), 0);
+    grabs_.push_back({node, target});
+    state_.steps.write(device_, std::span(&params_, 1));
   }
 
   void advance(std::uint32_t steps) {
@@ -115,6 +125,9 @@ class SolverRig {
     system.drag = scene_.drag;
     system.wind = scene::wind_field(scene_.wind);
     system.time = kTime;
+    system.grabs = grabs_;
+    system.grab_rate = static_cast<double>(params_.grab_rate);
+    system.grab_speed = static_cast<double>(params_.grab_speed);
     return system;
   }
 
@@ -128,6 +141,8 @@ class SolverRig {
   gpu::Device& device_;
   scene::Scene scene_;
   double dt_;
+  StepParams params_;
+  std::vector<reference::Follower> grabs_;
   Model model_;
   State state_;
   std::unique_ptr<Solver> solver_;

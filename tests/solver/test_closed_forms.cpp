@@ -67,6 +67,25 @@ TEST_CASE("without springs a node takes on the wind as v_n = w (1 - (1 - c h)^n)
   }
 }
 
+TEST_CASE("a held node goes to its target as (1 - r h)^n") {
+  GpuFixture fixture;
+  const double h = 1.0 / 512, rate = 20;
+  SolverRig rig(fixture.device(),
+                scene_of(grid(4, 4, 1, 1,
+                              R"("density": 0.2, "stiffness": {"structural": 50, "shear": 20, "bend": 1})")),
+                h);
+  const Vec3d start = rig.positions()[5].xyz().to<double>(), target{0.4, -0.3, 0.25};
+  rig.hold(5, target, rate, 100);
+  int steps = 0;
+  for (const int more : {1, 1, 20, 100, 300}) {
+    rig.advance(static_cast<std::uint32_t>(more));
+    steps += more;
+    const Vec3d expected = target + std::pow(1 - rate * h, steps) * (start - target);
+    // A step rounds a place below 1 m; what is left of a rounding falls as (1 - r h)^n, so 1 / r h add up.
+    CHECK(length(rig.positions()[5].xyz().to<double>() - expected) < 6e-8 * 2 / (rate * h));
+  }
+}
+
 TEST_CASE("a hanging node stretches its spring by m g / k") {
   GpuFixture fixture;
   // 2 x 2 nodes, the upper two pinned. Each lower node hangs by one boundary spring (half of 100 N/m) and

@@ -35,6 +35,16 @@ double wind_tolerance(const reference::MassSpringSystem& system, std::size_t nod
   return error;
 }
 
+/// How far the velocity of a held node may be: the difference of two places, its length and the cut round.
+double grab_tolerance(const reference::MassSpringSystem& system, std::size_t node) {
+  double error = 0;
+  for (const reference::Follower& held : system.grabs)
+    if (held.node == node)
+      error +=
+          system.grab_rate * kUlp * (length(held.target) + 10 * length(held.target - system.position[node]));
+  return error;
+}
+
 /// How far a component of one step's velocity may be from the reference: the rounding of each spring's
 /// tension and direction, of the sum, of the update, and for the fixed-point sum half a unit a spring.
 std::vector<double> velocity_tolerance(const reference::MassSpringSystem& system, double dt,
@@ -54,7 +64,7 @@ std::vector<double> velocity_tolerance(const reference::MassSpringSystem& system
   std::vector<double> tolerance(system.position.size());
   for (std::size_t i = 0; i < tolerance.size(); ++i)
     tolerance[i] = dt * system.inverse_mass[i] * (force[i] * 2) +
-                   4 * kUlp * (length(system.velocity[i]) + dt * 20) +
+                   4 * kUlp * (length(system.velocity[i]) + dt * 20) + grab_tolerance(system, i) +
                    dt * system.drag * (wind_tolerance(system, i) + 4 * kUlp * length(system.velocity[i]));
   return tolerance;
 }
@@ -139,6 +149,31 @@ TEST_CASE("in gusts of any direction all three paths equal the reference") {
     mesh.perturb(5, 0.02, 1.0);
     check_one_step(mesh, 0);
   }
+}
+
+TEST_CASE("with held nodes all three paths equal the reference, and a pinned node cannot be held") {
+  GpuFixture fixture;
+  const auto check = [](SolverRig& rig, double force_unit) {
+    rig.perturb(6, 0.02, 1.0);
+    rig.hold(20, {0.3, 0.1, 0.2}, 20, 10);
+    rig.hold(0, {0.3, 0.1, 0.2}, 20, 10);  // pinned
+    rig.hold(31, {5, -2, 0.2}, 20, 10);    // cut to the speed
+    rig.hold(33, {-0.1, 0, 0}, 20, 10);
+    const Vec4f pinned = rig.positions()[0];
+    check_one_step(rig, force_unit);
+    CHECK(rig.positions()[0] == pinned);
+    CHECK(length(rig.velocities()[31].xyz()) == doctest::Approx(10));
+  };
+  SolverRig grid(fixture.device(), scene_of(cloth(9, 11, "node_centric")), 1e-4);
+  check(grid, 0);
+  SolverRig springs(fixture.device(), scene_of(cloth(9, 11, "spring_centric")), 1e-4);
+  const auto fixed_point =
+      force_fixed_point(build_springs(springs.model().host), springs.model().vertex_count());
+  check(springs, 1 / static_cast<double>(fixed_point.scale));
+  SolverRig mesh(fixture.device(),
+                 scene_of(R"("cloths": [{"mesh": "a.obj", "density": 0.3, "pins": [{"nodes": [0]}]}])"), 1e-4,
+                 {sheet_mesh(9, 11, 1, 0.8)});
+  check(mesh, 0);
 }
 
 TEST_CASE("a grid and the same sheet as a mesh of springs move alike") {

@@ -22,7 +22,7 @@ std::uint32_t statistic(const std::string& name) {
 
 TEST_CASE("StepParams lies in C++ as in WGSL") {
   const WgslLayout wgsl = wgsl_layout(shader("shared/step.wgsl"), "StepParams");
-  CHECK(wgsl.offset.size() == 16);
+  CHECK(wgsl.offset.size() == 20);
   CHECK(wgsl.offset.at("acceleration") == offsetof(StepParams, acceleration));
   CHECK(wgsl.offset.at("dt") == offsetof(StepParams, dt));
   CHECK(wgsl.offset.at("drag") == offsetof(StepParams, drag));
@@ -34,12 +34,17 @@ TEST_CASE("StepParams lies in C++ as in WGSL") {
   CHECK(wgsl.offset.at("thickness") == offsetof(StepParams, thickness));
   CHECK(wgsl.offset.at("max_push") == offsetof(StepParams, max_push));
   CHECK(wgsl.offset.at("first_motion") == offsetof(StepParams, first_motion));
+  CHECK(wgsl.offset.at("grab_rate") == offsetof(StepParams, grab_rate));
+  CHECK(wgsl.offset.at("grab_speed") == offsetof(StepParams, grab_speed));
   CHECK(wgsl.offset.at("wind") == offsetof(StepParams, wind));
   CHECK(wgsl.offset.at("wind_wave_a") == offsetof(StepParams, wind_wave_a));
   CHECK(wgsl.offset.at("wind_wave_b") == offsetof(StepParams, wind_wave_b));
   CHECK(wgsl.offset.at("gust_a") == offsetof(StepParams, gust_a));
   CHECK(wgsl.offset.at("gust_b") == offsetof(StepParams, gust_b));
-  CHECK(wgsl.size <= sizeof(StepParams));
+  CHECK(wgsl.offset.at("grab_node") == offsetof(StepParams, grab_node));
+  CHECK(wgsl.offset.at("grab_target") == offsetof(StepParams, grab_target));
+  CHECK(wgsl.size == offsetof(StepParams, padding));
+  CHECK(wgsl_constant(shader("shared/step.wgsl"), "kMaxGrabs") == scene::kMaxGrabs);
 }
 
 TEST_CASE("Spring lies in C++ as in WGSL") {

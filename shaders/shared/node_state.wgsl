@@ -1,0 +1,4 @@
+struct NodeState {
+  position : vec4f,  // m; w: inverse mass, 1/kg
+  velocity : vec4f,  // m/s
+}

@@ -1,0 +1,123 @@
+#include "sim/grabs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::sim {
+namespace {
+
+Result<void> check_target(std::uint32_t node, const Vec3d& target) {
+  if (std::isfinite(target.x) && std::isfinite(target.y) && std::isfinite(target.z)) return {};
+  return input_error("The target of node %u is (%g, %g, %g) m, which is not finite.", node, target.x,
+                     target.y, target.z);
+}
+
+bool ended(const scene::Grab& grab, double time) { return grab.end && *grab.end <= time; }
+
+}  // namespace
+
+double grab_speed(const HostModel& model) {
+  double largest = 0;
+  for (const ClothModel& cloth : model.cloths) {
+    Vec3d low = model.rest_position[cloth.first_vertex], high = low;
+    for (std::uint32_t v = 0; v < cloth.vertex_count; ++v) {
+      low = min(low, model.rest_position[cloth.first_vertex + v]);
+      high = max(high, model.rest_position[cloth.first_vertex + v]);
+    }
+    const Vec3d size = high - low;
+    largest = std::max({largest, size.x, size.y, size.z});
+  }
+  return std::max(kGrabSpeed, kGrabLengths * largest);
+}
+
+Grabs::Grabs(const HostModel& model)
+    : motion_(model.motion), scripted_(model.grabs), speed_(grab_speed(model)) {
+  held_.reserve(scene::kMaxGrabs);
+}
+
+std::size_t Grabs::needed_by_scene(double time) const {
+  std::size_t most = 0;  // it is reached where a grab starts, or now
+  for (const NodeGrab& first : scripted_) {
+    if (ended(first.grab, time)) continue;
+    const double from = std::max(first.grab.start, time);
+    const auto held = [&](const NodeGrab& other) {
+      return other.grab.start <= from && !ended(other.grab, from);
+    };
+    const auto count = std::count_if(scripted_.begin(), scripted_.end(), held);
+    most = std::max(most, static_cast<std::size_t>(count));
+  }
+  return most;
+}
+
+Result<void> Grabs::check(std::uint32_t node, double time) const {
+  if (node >= motion_.size())
+    return input_error("Node %u cannot be grabbed: there are %zu nodes, counted from 0.", node,
+                       motion_.size());
+  if (motion_[node] != 0)
+    return input_error("Node %u cannot be grabbed: it is %s.", node,
+                       motion_[node] == 1 ? "pinned" : "moved by the scene");
+  for (const Held& held : held_)
+    if (held.node == node) return input_error("Node %u cannot be grabbed: it is held already.", node);
+  for (const NodeGrab& other : scripted_)
+    if (other.node == node && !ended(other.grab, time))
+      return input_error("Node %u cannot be grabbed: %s holds it from %g s on.", node,
+                         other.grab.where.c_str(), other.grab.start);
+  const std::size_t needed = needed_by_scene(time);
+  if (held_.size() + needed >= scene::kMaxGrabs)
+    return make_error(ErrorKind::Limit,
+                      "Node %u cannot be grabbed: %zu nodes are held and the scene's own grabs need %zu; the "
+                      "limit is %zu at once.",
+                      node, held_.size(), needed, scene::kMaxGrabs);
+  return {};
+}
+
+Result<void> Grabs::grab(std::uint32_t node, const Vec3d& target, double time) {
+  WEFT_CHECK(check(node, time));
+  WEFT_CHECK(check_target(node, target));
+  held_.push_back({node, target});
+  return {};
+}
+
+Result<Grabs::Held*> Grabs::find(std::uint32_t node) {
+  for (Held& held : held_)
+    if (held.node == node) return &held;
+  return input_error("Node %u is not held; %zu of at most %zu nodes are.", node, held_.size(),
+                     scene::kMaxGrabs);
+}
+
+Result<void> Grabs::drag(std::uint32_t node, const Vec3d& target) {
+  WEFT_TRY(held, find(node));
+  WEFT_CHECK(check_target(node, target));
+  held->target = target;
+  return {};
+}
+
+Result<void> Grabs::release(std::uint32_t node) {
+  WEFT_TRY(held, find(node));
+  held_.erase(held_.begin() + (held - held_.data()));
+  return {};
+}
+
+bool Grabs::any(double from, double to) const {
+  return !held_.empty() || std::any_of(scripted_.begin(), scripted_.end(), [&](const NodeGrab& one) {
+    return one.grab.start < to && !ended(one.grab, from);
+  });
+}
+
+void Grabs::set(StepParams& params, double time) const {
+  params.grab_node.fill(kNoNode);
+  params.grab_speed = static_cast<float>(speed_);
+  // No more than the whole distance in a substep: the follower would swing about its target.
+  params.grab_rate = std::min(static_cast<float>(kGrabRate), 1 / params.dt);
+  std::size_t slot = 0;
+  const auto put = [&](std::uint32_t node, const Vec3d& target) {
+    params.grab_node[slot] = node;
+    params.grab_target[slot] = Vec4f::from(target.to<float>(), 0);
+    ++slot;
+  };
+  for (const NodeGrab& one : scripted_)
+    if (scene::holds_at(one.grab, time)) put(one.node, scene::target_at(one.grab, time));
+  for (const Held& held : held_) put(held.node, held.target);
+}
+
+}  // namespace weft::sim

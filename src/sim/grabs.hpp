@@ -1,0 +1,59 @@
+// The nodes that are held: by the scene's own grabs, and by who works with the world.
+#pragma once
+
+#include <vector>
+
+#include "model/host_model.hpp"
+#include "state/step_params.hpp"
+
+namespace weft::sim {
+
+/// A held node closes in on its target by this part of the distance a second, so to 5 % in 0.15 s: quick
+/// under a hand, and slow enough that a hand's jump becomes a pull [1/s].
+inline constexpr double kGrabRate = 20;
+/// No held node is faster than the larger of these: what a hand can do [m/s], and, where the scene is large,
+/// this many lengths of its largest cloth a second [1/s].
+inline constexpr double kGrabSpeed = 10;
+inline constexpr double kGrabLengths = 5;
+
+/// The most that a held node of this model may move in a second [m/s].
+double grab_speed(const HostModel& model);
+
+/// At most scene::kMaxGrabs nodes are held at any time. Those that the scene will need are kept free.
+class Grabs {
+ public:
+  explicit Grabs(const HostModel& model);
+
+  /// Holds a free node from now on. Errors  Input: no such node; it is pinned, moved, or held now or later by
+  /// the scene; a target that is not finite. Limit: as many are held as can be.
+  Result<void> grab(std::uint32_t node, const Vec3d& target, double time);
+  /// Pulls a held node to another place. Errors  Input: it is not held; a target that is not finite.
+  Result<void> drag(std::uint32_t node, const Vec3d& target);
+  /// Lets a node go. Errors  Input: it is not held.
+  Result<void> release(std::uint32_t node);
+  /// Lets all go but those that the scene holds.
+  void release_all() { held_.clear(); }
+
+  /// Whether a node may be held between two times [s].
+  bool any(double from, double to) const;
+  /// Sets who is held in the substep that ends at `time` [s], and where they are pulled.
+  void set(StepParams& params, double time) const;
+
+ private:
+  struct Held {
+    std::uint32_t node = 0;
+    Vec3d target;  // [m]
+  };
+
+  Result<Held*> find(std::uint32_t node);
+  Result<void> check(std::uint32_t node, double time) const;
+  /// The most nodes that the scene holds at once after `time`.
+  std::size_t needed_by_scene(double time) const;
+
+  std::vector<std::uint32_t> motion_;  // HostModel::motion
+  std::vector<NodeGrab> scripted_;
+  std::vector<Held> held_;
+  double speed_ = 0;  // [m/s]
+};
+
+}  // namespace weft::sim

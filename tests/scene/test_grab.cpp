@@ -1,0 +1,58 @@
+#include <doctest/doctest.h>
+
+#include "scene/grab.hpp"
+#include "scene/load.hpp"
+#include "texts.hpp"
+
+using namespace weft;
+using namespace weft::scene;
+
+namespace {
+
+Grab between(double start, const std::optional<double>& end) {
+  Grab grab;
+  grab.start = start;
+  grab.end = end;
+  return grab;
+}
+
+}  // namespace
+
+TEST_CASE("a grab pulls to its first point, then straight along its path, then to its last") {
+  Grab grab;
+  grab.path = {{1, {1, 0, 0}}, {3, {1, 4, 0}}};
+  CHECK(target_at(grab, -1) == Vec3d{1, 0, 0});
+  CHECK(target_at(grab, 1) == Vec3d{1, 0, 0});
+  CHECK(target_at(grab, 1.5) == Vec3d{1, 1, 0});
+  CHECK(target_at(grab, 3) == Vec3d{1, 4, 0});
+  CHECK(target_at(grab, 99) == Vec3d{1, 4, 0});
+}
+
+TEST_CASE("a grab holds in the substeps that end after its start and not after its end") {
+  const Grab grab = between(1, 2.0);
+  CHECK_FALSE(holds_at(grab, 1));
+  CHECK(holds_at(grab, 1.001));
+  CHECK(holds_at(grab, 2));
+  CHECK_FALSE(holds_at(grab, 2.001));
+  CHECK(holds_at(between(1, {}), 1e6));
+  CHECK_FALSE(overlap(grab, between(2, {})));
+  CHECK(overlap(grab, between(1.9, {})));
+}
+
+TEST_CASE("four nodes can be held at once, and more over time") {
+  const auto grabs = [](int count, const std::string& last) {
+    std::string text;
+    for (int k = 0; k < count; ++k)
+      text += R"({"node": {"nodes": [)" + std::to_string(k) +
+              R"(]}, "start": 1, "end": 3, "path": [{"time": 0, "point": [0, 0, 0]}]}, )";
+    return cloth_with(R"("grabs": [)" + text + R"({"node": "top_right", )" + last +
+                      R"("path": [{"time": 0, "point": [0, 0, 0]}]}])");
+  };
+  CHECK(parse_scene(grabs(3, ""), "a.json"));
+  CHECK(parse_scene(grabs(4, R"("start": 3, )"), "a.json"));
+  CHECK(parse_scene(grabs(4, R"("end": 1, )"), "a.json"));
+  const auto refused = parse_scene(grabs(4, R"("start": 2, )"), "a.json");
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message ==
+        "a.json: cloths[0].grabs[4] is one of 5 that hold a node at 2 s; the limit is 4 at once.");
+}
