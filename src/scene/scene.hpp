@@ -1,4 +1,5 @@
 // A scene as plain data, as docs/scene.md describes it. SI units; y points up. load.hpp reads and checks one.
+// Two things are equal wherever they stand: `where` is for messages and is not compared.
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@ struct Transform {
   double scale = 1;
   std::array<double, 4> rotate{0, 0, 0, 1};  // unit quaternion x, y, z, w
   Vec3d translate;                           // [m]
+  bool operator==(const Transform&) const = default;
 };
 
 /// A part of a grid cloth by name. Row j = 0 is the top, column i = 0 is the left.
@@ -25,20 +27,24 @@ enum class GridPart { TopLeft, TopRight, BottomLeft, BottomRight, Top, Bottom, L
 /// Nodes whose rest position in the world lies in a box, faces included [m].
 struct SelectorBox {
   Vec3d min, max;
+  bool operator==(const SelectorBox&) const = default;
 };
 /// Nodes whose rest position in the world is at most `radius` from `point` [m].
 struct SelectorNear {
   Vec3d point;
   double radius = 0;
+  bool operator==(const SelectorNear&) const = default;
 };
 /// Nodes by index: row by row on a grid (j * nx + i), the file's order on a mesh.
 struct SelectorNodes {
   std::vector<std::uint32_t> indices;
+  bool operator==(const SelectorNodes&) const = default;
 };
 /// Which nodes of a cloth are meant; select.hpp finds them.
 struct Selector {
   std::string where;  // file and JSON path, for messages: "scenes/a.json: cloths[0].pins[1]"
   std::variant<GridPart, SelectorBox, SelectorNear, SelectorNodes> what;
+  bool operator==(const Selector& other) const { return what == other.what; }
 };
 
 /// A translation along a line, with speed and place given by `start`, `ramp` and `distance` (motion.hpp).
@@ -47,14 +53,17 @@ struct MotionLine {
   double speed = 0;                // [m/s]
   std::optional<double> distance;  // [m]; none: without end
   double start = 0, ramp = 0;      // [s]
+  bool operator==(const MotionLine&) const = default;
 };
 struct PathPoint {
   double time = 0;  // [s]
   Vec3d offset;     // from the rest position [m]
+  bool operator==(const PathPoint&) const = default;
 };
 /// A translation along straight pieces between points at rising times.
 struct MotionPath {
   std::vector<PathPoint> points;
+  bool operator==(const MotionPath&) const = default;
 };
 /// A rotation about an axis through `center`, right-handed.
 struct MotionRotation {
@@ -63,17 +72,20 @@ struct MotionRotation {
   double speed = 0;             // [rad/s]
   std::optional<double> angle;  // [rad]; none: without end
   double start = 0, ramp = 0;   // [s]
+  bool operator==(const MotionRotation&) const = default;
 };
 /// Nodes that follow a given motion instead of the forces.
 struct Motion {
   std::string where;  // file and JSON path
   std::vector<Selector> nodes;
   std::variant<MotionLine, MotionPath, MotionRotation> shape;
+  bool operator==(const Motion& other) const { return nodes == other.nodes && shape == other.shape; }
 };
 
 struct GrabPoint {
   double time = 0;  // [s]
   Vec3d point;      // in the world [m]
+  bool operator==(const GrabPoint&) const = default;
 };
 /// One free node that is pulled along a path for a while (grab.hpp).
 struct Grab {
@@ -82,6 +94,9 @@ struct Grab {
   double start = 0;           // [s]
   std::optional<double> end;  // when it is let go [s]; none: never
   std::vector<GrabPoint> path;
+  bool operator==(const Grab& other) const {
+    return node == other.node && start == other.start && end == other.end && path == other.path;
+  }
 };
 
 /// Where a grid lies before its transform, centred on the origin.
@@ -98,6 +113,7 @@ struct GridShape {
 /// Spring stiffness [N/m].
 struct Stiffness {
   double structural = 5000, shear = 2000, bend = 500;
+  bool operator==(const Stiffness&) const = default;
 };
 
 struct Cloth {
@@ -120,15 +136,20 @@ struct ColliderMesh {
   std::string where;  // file and JSON path
   std::string mesh;   // the name of a model or a path; see mesh_path
   Transform transform;
+  bool operator==(const ColliderMesh& other) const {
+    return mesh == other.mesh && transform == other.transform;
+  }
 };
 struct ColliderSphere {
   Vec3d center;       // [m]
   double radius = 0;  // [m]
+  bool operator==(const ColliderSphere&) const = default;
 };
 /// Solid on the side away from `normal`.
 struct ColliderPlane {
   Vec3d point;   // [m]
   Vec3d normal;  // unit
+  bool operator==(const ColliderPlane&) const = default;
 };
 using Collider = std::variant<ColliderMesh, ColliderSphere, ColliderPlane>;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "scene/difference.hpp"
 #include "scene/motion.hpp"
 #include "solver/registry.hpp"
 
@@ -243,6 +244,30 @@ Result<void> World::grab(std::uint32_t node, const Vec3d& target) {
 }
 Result<void> World::drag(std::uint32_t node, const Vec3d& target) { return grabs_->drag(node, target); }
 Result<void> World::release(std::uint32_t node) { return grabs_->release(node); }
+
+Result<void> World::change(const scene::Scene& scene) {
+  if (const auto key = scene::fixed_difference(scene_, scene))
+    return input_error("%s cannot change while the cloth moves; load the scene anew.", key->c_str());
+  StepLimit limit = with_drag(scene_.solver, limit_, scene.drag);
+  // A step that a scene chose beyond its own limit is its affair; only a new drag is judged.
+  if (scene.drag != scene_.drag && limit.largest_step > 0 && step() > limit.largest_step)
+    return make_error(ErrorKind::Limit,
+                      "With a drag of %g 1/s the largest stable step is %.4g s, less than the running one of "
+                      "%.4g s; load the scene anew.",
+                      scene.drag, limit.largest_step, step());
+  limit_ = std::move(limit);
+  scene_.gravity = scene.gravity;
+  scene_.external_force = scene.external_force;
+  scene_.drag = scene.drag;
+  scene_.wind = scene.wind;
+  scene_.title = scene.title;
+  scene_.description = scene.description;
+  scene_.time.frames = scene.time.frames;
+  scene_.camera = scene.camera;
+  scene_.render = scene.render;
+  steps_.set_air(scene_, time());
+  return {};
+}
 
 Result<Snapshot> World::snapshot() {
   Snapshot snapshot;

@@ -23,6 +23,14 @@ Result<StepLimit> find_step_limit(gpu::Device& device, const scene::Scene& scene
   return StepLimit{};
 }
 
+StepLimit with_drag(const scene::Solver& settings, const StepLimit& limit, double drag) {
+  switch (settings.kind) {
+    case scene::SolverKind::MassSpring:
+      return least_step_limit(limit.cloths, drag);
+  }
+  return limit;
+}
+
 Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const StepLimit& limit) {
   constexpr double kMostSubsteps = 65536;  // docs/scene.md, time.substeps
   if (limit.largest_step <= 0) return 1U;

@@ -11,6 +11,9 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
 /// The largest stable step of the scene's solver. Errors as make_solver.
 Result<StepLimit> find_step_limit(gpu::Device& device, const scene::Scene& scene, const HostModel& model);
 
+/// The limit of the same scene with another drag. Asks nothing of the GPU.
+StepLimit with_drag(const scene::Solver& settings, const StepLimit& limit, double drag);
+
 /// The substeps of a frame that "auto" means: the least multiple of 4 whose step is at most kStepSafety times
 /// the largest stable one. Errors  Limit: more than scenes allow.
 Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const StepLimit& limit);

@@ -149,15 +149,26 @@ double largest_stable_step(double stiffness, double damping) {
   return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
 }
 
-Result<StepLimit> mass_spring_step_limit(gpu::Device& device, const HostModel& model, double drag) {
+StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {
   StepLimit limit;
-  for (const ClothModel& cloth : model.cloths) {
-    WEFT_TRY(spectrum, find_spectrum(device, stiffest_part(model, cloth)));
+  for (const NetworkSpectrum& spectrum : cloths) {
     const double step = largest_stable_step(spectrum.stiffness, spectrum.damping + drag);
     if (limit.largest_step != 0 && step >= limit.largest_step) continue;
-    limit = {std::sqrt(spectrum.stiffness), spectrum.damping + drag, step};
+    limit.highest_frequency = std::sqrt(spectrum.stiffness);
+    limit.highest_damping = spectrum.damping + drag;
+    limit.largest_step = step;
   }
+  limit.cloths = std::move(cloths);
   return limit;
+}
+
+Result<StepLimit> mass_spring_step_limit(gpu::Device& device, const HostModel& model, double drag) {
+  std::vector<NetworkSpectrum> cloths;
+  for (const ClothModel& cloth : model.cloths) {
+    WEFT_TRY(spectrum, find_spectrum(device, stiffest_part(model, cloth)));
+    cloths.push_back(spectrum);
+  }
+  return least_step_limit(std::move(cloths), drag);
 }
 
 }  // namespace weft

@@ -21,10 +21,6 @@ SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth);
 /// (damping) sum k n n^T and c n n^T over the springs. Iterates x <- A x / |A x| with A = M^-1/2 K M^-1/2,
 /// `iterations` times from a seeded random start; |A x| approaches the largest eigenvalue from below. Errors
 /// Shader, Limit, OutOfMemory, DeviceLost.
-struct NetworkSpectrum {
-  double stiffness = 0;  // [1/s²]
-  double damping = 0;    // [1/s]
-};
 Result<NetworkSpectrum> find_spectrum(gpu::Device& device, const SpringNetwork& network,
                                       std::uint32_t iterations = 192);
 
@@ -32,6 +28,9 @@ Result<NetworkSpectrum> find_spectrum(gpu::Device& device, const SpringNetwork& 
 /// largest eigenvalue of M^-1 K and μ that of M^-1 C plus the drag: h < (√(μ² + 4 λ) - μ) / λ. Source:
 /// docs/solvers/mass_spring.md, equation 7.
 double largest_stable_step(double stiffness, double damping);
+
+/// The least of the limits of cloths with these spectra.
+StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag);
 
 /// The least of the limits of the model's cloths.
 Result<StepLimit> mass_spring_step_limit(gpu::Device& device, const HostModel& model, double drag);

@@ -1,0 +1,48 @@
+#include "scene/difference.hpp"
+
+#include "scene/json.hpp"
+
+namespace weft::scene {
+namespace {
+
+const char* grid_difference(const std::optional<GridShape>& a, const std::optional<GridShape>& b) {
+  if (!a && !b) return nullptr;
+  if (!a || !b || a->nx != b->nx || a->ny != b->ny) return "grid";
+  if (a->width != b->width || a->height != b->height) return "size";
+  return a->plane == b->plane ? nullptr : "plane";
+}
+
+const char* cloth_difference(const Cloth& a, const Cloth& b) {
+  if (const char* key = grid_difference(a.grid, b.grid)) return key;
+  if (a.mesh != b.mesh) return "mesh";
+  if (!(a.transform == b.transform)) return "transform";
+  if (a.density != b.density) return "density";
+  if (a.node_mass != b.node_mass) return "node_mass";
+  if (!(a.stiffness == b.stiffness)) return "stiffness";
+  if (a.damping != b.damping) return "damping";
+  if (!(a.pins == b.pins)) return "pins";
+  if (!(a.motions == b.motions)) return "motions";
+  if (!(a.grabs == b.grabs)) return "grabs";
+  return a.color == b.color ? nullptr : "color";
+}
+
+}  // namespace
+
+std::optional<std::string> fixed_difference(const Scene& running, const Scene& wanted) {
+  if (running.time.frame != wanted.time.frame) return "time.frame";
+  if (running.time.substeps != wanted.time.substeps) return "time.substeps";
+  if (running.solver.kind != wanted.solver.kind) return "solver.kind";
+  if (running.solver.forces != wanted.solver.forces) return "solver.forces";
+  if (running.contact.method != wanted.contact.method) return "contact.method";
+  if (running.contact.thickness != wanted.contact.thickness) return "contact.thickness";
+  if (running.cloths.size() != wanted.cloths.size()) return "cloths";
+  for (std::size_t c = 0; c < running.cloths.size(); ++c)
+    if (const char* key = cloth_difference(running.cloths[c], wanted.cloths[c]))
+      return path_of_key(path_of_index("cloths", c), key);
+  if (running.colliders.size() != wanted.colliders.size()) return "colliders";
+  for (std::size_t c = 0; c < running.colliders.size(); ++c)
+    if (!(running.colliders[c] == wanted.colliders[c])) return path_of_index("colliders", c);
+  return std::nullopt;
+}
+
+}  // namespace weft::scene

@@ -1,0 +1,70 @@
+#include <doctest/doctest.h>
+
+#include "scene/difference.hpp"
+#include "scene/load.hpp"
+
+using namespace weft;
+using namespace weft::scene;
+
+namespace {
+
+const std::string kScene = R"({"format": "weft-scene/1", "cloths": [
+    {"mesh": "shirt.obj", "density": 1, "pins": [{"nodes": [1]}]},
+    {"grid": [4, 3], "size": [3, 2], "density": 0.2, "pins": ["top_left"],
+     "motions": [{"nodes": "top_right", "kind": "line", "direction": [1, 0, 0], "speed": 1}],
+     "grabs": [{"node": "bottom_left", "path": [{"time": 0, "point": [0, 0, 0]}]}]}],
+    "colliders": [{"kind": "mesh", "mesh": "dragon"}, {"kind": "sphere", "center": [0, 0, 0], "radius": 1}]})";
+
+std::string difference(const std::string& key, const std::string& value) {
+  const Override change[] = {{key, value}};
+  const auto running = parse_scene(kScene, "a.json"), wanted = parse_scene(kScene, "b.json", change);
+  if (!running) FAIL(running.error().message);
+  if (!wanted) FAIL(wanted.error().message);
+  return fixed_difference(*running, *wanted).value_or("none");
+}
+
+}  // namespace
+
+TEST_CASE("the air, and what no state follows from, may differ in a running scene") {
+  for (const auto& [key, value] : {std::pair{"gravity", "[0, -1.6, 0]"},
+                                   {"external_force", "[1, 0, 0]"},
+                                   {"drag", "3"},
+                                   {"wind", R"({"velocity": [1, 0, 0], "gusts": 1})"},
+                                   {"title", "\"other\""},
+                                   {"description", "\"other\""},
+                                   {"time.frames", "7"},
+                                   {"render.view", "stretch"},
+                                   {"camera", R"({"eye": [0, 0, 1], "target": [0, 0, 0]})"},
+                                   {"cloths[0].name", "\"other\""}}) {
+    CAPTURE(key);
+    CHECK(difference(key, value) == "none");
+  }
+}
+
+TEST_CASE("a difference in anything else is found and named by its key") {
+  for (const auto& [key, value] :
+       {std::pair{"time.frame", "0.01"},
+        {"time.substeps", "8"},
+        {"solver.forces", "spring_centric"},
+        {"contact.method", "paper"},
+        {"contact.thickness", "0.1"},
+        {"cloths[0].mesh", "\"coat.obj\""},
+        {"cloths[1].grid", "[5, 3]"},
+        {"cloths[1].size", "[3, 1]"},
+        {"cloths[1].plane", "xz"},
+        {"cloths[1].transform", R"({"scale": 2})"},
+        {"cloths[1].density", "0.3"},
+        {"cloths[0].stiffness", R"({"bend": 1})"},
+        {"cloths[1].damping", "0.1"},
+        {"cloths[1].pins", R"(["bottom_right"])"},
+        {"cloths[1].motions", "[]"},
+        {"cloths[1].grabs", "[]"},
+        {"cloths[1].color", "[1, 0, 0]"},
+        {"colliders", "[]"},
+        {"colliders[0]", R"({"kind": "mesh", "mesh": "sphere"})"},
+        {"colliders[1]", R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]})"}})
+    CHECK(difference(key, value) == key);
+  CHECK(difference("cloths[1].motions[0].speed", "2") == "cloths[1].motions");
+  CHECK(difference("cloths[1].grabs[0].path[0].time", "2") == "cloths[1].grabs");
+  CHECK(difference("cloths[0].pins[0].nodes", "[2]") == "cloths[0].pins");
+}
