@@ -1,0 +1,224 @@
+// The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
+import { createWorld, WeftError, type Statistics, type View, type World, type WorldInfo } from "weft";
+import { fetchScene, type Choice, type LoadedScene } from "./scenes.js";
+
+export interface PlayerEvents {
+  /** The world is being built; whatever was held of it is void. */
+  opening(title: string): void;
+  opened(scene: LoadedScene, info: WorldInfo): void;
+  /** No scene could be opened, nor the one before. */
+  empty(): void;
+  playing(on: boolean): void;
+  viewed(view: View): void;
+  frame(statistics: Readonly<Statistics>): void;
+  said(sentence: string): void;
+  failed(sentence: string): void;
+}
+
+const LOSSES = { most: 3, within: 60_000 }; // a device that is lost more often than this [ms] will be lost again
+const WIDE = 1.5; // width / height that the scenes' cameras are made for; narrower, the cloth is seen from farther off
+
+export function sentence(reason: unknown): string {
+  const text = reason instanceof Error ? reason.message : String(reason);
+  return /[.!?]$/.test(text) ? text : `${text}.`;
+}
+
+export class Player {
+  private open_: World | null = null;
+  private scene: LoadedScene | null = null; // what the world holds; null while it must not be asked
+  private wantsToPlay = false;
+  private hidden = false;
+  private view: View = "textured";
+  private wind: readonly [number, number, number] | null = null;
+  private turn: Promise<void> = Promise.resolve(); // loading and recovery, one after the other
+  private newest = 0;
+  private recovering = false;
+  private losses: number[] = [];
+
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly events: PlayerEvents) {}
+
+  get world(): World | null { return this.open_; }
+  /** The world, while it holds a scene. */
+  get live(): World | null { return this.scene ? this.open_ : null; }
+  get playing(): boolean { return this.wantsToPlay; }
+  get shownView(): View { return this.view; }
+
+  /** Shows a scene; where it cannot be opened, the one before. Rejects only the first time, when there is nothing to show. */
+  open(choice: Choice): Promise<void> {
+    const number = ++this.newest;
+    return this.inTurn(async () => {
+      if (number !== this.newest) return; // another was chosen meanwhile
+      this.events.opening("Loading the scene …");
+      const before = this.scene;
+      try {
+        await this.load(await fetchScene(choice));
+      } catch (reason) {
+        await this.reopen(before, reason);
+      }
+    });
+  }
+
+  private async reopen(before: LoadedScene | null, reason: unknown): Promise<void> {
+    this.events.failed(sentence(reason));
+    try {
+      if (reason instanceof WeftError && reason.kind === "device-lost") this.discard();
+      if (!before) throw reason;
+      await this.load(before);
+    } catch {
+      this.events.empty();
+      if (!before) throw reason;
+    }
+  }
+
+  private async load(scene: LoadedScene): Promise<void> {
+    const options = { scene: scene.json, meshes: scene.meshes, set: scene.set };
+    this.scene = null;
+    this.open_?.pause();
+    if (this.open_) await this.open_.load(scene.json, options);
+    else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.view }));
+    this.wind = null;
+    this.settle(scene);
+  }
+
+  /** The world holds this scene now. */
+  private settle(scene: LoadedScene): void {
+    const world = this.open_!;
+    this.scene = scene;
+    this.fitCamera(world);
+    this.events.opened(scene, world.info);
+    this.follow();
+  }
+
+  private adopt(world: World): void {
+    this.open_ = world;
+    world.on("frame", (statistics) => this.events.frame(statistics));
+    world.on("error", (error) => this.fail(error));
+    this.watch(world);
+  }
+
+  private discard(): void {
+    this.open_?.dispose();
+    this.open_ = null;
+    this.scene = null;
+  }
+
+  // Time
+
+  play(on: boolean): void {
+    this.wantsToPlay = on;
+    this.follow();
+    this.events.playing(on);
+    if (!on) void this.ask((world) => world.step(0)); // waits for the frames under way: the numbers are the picture's
+  }
+
+  /** A page that nobody sees does not simulate. */
+  setHidden(hidden: boolean): void {
+    this.hidden = hidden;
+    this.follow();
+  }
+
+  private follow(): void {
+    if (this.live && this.wantsToPlay && !this.hidden) this.live.run();
+    else this.open_?.pause();
+  }
+
+  async step(): Promise<void> {
+    this.play(false);
+    await this.ask((world) => world.step());
+  }
+
+  async reset(): Promise<void> { await this.ask((world) => world.reset()); }
+
+  // Change and look
+
+  async setView(view: View): Promise<void> {
+    this.view = view;
+    await this.ask((world) => world.setView(view));
+    this.events.viewed(view);
+  }
+
+  async setWind(velocity: readonly [number, number, number]): Promise<void> {
+    this.wind = velocity;
+    await this.ask((world) => world.setParameter("wind.velocity", velocity));
+  }
+
+  resetCamera(): void {
+    this.live?.resetCamera();
+    if (this.live) this.fitCamera(this.live);
+  }
+
+  private fitCamera(world: World): void {
+    const aspect = this.canvas.width / this.canvas.height;
+    if (aspect < WIDE) world.zoom(aspect / WIDE);
+  }
+
+  async resize(width: number, height: number): Promise<void> {
+    if (this.live) await this.ask((world) => world.resize(width, height));
+    else [this.canvas.width, this.canvas.height] = [width, height]; // where a world that opens now looks
+  }
+
+  /** Asks the world for something, if there is one; what goes wrong is said. */
+  async ask<T>(action: (world: World) => Promise<T>): Promise<T | null> {
+    const world = this.live;
+    if (!world) return null;
+    try {
+      return await action(world);
+    } catch (reason) {
+      this.fail(reason);
+      return null;
+    }
+  }
+
+  // Faults
+
+  private fail(reason: unknown): void {
+    if (reason instanceof WeftError && reason.kind === "device-lost") return void this.recover(sentence(reason));
+    if (this.wantsToPlay) this.play(false);
+    this.events.failed(sentence(reason));
+  }
+
+  /** A loss shows in a running world's next frame; a paused one is told by the device itself. */
+  private watch(world: World): void {
+    const device = world.device;
+    void device?.lost.then(({ message }) => {
+      if (this.open_ === world && world.device === device) void this.recover(`The GPU device is lost: ${message}`);
+    });
+  }
+
+  private async recover(cause: string): Promise<void> {
+    const scene = this.scene;
+    if (!scene || this.recovering) return; // while a scene is loading, its own failure says it
+    this.recovering = true;
+    this.scene = null;
+    const now = performance.now();
+    this.losses = [...this.losses.filter((then) => now - then < LOSSES.within), now];
+    await this.inTurn(() => this.reviveOnce(scene, cause.replace(/[.\s]*$/, ".")));
+    this.recovering = false;
+  }
+
+  private async reviveOnce(scene: LoadedScene, cause: string): Promise<void> {
+    if (this.losses.length > LOSSES.most) {
+      this.events.empty();
+      return this.events.failed(`${cause} It was lost ${this.losses.length} times within a minute; reload the page to try again.`);
+    }
+    this.events.opening("The GPU device was lost; opening it again …");
+    try {
+      const world = this.open_!;
+      await world.recover();
+      this.watch(world);
+      if (this.wind) await world.setParameter("wind.velocity", this.wind);
+      this.settle(scene);
+      this.events.said(`${cause} It has been opened again, and the scene starts anew.`);
+    } catch (reason) {
+      this.discard();
+      this.events.empty();
+      this.events.failed(`${cause} It could not be opened again: ${sentence(reason)} Choose a scene or reload the page to try again.`);
+    }
+  }
+
+  private inTurn(action: () => Promise<void>): Promise<void> {
+    const done = this.turn.then(action);
+    this.turn = done.catch(() => undefined);
+    return done;
+  }
+}

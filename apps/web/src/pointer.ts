@@ -1,0 +1,186 @@
+// Pointers on the canvas. One on the cloth takes hold of it, one beside it turns the camera, the right button or two
+// fingers move it, wheel and pinch zoom. Moves are gathered and handed on once a picture: the world does them in turn.
+import type { Point, World } from "weft";
+import { Latest } from "./latest.js";
+import type { Player } from "./player.js";
+
+interface Place { x: number; y: number; } // CSS pixels
+
+type Gesture =
+  | { kind: "none" }
+  | { kind: "deciding" } // whether the cloth is under the pointer
+  | { kind: "grab"; node: number; point: Point }
+  | { kind: "orbit" }
+  | { kind: "pan" }
+  | { kind: "pinch" };
+
+const HALF_TURN = Math.PI; // of the camera, for a drag over the canvas's height [rad]
+const WHEEL = 0.0015; // zoom exponent per pixel of the wheel
+const WHEEL_PINCH = 0.01; // a trackpad's pinch comes as a wheel with Ctrl, in smaller numbers
+const LINE = 16; // pixels, for wheels that count lines
+
+export class Pointer {
+  private readonly down = new Map<number, Place>();
+  private gesture: Gesture = { kind: "none" };
+  private last: Place = { x: 0, y: 0 }; // up to where the gesture has been handed on
+  private spread = 0; // of two fingers [CSS pixels]
+  private due = false;
+  private readonly drags = new Latest<{ node: number; target: Point }>(({ node, target }) =>
+    this.player.ask((world) => world.drag(node, target)));
+
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly player: Player) {
+    canvas.addEventListener("pointerdown", (event) => this.onDown(event));
+    canvas.addEventListener("pointermove", (event) => this.onMove(event));
+    for (const name of ["pointerup", "pointercancel", "lostpointercapture"] as const)
+      canvas.addEventListener(name, (event) => this.onUp(event));
+    canvas.addEventListener("wheel", (event) => this.onWheel(event), { passive: false });
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    canvas.addEventListener("keydown", (event) => this.onKey(event));
+    window.addEventListener("blur", () => this.cancel());
+  }
+
+  /** Lets go of everything. The pointers that are down do nothing more. */
+  cancel(): void {
+    this.down.clear();
+    this.begin({ kind: "none" });
+  }
+
+  /** The world is another one: nothing is held in it. */
+  forget(): void {
+    this.down.clear();
+    this.gesture = { kind: "none" };
+    this.mark();
+  }
+
+  private onDown(event: PointerEvent): void {
+    this.canvas.setPointerCapture(event.pointerId);
+    this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    this.last = this.centre();
+    if (this.down.size === 2) {
+      this.spread = this.span();
+      this.begin({ kind: "pinch" });
+    } else if (this.down.size > 2) this.begin({ kind: "none" });
+    else if (event.button === 0 && !event.shiftKey) void this.decide();
+    else if (event.button <= 2) this.begin({ kind: "pan" });
+  }
+
+  private onMove(event: PointerEvent): void {
+    if (!this.down.has(event.pointerId)) return;
+    this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    this.schedule();
+  }
+
+  private onUp(event: PointerEvent): void {
+    if (!this.down.delete(event.pointerId)) return;
+    if (this.gesture.kind === "pinch" && this.down.size === 1) {
+      this.last = this.centre();
+      this.begin({ kind: "orbit" }); // the finger that stays goes on
+    } else if (this.down.size === 0) {
+      this.hand(); // the way of the last few moves
+      this.begin({ kind: "none" });
+    }
+  }
+
+  /** Takes hold of the cloth if it is under the pointer, else turns the camera. */
+  private async decide(): Promise<void> {
+    const mine: Gesture = { kind: "deciding" };
+    this.begin(mine);
+    const { x, y } = this.clip(this.last);
+    const picked = await this.player.ask((world) => world.pick(x, y));
+    if (this.gesture !== mine) return; // the pointer is up again, or another came
+    if (!picked) {
+      this.last = this.centre();
+      return this.begin({ kind: "orbit" });
+    }
+    this.begin({ kind: "grab", ...picked });
+    await this.player.ask((world) => world.grab(picked.node, picked.point));
+    this.schedule(); // it may have moved meanwhile
+  }
+
+  /** Every change of gesture goes through here, so that a node that is held is let go. */
+  private begin(next: Gesture): void {
+    const before = this.gesture;
+    this.gesture = next;
+    if (before.kind === "grab") void this.player.ask((world) => world.release(before.node));
+    this.mark();
+  }
+
+  private mark(): void { this.canvas.dataset["gesture"] = this.gesture.kind; }
+
+  // Once a picture
+
+  private schedule(): void {
+    if (this.due) return;
+    this.due = true;
+    // Asked for in a pointer event, this comes after the world's own tick and does not hold it up.
+    requestAnimationFrame(() => {
+      this.due = false;
+      this.hand();
+    });
+  }
+
+  private hand(): void {
+    const world = this.player.live;
+    if (!world || this.down.size === 0 && this.gesture.kind !== "grab") return;
+    if (this.gesture.kind === "grab") return this.moveGrab(world, this.gesture);
+    const { height } = this.canvas.getBoundingClientRect();
+    const centre = this.centre();
+    const [dx, dy] = [(centre.x - this.last.x) / height, (centre.y - this.last.y) / height];
+    if (this.gesture.kind === "deciding") return; // these moves are the camera's if nothing is under the pointer
+    this.last = centre;
+    if (this.gesture.kind === "orbit") world.orbit(-HALF_TURN * dx, HALF_TURN * dy); // what is grabbed is the picture
+    if (this.gesture.kind === "pan" || this.gesture.kind === "pinch") world.pan(dx, -dy);
+    if (this.gesture.kind === "pinch") {
+      const spread = this.span();
+      if (spread > 0 && this.spread > 0) world.zoom(spread / this.spread);
+      this.spread = spread;
+    }
+  }
+
+  private moveGrab(world: World, { node, point }: { node: number; point: Point }): void {
+    if (this.down.size === 0) return;
+    if (world.busy) return this.schedule(); // a place on the canvas can be asked for only between the world's calls
+    const { x, y } = this.clip(this.centre());
+    this.drags.set({ node, target: world.pointAt(x, y, point) });
+  }
+
+  // Wheel and keys
+
+  private onWheel(event: WheelEvent): void {
+    event.preventDefault();
+    const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : LINE);
+    this.player.live?.zoom(Math.exp(-pixels * (event.ctrlKey ? WHEEL_PINCH : WHEEL)));
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const world = this.player.live;
+    if (!world || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrows: Record<string, readonly [number, number]> = {
+      ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const arrow = arrows[event.key];
+    if (arrow && event.shiftKey) world.pan(-0.05 * arrow[0], -0.05 * arrow[1]);
+    else if (arrow) world.orbit(0.1 * arrow[0], 0.1 * arrow[1]);
+    else if (event.key === "+" || event.key === "=") world.zoom(1.1);
+    else if (event.key === "-") world.zoom(1 / 1.1);
+    else return;
+    event.preventDefault();
+  }
+
+  // Places
+
+  private centre(): Place {
+    const places = [...this.down.values()];
+    const sum = places.reduce((a, b) => ({ x: a.x + b.x, y: a.y + b.y }), { x: 0, y: 0 });
+    return { x: sum.x / places.length, y: sum.y / places.length };
+  }
+
+  private span(): number {
+    const [a, b] = [...this.down.values()];
+    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+  }
+
+  private clip({ x, y }: Place): Place {
+    const box = this.canvas.getBoundingClientRect();
+    return { x: (2 * (x - box.left)) / box.width - 1, y: 1 - (2 * (y - box.top)) / box.height };
+  }
+}
