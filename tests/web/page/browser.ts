@@ -1,0 +1,123 @@
+// The built page, served as its users get it, in a Chromium whose GPU is SwiftShader.
+import { existsSync } from "node:fs";
+import { join } from "node:path";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import { preview } from "vite";
+import type { PageHandle } from "../../../apps/web/src/main.js";
+
+declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
+
+const WEB = join(import.meta.dirname, "../../../apps/web");
+const WITH_GPU = ["--headless=new", "--no-sandbox", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader",
+  "--enable-features=Vulkan", "--use-vulkan=swiftshader", "--use-angle=vulkan"];
+const WITHOUT_GPU = ["--headless=new", "--no-sandbox"];
+
+export interface Site {
+  readonly address: string;
+  close(): Promise<void>;
+}
+
+/** apps/web/dist on a free port, with the headers of its configuration. */
+export async function serve(): Promise<Site> {
+  if (!existsSync(join(WEB, "dist/index.html"))) throw new Error("apps/web/dist is missing: npx vite build apps/web.");
+  const server = await preview({ root: WEB, configFile: join(WEB, "vite.config.ts"), logLevel: "error",
+    preview: { port: 0, host: "127.0.0.1" } });
+  const at = server.httpServer.address();
+  if (at === null || typeof at === "string") throw new Error("The server has no port.");
+  return { address: `http://127.0.0.1:${at.port}/`, close: () => server.close() };
+}
+
+export function launch(gpu: boolean): Promise<Browser> {
+  return chromium.launch({ executablePath: "/usr/bin/chromium", args: gpu ? WITH_GPU : WITHOUT_GPU });
+}
+
+/** A page that keeps what went wrong on it, and where it asked for what. */
+export interface Visit {
+  readonly page: Page;
+  /** Errors of the console and of scripts. */
+  readonly errors: string[];
+  readonly requests: string[];
+}
+
+export async function visit(browser: Browser, address: string, options: BrowserContextOptions = {}): Promise<Visit> {
+  const context = await browser.newContext({ viewport: { width: 800, height: 400 }, ...options });
+  const page = await context.newPage();
+  const errors: string[] = [];
+  const requests: string[] = [];
+  page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
+  page.on("pageerror", (error) => errors.push(String(error)));
+  page.on("request", (request) => requests.push(request.url()));
+  await page.goto(address);
+  return { page, errors, requests };
+}
+
+/** Asks until it holds, at most `patience` ms. Not in the page: its policy lets no text be run as a script. */
+export async function until(what: string, holds: () => Promise<boolean>, patience = 12_000): Promise<void> {
+  const end = performance.now() + patience;
+  while (!(await holds())) {
+    if (performance.now() > end) throw new Error(`After ${patience} ms still not: ${what}.`);
+    await new Promise((wake) => setTimeout(wake, 50));
+  }
+}
+
+/** The world is open and the page says so. */
+export async function ready(page: Page): Promise<void> {
+  await page.evaluate(async () => void (await window.weft.ready));
+}
+
+export const frames = (page: Page): Promise<number> => page.evaluate(() => window.weft.world!.statistics.frames);
+export const running = (page: Page): Promise<boolean> => page.evaluate(() => window.weft.world!.running);
+export const hash = (page: Page): Promise<string> => page.evaluate(async () => (await window.weft.world!.snapshot()).hash);
+/** x, y, z of every node [m]. */
+export const positions = (page: Page): Promise<number[]> =>
+  page.evaluate(async () => Array.from((await window.weft.world!.snapshot()).positions));
+
+/** Waits for this many frames more. */
+export async function play(page: Page, count: number): Promise<void> {
+  const start = await frames(page);
+  await until(`${count} more frames`, async () => (await frames(page)) >= start + count);
+}
+
+/** What is drawn: the canvas alone, as the compositor shows it, as RGBA. */
+export async function picture(page: Page): Promise<Uint8Array> {
+  const box = (await page.locator("canvas").boundingBox())!;
+  const png = (await page.screenshot({ clip: box })).toString("base64");
+  const text = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d")!;
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    let letters = "";
+    for (let i = 0; i < data.length; i += 4096) letters += String.fromCharCode(...data.subarray(i, i + 4096));
+    return btoa(letters);
+  }, png);
+  return new Uint8Array(Buffer.from(text, "base64"));
+}
+
+/** How much of two pictures differs by more than dithering and the rounding of colours. */
+export function difference(a: Uint8Array, b: Uint8Array): number {
+  let differing = 0;
+  for (let i = 0; i < a.length; i += 4)
+    if (Math.abs(a[i]! - b[i]!) + Math.abs(a[i + 1]! - b[i + 1]!) + Math.abs(a[i + 2]! - b[i + 2]!) > 24) differing++;
+  return differing / (a.length / 4);
+}
+
+/** Standard deviation of the brightness, and its mean. */
+export function brightness(image: Uint8Array): { mean: number; deviation: number } {
+  let sum = 0, squares = 0;
+  for (let i = 0; i < image.length; i += 4) {
+    const value = (image[i]! + image[i + 1]! + image[i + 2]!) / 3;
+    sum += value;
+    squares += value * value;
+  }
+  const count = image.length / 4, mean = sum / count;
+  return { mean, deviation: Math.sqrt(Math.max(0, squares / count - mean * mean)) };
+}
+
+/** Nothing went wrong in the page, and it asked nobody but its own server. */
+export function expectClean({ errors, requests }: Visit, site: Site): void {
+  if (errors.length > 0) throw new Error(`The page reports: ${errors.join(" | ")}`);
+  const foreign = requests.filter((request) => !request.startsWith(site.address) && !request.startsWith("blob:"));
+  if (foreign.length > 0) throw new Error(`The page asks elsewhere: ${foreign.join(", ")}`);
+}

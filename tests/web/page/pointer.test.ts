@@ -1,0 +1,133 @@
+import type { Browser, Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest";
+import { expectClean, launch, play, ready, serve, until, visit, type Site, type Visit } from "./browser.js";
+import type { PageHandle } from "../../../apps/web/src/main.js";
+
+declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
+
+let site: Site;
+let browser: Browser;
+let seen: Visit;
+let page: Page;
+beforeAll(async () => {
+  site = await serve();
+  browser = await launch(true);
+});
+afterAll(async () => {
+  await browser.close();
+  await site.close();
+});
+beforeEach(async () => {
+  seen = await visit(browser, `${site.address}?scene=hanging&nodes=${NODES}`, { reducedMotion: "reduce" });
+  page = seen.page;
+  await ready(page);
+});
+afterEach(async () => {
+  expectClean(seen, site);
+  await page.context().close();
+});
+
+const NODES = 24;
+const gesture = () => page.locator("canvas").getAttribute("data-gesture");
+const camera = () => page.evaluate(async () => {
+  while (window.weft.world!.busy) await new Promise((wake) => setTimeout(wake, 5));
+  return window.weft.world!.camera;
+});
+const distance = (from: readonly number[], to: readonly number[]) =>
+  Math.hypot(...from.map((value, i) => value - to[i]!));
+
+/** Where nodes are seen on the page [CSS pixels]. */
+function places(nodes: readonly number[]): Promise<{ x: number; y: number }[]> {
+  return page.evaluate(async (asked) => {
+    const world = window.weft.world!;
+    const { positions } = await world.snapshot();
+    while (world.busy) await new Promise((wake) => setTimeout(wake, 5));
+    const box = document.querySelector("canvas")!.getBoundingClientRect();
+    return asked.map((node) => {
+      const [x, y] = world.project([positions[3 * node]!, positions[3 * node + 1]!, positions[3 * node + 2]!]);
+      return { x: box.left + (box.width * (x + 1)) / 2, y: box.top + (box.height * (1 - y)) / 2 };
+    });
+  }, nodes);
+}
+
+/** The node that the page will hold if the pointer goes down here. */
+function nodeAt(place: { x: number; y: number }): Promise<number | null> {
+  return page.evaluate(async ({ x, y }) => {
+    const box = document.querySelector("canvas")!.getBoundingClientRect();
+    const picked = await window.weft.world!.pick((2 * (x - box.left)) / box.width - 1,
+      1 - (2 * (y - box.top)) / box.height);
+    return picked?.node ?? null;
+  }, place);
+}
+
+test("dragging the cloth takes the node to the pointer and its neighbours along", async () => {
+  await page.locator("canvas").focus();
+  for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowUp"); // the sheet is seen edge on from its own camera
+  const middle = (NODES / 2) * NODES + NODES / 2;
+  const [centre] = await places([middle]);
+  const start = { x: centre!.x + 3, y: centre!.y + 2 }; // inside a triangle: a ray through a node may pass between them
+  const node = (await nodeAt(start))!;
+  expect(node).not.toBeNull();
+  const around = [node - 1, node + 1, node - NODES, node + NODES];
+  const before = await places(around);
+
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  await until("the cloth is held", async () => (await gesture()) === "grab");
+  await page.keyboard.press("Space");
+  const goal = { x: start.x + 10, y: start.y - 40 };
+  await page.mouse.move(goal.x, goal.y, { steps: 8 });
+  await until("the node is at the pointer", async () => {
+    const [now] = await places([node]);
+    return Math.hypot(now!.x - goal.x, now!.y - goal.y) < 3;
+  });
+  const after = await places(around);
+  for (const [i, now] of after.entries()) expect(before[i]!.y - now.y).toBeGreaterThan(15); // of 40 pixels
+  await page.mouse.up();
+  await until("the cloth is let go", async () => (await gesture()) === "none");
+  await play(page, 4);
+  const [fallen] = await places([node]);
+  expect(fallen!.y).toBeGreaterThan(goal.y + 1); // nothing holds it
+});
+
+test("a pointer that is up before the cloth answers holds nothing", async () => {
+  await page.locator("canvas").focus();
+  for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowUp");
+  const [start] = await places([(NODES / 2) * NODES + NODES / 2]);
+  await page.locator("canvas").evaluate((canvas, place) => {
+    const at = { clientX: place.x, clientY: place.y, pointerId: 1, button: 0, bubbles: true };
+    canvas.setPointerCapture = () => undefined; // there is no real pointer behind these events
+    canvas.dispatchEvent(new PointerEvent("pointerdown", at));
+    canvas.dispatchEvent(new PointerEvent("pointercancel", at));
+  }, start!);
+  await page.keyboard.press("Space");
+  await play(page, 2);
+  expect(await gesture()).toBe("none");
+});
+
+test("beside the cloth a drag turns the camera, the right button moves it, the wheel zooms, F brings it back", async () => {
+  const first = await camera();
+  await page.mouse.move(60, 370);
+  await page.mouse.down();
+  await until("the camera is held", async () => (await gesture()) === "orbit");
+  await page.mouse.move(140, 350, { steps: 4 });
+  await page.mouse.up();
+  const turned = await camera();
+  expect(distance(turned.eye, first.eye)).toBeGreaterThan(0.5);
+  expect(distance(turned.target, first.target)).toBeLessThan(1e-6);
+
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(200, 350, { steps: 4 });
+  await page.mouse.up({ button: "right" });
+  const moved = await camera();
+  expect(distance(moved.target, turned.target)).toBeGreaterThan(0.1);
+
+  await page.mouse.wheel(0, -300);
+  await until("it is nearer", async () => {
+    const near = await camera();
+    return distance(near.eye, near.target) < 0.8 * distance(moved.eye, moved.target);
+  });
+  await page.keyboard.press("f");
+  const back = await camera();
+  expect(distance(back.eye, first.eye)).toBeLessThan(1e-6);
+});
