@@ -33,7 +33,7 @@ TEST_CASE("gusts travel with the wind at its wavelength, and never turn it back"
   }
 }
 
-TEST_CASE("the part of a turn lies in [0, 1) and loses nothing after a million turns") {
+TEST_CASE("the part of a turn is never below 0 or as much as 1, and loses nothing after a million turns") {
   CHECK(turn_part(-0.25) == 0.75);
   CHECK(turn_part(3.0) == 0);
   CHECK(turn_part(1e6 + 0.125) == 0.125);
