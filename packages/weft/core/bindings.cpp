@@ -75,6 +75,20 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_finish() { return code(session->world()-
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reset() { return code(session->world()->reset()); }
 
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_set(const char* key, std::uint32_t key_size, const char* value,
+                                            std::uint32_t value_size) {
+  return code(session->set(text(key, key_size), text(value, value_size)));
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_grab(std::uint32_t node, double x, double y, double z) {
+  return code(session->world()->grab(node, {x, y, z}));
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_drag(std::uint32_t node, double x, double y, double z) {
+  return code(session->world()->drag(node, {x, y, z}));
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_release(std::uint32_t node) {
+  return code(session->world()->release(node));
+}
+
 /// frames reported, simulated s, contacts, contact hash, contact overflow, largest stretch, nodes that are
 /// not finite, frames submitted.
 EMSCRIPTEN_KEEPALIVE const double* weft_totals() {

@@ -72,6 +72,16 @@ Result<void> Session::load(const std::string& text, const std::string& changes) 
   return drawable;
 }
 
+Result<void> Session::set(const std::string& key, const std::string& value) {
+  changes_.push_back({key, value});
+  const auto changed = [this]() -> Result<void> {
+    WEFT_TRY(scene, parse());
+    return world_->change(scene);
+  }();
+  if (!changed) changes_.pop_back();  // the world stays as it is
+  return changed;
+}
+
 Result<void> Session::resize(std::uint32_t width, std::uint32_t height) {
   canvas_.width = width;
   canvas_.height = height;
