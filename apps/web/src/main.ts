@@ -40,6 +40,7 @@ const player = new Player(canvas, {
   playing(on) {
     controls.playing(on);
     status.restart();
+    if (on && player.live) notice.clear(); // it has been read
     notice.announce(on ? "Playing." : "Paused.");
   },
   viewed: (view) => controls.viewed(view),
@@ -76,8 +77,8 @@ async function start(): Promise<World> {
     player.setHidden(document.hidden);
   });
   player.setHidden(document.hidden);
-  if (still) notice.say("Your system asks for less motion, so the cloth waits until you press Play.", "plain");
-  else player.play(true);
+  if (!still) player.play(true);
+  else if (player.live) notice.say("Your system asks for less motion, so the cloth waits until you press Play.", "plain");
   if (!player.world) throw new Error("The first scene could not be opened.");
   return player.world;
 }

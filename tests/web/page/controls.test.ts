@@ -43,6 +43,19 @@ test("keys play, pause, step and reset", async () => {
   await page.keyboard.press("Space");
 });
 
+test("a tab that is hidden stops, and goes on when it is seen", async () => {
+  const hide = (hidden: boolean) => page.evaluate((value) => {
+    Object.defineProperty(document, "hidden", { value, configurable: true });
+    document.dispatchEvent(new Event("visibilitychange"));
+  }, hidden);
+  await page.keyboard.press("Space");
+  await hide(true);
+  expect(await running(page)).toBe(false);
+  await hide(false);
+  expect(await running(page)).toBe(true);
+  await page.keyboard.press("Space");
+});
+
 test("each view shows another picture, by digit, by letter and by mouse", async () => {
   const pictures: Uint8Array[] = [];
   for (const [key, name] of [["1", "textured"], ["2", "wireframe"], ["3", "normals"], ["4", "stretch"]] as const) {

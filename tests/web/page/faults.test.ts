@@ -1,3 +1,5 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { expectClean, frames, launch, play, ready, running, serve, until, visit, type Site } from "./browser.js";
@@ -48,6 +50,33 @@ test("a scene that cannot be fetched is reported, and the one before stays", () 
   await until("the scene before is back", async () => (await page.locator("#scene").inputValue()) === "hanging");
   await play(page, 2);
   expect(seen.errors.filter((error) => !error.includes("404"))).toEqual([]);
+}));
+
+test("a scene that the core refuses is reported, and the one before is opened again", () =>
+  withBrowser(true, async (browser) => {
+    const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`);
+    const { page } = seen;
+    await ready(page);
+    await page.route("**/pull-sphere*.json", (route) => route.fulfill({ json: { format: "weft-scene/1", gravty: 1 } }));
+    await page.locator("#scene").selectOption("pull-sphere");
+    await until("it is said", async () => (await page.locator("#notice").textContent())!.includes("gravty"));
+    await until("the scene before is back", async () => (await page.locator("#scene").inputValue()) === "hanging");
+    expect(await page.evaluate(() => window.weft.world!.info.nodes)).toBe(576);
+    await play(page, 2);
+    expectClean(seen, site);
+  }));
+
+test("where the first scene fails, another can be chosen", () => withBrowser(true, async (browser) => {
+  const hanging = readFileSync(join(import.meta.dirname, "../../../scenes/hanging.json"), "utf8");
+  const context = await browser.newContext({ viewport: { width: 800, height: 400 } });
+  const page = await context.newPage();
+  await page.route("**/pull-sphere*.json", (route) => route.fulfill({ json: {} }));
+  await page.route("**/hanging*.json", (route) => route.fulfill({ body: hanging.replace("[64, 64]", "[24, 24]") }));
+  await page.goto(`${site.address}?scene=pull-sphere`);
+  await until("it is said", () => page.locator("#notice").isVisible());
+  await page.locator("#scene").selectOption("hanging");
+  await until("it runs", () => page.evaluate(() => (window.weft.world?.statistics.frames ?? 0) > 1));
+  expect(await page.locator("#notice").isVisible()).toBe(false);
 }));
 
 test("without a graphics adapter one sentence says so, and what to do", () => withBrowser(false, async (browser) => {

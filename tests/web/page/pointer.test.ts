@@ -131,3 +131,23 @@ test("beside the cloth a drag turns the camera, the right button moves it, the w
   const back = await camera();
   expect(distance(back.eye, first.eye)).toBeLessThan(1e-6);
 });
+
+test("two fingers zoom and move the camera, and let go of the cloth", async () => {
+  const touch = await page.context().newCDPSession(page);
+  const fingers = (type: "touchStart" | "touchMove" | "touchEnd", ...points: { x: number; y: number }[]) =>
+    touch.send("Input.dispatchTouchEvent", { type, touchPoints: points.map((point, id) => ({ ...point, id })) });
+  const first = await camera();
+  await fingers("touchStart", { x: 200, y: 200 });
+  await fingers("touchStart", { x: 200, y: 200 }, { x: 260, y: 200 });
+  expect(await gesture()).toBe("pinch");
+  for (let i = 1; i <= 6; i++) {
+    await fingers("touchMove", { x: 200 - 5 * i, y: 200 + 5 * i }, { x: 260 + 5 * i, y: 200 + 5 * i });
+    await page.waitForTimeout(40);
+  }
+  await fingers("touchEnd");
+  await until("the fingers are gone", async () => (await gesture()) === "none");
+  const last = await camera();
+  const zoom = distance(first.eye, first.target) / distance(last.eye, last.target);
+  expect(zoom).toBeCloseTo(2, 1); // the fingers are twice as far apart
+  expect(distance(last.target, first.target)).toBeGreaterThan(0.05);
+});
