@@ -64,22 +64,6 @@ const char* end_of(const Result<void>& result) {
   }
 }
 
-/// Refuses what no buffer of positions can hold before gigabytes of it are built on the host.
-/// Errors  Limit.
-Result<void> check_size(const scene::Scene& scene, const sim::Assets& assets, const gpu::Device& device) {
-  std::uint64_t nodes = 0;
-  for (const scene::Cloth& cloth : scene.cloths)
-    if (cloth.grid) nodes += std::uint64_t{cloth.grid->nx} * cloth.grid->ny;
-  for (const mesh::TriangleMesh& cloth : assets.cloths) nodes += cloth.positions.size();
-  const std::uint64_t bytes = nodes * sizeof(Vec4f), limit = device.limits().max_storage_binding_size;
-  if (bytes <= limit) return {};
-  return make_error(ErrorKind::Limit,
-                    "The positions of %llu nodes need %llu bytes, more than this adapter's "
-                    "maxStorageBufferBindingSize of %llu.",
-                    static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes),
-                    static_cast<unsigned long long>(limit));
-}
-
 Result<void> run_scene(const RunOptions& options) {
   interrupted();
   WEFT_TRY(scene, load(options.scene));
@@ -90,7 +74,6 @@ Result<void> run_scene(const RunOptions& options) {
   device_options.adapter = options.adapter;
   WEFT_TRY(device, gpu::Device::create(device_options));
   if (options.frames) scene.time.frames = *options.frames;
-  WEFT_CHECK(check_size(scene, assets, *device));
   WEFT_TRY(world, sim::World::create(*device, std::move(scene), assets));
   std::unique_ptr<Pictures> pictures;
   if (!options.out.empty()) {

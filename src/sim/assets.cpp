@@ -49,4 +49,12 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read) {
   return assets;
 }
 
+std::uint64_t node_count(const scene::Scene& scene, const Assets& assets) {
+  std::uint64_t nodes = 0;
+  for (const scene::Cloth& cloth : scene.cloths)
+    if (cloth.grid) nodes += std::uint64_t{cloth.grid->nx} * cloth.grid->ny;
+  for (const mesh::TriangleMesh& cloth : assets.cloths) nodes += cloth.positions.size();
+  return nodes;
+}
+
 }  // namespace weft::sim

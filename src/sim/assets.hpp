@@ -17,6 +17,9 @@ struct Assets {
   std::size_t dropped_triangles = 0;        // of zero area, left out of the objects
 };
 
+/// Nodes of all cloths, known before any of them is built.
+std::uint64_t node_count(const scene::Scene& scene, const Assets& assets);
+
 /// Errors  Input: a mesh is missing or malformed, or its transform makes it too large for f32.
 Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder);
 

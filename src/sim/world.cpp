@@ -34,6 +34,19 @@ collision::CollisionSetup collision_setup(const scene::Scene& scene, const Asset
   return setup;
 }
 
+/// Refuses what no buffer of positions can hold before gigabytes of it are built on the host.
+/// Errors  Limit.
+Result<void> check_size(const scene::Scene& scene, const Assets& assets, const gpu::Device& device) {
+  const std::uint64_t nodes = node_count(scene, assets);
+  const std::uint64_t bytes = nodes * sizeof(Vec4f), limit = device.limits().max_storage_binding_size;
+  if (bytes <= limit) return {};
+  return make_error(ErrorKind::Limit,
+                    "The positions of %llu nodes need %llu bytes, more than this adapter's "
+                    "maxStorageBufferBindingSize of %llu.",
+                    static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes),
+                    static_cast<unsigned long long>(limit));
+}
+
 }  // namespace
 
 std::string Snapshot::hash() const {
@@ -54,6 +67,7 @@ Result<std::unique_ptr<World>> World::create(gpu::Device& device, scene::Scene s
 }
 
 Result<void> World::build(const Assets& assets, const WorldOptions& options) {
+  WEFT_CHECK(check_size(scene_, assets, device_));
   assets_ = assets;
   WEFT_TRY(host, build_model(scene_, assets.cloths));
   spring_count_ = count_springs(host);

@@ -12,6 +12,8 @@ declare global {
 export const ROOT = join(import.meta.dirname, "../..");
 const TYPES: Record<string, string> = { ".js": "text/javascript", ".wasm": "application/wasm", ".json": "application/json" };
 
+const PACKAGE = "/packages/weft/build/index.js";
+
 /** Compute alone needs the first two; a canvas needs them all (a subset fails at the first canvas texture). */
 export const WEBGPU_FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan",
   "--use-vulkan=swiftshader", "--use-angle=vulkan"];
@@ -20,12 +22,15 @@ export interface Harness {
   page: Page;
   /** What the page said that it should not have: console errors, page errors, requests to elsewhere. */
   complaints: string[];
+  /** Runs a module's text in the page, where "weft" stands for the package. */
+  script(text: string): Promise<void>;
   close(): Promise<void>;
 }
 
 /** A page with window.weft and a canvas of 640 x 400, on an origin that serves the repository. */
 export async function openPage(flags: readonly string[] = WEBGPU_FLAGS): Promise<Harness> {
-  const server = await serve();
+  const scripts = new Map<string, string>();
+  const server = await serve(scripts);
   const origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
   const browser: Browser = await chromium.launch({ executablePath: "/usr/bin/chromium",
     args: ["--headless=new", "--no-sandbox", ...flags] });
@@ -36,14 +41,19 @@ export async function openPage(flags: readonly string[] = WEBGPU_FLAGS): Promise
   page.on("request", (request) => { if (!request.url().startsWith(origin)) complaints.push(request.url()); });
   await page.goto(origin);
   await page.waitForFunction(() => "weft" in window);
+  const script = async (text: string) => {
+    const path = `/script${scripts.size}.js`;
+    scripts.set(path, text.replaceAll(`"weft"`, `"${PACKAGE}"`));
+    await page.addScriptTag({ type: "module", url: path });
+  };
   const close = async () => {
     await browser.close();
     await new Promise((done) => server.close(done));
   };
-  return { page, complaints, close };
+  return { page, complaints, script, close };
 }
 
-async function serve(): Promise<Server> {
+async function serve(scripts: ReadonlyMap<string, string>): Promise<Server> {
   const server = createServer((request, response) => {
     response.setHeader("Content-Security-Policy", "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data:");
     const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname));
@@ -52,9 +62,10 @@ async function serve(): Promise<Server> {
       response.end(`<!doctype html><link rel="icon" href="data:,"><script type="module" src="/weft.js"></script><canvas width="640" height="400"></canvas>`);
       return;
     }
-    if (path === "/weft.js") {
+    const script = path === "/weft.js" ? `import * as weft from "${PACKAGE}"; window.weft = weft;` : scripts.get(path);
+    if (script !== undefined) {
       response.setHeader("Content-Type", "text/javascript");
-      response.end(`import * as weft from "/packages/weft/build/index.js"; window.weft = weft;`);
+      response.end(script);
       return;
     }
     readFile(join(ROOT, path)).then((bytes) => {

@@ -62,9 +62,13 @@ export class Core {
   call(name: string, ...args: (number | string)[]): number {
     if (this.busy) throw new WeftError("failure", `The world is busy; ${name} must wait.`);
     const { numbers, free } = this.lower(args);
-    const result = this.module[`_weft_${name}`]!(...numbers);
-    free();
-    return result;
+    try {
+      return this.module[`_weft_${name}`]!(...numbers);
+    } catch (reason) {
+      throw ended(reason);
+    } finally {
+      free();
+    }
   }
 
   /** A call that may fail. */
@@ -76,9 +80,13 @@ export class Core {
     const run = async () => {
       const { numbers, free } = this.lower(args);
       const types = numbers.map(() => "number");
-      const result = await this.module.ccall(`weft_${name}`, "number", types, numbers, { async: true });
-      free();
-      this.throwIf(result);
+      try {
+        this.throwIf(await this.module.ccall(`weft_${name}`, "number", types, numbers, { async: true }));
+      } catch (reason) {
+        throw ended(reason);
+      } finally {
+        free();
+      }
     };
     const done = this.sleeping.then(run);
     this.sleeping = done.catch(() => undefined);
@@ -129,4 +137,10 @@ export class Core {
     });
     return { numbers, free: () => texts.forEach((at) => this.module._free(at)) };
   }
+}
+
+/** A trap in the module, most likely for want of memory, ends it: this world is of no more use. */
+function ended(reason: unknown): unknown {
+  if (!(reason instanceof WebAssembly.RuntimeError)) return reason;
+  return new WeftError("failure", `The module has stopped (${reason.message}); make a new world.`);
 }

@@ -1,0 +1,159 @@
+// The package as its users have it: the README's examples, and what each call promises.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
+import { createWorld, WeftError, type World, type WorldOptions } from "weft";
+import { openPage, ROOT, type Harness } from "./chromium.js";
+import { gpu } from "./node_gpu.js";
+
+const readme = readFileSync(join(ROOT, "packages/weft/README.md"), "utf8");
+const [browserExample, nodeExample] = [...readme.matchAll(/```js\n(.*?)```/gs)].map((block) => block[1]!);
+const scene = (name: string) => readFileSync(join(ROOT, `scenes/${name}.json`), "utf8");
+
+describe("the README's example", () => {
+  let harness: Harness;
+  beforeAll(async () => { harness = await openPage(); });
+  afterAll(() => harness.close());
+
+  it("has ten lines, and runs as it stands in a page", async () => {
+    expect(browserExample!.trim().split("\n")).toHaveLength(10);
+    await harness.script(`${browserExample}\nwindow.world = world;`);
+    await harness.page.waitForFunction(() => "world" in window);
+    const moved = await harness.page.evaluate(async () => {
+      const { world } = window as unknown as { world: World };
+      const before = await world.positions();
+      while (world.statistics.frames < 3) await new Promise((done) => setTimeout(done, 20));
+      const after = await world.positions();
+      return Math.max(...after.map((value, i) => Math.abs(value - before[i]!)));
+    });
+    expect(moved).toBeGreaterThan(1e-3);
+    expect(harness.complaints).toEqual([]);
+  });
+});
+
+it("the README's example for Node runs", async () => {
+  expect(nodeExample).toContain("world.step(60)");
+  const text = nodeExample!.replace(/^import .*$/gm, "").replace("step(60)", "step(2)").replace("create([])", "gpu").replace("Object.assign(globalThis, globals);", "");
+  const run = new Function("createWorld", "gpu0", "scene",
+    `return (async () => { ${text.replace("const gpu = gpu;", "const gpu = gpu0;")} return { world, maxStretch, positions, hash }; })();`) as
+    (make: typeof createWorld, gpu0: GPU, scene: string) => Promise<{ world: World; maxStretch: number; positions: Float32Array; hash: string }>;
+  const { world, maxStretch, positions, hash } = await run(createWorld, gpu, scene("hanging"));
+  expect(maxStretch).toBeGreaterThan(1);
+  expect(positions).toHaveLength(3 * 64 * 64);
+  expect(hash).toMatch(/^[0-9a-f]{16}$/);
+  world.dispose();
+});
+
+describe("a world", () => {
+  const small = { "cloths.0.grid": [12, 12] };
+  const worlds: World[] = [];
+  const open = async (options: Partial<WorldOptions> = {}) => {
+    const world = await createWorld({ scene: scene("hanging"), canvas: null, gpu, set: small, ...options });
+    worlds.push(world);
+    return world;
+  };
+  afterEach(() => worlds.splice(0).forEach((world) => world.dispose()));
+  const failure = (promise: Promise<unknown>) => promise.then(() => { throw new Error("It did not fail."); },
+    (error: unknown) => { expect(error).toBeInstanceOf(WeftError); return error as WeftError; });
+
+  it("goes back to the exact rest state, and takes the same way again", async () => {
+    const world = await open();
+    const rest = (await world.snapshot()).hash;
+    await world.step(5);
+    const moved = (await world.snapshot()).hash;
+    expect(moved).not.toBe(rest);
+    await world.reset();
+    expect((await world.snapshot()).hash).toBe(rest);
+    expect(world.statistics.frames).toBe(0);
+    await world.step(5);
+    expect((await world.snapshot()).hash).toBe(moved);
+  });
+
+  it("counts frames and simulated time", async () => {
+    const world = await open();
+    const { frames, seconds } = await world.step(7);
+    expect([frames, seconds]).toEqual([7, 7 / 60]);
+    expect(world.info).toMatchObject({ nodes: 144, triangles: 242 });
+  });
+
+  it("pulls a held node to its target, and lets it go", async () => {
+    const world = await open();
+    const node = 12 * 12 - 1; // the free corner at the right
+    const rest = await world.positions();
+    const target = [rest[3 * node]!, rest[3 * node + 1]! + 0.3, rest[3 * node + 2]!] as const;
+    const distance = (positions: Float32Array) => Math.hypot(...target.map((value, axis) => value - positions[3 * node + axis]!));
+    await world.grab(node, [target[0], target[1], target[2] + 0.1]);
+    await world.drag(node, target);
+    await world.step(60);
+    expect(distance(await world.positions())).toBeLessThan(1e-3); // exp(-20/s * 1 s) of 0.3 m
+    expect((await failure(world.grab(node, target))).kind).toBe("input");
+    await world.release(node);
+    await world.step(20);
+    expect(distance(await world.positions())).toBeGreaterThan(0.05); // it falls
+    expect((await failure(world.drag(node, target))).message).toContain(String(node));
+  });
+
+  it("changes gravity while it moves, and refuses what shapes the cloth", async () => {
+    const world = await open();
+    await world.setParameter("gravity", [0, 9.81, 0]);
+    await world.step(10);
+    const positions = await world.positions();
+    expect(positions[3 * 143 + 1]).toBeGreaterThan(0.05); // it falls upwards
+    const error = await failure(world.setParameter("cloths.0.density", 3));
+    expect(error.kind).toBe("input");
+    expect(error.message).toContain("density");
+    await world.step(1); // and goes on
+  });
+
+  it("takes another scene on the same device", async () => {
+    const world = await open();
+    const meshes = { sphere: readFileSync(join(ROOT, "models/sphere.ply")) };
+    await world.load(scene("pull-sphere"), { meshes, set: { "cloths.0.grid": [20, 20], "time.substeps": 12 } });
+    expect((await world.step(12)).contacts).toBeGreaterThan(0);
+  });
+
+  it("exports the present shape", async () => {
+    const world = await open();
+    await world.step(1);
+    const obj = new TextDecoder().decode(await world.exportMesh("obj"));
+    expect(obj.match(/^v /gm)).toHaveLength(144);
+    expect(obj.match(/^f /gm)).toHaveLength(242);
+    expect(new TextDecoder().decode((await world.exportMesh("ply")).slice(0, 3))).toBe("ply");
+  });
+
+  it("says what is wrong with a scene, by kind and in a sentence", async () => {
+    const key = await failure(open({ set: { "cloths.0.gird": [4, 4] } }));
+    expect(key.kind).toBe("input");
+    expect(key.message).toMatch(/gird.*grid/s);
+    const mesh = await failure(open({ scene: scene("pull-dragon") }));
+    expect([mesh.kind, mesh.message.includes("dragon")]).toEqual(["input", true]);
+    const limit = await failure(open({ set: { "cloths.0.grid": [8000, 8000], "time.substeps": 1 } }));
+    expect(limit.kind).toBe("limit");
+    expect(limit.message).toMatch(/\d{9}/);
+    const adapter = await failure(open({ adapter: "no such card" }));
+    expect([adapter.kind, adapter.message.includes("no such card")]).toEqual(["no-adapter", true]);
+  });
+
+  it("says that there is no WebGPU", async () => {
+    const none = { requestAdapter: async () => null } as unknown as GPU;
+    expect((await failure(open({ gpu: none }))).kind).toBe("no-adapter");
+  });
+
+  it("reports the loss of its device, and starts again on a new one", async () => {
+    const world = await open();
+    await world.step(2);
+    const before = (await world.snapshot()).hash;
+    world.device!.destroy();
+    expect((await failure(world.step(100))).kind).toBe("device-lost");
+    await world.recover();
+    await world.step(2);
+    expect((await world.snapshot()).hash).toBe(before);
+  });
+
+  it("freezes where the cloth leaves all bounds, and says so", async () => {
+    const world = await open({ set: { ...small, "time.substeps": 1 } });
+    const error = await failure(world.step(400));
+    expect(error.kind).toBe("diverged");
+    expect((await world.positions()).every(Number.isFinite)).toBe(true);
+  });
+});
