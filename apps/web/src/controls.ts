@@ -26,7 +26,7 @@ export class Controls {
     button("play").addEventListener("click", () => player.play(!player.playing));
     button("step").addEventListener("click", () => void player.step());
     button("reset").addEventListener("click", () => void player.reset());
-    button("reset-camera").addEventListener("click", () => player.resetCamera());
+    button("reset-camera").addEventListener("click", () => void player.resetCamera());
     this.wind.addEventListener("input", () => this.setWind());
     this.addViews();
     this.addSheet();
@@ -155,7 +155,7 @@ export class Controls {
       case " ": return () => this.player.play(!this.player.playing);
       case ".": return () => void this.player.step();
       case "r": return () => void this.player.reset();
-      case "f": return () => this.player.resetCamera();
+      case "f": return () => void this.player.resetCamera();
       case "x": return () => void this.player.setView(
         this.player.shownView === "wireframe" ? this.viewBeforeWireframe : "wireframe");
       default: return null;

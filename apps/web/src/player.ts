@@ -16,7 +16,10 @@ export interface PlayerEvents {
 }
 
 const LOSSES = { most: 3, within: 60_000 }; // a device that is lost more often than this [ms] will be lost again
-const WIDE = 1.5; // width / height that the scenes' cameras are made for; narrower, the cloth is seen from farther off
+const LOSS_SHOWS_WITHIN = 250; // [ms]
+const SCENE_ASPECT = 16 / 9; // of the picture that the scenes' cameras are made for
+const FULL = 0.86; // of half the picture's width, for the cloth at rest: there has to be room to move
+const LOOKS = 1024; // nodes that are looked at to see how far the cloth reaches, more or less
 
 export function sentence(reason: unknown): string {
   const text = reason instanceof Error ? reason.message : String(reason);
@@ -77,14 +80,14 @@ export class Player {
     if (this.open_) await this.open_.load(scene.json, options);
     else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.view }));
     this.wind = null;
-    this.settle(scene);
+    await this.settle(scene);
   }
 
   /** The world holds this scene now. */
-  private settle(scene: LoadedScene): void {
+  private async settle(scene: LoadedScene): Promise<void> {
     const world = this.open_!;
+    await this.fitCamera(world);
     this.scene = scene;
-    this.fitCamera(world);
     this.events.opened(scene, world.info);
     this.follow();
   }
@@ -92,7 +95,7 @@ export class Player {
   private adopt(world: World): void {
     this.open_ = world;
     world.on("frame", (statistics) => this.events.frame(statistics));
-    world.on("error", (error) => this.fail(error));
+    world.on("error", (error) => void this.fail(error));
     this.watch(world);
   }
 
@@ -142,14 +145,23 @@ export class Player {
     await this.ask((world) => world.setParameter("wind.velocity", velocity));
   }
 
-  resetCamera(): void {
-    this.live?.resetCamera();
-    if (this.live) this.fitCamera(this.live);
+  async resetCamera(): Promise<void> {
+    await this.ask((world) => {
+      world.resetCamera();
+      return this.fitCamera(world);
+    });
   }
 
-  private fitCamera(world: World): void {
-    const aspect = this.canvas.width / this.canvas.height;
-    if (aspect < WIDE) world.zoom(aspect / WIDE);
+  /** In a picture narrower than the scene's, moves the camera back until the cloth is in it from left to right. */
+  private async fitCamera(world: World): Promise<void> {
+    if (this.canvas.width / this.canvas.height >= SCENE_ASPECT) return;
+    const positions = await world.positions();
+    while (world.busy) await new Promise((wake) => setTimeout(wake));
+    const stride = 3 * Math.ceil(positions.length / 3 / LOOKS);
+    let widest = 0;
+    for (let i = 0; i + 2 < positions.length; i += stride)
+      widest = Math.max(widest, Math.abs(world.project([positions[i]!, positions[i + 1]!, positions[i + 2]!])[0]));
+    if (widest > FULL) world.zoom(FULL / widest);
   }
 
   async resize(width: number, height: number): Promise<void> {
@@ -164,15 +176,21 @@ export class Player {
     try {
       return await action(world);
     } catch (reason) {
-      this.fail(reason);
+      void this.fail(reason);
       return null;
     }
   }
 
   // Faults
 
-  private fail(reason: unknown): void {
-    if (reason instanceof WeftError && reason.kind === "device-lost") return void this.recover(sentence(reason));
+  private async fail(reason: unknown): Promise<void> {
+    if (reason instanceof WeftError && reason.kind === "device-lost") return this.recover(sentence(reason));
+    // A device that goes away can make other faults before it is said to be lost; then the loss is what to act on.
+    const lost = this.open_?.device?.lost.then(({ message }) => `The GPU device is lost: ${message}`);
+    const wait = new Promise<null>((wake) => setTimeout(() => wake(null), LOSS_SHOWS_WITHIN));
+    const cause = await Promise.race([lost ?? null, wait]);
+    if (cause !== null) return this.recover(cause);
+    if (this.recovering) return;
     if (this.wantsToPlay) this.play(false);
     this.events.failed(sentence(reason));
   }
@@ -190,6 +208,7 @@ export class Player {
     if (!scene || this.recovering) return; // while a scene is loading, its own failure says it
     this.recovering = true;
     this.scene = null;
+    this.open_?.pause();
     const now = performance.now();
     this.losses = [...this.losses.filter((then) => now - then < LOSSES.within), now];
     await this.inTurn(() => this.reviveOnce(scene, cause.replace(/[.\s]*$/, ".")));
@@ -199,7 +218,8 @@ export class Player {
   private async reviveOnce(scene: LoadedScene, cause: string): Promise<void> {
     if (this.losses.length > LOSSES.most) {
       this.events.empty();
-      return this.events.failed(`${cause} It was lost ${this.losses.length} times within a minute; reload the page to try again.`);
+      return this.events.failed(`The GPU device was lost ${this.losses.length} times within a minute; ` +
+        `reload the page to try again. (${cause})`);
     }
     this.events.opening("The GPU device was lost; opening it again …");
     try {
@@ -207,12 +227,13 @@ export class Player {
       await world.recover();
       this.watch(world);
       if (this.wind) await world.setParameter("wind.velocity", this.wind);
-      this.settle(scene);
-      this.events.said(`${cause} It has been opened again, and the scene starts anew.`);
+      await this.settle(scene);
+      this.events.said(`The GPU device was lost and has been opened again; the scene starts anew. (${cause})`);
     } catch (reason) {
       this.discard();
       this.events.empty();
-      this.events.failed(`${cause} It could not be opened again: ${sentence(reason)} Choose a scene or reload the page to try again.`);
+      this.events.failed("The GPU device was lost and could not be opened again. " +
+        `Choose a scene or reload the page to try again. (${sentence(reason)})`);
     }
   }
 

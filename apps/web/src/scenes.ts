@@ -16,7 +16,7 @@ export const SCENES: readonly SceneEntry[] = [
   { name: "pull-sphere", title: "Pulled over a sphere" },
   { name: "pull-armadillo", title: "Pulled over the armadillo" },
   { name: "pull-dragon", title: "Pulled over the dragon" },
-  { name: "drag", title: "Drag" },
+  { name: "drag", title: "A corner drawn up" },
 ].filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined);
 
 /** Nodes along the longer side that the page offers; a scene's own number comes on top. */
