@@ -15,7 +15,7 @@ const TYPES: Record<string, string> = { ".js": "text/javascript", ".wasm": "appl
 const PACKAGE = "/packages/weft/build/index.js";
 
 /** Compute alone needs the first two; a canvas needs them all (a subset fails at the first canvas texture). */
-export const WEBGPU_FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan",
+export const SOFTWARE_FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan",
   "--use-vulkan=swiftshader", "--use-angle=vulkan"];
 
 export interface Harness {
@@ -28,11 +28,12 @@ export interface Harness {
 }
 
 /** A page with window.weft and a canvas of 640 x 400, on an origin that serves the repository. */
-export async function openPage(flags: readonly string[] = WEBGPU_FLAGS): Promise<Harness> {
+export async function openPage(flags: readonly string[] = SOFTWARE_FLAGS,
+  executablePath = "/usr/bin/chromium"): Promise<Harness> {
   const scripts = new Map<string, string>();
   const server = await serve(scripts);
   const origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
-  const browser: Browser = await chromium.launch({ executablePath: "/usr/bin/chromium",
+  const browser: Browser = await chromium.launch({ executablePath,
     args: ["--headless=new", "--no-sandbox", ...flags] });
   const page = await browser.newPage({ viewport: { width: 700, height: 460 } });
   const complaints: string[] = [];
@@ -56,6 +57,9 @@ export async function openPage(flags: readonly string[] = WEBGPU_FLAGS): Promise
 async function serve(scripts: ReadonlyMap<string, string>): Promise<Server> {
   const server = createServer((request, response) => {
     response.setHeader("Content-Security-Policy", "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data:");
+    // Isolated, a page has the clock's full resolution.
+    response.setHeader("Cross-Origin-Opener-Policy", "same-origin");
+    response.setHeader("Cross-Origin-Embedder-Policy", "require-corp");
     const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname));
     if (path === "/") {
       response.setHeader("Content-Type", "text/html");

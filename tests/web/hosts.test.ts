@@ -4,8 +4,8 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { createWorld, meshNames } from "weft";
-import { openPage, ROOT, type Harness } from "./chromium.js";
-import { gpu } from "./node_gpu.js";
+import { openPage, ROOT, type Harness } from "./chromium.ts";
+import { gpu } from "./node_gpu.ts";
 
 interface Case { name: string; scene: string; frames: number; set: Record<string, unknown> }
 const SPRING_CENTRIC = { kind: "mass_spring", forces: "spring_centric" };

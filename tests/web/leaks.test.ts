@@ -1,6 +1,6 @@
 // Switching scenes leaves nothing behind: not in the module's memory, not on the GPU.
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { openPage, type Harness } from "./chromium.js";
+import { openPage, type Harness } from "./chromium.ts";
 
 const SWITCHES = 100;
 

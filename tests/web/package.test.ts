@@ -3,8 +3,8 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
 import { createWorld, WeftError, type World, type WorldOptions } from "weft";
-import { openPage, ROOT, type Harness } from "./chromium.js";
-import { gpu } from "./node_gpu.js";
+import { openPage, ROOT, type Harness } from "./chromium.ts";
+import { gpu } from "./node_gpu.ts";
 
 const readme = readFileSync(join(ROOT, "packages/weft/README.md"), "utf8");
 const [browserExample, nodeExample] = [...readme.matchAll(/```js\n(.*?)```/gs)].map((block) => block[1]!);

@@ -128,6 +128,7 @@ export class World {
   private stale = true; // whether the canvas shows something else than it would now
   private timer = 0;
   private disposed = false;
+  private hostTime = 0; // [ms]
 
   /** @internal */
   constructor(private readonly core: Core, options: WorldOptions) {
@@ -152,6 +153,8 @@ export class World {
     return this.current;
   }
   get statistics(): Readonly<Statistics> { return this.totals; }
+  /** What the last frame of run cost this thread, JavaScript and WebAssembly, drawing included [ms]. */
+  get hostMilliseconds(): number { return this.hostTime; }
   get running(): boolean { return this.playing; }
   /** Whether a call is under way; what returns at once then throws. */
   get busy(): boolean { return this.core.busy; }
@@ -360,6 +363,7 @@ export class World {
   }
 
   private frame(now: number): void {
+    const start = performance.now();
     this.core.check("poll");
     let advanced = false;
     if (this.playing) {
@@ -378,6 +382,7 @@ export class World {
     if (!advanced && !this.stale) return;
     this.stale = false;
     this.readTotals();
+    if (advanced) this.hostTime = performance.now() - start;
     for (const listener of this.listeners.frame) listener(this.totals);
   }
 
