@@ -6,7 +6,7 @@
 #include "shared/statistics.wgsl"
 #include "collision/triangle_pair.wgsl"  // is_finite, dot_fused
 
-// Mirror: AnalyticCollider in src/collision/colliders_analytic.cpp.
+// Mirror: AnalyticCollider in src/collision/colliders_analytic.hpp.
 struct AnalyticCollider {
   point : vec4f,   // m, a sphere's centre or a point of the plane; w: the sphere's radius, m
   normal : vec4f,  // the plane's unit normal; w: 0 for a sphere, 1 for a plane

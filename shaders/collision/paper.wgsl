@@ -3,7 +3,7 @@
 #include "shared/index.wgsl"
 #include "collision/contact_pair.wgsl"
 
-// Mirror: PairRange in src/collision/pairs_paper.cpp.
+// Mirror: PairRange in src/collision/pairs_paper.hpp.
 struct PairRange {
   first : u32,  // of the object triangles of this dispatch
   count : u32,

@@ -2,7 +2,7 @@
 // invocation per node. Source: docs/solvers/mass_spring.md, "the stability limit".
 #include "shared/index.wgsl"
 #include "shared/neighbour.wgsl"
-struct PowerParams {  // mirror: src/solver/mass_spring/stability.cpp
+struct PowerParams {  // mirror: src/solver/mass_spring/stability.hpp
   count : u32,
   use_damping : u32,
 }

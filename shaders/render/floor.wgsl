@@ -1,6 +1,6 @@
 // A plane as a square floor that fades into the background. Six vertices.
 #include "render/lighting.wgsl"
-struct Plane {
+struct Plane {  // mirror: PlaneParams in src/render/floor.hpp
   center : vec4f,  // m, the point below the middle of the picture; w: half the side, m
   along : vec4f,   // unit; w: a checker square's side, m
   across : vec4f,  // unit; w: 1 for a floor, 0 for one that is seen only by the shadows on it

@@ -1,7 +1,7 @@
 // A woven check, as colours over the sheet: each thread has the colour of its place in the sett (the stripes' sequence,
 // the same along and across), and a plain weave shows warp and weft in turn. Stripes are filtered by their own slope;
 // threads fade into the mean of warp and weft before they get so thin that they would beat with the pixels.
-struct Weave {
+struct Weave {  // mirror: WeaveParams in src/render/cloth_surface.hpp
   base : vec4f,    // linear colour; w: thread pitch, m
   dark : vec4f,    // linear colour of the broad stripe; w: sett, m
   accent : vec4f,  // linear colour of the thin lines

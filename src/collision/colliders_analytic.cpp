@@ -5,18 +5,11 @@
 
 namespace weft::collision {
 
-/// Mirror of AnalyticCollider in shaders/collision/analytic.wgsl.
-struct CollidersAnalytic::AnalyticCollider {
-  Vec4f point;   // [m]; w: radius [m]
-  Vec4f normal;  // w: 0 for a sphere, 1 for a plane
-};
-
 Result<CollidersAnalytic> CollidersAnalytic::create(gpu::Device& device, const State& state,
                                                     const Contacts& contacts,
                                                     std::span<const scene::ColliderSphere> spheres,
                                                     std::span<const scene::ColliderPlane> planes,
                                                     std::uint32_t workgroup_size) {
-  static_assert(sizeof(AnalyticCollider) == 32);
   std::vector<AnalyticCollider> list;
   for (const scene::ColliderSphere& sphere : spheres) {
     if (!(sphere.radius > 0))

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/result.hpp"
+#include "base/vec.hpp"
 #include "gpu/kernel.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
@@ -13,6 +14,13 @@ namespace weft::collision {
 
 /// Collider c of a scene counts in the hit hash as (vertex, kAnalyticId + c); spheres come first.
 inline constexpr std::uint32_t kAnalyticId = 0x80000000U;
+
+/// Mirror of AnalyticCollider in shaders/collision/analytic.wgsl.
+struct AnalyticCollider {
+  Vec4f point;   // [m]; w: radius [m]
+  Vec4f normal;  // w: 0 for a sphere, 1 for a plane
+};
+static_assert(sizeof(AnalyticCollider) == 32);
 
 /// Contacts of nodes with spheres and planes.
 /// Reads   state.steps; state.position [m]: predicted and previous.
@@ -28,8 +36,6 @@ class CollidersAnalytic {
   void record(gpu::ComputePass& pass) const;
 
  private:
-  struct AnalyticCollider;
-
   gpu::Kernel kernel_;
   gpu::RawBuffer colliders_;
   std::array<gpu::BindGroup, 2> groups_;  // by parity

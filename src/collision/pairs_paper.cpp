@@ -6,14 +6,6 @@
 namespace weft::collision {
 namespace {
 
-/// Mirror of PairRange in shaders/collision/paper.wgsl; one stands in each 256 bytes, WebGPU's offset
-/// alignment.
-struct PairRange {
-  std::uint32_t first = 0, count = 0, chunk = 0;
-  std::uint32_t padding[61] = {};
-};
-static_assert(sizeof(PairRange) == 256);
-
 /// Object triangles that one invocation takes: enough to pay for its cloth triangle, few enough for a 10K
 /// sheet over 50K triangles to fill the largest GPU (20,000 * 200 invocations).
 constexpr std::uint32_t kChunk = 256;

@@ -12,6 +12,14 @@
 
 namespace weft::collision {
 
+/// Mirror of PairRange in shaders/collision/paper.wgsl; one stands in each 256 bytes, WebGPU's offset
+/// alignment.
+struct PairRange {
+  std::uint32_t first = 0, count = 0, chunk = 0;
+  std::uint32_t padding[61] = {};
+};
+static_assert(sizeof(PairRange) == 256);
+
 /// Contacts by brute force: every cloth triangle against every object triangle. A dispatch takes a range of
 /// object triangles, so that none lasts long enough for a watchdog to end it. Reads   state.steps;
 /// state.position [m]: predicted and previous; model.triangles. Writes  contacts.pushes [m * push_scale;

@@ -3,14 +3,6 @@
 #include "mesh/adjacency.hpp"
 
 namespace weft {
-namespace {
-
-/// Mirror of SurfaceParams in shaders/element/surface.wgsl.
-struct SurfaceParams {
-  std::uint32_t first_vertex, vertex_count, row, padding;
-};
-
-}  // namespace
 
 Result<Surface> Surface::create(gpu::Device& device, const Model& model, const State& state) {
   Surface made;
@@ -28,7 +20,7 @@ Result<Surface> Surface::create(gpu::Device& device, const Model& model, const S
   for (const ClothModel& cloth : model.host.cloths) {
     ClothPart part;
     part.vertex_count = cloth.vertex_count;
-    const SurfaceParams params{cloth.first_vertex, cloth.vertex_count, cloth.grid ? cloth.grid->nx : 0, 0};
+    const SurfaceParams params{cloth.first_vertex, cloth.vertex_count, cloth.grid ? cloth.grid->nx : 0};
     WEFT_TRY(buffer, gpu::Buffer<SurfaceParams>::create_from(device, std::span(&params, 1), "surface params",
                                                              gpu::kUniform | gpu::kCopyTarget));
     for (std::size_t parity = 0; parity < 2; ++parity) {

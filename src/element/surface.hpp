@@ -8,6 +8,12 @@
 
 namespace weft {
 
+/// Mirror of SurfaceParams in shaders/element/surface.wgsl.
+struct SurfaceParams {
+  std::uint32_t first_vertex = 0, vertex_count = 0, row = 0;
+  std::uint32_t padding = 0;  // to a multiple of 16 bytes
+};
+
 /// The normal and the stretch of every vertex, once a frame: for drawing and for the summary.
 /// Reads   position[parity], rest_position [m]; triangles.
 /// Writes  normal: vertex_count x Vec4f, unit; stretch: vertex_count x f32, length / rest length of the most

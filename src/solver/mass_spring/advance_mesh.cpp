@@ -11,9 +11,9 @@ Result<AdvanceMesh> AdvanceMesh::create(gpu::Device& device, const gpu::Kernel& 
   made.offsets_ = std::move(offsets);
   WEFT_TRY(neighbours, gpu::Buffer<Neighbour>::create_from(device, built.entries, "neighbours"));
   made.neighbours_ = std::move(neighbours);
-  const std::array<std::uint32_t, 4> range = {cloth.first_vertex, cloth.vertex_count, 0, 0};
-  WEFT_TRY(buffer, gpu::Buffer<std::uint32_t>::create_from(device, range, "vertex range",
-                                                           gpu::kUniform | gpu::kCopyTarget));
+  const VertexRange range{cloth.first_vertex, cloth.vertex_count};
+  WEFT_TRY(buffer, gpu::Buffer<VertexRange>::create_from(device, std::span(&range, 1), "vertex range",
+                                                         gpu::kUniform | gpu::kCopyTarget));
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, kernel.bind({state.steps, buffer, made.offsets_, made.neighbours_, state.position[parity],
                                  state.velocity[parity], model.rest_position, state.motions,

@@ -8,6 +8,12 @@
 
 namespace weft {
 
+/// Mirror of VertexRange in shaders/mass_spring/advance_mesh.wgsl.
+struct VertexRange {
+  std::uint32_t first = 0, count = 0;
+  std::uint32_t padding[2] = {};  // to a multiple of 16 bytes
+};
+
 /// One substep of a cloth of any shape: forces gathered per node over its neighbours, then semi-implicit
 /// Euler. Source: docs/solvers/mass_spring.md. Reads   steps, motions; position[parity] [m], velocity[parity]
 /// [m/s], rest_position [m]. Writes  position[1 - parity], velocity[1 - parity] of the cloth's vertices.

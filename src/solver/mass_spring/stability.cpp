@@ -10,13 +10,7 @@
 namespace weft {
 namespace {
 
-constexpr std::uint32_t kBlock = 256;       // elements a block of the fixed-tree sum; one workgroup
 constexpr std::uint32_t kLargestPart = 64;  // nodes a side
-
-/// Mirror of PowerParams in shaders/mass_spring/apply_network.wgsl.
-struct PowerParams {
-  std::uint32_t count, use_damping, padding[2];
-};
 
 /// x <- A x / |A x| for the stiffness or the damping of one network.
 class PowerIteration {
@@ -31,7 +25,7 @@ class PowerIteration {
     for (Vec4f& x : start)
       x = {static_cast<float>(random.uniform(-1, 1)), static_cast<float>(random.uniform(-1, 1)),
            static_cast<float>(random.uniform(-1, 1)), 0};
-    const PowerParams params{count, damping ? 1U : 0U, {}};
+    const PowerParams params{count, damping ? 1U : 0U};
     WEFT_TRY(uniform, gpu::Buffer<PowerParams>::create_from(device, std::span(&params, 1), "power params",
                                                             gpu::kUniform | gpu::kCopyTarget));
     WEFT_TRY(offsets, gpu::Buffer<std::uint32_t>::create_from(device, built.offsets, "network offsets"));
@@ -40,11 +34,11 @@ class PowerIteration {
     WEFT_TRY(x, gpu::Buffer<Vec4f>::create_from(device, start, "power x"));
     WEFT_TRY(y, gpu::Buffer<Vec4f>::create(device, count, "power y"));
     WEFT_TRY(partial,
-             gpu::Buffer<float>::create(device, (count + kBlock - 1) / kBlock, "power partial sums"));
+             gpu::Buffer<float>::create(device, (count + kNormBlock - 1) / kNormBlock, "power partial sums"));
     WEFT_TRY(norm, gpu::Buffer<float>::create(device, 1, "power norm"));
     WEFT_TRY(apply, gpu::Kernel::create(device, "mass_spring/apply_network.wgsl"));
-    WEFT_TRY(sum_squares, gpu::Kernel::create(device, "mass_spring/sum_squares.wgsl", {}, kBlock));
-    WEFT_TRY(finish_norm, gpu::Kernel::create(device, "mass_spring/finish_norm.wgsl", {}, kBlock));
+    WEFT_TRY(sum_squares, gpu::Kernel::create(device, "mass_spring/sum_squares.wgsl", {}, kNormBlock));
+    WEFT_TRY(finish_norm, gpu::Kernel::create(device, "mass_spring/finish_norm.wgsl", {}, kNormBlock));
     WEFT_TRY(scale, gpu::Kernel::create(device, "mass_spring/scale_by_norm.wgsl"));
     WEFT_TRY(apply_group, apply.bind({uniform, offsets, neighbours, position, x, y}));
     WEFT_TRY(sum_group, sum_squares.bind({y, partial}));

@@ -5,6 +5,14 @@
 
 namespace weft {
 
+/// Mirror of PowerParams in shaders/mass_spring/apply_network.wgsl.
+struct PowerParams {
+  std::uint32_t count = 0, use_damping = 0;
+  std::uint32_t padding[2] = {};  // to a multiple of 16 bytes
+};
+/// Elements a block of the fixed-tree sum of squares, one workgroup.
+inline constexpr std::uint32_t kNormBlock = 256;
+
 /// The network of springs whose highest frequency is asked for.
 struct SpringNetwork {
   std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
