@@ -1,4 +1,4 @@
-// Mirror: Spring in src/model/host_model.hpp; tests/state compares the offsets.
+// Mirror: Spring in src/model/host_model.hpp.
 struct Spring {
   node_a : u32,
   node_b : u32,

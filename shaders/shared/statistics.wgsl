@@ -1,5 +1,5 @@
 // What a frame reports to the host. Cleared before each frame but for the last two.
-// Mirror: src/state/statistics.hpp; tests/state compares the offsets. Kernels bind it as array<atomic<u32>>.
+// Mirror: src/state/statistics.hpp. Kernels bind it as array<atomic<u32>>.
 const kStatHits = 0u;            // intersecting pairs, summed over the frame's substeps
 const kStatHitHash = 1u;         // wrapping sum of hash_pair over them: does not depend on their order
 const kStatMaxStretch = 2u;      // largest length / rest length, as the bits of a positive f32

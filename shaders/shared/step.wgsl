@@ -1,5 +1,5 @@
 // What a substep needs to know. One block a substep, 256 bytes apart (gpu/command_list.hpp, kStepStride).
-// Mirror: src/state/step_params.hpp; tests/state compares the offsets.
+// Mirror: src/state/step_params.hpp.
 const kMaxGrabs = 4u;
 
 struct StepParams {

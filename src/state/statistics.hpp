@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace weft {
@@ -16,6 +17,7 @@ struct Statistics {
 };
 static_assert(sizeof(Statistics) == 32);
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = 16;  // the part that is cleared before each frame
+static_assert(kStatisticsPerFrameBytes == offsetof(Statistics, nonfinite), "what is kept comes last");
 
 /// The same function as in the shader.
 constexpr std::uint32_t hash_pair(std::uint32_t a, std::uint32_t b) {

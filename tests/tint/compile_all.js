@@ -1,23 +1,8 @@
 // Every shader must compile in Tint without a message, as it does in naga: the browser is the second home.
-import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
 import { create, globals } from "webgpu";
+import { loadShader, shaderPaths } from "../web/shaders.ts"; // Node strips the types
 
 Object.assign(globalThis, globals);
-const root = join(import.meta.dirname, "../../shaders");
-
-/** The text of a shader with its includes put in, each once (src/gpu/shader_source.cpp). */
-function load(path, seen = new Set()) {
-  if (seen.has(path)) return "";
-  seen.add(path);
-  return readFileSync(join(root, path), "utf8")
-    .split("\n")
-    .map((line) => {
-      const include = /^#include "(.+?)"/.exec(line);
-      return include ? load(include[1], seen) : line;
-    })
-    .join("\n");
-}
 
 const gpu = create([]); // kept: Dawn ends the process where it is collected
 const adapter = await gpu.requestAdapter();
@@ -28,8 +13,8 @@ if (!adapter) {
 const device = await adapter.requestDevice();
 let compiled = 0;
 let failed = 0;
-for (const path of readdirSync(root, { recursive: true }).filter((name) => name.endsWith(".wgsl")).sort()) {
-  const code = load(path);
+for (const path of shaderPaths()) {
+  const code = loadShader(path);
   if (!/@(compute|vertex|fragment)\b/.test(code)) continue; // included by others
   device.pushErrorScope("validation");
   const module = device.createShaderModule({ label: path, code });

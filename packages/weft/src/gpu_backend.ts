@@ -15,7 +15,7 @@ export const ERROR_KINDS = ["failure", "usage", "input", "shape", "shader", "no-
   "device-lost", "diverged", "interrupted"] as const;
 export type ErrorKind = (typeof ERROR_KINDS)[number];
 
-// Mirrors of gpu/types.hpp and gpu/command_list.hpp; tests/web/mirrors.test.ts compares them.
+// Mirrors of gpu/types.hpp and gpu/command_list.hpp; tests/web/layouts_backend.test.ts compares them.
 export const OBJECT_KINDS = ["none", "buffer", "texture", "texture-view", "sampler", "shader-module",
   "bind-group-layout", "pipeline-layout", "bind-group", "compute-pipeline", "render-pipeline", "query-set"] as const;
 export const TEXTURE_FORMATS: readonly (GPUTextureFormat | undefined)[] =

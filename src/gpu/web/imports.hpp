@@ -8,6 +8,7 @@
 
 #include "gpu/command_list.hpp"
 #include "gpu/types.hpp"
+#include "gpu/web/layout.hpp"
 
 namespace weft::gpu::backend::web {
 
@@ -35,10 +36,15 @@ struct RenderInfo {
 };
 static_assert(sizeof(Text) == 8 && sizeof(GroupEntry) == 32 && sizeof(ConstantEntry) == 16 &&
               sizeof(RenderInfo) == 56);
-static_assert(sizeof(Command) == 64 && offsetof(Command, ids) == 4 && offsetof(Command, args) == 16 &&
-              offsetof(Command, sizes) == 40);
-static_assert(sizeof(RenderTarget) == 56 && offsetof(RenderTarget, clear_color) == 16 &&
-              offsetof(RenderTarget, store_depth) == 48);
+static_assert(sizeof(Command) == kCommandLayout.size && offsetof(Command, ids) == kCommandLayout.ids &&
+              offsetof(Command, args) == kCommandLayout.args &&
+              offsetof(Command, sizes) == kCommandLayout.sizes);
+static_assert(sizeof(RenderTarget) == kRenderTargetLayout.size &&
+              offsetof(RenderTarget, color) == kRenderTargetLayout.color &&
+              offsetof(RenderTarget, resolve) == kRenderTargetLayout.resolve &&
+              offsetof(RenderTarget, depth) == kRenderTargetLayout.depth &&
+              offsetof(RenderTarget, clear_color) == kRenderTargetLayout.clear_color &&
+              offsetof(RenderTarget, store_depth) == kRenderTargetLayout.store_depth);
 
 /// A command list as gpu_backend.ts walks it.
 struct ListView {

@@ -1,0 +1,177 @@
+// The structs and numbers that C++ and WGSL both write down. A struct of a uniform or storage binding that is
+// missing here fails tests/web/layouts.test.ts.
+#include "layouts.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "collision/colliders_analytic.hpp"
+#include "collision/object_tree.hpp"
+#include "collision/object_triangles.hpp"
+#include "collision/pairs_paper.hpp"
+#include "element/neighbours.hpp"
+#include "element/surface.hpp"
+#include "gpu/kernel.hpp"
+#include "model/host_model.hpp"
+#include "render/cloth_surface.hpp"
+#include "render/floor.hpp"
+#include "render/frame_params.hpp"
+#include "scene/grab.hpp"
+#include "scene/scene.hpp"
+#include "solver/mass_spring/advance_grid.hpp"
+#include "solver/mass_spring/advance_mesh.hpp"
+#include "solver/mass_spring/stability.hpp"
+#include "state/statistics.hpp"
+#include "state/step_params.hpp"
+
+namespace weft {
+namespace {
+
+/// WGSL's name of what a member is made of.
+template <class T>
+struct Scalar : Scalar<typename T::value_type> {};  // std::array
+template <>
+struct Scalar<float> {
+  static constexpr const char* kName = "f32";
+};
+template <>
+struct Scalar<Vec4f> : Scalar<float> {};
+template <>
+struct Scalar<std::uint32_t> {
+  static constexpr const char* kName = "u32";
+};
+
+template <class T>
+Json member(const char* name, std::size_t offset) {
+  return {{"name", name}, {"offset", offset}, {"size", sizeof(T)}, {"scalar", Scalar<T>::kName}};
+}
+
+/// `rounded_to` [bytes]: the C++ struct is padded to a multiple of it, which WGSL does not know of.
+Json row(const char* name, const char* file, std::size_t size, std::size_t rounded_to,
+         std::initializer_list<Json> members) {
+  return {{"name", name},
+          {"file", file},
+          {"size", size},
+          {"rounded_to", rounded_to},
+          {"members", Json::array_t(members)}};
+}
+
+constexpr std::size_t kExact = 1;     // the same size in both
+constexpr std::size_t kUniform = 16;  // a uniform block of its own
+
+#define M(name) member<decltype(T::name)>(#name, offsetof(T, name))
+
+Json step_params() {
+  using T = StepParams;
+  return row("StepParams", "shared/step.wgsl", sizeof(T), gpu::kStepStride,
+             {M(acceleration), M(dt),          M(drag),       M(vertex_count), M(spring_count),
+              M(force_scale),  M(force_limit), M(push_scale), M(thickness),    M(max_push),
+              M(first_motion), M(grab_rate),   M(grab_speed), M(wind),         M(wind_wave_a),
+              M(wind_wave_b),  M(gust_a),      M(gust_b),     M(grab_node),    M(grab_target)});
+}
+Json spring() {
+  using T = Spring;
+  return row("Spring", "shared/mass_spring.wgsl", sizeof(T), kExact,
+             {M(node_a), M(node_b), M(rest_length), M(stiffness), M(damping)});
+}
+Json neighbour() {
+  using T = Neighbour;
+  return row("Neighbour", "shared/neighbour.wgsl", sizeof(T), kExact,
+             {M(node), M(rest_length), M(stiffness), M(damping)});
+}
+Json grid_params_row() {
+  using T = GridParams;
+  return row("GridParams", "mass_spring/advance_grid.wgsl", sizeof(T), kExact,
+             {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(rest_length), M(damping)});
+}
+Json vertex_range() {
+  using T = VertexRange;
+  return row("VertexRange", "mass_spring/advance_mesh.wgsl", sizeof(T), kUniform, {M(first), M(count)});
+}
+Json power_params() {
+  using T = PowerParams;
+  return row("PowerParams", "mass_spring/apply_network.wgsl", sizeof(T), kUniform,
+             {M(count), M(use_damping)});
+}
+Json surface_params() {
+  using T = SurfaceParams;
+  return row("SurfaceParams", "element/surface.wgsl", sizeof(T), kUniform,
+             {M(first_vertex), M(vertex_count), M(row)});
+}
+Json object_triangle() {
+  using T = collision::ObjectTriangle;
+  return row("ObjectTriangle", "collision/contact_pair.wgsl", sizeof(T), kExact, {M(a), M(b), M(c)});
+}
+Json tree_node() {
+  using T = collision::TreeNode;
+  using Axis = decltype(T::low)::value_type;
+  constexpr std::size_t low = offsetof(T, low), high = offsetof(T, high);
+  return row("TreeNode", "collision/bvh.wgsl", sizeof(T), kExact,
+             {member<Axis>("low_x", low), member<Axis>("low_y", low + sizeof(Axis)),
+              member<Axis>("low_z", low + 2 * sizeof(Axis)), member<Axis>("high_x", high),
+              member<Axis>("high_y", high + sizeof(Axis)), member<Axis>("high_z", high + 2 * sizeof(Axis)),
+              M(child), M(spare)});
+}
+Json pair_range() {
+  using T = collision::PairRange;
+  return row("PairRange", "collision/paper.wgsl", sizeof(T), 256, {M(first), M(count), M(chunk)});
+}
+Json analytic_collider() {
+  using T = collision::AnalyticCollider;
+  return row("AnalyticCollider", "collision/analytic.wgsl", sizeof(T), kExact, {M(point), M(normal)});
+}
+Json frame() {
+  using T = render::FrameParams;
+  return row("Frame", "render/frame.wgsl", sizeof(T), kExact,
+             {M(view_projection), M(light_projection), M(eye), M(to_light), M(viewport), M(stretch_range),
+              M(color_map)});
+}
+Json weave() {
+  using T = render::WeaveParams;
+  return row("Weave", "render/weave.wgsl", sizeof(T), kExact, {M(base), M(dark), M(accent), M(back)});
+}
+Json plane() {
+  using T = render::PlaneParams;
+  return row("Plane", "render/floor.wgsl", sizeof(T), kExact, {M(center), M(along), M(across)});
+}
+
+#undef M
+
+Json constant(const char* name, const char* file, double value) {
+  return {{"name", name}, {"file", file}, {"value", value}};
+}
+
+/// Kernels know the statistics as words of an array.
+Json statistic(const char* name, std::size_t offset) {
+  return constant(name, "shared/statistics.wgsl", static_cast<double>(offset / sizeof(std::uint32_t)));
+}
+
+}  // namespace
+
+Json struct_layouts() {
+  return Json::array({step_params(), spring(), neighbour(), grid_params_row(), vertex_range(), power_params(),
+                      surface_params(), object_triangle(), tree_node(), pair_range(), analytic_collider(),
+                      frame(), weave(), plane()});
+}
+
+Json shared_constants() {
+  return Json::array({
+      constant("kMaxGrabs", "shared/step.wgsl", scene::kMaxGrabs),
+      constant("kGroupsPerRow", "shared/index.wgsl", gpu::kGroupsPerRow),
+      constant("kWorkgroupSize", "shared/index.wgsl", gpu::kDefaultWorkgroupSize),
+      constant("kNormBlock", "mass_spring/sum_squares.wgsl", kNormBlock),
+      constant("kNormBlock", "mass_spring/finish_norm.wgsl", kNormBlock),
+      constant("kAnalyticId", "collision/analytic.wgsl", collision::kAnalyticId),
+      constant("kStackSize", "collision/bvh.wgsl", collision::kStackSize),
+      constant("kWireframe", "render/frame.wgsl", static_cast<double>(scene::View::Wireframe)),
+      statistic("kStatHits", offsetof(Statistics, hits)),
+      statistic("kStatHitHash", offsetof(Statistics, hit_hash)),
+      statistic("kStatMaxStretch", offsetof(Statistics, max_stretch)),
+      statistic("kStatContactOverflow", offsetof(Statistics, contact_overflow)),
+      statistic("kStatNonfinite", offsetof(Statistics, nonfinite)),
+      statistic("kStatFrozen", offsetof(Statistics, frozen)),
+  });
+}
+
+}  // namespace weft
