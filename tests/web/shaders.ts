@@ -24,3 +24,20 @@ export function loadShader(path: string, seen = new Set<string>()): string {
     })
     .join("\n");
 }
+
+/** The text with blanks for its comments, so that lines keep their numbers; WGSL's block comments nest. */
+export function withoutComments(text: string): string {
+  let depth = 0; // of block comments
+  let line = false; // in a comment that ends with its line
+  return text.replace(/\/\*|\*\/|\/\/|\n|[^]/g, (token) => {
+    if (token === "\n") {
+      line = false;
+      return token;
+    }
+    if (!line && token === "/*") depth += 1;
+    else if (!line && depth > 0 && token === "*/") depth -= 1;
+    else if (depth === 0 && token === "//") line = true;
+    else if (depth === 0 && !line) return token;
+    return " ".repeat(token.length);
+  });
+}
