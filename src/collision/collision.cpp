@@ -2,6 +2,7 @@
 
 #include "collision/object_triangles.hpp"
 #include "collision/push_scale.hpp"
+#include "model/max_push.hpp"
 
 namespace weft::collision {
 
@@ -13,7 +14,7 @@ Result<Collision> Collision::create(gpu::Device& device, const Model& model, con
 
   WEFT_TRY(triangles, object_triangles(setup.objects));
   collision.object_triangle_count_ = static_cast<std::uint32_t>(triangles.size());
-  const double longest = collision::max_push(model.host, setup.thickness);
+  const double longest = weft::max_push(model.host, setup.thickness);
   collision.max_push_ = static_cast<float>(longest);
   collision.push_scale_ = collision::push_scale(
       {triangles_at_vertex(model.host), triangles.size(), setup.spheres.size() + setup.planes.size()},

@@ -5,15 +5,6 @@
 
 namespace weft::collision {
 
-double max_push(const HostModel& model, double thickness) {
-  double longest = 0;
-  for (const mesh::Triangle& triangle : model.triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(
-          longest, length(model.rest_position[triangle[(k + 1) % 3]] - model.rest_position[triangle[k]]));
-  return thickness + 2 * longest;
-}
-
 std::uint64_t triangles_at_vertex(const HostModel& model) {
   std::vector<std::uint64_t> counts(model.vertex_count(), 0);
   for (const mesh::Triangle& triangle : model.triangles)

@@ -1,11 +1,8 @@
 #include "sim/world.hpp"
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include <algorithm>
-#include <cstring>
 
+#include "base/state_hash.hpp"
 #include "scene/difference.hpp"
 #include "scene/motion.hpp"
 #include "solver/registry.hpp"
@@ -50,13 +47,7 @@ Result<void> check_size(const scene::Scene& scene, const Assets& assets, const g
 }  // namespace
 
 std::string Snapshot::hash() const {
-  XXH3_state_t state;
-  XXH3_64bits_reset(&state);
-  XXH3_64bits_update(&state, position.data(), position.size() * sizeof(Vec4f));
-  XXH3_64bits_update(&state, velocity.data(), velocity.size() * sizeof(Vec4f));
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(XXH3_64bits_digest(&state)));
-  return text;
+  return state_hash(std::as_bytes(std::span(position)), std::as_bytes(std::span(velocity)));
 }
 
 Result<std::unique_ptr<World>> World::create(gpu::Device& device, scene::Scene scene, const Assets& assets,

@@ -1,7 +1,5 @@
 #include "solver/registry.hpp"
 
-#include <cmath>
-
 #include "solver/mass_spring/solver_mass_spring.hpp"
 #include "solver/mass_spring/stability.hpp"
 
@@ -29,19 +27,6 @@ StepLimit with_drag(const scene::Solver& settings, const StepLimit& limit, doubl
       return least_step_limit(limit.cloths, drag);
   }
   return limit;
-}
-
-Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const StepLimit& limit) {
-  constexpr double kMostSubsteps = 65536;  // docs/scene.md, time.substeps
-  if (limit.largest_step <= 0) return 1U;
-  const double substeps = 4 * std::ceil(scene.time.frame / (kStepSafety * limit.largest_step) / 4);
-  if (!(substeps <= kMostSubsteps))
-    return make_error(
-        ErrorKind::Limit,
-        "The cloth's springs need %.0f substeps a frame (largest stable step %.3g s), more than the limit "
-        "of %.0f: lower the stiffness or the resolution, or raise the density.",
-        substeps, limit.largest_step, kMostSubsteps);
-  return static_cast<std::uint32_t>(substeps);
 }
 
 }  // namespace weft

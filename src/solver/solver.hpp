@@ -2,28 +2,14 @@
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "base/result.hpp"
 #include "gpu/kernel.hpp"
+#include "model/step_limit.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
 
 namespace weft {
-
-/// The largest eigenvalues of a cloth's M^-1 K and M^-1 C, without drag.
-struct NetworkSpectrum {
-  double stiffness = 0;  // [1/s²]
-  double damping = 0;    // [1/s]
-};
-
-/// What a step of a solver may be, and what decides it.
-struct StepLimit {
-  double highest_frequency = 0;         // of the spring network, undamped [rad/s]
-  double highest_damping = 0;           // largest damping rate [1/s]
-  double largest_step = 0;              // beyond which the integration is unstable [s]; 0: there is no limit
-  std::vector<NetworkSpectrum> cloths;  // in the order of the scene
-};
 
 /// The constants of StepParams that a solver sets.
 struct SolverConstants {

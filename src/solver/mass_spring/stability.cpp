@@ -1,16 +1,13 @@
 #include "solver/mass_spring/stability.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/random.hpp"
 #include "gpu/readback.hpp"
-#include "mesh/lumped.hpp"
 
 namespace weft {
 namespace {
 
-constexpr std::uint32_t kLargestPart = 64;  // nodes a side
 
 /// x <- A x / |A x| for the stiffness or the damping of one network.
 class PowerIteration {
@@ -82,48 +79,6 @@ class PowerIteration {
 
 }  // namespace
 
-SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth) {
-  SpringNetwork network;
-  HostModel part_model;
-  ClothModel part = cloth;
-  const std::uint32_t first = cloth.first_vertex;
-  part.first_vertex = 0;
-  part.first_triangle = 0;
-  if (cloth.grid) {
-    mesh::Grid grid = *cloth.grid;
-    grid.nx = std::min(grid.nx, kLargestPart);
-    grid.ny = std::min(grid.ny, kLargestPart);
-    grid.width *= static_cast<double>(grid.nx - 1) / (cloth.grid->nx - 1);
-    grid.height *= static_cast<double>(grid.ny - 1) / (cloth.grid->ny - 1);
-    part.grid = grid;
-    part.vertex_count = mesh::node_count(grid);
-    const double corner_area = mesh::vertex_areas(*cloth.grid)[0];
-    const double density = model.mass[first] / corner_area;  // unused where every node weighs the same
-    const std::vector<double> areas = mesh::vertex_areas(grid);
-    for (std::uint32_t j = 0; j < grid.ny; ++j)
-      for (std::uint32_t i = 0; i < grid.nx; ++i) {
-        const mesh::RestPoint p = mesh::rest_point(grid, i, j);
-        const double mass = cloth.weights == mesh::BoundaryWeights::Uniform
-                                ? model.mass[first]
-                                : density * areas[mesh::node_index(grid, i, j)];
-        network.position.push_back(Vec4f::from(Vec3d{p.x, p.y, 0}.to<float>(), static_cast<float>(1 / mass)));
-      }
-  } else {
-    for (std::uint32_t v = first; v < first + cloth.vertex_count; ++v) {
-      network.position.push_back(
-          Vec4f::from(model.rest_position[v].to<float>(), static_cast<float>(1 / model.mass[v])));
-      part_model.rest_position.push_back(model.rest_position[v]);
-    }
-    for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
-      mesh::Triangle triangle = model.triangles[cloth.first_triangle + t];
-      for (std::uint32_t& vertex : triangle) vertex -= first;
-      part_model.triangles.push_back(triangle);
-    }
-  }
-  network.springs = build_springs(part_model, part);
-  return network;
-}
-
 Result<NetworkSpectrum> find_spectrum(gpu::Device& device, const SpringNetwork& network,
                                       std::uint32_t iterations) {
   NetworkSpectrum spectrum;
@@ -136,24 +91,6 @@ Result<NetworkSpectrum> find_spectrum(gpu::Device& device, const SpringNetwork& 
     (damping ? spectrum.damping : spectrum.stiffness) = value;
   }
   return spectrum;
-}
-
-double largest_stable_step(double stiffness, double damping) {
-  if (!(stiffness > 0)) return damping > 0 ? 2 / damping : 0;
-  return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
-}
-
-StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {
-  StepLimit limit;
-  for (const NetworkSpectrum& spectrum : cloths) {
-    const double step = largest_stable_step(spectrum.stiffness, spectrum.damping + drag);
-    if (limit.largest_step != 0 && step >= limit.largest_step) continue;
-    limit.highest_frequency = std::sqrt(spectrum.stiffness);
-    limit.highest_damping = spectrum.damping + drag;
-    limit.largest_step = step;
-  }
-  limit.cloths = std::move(cloths);
-  return limit;
 }
 
 Result<StepLimit> mass_spring_step_limit(gpu::Device& device, const HostModel& model, double drag) {

@@ -1,0 +1,39 @@
+#include "model/step_limit.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace weft {
+
+double largest_stable_step(double stiffness, double damping) {
+  if (!(stiffness > 0)) return damping > 0 ? 2 / damping : 0;
+  return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
+}
+
+StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {
+  StepLimit limit;
+  for (const NetworkSpectrum& spectrum : cloths) {
+    const double step = largest_stable_step(spectrum.stiffness, spectrum.damping + drag);
+    if (limit.largest_step != 0 && step >= limit.largest_step) continue;
+    limit.highest_frequency = std::sqrt(spectrum.stiffness);
+    limit.highest_damping = spectrum.damping + drag;
+    limit.largest_step = step;
+  }
+  limit.cloths = std::move(cloths);
+  return limit;
+}
+
+Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const StepLimit& limit) {
+  constexpr double kMostSubsteps = 65536;  // docs/scene.md, time.substeps
+  if (limit.largest_step <= 0) return 1U;
+  const double substeps = 4 * std::ceil(scene.time.frame / (kStepSafety * limit.largest_step) / 4);
+  if (!(substeps <= kMostSubsteps))
+    return make_error(
+        ErrorKind::Limit,
+        "The cloth's springs need %.0f substeps a frame (largest stable step %.3g s), more than the limit "
+        "of %.0f: lower the stiffness or the resolution, or raise the density.",
+        substeps, limit.largest_step, kMostSubsteps);
+  return static_cast<std::uint32_t>(substeps);
+}
+
+}  // namespace weft
