@@ -1,0 +1,153 @@
+#include "reference/simulation.hpp"
+
+#include <cmath>
+#include <span>
+
+#include "base/state_hash.hpp"
+#include "model/max_push.hpp"
+#include "reference/collision/analytic.hpp"
+#include "reference/collision/response.hpp"
+#include "reference/spectrum.hpp"
+#include "scene/motion.hpp"
+
+namespace weft::reference {
+namespace {
+
+/// The springs with the very numbers that the kernels get: f32, here widened.
+std::vector<SpringLink> links_of(const HostModel& model) {
+  std::vector<SpringLink> links;
+  for (const Spring& s : build_springs(model))
+    links.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length), static_cast<double>(s.stiffness),
+                     static_cast<double>(s.damping)});
+  return links;
+}
+
+}  // namespace
+
+Result<Simulation> Simulation::create(const scene::Scene& scene,
+                                      const std::vector<mesh::TriangleMesh>& cloth_meshes,
+                                      const std::vector<mesh::TriangleMesh>& objects) {
+  WEFT_TRY(model, build_model(scene, cloth_meshes));
+  Simulation made(scene, std::move(model));
+  made.limit_ = reference::step_limit(made.model_, scene.drag);
+  if (scene.time.substeps) {
+    made.substeps_ = *scene.time.substeps;
+  } else {
+    WEFT_TRY(chosen, choose_substeps(scene, made.limit_));
+    made.substeps_ = chosen;
+  }
+  MassSpringSystem& system = made.system_;
+  for (std::size_t node = 0; node < made.model_.vertex_count(); ++node)
+    system.inverse_mass.push_back(made.model_.inverse_mass(node));
+  system.springs = links_of(made.model_);
+  system.acceleration = scene.gravity + scene.external_force;
+  system.drag = scene.drag;
+  system.wind = scene::wind_field(scene.wind);
+  if (scene.contact.method != scene::ContactMethod::None) WEFT_CHECK(made.add_colliders(objects));
+  made.reset();
+  return made;
+}
+
+Result<void> Simulation::add_colliders(const std::vector<mesh::TriangleMesh>& objects) {
+  for (std::size_t o = 0; o < objects.size(); ++o) {
+    const auto first = static_cast<std::uint32_t>(object_.positions.size());
+    object_.positions.insert(object_.positions.end(), objects[o].positions.begin(),
+                             objects[o].positions.end());
+    for (std::size_t t = 0; t < objects[o].triangles.size(); ++t) {
+      const TrianglePoints points = points_of(objects[o], static_cast<std::uint32_t>(t));
+      const double area = length(cross(points.b - points.a, points.c - points.a));
+      if (!(area > 0) || !std::isfinite(area))
+        return input_error("Triangle %zu of collision object %zu has no area, or one that is not finite.", t,
+                           o);
+      mesh::Triangle triangle = objects[o].triangles[t];
+      for (std::uint32_t& vertex : triangle) vertex += first;
+      object_.triangles.push_back(triangle);
+    }
+  }
+  if (!object_.triangles.empty()) object_triangles_.emplace(object_);
+  for (const scene::Collider& collider : scene_.colliders) {
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) spheres_.push_back(*sphere);
+    if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) planes_.push_back(*plane);
+  }
+  push_limits_ = {scene_.contact.thickness, max_push(model_, scene_.contact.thickness)};
+  return {};
+}
+
+Result<void> Simulation::advance_frame() {
+  const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
+  const std::uint64_t contacts = contacts_;
+  for (std::uint32_t s = 0; s < substeps_; ++s) substep(s);
+  if (!finite()) {
+    system_.position = position;
+    system_.velocity = velocity;
+    contacts_ = contacts;
+    return make_error(ErrorKind::Diverged,
+                      "In frame %u the state is not finite; it stays as it was before that frame.", frame_);
+  }
+  ++frame_;
+  return {};
+}
+
+void Simulation::reset() {
+  system_.position = model_.rest_position;
+  system_.velocity.assign(model_.vertex_count(), {});
+  frame_ = 0;
+  contacts_ = 0;
+}
+
+void Simulation::substep(std::uint32_t number) {
+  const double count = static_cast<double>(frame_) * substeps_ + number;  // of substeps before this one
+  const std::vector<Vec3d> previous = system_.position;
+  set_inputs(count * step());
+  advance(system_, step());
+  follow_motions(previous, (count + 1) * step());
+  answer_contacts(previous);
+}
+
+void Simulation::set_inputs(double time) {
+  system_.time = time;  // of the wind
+  // Scripted grabs (HostModel::grabs) are to become system_.grabs here.
+}
+
+void Simulation::follow_motions(const std::vector<Vec3d>& previous, double time) {
+  std::vector<scene::RigidTransform> transforms;
+  for (const scene::Motion& motion : model_.motions) transforms.push_back(scene::motion_at(motion, time));
+  for (std::size_t node = 0; node < previous.size(); ++node) {
+    if (model_.motion[node] < 2) continue;  // free or pinned
+    system_.position[node] = transforms[model_.motion[node] - 2](model_.rest_position[node]);
+    system_.velocity[node] = (system_.position[node] - previous[node]) / step();
+  }
+}
+
+void Simulation::answer_contacts(const std::vector<Vec3d>& previous) {
+  if (!object_triangles_ && spheres_.empty() && planes_.empty()) return;
+  std::vector<NodePush> pushes(previous.size());
+  if (object_triangles_) {
+    const std::vector<TrianglePair> pairs = object_triangles_->pairs(model_.triangles, system_.position);
+    contacts_ += pairs.size();
+    pushes = pushes_of(pairs, model_.triangles, previous, system_.inverse_mass, object_, push_limits_);
+  }
+  if (!spheres_.empty() || !planes_.empty()) {
+    const std::vector<NodePush> more =
+        analytic_pushes(previous, system_.position, system_.inverse_mass, spheres_, planes_, push_limits_);
+    for (std::size_t node = 0; node < more.size(); ++node) {
+      pushes[node].sum += more[node].sum;
+      pushes[node].count += more[node].count;
+      contacts_ += more[node].count;
+    }
+  }
+  respond(pushes, previous, system_.position, system_.velocity);
+}
+
+bool Simulation::finite() const {
+  for (const auto* values : {&system_.position, &system_.velocity})
+    for (const Vec3d& v : *values)
+      if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return false;
+  return true;
+}
+
+std::string Simulation::hash() const {
+  return state_hash(std::as_bytes(std::span(system_.position)), std::as_bytes(std::span(system_.velocity)));
+}
+
+}  // namespace weft::reference

@@ -1,0 +1,79 @@
+// A whole scene on the CPU, in double: the oracle of whole frames, and the page's fallback without WebGPU.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "model/host_model.hpp"
+#include "model/step_limit.hpp"
+#include "reference/collision/contact_pairs.hpp"
+#include "reference/collision/pushes.hpp"
+#include "reference/mass_spring.hpp"
+#include "scene/scene.hpp"
+
+namespace weft::reference {
+
+/// What sim::World does with a scene, in the same order. Adds, multiplies, divides and takes roots only, in
+/// one order: the same bits on every machine, native or WebAssembly.
+class Simulation {
+ public:
+  /// `cloth_meshes` holds a mesh for each cloth (empty for a grid), `objects` one for each mesh collider, all
+  /// placed in the world. Errors  Input: the model cannot be built, an object has a triangle without area.
+  /// Limit: "auto" needs too many substeps.
+  static Result<Simulation> create(const scene::Scene& scene,
+                                   const std::vector<mesh::TriangleMesh>& cloth_meshes,
+                                   const std::vector<mesh::TriangleMesh>& objects);
+
+  /// Errors  Diverged: a node is not finite; the state stays as it was before the frame.
+  Result<void> advance_frame();
+  /// Back to the rest state at time 0.
+  void reset();
+
+  const std::vector<Vec3d>& positions() const { return system_.position; }   // [m]
+  const std::vector<Vec3d>& velocities() const { return system_.velocity; }  // [m/s]
+  const std::vector<mesh::Triangle>& triangles() const { return model_.triangles; }
+  /// XXH3-64 of the bits of position, then velocity (three doubles a node), as 16 hexadecimal digits.
+  std::string hash() const;
+  /// Kinetic, elastic and gravitational [J].
+  double energy() const { return reference::energy(system_); }
+
+  const scene::Scene& scene() const { return scene_; }
+  std::uint32_t frame() const { return frame_; }
+  double time() const { return frame_ * scene_.time.frame; }  // [s]
+  std::uint32_t substeps() const { return substeps_; }
+  double step() const { return scene_.time.frame / substeps_; }  // [s]
+  const StepLimit& step_limit() const { return limit_; }
+  std::size_t spring_count() const { return system_.springs.size(); }
+  /// Of cloth triangles with object triangles, and of nodes with spheres and planes, in all substeps so far.
+  std::uint64_t contacts() const { return contacts_; }
+
+ private:
+  Simulation(const scene::Scene& scene, HostModel model) : scene_(scene), model_(std::move(model)) {}
+  Result<void> add_colliders(const std::vector<mesh::TriangleMesh>& objects);
+
+  void substep(std::uint32_t number);
+  /// What acts in the substep that begins at `time` [s], beside the springs.
+  void set_inputs(double time);
+  /// Takes the nodes that follow a motion to where they are at `time` [s].
+  void follow_motions(const std::vector<Vec3d>& previous, double time);
+  void answer_contacts(const std::vector<Vec3d>& previous);
+  bool finite() const;
+
+  scene::Scene scene_;
+  HostModel model_;
+  MassSpringSystem system_;
+  StepLimit limit_;
+  std::uint32_t substeps_ = 1, frame_ = 0;
+
+  mesh::TriangleMesh object_;  // all objects as one, in their order: what a pair's numbers mean
+  std::optional<ObjectTriangles> object_triangles_;
+  std::vector<scene::ColliderSphere> spheres_;
+  std::vector<scene::ColliderPlane> planes_;
+  PushLimits push_limits_;
+  std::uint64_t contacts_ = 0;
+};
+
+}  // namespace weft::reference

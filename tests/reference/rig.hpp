@@ -1,0 +1,45 @@
+// Simulations for tests: a scene file or text, and its models.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "reference/simulation.hpp"
+#include "scene/load.hpp"
+#include "sim/assets.hpp"
+
+namespace weft {
+
+#define REQUIRE_OK(result) REQUIRE_MESSAGE(static_cast<bool>(result), (result).error().message)
+
+inline reference::Simulation simulation_of(const scene::Scene& scene) {
+  const auto assets = sim::load_assets(scene, WEFT_SOURCE_DIR "/models");
+  REQUIRE_OK(assets);
+  auto simulation = reference::Simulation::create(scene, assets->cloths, assets->objects);
+  REQUIRE_OK(simulation);
+  return std::move(*simulation);
+}
+
+inline reference::Simulation simulation_of_file(const std::string& name,
+                                                const std::vector<scene::Override>& overrides) {
+  const auto scene = scene::load_scene(WEFT_SOURCE_DIR "/scenes/" + name + ".json", overrides);
+  REQUIRE_OK(scene);
+  return simulation_of(*scene);
+}
+
+inline reference::Simulation simulation_of_text(const std::string& members) {
+  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", )" + members + "}", "test.json");
+  REQUIRE_OK(scene);
+  return simulation_of(*scene);
+}
+
+inline void advance(reference::Simulation& simulation, int frames) {
+  for (int frame = 0; frame < frames; ++frame) {
+    const auto advanced = simulation.advance_frame();
+    REQUIRE_OK(advanced);
+  }
+}
+
+}  // namespace weft

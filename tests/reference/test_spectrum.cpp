@@ -1,0 +1,36 @@
+// The largest stable step, found without a GPU.
+#include <cmath>
+
+#include "reference/spectrum.hpp"
+#include "rig.hpp"
+
+using namespace weft;
+
+TEST_CASE("power iteration in double finds the highest frequency of a lattice within 2 %") {
+  const auto simulation = simulation_of_text(R"("cloths": [{"grid": [40, 30], "size": [0.78, 0.58],
+    "density": 0.25, "damping": 0, "stiffness": {"structural": 500, "shear": 200, "bend": 0}}])");
+  const double mass = 0.25 * 0.02 * 0.02;  // [kg]; omega² = 4 (k + s) / m (docs/solvers/mass_spring.md)
+  CHECK(simulation.step_limit().highest_frequency ==
+        doctest::Approx(std::sqrt(4 * 700 / mass)).epsilon(0.02));
+  CHECK(simulation.step_limit().highest_damping == 0);
+}
+
+TEST_CASE("where all springs are equally stiff, damping and stiffness have one spectrum; drag comes on top") {
+  const auto simulation = simulation_of_text(R"("drag": 3, "cloths": [{"grid": [13, 17], "size": [1, 1],
+    "density": 0.25, "damping": 0.02, "stiffness": {"structural": 500, "shear": 500, "bend": 500}}])");
+  const StepLimit& limit = simulation.step_limit();
+  const double stiffness = limit.highest_frequency * limit.highest_frequency;
+  CHECK((limit.highest_damping - 3) / 0.02 == doctest::Approx(stiffness / 500).epsilon(1e-6));
+  CHECK(limit.largest_step == doctest::Approx(largest_stable_step(stiffness, limit.highest_damping)));
+}
+
+TEST_CASE("auto takes the rule of the solvers, and a given number of substeps stands") {
+  auto simulation = simulation_of_file("hanging", {{"cloths.0.grid", "[24,24]"}});
+  const double least = simulation.scene().time.frame / (kStepSafety * simulation.step_limit().largest_step);
+  CHECK(simulation.substeps() % 4 == 0);
+  CHECK(simulation.substeps() >= least);
+  CHECK(simulation.substeps() < least + 4);
+  auto given = simulation_of_file("hanging", {{"cloths.0.grid", "[8,8]"}, {"time.substeps", "37"}});
+  CHECK(given.substeps() == 37);
+  CHECK(given.step() == doctest::Approx(1 / (60.0 * 37)));
+}
