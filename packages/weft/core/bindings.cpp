@@ -8,21 +8,19 @@
 #include <array>
 #include <initializer_list>
 
+#include "inputs.hpp"
+#include "message.hpp"
 #include "render/orbit.hpp"
 #include "session.hpp"
 
 namespace {
 
+using weft::web::code;
+using weft::web::message;
 using weft::web::Session;
+using weft::web::text;
 
 Session* session = nullptr;
-std::string message;  // a sentence, or the text that was asked for
-
-std::uint32_t code(const weft::Result<void>& result) {
-  if (result) return 0;
-  message = result.error().message;
-  return 1 + static_cast<std::uint32_t>(result.error().kind);
-}
 
 /// Numbers for the other side to read at once.
 const double* give(std::initializer_list<double> numbers) {
@@ -30,8 +28,6 @@ const double* give(std::initializer_list<double> numbers) {
   std::copy(numbers.begin(), numbers.end(), given.begin());
   return given.data();
 }
-
-std::string text(const char* data, std::uint32_t size) { return {data, size}; }
 
 }  // namespace
 
@@ -52,10 +48,11 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_open(const char* adapter, std::uint32_t 
 EMSCRIPTEN_KEEPALIVE void weft_close() {
   delete session;
   session = nullptr;
+  weft::web::meshes().clear();
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_add_mesh(const char* name, std::uint32_t name_size,
                                                  const std::byte* bytes, std::uint32_t size) {
-  return code(session->add_mesh(text(name, name_size), {bytes, size}));
+  return code(weft::web::meshes().add(text(name, name_size), {bytes, size}));
 }
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_load(const char* scene, std::uint32_t scene_size, const char* changes,

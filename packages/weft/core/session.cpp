@@ -3,11 +3,10 @@
 #include <emscripten/heap.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "inputs.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
-#include "mesh/read_mesh.hpp"
 #include "scene/load.hpp"
 
 namespace weft::web {
@@ -28,8 +27,6 @@ Result<void> check_room(const scene::Scene& scene, const sim::Assets& assets) {
       static_cast<unsigned long long>(limit));
 }
 
-constexpr const char* kSceneName = "scene";  // what messages call the text that a page hands over
-
 }  // namespace
 
 Result<void> Session::open(const std::string& adapter) {
@@ -48,14 +45,6 @@ void Session::close() {
   device_.reset();
 }
 
-Result<void> Session::add_mesh(const std::string& name, std::span<const std::byte> bytes) {
-  // A model's plain name is that of a PLY file, as on the command line.
-  const std::string file = name.find('.') == std::string::npos ? name + ".ply" : name;
-  WEFT_TRY(mesh, mesh::read_mesh(bytes, file));
-  meshes_[name] = std::move(mesh);
-  return {};
-}
-
 Result<scene::Scene> Session::parse() const { return scene::parse_scene(text_, kSceneName, changes_); }
 
 Result<void> Session::load(const std::string& text, const std::string& changes) {
@@ -64,17 +53,10 @@ Result<void> Session::load(const std::string& text, const std::string& changes) 
   snapshot_ = {};
   exported_ = {};
   text_ = text;
-  changes_.clear();
-  std::istringstream lines(changes);
-  for (std::string line; std::getline(lines, line);) {
-    WEFT_TRY(change, scene::parse_override(line));
-    changes_.push_back(change);
-  }
+  WEFT_TRY(parsed, parse_changes(changes));
+  changes_ = std::move(parsed);
   WEFT_TRY(scene, parse());
-  const auto find_mesh = [this](const std::string& name) -> Result<mesh::TriangleMesh> {
-    if (const auto found = meshes_.find(name); found != meshes_.end()) return found->second;
-    return input_error("Mesh %s was not handed over with the scene.", name.c_str());
-  };
+  const auto find_mesh = [](const std::string& name) { return meshes().find(name); };
   WEFT_TRY(assets, sim::load_assets(scene, find_mesh));
   WEFT_CHECK(check_room(scene, assets));
   WEFT_CHECK(device_->status());

@@ -1,7 +1,6 @@
 // What one WebAssembly module holds: a device, the scene that was loaded last, and its running world.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,8 +17,6 @@ class Session {
  public:
   /// Opens the device, anew where it was lost. Errors  NoAdapter, Failure.
   Result<void> open(const std::string& adapter);
-  /// Keeps a mesh that scenes may name. Errors  Input: it is malformed.
-  Result<void> add_mesh(const std::string& name, std::span<const std::byte> bytes);
   /// Replaces the world by that of the scene in `text`. `changes` are lines of KEY=JSON.
   /// Errors  Input, Limit, Shader, OutOfMemory, DeviceLost. There is no world afterwards.
   Result<void> load(const std::string& text, const std::string& changes);
@@ -54,7 +51,6 @@ class Session {
   Result<scene::Scene> parse() const;
 
   std::unique_ptr<gpu::Device> device_;
-  std::map<std::string, mesh::TriangleMesh> meshes_;
   std::string text_;
   std::vector<scene::Override> changes_;
   std::unique_ptr<sim::World> world_;

@@ -1,0 +1,37 @@
+#include "inputs.hpp"
+
+#include <sstream>
+
+#include "mesh/read_mesh.hpp"
+
+namespace weft::web {
+
+Result<void> Meshes::add(const std::string& name, std::span<const std::byte> bytes) {
+  // A model's plain name is that of a PLY file, as on the command line.
+  const std::string file = name.find('.') == std::string::npos ? name + ".ply" : name;
+  WEFT_TRY(mesh, mesh::read_mesh(bytes, file));
+  meshes_[name] = std::move(mesh);
+  return {};
+}
+
+Result<mesh::TriangleMesh> Meshes::find(const std::string& name) const {
+  if (const auto found = meshes_.find(name); found != meshes_.end()) return found->second;
+  return input_error("Mesh %s was not handed over with the scene.", name.c_str());
+}
+
+Meshes& meshes() {
+  static Meshes all;
+  return all;
+}
+
+Result<std::vector<scene::Override>> parse_changes(const std::string& lines) {
+  std::vector<scene::Override> changes;
+  std::istringstream stream(lines);
+  for (std::string line; std::getline(stream, line);) {
+    WEFT_TRY(change, scene::parse_override(line));
+    changes.push_back(change);
+  }
+  return changes;
+}
+
+}  // namespace weft::web

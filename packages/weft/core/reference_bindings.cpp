@@ -1,0 +1,81 @@
+// The functions that packages/weft/src/reference.ts calls: a scene on the CPU, without a device. Of the form
+// of bindings.cpp; none sleeps.
+#include <emscripten.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "inputs.hpp"
+#include "message.hpp"
+#include "reference/simulation.hpp"
+#include "scene/load.hpp"
+#include "sim/assets.hpp"
+
+namespace {
+
+using weft::reference::Simulation;
+using weft::web::message;
+
+std::optional<Simulation> simulation;
+std::size_t dropped_triangles = 0;
+std::vector<weft::Vec3f> positions;  // as f32, kept until the next call
+
+weft::Result<void> load(const std::string& text, const std::string& lines) {
+  simulation.reset();
+  WEFT_TRY(changes, weft::web::parse_changes(lines));
+  WEFT_TRY(scene, weft::scene::parse_scene(text, weft::web::kSceneName, changes));
+  const auto find_mesh = [](const std::string& name) { return weft::web::meshes().find(name); };
+  WEFT_TRY(assets, weft::sim::load_assets(scene, find_mesh));
+  WEFT_TRY(made, Simulation::create(scene, assets.cloths, assets.objects));
+  simulation.emplace(std::move(made));
+  dropped_triangles = assets.dropped_triangles;
+  return {};
+}
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reference_load(const char* scene, std::uint32_t scene_size,
+                                                       const char* changes, std::uint32_t changes_size) {
+  return weft::web::code(load(weft::web::text(scene, scene_size), weft::web::text(changes, changes_size)));
+}
+/// What was loaded, as JSON.
+EMSCRIPTEN_KEEPALIVE void weft_reference_describe() {
+  nlohmann::ordered_json json;
+  json["nodes"] = simulation->positions().size();
+  json["triangles"] = simulation->triangles().size();
+  json["springs"] = simulation->spring_count();
+  json["substeps"] = simulation->substeps();
+  json["frameSeconds"] = simulation->scene().time.frame;
+  json["stepSeconds"] = simulation->step();
+  json["stableStepSeconds"] = simulation->step_limit().largest_step;
+  json["frames"] = simulation->scene().time.frames;
+  json["droppedTriangles"] = dropped_triangles;
+  message = json.dump();
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reference_advance() {
+  return weft::web::code(simulation->advance_frame());
+}
+EMSCRIPTEN_KEEPALIVE void weft_reference_reset() { simulation->reset(); }
+EMSCRIPTEN_KEEPALIVE double weft_reference_seconds() { return simulation->time(); }
+
+/// Three numbers a node [m].
+EMSCRIPTEN_KEEPALIVE const weft::Vec3f* weft_reference_positions() {
+  positions.clear();
+  for (const weft::Vec3d& p : simulation->positions()) positions.push_back(p.to<float>());
+  return positions.data();
+}
+/// Three nodes a triangle.
+EMSCRIPTEN_KEEPALIVE const weft::mesh::Triangle* weft_reference_triangles() {
+  return simulation->triangles().data();
+}
+EMSCRIPTEN_KEEPALIVE void weft_reference_hash() { message = simulation->hash(); }
+
+EMSCRIPTEN_KEEPALIVE void weft_reference_close() {
+  simulation.reset();
+  positions = {};
+  weft::web::meshes().clear();
+}
+
+}  // extern "C"
