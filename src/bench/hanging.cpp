@@ -57,7 +57,7 @@ Result<Experiment> make_experiment(std::uint32_t side, Formulation formulation) 
 Result<Row> measure(gpu::Device& device, std::uint32_t side, Formulation formulation, bool quick) {
   WEFT_TRY(experiment, make_experiment(side, formulation));
   const std::uint32_t steps = quick ? 16 : 256;
-  WEFT_TRY(substeps, fix_step(device, experiment.scene, experiment.assets, steps));
+  WEFT_TRY(substeps, fix_step(experiment.scene, experiment.assets, steps));
   WEFT_TRY(world, sim::World::create(device, experiment.scene, experiment.assets));
   for (int frame = 0; frame < 2; ++frame) WEFT_CHECK(world->advance_frame());
   WEFT_CHECK(world->finish());

@@ -23,11 +23,10 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
   return Timing{times[times.size() / 2], times.front()};
 }
 
-Result<std::uint32_t> fix_step(gpu::Device& device, scene::Scene& scene, const sim::Assets& assets,
-                               std::uint32_t steps) {
+Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
   scene.time.frame = 1.0 / 60;
-  WEFT_TRY(limit, find_step_limit(device, scene, model));
+  const StepLimit limit = find_step_limit(scene, model);
   WEFT_TRY(substeps, choose_substeps(scene, limit));
   scene.time.frame = steps * (1.0 / 60) / substeps;
   scene.time.substeps = steps;

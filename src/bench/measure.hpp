@@ -33,8 +33,7 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
 
 /// Sets the scene to `steps` substeps a frame with the step that "auto" chooses for a frame of 1/60 s.
 /// Returns the substeps of a 60 Hz frame. Errors  Limit, DeviceLost.
-Result<std::uint32_t> fix_step(gpu::Device& device, scene::Scene& scene, const sim::Assets& assets,
-                               std::uint32_t steps);
+Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps);
 
 /// What stands in every row: sizes, dispatches, bytes.
 Row describe(const sim::World& world, std::uint32_t substeps);

@@ -39,7 +39,7 @@ Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const sim
 Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scene scene,
                                                 const sim::Assets& assets, const sim::Snapshot& start,
                                                 std::uint32_t steps) {
-  WEFT_CHECK(fix_step(device, scene, assets, steps));
+  WEFT_CHECK(fix_step(scene, assets, steps));
   WEFT_TRY(world, sim::World::create(device, scene, assets));
   world->restore(start);
   WEFT_CHECK(world->advance_frame());
@@ -51,7 +51,7 @@ Result<Row> measure(gpu::Device& device, const Case& c, scene::Scene scene, cons
                     const sim::Snapshot& start, scene::ContactMethod method) {
   scene.contact.method = method;
   scene::Scene at_60_hz = scene;
-  WEFT_TRY(substeps, fix_step(device, at_60_hz, assets, kCountedSteps));
+  WEFT_TRY(substeps, fix_step(at_60_hz, assets, kCountedSteps));
   WEFT_TRY(counted, start_world(device, scene, assets, start, kCountedSteps));
   WEFT_TRY(snapshot, counted->snapshot());
   Row row = describe(*counted, substeps);

@@ -7,7 +7,7 @@
 #include "model/max_push.hpp"
 #include "reference/collision/analytic.hpp"
 #include "reference/collision/response.hpp"
-#include "reference/spectrum.hpp"
+#include "model/spectrum.hpp"
 #include "scene/motion.hpp"
 
 namespace weft::reference {
@@ -29,7 +29,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene,
                                       const std::vector<mesh::TriangleMesh>& objects) {
   WEFT_TRY(model, build_model(scene, cloth_meshes));
   Simulation made(scene, std::move(model));
-  made.limit_ = reference::step_limit(made.model_, scene.drag);
+  made.limit_ = mass_spring_step_limit(made.model_, scene.drag);
   if (scene.time.substeps) {
     made.substeps_ = *scene.time.substeps;
   } else {

@@ -62,8 +62,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   assets_ = assets;
   WEFT_TRY(host, build_model(scene_, assets.cloths));
   spring_count_ = count_springs(host);
-  WEFT_TRY(limit, find_step_limit(device_, scene_, host));
-  limit_ = limit;
+  limit_ = find_step_limit(scene_, host);
   if (scene_.time.substeps) {
     substeps_ = *scene_.time.substeps;
   } else {

@@ -1,7 +1,7 @@
 #include "solver/registry.hpp"
 
+#include "model/spectrum.hpp"
 #include "solver/mass_spring/solver_mass_spring.hpp"
-#include "solver/mass_spring/stability.hpp"
 
 namespace weft {
 
@@ -13,10 +13,10 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
   return make_error(ErrorKind::Input, "Solver kind %s is not known.", scene::name_of(settings.kind));
 }
 
-Result<StepLimit> find_step_limit(gpu::Device& device, const scene::Scene& scene, const HostModel& model) {
+StepLimit find_step_limit(const scene::Scene& scene, const HostModel& model) {
   switch (scene.solver.kind) {
     case scene::SolverKind::MassSpring:
-      return mass_spring_step_limit(device, model, scene.drag);
+      return mass_spring_step_limit(model, scene.drag);
   }
   return StepLimit{};
 }

@@ -8,10 +8,10 @@ namespace weft {
 /// Errors  Shader, Limit, OutOfMemory, DeviceLost.
 Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const SolverInputs& inputs);
 
-/// The largest stable step of the scene's solver. Errors as make_solver.
-Result<StepLimit> find_step_limit(gpu::Device& device, const scene::Scene& scene, const HostModel& model);
+/// The largest stable step of the scene's solver.
+StepLimit find_step_limit(const scene::Scene& scene, const HostModel& model);
 
-/// The limit of the same scene with another drag. Asks nothing of the GPU.
+/// The limit of the same scene with another drag, without finding the spectrum again.
 StepLimit with_drag(const scene::Solver& settings, const StepLimit& limit, double drag);
 
 }  // namespace weft

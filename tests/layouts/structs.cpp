@@ -21,7 +21,6 @@
 #include "scene/scene.hpp"
 #include "solver/mass_spring/advance_grid.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
-#include "solver/mass_spring/stability.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
 
@@ -89,11 +88,6 @@ Json vertex_range() {
   using T = VertexRange;
   return row("VertexRange", "mass_spring/advance_mesh.wgsl", sizeof(T), kUniform, {M(first), M(count)});
 }
-Json power_params() {
-  using T = PowerParams;
-  return row("PowerParams", "mass_spring/apply_network.wgsl", sizeof(T), kUniform,
-             {M(count), M(use_damping)});
-}
 Json surface_params() {
   using T = SurfaceParams;
   return row("SurfaceParams", "element/surface.wgsl", sizeof(T), kUniform,
@@ -150,7 +144,7 @@ Json statistic(const char* name, std::size_t offset) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_params(), spring(), neighbour(), grid_params_row(), vertex_range(), power_params(),
+  return Json::array({step_params(), spring(), neighbour(), grid_params_row(), vertex_range(),
                       surface_params(), object_triangle(), tree_node(), pair_range(), analytic_collider(),
                       frame(), weave(), plane()});
 }
@@ -160,8 +154,6 @@ Json shared_constants() {
       constant("kMaxGrabs", "shared/step.wgsl", scene::kMaxGrabs),
       constant("kGroupsPerRow", "shared/index.wgsl", gpu::kGroupsPerRow),
       constant("kWorkgroupSize", "shared/index.wgsl", gpu::kDefaultWorkgroupSize),
-      constant("kNormBlock", "mass_spring/sum_squares.wgsl", kNormBlock),
-      constant("kNormBlock", "mass_spring/finish_norm.wgsl", kNormBlock),
       constant("kAnalyticId", "collision/analytic.wgsl", collision::kAnalyticId),
       constant("kStackSize", "collision/bvh.wgsl", collision::kStackSize),
       constant("kWireframe", "render/frame.wgsl", static_cast<double>(scene::View::Wireframe)),

@@ -1,19 +1,9 @@
 // The largest stable step, found without a GPU.
 #include <cmath>
 
-#include "reference/spectrum.hpp"
 #include "rig.hpp"
 
 using namespace weft;
-
-TEST_CASE("power iteration in double finds the highest frequency of a lattice within 2 %") {
-  const auto simulation = simulation_of_text(R"("cloths": [{"grid": [40, 30], "size": [0.78, 0.58],
-    "density": 0.25, "damping": 0, "stiffness": {"structural": 500, "shear": 200, "bend": 0}}])");
-  const double mass = 0.25 * 0.02 * 0.02;  // [kg]; omega² = 4 (k + s) / m (docs/solvers/mass_spring.md)
-  CHECK(simulation.step_limit().highest_frequency ==
-        doctest::Approx(std::sqrt(4 * 700 / mass)).epsilon(0.02));
-  CHECK(simulation.step_limit().highest_damping == 0);
-}
 
 TEST_CASE("where all springs are equally stiff, damping and stiffness have one spectrum; drag comes on top") {
   const auto simulation = simulation_of_text(R"("drag": 3, "cloths": [{"grid": [13, 17], "size": [1, 1],

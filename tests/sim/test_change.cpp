@@ -1,7 +1,6 @@
 // Parameters that change while the cloth moves.
 #include <cmath>
 
-#include "solver/mass_spring/stability.hpp"
 #include "world_rig.hpp"
 
 using namespace weft;
