@@ -154,6 +154,33 @@ TEST_CASE("no ray slips between two triangles that share a side") {
   }
 }
 
+TEST_CASE("a ray at any inner node of a sheet meets it there") {
+  Random random(5);
+  Soup sheet;
+  constexpr std::uint32_t kSide = 24;
+  for (std::uint32_t j = 0; j < kSide; ++j)
+    for (std::uint32_t i = 0; i < kSide; ++i)
+      sheet.positions.push_back(
+          Vec4f::from(Vec3d{0.1 * i, -0.1 * j, random.uniform(0, 0.02)}.to<float>(), 1));
+  for (std::uint32_t j = 0; j + 1 < kSide; ++j)
+    for (std::uint32_t i = 0; i + 1 < kSide; ++i) {
+      const std::uint32_t at = j * kSide + i;
+      sheet.triangles.push_back({at, at + kSide, at + 1});
+      sheet.triangles.push_back({at + 1, at + kSide, at + kSide + 1});
+    }
+  const Camera camera{{2.9, 0.3, 4.1}, {1.1, -1.2, 0}, 40};
+  for (std::uint32_t j = 1; j + 1 < kSide; ++j)
+    for (std::uint32_t i = 1; i + 1 < kSide; ++i) {
+      const std::uint32_t node = j * kSide + i;
+      CAPTURE(node);
+      const Projected place = project(camera, 1.5, sheet.positions[node].xyz().to<double>());
+      const auto picked =
+          pick_node(pick_ray(camera, 1.5, place.x, place.y), sheet.positions, sheet.triangles);
+      REQUIRE(picked);
+      CHECK(picked->node == node);
+    }
+}
+
 TEST_CASE("a ray to a corner, and a corner that is not a number, are no trouble") {
   const auto corner = pick(kSquare, {-1, -1, 5}, {0, 0, -1});
   REQUIRE(corner);

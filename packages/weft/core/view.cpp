@@ -19,6 +19,8 @@ Result<View> View::create(const sim::World& world, const Canvas& canvas, scene::
                                                   world.surface().stretch(), world.scene(), objects);
   WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs));
   made.renderer_ = std::move(renderer);
+  WEFT_TRY(present, render::Present::create(world.device(), canvas.format, canvas.width, canvas.height));
+  made.present_ = std::move(present);
   made.first_camera_ = made.renderer_.camera();
   made.record();
   return made;
@@ -27,12 +29,14 @@ Result<View> View::create(const sim::World& world, const Canvas& canvas, scene::
 void View::record() {
   for (std::uint32_t parity = 0; parity < 2; ++parity) {
     lists_[parity].reset();
-    renderer_.record(lists_[parity], parity, canvas_.target);
+    renderer_.record(lists_[parity], parity, present_.picture());
+    present_.record(lists_[parity], canvas_.target);
   }
 }
 
 Result<void> View::resize(std::uint32_t width, std::uint32_t height) {
   WEFT_CHECK(renderer_.resize(width, height));
+  WEFT_CHECK(present_.resize(width, height));
   canvas_.width = width;
   canvas_.height = height;
   record();

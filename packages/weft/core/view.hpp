@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/pick.hpp"
+#include "render/present.hpp"
 #include "render/renderer.hpp"
 #include "sim/world.hpp"
 
@@ -42,6 +43,7 @@ class View {
 
   Canvas canvas_;
   render::Renderer renderer_;
+  render::Present present_;
   render::Camera first_camera_;
   std::array<gpu::CommandList, 2> lists_;  // by parity
 };

@@ -504,8 +504,14 @@ export class GpuBackend {
 
   takeMapped(buffer: number, target: number, size: number): void {
     const object = this.get<GPUBuffer>(buffer);
-    this.heap().HEAPU8.set(new Uint8Array(object.getMappedRange(0, size)), target >>> 0);
-    object.unmap();
+    try {
+      this.heap().HEAPU8.set(new Uint8Array(object.getMappedRange(0, size)), target >>> 0);
+      object.unmap();
+    } catch { // a lost device takes its mappings with it before it says so
+      this.heap().HEAPU8.fill(0, target >>> 0, (target >>> 0) + size);
+      this.lost ??= "its mapped buffers are gone";
+      this.raise();
+    }
   }
 
   // Memory

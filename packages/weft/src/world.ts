@@ -89,7 +89,10 @@ export interface MemoryUse {
 interface Events {
   /** After a tick of run in which a frame was simulated or drawn. */
   frame: Statistics;
-  /** Something failed while running; the world is paused. After "device-lost", `recover` starts anew. */
+  /**
+   * Something failed that no promise tells of: while running, or the device was lost. The world is paused. After
+   * "device-lost", `recover` starts anew.
+   */
   error: WeftError;
 }
 
@@ -129,17 +132,20 @@ export class World {
   private timer = 0;
   private disposed = false;
   private hostTime = 0; // [ms]
+  private lossTold = false;
 
   /** @internal */
   constructor(private readonly core: Core, options: WorldOptions) {
     this.canvas = options.canvas;
     this.adapter = options.adapter ?? "";
     this.shownView = options.view ?? "textured";
+    core.backend.onLost = (message) => this.fail(new WeftError("device-lost", `The GPU device is lost: ${message}.`));
   }
 
   /** @internal */
   async open(): Promise<void> {
     await this.core.sleep("open", this.adapter);
+    this.lossTold = false;
     if (!this.canvas) return;
     const context = (this.canvas as HTMLCanvasElement).getContext("webgpu");
     if (!context) throw new WeftError("failure", "The canvas gives no WebGPU context: it has another one already.");
@@ -203,13 +209,16 @@ export class World {
     this.schedule();
   }
 
+  /** Stops, and takes in what the frames under way report. */
   pause(): void {
+    if (!this.playing) return;
     this.playing = false;
-    this.schedule();
+    this.later("finish");
   }
 
   /** Simulates this many frames and waits for them. */
   async step(frames = 1): Promise<Statistics> {
+    this.loaded();
     for (let i = 0; i < frames; i++) {
       await this.core.idle();
       while (this.core.call("has_room") === 0) {
@@ -224,6 +233,7 @@ export class World {
 
   /** Back to the rest state at time 0; grabbed nodes are let go. */
   async reset(): Promise<void> {
+    this.loaded();
     await this.core.sleep("reset");
     this.changed();
   }
@@ -235,19 +245,30 @@ export class World {
    * `wind.wavelength`. Any other is refused: load the scene anew with `set`.
    */
   async setParameter(key: string, value: unknown): Promise<void> {
+    this.loaded();
     await this.core.sleep("set", key, JSON.stringify(value));
   }
 
   /** Takes hold of a node: from now on it is drawn to `target`, by a force as it were, with a bounded speed. */
-  async grab(node: number, target: Point): Promise<void> { await this.core.sleep("grab", node, ...target); }
+  async grab(node: number, target: Point): Promise<void> {
+    this.loaded();
+    await this.core.sleep("grab", node, ...target);
+  }
   /** Moves the target of a node that is held. */
-  async drag(node: number, target: Point): Promise<void> { await this.core.sleep("drag", node, ...target); }
-  async release(node: number): Promise<void> { await this.core.sleep("release", node); }
+  async drag(node: number, target: Point): Promise<void> {
+    this.loaded();
+    await this.core.sleep("drag", node, ...target);
+  }
+  async release(node: number): Promise<void> {
+    this.loaded();
+    await this.core.sleep("release", node);
+  }
 
   // Look
 
   /** The node of the cloth under a place on the canvas. */
   async pick(x: number, y: number): Promise<Pick | null> {
+    this.loaded();
     await this.core.sleep("pick", x, y);
     const [node, ...point] = this.numbers("picked", 4) as [number, number, number, number];
     return node < 0 ? null : { node, point };
@@ -294,6 +315,7 @@ export class World {
   // Read
 
   async snapshot(): Promise<Snapshot> {
+    this.loaded();
     await this.core.sleep("snapshot");
     const hash = this.core.text();
     const packed = (name: string) => {
@@ -311,6 +333,7 @@ export class World {
 
   /** The cloths' shape as a file. */
   async exportMesh(format: "obj" | "ply"): Promise<Uint8Array<ArrayBuffer>> {
+    this.loaded();
     await this.core.sleep("export", format);
     const at = this.core.call("exported") >>> 0;
     return this.core.module.HEAPU8.slice(at, at + this.core.call("exported_size")) as Uint8Array<ArrayBuffer>;
@@ -318,9 +341,9 @@ export class World {
 
   memory(): MemoryUse {
     return {
-      wasmHeap: this.core.call("heap_bytes"),
+      wasmHeap: this.core.call("heap_bytes"), // what the module's allocator has given out
       wasmSize: this.core.module.HEAPU8.length,
-      gpuBytes: this.core.call("gpu_bytes"),
+      gpuBytes: this.current ? this.core.call("gpu_bytes") : 0,
       gpuObjects: this.core.backend.alive,
     };
   }
@@ -354,10 +377,7 @@ export class World {
     try {
       if (!this.core.busy && this.current) this.frame(now);
     } catch (reason) {
-      this.playing = false;
-      const error = reason instanceof WeftError ? reason : new WeftError("failure", String(reason));
-      for (const listener of this.listeners.error) listener(error);
-      return;
+      return this.fail(reason);
     }
     if (this.playing || this.stale) this.schedule();
   }
@@ -400,12 +420,31 @@ export class World {
   }
 
   private numbers(name: string, count: number, ...args: number[]): number[] {
+    this.loaded();
     const at = this.core.call(name, ...args) >>> 3;
     return Array.from(this.core.module.HEAPF64.subarray(at, at + count));
   }
 
   private look(name: string, ...args: number[]): void {
-    void this.core.sleep(name, ...args).then(() => this.changed());
+    this.loaded();
+    this.later(name, ...args);
+  }
+
+  /** A call whose failure goes to the listeners. */
+  private later(name: string, ...args: number[]): void {
+    this.core.sleep(name, ...args).then(() => this.changed(), (reason: unknown) => this.fail(reason));
+  }
+
+  private loaded(): void { void this.info; }
+
+  private fail(reason: unknown): void {
+    this.playing = false;
+    const error = reason instanceof WeftError ? reason : new WeftError("failure", String(reason));
+    if (error.kind === "device-lost") {
+      if (this.lossTold || this.disposed) return;
+      this.lossTold = true;
+    }
+    for (const listener of this.listeners.error) listener(error);
   }
 }
 
