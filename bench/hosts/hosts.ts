@@ -1,5 +1,5 @@
 // The same core on three hosts, one adapter: ms a step, and what a frame costs the host itself.
-//   node bench/hosts/hosts.ts [--quick] [--json FILE]
+//   node bench/hosts/hosts.ts [--quick] [--sides 64,100,128] [--json FILE]
 // CHROMIUM and WEBGPU_FLAGS name another browser and its flags; Vulkan's own variables choose the driver.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -14,8 +14,9 @@ interface Row { host: string; nodes: number; adapter: string; ms_per_step: Summa
 
 const args = process.argv.slice(2);
 const quick = args.includes("--quick");
-const json = args.includes("--json") ? args[args.indexOf("--json") + 1] : undefined;
-const sizes = quick ? [64, 128] : [64, 100, 128, 200, 256];
+const option = (name: string) => (args.includes(name) ? args[args.indexOf(name) + 1] : undefined);
+const json = option("--json");
+const sizes = option("--sides")?.split(",").map(Number) ?? (quick ? [64, 128] : [64, 100, 128, 200, 256]);
 const frames = quick ? 4 : 20;
 const scene = readFileSync(join(ROOT, "scenes/hanging.json"), "utf8");
 

@@ -89,6 +89,7 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_release(std::uint32_t node) {
 /// frames reported, simulated s, contacts, contact hash, contact overflow, largest stretch, nodes that are
 /// not finite, frames submitted.
 EMSCRIPTEN_KEEPALIVE const double* weft_totals() {
+  if (session == nullptr || session->world() == nullptr) return nullptr;
   const weft::sim::World& world = *session->world();
   const weft::sim::Totals& totals = world.totals();
   return give({static_cast<double>(totals.frames), totals.frames * world.scene().time.frame,

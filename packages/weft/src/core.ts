@@ -34,6 +34,9 @@ async function compile(): Promise<WebAssembly.Module> {
 export class Core {
   private sleeping: Promise<unknown> = Promise.resolve();
   private asleep = 0;
+  private inFlight = false;
+  /** Called after each call that slept, before the next one starts. */
+  onAwake: (() => void) | null = null;
 
   private constructor(readonly module: CoreModule, readonly backend: GpuBackend) {}
 
@@ -55,8 +58,11 @@ export class Core {
     return new Core(module, backend);
   }
 
-  /** Whether a call is under way that sleeps; until it returns, no other may be made. */
-  get busy(): boolean { return this.asleep > 0; }
+  /** Whether a call sleeps; until it returns, no other may be made. */
+  get busy(): boolean { return this.inFlight; }
+
+  /** A call of a frame: without arguments, and without making anything for the garbage collector. Not while busy. */
+  now(name: `_weft_${string}`): number { return this.module[name]!(); }
 
   /** A call that returns at once. Not while busy. */
   call(name: string, ...args: (number | string)[]): number {
@@ -73,6 +79,7 @@ export class Core {
 
   /** A call that may fail. */
   check(name: string, ...args: (number | string)[]): void { this.throwIf(this.call(name, ...args)); }
+  checkNow(name: `_weft_${string}`): void { this.throwIf(this.now(name)); }
 
   /** A call that sleeps; waits for those before it. */
   async sleep(name: string, ...args: (number | string)[]): Promise<void> {
@@ -80,12 +87,15 @@ export class Core {
     const run = async () => {
       const { numbers, free } = this.lower(args);
       const types = numbers.map(() => "number");
+      this.inFlight = true;
       try {
         this.throwIf(await this.module.ccall(`weft_${name}`, "number", types, numbers, { async: true }));
       } catch (reason) {
         throw ended(reason);
       } finally {
+        this.inFlight = false;
         free();
+        this.onAwake?.();
       }
     };
     const done = this.sleeping.then(run);
@@ -99,7 +109,7 @@ export class Core {
 
   /** Once no call sleeps. */
   async idle(): Promise<void> {
-    while (this.busy) await this.sleeping;
+    while (this.asleep > 0) await this.sleeping;
   }
 
   /** The sentence or text of the last call. */

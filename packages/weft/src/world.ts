@@ -139,6 +139,7 @@ export class World {
     this.canvas = options.canvas;
     this.adapter = options.adapter ?? "";
     this.shownView = options.view ?? "textured";
+    core.onAwake = () => this.readTotals(); // of what the call has changed or taken in
     core.backend.onLost = (message) => this.fail(new WeftError("device-lost", `The GPU device is lost: ${message}.`));
   }
 
@@ -366,7 +367,6 @@ export class World {
   }
 
   private changed(): void {
-    this.readTotals();
     this.stale = true;
     this.schedule();
   }
@@ -384,7 +384,7 @@ export class World {
 
   private frame(now: number): void {
     const start = performance.now();
-    this.core.check("poll");
+    this.core.checkNow("_weft_poll");
     let advanced = false;
     if (this.playing) {
       const frameSeconds = this.info.frameSeconds;
@@ -392,13 +392,13 @@ export class World {
       this.due = Math.min(this.due + (now - this.lastTick) / 1000, 2 * frameSeconds);
       this.lastTick = now;
       // A display of 60 Hz ticks a little early or late; half a millisecond of slack keeps one frame a tick.
-      if (this.due + 5e-4 >= frameSeconds && this.core.call("has_room") !== 0) {
+      if (this.due + 5e-4 >= frameSeconds && this.core.now("_weft_has_room") !== 0) {
         this.due -= frameSeconds;
-        this.core.check(this.canvas ? "advance_and_draw" : "advance");
+        this.core.checkNow(this.canvas ? "_weft_advance_and_draw" : "_weft_advance");
         advanced = true;
       }
     }
-    if (this.canvas && this.stale && !advanced) this.core.check("draw");
+    if (this.canvas && this.stale && !advanced) this.core.checkNow("_weft_draw");
     if (!advanced && !this.stale) return;
     this.stale = false;
     this.readTotals();
@@ -407,8 +407,8 @@ export class World {
   }
 
   private readTotals(): void {
-    if (!this.current || this.core.busy) return;
-    const at = this.core.call("totals") >>> 3;
+    const at = this.core.now("_weft_totals") >>> 3;
+    if (at === 0) return; // there is no world
     const values = this.core.module.HEAPF64;
     this.totals.frames = values[at]!;
     this.totals.seconds = values[at + 1]!;
