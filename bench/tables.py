@@ -42,10 +42,23 @@ def pull(rows):
                f"{number(row['real_time_factor'])} × | {row['contacts']:,} | `{row['state_hash']}` |")
 
 
+def hosts(rows):
+    names = ["native", "Node", "Chromium"]
+    yield f"| nodes | {' | '.join(f'{name}, ms a step' for name in names)} | state hash, all three |"
+    yield "|---:|---:|---:|---:|---|"
+    for nodes in dict.fromkeys(row["nodes"] for row in rows):
+        at = {row["host"]: row for row in rows if row["nodes"] == nodes}
+        hashes = {row["state_hash"] for row in at.values()}
+        assert len(hashes) == 1, f"{nodes} nodes end in different bits: {hashes}"
+        times = " | ".join(f"{at[name]['ms_per_step']['median']:.4f}" for name in names)
+        yield f"| {nodes:,} | {times} | `{hashes.pop()}` |"
+
+
 def table(match):
     results = json.loads((ROOT / "bench/results" / match[1]).read_text())
-    lines = {"hanging": hanging, "pull": pull}[results["bench"]](results["rows"])
-    head = f"{results['adapter']}, driver {results['driver']}{', kernels without run-time checks' if results['unchecked'] else ''}:"
+    lines = {"hanging": hanging, "pull": pull, "hosts": hosts}[results["bench"]](results["rows"])
+    driver = f", driver {results['driver']}" if "driver" in results else ""
+    head = f"{results['adapter']}{driver}{', kernels without run-time checks' if results.get('unchecked') else ''}:"
     return f"<!-- table {match[1]} -->\n{head}\n\n" + "\n".join(lines) + "\n<!-- end -->"
 
 

@@ -60,7 +60,7 @@ const host = {
 };
 for (const [name, times] of Object.entries(host))
   console.log(`${name}: ${times.median.toFixed(3)} ms of the host a frame of 64 substeps (95 %: ${times.p95.toFixed(3)})`);
-if (json) writeFileSync(json, `${JSON.stringify({ rows, host_ms_per_frame_of_64_substeps: host }, null, 2)}\n`);
+if (json) writeFileSync(json, `${JSON.stringify({ bench: "hosts", adapter: rows[0]!.adapter, rows, host }, null, 2)}\n`);
 for (const complaint of harness.complaints) console.error(complaint);
 await harness.close();
 process.exit(harness.complaints.length > 0 ? 1 : 0);
