@@ -1,9 +1,11 @@
 #include "reference/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "base/state_hash.hpp"
+#include "model/grab_speed.hpp"
 #include "model/max_push.hpp"
 #include "reference/collision/analytic.hpp"
 #include "reference/collision/response.hpp"
@@ -43,6 +45,9 @@ Result<Simulation> Simulation::create(const scene::Scene& scene,
   system.acceleration = scene.gravity + scene.external_force;
   system.drag = scene.drag;
   system.wind = scene::wind_field(scene.wind);
+  system.grab_speed = grab_speed(made.model_);
+  // No more than the whole distance in a substep: the follower would swing about its target.
+  system.grab_rate = std::min(kGrabRate, 1 / made.step());
   if (scene.contact.method != scene::ContactMethod::None) WEFT_CHECK(made.add_colliders(objects));
   made.reset();
   return made;
@@ -98,15 +103,18 @@ void Simulation::reset() {
 void Simulation::substep(std::uint32_t number) {
   const double count = static_cast<double>(frame_) * substeps_ + number;  // of substeps before this one
   const std::vector<Vec3d> previous = system_.position;
-  set_inputs(count * step());
+  system_.time = count * step();  // of the wind
+  // As sim::FrameSteps counts time, to the bit: which substep is the first of a grab hangs on it.
+  set_grabs(time() + number * step() + step());
   advance(system_, step());
   follow_motions(previous, (count + 1) * step());
   answer_contacts(previous);
 }
 
-void Simulation::set_inputs(double time) {
-  system_.time = time;  // of the wind
-  // Scripted grabs (HostModel::grabs) are to become system_.grabs here.
+void Simulation::set_grabs(double time) {
+  system_.grabs.clear();
+  for (const NodeGrab& one : model_.grabs)
+    if (scene::holds_at(one.grab, time)) system_.grabs.push_back({one.node, scene::target_at(one.grab, time)});
 }
 
 void Simulation::follow_motions(const std::vector<Vec3d>& previous, double time) {

@@ -55,8 +55,8 @@ class Simulation {
   Result<void> add_colliders(const std::vector<mesh::TriangleMesh>& objects);
 
   void substep(std::uint32_t number);
-  /// What acts in the substep that begins at `time` [s], beside the springs.
-  void set_inputs(double time);
+  /// Who is held by the scene in the substep that ends at `time` [s], and where they are pulled.
+  void set_grabs(double time);
   /// Takes the nodes that follow a motion to where they are at `time` [s].
   void follow_motions(const std::vector<Vec3d>& previous, double time);
   void answer_contacts(const std::vector<Vec3d>& previous);

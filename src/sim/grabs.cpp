@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/grab_speed.hpp"
+
 namespace weft::sim {
 namespace {
 
@@ -15,20 +17,6 @@ Result<void> check_target(std::uint32_t node, const Vec3d& target) {
 bool ended(const scene::Grab& grab, double time) { return grab.end && *grab.end <= time; }
 
 }  // namespace
-
-double grab_speed(const HostModel& model) {
-  double largest = 0;
-  for (const ClothModel& cloth : model.cloths) {
-    Vec3d low = model.rest_position[cloth.first_vertex], high = low;
-    for (std::uint32_t v = 0; v < cloth.vertex_count; ++v) {
-      low = min(low, model.rest_position[cloth.first_vertex + v]);
-      high = max(high, model.rest_position[cloth.first_vertex + v]);
-    }
-    const Vec3d size = high - low;
-    largest = std::max({largest, size.x, size.y, size.z});
-  }
-  return std::max(kGrabSpeed, kGrabLengths * largest);
-}
 
 Grabs::Grabs(const HostModel& model)
     : motion_(model.motion), scripted_(model.grabs), speed_(grab_speed(model)) {

@@ -8,17 +8,6 @@
 
 namespace weft::sim {
 
-/// A held node closes in on its target by this part of the distance a second, so to 5 % in 0.15 s: quick
-/// under a hand, and slow enough that a hand's jump becomes a pull [1/s].
-inline constexpr double kGrabRate = 20;
-/// No held node is faster than the larger of these: what a hand can do [m/s], and, where the scene is large,
-/// this many lengths of its largest cloth a second [1/s].
-inline constexpr double kGrabSpeed = 10;
-inline constexpr double kGrabLengths = 5;
-
-/// The most that a held node of this model may move in a second [m/s].
-double grab_speed(const HostModel& model);
-
 /// At most scene::kMaxGrabs nodes are held at any time. Those that the scene will need are kept free.
 class Grabs {
  public:

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/grab_speed.hpp"
 #include "reference/mass_spring.hpp"
 #include "world_rig.hpp"
 
@@ -85,7 +86,7 @@ TEST_CASE("no substep moves a held node by more than its greatest speed allows, 
   GpuFixture fixture;
   const double dt = 5e-4;
   auto world = world_of(fixture.device(), curtain(R"(, "time": {"frame": 5e-4, "substeps": 1})"));
-  CHECK(sim::grab_speed(world->model().host) == 10);
+  CHECK(grab_speed(world->model().host) == 10);
   Vec3d before = place_of(*world, kCorner);
   REQUIRE(world->grab(kCorner, {5, -3, 8}));
   for (int step = 0; step < 60; ++step) {
@@ -153,5 +154,5 @@ TEST_CASE("in a large scene a held node may cross five sheets a second") {
   auto scene = shipped_scene("hanging-paper", {{"cloths.0.grid", "[5,5]"}});
   const auto model = build_model(scene, {{}});
   REQUIRE_OK(model);
-  CHECK(sim::grab_speed(*model) == doctest::Approx(1500));
+  CHECK(grab_speed(*model) == doctest::Approx(1500));
 }
