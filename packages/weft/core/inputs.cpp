@@ -1,5 +1,7 @@
 #include "inputs.hpp"
 
+#include <emscripten/heap.h>
+
 #include <sstream>
 
 #include "mesh/read_mesh.hpp"
@@ -22,6 +24,17 @@ Result<mesh::TriangleMesh> Meshes::find(const std::string& name) const {
 Meshes& meshes() {
   static Meshes all;
   return all;
+}
+
+Result<void> check_room(const scene::Scene& scene, const sim::Assets& assets, std::uint64_t bytes_per_node) {
+  const std::uint64_t nodes = sim::node_count(scene, assets);
+  const std::uint64_t bytes = nodes * bytes_per_node, limit = emscripten_get_heap_max();
+  if (bytes <= limit) return {};
+  return make_error(
+      ErrorKind::Limit,
+      "A cloth of %llu nodes needs about %llu bytes of the module's memory, more than its limit of %llu.",
+      static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes),
+      static_cast<unsigned long long>(limit));
 }
 
 Result<std::vector<scene::Override>> parse_changes(const std::string& lines) {

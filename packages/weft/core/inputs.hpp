@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
@@ -10,6 +11,8 @@
 #include "base/result.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "scene/override.hpp"
+#include "scene/scene.hpp"
+#include "sim/assets.hpp"
 
 namespace weft::web {
 
@@ -30,6 +33,9 @@ class Meshes {
 
 /// Those of this module.
 Meshes& meshes();
+
+/// Refuses what would end the module for want of memory: a failed allocation is a trap. Errors  Limit.
+Result<void> check_room(const scene::Scene& scene, const sim::Assets& assets, std::uint64_t bytes_per_node);
 
 /// Lines of KEY=JSON. Errors  Usage: a line has no equals sign.
 Result<std::vector<scene::Override>> parse_changes(const std::string& lines);

@@ -1,7 +1,5 @@
 #include "session.hpp"
 
-#include <emscripten/heap.h>
-
 #include <nlohmann/json.hpp>
 
 #include "inputs.hpp"
@@ -14,18 +12,6 @@ namespace {
 
 /// Measured at 256² to 1024² nodes: a world takes 176, and while its shape is exported, 351.
 constexpr std::uint64_t kHostBytesPerNode = 360;
-
-/// Refuses what would end the module for want of memory. Errors  Limit.
-Result<void> check_room(const scene::Scene& scene, const sim::Assets& assets) {
-  const std::uint64_t nodes = sim::node_count(scene, assets);
-  const std::uint64_t bytes = nodes * kHostBytesPerNode, limit = emscripten_get_heap_max();
-  if (bytes <= limit) return {};
-  return make_error(
-      ErrorKind::Limit,
-      "A cloth of %llu nodes needs about %llu bytes of the module's memory, more than its limit of %llu.",
-      static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes),
-      static_cast<unsigned long long>(limit));
-}
 
 }  // namespace
 
@@ -58,7 +44,7 @@ Result<void> Session::load(const std::string& text, const std::string& changes) 
   WEFT_TRY(scene, parse());
   const auto find_mesh = [](const std::string& name) { return meshes().find(name); };
   WEFT_TRY(assets, sim::load_assets(scene, find_mesh));
-  WEFT_CHECK(check_room(scene, assets));
+  WEFT_CHECK(check_room(scene, assets, kHostBytesPerNode));
   WEFT_CHECK(device_->status());
   WEFT_TRY(world, sim::World::create(*device_, std::move(scene), assets));
   world_ = std::move(world);
