@@ -79,8 +79,8 @@ export async function play(page: Page, count: number): Promise<void> {
 }
 
 /** What is drawn: the canvas alone, as the compositor shows it, as RGBA. */
-export async function picture(page: Page): Promise<Uint8Array> {
-  const box = (await page.locator("canvas").boundingBox())!;
+export async function picture(page: Page, canvas = "#canvas"): Promise<Uint8Array> {
+  const box = (await page.locator(canvas).boundingBox())!;
   const png = (await page.screenshot({ clip: box })).toString("base64");
   const text = await page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -1,8 +1,9 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import type { Browser } from "playwright-core";
+import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { expectClean, frames, launch, play, ready, running, serve, until, visit, type Site } from "./browser.js";
+import { brightness, difference, expectClean, frames, launch, picture, play, ready, running, serve, until, visit,
+  type Site } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
@@ -79,18 +80,34 @@ test("where the first scene fails, another can be chosen", () => withBrowser(tru
   expect(await page.locator("#notice").isVisible()).toBe(false);
 }));
 
+const TALL = { width: 800, height: 900 }; // so that the whole card is in view
+
+/** The reference on the CPU is there, labelled, drawn and in motion. */
+async function expectReference(page: Page): Promise<void> {
+  const still = () => picture(page, "#reference-canvas");
+  const label = page.locator("#reference-label");
+  await until("the label", async () => /CPU reference, 24.×.18 nodes, double precision/.test((await label.textContent())!));
+  expect(await page.locator("#reference-note").textContent()).toContain("Without WebGPU");
+  const before = await still();
+  await until("the cloth moves", async () => difference(before, await still()) > 0.01);
+  const { mean, deviation } = brightness(await still());
+  expect(mean).toBeGreaterThan(30); // of 255: neither black
+  expect(deviation).toBeGreaterThan(8); // nor a single colour
+}
+
 test("without a graphics adapter one sentence says so, and what to do", () => withBrowser(false, async (browser) => {
-  const seen = await visit(browser, site.address);
+  const seen = await visit(browser, site.address, { viewport: TALL });
   const cause = seen.page.locator("#fallback-cause");
   await until("the sentence", () => cause.isVisible());
   expect(await cause.textContent()).toContain("no graphics adapter");
   expect(await seen.page.locator("#fallback-advice").textContent()).toContain("graphics acceleration");
-  expect(await seen.page.locator("canvas").isVisible()).toBe(false);
+  expect(await seen.page.locator("#canvas").isVisible()).toBe(false);
+  await expectReference(seen.page);
   expectClean(seen, site);
 }));
 
 test("without WebGPU one sentence says so, and what to do", () => withBrowser(false, async (browser) => {
-  const context = await browser.newContext();
+  const context = await browser.newContext({ viewport: TALL });
   const page = await context.newPage();
   // Chromium of today has no flag that takes navigator.gpu away altogether.
   await page.addInitScript(() => { Reflect.deleteProperty(Navigator.prototype, "gpu"); });
@@ -99,4 +116,51 @@ test("without WebGPU one sentence says so, and what to do", () => withBrowser(fa
   await until("the sentence", () => cause.isVisible());
   expect(await cause.textContent()).toContain("no WebGPU");
   expect(await page.locator("#fallback-advice").textContent()).toContain("Chrome");
+  await expectReference(page);
 }));
+
+test("the reference stops when it is told to, in a hidden tab and where less motion is asked for", () =>
+  withBrowser(false, async (browser) => {
+    const seen = await visit(browser, site.address, { viewport: TALL, reducedMotion: "reduce" });
+    const { page } = seen;
+    const change = async () => {
+      const before = await picture(page, "#reference-canvas");
+      await page.waitForTimeout(400);
+      return difference(before, await picture(page, "#reference-canvas"));
+    };
+    const hide = (hidden: boolean) => page.evaluate((hidden) => {
+      Object.defineProperty(document, "hidden", { value: hidden, configurable: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+    }, hidden);
+    await until("it waits", async () => /press Play/.test((await page.locator("#reference-note").textContent())!));
+    expect(await change()).toBe(0);
+    await page.getByRole("button", { name: "Play" }).click();
+    await until("it moves", async () => (await change()) > 0.01);
+    await hide(true);
+    expect(await change()).toBe(0);
+    await hide(false);
+    await until("it moves again", async () => (await change()) > 0.001);
+    await page.getByRole("button", { name: "Pause" }).click();
+    expect(await change()).toBe(0);
+
+    const before = await picture(page, "#reference-canvas"); // a drag turns it, playing or not
+    const box = (await page.locator("#reference-canvas").boundingBox())!;
+    await page.mouse.move(box.x + 100, box.y + 100);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 180, box.y + 100, { steps: 4 });
+    await page.mouse.up();
+    expect(difference(before, await picture(page, "#reference-canvas"))).toBeGreaterThan(0.05);
+    expectClean(seen, site);
+  }));
+
+for (const colorScheme of ["dark", "light"] as const)
+  test(`without WebGPU nothing is wider than a ${colorScheme} phone`, () => withBrowser(false, async (browser) => {
+    const seen = await visit(browser, site.address, { viewport: { width: 390, height: 844 }, colorScheme });
+    const { page } = seen;
+    await until("the label", async () => (await page.locator("#reference-label").textContent()) !== "");
+    expect(await page.evaluate(() => [...document.querySelectorAll("html, #fallback, #reference")].filter((element) =>
+      element.scrollWidth > element.clientWidth).length)).toBe(0);
+    const box = (await page.locator("#reference-play").boundingBox())!;
+    expect(box.x >= 0 && box.x + box.width <= 390 && box.height >= 44).toBe(true);
+    expectClean(seen, site);
+  }));

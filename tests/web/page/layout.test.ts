@@ -66,7 +66,7 @@ for (const [device, viewport] of [["desktop", { width: 1024, height: 600 }], ["p
       expect(await faintTexts(page)).toEqual([]);
       expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
       expect(await page.locator("h1").count()).toBe(1);
-      expect(await page.locator("canvas").evaluate((canvas: HTMLCanvasElement) =>
+      expect(await page.locator("#canvas").evaluate((canvas: HTMLCanvasElement) =>
         [canvas.width - Math.round(canvas.clientWidth * devicePixelRatio), canvas.height - Math.round(canvas.clientHeight * devicePixelRatio)]))
         .toEqual([0, 0]);
       expectClean(seen, site);

@@ -28,7 +28,7 @@ afterEach(async () => {
 });
 
 const NODES = 24;
-const gesture = () => page.locator("canvas").getAttribute("data-gesture");
+const gesture = () => page.locator("#canvas").getAttribute("data-gesture");
 const camera = () => page.evaluate(async () => {
   while (window.weft.world!.busy) await new Promise((wake) => setTimeout(wake, 5));
   return window.weft.world!.camera;
@@ -61,7 +61,7 @@ function nodeAt(place: { x: number; y: number }): Promise<number | null> {
 }
 
 test("dragging the cloth takes the node to the pointer and its neighbours along", async () => {
-  await page.locator("canvas").focus();
+  await page.locator("#canvas").focus();
   for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowUp"); // the sheet is seen edge on from its own camera
   const middle = (NODES / 2) * NODES + NODES / 2;
   const [centre] = await places([middle]);
@@ -91,10 +91,10 @@ test("dragging the cloth takes the node to the pointer and its neighbours along"
 });
 
 test("a pointer that is up before the cloth answers holds nothing", async () => {
-  await page.locator("canvas").focus();
+  await page.locator("#canvas").focus();
   for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowUp");
   const [start] = await places([(NODES / 2) * NODES + NODES / 2]);
-  await page.locator("canvas").evaluate((canvas, place) => {
+  await page.locator("#canvas").evaluate((canvas, place) => {
     const at = { clientX: place.x, clientY: place.y, pointerId: 1, button: 0, bubbles: true };
     canvas.setPointerCapture = () => undefined; // there is no real pointer behind these events
     canvas.dispatchEvent(new PointerEvent("pointerdown", at));

@@ -1,0 +1,111 @@
+// The reference on the CPU, played in real time and drawn on a 2D canvas: what a page without WebGPU can show.
+import { createReference, type Reference } from "weft";
+import { followSize, setFirstSize } from "./canvas_size.js";
+import { ClothSketch, type Look } from "./cloth_sketch.js";
+import { fetchScene, type Grid } from "./scenes.js";
+
+/** Never at rest. 24 × 18 nodes take a fifth of a frame, with the drawing (docs/reference.md): slower machines keep up too. */
+const SHOWN = { name: "breeze", nodes: 24 } as const;
+const HALF_TURN = Math.PI; // of the camera, for a drag over the canvas's height [rad]
+const KEY_TURN = 0.1; // of the camera, for an arrow key [rad]
+
+export interface ReferencePlayerEvents {
+  playing(on: boolean): void;
+  failed(sentence: string): void;
+}
+
+export class ReferencePlayer {
+  private wanted = false; // by who looks at it
+  private timer = 0;
+  private lastTick = 0;
+  private due = 0; // simulated time that has come due since the last frame [s]
+
+  private constructor(private readonly reference: Reference, private readonly sketch: ClothSketch,
+    private readonly canvas: HTMLCanvasElement, readonly grid: Grid, private readonly events: ReferencePlayerEvents) {
+    setFirstSize(canvas);
+    followSize(canvas, async (width, height) => {
+      [canvas.width, canvas.height] = [width, height];
+      this.draw(); // at once: a canvas that changes its size is empty
+    });
+    this.listen();
+  }
+
+  /** Builds the scene and draws it at rest. */
+  static async create(canvas: HTMLCanvasElement, events: ReferencePlayerEvents): Promise<ReferencePlayer> {
+    const { json, set } = await fetchScene(SHOWN);
+    const { camera } = JSON.parse(json) as { camera: { eye: Look["eye"]; target: Look["target"]; fov_degrees: number } };
+    const reference = await createReference({ scene: json, set });
+    const context = canvas.getContext("2d");
+    if (!context) throw new Error("The canvas gives no context to draw in.");
+    const grid = set["cloths.0.grid"] as Grid;
+    const sketch = new ClothSketch(canvas, context, reference.triangles, grid,
+      { eye: camera.eye, target: camera.target, fov: camera.fov_degrees });
+    return new ReferencePlayer(reference, sketch, canvas, grid, events);
+  }
+
+  get playing(): boolean { return this.wanted; }
+
+  play(on: boolean): void {
+    this.wanted = on;
+    this.schedule();
+    this.events.playing(on);
+  }
+
+  draw(): void { this.sketch.draw(this.reference.positions()); }
+
+  // Time
+
+  private schedule(): void {
+    const run = this.wanted && !document.hidden;
+    if (run && this.timer === 0) {
+      this.lastTick = performance.now();
+      this.due = 0;
+      this.timer = requestAnimationFrame((now) => this.tick(now));
+    } else if (!run && this.timer !== 0) {
+      cancelAnimationFrame(this.timer);
+      this.timer = 0;
+    }
+  }
+
+  private tick(now: number): void {
+    this.timer = requestAnimationFrame((next) => this.tick(next));
+    const { frameSeconds } = this.reference.info;
+    // As World does: what is late by more than a frame is dropped, and half a millisecond of slack keeps one a tick.
+    this.due = Math.min(this.due + (now - this.lastTick) / 1000, 2 * frameSeconds);
+    this.lastTick = now;
+    if (this.due + 5e-4 < frameSeconds) return;
+    this.due -= frameSeconds;
+    try {
+      this.reference.advance();
+      this.draw();
+    } catch (reason) {
+      this.play(false);
+      this.events.failed(reason instanceof Error ? reason.message : String(reason));
+    }
+  }
+
+  // Hands
+
+  private listen(): void {
+    document.addEventListener("visibilitychange", () => this.schedule());
+    this.canvas.addEventListener("pointerdown", (event) => this.canvas.setPointerCapture(event.pointerId));
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (!this.canvas.hasPointerCapture(event.pointerId)) return;
+      const turn = HALF_TURN / this.canvas.clientHeight;
+      this.orbit(-turn * event.movementX, turn * event.movementY); // what is grabbed is the picture
+    });
+    this.canvas.addEventListener("keydown", (event) => {
+      const arrows: Record<string, readonly [number, number]> = {
+        ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+      const arrow = arrows[event.key];
+      if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
+      this.orbit(KEY_TURN * arrow[0], KEY_TURN * arrow[1]);
+      event.preventDefault();
+    });
+  }
+
+  private orbit(dx: number, dy: number): void {
+    this.sketch.orbit(dx, dy);
+    if (this.timer === 0) this.draw();
+  }
+}
