@@ -29,14 +29,10 @@ Vec3d seen(const RayFrame& frame, const Vec3d& point) {
   return {dot(p, frame.right), dot(p, frame.up), dot(p, frame.forward)};
 }
 
-//        c          Seen along the ray, the three signed areas between the ray and a side have one sign if
-//        and only if
-//       / \         the ray passes through the triangle, and are as its barycentric coordinates. For a side
-//       that two
-//      / . \        triangles share they differ in sign only, to the bit, since a b' - a' b and a' b - a b'
-//      do in
-//     a --- b       floating point too; and 0 counts for both. So no ray passes between triangles, nor
-//     through a corner.
+// Seen along the ray, the three signed areas between the ray and a side have one sign if and only if the ray
+// passes through the triangle, and are as its barycentric coordinates. For a side that two triangles share
+// they differ in sign only, to the bit, since a b' - a' b and a' b - a b' do in floating point too; and 0
+// counts for both. So no ray passes between triangles, nor through a corner.
 // Source: Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013.
 std::optional<Hit> hit(const std::array<Vec3d, 3>& corners) {
   const auto area = [](const Vec3d& p, const Vec3d& q) { return p.x * q.y - p.y * q.x; };

@@ -26,7 +26,7 @@ class Twins {
     exact_.emplace(std::move(*made));
     CHECK(exact_->substeps() == world_->substeps());
     CHECK(exact_->spring_count() == world_->spring_count());
-    // Both power iterations start from the same numbers, and take 192 steps.
+    // Both find the limit by the same code.
     CHECK(exact_->step_limit().largest_step ==
           doctest::Approx(world_->step_limit().largest_step).epsilon(1e-4));
   }

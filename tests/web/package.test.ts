@@ -69,6 +69,66 @@ describe("a world", () => {
     expect((await world.snapshot()).hash).toBe(moved);
   });
 
+  it("carries out what is asked at once one after the other, each with its own answer", async () => {
+    const world = await open();
+    const [first, stepped, , second, third] = await Promise.all([world.snapshot(), world.step(20),
+      world.setParameter("drag", 2), world.snapshot(), world.snapshot()]);
+    expect(stepped.frames).toBe(20);
+    expect(second.hash).toBe(third.hash);
+    expect([first, second].map(({ positions }) => positions.length)).toEqual([432, 432]);
+    const [, info, shape] = await Promise.all([world.load(scene("hanging"), { set: { "cloths.0.grid": [9, 7] } }),
+      world.step(1), world.exportMesh("obj")]);
+    expect(info.frames).toBe(1);
+    expect(new TextDecoder().decode(shape).match(/^v /gm)).toHaveLength(63);
+    expect(world.info.nodes).toBe(63);
+  });
+
+  it("answers every call without a scene, and after it is disposed of", async () => {
+    const world = await open();
+    await failure(world.load("{}"));
+    for (const call of [() => world.step(), () => world.snapshot(), () => world.reset(), () => world.pick(0, 0),
+      () => world.grab(0, [0, 0, 0]), () => world.exportMesh("obj"), () => world.setParameter("drag", 1)])
+      expect((await failure(call())).message).toBe("No scene is loaded.");
+    expect(() => world.run()).toThrow("No scene is loaded.");
+    world.pause();
+    await world.load(scene("hanging"), { set: small });
+    expect(() => world.camera).toThrow("canvas");
+    expect((await failure(world.grab(NaN, [0, 0, 0]))).kind).toBe("input");
+    expect((await failure(world.setView("wire" as "wireframe"))).message).toContain("wireframe");
+    const stepping = failure(world.step(500));
+    world.dispose();
+    expect((await stepping).message).toBe("No scene is loaded.");
+    expect((await failure(world.snapshot())).kind).toBe("failure");
+  });
+
+  it("tells a lack of memory from a fault in a shader, and a failed load leaves the next one alone", async () => {
+    const world = await open();
+    const device = world.device!;
+    const create = device.createBuffer.bind(device);
+    let left = 5;
+    device.createBuffer = (descriptor) => { // the sixth buffer is larger than any machine's memory
+      left -= 1;
+      return create(left === 0 ? { ...descriptor, size: device.limits.maxBufferSize, usage: descriptor.usage } : descriptor);
+    };
+    const before = world.memory().gpuObjects;
+    const error = await world.load(scene("hanging"), { set: small }).then(() => null, (reason: WeftError) => reason);
+    if (error) expect(error.kind).toBe("out-of-memory"); // an adapter with as much memory as it promises makes it
+    device.createBuffer = create;
+    await world.load(scene("hanging"), { set: small });
+    expect(world.memory().gpuObjects).toBe(before);
+    expect((await world.step(1)).frames).toBe(1);
+  });
+
+  it("takes a slider's thousand changes without growing", async () => {
+    const world = await open({ scene: scene("breeze"), set: { "cloths.0.grid": [24, 18] } });
+    const set = async (times: number) => {
+      for (let i = 0; i < times; i++) await world.setParameter("wind.velocity", [0, 0, 1 + i / times]);
+      return world.memory().wasmHeap;
+    };
+    const before = await set(10);
+    expect(Math.abs((await set(1000)) - before)).toBeLessThan(2048);
+  });
+
   it("counts frames and simulated time", async () => {
     const world = await open();
     const { frames, seconds } = await world.step(7);

@@ -15,11 +15,14 @@ export class Latest<T> {
 
   private async drain(): Promise<void> {
     this.active = true;
-    while (this.waiting) {
-      const { value } = this.waiting;
-      this.waiting = null;
-      await this.act(value);
+    try {
+      while (this.waiting) {
+        const { value } = this.waiting;
+        this.waiting = null;
+        await this.act(value);
+      }
+    } finally {
+      this.active = false;
     }
-    this.active = false;
   }
 }

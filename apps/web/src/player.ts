@@ -135,8 +135,9 @@ export class Player {
   // Change and look
 
   async setView(view: View): Promise<void> {
+    const shown = await this.ask((world) => world.setView(view).then(() => true));
+    if (this.live && !shown) return; // it has been said why
     this.view = view;
-    await this.ask((world) => world.setView(view));
     this.events.viewed(view);
   }
 
@@ -211,8 +212,11 @@ export class Player {
     this.open_?.pause();
     const now = performance.now();
     this.losses = [...this.losses.filter((then) => now - then < LOSSES.within), now];
-    await this.inTurn(() => this.reviveOnce(scene, cause.replace(/[.\s]*$/, ".")));
-    this.recovering = false;
+    try {
+      await this.inTurn(() => this.reviveOnce(scene, cause.replace(/[.\s]*$/, ".")));
+    } finally {
+      this.recovering = false;
+    }
   }
 
   private async reviveOnce(scene: LoadedScene, cause: string): Promise<void> {

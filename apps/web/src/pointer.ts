@@ -1,6 +1,6 @@
 // Pointers on the canvas. One on the cloth takes hold of it, one beside it turns the camera, the right button or two
 // fingers move it, wheel and pinch zoom. Moves are gathered and handed on once a picture: the world does them in turn.
-import type { Point, World } from "weft";
+import { WeftError, type Point, type World } from "weft";
 import { Latest } from "./latest.js";
 import type { Player } from "./player.js";
 
@@ -71,12 +71,14 @@ export class Pointer {
   }
 
   private onUp(event: PointerEvent): void {
-    if (!this.down.delete(event.pointerId)) return;
+    if (!this.down.has(event.pointerId)) return;
+    if (event.type === "pointerup") this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    if (this.down.size === 1) this.hand(); // the way of the last few moves
+    this.down.delete(event.pointerId);
     if (this.gesture.kind === "pinch" && this.down.size === 1) {
       this.last = this.centre();
       this.begin({ kind: "orbit" }); // the finger that stays goes on
     } else if (this.down.size === 0) {
-      this.hand(); // the way of the last few moves
       this.begin({ kind: "none" });
     }
   }
@@ -86,14 +88,19 @@ export class Pointer {
     const mine: Gesture = { kind: "deciding" };
     this.begin(mine);
     const { x, y } = this.clip(this.last);
-    const picked = await this.player.ask((world) => world.pick(x, y));
-    if (this.gesture !== mine) return; // the pointer is up again, or another came
-    if (!picked) {
+    const held = await this.player.ask(async (world) => {
+      const picked = await world.pick(x, y);
+      return picked && this.gesture === mine && (await free(world.grab(picked.node, picked.point))) ? picked : null;
+    });
+    if (this.gesture !== mine) { // the pointer is up again, or another came
+      if (held) void this.player.ask((world) => world.release(held.node));
+      return;
+    }
+    if (!held) {
       this.last = this.centre();
       return this.begin({ kind: "orbit" });
     }
-    this.begin({ kind: "grab", ...picked });
-    await this.player.ask((world) => world.grab(picked.node, picked.point));
+    this.begin({ kind: "grab", ...held });
     this.schedule(); // it may have moved meanwhile
   }
 
@@ -121,7 +128,7 @@ export class Pointer {
 
   private hand(): void {
     const world = this.player.live;
-    if (!world || this.down.size === 0 && this.gesture.kind !== "grab") return;
+    if (!world || this.down.size === 0) return;
     if (this.gesture.kind === "grab") return this.moveGrab(world, this.gesture);
     const { height } = this.canvas.getBoundingClientRect();
     const centre = this.centre();
@@ -138,7 +145,6 @@ export class Pointer {
   }
 
   private moveGrab(world: World, { node, point }: { node: number; point: Point }): void {
-    if (this.down.size === 0) return;
     if (world.busy) return this.schedule(); // a place on the canvas can be asked for only between the world's calls
     const { x, y } = this.clip(this.centre());
     this.drags.set({ node, target: world.pointAt(x, y, point) });
@@ -182,5 +188,16 @@ export class Pointer {
   private clip({ x, y }: Place): Place {
     const box = this.canvas.getBoundingClientRect();
     return { x: (2 * (x - box.left)) / box.width - 1, y: 1 - (2 * (y - box.top)) / box.height };
+  }
+}
+
+/** Whether a node could be taken: one that is pinned, or moved by the scene, is no fault of the world. */
+async function free(grab: Promise<void>): Promise<boolean> {
+  try {
+    await grab;
+    return true;
+  } catch (reason) {
+    if (reason instanceof WeftError && (reason.kind === "input" || reason.kind === "limit")) return false;
+    throw reason;
   }
 }

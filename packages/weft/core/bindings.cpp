@@ -1,6 +1,7 @@
 // The functions that packages/weft/src/core.ts calls. Each that can fail returns 0, or 1 + its ErrorKind, and
 // leaves its sentence in weft_message. Texts come as UTF-8 with a length. Those marked "sleeps" return later
-// (Asyncify): nothing else may be called in between.
+// (Asyncify): nothing else may be called in between. What needs a world or a view says so where there is
+// none.
 #include <emscripten.h>
 #include <malloc.h>
 
@@ -28,6 +29,16 @@ const double* give(std::initializer_list<double> numbers) {
   std::copy(numbers.begin(), numbers.end(), given.begin());
   return given.data();
 }
+
+/// What `use` makes of the session, if it has a world.
+template <class Use>
+std::uint32_t with_world(Use use) {
+  if (session == nullptr || session->world() == nullptr)
+    return code(weft::make_error(weft::ErrorKind::Failure, "No scene is loaded."));
+  return code(use(*session));
+}
+
+weft::web::View* view() { return session != nullptr ? session->view() : nullptr; }
 
 }  // namespace
 
@@ -57,37 +68,54 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_add_mesh(const char* name, std::uint32_t
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_load(const char* scene, std::uint32_t scene_size, const char* changes,
                                              std::uint32_t changes_size) {
+  if (session == nullptr) session = new Session;
   return code(session->load(text(scene, scene_size), text(changes, changes_size)));
 }
-EMSCRIPTEN_KEEPALIVE void weft_describe() { message = session->describe(); }
+EMSCRIPTEN_KEEPALIVE void weft_describe() {
+  if (session != nullptr && session->world() != nullptr) message = session->describe();
+}
 
 /// Whether weft_advance would go without waiting.
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_has_room() { return session->world()->has_room() ? 1 : 0; }
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_advance() { return code(session->advance(false)); }
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_advance_and_draw() { return code(session->advance(true)); }
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_draw() { return code(session->draw()); }
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_poll() { return code(session->world()->poll()); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_has_room() {
+  return session != nullptr && session->world() != nullptr && session->world()->has_room() ? 1 : 0;
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_advance() {
+  return with_world([](Session& s) { return s.advance(false); });
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_advance_and_draw() {
+  return with_world([](Session& s) { return s.advance(true); });
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_draw() {
+  return with_world([](Session& s) { return s.draw(); });
+}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_poll() {
+  return with_world([](Session& s) { return s.world()->poll(); });
+}
 /// Sleeps.
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_finish() { return code(session->world()->finish()); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_finish() {
+  return with_world([](Session& s) { return s.world()->finish(); });
+}
 /// Sleeps.
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reset() { return code(session->world()->reset()); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reset() {
+  return with_world([](Session& s) { return s.world()->reset(); });
+}
 
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_set(const char* key, std::uint32_t key_size, const char* value,
                                             std::uint32_t value_size) {
-  return code(session->set(text(key, key_size), text(value, value_size)));
+  return with_world([&](Session& s) { return s.set(text(key, key_size), text(value, value_size)); });
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_grab(std::uint32_t node, double x, double y, double z) {
-  return code(session->world()->grab(node, {x, y, z}));
+  return with_world([&](Session& s) { return s.world()->grab(node, {x, y, z}); });
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_drag(std::uint32_t node, double x, double y, double z) {
-  return code(session->world()->drag(node, {x, y, z}));
+  return with_world([&](Session& s) { return s.world()->drag(node, {x, y, z}); });
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_release(std::uint32_t node) {
-  return code(session->world()->release(node));
+  return with_world([&](Session& s) { return s.world()->release(node); });
 }
 
 /// frames reported, simulated s, contacts, contact hash, contact overflow, largest stretch, nodes that are
-/// not finite, frames submitted.
+/// not finite; null where there is no world.
 EMSCRIPTEN_KEEPALIVE const double* weft_totals() {
   if (session == nullptr || session->world() == nullptr) return nullptr;
   const weft::sim::World& world = *session->world();
@@ -95,19 +123,20 @@ EMSCRIPTEN_KEEPALIVE const double* weft_totals() {
   return give({static_cast<double>(totals.frames), totals.frames * world.scene().time.frame,
                static_cast<double>(totals.contacts), static_cast<double>(totals.contact_hash),
                static_cast<double>(totals.contact_overflow), static_cast<double>(totals.max_stretch),
-               static_cast<double>(totals.nonfinite), static_cast<double>(world.frame())});
+               static_cast<double>(totals.nonfinite)});
 }
 EMSCRIPTEN_KEEPALIVE double weft_gpu_bytes() {
+  if (session == nullptr || session->world() == nullptr) return 0;
   return static_cast<double>(session->world()->device().allocated_bytes());
 }
 
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_snapshot() {
-  const std::uint32_t failed = code(session->take_snapshot());
+  const std::uint32_t failed = with_world([](Session& s) { return s.take_snapshot(); });
   if (failed == 0) message = session->snapshot().hash();
   return failed;
 }
-/// Before weft_load. `format`: a gpu::TextureFormat.
+/// After weft_open and before weft_load. `format`: a gpu::TextureFormat.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_canvas(std::uint32_t target, std::uint32_t format,
                                                std::uint32_t width, std::uint32_t height) {
   session->set_canvas({target, static_cast<weft::gpu::TextureFormat>(format), width, height});
@@ -115,14 +144,16 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_canvas(std::uint32_t target, std::uint32
 }
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_resize(std::uint32_t width, std::uint32_t height) {
-  return code(session->resize(width, height));
+  return session != nullptr ? code(session->resize(width, height)) : 0;
 }
-/// Sleeps. `view`: a scene::View.
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_view(std::uint32_t view) {
-  return code(session->set_view(static_cast<weft::scene::View>(view)));
+/// Sleeps. `number`: a scene::View.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_view(std::uint32_t number) {
+  return session != nullptr ? code(session->set_view(static_cast<weft::scene::View>(number))) : 0;
 }
 /// Sleeps.
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_pick(double x, double y) { return code(session->pick(x, y)); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_pick(double x, double y) {
+  return with_world([&](Session& s) { return s.pick(x, y); });
+}
 /// node or -1; x, y, z [m].
 EMSCRIPTEN_KEEPALIVE const double* weft_picked() {
   const auto& picked = session->picked();
@@ -130,38 +161,41 @@ EMSCRIPTEN_KEEPALIVE const double* weft_picked() {
   return give({static_cast<double>(picked->node), picked->point.x, picked->point.y, picked->point.z});
 }
 EMSCRIPTEN_KEEPALIVE const double* weft_point_at(double x, double y, double rx, double ry, double rz) {
-  const weft::Vec3d point = session->view()->point_at(x, y, {rx, ry, rz});
+  if (view() == nullptr) return nullptr;
+  const weft::Vec3d point = view()->point_at(x, y, {rx, ry, rz});
   return give({point.x, point.y, point.z});
 }
 EMSCRIPTEN_KEEPALIVE const double* weft_project(double x, double y, double z) {
-  const weft::render::Projected projected = session->view()->project({x, y, z});
+  if (view() == nullptr) return nullptr;
+  const weft::render::Projected projected = view()->project({x, y, z});
   return give({projected.x, projected.y});
 }
 
 /// eye, target [m], vertical field of view [degrees].
 EMSCRIPTEN_KEEPALIVE const double* weft_camera() {
-  const weft::scene::Camera& c = session->view()->camera();
+  if (view() == nullptr) return nullptr;
+  const weft::scene::Camera& c = view()->camera();
   return give({c.eye.x, c.eye.y, c.eye.z, c.target.x, c.target.y, c.target.z, c.fov_degrees});
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_set_camera(double ex, double ey, double ez, double tx, double ty,
                                                    double tz, double fov) {
-  if (auto* view = session->view()) view->set_camera({{ex, ey, ez}, {tx, ty, tz}, fov});
+  if (view() != nullptr) view()->set_camera({{ex, ey, ez}, {tx, ty, tz}, fov});
   return 0;
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reset_camera() {
-  if (auto* view = session->view()) view->reset_camera();
+  if (view() != nullptr) view()->reset_camera();
   return 0;
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_orbit(double dx, double dy) {
-  if (auto* view = session->view()) view->set_camera(weft::render::orbit(view->camera(), dx, dy));
+  if (view() != nullptr) view()->set_camera(weft::render::orbit(view()->camera(), dx, dy));
   return 0;
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_pan(double dx, double dy) {
-  if (auto* view = session->view()) view->set_camera(weft::render::pan(view->camera(), dx, dy));
+  if (view() != nullptr) view()->set_camera(weft::render::pan(view()->camera(), dx, dy));
   return 0;
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_zoom(double factor) {
-  if (auto* view = session->view()) view->set_camera(weft::render::zoom(view->camera(), factor));
+  if (view() != nullptr) view()->set_camera(weft::render::zoom(view()->camera(), factor));
   return 0;
 }
 
@@ -169,7 +203,7 @@ EMSCRIPTEN_KEEPALIVE const weft::Vec4f* weft_positions() { return session->snaps
 EMSCRIPTEN_KEEPALIVE const weft::Vec4f* weft_velocities() { return session->snapshot().velocity.data(); }
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_export(const char* format, std::uint32_t size) {
-  return code(session->export_mesh(text(format, size)));
+  return with_world([&](Session& s) { return s.export_mesh(text(format, size)); });
 }
 EMSCRIPTEN_KEEPALIVE const std::byte* weft_exported() { return session->exported().data(); }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_exported_size() {

@@ -1,5 +1,6 @@
 #include "session.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "inputs.hpp"
@@ -34,6 +35,17 @@ void Session::close() {
 Result<scene::Scene> Session::parse() const { return scene::parse_scene(text_, kSceneName, changes_); }
 
 Result<void> Session::load(const std::string& text, const std::string& changes) {
+  if (!device_) return make_error(ErrorKind::DeviceLost, "There is no GPU device; open one first.");
+  auto built = build(text, changes);
+  if (built) return built;
+  view_.reset();
+  world_.reset();
+  // What was made before the failure may be faulty too; the next load shall not answer for it.
+  if (auto rest = device_->wait(); !rest && rest.error().kind == ErrorKind::DeviceLost) return rest;
+  return built;
+}
+
+Result<void> Session::build(const std::string& text, const std::string& changes) {
   view_.reset();
   world_.reset();
   snapshot_ = {};
@@ -49,41 +61,45 @@ Result<void> Session::load(const std::string& text, const std::string& changes) 
   WEFT_TRY(world, sim::World::create(*device_, std::move(scene), assets));
   world_ = std::move(world);
   if (canvas_.target == 0) return {};
-  auto view = View::create(*world_, canvas_, shown_);
-  if (view) view_.emplace(std::move(*view));
-  const auto drawable = view ? device_->wait() : Result<void>(view.error());  // now it is known
-  if (drawable) return {};
-  view_.reset();
-  world_.reset();
-  return drawable;
+  WEFT_TRY(view, View::create(*world_, canvas_, shown_));
+  view_.emplace(std::move(view));
+  return device_->wait();  // now it is known whether all of it could be made
 }
 
 Result<void> Session::set(const std::string& key, const std::string& value) {
+  std::vector<scene::Override> before = changes_;
   changes_.push_back({key, value});
   const auto changed = [this]() -> Result<void> {
     WEFT_TRY(scene, parse());
     return world_->change(scene);
   }();
-  if (!changed) changes_.pop_back();  // the world stays as it is
-  return changed;
+  if (!changed) {
+    changes_ = std::move(before);  // the world stays as it is
+    return changed;
+  }
+  const auto last = changes_.end() - 1;  // a slider sets one key a thousand times
+  changes_.erase(
+      std::remove_if(changes_.begin(), last, [&](const auto& change) { return change.key == key; }), last);
+  return {};
 }
 
 Result<void> Session::resize(std::uint32_t width, std::uint32_t height) {
+  if (width == 0 || height == 0) return input_error("A picture of %u x %u pixels is empty.", width, height);
+  if (view_) WEFT_CHECK(view_->resize(width, height));
   canvas_.width = width;
   canvas_.height = height;
-  if (!view_) return {};
-  WEFT_CHECK(view_->resize(width, height));
-  return device_->wait();
+  return view_ ? device_->wait() : Result<void>();
 }
 
 Result<void> Session::set_view(scene::View view) {
+  if (view_) WEFT_CHECK(view_->set_view(view));
   shown_ = view;
-  if (!view_) return {};
-  WEFT_CHECK(view_->set_view(view));
-  return device_->wait();
+  return view_ ? device_->wait() : Result<void>();
 }
 
 Result<void> Session::advance(bool draw) {
+  // Natively advance_frame would wait here; in a browser nothing arrives while it does.
+  if (!world_->has_room()) return make_error(ErrorKind::Failure, "Three frames are under way already.");
   return world_->advance_frame(draw && view_ ? &view_->list(world_->parity_after()) : nullptr);
 }
 

@@ -48,6 +48,7 @@ class Session {
   View* view() { return view_ ? &*view_ : nullptr; }
 
  private:
+  Result<void> build(const std::string& text, const std::string& changes);
   Result<scene::Scene> parse() const;
 
   std::unique_ptr<gpu::Device> device_;

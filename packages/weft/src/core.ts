@@ -32,10 +32,10 @@ async function compile(): Promise<WebAssembly.Module> {
 }
 
 export class Core {
-  private sleeping: Promise<unknown> = Promise.resolve();
-  private asleep = 0;
+  private last: Promise<unknown> = Promise.resolve(); // of the turns
   private inFlight = false;
-  /** Called after each call that slept, before the next one starts. */
+  private dead: WeftError | null = null;
+  /** Called after each call that slept, before anything else. */
   onAwake: (() => void) | null = null;
 
   private constructor(readonly module: CoreModule, readonly backend: GpuBackend) {}
@@ -44,15 +44,18 @@ export class Core {
     compiled ??= compile();
     const wasm = await compiled.catch((reason: unknown) => {
       compiled = null; // the next try fetches again
-      throw reason;
+      throw reason instanceof WeftError ? reason : new WeftError("failure", `The core cannot be loaded: ${String(reason)}.`);
     });
     const backend = new GpuBackend(gpu);
-    const module = await createCore({
-      gpu: backend,
-      instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
-        void WebAssembly.instantiate(wasm, imports).then(done);
-        return {};
-      },
+    const module = await new Promise<CoreModule>((resolve, reject) => {
+      createCore({
+        gpu: backend,
+        instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
+          WebAssembly.instantiate(wasm, imports).then(done, (reason: unknown) => // most likely there is no room for it
+            reject(new WeftError("out-of-memory", `The core cannot be started: ${String(reason)}.`)));
+          return {};
+        },
+      }).then(resolve, reject);
     });
     backend.attach(module);
     return new Core(module, backend);
@@ -61,56 +64,65 @@ export class Core {
   /** Whether a call sleeps; until it returns, no other may be made. */
   get busy(): boolean { return this.inFlight; }
 
+  /** Carries something out after all that was asked before and before all that will be asked. */
+  turn<T>(action: () => T | Promise<T>): Promise<T> {
+    const done = this.last.then(action);
+    this.last = done.catch(() => undefined);
+    return done;
+  }
+
+  /** A call that sleeps, in its turn; `after` reads what it left, before the next turn. */
+  sleep<T = void>(name: string, args: readonly (number | string)[] = [], after?: () => T): Promise<T> {
+    return this.turn(() => this.sleepNow(name, args, after));
+  }
+
+  /** The same within a turn. */
+  async sleepNow<T = void>(name: string, args: readonly (number | string)[], after?: () => T): Promise<T> {
+    if (this.dead) throw this.dead;
+    const { numbers, free } = this.lower(args);
+    const types = numbers.map(() => "number");
+    this.inFlight = true;
+    let result: number;
+    try {
+      result = await this.module.ccall(`weft_${name}`, "number", types, numbers, { async: true });
+    } catch (reason) {
+      throw this.ended(reason);
+    } finally {
+      this.inFlight = false;
+      if (!this.dead) free();
+    }
+    this.onAwake?.();
+    this.throwIf(result);
+    return after?.() as T;
+  }
+
   /** A call of a frame: without arguments, and without making anything for the garbage collector. Not while busy. */
-  now(name: `_weft_${string}`): number { return this.module[name]!(); }
+  now(name: `_weft_${string}`): number {
+    if (this.dead) throw this.dead;
+    try {
+      return this.module[name]!();
+    } catch (reason) {
+      throw this.ended(reason);
+    }
+  }
 
   /** A call that returns at once. Not while busy. */
   call(name: string, ...args: (number | string)[]): number {
+    if (this.dead) throw this.dead;
     if (this.busy) throw new WeftError("failure", `The world is busy; ${name} must wait.`);
     const { numbers, free } = this.lower(args);
     try {
       return this.module[`_weft_${name}`]!(...numbers);
     } catch (reason) {
-      throw ended(reason);
+      throw this.ended(reason);
     } finally {
-      free();
+      if (!this.dead) free();
     }
   }
 
   /** A call that may fail. */
   check(name: string, ...args: (number | string)[]): void { this.throwIf(this.call(name, ...args)); }
   checkNow(name: `_weft_${string}`): void { this.throwIf(this.now(name)); }
-
-  /** A call that sleeps; waits for those before it. */
-  async sleep(name: string, ...args: (number | string)[]): Promise<void> {
-    this.asleep += 1;
-    const run = async () => {
-      const { numbers, free } = this.lower(args);
-      const types = numbers.map(() => "number");
-      this.inFlight = true;
-      try {
-        this.throwIf(await this.module.ccall(`weft_${name}`, "number", types, numbers, { async: true }));
-      } catch (reason) {
-        throw ended(reason);
-      } finally {
-        this.inFlight = false;
-        free();
-        this.onAwake?.();
-      }
-    };
-    const done = this.sleeping.then(run);
-    this.sleeping = done.catch(() => undefined);
-    try {
-      await done;
-    } finally {
-      this.asleep -= 1;
-    }
-  }
-
-  /** Once no call sleeps. */
-  async idle(): Promise<void> {
-    while (this.asleep > 0) await this.sleeping;
-  }
 
   /** The sentence or text of the last call. */
   text(): string {
@@ -135,22 +147,28 @@ export class Core {
   }
 
   /** Texts become an address and a size. */
-  private lower(args: (number | string)[]): { numbers: number[]; free: () => void } {
+  private lower(args: readonly (number | string)[]): { numbers: number[]; free: () => void } {
     const texts: number[] = [];
+    const free = () => texts.forEach((at) => this.module._free(at));
     const numbers = args.flatMap((arg) => {
       if (typeof arg === "number") return [arg];
       const bytes = new TextEncoder().encode(arg);
       const at = this.module._malloc(Math.max(bytes.length, 1));
+      if (at === 0) {
+        free();
+        throw new WeftError("out-of-memory", `The module has no room for ${bytes.length} bytes.`);
+      }
       this.module.HEAPU8.set(bytes, at >>> 0);
       texts.push(at);
       return [at, bytes.length];
     });
-    return { numbers, free: () => texts.forEach((at) => this.module._free(at)) };
+    return { numbers, free };
   }
-}
 
-/** A trap in the module, most likely for want of memory, ends it: this world is of no more use. */
-function ended(reason: unknown): unknown {
-  if (!(reason instanceof WebAssembly.RuntimeError)) return reason;
-  return new WeftError("failure", `The module has stopped (${reason.message}); make a new world.`);
+  /** A trap in the module, most likely for want of memory, ends it: nothing of it can be used any more. */
+  private ended(reason: unknown): unknown {
+    if (!(reason instanceof WebAssembly.RuntimeError)) return reason;
+    this.dead = new WeftError("failure", `The module has stopped (${reason.message}); make a new world.`);
+    return this.dead;
+  }
 }

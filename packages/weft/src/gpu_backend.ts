@@ -51,8 +51,6 @@ export class GpuBackend {
   text: Uint8Array = new Uint8Array();
   /** GPU objects that are alive, for tests of leaks. */
   alive = 0;
-  /** Submits since the device was opened. */
-  submits = 0;
   device: GPUDevice | null = null;
   /** Called when the device is lost, unless it was closed. */
   onLost: ((message: string) => void) | null = null;
@@ -99,9 +97,13 @@ export class GpuBackend {
   // Adapter, device and errors
 
   async open(adapter: number, size: number, timestamps: number, error: number): Promise<number> {
-    const failed = await this.tryOpen(this.decode(adapter, size), timestamps !== 0);
-    this.errorFlag = error;
-    return failed;
+    this.errorFlag = error; // before there is a device that can be lost
+    try {
+      return await this.tryOpen(this.decode(adapter, size), timestamps !== 0);
+    } catch (reason) { // the caller sleeps: a rejection would never wake it
+      this.setText(`The browser's WebGPU fails: ${String(reason)}.`);
+      return 1 + ERROR_KINDS.indexOf("failure");
+    }
   }
 
   private async tryOpen(wanted: string, timestamps: boolean): Promise<number> {
@@ -112,7 +114,8 @@ export class GpuBackend {
     if (!this.gpu) return fail("no-adapter", "This browser has no WebGPU (navigator.gpu is missing).");
     const adapter = await this.gpu.requestAdapter({ powerPreference: "high-performance" }).catch(() => null);
     if (!adapter) return fail("no-adapter", "No WebGPU adapter was found: the browser gives none for this machine.");
-    const info = adapter.info;
+    const info = (adapter.info as GPUAdapterInfo | undefined) ?? // missing in older browsers
+      { description: "", device: "", vendor: "", architecture: "" };
     const name = info.description || info.device || `${info.vendor} ${info.architecture}`.trim() || "unnamed adapter";
     if (!name.toLowerCase().includes(wanted.toLowerCase()))
       return fail("no-adapter", `No adapter's name contains "${wanted}"; there is: ${name}.`);
@@ -138,7 +141,6 @@ export class GpuBackend {
     const generation = ++this.generation;
     this.error = null;
     this.lost = null;
-    this.submits = 0;
     device.addEventListener("uncapturederror", (event) => {
       if (generation === this.generation) this.report((event as GPUUncapturedErrorEvent).error);
     });
@@ -152,7 +154,8 @@ export class GpuBackend {
 
   close(): void {
     this.generation += 1;
-    this.canvas?.unconfigure();
+    // Another world may have taken the canvas over meanwhile.
+    if (this.canvas?.getConfiguration?.()?.device === this.device) this.canvas?.unconfigure();
     this.canvas = null;
     this.device?.destroy();
     this.device = null;
@@ -209,12 +212,24 @@ export class GpuBackend {
   }
 
   async wait(): Promise<void> {
+    try {
+      await this.settle();
+    } catch (reason) { // the caller sleeps: a rejection would never wake it
+      this.error ??= { kind: "failure", message: `The browser's WebGPU fails: ${String(reason)}.` };
+      this.raise();
+    }
+  }
+
+  private async settle(): Promise<void> {
     const device = this.device;
     if (!device || this.lost !== null) return;
-    const scopes = this.scopesOpen ? [device.popErrorScope(), device.popErrorScope(), device.popErrorScope()] : [];
-    this.scopesOpen = false;
-    for (const scope of await Promise.allSettled(scopes))
-      if (scope.status === "fulfilled" && scope.value) this.report(scope.value);
+    if (this.scopesOpen) {
+      this.scopesOpen = false;
+      const scopes = [device.popErrorScope(), device.popErrorScope(), device.popErrorScope()] as const;
+      const [validation, memory, internal] = await Promise.all(scopes.map((scope) => scope.catch(() => null)));
+      // What could not be made for want of memory is invalid wherever it is used: that is no error of its own.
+      for (const error of [memory, internal, validation]) if (error) this.report(error);
+    }
     await device.queue.onSubmittedWorkDone().catch(() => undefined);
     while (this.maps.size > 0) await Promise.allSettled([...this.maps]);
   }
@@ -387,7 +402,6 @@ export class GpuBackend {
     }
     this.submitted[0] = encoder.finish();
     device.queue.submit(this.submitted);
-    this.submits += 1;
   }
 
   private encode(encoder: GPUCommandEncoder, first: number, count: number, targets: number): void {

@@ -88,7 +88,7 @@ export interface MemoryUse {
 
 interface Events {
   /** After a tick of run in which a frame was simulated or drawn. */
-  frame: Statistics;
+  frame: Readonly<Statistics>;
   /**
    * Something failed that no promise tells of: while running, or the device was lost. The world is paused. After
    * "device-lost", `recover` starts anew.
@@ -121,7 +121,6 @@ export class World {
     frame: new Set(), error: new Set() };
   private current: WorldInfo | null = null;
   private scene: { scene: Scene; set: Readonly<Record<string, unknown>> } = { scene: "", set: {} };
-  private readonly meshes = new Map<string, Uint8Array>();
   private readonly totals: Statistics = { frames: 0, seconds: 0, contacts: 0, contactHash: 0, contactOverflow: 0,
     maxStretch: 0, nonfinite: 0 };
   private shownView: View;
@@ -138,21 +137,21 @@ export class World {
   constructor(private readonly core: Core, options: WorldOptions) {
     this.canvas = options.canvas;
     this.adapter = options.adapter ?? "";
-    this.shownView = options.view ?? "textured";
+    this.shownView = known(options.view ?? "textured");
     core.onAwake = () => this.readTotals(); // of what the call has changed or taken in
     core.backend.onLost = (message) => this.fail(new WeftError("device-lost", `The GPU device is lost: ${message}.`));
   }
 
   /** @internal */
   async open(): Promise<void> {
-    await this.core.sleep("open", this.adapter);
+    await this.core.sleep("open", [this.adapter]);
     this.lossTold = false;
     if (!this.canvas) return;
     const context = (this.canvas as HTMLCanvasElement).getContext("webgpu");
     if (!context) throw new WeftError("failure", "The canvas gives no WebGPU context: it has another one already.");
     const { handle, format } = this.core.backend.attachCanvas(context);
-    await this.core.sleep("canvas", handle, format, this.canvas.width, this.canvas.height);
-    await this.core.sleep("view", VIEWS.indexOf(this.shownView));
+    await this.core.sleep("canvas", [handle, format, this.canvas.width, this.canvas.height]);
+    await this.core.sleep("view", [VIEWS.indexOf(this.shownView)]);
   }
 
   get info(): WorldInfo {
@@ -174,28 +173,26 @@ export class World {
 
   /** Replaces the scene on the same device. Where it cannot be built, no scene is loaded any more. */
   async load(scene: Scene, { meshes = {}, set = {} }: SceneOptions = {}): Promise<void> {
-    this.current = null;
-    for (const [name, bytes] of Object.entries(meshes)) {
-      const plain = await unpacked(bytes);
-      this.meshes.set(name, plain);
-      await this.addMesh(name, plain);
-    }
-    await this.core.sleep("load", sceneText(scene), changeLines(set));
-    this.scene = { scene, set };
-    this.core.call("describe");
-    this.current = JSON.parse(this.core.text()) as WorldInfo;
+    this.playing = false;
+    await this.core.turn(async () => {
+      this.current = null;
+      this.scene = { scene, set };
+      for (const [name, bytes] of Object.entries(meshes)) {
+        const plain = await unpacked(bytes);
+        this.core.withBytes(plain, (at, size) => this.core.check("add_mesh", name, at, size));
+      }
+      await this.core.sleepNow("load", [sceneText(scene), changeLines(set)]);
+      this.core.call("describe");
+      this.current = JSON.parse(this.core.text()) as WorldInfo;
+    });
     this.changed();
   }
 
-  private async addMesh(name: string, bytes: Uint8Array): Promise<void> {
-    await this.core.idle();
-    this.core.withBytes(bytes, (at, size) => this.core.check("add_mesh", name, at, size));
-  }
-
-  /** After a loss: a new device, and the scene from its rest state. */
+  /** After a loss: a new device, and the scene that was loaded last from its rest state. */
   async recover(): Promise<void> {
+    this.playing = false;
+    this.current = null;
     await this.open();
-    for (const [name, bytes] of this.meshes) await this.addMesh(name, bytes);
     await this.load(this.scene.scene, { set: this.scene.set });
   }
 
@@ -203,6 +200,7 @@ export class World {
 
   /** Plays in real time, as far as the machine can. */
   run(): void {
+    this.loaded();
     if (this.playing) return;
     this.playing = true;
     this.lastTick = performance.now();
@@ -214,22 +212,24 @@ export class World {
   pause(): void {
     if (!this.playing) return;
     this.playing = false;
-    this.later("finish");
+    if (this.current) this.later("finish");
   }
 
   /** Simulates this many frames and waits for them. */
   async step(frames = 1): Promise<Statistics> {
-    this.loaded();
-    for (let i = 0; i < frames; i++) {
-      await this.core.idle();
-      while (this.core.call("has_room") === 0) {
-        await this.core.sleep("finish");
-      }
-      this.core.check("advance");
+    for (let i = 0; i < frames;) {
+      const went = await this.core.turn(() => {
+        this.loaded();
+        if (this.core.now("_weft_has_room") === 0) return false;
+        this.core.checkNow("_weft_advance");
+        return true;
+      });
+      if (went) i += 1;
+      else await this.core.sleep("finish");
     }
-    await this.core.sleep("finish");
+    const totals = await this.core.sleep("finish", [], () => ({ ...this.totals }));
     this.changed();
-    return { ...this.totals };
+    return totals;
   }
 
   /** Back to the rest state at time 0; grabbed nodes are let go. */
@@ -247,22 +247,22 @@ export class World {
    */
   async setParameter(key: string, value: unknown): Promise<void> {
     this.loaded();
-    await this.core.sleep("set", key, JSON.stringify(value));
+    await this.core.sleep("set", [key, JSON.stringify(value)]);
   }
 
   /** Takes hold of a node: from now on it is drawn to `target`, by a force as it were, with a bounded speed. */
   async grab(node: number, target: Point): Promise<void> {
     this.loaded();
-    await this.core.sleep("grab", node, ...target);
+    await this.core.sleep("grab", [index(node), ...target]);
   }
   /** Moves the target of a node that is held. */
   async drag(node: number, target: Point): Promise<void> {
     this.loaded();
-    await this.core.sleep("drag", node, ...target);
+    await this.core.sleep("drag", [index(node), ...target]);
   }
   async release(node: number): Promise<void> {
     this.loaded();
-    await this.core.sleep("release", node);
+    await this.core.sleep("release", [index(node)]);
   }
 
   // Look
@@ -270,8 +270,8 @@ export class World {
   /** The node of the cloth under a place on the canvas. */
   async pick(x: number, y: number): Promise<Pick | null> {
     this.loaded();
-    await this.core.sleep("pick", x, y);
-    const [node, ...point] = this.numbers("picked", 4) as [number, number, number, number];
+    const [node, ...point] = await this.core.sleep("pick", [x, y], () => this.numbers("picked", 4)) as
+      [number, number, number, number];
     return node < 0 ? null : { node, point };
   }
 
@@ -293,23 +293,27 @@ export class World {
   /** Moves the picture to the right and upwards, in picture heights. */
   pan(dx: number, dy: number): void { this.look("pan", dx, dy); }
   /** What is looked at becomes `factor` times as large. */
-  zoom(factor: number): void { this.look("zoom", factor); }
+  zoom(factor: number): void {
+    if (!(factor > 0)) throw new WeftError("input", `A picture cannot become ${factor} times as large.`);
+    this.look("zoom", factor);
+  }
   /** The camera of the scene again, or one that has all in view. */
   resetCamera(): void { this.look("reset_camera"); }
 
   async setView(view: View): Promise<void> {
-    await this.core.sleep("view", VIEWS.indexOf(view));
+    await this.core.sleep("view", [VIEWS.indexOf(known(view))]);
     this.shownView = view;
     this.changed();
   }
 
   /** Sets the canvas's size in device pixels. */
   async resize(width: number, height: number): Promise<void> {
-    if (!this.canvas) return;
-    await this.core.idle();
-    this.canvas.width = width;
-    this.canvas.height = height;
-    await this.core.sleep("resize", width, height);
+    const canvas = this.canvas;
+    if (!canvas) return;
+    await this.core.sleep("resize", [width, height], () => {
+      canvas.width = width;
+      canvas.height = height;
+    });
     this.changed();
   }
 
@@ -317,16 +321,18 @@ export class World {
 
   async snapshot(): Promise<Snapshot> {
     this.loaded();
-    await this.core.sleep("snapshot");
-    const hash = this.core.text();
-    const packed = (name: string) => {
-      const at = this.core.call(name) >>> 2;
-      const all = this.core.module.HEAPF32.subarray(at, at + 4 * this.info.nodes);
-      const out = new Float32Array(3 * this.info.nodes);
-      for (let node = 0; node < this.info.nodes; node++) out.set(all.subarray(4 * node, 4 * node + 3), 3 * node);
-      return out;
-    };
-    return { positions: packed("positions"), velocities: packed("velocities"), hash };
+    return this.core.sleep("snapshot", [], () => {
+      const hash = this.core.text();
+      const { nodes } = this.info;
+      const packed = (name: string) => {
+        const at = this.core.call(name) >>> 2;
+        const all = this.core.module.HEAPF32.subarray(at, at + 4 * nodes);
+        const out = new Float32Array(3 * nodes);
+        for (let node = 0; node < nodes; node++) out.set(all.subarray(4 * node, 4 * node + 3), 3 * node);
+        return out;
+      };
+      return { positions: packed("positions"), velocities: packed("velocities"), hash };
+    });
   }
 
   /** x, y, z of every node in model order [m]. */
@@ -335,9 +341,10 @@ export class World {
   /** The cloths' shape as a file. */
   async exportMesh(format: "obj" | "ply"): Promise<Uint8Array<ArrayBuffer>> {
     this.loaded();
-    await this.core.sleep("export", format);
-    const at = this.core.call("exported") >>> 0;
-    return this.core.module.HEAPU8.slice(at, at + this.core.call("exported_size")) as Uint8Array<ArrayBuffer>;
+    return this.core.sleep("export", [format], () => {
+      const at = this.core.call("exported") >>> 0;
+      return this.core.module.HEAPU8.slice(at, at + this.core.call("exported_size")) as Uint8Array<ArrayBuffer>;
+    });
   }
 
   memory(): MemoryUse {
@@ -356,8 +363,9 @@ export class World {
     if (this.disposed) return;
     this.disposed = true;
     this.playing = false;
+    this.current = null;
     if (this.timer !== 0) unschedule(this.timer);
-    void this.core.idle().then(() => this.core.call("close"));
+    this.core.turn(() => this.core.call("close")).catch(() => this.core.backend.close()); // a stopped module cannot
   }
 
   // The frame
@@ -422,17 +430,20 @@ export class World {
   private numbers(name: string, count: number, ...args: number[]): number[] {
     this.loaded();
     const at = this.core.call(name, ...args) >>> 3;
+    if (at === 0) throw new WeftError("failure", "A world without a canvas has no camera.");
     return Array.from(this.core.module.HEAPF64.subarray(at, at + count));
   }
 
   private look(name: string, ...args: number[]): void {
     this.loaded();
+    const odd = args.find((arg) => !Number.isFinite(arg));
+    if (odd !== undefined) throw new WeftError("input", `The camera cannot be moved by ${odd}.`);
     this.later(name, ...args);
   }
 
   /** A call whose failure goes to the listeners. */
   private later(name: string, ...args: number[]): void {
-    this.core.sleep(name, ...args).then(() => this.changed(), (reason: unknown) => this.fail(reason));
+    this.core.sleep(name, args).then(() => this.changed(), (reason: unknown) => this.fail(reason));
   }
 
   private loaded(): void { void this.info; }
@@ -456,4 +467,14 @@ function schedule(callback: (now: number) => void): number {
 function unschedule(timer: number): void {
   if (typeof cancelAnimationFrame === "function") cancelAnimationFrame(timer);
   else clearTimeout(timer);
+}
+
+function known(view: View): View {
+  if (VIEWS.includes(view)) return view;
+  throw new WeftError("input", `There is no view ${JSON.stringify(view)}; there are ${VIEWS.join(", ")}.`);
+}
+
+function index(node: number): number {
+  if (Number.isInteger(node) && node >= 0) return node;
+  throw new WeftError("input", `Node ${node} is no index.`);
 }

@@ -8,9 +8,12 @@ namespace {
 
 /// The handle of what was just asked for. Whether it could be made is known after wait; only what has come to
 /// light before is returned here.
-Result<Id> made(Context& context, std::uint32_t id, const char* what, const std::string& label) {
-  if (auto error = context.take_error(); !error)
+Result<Id> made(Context& context, ObjectKind kind, std::uint32_t id, const char* what,
+                const std::string& label) {
+  if (auto error = context.take_error(); !error) {
+    release(kind, id);
     return error.error().while_doing(std::string("making ") + what + " " + label);
+  }
   return static_cast<Id>(id);
 }
 
@@ -29,7 +32,8 @@ void release(ObjectKind kind, Id id) { web::weft_gpu_release(static_cast<std::ui
 Result<Id> create_buffer(Context& context, std::uint64_t bytes, std::uint32_t usage,
                          const std::string& label) {
   const web::Text name = text(label);
-  return made(context, web::weft_gpu_buffer(static_cast<double>(bytes), usage, &name), "buffer", label);
+  return made(context, ObjectKind::Buffer, web::weft_gpu_buffer(static_cast<double>(bytes), usage, &name),
+              "buffer", label);
 }
 
 void write_buffer(Context&, Id buffer, std::uint64_t offset, std::span<const std::byte> bytes) {
@@ -38,7 +42,7 @@ void write_buffer(Context&, Id buffer, std::uint64_t offset, std::span<const std
 
 Result<Id> create_shader_module(Context& context, const std::string& source, const std::string& label) {
   const web::Text code = text(source), name = text(label);
-  return made(context, web::weft_gpu_shader_module(&code, &name), "shader", label);
+  return made(context, ObjectKind::ShaderModule, web::weft_gpu_shader_module(&code, &name), "shader", label);
 }
 
 Result<Id> create_bind_group_layout(Context& context, std::span<const BindingLayout> bindings,
@@ -47,15 +51,15 @@ Result<Id> create_bind_group_layout(Context& context, std::span<const BindingLay
   for (const BindingLayout& binding : bindings)
     entries.push_back({binding.binding, static_cast<std::uint32_t>(binding.kind)});
   const web::Text name = text(label);
-  return made(context,
+  return made(context, ObjectKind::BindGroupLayout,
               web::weft_gpu_bind_group_layout(entries.data(), count_of(entries), for_render ? 1 : 0, &name),
               "bind group layout", label);
 }
 
 Result<Id> create_pipeline_layout(Context& context, Id bind_group_layout, const std::string& label) {
   const web::Text name = text(label);
-  return made(context, web::weft_gpu_pipeline_layout(handle(bind_group_layout), &name), "pipeline layout",
-              label);
+  return made(context, ObjectKind::PipelineLayout,
+              web::weft_gpu_pipeline_layout(handle(bind_group_layout), &name), "pipeline layout", label);
 }
 
 Result<Id> create_bind_group(Context& context, Id layout, std::span<const BindingLayout> bindings,
@@ -68,7 +72,8 @@ Result<Id> create_bind_group(Context& context, Id layout, std::span<const Bindin
                        static_cast<double>(size)});
   }
   const web::Text name = text(label);
-  return made(context, web::weft_gpu_bind_group(handle(layout), entries.data(), count_of(entries), &name),
+  return made(context, ObjectKind::BindGroup,
+              web::weft_gpu_bind_group(handle(layout), entries.data(), count_of(entries), &name),
               "bind group", label);
 }
 
@@ -76,7 +81,7 @@ Result<Id> create_compute_pipeline(Context& context, Id layout, Id module, const
                                    std::span<const Constant> constants, const std::string& label) {
   const auto entries = constant_entries(constants);
   const web::Text entry_name = text(entry), name = text(label);
-  return made(context,
+  return made(context, ObjectKind::ComputePipeline,
               web::weft_gpu_compute_pipeline(handle(layout), handle(module), &entry_name, entries.data(),
                                              count_of(entries), &name),
               "compute pipeline", label);
@@ -98,7 +103,7 @@ Result<Id> create_render_pipeline(Context& context, Id layout, Id module, const 
                                text(info.vertex_entry),
                                text(info.fragment_entry)};
   const web::Text name = text(label);
-  return made(context,
+  return made(context, ObjectKind::RenderPipeline,
               web::weft_gpu_render_pipeline(handle(layout), handle(module), &raw, entries.data(),
                                             count_of(entries), &name),
               "render pipeline", label);
@@ -106,7 +111,7 @@ Result<Id> create_render_pipeline(Context& context, Id layout, Id module, const 
 
 Result<Id> create_texture(Context& context, const TextureInfo& info, const std::string& label) {
   const web::Text name = text(label);
-  return made(context,
+  return made(context, ObjectKind::Texture,
               web::weft_gpu_texture(info.width, info.height, info.samples,
                                     static_cast<std::uint32_t>(info.format), info.usage, &name),
               "texture", label);
@@ -114,19 +119,20 @@ Result<Id> create_texture(Context& context, const TextureInfo& info, const std::
 
 Result<Id> create_texture_view(Context& context, Id texture, const std::string& label) {
   const web::Text name = text(label);
-  return made(context, web::weft_gpu_texture_view(handle(texture), &name), "texture view", label);
+  return made(context, ObjectKind::TextureView, web::weft_gpu_texture_view(handle(texture), &name),
+              "texture view", label);
 }
 
 Result<Id> create_sampler(Context& context, const SamplerInfo& info, const std::string& label) {
   const web::Text name = text(label);
-  return made(context,
+  return made(context, ObjectKind::Sampler,
               web::weft_gpu_sampler(info.linear ? 1 : 0, info.repeat ? 1 : 0, info.comparison ? 1 : 0, &name),
               "sampler", label);
 }
 
 Result<Id> create_timestamp_queries(Context& context, std::uint32_t count, const std::string& label) {
   const web::Text name = text(label);
-  return made(context, web::weft_gpu_queries(count, &name), "query set", label);
+  return made(context, ObjectKind::QuerySet, web::weft_gpu_queries(count, &name), "query set", label);
 }
 
 double timestamp_period(Context&) { return 1; }  // a browser resolves to nanoseconds
