@@ -38,7 +38,11 @@ build_web() {
 
 task_web() {
   local port=8080
-  [ "${1:-}" = --port ] && { port=${2:?--port needs a number}; shift 2; }
+  if [ "${1:-}" = --port ]; then port=${2:-}; fi
+  if ! [[ $port =~ ^[0-9]+$ ]] || [ "$port" -lt 1 ] || [ "$port" -gt 65535 ] || [ $# -ne 0 -a "${1:-}" != --port ]; then
+    say "usage: ./dev web [--port N] with N from 1 to 65535, not \"$*\""
+    exit 2
+  fi
   task_build
   build_web
   exec npx --no vite preview apps/web --host 127.0.0.1 --port "$port" --strictPort
