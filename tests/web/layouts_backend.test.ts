@@ -1,7 +1,8 @@
 // gpu_backend.ts reads numbers and structs that C++ wrote: it takes them for what C++ meant.
 import { globals } from "webgpu";
 import { beforeEach, describe, expect, it } from "vitest";
-import { COMMAND_KINDS, ERROR_KINDS, GpuBackend, OBJECT_KINDS, TEXTURE_FORMATS } from "../../packages/weft/src/gpu_backend.js";
+import { GpuBackend } from "../../packages/weft/src/gpu_backend.js";
+import { COMMAND_KINDS, ERROR_KINDS, OBJECT_KINDS, TEXTURE_FORMATS } from "../../packages/weft/src/gpu_tables.js";
 import { layouts, type Values } from "./layouts.js";
 
 const { GPUBufferUsage, GPUTextureUsage } = globals as unknown as {

@@ -2,7 +2,8 @@
 // world.ts does.
 import createCore from "./core_module.js";
 import { WeftError } from "./error.js";
-import { ERROR_KINDS, GpuBackend, type Memory } from "./gpu_backend.js";
+import { GpuBackend } from "./gpu_backend.js";
+import { ERROR_KINDS, type Memory } from "./gpu_tables.js";
 
 /** The module as Emscripten makes it. */
 export interface CoreModule extends Memory {

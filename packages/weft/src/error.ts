@@ -1,4 +1,4 @@
-import type { ErrorKind } from "./gpu_backend.js";
+import type { ErrorKind } from "./gpu_tables.js";
 
 /** What went wrong, as one sentence with the value and the limit; `kind` is what a program may act on. */
 export class WeftError extends Error {

@@ -1,62 +1,25 @@
-// The JavaScript side of the browser back end (src/gpu/web/imports.hpp has the C++ side): keeps WebGPU's objects under small
-// numbers, and encodes a frame's flat command lists, read where they lie in the module's memory, in one call.
+// The JavaScript side of the browser back end (src/gpu/web/imports.hpp has the C++ side): the device, its errors and its
+// loss, what is made on it, and the one call that submits a frame.
+import { FrameEncoder } from "./frame_encoder.js";
+import { GpuObjects } from "./gpu_objects.js";
+import { BUFFER_USAGE, ERROR_KINDS, flags, OBJECT_KINDS, TEXTURE_FORMATS, TEXTURE_USAGE, type ErrorKind,
+  type Memory } from "./gpu_tables.js";
 
-/** What the back end needs of the WebAssembly module; views change when its memory grows, so they are read anew. */
-export interface Memory {
-  readonly HEAPU8: Uint8Array;
-  readonly HEAP32: Int32Array;
-  readonly HEAPU32: Uint32Array;
-  readonly HEAPF32: Float32Array;
-  readonly HEAPF64: Float64Array;
-}
-
-/** The kinds of base/result.hpp, in their order. */
-export const ERROR_KINDS = ["failure", "usage", "input", "shape", "shader", "no-adapter", "limit", "out-of-memory",
-  "device-lost", "diverged", "interrupted"] as const;
-export type ErrorKind = (typeof ERROR_KINDS)[number];
-
-// Mirrors of gpu/types.hpp and gpu/command_list.hpp; tests/web/layouts_backend.test.ts compares them.
-export const OBJECT_KINDS = ["none", "buffer", "texture", "texture-view", "sampler", "shader-module",
-  "bind-group-layout", "pipeline-layout", "bind-group", "compute-pipeline", "render-pipeline", "query-set"] as const;
-export const TEXTURE_FORMATS: readonly (GPUTextureFormat | undefined)[] =
-  [undefined, "rgba8unorm-srgb", "bgra8unorm-srgb", "rgba8unorm", "depth32float"];
-export const COMMAND_KINDS = ["begin-compute", "end-compute", "dispatch", "copy-buffer", "clear-buffer",
-  "resolve-queries", "begin-render", "end-render", "draw", "copy-texture"] as const;
-
-const enum Kind { BeginCompute, EndCompute, Dispatch, CopyBuffer, ClearBuffer, ResolveQueries, BeginRender,
-  EndRender, Draw, CopyTexture }
-const COMMAND_WORDS = 16; // kind 0, ids 1 to 3, args 4 to 8, sizes (two words each) 10 to 15
-const TARGET_WORDS = 14; // color, resolve, depth; clear colour (f64) from 4; store_depth 12
-const NO_TIMESTAMP = 0xffffffff;
 const MAP_READY = 2;
 const MAP_FAILED = 3;
 
-type GpuObject = GPUBuffer | GPUTexture | GPUTextureView | GPUSampler | GPUShaderModule | GPUBindGroupLayout |
-  GPUPipelineLayout | GPUBindGroup | GPUComputePipeline | GPURenderPipeline | GPUQuerySet;
-
-const USAGE = { // BufferUsage of gpu/types.hpp, bit by bit, as WebGPU's flags
-  buffer: [0x80, 0x40, 0x04, 0x08, 0x10, 0x100, 0x01, 0x200], // STORAGE … QUERY_RESOLVE
-  texture: [0x10, 0x04, 0x01], // RENDER_ATTACHMENT, TEXTURE_BINDING, COPY_SRC
-};
 const COMPUTE = 4; // GPUShaderStage
 const VERTEX_AND_FRAGMENT = 3;
 const MAP_READ = 1; // GPUMapMode
 
-function flags(bits: number, table: readonly number[]): number {
-  return table.reduce((sum, flag, bit) => (bits & (1 << bit) ? sum | flag : sum), 0);
-}
-
 export class GpuBackend {
   /** The UTF-8 text that the C++ side fetches next. */
   text: Uint8Array = new Uint8Array();
-  /** GPU objects that are alive, for tests of leaks. */
-  alive = 0;
+  readonly objects = new GpuObjects();
   device: GPUDevice | null = null;
   /** Called when the device is lost, unless it was closed. */
   onLost: ((message: string) => void) | null = null;
 
-  private objects: (GpuObject | null)[] = [null];
-  private free: number[] = [];
   private memory: Memory | null = null;
   private errorFlag = 0; // where in memory
   private error: { kind: ErrorKind; message: string } | null = null;
@@ -67,15 +30,9 @@ export class GpuBackend {
   private canvas: GPUCanvasContext | null = null;
   private canvasFormat: GPUTextureFormat = "rgba8unorm";
   private canvasHandle = 0;
-  // Filled in and used again for every pass: a frame makes no objects of its own.
-  private readonly computePass: GPUComputePassDescriptor = {};
-  private readonly color: GPURenderPassColorAttachment = {
-    view: null as unknown as GPUTextureView, loadOp: "clear", storeOp: "store", clearValue: [0, 0, 0, 1] };
-  private readonly depth: GPURenderPassDepthStencilAttachment = {
-    view: null as unknown as GPUTextureView, depthLoadOp: "clear", depthStoreOp: "store", depthClearValue: 1 };
-  private readonly colors: GPURenderPassColorAttachment[] = [];
-  private readonly renderPass: GPURenderPassDescriptor = { colorAttachments: this.colors };
   private readonly canvasView: GPUTextureViewDescriptor = {};
+  private readonly encoder = new FrameEncoder(this.objects, () => this.heap(), {
+    handle: () => this.canvasHandle, view: () => this.canvas!.getCurrentTexture().createView(this.canvasView) });
   private readonly submitted: GPUCommandBuffer[] = [];
 
   constructor(private readonly gpu: GPU | undefined) {}
@@ -90,7 +47,7 @@ export class GpuBackend {
     const view = `${this.canvasFormat}-srgb` as GPUTextureFormat; // light is computed linear and stored as sRGB
     this.canvasView.format = view;
     context.configure({ device, format: this.canvasFormat, viewFormats: [view], alphaMode: "opaque" });
-    if (this.canvasHandle === 0) this.canvasHandle = this.keep({ label: "canvas" } as GPUTextureView);
+    if (this.canvasHandle === 0) this.canvasHandle = this.objects.keep({ label: "canvas" } as GPUTextureView);
     return { handle: this.canvasHandle, format: TEXTURE_FORMATS.indexOf(view) };
   }
 
@@ -159,9 +116,7 @@ export class GpuBackend {
     this.canvas = null;
     this.device?.destroy();
     this.device = null;
-    this.objects = [null];
-    this.free = [];
-    this.alive = 0;
+    this.objects.clear();
     this.maps.clear();
     this.scopesOpen = false;
     this.canvasHandle = 0;
@@ -246,36 +201,19 @@ export class GpuBackend {
     return device;
   }
 
-  private keep(object: GpuObject): number {
-    this.alive += 1;
-    const id = this.free.pop() ?? this.objects.length;
-    this.objects[id] = object;
-    return id;
-  }
-
-  private get<T extends GpuObject>(id: number): T { return this.objects[id] as T; }
-
-  release(kind: number, id: number): void {
-    const object = this.objects[id];
-    if (!object) return;
-    const name = OBJECT_KINDS[kind];
-    if (name === "buffer" || name === "texture" || name === "query-set") (object as GPUBuffer).destroy();
-    this.objects[id] = null;
-    this.free.push(id);
-    this.alive -= 1;
-  }
+  release(kind: number, id: number): void { this.objects.release(kind, id); }
 
   buffer(size: number, usage: number, label: number): number {
-    return this.keep(this.make().createBuffer({ label: this.string(label), size, usage: flags(usage, USAGE.buffer) }));
+    return this.objects.keep(this.make().createBuffer({ label: this.string(label), size, usage: flags(usage, BUFFER_USAGE) }));
   }
 
   write(buffer: number, offset: number, bytes: number, size: number): void {
-    this.need().queue.writeBuffer(this.get<GPUBuffer>(buffer), offset, this.heap().HEAPU8 as Uint8Array<ArrayBuffer>,
+    this.need().queue.writeBuffer(this.objects.get<GPUBuffer>(buffer), offset, this.heap().HEAPU8 as Uint8Array<ArrayBuffer>,
       bytes >>> 0, size);
   }
 
   shaderModule(source: number, label: number): number {
-    return this.keep(this.make().createShaderModule({ label: this.string(label), code: this.string(source) }));
+    return this.objects.keep(this.make().createShaderModule({ label: this.string(label), code: this.string(source) }));
   }
 
   bindGroupLayout(at: number, count: number, render: number, label: number): number {
@@ -286,7 +224,7 @@ export class GpuBackend {
       const entry = { binding: words[(at >>> 2) + 2 * i]!, visibility };
       entries.push({ ...entry, ...this.binding(words[(at >>> 2) + 2 * i + 1]!) });
     }
-    return this.keep(this.make().createBindGroupLayout({ label: this.string(label), entries }));
+    return this.objects.keep(this.make().createBindGroupLayout({ label: this.string(label), entries }));
   }
 
   /** In the order of BindingKind (gpu/types.hpp). */
@@ -304,8 +242,8 @@ export class GpuBackend {
   }
 
   pipelineLayout(layout: number, label: number): number {
-    const bindGroupLayouts = [this.get<GPUBindGroupLayout>(layout)];
-    return this.keep(this.make().createPipelineLayout({ label: this.string(label), bindGroupLayouts }));
+    const bindGroupLayouts = [this.objects.get<GPUBindGroupLayout>(layout)];
+    return this.objects.keep(this.make().createPipelineLayout({ label: this.string(label), bindGroupLayouts }));
   }
 
   bindGroup(layout: number, at: number, count: number, label: number): number {
@@ -313,13 +251,13 @@ export class GpuBackend {
     const entries: GPUBindGroupEntry[] = [];
     for (let i = 0; i < count; i++) {
       const word = (at >>> 2) + 8 * i;
-      const object = this.objects[HEAPU32[word + 2]!]!;
+      const object = this.objects.get<GPUBuffer | GPUTextureView | GPUSampler>(HEAPU32[word + 2]!);
       const resource = OBJECT_KINDS[HEAPU32[word + 1]!] === "buffer"
         ? { buffer: object as GPUBuffer, offset: HEAPF64[(word >>> 1) + 2]!, size: HEAPF64[(word >>> 1) + 3]! }
         : (object as GPUTextureView | GPUSampler);
       entries.push({ binding: HEAPU32[word]!, resource });
     }
-    return this.keep(this.make().createBindGroup({ label: this.string(label), layout: this.get(layout), entries }));
+    return this.objects.keep(this.make().createBindGroup({ label: this.string(label), layout: this.objects.get(layout), entries }));
   }
 
   private constants(at: number, count: number): Record<string, number> {
@@ -331,9 +269,9 @@ export class GpuBackend {
 
   computePipeline(layout: number, module: number, entry: number, constants: number, count: number,
     label: number): number {
-    return this.keep(this.make().createComputePipeline({
-      label: this.string(label), layout: this.get<GPUPipelineLayout>(layout),
-      compute: { module: this.get(module), entryPoint: this.string(entry), constants: this.constants(constants, count) },
+    return this.objects.keep(this.make().createComputePipeline({
+      label: this.string(label), layout: this.objects.get<GPUPipelineLayout>(layout),
+      compute: { module: this.objects.get(module), entryPoint: this.string(entry), constants: this.constants(constants, count) },
     }));
   }
 
@@ -349,9 +287,9 @@ export class GpuBackend {
       alpha: { srcFactor: "one", dstFactor: "one-minus-src-alpha" },
     };
     const fragmentEntry = this.string(at + 48);
-    return this.keep(this.make().createRenderPipeline({
-      label: this.string(label), layout: this.get<GPUPipelineLayout>(layout),
-      vertex: { module: this.get(module), entryPoint: this.string(at + 40), constants },
+    return this.objects.keep(this.make().createRenderPipeline({
+      label: this.string(label), layout: this.objects.get<GPUPipelineLayout>(layout),
+      vertex: { module: this.objects.get(module), entryPoint: this.string(at + 40), constants },
       primitive: { topology: HEAPU32[word] ? "line-list" : "triangle-list", cullMode: HEAPU32[word + 1] ? "back" : "none" },
       multisample: { count: HEAPU32[word + 4]! },
       ...(depth && { depthStencil: {
@@ -359,35 +297,35 @@ export class GpuBackend {
         depthBias: HEAP32[word + 8]!, depthBiasSlopeScale: HEAPF32[word + 9]!,
       } }),
       ...(fragmentEntry && { fragment: {
-        module: this.get(module), entryPoint: fragmentEntry, constants,
+        module: this.objects.get(module), entryPoint: fragmentEntry, constants,
         targets: color ? [{ format: color, ...(HEAPU32[word + 7] && { blend: over }) }] : [],
       } }),
     } as GPURenderPipelineDescriptor));
   }
 
   texture(width: number, height: number, sampleCount: number, format: number, usage: number, label: number): number {
-    return this.keep(this.make().createTexture({
+    return this.objects.keep(this.make().createTexture({
       label: this.string(label), size: [width, height], sampleCount, format: TEXTURE_FORMATS[format]!,
-      usage: flags(usage, USAGE.texture),
+      usage: flags(usage, TEXTURE_USAGE),
     }));
   }
 
   textureView(texture: number, label: number): number {
     this.make();
-    return this.keep(this.get<GPUTexture>(texture).createView({ label: this.string(label) }));
+    return this.objects.keep(this.objects.get<GPUTexture>(texture).createView({ label: this.string(label) }));
   }
 
   sampler(linear: number, repeat: number, comparison: number, label: number): number {
     const filter = linear ? "linear" : "nearest";
     const address = repeat ? "repeat" : "clamp-to-edge";
-    return this.keep(this.make().createSampler({
+    return this.objects.keep(this.make().createSampler({
       label: this.string(label), magFilter: filter, minFilter: filter, addressModeU: address, addressModeV: address,
       ...(comparison && { compare: "less-equal" as const }),
     }));
   }
 
   queries(count: number, label: number): number {
-    return this.keep(this.make().createQuerySet({ label: this.string(label), type: "timestamp", count }));
+    return this.objects.keep(this.make().createQuerySet({ label: this.string(label), type: "timestamp", count }));
   }
 
   // Frames
@@ -398,108 +336,10 @@ export class GpuBackend {
     for (let i = 0; i < count; i++) {
       const word = (lists >>> 2) + 3 * i;
       const words = this.heap().HEAPU32;
-      this.encode(encoder, words[word]! >>> 2, words[word + 1]!, words[word + 2]! >>> 2);
+      this.encoder.encode(encoder, words[word]! >>> 2, words[word + 1]!, words[word + 2]! >>> 2);
     }
     this.submitted[0] = encoder.finish();
     device.queue.submit(this.submitted);
-  }
-
-  private encode(encoder: GPUCommandEncoder, first: number, count: number, targets: number): void {
-    const words = this.heap().HEAPU32 as Uint32Array<ArrayBuffer>;
-    let compute: GPUComputePassEncoder | null = null;
-    let render: GPURenderPassEncoder | null = null;
-    let pipeline = 0; // what is set, so that repeats are left out
-    let group = 0;
-    for (let at = first; at < first + COMMAND_WORDS * count; at += COMMAND_WORDS) {
-      switch ((words[at]! & 0xff) as Kind) {
-        case Kind.BeginCompute:
-          compute = encoder.beginComputePass(this.describeCompute(words, at));
-          pipeline = group = 0;
-          break;
-        case Kind.Dispatch: {
-          if (pipeline !== words[at + 1]) {
-            pipeline = words[at + 1]!;
-            compute!.setPipeline(this.get<GPUComputePipeline>(pipeline));
-          }
-          const readsStep = words[at + 8] !== 0;
-          if (readsStep) compute!.setBindGroup(0, this.get<GPUBindGroup>(words[at + 2]!), words, at + 7, 1);
-          else if (group !== words[at + 2]) compute!.setBindGroup(0, this.get<GPUBindGroup>(words[at + 2]!));
-          group = words[at + 2]!;
-          compute!.dispatchWorkgroups(words[at + 4]!, words[at + 5]!, words[at + 6]!);
-          break;
-        }
-        case Kind.EndCompute:
-          compute!.end();
-          break;
-        case Kind.CopyBuffer:
-          encoder.copyBufferToBuffer(this.get<GPUBuffer>(words[at + 1]!), size(words, at + 10),
-            this.get<GPUBuffer>(words[at + 2]!), size(words, at + 12), size(words, at + 14));
-          break;
-        case Kind.ClearBuffer:
-          encoder.clearBuffer(this.get<GPUBuffer>(words[at + 1]!), size(words, at + 10), size(words, at + 12));
-          break;
-        case Kind.ResolveQueries:
-          encoder.resolveQuerySet(this.get<GPUQuerySet>(words[at + 1]!), 0, words[at + 4]!,
-            this.get<GPUBuffer>(words[at + 2]!), 0);
-          break;
-        case Kind.BeginRender:
-          render = encoder.beginRenderPass(this.describeRender(words, targets + TARGET_WORDS * words[at + 4]!));
-          break;
-        case Kind.Draw:
-          render!.setPipeline(this.get<GPURenderPipeline>(words[at + 1]!));
-          render!.setBindGroup(0, this.get<GPUBindGroup>(words[at + 2]!));
-          if (words[at + 3] === 0) {
-            render!.draw(words[at + 4]!, words[at + 5]!, words[at + 6]!);
-          } else {
-            render!.setIndexBuffer(this.get<GPUBuffer>(words[at + 3]!), "uint32");
-            render!.drawIndexed(words[at + 4]!, words[at + 5]!, words[at + 6]!);
-          }
-          break;
-        case Kind.EndRender:
-          render!.end();
-          break;
-        case Kind.CopyTexture:
-          encoder.copyTextureToBuffer({ texture: this.get<GPUTexture>(words[at + 1]!) },
-            { buffer: this.get<GPUBuffer>(words[at + 2]!), bytesPerRow: words[at + 6]!, rowsPerImage: words[at + 5]! },
-            [words[at + 4]!, words[at + 5]!]);
-          break;
-      }
-    }
-  }
-
-  private describeCompute(words: Uint32Array, at: number): GPUComputePassDescriptor {
-    if (words[at + 1] === 0) return this.computePass;
-    const time = (word: number) => (words[word] === NO_TIMESTAMP ? undefined : words[word]);
-    return { timestampWrites: { querySet: this.get<GPUQuerySet>(words[at + 1]!),
-      beginningOfPassWriteIndex: time(at + 5), endOfPassWriteIndex: time(at + 6) } } as GPUComputePassDescriptor;
-  }
-
-  private describeRender(words: Uint32Array, at: number): GPURenderPassDescriptor {
-    const [color, resolve, depth] = [words[at]!, words[at + 1]!, words[at + 2]!];
-    this.colors.length = 0;
-    if (color !== 0) {
-      this.color.view = this.view(color);
-      this.color.storeOp = resolve !== 0 ? "discard" : "store";
-      if (resolve !== 0) this.color.resolveTarget = this.view(resolve);
-      else delete this.color.resolveTarget;
-      const clear = this.heap().HEAPF64;
-      const rgba = this.color.clearValue as number[];
-      for (let i = 0; i < 4; i++) rgba[i] = clear[(at >>> 1) + 2 + i]!;
-      this.colors.push(this.color);
-    }
-    if (depth !== 0) {
-      this.depth.view = this.view(depth);
-      this.depth.depthStoreOp = words[at + 12]! & 0xff ? "store" : "discard";
-      this.renderPass.depthStencilAttachment = this.depth;
-    } else {
-      delete this.renderPass.depthStencilAttachment;
-    }
-    return this.renderPass;
-  }
-
-  private view(id: number): GPUTextureView {
-    if (id !== this.canvasHandle) return this.get<GPUTextureView>(id);
-    return this.canvas!.getCurrentTexture().createView(this.canvasView);
   }
 
   // Bytes that come back
@@ -510,14 +350,14 @@ export class GpuBackend {
       if (generation === this.generation) this.heap().HEAPU32[state >>> 2] = value;
     };
     if (this.lost !== null) return settle(MAP_FAILED);
-    const mapped: Promise<void> = this.get<GPUBuffer>(buffer).mapAsync(MAP_READ, 0, bytes)
+    const mapped: Promise<void> = this.objects.get<GPUBuffer>(buffer).mapAsync(MAP_READ, 0, bytes)
       .then(() => settle(MAP_READY), () => settle(MAP_FAILED))
       .then(() => void this.maps.delete(mapped));
     this.maps.add(mapped);
   }
 
   takeMapped(buffer: number, target: number, size: number): void {
-    const object = this.get<GPUBuffer>(buffer);
+    const object = this.objects.get<GPUBuffer>(buffer);
     try {
       this.heap().HEAPU8.set(new Uint8Array(object.getMappedRange(0, size)), target >>> 0);
       object.unmap();
@@ -552,6 +392,3 @@ export class GpuBackend {
 
   private setText(text: string): void { this.text = new TextEncoder().encode(text); }
 }
-
-/** A u64 of the module's memory; all of weft's are below 2^53. */
-function size(words: Uint32Array, at: number): number { return words[at]! + words[at + 1]! * 0x100000000; }

@@ -2,7 +2,7 @@
 import { Core } from "./core.js";
 import { WeftError } from "./error.js";
 import { changeLines, sceneText, unpacked, type Scene } from "./scene.js";
-import type { SceneOptions, WorldInfo } from "./world.js";
+import type { SceneOptions, WorldInfo } from "./world_types.js";
 
 export interface ReferenceOptions extends SceneOptions {
   scene: Scene;

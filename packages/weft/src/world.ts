@@ -1,100 +1,8 @@
 import { Core } from "./core.js";
 import { WeftError } from "./error.js";
-import { changeLines, sceneText, unpacked, type Bytes, type Scene } from "./scene.js";
-
-export const VIEWS = ["textured", "wireframe", "normals", "stretch"] as const;
-export type View = (typeof VIEWS)[number];
-/** Metres. */
-export type Point = readonly [x: number, y: number, z: number];
-
-export interface SceneOptions {
-  /** Mesh files by the name that the scene gives them; those of earlier scenes are still known. */
-  meshes?: Readonly<Record<string, Bytes>>;
-  /** Changes before the scene is checked, by dotted key: `{ "cloths.0.grid": [128, 128] }`. */
-  set?: Readonly<Record<string, unknown>>;
-}
-
-export interface WorldOptions extends SceneOptions {
-  scene: Scene;
-  /** Where to draw; null: nowhere, as in Node and in tests. */
-  canvas: HTMLCanvasElement | OffscreenCanvas | null;
-  /** Default: that of the browser. In Node: `create([])` of the package `webgpu`. */
-  gpu?: GPU;
-  /** Part of the adapter's name; another adapter is refused. */
-  adapter?: string;
-  view?: View;
-}
-
-/** What was loaded. */
-export interface WorldInfo {
-  adapter: string;
-  nodes: number;
-  triangles: number;
-  springs: number;
-  /** Steps a frame, and how long each is and may be [s]. */
-  substeps: number;
-  stepSeconds: number;
-  stableStepSeconds: number;
-  /** Simulated time of a frame [s]. */
-  frameSeconds: number;
-  /** Frames that the scene asks for. */
-  frames: number;
-  /** Triangles of obstacles without area, left out. */
-  droppedTriangles: number;
-  gpuBytes: number;
-}
-
-/** What the frames so far have reported; up to three frames old. */
-export interface Statistics {
-  frames: number;
-  /** Simulated time [s]. */
-  seconds: number;
-  contacts: number;
-  contactHash: number;
-  contactOverflow: number;
-  /** Largest length / rest length at the end of any frame. */
-  maxStretch: number;
-  nonfinite: number;
-}
-
-export interface Snapshot {
-  /** x, y, z of every node in model order [m], then [m/s]. */
-  positions: Float32Array;
-  velocities: Float32Array;
-  /** XXH3-64 of the bits of the state: equal on every host with the same adapter. */
-  hash: string;
-}
-
-export interface Pick {
-  node: number;
-  /** Where the ray meets the cloth [m]. */
-  point: Point;
-}
-
-export interface Camera {
-  eye: Point;
-  target: Point;
-  /** Vertical field of view [degrees]. */
-  fov: number;
-}
-
-/** Bytes and objects that are in use. */
-export interface MemoryUse {
-  wasmHeap: number;
-  wasmSize: number;
-  gpuBytes: number;
-  gpuObjects: number;
-}
-
-interface Events {
-  /** After a tick of run in which a frame was simulated or drawn. */
-  frame: Readonly<Statistics>;
-  /**
-   * Something failed that no promise tells of: while running, or the device was lost. The world is paused. After
-   * "device-lost", `recover` starts anew.
-   */
-  error: WeftError;
-}
+import { changeLines, sceneText, unpacked, type Scene } from "./scene.js";
+import { VIEWS, type Camera, type Events, type MemoryUse, type Pick, type Point, type SceneOptions, type Snapshot,
+  type Statistics, type View, type WorldInfo, type WorldOptions } from "./world_types.js";
 
 /** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
 export async function createWorld(options: WorldOptions): Promise<World> {
@@ -352,7 +260,7 @@ export class World {
       wasmHeap: this.core.call("heap_bytes"), // what the module's allocator has given out
       wasmSize: this.core.module.HEAPU8.length,
       gpuBytes: this.current ? this.core.call("gpu_bytes") : 0,
-      gpuObjects: this.core.backend.alive,
+      gpuObjects: this.core.backend.objects.alive,
     };
   }
 

@@ -46,7 +46,7 @@ static_assert(sizeof(RenderTarget) == kRenderTargetLayout.size &&
               offsetof(RenderTarget, clear_color) == kRenderTargetLayout.clear_color &&
               offsetof(RenderTarget, store_depth) == kRenderTargetLayout.store_depth);
 
-/// A command list as gpu_backend.ts walks it.
+/// A command list as frame_encoder.ts walks it.
 struct ListView {
   const Command* commands;
   std::uint32_t command_count;
