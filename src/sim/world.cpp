@@ -215,11 +215,15 @@ Result<void> World::take(Report& report) {
     return make_error(ErrorKind::DeviceLost, "The report of frame %u did not arrive.", report.frame);
   }
   totals_.nonfinite = statistics.nonfinite;
-  if (statistics.nonfinite != 0)
-    return make_error(ErrorKind::Diverged,
-                      "In frame %u the state of %u of %u nodes is not finite; the state is frozen as it was "
-                      "before that frame.",
-                      report.frame, statistics.nonfinite, model_.vertex_count());
+  if (statistics.nonfinite != 0) {
+    if (!diverged_)  // the frames after the first bad one say the same
+      diverged_ =
+          make_error(ErrorKind::Diverged,
+                     "In frame %u the state of %u of %u nodes is not finite; the state is frozen as it "
+                     "was before that frame.",
+                     report.frame, statistics.nonfinite, model_.vertex_count());
+    return *diverged_;
+  }
   ++totals_.frames;
   totals_.contacts += statistics.hits;
   totals_.contact_hash += statistics.hit_hash;
@@ -240,6 +244,7 @@ Result<void> World::reset() {
   frame_ = 0;
   parity_ = 0;
   totals_ = {};
+  diverged_.reset();
   return submit_rest();
 }
 

@@ -141,6 +141,7 @@ class World {
   FrameSteps steps_;
   std::vector<Vec4f> motion_rows_;  // of one frame; kept so that a frame allocates nothing
   Totals totals_;
+  std::optional<Error> diverged_;  // of the first bad frame
 };
 
 }  // namespace weft::sim

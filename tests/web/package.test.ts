@@ -214,6 +214,7 @@ describe("a world", () => {
     const world = await open({ set: { ...small, "time.substeps": 1 } });
     const error = await failure(world.step(400));
     expect(error.kind).toBe("diverged");
+    expect((await failure(world.step(0))).message).toBe(error.message); // not that of a later frame
     expect((await world.positions()).every(Number.isFinite)).toBe(true);
   });
 });

@@ -95,7 +95,9 @@ export class Player {
   private adopt(world: World): void {
     this.open_ = world;
     world.on("frame", (statistics) => this.events.frame(statistics));
-    world.on("error", (error) => void this.fail(error));
+    world.on("error", (error) => { // what the scene before still has to say is of no interest while another loads
+      if (this.scene || error.kind === "device-lost") void this.fail(error);
+    });
     this.watch(world);
   }
 
