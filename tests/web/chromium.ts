@@ -18,6 +18,10 @@ const PACKAGE = "/packages/weft/build/index.js";
 export const SOFTWARE_FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan",
   "--use-vulkan=swiftshader", "--use-angle=vulkan"];
 
+export function launch(flags: readonly string[], executablePath = "/usr/bin/chromium"): Promise<Browser> {
+  return chromium.launch({ executablePath, args: ["--headless=new", "--no-sandbox", ...flags] });
+}
+
 export interface Harness {
   page: Page;
   /** What the page said that it should not have: console errors, page errors, requests to elsewhere. */
@@ -28,13 +32,11 @@ export interface Harness {
 }
 
 /** A page with window.weft and a canvas of 640 x 400, on an origin that serves the repository. */
-export async function openPage(flags: readonly string[] = SOFTWARE_FLAGS,
-  executablePath = "/usr/bin/chromium"): Promise<Harness> {
+export async function openPage(flags: readonly string[] = SOFTWARE_FLAGS, executablePath?: string): Promise<Harness> {
   const scripts = new Map<string, string>();
   const server = await serve(scripts);
   const origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
-  const browser: Browser = await chromium.launch({ executablePath,
-    args: ["--headless=new", "--no-sandbox", ...flags] });
+  const browser = await launch(flags, executablePath);
   const page = await browser.newPage({ viewport: { width: 700, height: 460 } });
   const complaints: string[] = [];
   page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });

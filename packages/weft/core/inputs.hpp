@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,8 +35,32 @@ class Meshes {
 /// Those of this module.
 Meshes& meshes();
 
-/// Refuses what would end the module for want of memory: a failed allocation is a trap. Errors  Limit.
-Result<void> check_room(const scene::Scene& scene, const sim::Assets& assets, std::uint64_t bytes_per_node);
+/// A scene and its meshes, read and checked.
+struct Inputs {
+  scene::Scene scene;
+  sim::Assets assets;
+};
+/// Reads a scene with its changes, and finds its meshes. What would end the module for want of memory is
+/// refused, since a failed allocation is a trap: `bytes_per_node` are needed. Errors  Input, Limit.
+Result<Inputs> read_inputs(const std::string& text, std::span<const scene::Override> changes,
+                           std::uint64_t bytes_per_node);
+
+/// What was loaded, as the JSON that a world and a reference have in common. `Running` is either.
+template <class Running>
+nlohmann::ordered_json describe(const Running& running, std::size_t nodes, std::size_t triangles,
+                                std::size_t dropped_triangles) {
+  nlohmann::ordered_json json;
+  json["nodes"] = nodes;
+  json["triangles"] = triangles;
+  json["springs"] = running.spring_count();
+  json["substeps"] = running.substeps();
+  json["frameSeconds"] = running.scene().time.frame;
+  json["stepSeconds"] = running.step();
+  json["stableStepSeconds"] = running.step_limit().largest_step;
+  json["frames"] = running.scene().time.frames;
+  json["droppedTriangles"] = dropped_triangles;
+  return json;
+}
 
 /// Lines of KEY=JSON. Errors  Usage: a line has no equals sign.
 Result<std::vector<scene::Override>> parse_changes(const std::string& lines);

@@ -2,14 +2,11 @@
 // of bindings.cpp; none sleeps.
 #include <emscripten.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "inputs.hpp"
 #include "message.hpp"
 #include "reference/simulation.hpp"
-#include "scene/load.hpp"
-#include "sim/assets.hpp"
 
 namespace {
 
@@ -26,13 +23,10 @@ std::vector<weft::Vec3f> positions;  // as f32, kept until the next call
 weft::Result<void> load(const std::string& text, const std::string& lines) {
   simulation.reset();
   WEFT_TRY(changes, weft::web::parse_changes(lines));
-  WEFT_TRY(scene, weft::scene::parse_scene(text, weft::web::kSceneName, changes));
-  const auto find_mesh = [](const std::string& name) { return weft::web::meshes().find(name); };
-  WEFT_TRY(assets, weft::sim::load_assets(scene, find_mesh));
-  WEFT_CHECK(weft::web::check_room(scene, assets, kBytesPerNode));
-  WEFT_TRY(made, Simulation::create(scene, assets.cloths, assets.objects));
+  WEFT_TRY(inputs, weft::web::read_inputs(text, changes, kBytesPerNode));
+  WEFT_TRY(made, Simulation::create(inputs.scene, inputs.assets.cloths, inputs.assets.objects));
   simulation.emplace(std::move(made));
-  dropped_triangles = assets.dropped_triangles;
+  dropped_triangles = inputs.assets.dropped_triangles;
   return {};
 }
 
@@ -46,17 +40,9 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reference_load(const char* scene, std::u
 }
 /// What was loaded, as JSON.
 EMSCRIPTEN_KEEPALIVE void weft_reference_describe() {
-  nlohmann::ordered_json json;
-  json["nodes"] = simulation->positions().size();
-  json["triangles"] = simulation->triangles().size();
-  json["springs"] = simulation->spring_count();
-  json["substeps"] = simulation->substeps();
-  json["frameSeconds"] = simulation->scene().time.frame;
-  json["stepSeconds"] = simulation->step();
-  json["stableStepSeconds"] = simulation->step_limit().largest_step;
-  json["frames"] = simulation->scene().time.frames;
-  json["droppedTriangles"] = dropped_triangles;
-  message = json.dump();
+  message = weft::web::describe(*simulation, simulation->positions().size(), simulation->triangles().size(),
+                                dropped_triangles)
+                .dump();
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reference_advance() {
   return weft::web::code(simulation->advance_frame());

@@ -1,7 +1,6 @@
 #include "session.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "inputs.hpp"
 #include "mesh/obj.hpp"
@@ -32,8 +31,6 @@ void Session::close() {
   device_.reset();
 }
 
-Result<scene::Scene> Session::parse() const { return scene::parse_scene(text_, kSceneName, changes_); }
-
 Result<void> Session::load(const std::string& text, const std::string& changes) {
   if (!device_) return make_error(ErrorKind::DeviceLost, "There is no GPU device; open one first.");
   auto built = build(text, changes);
@@ -53,12 +50,9 @@ Result<void> Session::build(const std::string& text, const std::string& changes)
   text_ = text;
   WEFT_TRY(parsed, parse_changes(changes));
   changes_ = std::move(parsed);
-  WEFT_TRY(scene, parse());
-  const auto find_mesh = [](const std::string& name) { return meshes().find(name); };
-  WEFT_TRY(assets, sim::load_assets(scene, find_mesh));
-  WEFT_CHECK(check_room(scene, assets, kHostBytesPerNode));
+  WEFT_TRY(inputs, read_inputs(text_, changes_, kHostBytesPerNode));
   WEFT_CHECK(device_->status());
-  WEFT_TRY(world, sim::World::create(*device_, std::move(scene), assets));
+  WEFT_TRY(world, sim::World::create(*device_, std::move(inputs.scene), inputs.assets));
   world_ = std::move(world);
   if (canvas_.target == 0) return {};
   WEFT_TRY(view, View::create(*world_, canvas_, shown_));
@@ -70,7 +64,7 @@ Result<void> Session::set(const std::string& key, const std::string& value) {
   std::vector<scene::Override> before = changes_;
   changes_.push_back({key, value});
   const auto changed = [this]() -> Result<void> {
-    WEFT_TRY(scene, parse());
+    WEFT_TRY(scene, scene::parse_scene(text_, kSceneName, changes_));
     return world_->change(scene);
   }();
   if (!changed) {
@@ -140,17 +134,9 @@ Result<void> Session::export_mesh(const std::string& format) {
 
 std::string Session::describe() const {
   const sim::World& world = *world_;
-  nlohmann::ordered_json json;
+  nlohmann::ordered_json json = web::describe(
+      world, world.model().vertex_count(), world.model().triangle_count(), world.assets().dropped_triangles);
   json["adapter"] = device_->adapter().name;
-  json["nodes"] = world.model().vertex_count();
-  json["triangles"] = world.model().triangle_count();
-  json["springs"] = world.spring_count();
-  json["substeps"] = world.substeps();
-  json["frameSeconds"] = world.scene().time.frame;
-  json["stepSeconds"] = world.step();
-  json["stableStepSeconds"] = world.step_limit().largest_step;
-  json["frames"] = world.scene().time.frames;
-  json["droppedTriangles"] = world.assets().dropped_triangles;
   json["gpuBytes"] = device_->allocated_bytes();
   return json.dump();
 }

@@ -49,7 +49,6 @@ class Session {
 
  private:
   Result<void> build(const std::string& text, const std::string& changes);
-  Result<scene::Scene> parse() const;
 
   std::unique_ptr<gpu::Device> device_;
   std::string text_;

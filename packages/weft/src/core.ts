@@ -1,9 +1,10 @@
-// The WebAssembly module as typed calls (packages/weft/core/bindings.cpp is the other side). Knows nothing of scenes:
-// world.ts does.
+// The WebAssembly module as typed calls (packages/weft/core/bindings.cpp is the other side). What scenes
+// are, world.ts and reference.ts know.
 import createCore from "./core_module.js";
 import { WeftError } from "./error.js";
 import { GpuBackend } from "./gpu_backend.js";
 import { ERROR_KINDS, type Memory } from "./gpu_tables.js";
+import { unpacked, type Bytes } from "./scene.js";
 
 /** The module as Emscripten makes it. */
 export interface CoreModule extends Memory {
@@ -131,15 +132,18 @@ export class Core {
     return new TextDecoder().decode(this.module.HEAPU8.slice(at, at + this.module._weft_message_size!()));
   }
 
-  /** Hands bytes over for one call of `use`. */
-  withBytes<T>(bytes: Uint8Array, use: (at: number, size: number) => T): T {
-    const at = this.module._malloc(Math.max(bytes.length, 1));
-    if (at === 0) throw new WeftError("out-of-memory", `The module has no room for ${bytes.length} bytes.`);
-    this.module.HEAPU8.set(bytes, at >>> 0);
-    try {
-      return use(at, bytes.length);
-    } finally {
-      this.module._free(at);
+  /** Hands over mesh files by the name that scenes give them, packed or not. In a turn. */
+  async addMeshes(meshes: Readonly<Record<string, Bytes>>): Promise<void> {
+    for (const [name, packed] of Object.entries(meshes)) {
+      const bytes = await unpacked(packed);
+      const at = this.module._malloc(Math.max(bytes.length, 1));
+      if (at === 0) throw new WeftError("out-of-memory", `The module has no room for ${bytes.length} bytes.`);
+      this.module.HEAPU8.set(bytes, at >>> 0);
+      try {
+        this.check("add_mesh", name, at, bytes.length);
+      } finally {
+        if (!this.dead) this.module._free(at);
+      }
     }
   }
 

@@ -28,7 +28,6 @@ export class GpuBackend {
   private maps = new Set<Promise<void>>();
   private generation = 0; // of the device: callbacks of an older one are void
   private canvas: GPUCanvasContext | null = null;
-  private canvasFormat: GPUTextureFormat = "rgba8unorm";
   private canvasHandle = 0;
   private readonly canvasView: GPUTextureViewDescriptor = {};
   private readonly encoder = new FrameEncoder(this.objects, () => this.heap(), {
@@ -43,10 +42,10 @@ export class GpuBackend {
   attachCanvas(context: GPUCanvasContext): { handle: number; format: number } {
     const device = this.need();
     this.canvas = context;
-    this.canvasFormat = this.gpu!.getPreferredCanvasFormat();
-    const view = `${this.canvasFormat}-srgb` as GPUTextureFormat; // light is computed linear and stored as sRGB
+    const plain = this.gpu!.getPreferredCanvasFormat();
+    const view = `${plain}-srgb` as GPUTextureFormat; // light is computed linear and stored as sRGB
     this.canvasView.format = view;
-    context.configure({ device, format: this.canvasFormat, viewFormats: [view], alphaMode: "opaque" });
+    context.configure({ device, format: plain, viewFormats: [view], alphaMode: "opaque" });
     if (this.canvasHandle === 0) this.canvasHandle = this.objects.keep({ label: "canvas" } as GPUTextureView);
     return { handle: this.canvasHandle, format: TEXTURE_FORMATS.indexOf(view) };
   }

@@ -1,7 +1,7 @@
 // A scene on the CPU, in double: slow, but with the same bits in every browser, and without WebGPU.
 import { Core } from "./core.js";
 import { WeftError } from "./error.js";
-import { changeLines, sceneText, unpacked, type Scene } from "./scene.js";
+import { changeLines, sceneText, type Scene } from "./scene.js";
 import type { SceneOptions, WorldInfo } from "./world_types.js";
 
 export interface ReferenceOptions extends SceneOptions {
@@ -14,10 +14,7 @@ export type ReferenceInfo = Omit<WorldInfo, "adapter" | "gpuBytes">;
 /** Builds the scene at rest. Needs no WebGPU. */
 export async function createReference({ scene, meshes = {}, set = {} }: ReferenceOptions): Promise<Reference> {
   const core = await Core.create(undefined);
-  for (const [name, bytes] of Object.entries(meshes)) {
-    const plain = await unpacked(bytes);
-    core.withBytes(plain, (at, size) => core.check("add_mesh", name, at, size));
-  }
+  await core.addMeshes(meshes);
   core.check("reference_load", sceneText(scene), changeLines(set));
   return new Reference(core);
 }

@@ -1,6 +1,6 @@
 import { Core } from "./core.js";
 import { WeftError } from "./error.js";
-import { changeLines, sceneText, unpacked, type Scene } from "./scene.js";
+import { changeLines, sceneText, type Scene } from "./scene.js";
 import { VIEWS, type Camera, type Events, type MemoryUse, type Pick, type Point, type SceneOptions, type Snapshot,
   type Statistics, type View, type WorldInfo, type WorldOptions } from "./world_types.js";
 
@@ -85,10 +85,7 @@ export class World {
     await this.core.turn(async () => {
       this.current = null;
       this.scene = { scene, set };
-      for (const [name, bytes] of Object.entries(meshes)) {
-        const plain = await unpacked(bytes);
-        this.core.withBytes(plain, (at, size) => this.core.check("add_mesh", name, at, size));
-      }
+      await this.core.addMeshes(meshes);
       await this.core.sleepNow("load", [sceneText(scene), changeLines(set)]);
       this.core.call("describe");
       this.current = JSON.parse(this.core.text()) as WorldInfo;

@@ -1,17 +1,15 @@
 // The built page, served as its users get it, in a Chromium whose GPU is SwiftShader.
 import { existsSync } from "node:fs";
 import { join } from "node:path";
-import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import { preview } from "vite";
+import { afterAll, beforeAll } from "vitest";
+import { launch, SOFTWARE_FLAGS } from "../chromium.ts";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
 const WEB = join(import.meta.dirname, "../../../apps/web");
-const WITH_GPU = ["--headless=new", "--no-sandbox", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader",
-  "--enable-features=Vulkan", "--use-vulkan=swiftshader", "--use-angle=vulkan"];
-const WITHOUT_GPU = ["--headless=new", "--no-sandbox"];
-
 export interface Site {
   readonly address: string;
   close(): Promise<void>;
@@ -27,8 +25,18 @@ export async function serve(): Promise<Site> {
   return { address: `http://127.0.0.1:${at.port}/`, close: () => server.close() };
 }
 
-export function launch(gpu: boolean): Promise<Browser> {
-  return chromium.launch({ executablePath: "/usr/bin/chromium", args: gpu ? WITH_GPU : WITHOUT_GPU });
+/** The site and a browser with WebGPU for all tests of a file. */
+export function opened(): { readonly site: Site; readonly browser: Browser } {
+  const here = {} as { site: Site; browser: Browser };
+  beforeAll(async () => {
+    here.site = await serve();
+    here.browser = await launch(SOFTWARE_FLAGS);
+  });
+  afterAll(async () => {
+    await here.browser.close();
+    await here.site.close();
+  });
+  return here;
 }
 
 /** A page that keeps what went wrong on it, and where it asked for what. */

@@ -1,27 +1,19 @@
-import type { Browser, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { difference, expectClean, frames, launch, picture, play, ready, running, serve, until, visit, type Site,
-  type Visit } from "./browser.js";
+import { difference, expectClean, frames, opened, picture, play, ready, running, until, visit, type Visit } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
-let site: Site;
-let browser: Browser;
+const here = opened();
 let seen: Visit;
 let page: Page;
 beforeAll(async () => {
-  site = await serve();
-  browser = await launch(true);
-  seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`);
+  seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=24`);
   page = seen.page;
   await ready(page);
 });
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-  expectClean(seen, site);
-});
+afterAll(() => expectClean(seen, here.site));
 
 const view = () => page.evaluate(() => window.weft.world!.view);
 const checked = () => page.locator("#views :checked").getAttribute("value");
@@ -96,7 +88,7 @@ test("another resolution and another scene are loaded, and the page's address na
 });
 
 test("another scene is loaded at its own resolution, and an address opens the one it names", async () => {
-  await page.goto(`${site.address}?scene=pull-sphere&nodes=24`);
+  await page.goto(`${here.site.address}?scene=pull-sphere&nodes=24`);
   await ready(page);
   expect(await page.locator("#scene").inputValue()).toBe("pull-sphere");
   expect(await page.evaluate(() => window.weft.world!.info.nodes)).toBe(576);
@@ -107,7 +99,7 @@ test("another scene is loaded at its own resolution, and an address opens the on
 });
 
 test("the wind of a scene that has one can be set", async () => {
-  await page.goto(`${site.address}?scene=breeze&nodes=24`);
+  await page.goto(`${here.site.address}?scene=breeze&nodes=24`);
   await ready(page);
   const wind = page.getByLabel("Wind");
   const before = Number(await wind.inputValue());

@@ -2,8 +2,9 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { brightness, difference, expectClean, frames, launch, picture, play, ready, running, serve, until, visit,
+import { brightness, difference, expectClean, frames, picture, play, ready, running, serve, until, visit,
   type Site } from "./browser.js";
+import { launch, SOFTWARE_FLAGS } from "../chromium.ts";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
@@ -13,7 +14,7 @@ beforeAll(async () => { site = await serve(); });
 afterAll(() => site.close());
 
 async function withBrowser(gpu: boolean, use: (browser: Browser) => Promise<void>): Promise<void> {
-  const browser = await launch(gpu);
+  const browser = await launch(gpu ? SOFTWARE_FLAGS : []);
   try {
     await use(browser);
   } finally {

@@ -1,17 +1,8 @@
-import type { Browser, Page } from "playwright-core";
-import { afterAll, beforeAll, expect, test } from "vitest";
-import { expectClean, launch, ready, serve, visit, type Site } from "./browser.js";
+import type { Page } from "playwright-core";
+import { expect, test } from "vitest";
+import { expectClean, opened, ready, visit } from "./browser.js";
 
-let site: Site;
-let browser: Browser;
-beforeAll(async () => {
-  site = await serve();
-  browser = await launch(true);
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
+const here = opened();
 
 /** Controls that are too small to touch, stick out of the window or have no name. */
 const badControls = (page: Page) => page.evaluate(() => {
@@ -56,7 +47,7 @@ const faintTexts = (page: Page) => page.evaluate(() => {
 for (const [device, viewport] of [["desktop", { width: 1024, height: 600 }], ["phone", { width: 360, height: 640 }]] as const)
   for (const colorScheme of ["dark", "light"] as const)
     test(`on a ${colorScheme} ${device} every control has a name, room and contrast`, async () => {
-      const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`, { viewport, colorScheme, reducedMotion: "reduce" });
+      const seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=24`, { viewport, colorScheme, reducedMotion: "reduce" });
       const { page } = seen;
       await ready(page);
       expect(await badControls(page)).toEqual([]);
@@ -69,12 +60,12 @@ for (const [device, viewport] of [["desktop", { width: 1024, height: 600 }], ["p
       expect(await page.locator("#canvas").evaluate((canvas: HTMLCanvasElement) =>
         [canvas.width - Math.round(canvas.clientWidth * devicePixelRatio), canvas.height - Math.round(canvas.clientHeight * devicePixelRatio)]))
         .toEqual([0, 0]);
-      expectClean(seen, site);
+      expectClean(seen, here.site);
       await page.context().close();
     });
 
 test("the page comes with the headers that confine it", async () => {
-  const { headers } = await fetch(site.address);
+  const { headers } = await fetch(here.site.address);
   expect(headers.get("content-security-policy")).toContain("script-src 'self' 'wasm-unsafe-eval'");
   expect(headers.get("cross-origin-opener-policy")).toBe("same-origin");
   expect(headers.get("cross-origin-embedder-policy")).toBe("require-corp");

@@ -1,25 +1,15 @@
-import type { Browser } from "playwright-core";
-import { afterAll, beforeAll, expect, test } from "vitest";
-import { brightness, difference, expectClean, frames, hash, launch, picture, play, positions, ready, running, serve,
-  visit, type Site } from "./browser.js";
+import { expect, test } from "vitest";
+import { brightness, difference, expectClean, frames, hash, opened, picture, play, positions, ready, running,
+  visit } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
-let site: Site;
-let browser: Browser;
-beforeAll(async () => {
-  site = await serve();
-  browser = await launch(true);
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
+const here = opened();
 
 for (const [scene, nodes, moved] of [["hanging", 24, 0.01], ["pull-sphere", 32, 0.002]] as const)
   test(`${scene} is drawn and moves`, async () => {
-    const seen = await visit(browser, `${site.address}?scene=${scene}&nodes=${nodes}`);
+    const seen = await visit(here.browser, `${here.site.address}?scene=${scene}&nodes=${nodes}`);
     const { page } = seen;
     await ready(page);
     expect(await page.evaluate(() => window.weft.world!.info.nodes)).toBe(nodes * nodes);
@@ -36,12 +26,12 @@ for (const [scene, nodes, moved] of [["hanging", 24, 0.01], ["pull-sphere", 32, 
       expect(deviation).toBeGreaterThan(8); // nor a single colour
     }
     expect(difference(before.picture, after.picture)).toBeGreaterThan(0.002);
-    expectClean(seen, site);
+    expectClean(seen, here.site);
     await page.context().close();
   });
 
 test("with reduced motion the cloth waits, and reset restores its rest state to the bit", async () => {
-  const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`, { reducedMotion: "reduce" });
+  const seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=24`, { reducedMotion: "reduce" });
   const { page } = seen;
   await ready(page);
   await page.waitForTimeout(300);
@@ -56,6 +46,6 @@ test("with reduced motion the cloth waits, and reset restores its rest state to 
   await page.getByRole("button", { name: "Reset", exact: true }).click();
   expect(await hash(page)).toBe(rest);
   expect(await frames(page)).toBe(0);
-  expectClean(seen, site);
+  expectClean(seen, here.site);
   await page.context().close();
 });

@@ -1,29 +1,20 @@
-import type { Browser, Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, beforeEach, expect, test } from "vitest";
-import { expectClean, launch, play, ready, serve, until, visit, type Site, type Visit } from "./browser.js";
+import type { Page } from "playwright-core";
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { expectClean, opened, play, ready, until, visit, type Visit } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
-let site: Site;
-let browser: Browser;
+const here = opened();
 let seen: Visit;
 let page: Page;
-beforeAll(async () => {
-  site = await serve();
-  browser = await launch(true);
-});
-afterAll(async () => {
-  await browser.close();
-  await site.close();
-});
 beforeEach(async () => {
-  seen = await visit(browser, `${site.address}?scene=hanging&nodes=${NODES}`, { reducedMotion: "reduce" });
+  seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=${NODES}`, { reducedMotion: "reduce" });
   page = seen.page;
   await ready(page);
 });
 afterEach(async () => {
-  expectClean(seen, site);
+  expectClean(seen, here.site);
   await page.context().close();
 });
 
