@@ -61,6 +61,13 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["contacts"] = totals.contacts;
   json["contact_hash"] = totals.contact_hash;
   json["contact_overflow"] = totals.contact_overflow;
+  if (world.scene().contact.method == scene::ContactMethod::Proximity) {
+    json["detections"] = totals.detections;
+    json["pairs"] = totals.pairs;
+    json["crossings"] = totals.crossings;
+    json["truncated"] = totals.truncated;
+    json["repeated_frames"] = totals.repeated_frames;
+  }
   json["gpu_bytes"] = world.device().allocated_bytes();
   return json.dump(2) + "\n";
 }

@@ -1,5 +1,6 @@
-// Keeps the state of the last frame in which all nodes were finite. Once guard has found one that is not, puts that
-// state back instead, in this frame and all that follow: the state is frozen. One invocation per node.
+// Keeps the state of the last frame in which all nodes were finite and all contacts were listed. Once guard has found one that is
+// not, puts that state back instead, in this frame and all that follow: the state is frozen. Likewise where a list was too
+// short, until the host has made it longer. One invocation per node.
 #include "shared/index.wgsl"
 #include "shared/statistics.wgsl"
 //                                                                                 elements
@@ -13,12 +14,12 @@
 fn keep_last_good(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= arrayLength(&position)) { return; }
-  if (statistics[kStatNonfinite] == 0u) {
+  if ((statistics[kStatNonfinite] | statistics[kStatHeld]) == 0u) {
     good_position[node] = position[node];
     good_velocity[node] = velocity[node];
     return;
   }
   position[node] = good_position[node];
   velocity[node] = good_velocity[node];
-  if (node == 0u) { statistics[kStatFrozen] = 1u; }
+  if (node == 0u && statistics[kStatNonfinite] != 0u) { statistics[kStatFrozen] = 1u; }
 }

@@ -1,11 +1,21 @@
-// What a frame reports to the host. Cleared before each frame but for the last two.
+// What a frame reports to the host. The first eight are cleared before each frame.
 // Mirror: src/state/statistics.hpp. Kernels bind it as array<atomic<u32>>.
-const kStatHits = 0u;            // intersecting pairs, summed over the frame's substeps
+const kStatHits = 0u;            // pairs that intersect or act, summed over the frame's substeps
 const kStatHitHash = 1u;         // wrapping sum of hash_pair over them: does not depend on their order
 const kStatMaxStretch = 2u;      // largest length / rest length, as the bits of a positive f32
-const kStatContactOverflow = 3u; // contacts that a list had no room for
-const kStatNonfinite = 4u;       // nodes that were not finite, in all frames so far
-const kStatFrozen = 5u;          // 1 once the state is frozen at the last good frame
+const kStatContactOverflow = 3u; // contacts that a list had no room for; by proximity, how long the list ought to be
+const kStatDetections = 4u;      // how often pairs were looked for
+const kStatCrossings = 5u;       // edges that pass through triangles, the most that a detection has found
+const kStatTruncated = 6u;       // vertices that were held back, summed over substeps
+const kStatPairs = 7u;           // pairs that are listed
+const kStatNonfinite = 8u;       // nodes that were not finite, in all frames so far
+const kStatFrozen = 9u;          // 1 once the state is frozen at the last good frame
+const kStatHeld = 10u;           // 1 once a list was too short: frames end as they begin until the host has made it longer
+const kStatDetect = 11u;         // 1: a vertex is about to leave its reach
+const kStatDue = 12u;            // 1: a detection is under way
+const kStatFound = 13u;          // crossings of this detection
+const kStatSpeed = 14u;          // the largest |v| at this detection, m/s, as the bits of a positive f32
+const kStatReach = 15u;          // how far a vertex may go until the next detection, m, likewise
 
 // A hash of two numbers. Source: Pcg3d's mixing step (Jarzynski, Olano: Hash Functions for GPU Rendering, 2020), cut to two words.
 fn hash_pair(a : u32, b : u32) -> u32 {

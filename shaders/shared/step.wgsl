@@ -1,6 +1,9 @@
 // What a substep needs to know. One block a substep, 256 bytes apart (gpu/command_list.hpp, kStepStride).
 // Mirror: src/state/step_params.hpp.
 const kMaxGrabs = 4u;
+const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
+const kDetectAlways = 2u;
+const kDetectInterval = 4.0;  // substeps from one that may to the next; kDetectInterval in src/state/step_params.hpp
 
 struct StepParams {
   acceleration : vec4f,  // m/s²: gravity and the external force, xyz
@@ -23,4 +26,12 @@ struct StepParams {
   gust_b : vec4f,
   grab_node : vec4u,     // the held nodes; 0xffffffff where a place is free
   grab_target : array<vec4f, kMaxGrabs>,  // m: where they are pulled, xyz
+  self_thickness : f32,    // m; 0: cloth does not meet cloth
+  least_reach : f32,       // m: how far a vertex may go between two detections, by the speed of the cloth
+  most_reach : f32,        // m
+  contact_damping : f32,   // ζ of equation (3) of docs/contact.md
+  detect : u32,            // kDetectIfDue or kDetectAlways; 0: not in this substep
+  parity : u32,            // of the substep
+  point_count : u32,       // of colliders
+  first_place : u32,       // where this substep's block of `places` begins
 }

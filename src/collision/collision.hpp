@@ -9,6 +9,7 @@
 #include "collision/colliders_analytic.hpp"
 #include "collision/pairs_bvh.hpp"
 #include "collision/pairs_paper.hpp"
+#include "collision/proximity.hpp"
 #include "gpu/command_list.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "scene/scene.hpp"

@@ -28,4 +28,9 @@ void LastGood::record(gpu::ComputePass& pass) const {
   keep_.dispatch(pass, keep_groups_[pass.parity()], position_.size());
 }
 
+void LastGood::record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const {
+  list.copy(position_.source(), state.position[parity].source());
+  list.copy(velocity_.source(), state.velocity[parity].source());
+}
+
 }  // namespace weft

@@ -14,6 +14,8 @@ class LastGood {
  public:
   static Result<LastGood> create(gpu::Device& device, const State& state);
   void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
+  /// Makes what is kept the state of this parity.
+  void record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const;
 
  private:
   gpu::Kernel guard_, keep_;

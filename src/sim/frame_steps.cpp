@@ -4,8 +4,11 @@ namespace weft::sim {
 
 FrameSteps::FrameSteps(const StepParams& base, std::uint32_t substeps, std::size_t motion_count, double step)
     : steps_(substeps, base), step_(step) {
-  for (std::uint32_t s = 0; s < substeps; ++s)
+  for (std::uint32_t s = 0; s < substeps; ++s) {
     steps_[s].first_motion = s * 3 * static_cast<std::uint32_t>(motion_count);
+    steps_[s].first_place = s * base.first_place;
+    steps_[s].detect = s == 0 ? Detect::Always : s % kDetectInterval == 0 ? Detect::IfDue : Detect::No;
+  }
 }
 
 void FrameSteps::set_air(const scene::Scene& scene, double time) {
@@ -22,17 +25,19 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
 }
 
 void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
-                       double time) {
+                       double time, std::uint32_t parity) {
   const bool held = grabs.any(time, time + static_cast<double>(steps_.size()) * step_);
-  if (!changed_ && !wind_.varies() && !held && !held_) return;
+  if (!changed_ && !wind_.varies() && !held && !held_ && parity == parity_) return;
   for (std::size_t s = 0; s < steps_.size(); ++s) {
     const double now = time + static_cast<double>(s) * step_;  // the substep's forces are those at its start
     set_wind(steps_[s], wind_, {turns(0, now), turns(1, now)});
+    steps_[s].parity = (parity + static_cast<std::uint32_t>(s)) & 1U;
     grabs.set(steps_[s], now + step_);  // a follower, as a motion, goes to where the target is at the end
   }
   steps.write(device, steps_);
   changed_ = false;
   held_ = held;
+  parity_ = parity;
 }
 
 void FrameSteps::rewind() {

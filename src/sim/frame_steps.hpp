@@ -22,8 +22,9 @@ class FrameSteps {
   /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
   /// where they are.
   void set_air(const scene::Scene& scene, double time);
-  /// Writes the substeps of the frame that begins at `time` [s].
-  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs, double time);
+  /// Writes the substeps of the frame that begins at `time` [s] with the state in the buffers of `parity`.
+  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs, double time,
+             std::uint32_t parity);
   /// Time begins anew at 0.
   void rewind();
 
@@ -38,6 +39,7 @@ class FrameSteps {
   double start_ = 0;                        // when the wind became what it is [s]
   std::array<double, 2> start_turns_ = {};  // of its waves, then
   bool changed_ = true;
+  std::uint32_t parity_ = 0;
   bool held_ = false;  // in the frame that was written last
 };
 

@@ -1,6 +1,7 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/state_hash.hpp"
 #include "scene/difference.hpp"
@@ -44,6 +45,21 @@ Result<void> check_size(const scene::Scene& scene, const Assets& assets, const g
                     static_cast<unsigned long long>(limit));
 }
 
+/// ζ of docs/contact.md, equation (3): the damping for which a spring of strength β gives back the part e of
+/// the speed.
+double contact_damping(double restitution) {
+  constexpr double kSpring = 0.1;  // β, as in contact_respond.wgsl
+  double ratio = 1;
+  if (restitution > 0) {
+    const double log = std::log(restitution), pi = 3.141592653589793;
+    ratio = -log / std::sqrt(pi * pi + log * log);
+  }
+  return 2 * ratio * std::sqrt(kSpring);
+}
+
+/// Pairs that lists have room for at first; World makes them longer when they are short.
+std::uint32_t first_capacity(const Model& model) { return std::max(32768U, 2 * model.triangle_count()); }
+
 }  // namespace
 
 std::string Snapshot::hash() const {
@@ -73,20 +89,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   model_ = std::move(model);
   WEFT_TRY(state, State::create(device_, model_.host, substeps_));
   state_ = std::move(state);
-  const scene::ContactMethod method = scene_.contact.method;
-  const bool has_contact = (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh) &&
-                           !scene_.colliders.empty();
-  if (has_contact) {
-    WEFT_TRY(contacts, Contacts::create(device_, model_.host));
-    contacts_ = std::move(contacts);
-    WEFT_TRY(collision, collision::Collision::create(device_, model_, state_, *contacts_,
-                                                     collision_setup(scene_, assets, options)));
-    collision_ = std::move(collision);
-  }
-  WEFT_TRY(solver, make_solver(scene_.solver, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
-                                               options.workgroup_size}));
-  solver_ = std::move(solver);
-  constants_ = solver_->constants();
+  options_ = options;
+  WEFT_CHECK(build_contact(options.pair_capacity != 0 ? options.pair_capacity : first_capacity(model_)));
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);
   WEFT_TRY(last_good, LastGood::create(device_, state_));
@@ -104,6 +108,33 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   record_frame(1);
   WEFT_CHECK(submit_rest());
   return device_.wait();  // in a browser, only now is it known whether all of this could be made
+}
+
+Result<void> World::build_contact(std::uint32_t pair_capacity) {
+  const scene::ContactMethod method = scene_.contact.method;
+  if (method == scene::ContactMethod::Proximity && (scene_.contact.self || !scene_.colliders.empty())) {
+    proximity_.reset();  // frees what it holds before more is asked for
+    contacts_.reset();
+    WEFT_TRY(contacts, Contacts::create_pairs(device_, model_.host, pair_capacity));
+    contacts_ = std::move(contacts);
+    WEFT_TRY(proximity,
+             collision::Proximity::create(device_, model_, state_, *contacts_->pairs, scene_,
+                                          {assets_.objects, assets_.object_colliders, assets_.keyframes},
+                                          substeps_, options_.workgroup_size));
+    proximity_ = std::move(proximity);
+  } else if ((method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh) &&
+             !scene_.colliders.empty()) {
+    WEFT_TRY(contacts, Contacts::create_pushes(device_, model_.host));
+    contacts_ = std::move(contacts);
+    WEFT_TRY(collision, collision::Collision::create(device_, model_, state_, *contacts_,
+                                                     collision_setup(scene_, assets_, options_)));
+    collision_ = std::move(collision);
+  }
+  WEFT_TRY(solver, make_solver(scene_.solver, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
+                                               options_.workgroup_size}));
+  solver_ = std::move(solver);
+  constants_ = solver_->constants();
+  return {};
 }
 
 Result<void> World::submit_rest() {
@@ -127,6 +158,15 @@ StepParams World::base_params() const {
   if (collision_) {
     params.push_scale = collision_->push_scale();
     params.max_push = collision_->max_push();
+  }
+  if (proximity_) {
+    const collision::ProximityLengths& lengths = proximity_->lengths();
+    params.self_thickness = static_cast<float>(lengths.self_thickness);
+    params.least_reach = static_cast<float>(lengths.least_reach);
+    params.most_reach = static_cast<float>(lengths.most_reach);
+    params.contact_damping = static_cast<float>(contact_damping(scene_.contact.restitution));
+    params.point_count = proximity_->search().colliders().point_count;
+    params.first_place = static_cast<std::uint32_t>(scene_.colliders.size());
   }
   return params;
 }
@@ -157,6 +197,7 @@ void World::record_frame(std::uint32_t parity) {
     pass.set_step(s, (parity + s) & 1U);
     solver_->record_predict(pass);
     if (collision_) collision_->record(pass);
+    if (proximity_) proximity_->record(pass);
     solver_->record_solve(pass);
   }
   pass.set_step(0, (parity + substeps_) & 1U);
@@ -165,24 +206,59 @@ void World::record_frame(std::uint32_t parity) {
 }
 
 Result<void> World::advance_frame(const gpu::CommandList* draw) {
+  const std::uint32_t drawn_parity = parity_after();  // of what `draw` shows
+  ++asked_;
   WEFT_CHECK(take_reports(false));
-  Report* free = nullptr;
-  while (free == nullptr) {
-    for (Report& report : reports_)
-      if (!report.readback.pending()) free = &report;
-    if (free != nullptr) break;
+  while (!has_room()) {
     device_.poll();
     WEFT_CHECK(take_reports(false));
   }
-  steps_.write(device_, state_.steps, *grabs_, time());
+  while (frame_ < asked_ && has_room()) {
+    const bool shown = frame_ + 1 == asked_ && parity_end() == drawn_parity;
+    WEFT_CHECK(submit_frame(shown ? draw : nullptr));
+  }
+  return {};
+}
+
+Result<void> World::submit_frame(const gpu::CommandList* draw) {
+  Report& free = *std::find_if(reports_.begin(), reports_.end(),
+                               [](const Report& report) { return !report.readback.pending(); });
+  const double now = frame_ * scene_.time.frame;
+  steps_.write(device_, state_.steps, *grabs_, now, parity_);
   write_motions();
-  const std::array<const gpu::CommandList*, 3> lists = {&frame_commands_[parity_], &free->commands, draw};
+  if (proximity_) proximity_->write_places(device_, scene_, now, step());
+  const std::array<const gpu::CommandList*, 3> lists = {&frame_commands_[parity_], &free.commands, draw};
   WEFT_CHECK(device_.submit(std::span(lists).first(draw != nullptr ? 3 : 2)));
-  free->frame = frame_;
-  free->readback.start();
-  parity_ = parity_after();
+  free.frame = frame_;
+  free.attempt = attempt_;
+  free.readback.start();
+  parity_ = parity_end();
   ++frame_;
   return {};
+}
+
+Result<void> World::poll() {
+  WEFT_CHECK(take_reports(false));
+  while (frame_ < asked_ && has_room()) WEFT_CHECK(submit_frame(nullptr));
+  return {};
+}
+
+Result<void> World::repeat_from(std::uint32_t frame, std::uint32_t pairs) {
+  parity_ = (parity_ + (frame_ - frame) * substeps_) & 1U;
+  frame_ = frame;
+  ++attempt_;
+  ++totals_.repeated_frames;
+  const std::uint64_t wanted =
+      std::max<std::uint64_t>(2ULL * contacts_->pairs->capacity, pairs + pairs / 4ULL);
+  WEFT_CHECK(build_contact(static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, 1U << 28U))));
+  for (gpu::CommandList& list : frame_commands_) list.reset();
+  record_frame(0);
+  record_frame(1);
+  const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
+  state_.statistics.write(device_, zeros);
+  gpu::CommandList list;
+  last_good_->record_restore(list, state_, parity_);
+  return device_.submit(list);
 }
 
 bool World::has_room() const {
@@ -191,8 +267,12 @@ bool World::has_room() const {
 }
 
 Result<void> World::finish() {
-  WEFT_CHECK(device_.wait());
-  return take_reports(true);
+  do {
+    WEFT_CHECK(poll());
+    WEFT_CHECK(device_.wait());
+    WEFT_CHECK(take_reports(true));
+  } while (frame_ < asked_);
+  return {};
 }
 
 Result<void> World::take_reports(bool wait_for_all) {
@@ -216,6 +296,8 @@ Result<void> World::take(Report& report) {
     WEFT_CHECK(device_.status());
     return make_error(ErrorKind::DeviceLost, "The report of frame %u did not arrive.", report.frame);
   }
+  if (report.attempt != attempt_) return {};  // of a frame that is being repeated
+  if (statistics.held != 0) return repeat_from(report.frame, statistics.contact_overflow);
   totals_.nonfinite = statistics.nonfinite;
   if (statistics.nonfinite != 0) {
     if (!diverged_)  // the frames after the first bad one say the same
@@ -230,6 +312,10 @@ Result<void> World::take(Report& report) {
   totals_.contacts += statistics.hits;
   totals_.contact_hash += statistics.hit_hash;
   totals_.contact_overflow += statistics.contact_overflow;
+  totals_.detections += statistics.detections;
+  totals_.crossings = statistics.crossings;
+  totals_.truncated += statistics.truncated;
+  totals_.pairs = std::max(totals_.pairs, statistics.pairs);
   totals_.max_stretch = std::max(totals_.max_stretch, statistics.max_stretch);
   return {};
 }
@@ -243,7 +329,7 @@ Result<void> World::reset() {
   state_.statistics.write(device_, zeros);
   steps_.rewind();
   grabs_->release_all();
-  frame_ = 0;
+  frame_ = asked_ = 0;
   parity_ = 0;
   totals_ = {};
   diverged_.reset();

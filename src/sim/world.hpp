@@ -21,6 +21,7 @@ namespace weft::sim {
 
 struct WorldOptions {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+  std::uint32_t pair_capacity = 0;  // of proximity contact at first; 0: chosen by the number of triangles
 };
 
 /// What the frames so far have reported.
@@ -29,8 +30,13 @@ struct Totals {
   std::uint64_t contacts = 0;      // narrow-phase hits
   std::uint32_t contact_hash = 0;  // wrapping sum over all hits
   std::uint64_t contact_overflow = 0;
-  float max_stretch = 0;        // the largest at the end of any frame, length / rest length
-  std::uint32_t nonfinite = 0;  // nodes
+  std::uint64_t detections = 0;       // by proximity: searches for pairs
+  std::uint64_t truncated = 0;        // vertices held back, summed over substeps
+  std::uint32_t pairs = 0;            // the most that were listed at the end of a frame
+  std::uint32_t crossings = 0;        // edges through triangles, the most of any search of the last frame
+  std::uint32_t repeated_frames = 0;  // since a list was too short
+  float max_stretch = 0;              // the largest at the end of any frame, length / rest length
+  std::uint32_t nonfinite = 0;        // nodes
 };
 
 /// Position and velocity of all nodes in model order.
@@ -54,7 +60,7 @@ class World {
   ///         DeviceLost, OutOfMemory, Shader.
   Result<void> advance_frame(const gpu::CommandList* draw = nullptr);
   /// Takes the reports that have arrived. Errors as advance_frame.
-  Result<void> poll() { return take_reports(false); }
+  Result<void> poll();
   bool has_room() const;
   /// Waits until all frames have reported. Errors as advance_frame.
   Result<void> finish();
@@ -93,13 +99,13 @@ class World {
   const SolverConstants& solver_constants() const { return constants_; }
   std::uint32_t substeps() const { return substeps_; }
   double step() const { return scene_.time.frame / substeps_; }  // [s]
-  std::uint32_t frame() const { return frame_; }
-  double time() const { return frame_ * scene_.time.frame; }  // [s]
+  std::uint32_t frame() const { return asked_; }
+  double time() const { return asked_ * scene_.time.frame; }  // [s]
   std::size_t spring_count() const { return spring_count_; }
   /// Which of State's buffers holds the current state.
   std::uint32_t parity() const { return parity_; }
   /// Which it will be after one more frame.
-  std::uint32_t parity_after() const { return (parity_ + substeps_) & 1U; }
+  std::uint32_t parity_after() const { return (parity_ + (asked_ + 1 - frame_) * substeps_) & 1U; }
   /// The commands of a frame that begins with this parity.
   const gpu::CommandList& frame_commands(std::uint32_t parity) const { return frame_commands_[parity]; }
 
@@ -108,10 +114,17 @@ class World {
     gpu::Readback readback;
     gpu::CommandList commands;
     std::uint32_t frame = 0;
+    std::uint32_t attempt = 0;
   };
 
   World(gpu::Device& device, scene::Scene scene) : device_(device), scene_(std::move(scene)) {}
   Result<void> build(const Assets& assets, const WorldOptions& options);
+  /// Collision, lists and the solver that reads them.
+  Result<void> build_contact(std::uint32_t pair_capacity);
+  Result<void> submit_frame(const gpu::CommandList* draw);
+  /// Goes back to before a frame whose lists were too short, with lists for at least `pairs`.
+  Result<void> repeat_from(std::uint32_t frame, std::uint32_t pairs);
+  std::uint32_t parity_end() const { return (parity_ + substeps_) & 1U; }  ///< of the next frame
   /// What follows from the rest state, before the first frame.
   Result<void> submit_rest();
   /// What all substeps have in common.
@@ -127,13 +140,18 @@ class World {
   Model model_;
   State state_;
   std::optional<Contacts> contacts_;
-  std::optional<collision::Collision> collision_;
+  std::optional<collision::Collision> collision_;  // by paper and bvh
+  std::optional<collision::Proximity> proximity_;
+  WorldOptions options_;
   std::unique_ptr<Solver> solver_;
   std::optional<Surface> surface_;
   std::optional<LastGood> last_good_;
   StepLimit limit_;
   SolverConstants constants_;
-  std::uint32_t substeps_ = 1, frame_ = 0, parity_ = 0;
+  std::uint32_t substeps_ = 1, parity_ = 0;
+  std::uint32_t frame_ = 0;    // submitted
+  std::uint32_t asked_ = 0;    // by advance_frame: more than that while frames are repeated
+  std::uint32_t attempt_ = 0;  // counts up when frames are repeated
   std::size_t spring_count_ = 0;
   std::array<gpu::CommandList, 2> frame_commands_;
   std::array<Report, 3> reports_;

@@ -7,6 +7,7 @@
 #include "gpu/kernel.hpp"
 #include "model/step_limit.hpp"
 #include "scene/scene.hpp"
+#include "solver/predicted.hpp"
 #include "state/state.hpp"
 
 namespace weft {
@@ -24,7 +25,8 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Reads position[parity], velocity[parity]; writes the predicted position and velocity to [1 - parity].
+  /// Reads position[parity], velocity[parity]; writes the predicted position to position[1 - parity], and the
+  /// velocity to SolverInputs::predicted.
   virtual void record_predict(gpu::ComputePass& pass) const = 0;
   /// Answers the contacts found at the predicted positions.
   virtual void record_solve(gpu::ComputePass& pass) const = 0;
@@ -38,6 +40,12 @@ struct SolverInputs {
   const State& state;
   const Contacts* contacts = nullptr;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+
+  Predicted predicted() const {
+    if (contacts != nullptr && contacts->pairs)
+      return {&contacts->pairs->predicted, &contacts->pairs->predicted};
+    return {&state.velocity[1], &state.velocity[0]};
+  }
 };
 
 }  // namespace weft

@@ -44,10 +44,17 @@ void State::reset(gpu::Device& device, const HostModel& model) const {
   }
 }
 
-Result<Contacts> Contacts::create(gpu::Device& device, const HostModel& model) {
+Result<Contacts> Contacts::create_pushes(gpu::Device& device, const HostModel& model) {
   Contacts contacts;
   WEFT_TRY(pushes, gpu::Buffer<std::int32_t>::create(device, 4 * model.vertex_count(), "pushes"));
   contacts.pushes = std::move(pushes);
+  return contacts;
+}
+
+Result<Contacts> Contacts::create_pairs(gpu::Device& device, const HostModel& model, std::uint32_t capacity) {
+  Contacts contacts;
+  WEFT_TRY(pairs, ContactPairs::create(device, model, capacity));
+  contacts.pairs = std::move(pairs);
   return contacts;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "gpu/buffer.hpp"
+#include "state/contact_pairs.hpp"
 #include "state/model.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
@@ -25,12 +27,16 @@ struct State {
   void reset(gpu::Device& device, const HostModel& model) const;
 };
 
-/// What collision hands to a solver: for each vertex the sum of its pushes and their number, in fixed point
-/// (StepParams::push_scale), so that neither depends on the order of threads.
+/// What collision hands to a solver: either of the two.
 struct Contacts {
+  /// Of methods paper and bvh: for each vertex the sum of its pushes and their number, in fixed point
+  /// (StepParams::push_scale), so that neither depends on the order of threads.
   gpu::Buffer<std::int32_t> pushes;  // 4 * vertex_count: x, y, z, count; the solver clears what it has read
+  /// Of method proximity: pairs of features, for the solver to answer as its own way of stepping asks.
+  std::optional<ContactPairs> pairs;
 
-  static Result<Contacts> create(gpu::Device& device, const HostModel& model);
+  static Result<Contacts> create_pushes(gpu::Device& device, const HostModel& model);
+  static Result<Contacts> create_pairs(gpu::Device& device, const HostModel& model, std::uint32_t capacity);
 };
 
 }  // namespace weft

@@ -10,7 +10,11 @@
 
 namespace weft {
 
+inline constexpr std::uint32_t kDetectInterval = 4;  // substeps, as in shaders/shared/step.wgsl
 inline constexpr std::uint32_t kNoNode = 0xffffffffU;
+
+/// Whether a substep looks for pairs of features.
+enum class Detect : std::uint32_t { No, IfDue, Always };
 
 /// Mirror of shaders/shared/step.wgsl.
 struct StepParams {
@@ -32,12 +36,19 @@ struct StepParams {
   Vec4f gust_a, gust_b;            // [m/s]
   std::array<std::uint32_t, scene::kMaxGrabs> grab_node = {kNoNode, kNoNode, kNoNode, kNoNode};
   std::array<Vec4f, scene::kMaxGrabs> grab_target = {};  // [m]
-  std::uint32_t padding[8] = {};                         // to kStepStride
+  float self_thickness = 0;                              // [m]; 0: cloth does not meet cloth
+  float least_reach = 0, most_reach = 0;                 // [m]
+  float contact_damping = 0;                             // ζ of docs/contact.md
+  Detect detect = Detect::No;
+  std::uint32_t parity = 0;
+  std::uint32_t point_count = 0;  // of colliders
+  std::uint32_t first_place = 0;
 };
 static_assert(sizeof(StepParams) == 256);
 static_assert(offsetof(StepParams, dt) == 16 && offsetof(StepParams, first_motion) == 52);
 static_assert(offsetof(StepParams, wind) == 64 && offsetof(StepParams, gust_b) == 128);
 static_assert(offsetof(StepParams, grab_node) == 144 && offsetof(StepParams, grab_target) == 160);
+static_assert(offsetof(StepParams, self_thickness) == 224);
 
 /// Sets the wind; `turns` is how far time has brought each wave.
 void set_wind(StepParams& params, const scene::WindField& wind, const std::array<double, 2>& turns);

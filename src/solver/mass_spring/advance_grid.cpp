@@ -22,7 +22,8 @@ GridParams grid_params(const ClothModel& cloth) {
 }
 
 Result<AdvanceGrid> AdvanceGrid::create(gpu::Device& device, const gpu::Kernel& kernel, const Model& model,
-                                        const State& state, const ClothModel& cloth) {
+                                        const State& state, const Predicted& predicted,
+                                        const ClothModel& cloth) {
   AdvanceGrid made;
   const GridParams params = grid_params(cloth);
   WEFT_TRY(buffer, gpu::Buffer<GridParams>::create_from(device, std::span(&params, 1), "grid params",
@@ -30,7 +31,7 @@ Result<AdvanceGrid> AdvanceGrid::create(gpu::Device& device, const gpu::Kernel& 
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, kernel.bind({state.steps, buffer, state.position[parity], state.velocity[parity],
                                  model.rest_position, state.motions, state.position[1 - parity],
-                                 state.velocity[1 - parity]}));
+                                 *predicted[parity]}));
     made.groups_[parity] = std::move(group);
   }
   made.params_ = std::move(buffer);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "gpu/kernel.hpp"
+#include "solver/predicted.hpp"
 #include "state/state.hpp"
 
 namespace weft {
@@ -14,7 +15,7 @@ namespace weft {
 class AdvanceGrid {
  public:
   static Result<AdvanceGrid> create(gpu::Device& device, const gpu::Kernel& kernel, const Model& model,
-                                    const State& state, const ClothModel& cloth);
+                                    const State& state, const Predicted& predicted, const ClothModel& cloth);
   static Result<gpu::Kernel> kernel(gpu::Device& device, std::uint32_t workgroup_size) {
     return gpu::Kernel::create(device, "mass_spring/advance_grid.wgsl", {}, workgroup_size);
   }

@@ -3,7 +3,8 @@
 namespace weft {
 
 Result<AdvanceMesh> AdvanceMesh::create(gpu::Device& device, const gpu::Kernel& kernel, const Model& model,
-                                        const State& state, const ClothModel& cloth) {
+                                        const State& state, const Predicted& predicted,
+                                        const ClothModel& cloth) {
   AdvanceMesh made;
   const Neighbours built =
       build_neighbours(build_springs(model.host, cloth), cloth.first_vertex, cloth.vertex_count);
@@ -17,7 +18,7 @@ Result<AdvanceMesh> AdvanceMesh::create(gpu::Device& device, const gpu::Kernel& 
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, kernel.bind({state.steps, buffer, made.offsets_, made.neighbours_, state.position[parity],
                                  state.velocity[parity], model.rest_position, state.motions,
-                                 state.position[1 - parity], state.velocity[1 - parity]}));
+                                 state.position[1 - parity], *predicted[parity]}));
     made.groups_[parity] = std::move(group);
   }
   made.range_ = std::move(buffer);

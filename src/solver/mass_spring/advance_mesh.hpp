@@ -4,6 +4,7 @@
 
 #include "element/neighbours.hpp"
 #include "gpu/kernel.hpp"
+#include "solver/predicted.hpp"
 #include "state/state.hpp"
 
 namespace weft {
@@ -21,7 +22,7 @@ struct VertexRange {
 class AdvanceMesh {
  public:
   static Result<AdvanceMesh> create(gpu::Device& device, const gpu::Kernel& kernel, const Model& model,
-                                    const State& state, const ClothModel& cloth);
+                                    const State& state, const Predicted& predicted, const ClothModel& cloth);
   static Result<gpu::Kernel> kernel(gpu::Device& device, std::uint32_t workgroup_size) {
     return gpu::Kernel::create(device, "mass_spring/advance_mesh.wgsl", {}, workgroup_size);
   }

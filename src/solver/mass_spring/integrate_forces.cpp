@@ -3,6 +3,7 @@
 namespace weft {
 
 Result<IntegrateForces> IntegrateForces::create(gpu::Device& device, const Model& model, const State& state,
+                                                const Predicted& predicted,
                                                 const gpu::Buffer<std::int32_t>& force,
                                                 std::uint32_t workgroup_size) {
   IntegrateForces made;
@@ -11,7 +12,7 @@ Result<IntegrateForces> IntegrateForces::create(gpu::Device& device, const Model
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, made.kernel_.bind({state.steps, state.position[parity], state.velocity[parity],
                                        model.rest_position, state.motions, force, state.position[1 - parity],
-                                       state.velocity[1 - parity]}));
+                                       *predicted[parity]}));
     made.groups_[parity] = std::move(group);
   }
   made.count_ = model.vertex_count();

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "gpu/kernel.hpp"
+#include "solver/predicted.hpp"
 #include "state/state.hpp"
 
 namespace weft {
@@ -14,7 +15,8 @@ namespace weft {
 class IntegrateForces {
  public:
   static Result<IntegrateForces> create(gpu::Device& device, const Model& model, const State& state,
-                                        const gpu::Buffer<std::int32_t>& force, std::uint32_t workgroup_size);
+                                        const Predicted& predicted, const gpu::Buffer<std::int32_t>& force,
+                                        std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const { kernel_.dispatch(pass, groups_[pass.parity()], count_); }
 
  private:

@@ -16,6 +16,7 @@ void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
 
 void SolverMassSpring::record_solve(gpu::ComputePass& pass) const {
   if (contact_response_) contact_response_->record(pass);  // Algorithm 2
+  if (contact_respond_) contact_respond_->record(pass);    // docs/contact.md
 }
 
 Result<void> SolverMassSpring::create_spring_centric(const SolverInputs& inputs) {
@@ -31,8 +32,8 @@ Result<void> SolverMassSpring::create_spring_centric(const SolverInputs& inputs)
   WEFT_TRY(forces, SpringForces::create(inputs.device, inputs.state, made.springs, made.force,
                                         inputs.workgroup_size));
   made.spring_forces = std::move(forces);
-  WEFT_TRY(integrate, IntegrateForces::create(inputs.device, inputs.model, inputs.state, made.force,
-                                              inputs.workgroup_size));
+  WEFT_TRY(integrate, IntegrateForces::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
+                                              made.force, inputs.workgroup_size));
   made.integrate_forces = std::move(integrate);
   spring_centric_ = std::move(made);
   return {};
@@ -52,12 +53,12 @@ Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
   }
   for (const ClothModel& cloth : cloths) {
     if (is_grid(cloth)) {
-      WEFT_TRY(advance,
-               AdvanceGrid::create(inputs.device, made.grid_kernel, inputs.model, inputs.state, cloth));
+      WEFT_TRY(advance, AdvanceGrid::create(inputs.device, made.grid_kernel, inputs.model, inputs.state,
+                                            inputs.predicted(), cloth));
       made.grids.push_back(std::move(advance));
     } else {
-      WEFT_TRY(advance,
-               AdvanceMesh::create(inputs.device, made.mesh_kernel, inputs.model, inputs.state, cloth));
+      WEFT_TRY(advance, AdvanceMesh::create(inputs.device, made.mesh_kernel, inputs.model, inputs.state,
+                                            inputs.predicted(), cloth));
       made.meshes.push_back(std::move(advance));
     }
   }
@@ -73,7 +74,11 @@ Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& se
   } else {
     WEFT_CHECK(made->create_node_centric(inputs));
   }
-  if (inputs.contacts != nullptr) {
+  if (inputs.contacts != nullptr && inputs.contacts->pairs) {
+    WEFT_TRY(respond, ContactRespond::create(inputs.device, inputs.state, *inputs.contacts->pairs,
+                                             inputs.workgroup_size));
+    made->contact_respond_ = std::move(respond);
+  } else if (inputs.contacts != nullptr) {
     WEFT_TRY(response,
              ContactResponse::create(inputs.device, inputs.state, *inputs.contacts, inputs.workgroup_size));
     made->contact_response_ = std::move(response);

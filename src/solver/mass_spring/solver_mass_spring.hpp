@@ -5,6 +5,7 @@
 
 #include "solver/mass_spring/advance_grid.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
+#include "solver/mass_spring/contact_respond.hpp"
 #include "solver/mass_spring/contact_response.hpp"
 #include "solver/mass_spring/fixed_point.hpp"
 #include "solver/mass_spring/integrate_forces.hpp"
@@ -45,7 +46,8 @@ class SolverMassSpring : public Solver {
   SolverConstants constants_;
   std::optional<SpringCentric> spring_centric_;
   std::optional<NodeCentric> node_centric_;
-  std::optional<ContactResponse> contact_response_;
+  std::optional<ContactResponse> contact_response_;  // to pushes
+  std::optional<ContactRespond> contact_respond_;    // to pairs
 };
 
 }  // namespace weft

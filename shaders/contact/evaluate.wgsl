@@ -1,0 +1,140 @@
+// Measures every listed pair at the start of a substep, and says which act: equation (1) of docs/contact.md. An invocation takes
+// every so-manieth pair. Its vertices count it, and their entries bear its marks.
+#include "shared/index.wgsl"
+#include "shared/step.wgsl"
+#include "shared/contact.wgsl"
+#include "shared/statistics.wgsl"
+#include "contact/closest.wgsl"
+//                                                                                     elements              unit
+@group(0) @binding(0) var<uniform>             step            : StepParams;
+@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m
+@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m
+@group(0) @binding(3) var<storage, read>       points          : array<vec4f>;        // of colliders: contact/move_points.wgsl
+@group(0) @binding(4) var<storage, read_write> contacts        : array<Contact>;
+@group(0) @binding(5) var<storage, read_write> entries         : array<u32>;
+@group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
+
+fn start_of(id : u32) -> vec4f {
+  if (is_collider(id)) { return points[id & kIdBits]; }
+  return previous[id & kIdBits];
+}
+fn end_of(id : u32) -> vec4f { return points[step.point_count + (id & kIdBits)]; }
+
+struct Relative {
+  velocity : vec3f,  // what cloth brings to u, m/s
+  surface : vec3f,   // what the collider brings, m/s
+}
+
+fn relative_velocity(ids : vec4u, w : vec4f, n : vec3f, radius : f32) -> Relative {
+  var r = Relative(vec3f(0.0), vec3f(0.0));
+  for (var role = 0u; role < role_count(ids); role++) {
+    let id = ids[role];
+    if (is_collider(id)) {
+      r.surface += w[role] * ((end_of(id).xyz - start_of(id).xyz) / step.dt);
+    } else {
+      r.velocity += w[role] * predicted[id & kIdBits].xyz;
+    }
+  }
+  if (radius > 0.0) {  // the surface of a ball that turns: its spin is the point after its centre
+    let on_a = is_collider(ids.x);
+    let id = select(ids.z, ids.x, on_a) & kIdBits;
+    let arm = select(radius, -radius, on_a) * n;
+    r.surface += select(-1.0, 1.0, on_a) * cross(points[id + 1u].xyz, arm);
+  }
+  return r;
+}
+
+// How far along n the collider's feature will reach at the end of the substep.
+fn reach_of_collider(ids : vec4u, n : vec3f, radius : f32) -> f32 {
+  let a = roles_of_a(ids);
+  let on_a = is_collider(ids.x);
+  let first = select(a, 0u, on_a);
+  let end = select(role_count(ids), a, on_a);
+  let sign = select(1.0, -1.0, on_a);
+  var reach = -3e38;
+  for (var role = first; role < end; role++) { reach = max(reach, sign * dot(n, end_of(ids[role]).xyz)); }
+  return sign * (reach + radius);
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
+  let count = atomicLoad(&statistics[kStatPairs]);
+  let parity_word = 2u + step.parity;
+  var hits = 0u;
+  var hash = 0u;
+  for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
+    let ids = contacts[pair].ids;
+    let is_self = is_self_pair(ids);
+    let p0 = start_of(ids.x);
+    let p1 = start_of(ids.y);
+    var near : Closest;
+    var n : vec3f;
+    var gap : f32;
+    var place_a : f32;  // n·p_A
+    var radius = 0.0;
+    var friction = contacts[pair].surface.w;
+    if (is_plane_pair(ids)) {
+      n = points[(ids.y & kIdBits) + 1u].xyz;
+      gap = dot(n, p0.xyz - p1.xyz);
+      place_a = dot(n, p0.xyz);
+      near.inside = true;
+      near.s = 0.0;
+      near.t = 0.0;
+    } else {
+      let p2 = start_of(ids.z);
+      let p3 = start_of(ids.w);
+      if (is_edge_pair(ids)) {
+        near = closest_on_edges(p0.xyz, p1.xyz, p2.xyz, p3.xyz);
+        if (is_collider(ids.z)) { radius = p2.w; }
+        place_a = 0.0;
+      } else {
+        near = closest_on_triangle(p0.xyz, p1.xyz, p2.xyz, p3.xyz);
+        if (is_collider(ids.x)) { radius = p0.w; }
+      }
+      let distance = length(near.apart);
+      n = select(vec3f(0.0, 1.0, 0.0), near.apart / distance, distance > 0.0);
+      gap = distance - radius;
+      place_a = dot(n, p0.xyz);
+      if (is_edge_pair(ids)) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }
+    }
+    let w = weights_of(ids, near.s, near.t);
+    let r = relative_velocity(ids, w, n, radius);
+    let thickness = select(step.thickness, step.self_thickness, is_self);
+    let speed = dot(n, r.velocity + r.surface);
+    let counts = near.inside || radius > 0.0;
+    let acts = counts && (gap < thickness || gap + step.dt * speed < 0.25 * thickness);
+    let is_near = gap < thickness;
+    var reach = 0.0;
+    if (!is_self) {
+      reach = reach_of_collider(ids, n, radius);
+      let own = max(max(own_friction(ids.x), own_friction(ids.z)), own_friction(ids.y));
+      if (own >= 0.0) { friction = own; }
+    }
+    contacts[pair].normal = vec4f(n, gap);
+    contacts[pair].place = vec4f(near.s, near.t, place_a, reach);
+    contacts[pair].surface = vec4f(r.surface, friction);
+    let marks = select(0u, kEntryActs, acts) | select(0u, kEntryNear, is_near);
+    let change = select(0u, 1u, acts) + select(0u, 65536u, is_near);
+    for (var role = 0u; role < role_count(ids); role++) {
+      if (is_collider(ids[role])) { continue; }
+      entries[contacts[pair].slots[role]] = 16u * pair + marks + role;
+      let carried = select(change & 65535u, 0u, w[role] == 0.0) + (change & 65536u);
+      if (carried != 0u) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + parity_word], carried); }
+    }
+    if (acts) {
+      hits++;
+      hash += hash_pair(hash_pair(ids.x, ids.y), hash_pair(ids.z, ids.w));
+    }
+  }
+  if (hits > 0u) {
+    atomicAdd(&statistics[kStatHits], hits);
+    atomicAdd(&statistics[kStatHitHash], hash);
+  }
+}
+
+// A collider's friction stands with its points at the end of the substep; negative: it has none of its own.
+fn own_friction(id : u32) -> f32 {
+  if (!is_collider(id)) { return -1.0; }
+  return end_of(id).w;
+}

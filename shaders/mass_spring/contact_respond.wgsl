@@ -1,0 +1,133 @@
+// Answers the pairs that act at a vertex, then holds it back from whatever it would pass through. One invocation per vertex; its
+// pairs come in a fixed order. Source: docs/contact.md, equations (2) to (6).
+#include "shared/index.wgsl"
+#include "shared/step.wgsl"
+#include "shared/contact.wgsl"
+#include "shared/statistics.wgsl"
+//                                                                                     elements              unit
+@group(0) @binding(0) var<uniform>             step            : StepParams;
+@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m (w: inverse mass, 1/kg)
+@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m: shared/contact.wgsl
+@group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
+@group(0) @binding(4) var<storage, read>       entries         : array<u32>;
+@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(6) var<storage, read_write> position        : array<vec4f>;        // vertex_count          m
+@group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>;        // vertex_count          m/s
+@group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
+const kSpring = 0.1;    // β: of the gap that is missing, what a substep makes good
+const kWall = 0.25;     // of the thickness: no pair comes nearer
+const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
+
+fn acting(vertex : u32) -> f32 {
+  return f32(atomicLoad(&vertex_contacts[kVertexWords * vertex + 2u + step.parity]) & 65535u);
+}
+
+// Equations (2) to (4): the impulse on side A, N·s.
+fn impulse(contact : Contact) -> vec3f {
+  let ids = contact.ids;
+  let w = weights_of(ids, contact.place.x, contact.place.y);
+  var u = contact.surface.xyz;
+  var mobility = 0.0;  // W, 1/kg
+  for (var role = 0u; role < role_count(ids); role++) {
+    if (is_collider(ids[role])) { continue; }
+    let vertex = ids[role] & kIdBits;
+    u += w[role] * predicted[vertex].xyz;
+    mobility += w[role] * w[role] * acting(vertex) * previous[vertex].w;
+  }
+  if (mobility <= 0.0) { return vec3f(0.0); }
+  let n = contact.normal.xyz;
+  let gap = contact.normal.w;
+  let thickness = select(step.thickness, step.self_thickness, is_self_pair(ids));
+  let speed = dot(n, u);
+  var change = min(kWall * thickness - gap, 0.0) / step.dt - speed;
+  if (gap < thickness) {
+    change = max(change, kSpring * min(thickness - gap, thickness) / step.dt - step.contact_damping * speed);
+  }
+  if (change <= 0.0) { return vec3f(0.0); }
+  let sliding = u - speed * n;
+  let slip = length(sliding);
+  var friction = vec3f(0.0);
+  if (slip > 0.0) { friction = (min(contact.surface.w * change, slip) / slip) * sliding; }
+  return (change * n - friction) / mobility;
+}
+
+// How far beyond the plane that it must stay behind a place lies, m; negative: it is on its own side.
+fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
+  let on_a = role < roles_of_a(contact.ids);
+  let side = select(-1.0, 1.0, on_a);
+  let gap = contact.normal.w;
+  var plane = contact.place.z - 0.5 * gap + side * kMargin * gap;
+  if (!is_self_pair(contact.ids)) { plane = contact.place.w + side * kMargin * min(gap, step.thickness); }
+  return side * (plane - dot(contact.normal.xyz, place));
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
+  let vertex = flat_index(id);
+  if (vertex >= step.vertex_count) { return; }
+  let words = kVertexWords * vertex;
+  let begin = atomicLoad(&vertex_contacts[words]) +
+              atomicLoad(&vertex_contacts[kVertexWords * step.vertex_count + vertex / kScanBlock]);
+  let end = begin + select(0u, atomicLoad(&vertex_contacts[words + 1u]), atomicLoad(&statistics[kStatPairs]) > 0u);
+  let count = atomicLoad(&vertex_contacts[words + 2u + step.parity]);
+  atomicStore(&vertex_contacts[words + 3u - step.parity], 0u);  // for the next substep
+
+  let reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
+  let start = previous[vertex];
+  let inverse_mass = start.w;
+  var x = position[vertex].xyz;
+  var v = predicted[vertex].xyz;
+  if (inverse_mass > 0.0) {
+    if ((count & 65535u) > 0u) {
+      var change = vec3f(0.0);
+      for (var k = begin; k < end; k++) {
+        let entry = entries[k];
+        if ((entry & kEntryActs) == 0u) { continue; }
+        let contact = contacts[entry / 16u];
+        change += weights_of(contact.ids, contact.place.x, contact.place.y)[entry & 3u] * impulse(contact);
+      }
+      v += inverse_mass * change;
+      x += step.dt * (inverse_mass * change);
+    }
+    // Equation (6). What moves less than this passes nothing that is not near.
+    let free = 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0);
+    let far = length(x - start.xyz) > free;
+    if (begin < end && (far || (count >> 16u) > 0u)) {
+      var part = 1.0;
+      for (var k = begin; k < end; k++) {
+        if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+        let contact = contacts[entries[k] / 16u];
+        if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the spring brings it out
+        let now = beyond(contact, entries[k] & 3u, start.xyz);
+        let then = beyond(contact, entries[k] & 3u, x);
+        if (then > 0.0 && now < 0.0) { part = min(part, now / (now - then)); }
+        if (then > 0.0 && now >= 0.0 && is_self_pair(contact.ids)) { part = 0.0; }
+      }
+      if (part < 1.0) { x = start.xyz + part * (x - start.xyz); }
+      var pushed = false;
+      for (var k = begin; k < end; k++) {  // a collider that comes nearer takes the vertex with it
+        if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+        let contact = contacts[entries[k] / 16u];
+        if (contact.normal.w <= 0.0 || is_self_pair(contact.ids)) { continue; }
+        let side = select(-1.0, 1.0, (entries[k] & 3u) < roles_of_a(contact.ids));
+        let depth = beyond(contact, entries[k] & 3u, x);
+        if (depth > 0.0) {
+          x += side * depth * contact.normal.xyz;
+          pushed = true;
+        }
+      }
+      if (part < 1.0 || pushed) { atomicAdd(&statistics[kStatTruncated], 1u); }
+    }
+    // Beyond its reach a vertex could meet what is not listed.
+    let away = x - predicted[step.vertex_count + vertex].xyz;
+    let distance = length(away);
+    if (distance > reach) {
+      x = predicted[step.vertex_count + vertex].xyz + (reach / distance) * away;
+      atomicAdd(&statistics[kStatTruncated], 1u);
+    }
+    position[vertex] = vec4f(x, inverse_mass);
+  }
+  velocity[vertex] = vec4f(v, 0.0);
+  let gone = length(x - predicted[step.vertex_count + vertex].xyz);
+  if (gone + 1.25 * kDetectInterval * length(x - start.xyz) > reach) { atomicStore(&statistics[kStatDetect], 1u); }
+}

@@ -1,0 +1,38 @@
+// A listed pair of features, and what it says in this substep. Mirror: Contact in src/state/contact_pairs.hpp.
+// Names and equations: docs/contact.md.
+struct Contact {
+  ids : vec4u,      // side A first, then side B; see kColliderPoint, kPairFlag
+  slots : array<u32, 4>,  // where each cloth vertex of ids has this pair in `entries`
+  normal : vec4f,   // n, from B to A; w: the gap d, m
+  place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(the collider's last point on its way), m
+  surface : vec4f,  // what the collider adds to the relative velocity, m/s; w: friction, negative until it is known
+}
+const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
+const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; of neither: vertex and triangle
+const kIdBits = 0x3fffffffu;
+
+// An entry is 16 * pair + 4 * flags + role: how a vertex knows its pairs.
+const kEntryActs = 4u;  // the pair acts, equation (1)
+const kEntryNear = 8u;  // the gap is below the thickness
+
+fn is_collider(id : u32) -> bool { return (id & kColliderPoint) != 0u; }
+fn is_edge_pair(ids : vec4u) -> bool { return (ids.x & kPairFlag) != 0u; }
+fn is_plane_pair(ids : vec4u) -> bool { return (ids.y & kPairFlag) != 0u; }
+// A pair with a collider has at least one of its points in these two places.
+fn is_self_pair(ids : vec4u) -> bool { return ((ids.x | ids.z | ids.y) & kColliderPoint) == 0u; }
+// The roles that are there: a plane pair has two.
+fn role_count(ids : vec4u) -> u32 { return select(4u, 2u, is_plane_pair(ids)); }
+// Roles below this are on side A.
+fn roles_of_a(ids : vec4u) -> u32 { return select(1u, 2u, is_edge_pair(ids)); }
+
+fn weights_of(ids : vec4u, s : f32, t : f32) -> vec4f {
+  if (is_edge_pair(ids)) { return vec4f(1.0 - s, s, t - 1.0, -t); }
+  if (is_plane_pair(ids)) { return vec4f(1.0, -1.0, 0.0, 0.0); }
+  return vec4f(1.0, s + t - 1.0, -s, -t);
+}
+
+// What each vertex has, four words: where its entries begin within its block, how many they are, and for
+// substeps of either parity how many pairs act (low half) and are near (high half). After all vertices: where the
+// blocks of kScanBlock begin.
+const kVertexWords = 4u;
+const kScanBlock = 1024u;

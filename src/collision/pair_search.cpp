@@ -1,0 +1,167 @@
+#include "collision/pair_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/feature_owners.hpp"
+#include "collision/triangle_order.hpp"
+
+namespace weft::collision {
+namespace {
+
+/// Friction stands beside the bits of what a triangle owns, in 24 bits as a multiple of 2^-17: up to 128, to
+/// 4e-6.
+std::uint32_t friction_bits(double friction) {
+  return static_cast<std::uint32_t>(std::lround(friction * 131072)) << 8U;
+}
+
+Result<gpu::RawBuffer> uniform(gpu::Device& device, const FindParams& params) {
+  WEFT_TRY(buffer, gpu::Buffer<FindParams>::create_from(device, std::span(&params, 1), "find params",
+                                                        gpu::kUniform | gpu::kCopyTarget));
+  return gpu::RawBuffer(std::move(buffer));
+}
+
+}  // namespace
+
+std::uint32_t strided_groups(const gpu::Device& device, std::uint32_t capacity,
+                             std::uint32_t workgroup_size) {
+  const std::uint32_t most = device.adapter().type == "CPU" ? 16 : 262144 / workgroup_size;
+  return std::clamp((capacity + workgroup_size - 1) / workgroup_size, 1U, most);
+}
+
+Result<PairSearch> PairSearch::create(gpu::Device& device, const Model& model, const State& state,
+                                      const ContactPairs& pairs, const scene::Scene& scene,
+                                      const ColliderMeshes& meshes, const SearchSetup& setup) {
+  PairSearch made;
+  made.vertex_count_ = model.vertex_count();
+  made.triangle_count_ = model.triangle_count();
+  made.strided_groups_ = strided_groups(device, pairs.capacity, setup.workgroup_size);
+  WEFT_CHECK(made.create_buffers(device, model, scene, meshes));
+  WEFT_CHECK(made.create_trees(device, state, setup.workgroup_size));
+  WEFT_CHECK(made.create_find(device, state, pairs, setup));
+  WEFT_CHECK(made.create_lists(device, state, pairs, setup));
+  return made;
+}
+
+Result<void> PairSearch::create_buffers(gpu::Device& device, const Model& model, const scene::Scene& scene,
+                                        const ColliderMeshes& meshes) {
+  tree_ = ImplicitTree(triangle_count_);
+  std::vector<TreeWord> trees = tree_.words(), triangles;
+  WEFT_TRY(colliders,
+           ColliderSet::create(scene, meshes, static_cast<std::uint32_t>(trees.size()), triangle_count_));
+  colliders_ = std::move(colliders);
+  trees.insert(trees.end(), colliders_.trees.begin(), colliders_.trees.end());
+
+  order_ = cloth_order(model.host);
+  std::vector<mesh::Triangle> ordered;
+  for (const std::uint32_t t : order_) ordered.push_back(model.host.triangles[t]);
+  const std::vector<std::uint32_t> owned = feature_owners(ordered);
+  std::size_t cloth = 0;
+  for (std::size_t t = 0; t < ordered.size(); ++t) {
+    const auto& cloths = model.host.cloths;
+    while (cloth + 1 < cloths.size() && order_[t] >= cloths[cloth + 1].first_triangle) ++cloth;
+    triangles.push_back({ordered[t][0], ordered[t][1], ordered[t][2],
+                         owned[t] | friction_bits(scene.cloths[cloth].friction)});
+  }
+  triangles.insert(triangles.end(), colliders_.triangles.begin(), colliders_.triangles.end());
+
+  WEFT_TRY(tree_buffer, gpu::Buffer<TreeWord>::create_from(device, trees, "trees"));
+  trees_ = std::move(tree_buffer);
+  WEFT_TRY(triangle_buffer, gpu::Buffer<TreeWord>::create_from(device, triangles, "ordered triangles"));
+  triangles_ = std::move(triangle_buffer);
+  WEFT_TRY(points, gpu::Buffer<Vec4f>::create_from(device, colliders_.points, "collider points"));
+  points_ = std::move(points);
+  std::vector<TreeWord> list = colliders_.list;
+  list.resize(kMostColliders);
+  WEFT_TRY(list_buffer,
+           gpu::Buffer<TreeWord>::create_from(device, list, "colliders", gpu::kUniform | gpu::kCopyTarget));
+  collider_list_ = std::move(list_buffer);
+  WEFT_TRY(lists, gpu::Buffer<std::uint32_t>::create(
+                      device, triangle_count_ + scan_blocks(triangle_count_) + 1, "pairs of each triangle"));
+  lists_ = std::move(lists);
+  return {};
+}
+
+Result<void> PairSearch::create_trees(gpu::Device& device, const State& state, std::uint32_t workgroup_size) {
+  WEFT_TRY(refit, TreeRefit::create(device, workgroup_size));
+  refit_ = std::move(refit);
+  WEFT_CHECK(refit_.add(device, state.steps, tree_, 0, triangle_count_,
+                        {&state.position[0], &state.position[1]}, triangles_, state.statistics, trees_));
+  for (std::size_t i = 0; i < colliders_.implicit.size(); ++i)
+    WEFT_CHECK(refit_.add(device, state.steps, colliders_.implicit[i], colliders_.implicit_first[i],
+                          colliders_.implicit_count[i], {&points_, &points_}, triangles_, state.statistics,
+                          trees_));
+  return {};
+}
+
+Result<void> PairSearch::create_find(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                                     const SearchSetup& setup) {
+  WEFT_TRY(begin, gpu::Kernel::create(device, "contact/detect_begin.wgsl", {}, setup.workgroup_size));
+  detect_begin_ = std::move(begin);
+  WEFT_TRY(find, gpu::Kernel::create(device, "contact/find_pairs.wgsl", {}, setup.workgroup_size));
+  find_pairs_ = std::move(find);
+  FindParams params{0, setup.candidates ? 1U : 0U, triangle_count_,
+                    static_cast<std::uint32_t>(colliders_.list.size())};
+  params.self_contact = setup.self_radius > 0 ? 1 : 0;
+  params.first_row = 2 * colliders_.point_count;
+  params.first_block = triangle_count_;
+  params.radius = setup.radius;
+  params.self_radius = setup.self_radius;
+  for (std::size_t fill = 0; fill < 2; ++fill) {
+    params.fill = static_cast<std::uint32_t>(fill);
+    WEFT_TRY(buffer, uniform(device, params));
+    find_params_[fill] = std::move(buffer);
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+      WEFT_TRY(group, find_pairs_.bind({state.steps, find_params_[fill], collider_list_,
+                                        state.position[parity], triangles_, trees_, points_, lists_,
+                                        pairs.contacts, pairs.vertex_contacts, state.statistics}));
+      find_groups_[fill][parity] = std::move(group);
+    }
+  }
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    WEFT_TRY(group, detect_begin_.bind({state.steps, state.position[parity], state.velocity[parity],
+                                        pairs.predicted, pairs.vertex_contacts, state.statistics}));
+    begin_groups_[parity] = std::move(group);
+  }
+  return {};
+}
+
+Result<void> PairSearch::create_lists(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                                      const SearchSetup& setup) {
+  WEFT_TRY(scan_pairs, Scan::create(device, {triangle_count_, 1, 0, 0, triangle_count_, pairs.capacity},
+                                    state.statistics, lists_));
+  scan_pairs_ = std::move(scan_pairs);
+  WEFT_TRY(scan_entries,
+           Scan::create(device, {vertex_count_, kVertexWords, 1, 0, kVertexWords * vertex_count_, 0},
+                        state.statistics, pairs.vertex_contacts));
+  scan_entries_ = std::move(scan_entries);
+  const std::array<std::uint32_t, 4> params = {vertex_count_};
+  WEFT_TRY(buffer, gpu::Buffer<std::uint32_t>::create_from(device, params, "entry params",
+                                                           gpu::kUniform | gpu::kCopyTarget));
+  entry_params_ = std::move(buffer);
+  WEFT_TRY(list, gpu::Kernel::create(device, "contact/list_entries.wgsl", {}, setup.workgroup_size));
+  list_entries_ = std::move(list);
+  WEFT_TRY(sort, gpu::Kernel::create(device, "contact/sort_entries.wgsl", {}, setup.workgroup_size));
+  sort_entries_ = std::move(sort);
+  WEFT_TRY(list_group, list_entries_.bind({entry_params_, state.statistics, pairs.contacts,
+                                           pairs.vertex_contacts, pairs.entries}));
+  list_group_ = std::move(list_group);
+  WEFT_TRY(sort_group, sort_entries_.bind({entry_params_, state.statistics, pairs.contacts,
+                                           pairs.vertex_contacts, pairs.entries}));
+  sort_group_ = std::move(sort_group);
+  return {};
+}
+
+void PairSearch::record(gpu::ComputePass& pass) const {
+  const std::uint32_t parity = pass.parity();
+  detect_begin_.dispatch(pass, begin_groups_[parity], vertex_count_);
+  refit_.record(pass);
+  find_pairs_.dispatch(pass, find_groups_[0][parity], triangle_count_);  // counts
+  scan_pairs_.record(pass);
+  find_pairs_.dispatch(pass, find_groups_[1][parity], triangle_count_);  // fills
+  scan_entries_.record(pass);
+  list_entries_.dispatch_groups(pass, list_group_, strided_groups_);
+  sort_entries_.dispatch(pass, sort_group_, vertex_count_);
+}
+
+}  // namespace weft::collision

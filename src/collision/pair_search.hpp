@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "collision/collider_set.hpp"
+#include "collision/scan.hpp"
+#include "collision/tree_refit.hpp"
+#include "gpu/kernel.hpp"
+#include "state/contact_pairs.hpp"
+#include "state/state.hpp"
+
+namespace weft::collision {
+
+/// Mirror of FindParams in shaders/contact/find_pairs.wgsl.
+struct FindParams {
+  std::uint32_t fill = 0, candidates = 0, triangle_count = 0, collider_count = 0;
+  std::uint32_t self_contact = 0, tree = 0, first_row = 0, first_block = 0;
+  float radius = 0, self_radius = 0;  // [m]
+  std::uint32_t padding[2] = {};
+};
+static_assert(sizeof(FindParams) == 48);
+
+/// What a search looks for.
+struct SearchSetup {
+  float radius = 0, self_radius = 0;  // [m], without reaches; the second 0: cloth does not meet cloth
+  std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+  bool candidates =
+      false;  // all pairs of triangles whose grown boxes overlap, instead of features: for tests and timings
+};
+
+/// Finds and lists all pairs of features nearer than a radius: broad phase, narrow phase, count, scan, fill.
+/// Ten dispatches, which do nothing where no detection is due.
+/// Reads   state.steps; state.position[parity] [m]: at the start of the substep; the colliders' points.
+/// Writes  pairs; state.statistics.
+/// Errors  Input, Limit, Shader, OutOfMemory. Source: docs/contact.md.
+class PairSearch {
+ public:
+  PairSearch() = default;
+  static Result<PairSearch> create(gpu::Device& device, const Model& model, const State& state,
+                                   const ContactPairs& pairs, const scene::Scene& scene,
+                                   const ColliderMeshes& meshes, const SearchSetup& setup);
+  void record(gpu::ComputePass& pass) const;
+
+  const ColliderSet& colliders() const { return colliders_; }
+  const gpu::Buffer<Vec4f>& points() const { return points_; }
+  const gpu::Buffer<TreeWord>& trees() const { return trees_; }
+  /// The cloths' triangles in the order of their tree.
+  const std::vector<std::uint32_t>& order() const { return order_; }
+
+ private:
+  Result<void> create_buffers(gpu::Device& device, const Model& model, const scene::Scene& scene,
+                              const ColliderMeshes& meshes);
+  Result<void> create_trees(gpu::Device& device, const State& state, std::uint32_t workgroup_size);
+  Result<void> create_find(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                           const SearchSetup& setup);
+  Result<void> create_lists(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                            const SearchSetup& setup);
+
+  ColliderSet colliders_;
+  std::vector<std::uint32_t> order_;
+  std::uint32_t vertex_count_ = 0, triangle_count_ = 0, strided_groups_ = 1;
+  ImplicitTree tree_;
+  gpu::Buffer<TreeWord> triangles_, trees_;
+  gpu::Buffer<Vec4f> points_;
+  gpu::RawBuffer collider_list_, entry_params_;
+  std::array<gpu::RawBuffer, 2> find_params_;  // to count, to fill
+  gpu::Buffer<std::uint32_t> lists_;
+  TreeRefit refit_;
+  Scan scan_pairs_, scan_entries_;
+  gpu::Kernel detect_begin_, find_pairs_, list_entries_, sort_entries_;
+  std::array<gpu::BindGroup, 2> begin_groups_;                // by parity
+  std::array<std::array<gpu::BindGroup, 2>, 2> find_groups_;  // to count and to fill, by parity
+  gpu::BindGroup list_group_, sort_group_;
+};
+
+/// Workgroups of a dispatch whose invocations take every so-manieth pair: as many as keep the adapter busy.
+std::uint32_t strided_groups(const gpu::Device& device, std::uint32_t capacity, std::uint32_t workgroup_size);
+
+}  // namespace weft::collision

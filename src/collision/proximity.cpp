@@ -1,0 +1,112 @@
+#include "collision/proximity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::collision {
+namespace {
+
+/// The shortest altitude of any cloth triangle at rest [m].
+double shortest_altitude(const HostModel& model) {
+  double least = 1e300;
+  for (const mesh::Triangle& t : model.triangles) {
+    const Vec3d a = model.rest_position[t[0]], b = model.rest_position[t[1]], c = model.rest_position[t[2]];
+    const double longest = std::max({length(b - a), length(c - b), length(a - c)});
+    least = std::min(least, length(cross(b - a, c - a)) / longest);
+  }
+  return least;
+}
+
+double farthest(const HostModel& model) {
+  double most = 0;
+  for (const Vec3d& p : model.rest_position)
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return most;
+}
+
+}  // namespace
+
+Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::Contact& contact) {
+  const double thickness = contact.thickness;
+  if (!(thickness > 0))
+    return input_error("contact.thickness is %g m; proximity needs more than 0.", thickness);
+  // Positions are rounded to 2^-24 of their size; a gap of a hundredth of the thickness has to be told from
+  // none.
+  const double rounding = farthest(model) / 16777216;
+  if (thickness < 100 * rounding)
+    return input_error(
+        "contact.thickness is %g m; %g m from the origin proximity needs at least %.3g m, a hundred steps of "
+        "f32.",
+        thickness, farthest(model), 100 * rounding);
+  const double altitude = shortest_altitude(model);
+  ProximityLengths lengths;
+  lengths.thickness = thickness;
+  const double self_thickness = std::min(thickness, 0.5 * altitude);
+  if (contact.self) lengths.self_thickness = self_thickness;
+  // Cloth that lies flat and still should list nothing of itself, so h_s + 2b stays below the altitude.
+  lengths.most_reach = 0.5 * (0.95 * altitude - self_thickness);
+  lengths.least_reach = std::min(0.25 * thickness, lengths.most_reach);
+  return lengths;
+}
+
+Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, const State& state,
+                                    const ContactPairs& pairs, const scene::Scene& scene,
+                                    const ColliderMeshes& meshes, std::uint32_t substeps,
+                                    std::uint32_t workgroup_size) {
+  Proximity made;
+  made.substeps_ = substeps;
+  WEFT_TRY(lengths, proximity_lengths(model.host, scene.contact));
+  made.lengths_ = lengths;
+  SearchSetup setup;
+  setup.radius = static_cast<float>(lengths.thickness);
+  setup.self_radius = static_cast<float>(lengths.self_thickness);
+  setup.workgroup_size = workgroup_size;
+  WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
+  made.search_ = std::move(search);
+  made.strided_groups_ = strided_groups(device, pairs.capacity, workgroup_size);
+  WEFT_CHECK(made.create_kernels(device, state, pairs, workgroup_size));
+  return made;
+}
+
+Result<void> Proximity::create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                                       std::uint32_t workgroup_size) {
+  WEFT_TRY(evaluate, gpu::Kernel::create(device, "contact/evaluate.wgsl", {}, workgroup_size));
+  evaluate_ = std::move(evaluate);
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    WEFT_TRY(group, evaluate_.bind({state.steps, state.position[parity], pairs.predicted, search_.points(),
+                                    pairs.contacts, pairs.entries, pairs.vertex_contacts, state.statistics}));
+    evaluate_groups_[parity] = std::move(group);
+  }
+  const ColliderSet& colliders = search_.colliders();
+  if (!colliders.moves) return {};
+  rows_.resize(colliders.list.size() * (substeps_ + 1));
+  WEFT_TRY(places, gpu::Buffer<ColliderPlace>::create(device, rows_.size(), "collider places"));
+  places_ = std::move(places);
+  WEFT_TRY(shapes, gpu::Buffer<Vec4f>::create_from(device, colliders.shapes, "collider shapes"));
+  shapes_ = std::move(shapes);
+  WEFT_TRY(move, gpu::Kernel::create(device, "contact/move_points.wgsl", {}, workgroup_size));
+  move_points_ = std::move(move);
+  WEFT_TRY(move_group, move_points_.bind({state.steps, places_, shapes_, search_.points()}));
+  move_group_ = std::move(move_group);
+  return {};
+}
+
+void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, double time, double step) {
+  const ColliderSet& colliders = search_.colliders();
+  if (!colliders.moves) return;
+  const std::size_t count = colliders.list.size();
+  for (std::uint32_t s = 0; s <= substeps_; ++s)
+    place_colliders(scene, colliders, time + s * step, step, std::span(rows_).subspan(s * count, count));
+  places_.write(device, rows_);
+}
+
+void Proximity::record(gpu::ComputePass& pass) const {
+  const ColliderSet& colliders = search_.colliders();
+  if (colliders.moves)
+    move_points_.dispatch(pass, move_group_,
+                          std::max<std::size_t>(colliders.point_count, 3 * colliders.list.size()));
+  if (pass.step() % kDetectInterval == 0) search_.record(pass);
+  evaluate_.dispatch_groups(pass, evaluate_groups_[pass.parity()], strided_groups_);
+}
+
+}  // namespace weft::collision

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "collision/pair_search.hpp"
+
+namespace weft::collision {
+
+/// The lengths of proximity contact; names as in docs/contact.md. All in [m].
+struct ProximityLengths {
+  double thickness = 0;       // h
+  double self_thickness = 0;  // h_s; 0: cloth does not meet cloth
+  double least_reach = 0;     // b of cloth at rest
+  double most_reach = 0;      // b of cloth at any speed
+};
+
+/// Errors  Input: the thickness is not positive, or below what f32 can tell apart where the cloth is.
+Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::Contact& contact);
+
+/// Contact by proximity: in every substep moves the colliders' points, finds pairs where that is due, and
+/// measures the listed ones. Reads   state.steps; state.position[parity]; pairs.predicted: the solver's
+/// velocities. Writes  pairs; state.statistics. Errors  Input, Limit, Shader, OutOfMemory. Source:
+/// docs/contact.md.
+class Proximity {
+ public:
+  Proximity() = default;
+  static Result<Proximity> create(gpu::Device& device, const Model& model, const State& state,
+                                  const ContactPairs& pairs, const scene::Scene& scene,
+                                  const ColliderMeshes& meshes, std::uint32_t substeps,
+                                  std::uint32_t workgroup_size);
+  void record(gpu::ComputePass& pass) const;
+  /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
+  void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step);
+
+  const ProximityLengths& lengths() const { return lengths_; }
+  const PairSearch& search() const { return search_; }
+
+ private:
+  Result<void> create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                              std::uint32_t workgroup_size);
+
+  ProximityLengths lengths_;
+  PairSearch search_;
+  gpu::Kernel move_points_, evaluate_;
+  gpu::BindGroup move_group_;
+  std::array<gpu::BindGroup, 2> evaluate_groups_;  // by parity
+  gpu::Buffer<ColliderPlace> places_;
+  gpu::Buffer<Vec4f> shapes_;
+  std::vector<ColliderPlace> rows_;  // of one frame; kept so that a frame allocates nothing
+  std::uint32_t strided_groups_ = 1, substeps_ = 1;
+};
+
+}  // namespace weft::collision

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "collision/implicit_tree.hpp"
+#include "gpu/kernel.hpp"
+#include "state/state.hpp"
+
+namespace weft::collision {
+
+/// Mirror of shaders/contact/tree_params.wgsl.
+struct TreeParams {
+  std::uint32_t tree = 0, top = 0, first_triangle = 0, triangle_count = 0;
+};
+
+/// The boxes of implicit trees, from where their triangles are. In two dispatches a tree.
+/// Reads   positions [m]; triangles: corners; state.statistics: whether a detection is due.
+/// Writes  trees.
+/// Errors  Shader, OutOfMemory.
+class TreeRefit {
+ public:
+  TreeRefit() = default;
+  static Result<TreeRefit> create(gpu::Device& device, std::uint32_t workgroup_size);
+  /// Adds a tree; `positions` for either parity of the substep.
+  Result<void> add(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const ImplicitTree& tree,
+                   std::uint32_t first_triangle, std::uint32_t triangle_count,
+                   const std::array<const gpu::RawBuffer*, 2>& positions,
+                   const gpu::Buffer<TreeWord>& triangles, const gpu::Buffer<std::uint32_t>& statistics,
+                   const gpu::Buffer<TreeWord>& trees);
+  void record(gpu::ComputePass& pass) const;
+
+ private:
+  struct Part {
+    gpu::RawBuffer params;
+    std::array<gpu::BindGroup, 2> leaves;  // by parity
+    gpu::BindGroup upper;
+    std::uint32_t leaf_count = 0, top = 0;
+  };
+  gpu::Kernel leaf_boxes_, upper_boxes_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace weft::collision
