@@ -28,8 +28,9 @@ Result<std::unique_ptr<Pictures>> Pictures::create(const sim::World& world, cons
   settings.view = wanted.view;
   settings.camera = world.scene().camera;
   settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
-  const render::Inputs inputs = render::inputs_of(world.model(), world.state(), world.surface().normal(),
-                                                  world.surface().stretch(), world.scene(), objects);
+  const render::Inputs inputs =
+      render::inputs_of(world.model(), world.state(), world.surface().normal(), world.surface().stretch(),
+                        world.scene(), objects, world.assets().keyframes);
   WEFT_TRY(offscreen, picture::Offscreen::create(world.device(), settings, inputs));
   made->offscreen_ = std::move(offscreen);
   WEFT_TRY(video, picture::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height,
@@ -45,6 +46,7 @@ Result<void> Pictures::draw(const sim::World& world) {
   }
   list_.reset();
   offscreen_->record(list_, world.parity());
+  offscreen_->set_time(world.time());
   WEFT_CHECK(device_->submit(list_));
   offscreen_->start();
   ++drawn_;

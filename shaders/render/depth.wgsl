@@ -1,11 +1,13 @@
 // What the sun sees: depth alone. One vertex per index of the triangle list.
 #include "render/frame.wgsl"
-//                                                                           elements      unit
-@group(0) @binding(0) var<uniform>       frame    : Frame;                // 1
-@group(0) @binding(1) var<storage, read> position : array<vec4f>;         // vertex_count  m
+#include "render/placement.wgsl"
+//                                                                            elements      unit
+@group(0) @binding(0) var<uniform>       frame     : Frame;                // 1
+@group(0) @binding(1) var<storage, read> position  : array<vec4f>;         // vertex_count  m
+@group(0) @binding(2) var<storage, read> placement : array<vec4f>;         // 3 * those that move
 
 @vertex
 fn vertex_main(@builtin(vertex_index) i : u32) -> @builtin(position) vec4f {
-  let clip = frame.light_projection * vec4f(position[i].xyz, 1.0);  // parallel light: w is 1
+  let clip = frame.light_projection * vec4f(placed(position[i]), 1.0);  // parallel light: w is 1
   return vec4f(clip.xy, saturate(clip.z), 1.0);  // what has left the bounds along the light still casts a shadow
 }

@@ -1,11 +1,13 @@
 // The obstacles: warm grey, matt, lit like the cloth. One vertex per index of the triangle list.
 #include "render/lighting.wgsl"
+#include "render/placement.wgsl"
 //                                                                                 elements      unit
 @group(0) @binding(0) var<uniform>       frame          : Frame;                // 1
 @group(0) @binding(1) var                shadow_map     : texture_depth_2d;
 @group(0) @binding(2) var                shadow_sampler : sampler_comparison;
 @group(0) @binding(3) var<storage, read> position       : array<vec4f>;         // vertex_count  m
 @group(0) @binding(4) var<storage, read> normal         : array<vec4f>;         // vertex_count  unit
+@group(0) @binding(5) var<storage, read> placement      : array<vec4f>;         // 3 * those that move
 const kAlbedo = vec3f(0.360, 0.335, 0.305);
 const kDark = 0.11;  // of everything under lines, on the dark background
 const kGloss = 0.10;
@@ -18,8 +20,8 @@ struct Vertex {
 
 @vertex
 fn vertex_main(@builtin(vertex_index) i : u32) -> Vertex {
-  let p = position[i].xyz;
-  return Vertex(frame.view_projection * vec4f(p, 1.0), p, normal[i].xyz);
+  let p = placed(position[i]);
+  return Vertex(frame.view_projection * vec4f(p, 1.0), p, turned(normal[i].xyz, position[i]));
 }
 
 @fragment

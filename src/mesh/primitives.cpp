@@ -5,40 +5,71 @@
 
 namespace weft::mesh {
 
-// Vertices: the north pole, then the rings from north to south, then the south pole. Seen from outside:
-//
-//     a───b    a, b: ring r, columns c + 1 and c (the angle grows to the left, y is up)
-//     │   │
-//     d───e    d, e: ring r + 1
-TriangleMesh make_sphere(int columns, int rows) {
-  assert(columns >= 3 && rows >= 2);
-  constexpr double kPi = 3.14159265358979323846;
-  TriangleMesh mesh;
-  mesh.positions.push_back({0.0F, 1.0F, 0.0F});
-  for (int row = 1; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) {
-      const double polar = kPi * row / rows;
-      const double around = 2.0 * kPi * column / columns;
-      const Vec3d p{std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around)};
-      mesh.positions.push_back(p.to<float>());
-    }
-  mesh.positions.push_back({0.0F, -1.0F, 0.0F});
+namespace {
 
+constexpr double kPi = 3.14159265358979323846;
+
+void add_ring(TriangleMesh& mesh, int columns, double radius, double height) {
+  for (int column = 0; column < columns; ++column) {
+    const double around = 2.0 * kPi * column / columns;
+    mesh.positions.push_back(Vec3d{radius * std::cos(around), height, radius * std::sin(around)}.to<float>());
+  }
+}
+
+// The triangles over the north pole, `rings` rings from north to south, and the south pole, which are the
+// vertices in this order. Row 0 and the last are the poles. Seen from outside:
+//
+//     a───b    a, b: row r, columns c + 1 and c (the angle grows to the left, y is up)
+//     │   │
+//     d───e    d, e: row r + 1
+void close_rings(TriangleMesh& mesh, int columns, int rings) {
   const auto last = static_cast<std::uint32_t>(mesh.positions.size() - 1);
   const auto vertex = [&](int row, int column) {
     if (row == 0) return std::uint32_t{0};
-    if (row == rows) return last;
+    if (row > rings) return last;
     return static_cast<std::uint32_t>(1 + (row - 1) * columns + column % columns);
   };
-  for (int row = 0; row < rows; ++row)
+  for (int row = 0; row <= rings; ++row)
     for (int column = 0; column < columns; ++column) {
       const std::uint32_t a = vertex(row, column + 1);
       const std::uint32_t b = vertex(row, column);
       const std::uint32_t d = vertex(row + 1, column + 1);
       const std::uint32_t e = vertex(row + 1, column);
-      if (row > 0) mesh.triangles.push_back({a, d, b});         // at the pole a and b are one
-      if (row + 1 < rows) mesh.triangles.push_back({b, d, e});  // at the other d and e are
+      if (row > 0) mesh.triangles.push_back({a, d, b});      // at the pole a and b are one
+      if (row < rings) mesh.triangles.push_back({b, d, e});  // at the other d and e are
     }
+}
+
+}  // namespace
+
+TriangleMesh make_sphere(int columns, int rows) {
+  assert(columns >= 3 && rows >= 2);
+  TriangleMesh mesh;
+  mesh.positions.push_back({0.0F, 1.0F, 0.0F});
+  for (int row = 1; row < rows; ++row) {
+    const double polar = kPi * row / rows;
+    add_ring(mesh, columns, std::sin(polar), std::cos(polar));
+  }
+  mesh.positions.push_back({0.0F, -1.0F, 0.0F});
+  close_rings(mesh, columns, rows - 1);
+  return mesh;
+}
+
+TriangleMesh make_capsule(double length, double radius, int columns, int rows) {
+  assert(length > 0 && radius > 0 && columns >= 3 && rows >= 1);
+  TriangleMesh mesh;
+  const double end = 0.5 * length;
+  mesh.positions.push_back(Vec3d{0, end + radius, 0}.to<float>());
+  for (int row = 1; row <= rows; ++row) {
+    const double polar = 0.5 * kPi * row / rows;
+    add_ring(mesh, columns, radius * std::sin(polar), row == rows ? end : end + radius * std::cos(polar));
+  }
+  for (int row = rows; row >= 1; --row) {
+    const double polar = 0.5 * kPi * row / rows;
+    add_ring(mesh, columns, radius * std::sin(polar), row == rows ? -end : -end - radius * std::cos(polar));
+  }
+  mesh.positions.push_back(Vec3d{0, -end - radius, 0}.to<float>());
+  close_rings(mesh, columns, 2 * rows);
   return mesh;
 }
 

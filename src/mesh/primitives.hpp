@@ -10,6 +10,11 @@ namespace weft::mesh {
 /// triangles, closed and facing outward. 20 x 20 is the sphere of Sung et al.: 382 vertices, 760 triangles.
 TriangleMesh make_sphere(int columns, int rows);
 
+/// A capsule around the origin: all points within `radius` of the line of `length` along y [m]. `columns` >=
+/// 3 around it, `rows` >= 1 from each pole to where the half-sphere ends. 2 * columns * rows + 2 vertices,
+/// closed and facing outward.
+TriangleMesh make_capsule(double length, double radius, int columns, int rows);
+
 /// A box around the origin with edges of these lengths [m]: 8 vertices and 12 triangles, closed and facing
 /// outward.
 TriangleMesh make_box(const Vec3d& size);

@@ -21,6 +21,8 @@ class Offscreen {
 
   /// Records all passes and the copy to the host. `parity` chooses the position buffer.
   void record(gpu::CommandList& list, std::uint32_t parity) const;
+  /// As render::Renderer::set_time; before the submit.
+  void set_time(double time) { renderer_.set_time(time); }
   /// Call after the submit of what record recorded.
   void start() { ring_.start(); }
   bool full() const { return ring_.full(); }

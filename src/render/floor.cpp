@@ -17,6 +17,17 @@ PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle,
           Vec4f::from(across.to<float>(), shadows_only ? 0.0F : 1.0F)};
 }
 
+PlaneParams moved_plane(const PlaneParams& rest, const scene::RigidTransform& move, const Vec3d& middle) {
+  const auto turned = [&](const Vec4f& v) { return move(v.xyz().to<double>()) - move.translation; };
+  const Vec3d along = turned(rest.along), across = turned(rest.across);
+  Vec3d center = move(rest.center.xyz().to<double>());
+  const double period = 2 * static_cast<double>(rest.along.w);  // of the checker board [m]
+  for (const Vec3d& axis : {along, across})
+    center += std::round(dot(middle - center, axis) / period) * period * axis;
+  return {Vec4f::from(center.to<float>(), rest.center.w), Vec4f::from(along.to<float>(), rest.along.w),
+          Vec4f::from(across.to<float>(), rest.across.w)};
+}
+
 Result<std::vector<gpu::Buffer<PlaneParams>>> create_planes(gpu::Device& device,
                                                             const std::vector<PlaneParams>& planes) {
   std::vector<gpu::Buffer<PlaneParams>> buffers;

@@ -6,6 +6,7 @@
 #include "gpu/render_pipeline.hpp"
 #include "render/picture_pipeline.hpp"
 #include "render/shadow_map.hpp"
+#include "scene/motion.hpp"
 
 namespace weft::render {
 
@@ -18,6 +19,9 @@ struct PlaneParams {
 /// The part of a plane under what is drawn: around the point nearest to `middle`, `reach` [m] to each side.
 PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle, double reach,
                          bool shadows_only);
+
+/// A plane that has moved, seen around the point nearest to `middle`: its squares move with it.
+PlaneParams moved_plane(const PlaneParams& rest, const scene::RigidTransform& move, const Vec3d& middle);
 
 Result<std::vector<gpu::Buffer<PlaneParams>>> create_planes(gpu::Device& device,
                                                             const std::vector<PlaneParams>& planes);

@@ -29,10 +29,25 @@ struct ClothDraw {
   std::vector<ClothRange> ranges;
 };
 
+/// Where the vertices of an obstacle that deforms are at a time, before its motion.
+struct ObjectKeyframe {
+  double time = 0;               // [s]
+  std::vector<Vec3f> positions;  // [m]
+};
+/// An obstacle of triangles, in the world where the scene puts it [m].
+struct ObjectDraw {
+  mesh::TriangleMesh mesh;
+  std::vector<ObjectKeyframe> keyframes{};  // times rise from above 0; `mesh` is the shape at 0
+  std::optional<scene::ColliderMotion> motion{};
+};
+
+/// The obstacles are copied at creation; those with a motion move with Renderer::set_time.
 struct Inputs {
   ClothDraw cloth;
-  std::vector<mesh::TriangleMesh> objects;  // in the world [m]; copied at creation
+  std::vector<ObjectDraw> objects;
   std::vector<scene::ColliderSphere> spheres;
+  std::vector<scene::ColliderCapsule> capsules;
+  std::vector<scene::ColliderBox> boxes;
   std::vector<scene::ColliderPlane> planes;
 };
 

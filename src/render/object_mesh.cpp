@@ -1,17 +1,68 @@
 #include "render/object_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/primitives.hpp"
 
 namespace weft::render {
 namespace {
 
-constexpr int kSphereColumns = 96, kSphereRows = 48;
+constexpr int kColumns = 96, kRows = 48;  // of a sphere; a capsule's ends are its halves
 
-void append(const mesh::TriangleMesh& mesh, ObjectMesh& all) {
+struct Part {
+  ObjectDraw draw;
+  bool closed = false;
+  bool moves() const { return draw.motion || !draw.keyframes.empty(); }
+};
+
+mesh::TriangleMesh placed(mesh::TriangleMesh mesh, const scene::ColliderSphere& sphere) {
+  for (Vec3f& p : mesh.positions) p = (sphere.center + sphere.radius * p.to<double>()).to<float>();
+  return mesh;
+}
+
+mesh::TriangleMesh mesh_of(const scene::ColliderCapsule& capsule) {
+  const Vec3d span = capsule.b - capsule.a, middle = 0.5 * (capsule.a + capsule.b);
+  const double size = length(span);
+  mesh::TriangleMesh mesh = mesh::make_capsule(size, capsule.radius, kColumns, kRows / 2);
+  const Vec3d y = span / size, helper = std::abs(y.x) < 0.9 ? Vec3d{1, 0, 0} : Vec3d{0, 0, 1};
+  const Vec3d z = cross(helper, y) / length(cross(helper, y)), x = cross(y, z);
+  for (Vec3f& p : mesh.positions) {
+    const Vec3d q = p.to<double>();
+    p = (middle + q.x * x + q.y * y + q.z * z).to<float>();
+  }
+  return mesh;
+}
+
+/// No two triangles share a vertex, so that the edges are sharp.
+mesh::TriangleMesh mesh_of(const scene::ColliderBox& box) {
+  const mesh::TriangleMesh shared = mesh::transformed(mesh::make_box(box.size), 1, box.rotate, box.center);
+  mesh::TriangleMesh mesh;
+  for (const mesh::Triangle& triangle : shared.triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const std::uint32_t vertex : triangle) mesh.positions.push_back(shared.positions[vertex]);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+std::vector<Part> parts_of(const Inputs& inputs) {
+  std::vector<Part> parts;
+  if (!inputs.spheres.empty()) {
+    const mesh::TriangleMesh unit = mesh::make_sphere(kColumns, kRows);
+    for (const scene::ColliderSphere& sphere : inputs.spheres)
+      parts.push_back({{placed(unit, sphere), {}, sphere.motion}, true});
+  }
+  for (const scene::ColliderCapsule& capsule : inputs.capsules)
+    parts.push_back({{mesh_of(capsule), {}, capsule.motion}, true});
+  for (const scene::ColliderBox& box : inputs.boxes) parts.push_back({{mesh_of(box), {}, box.motion}, true});
+  for (const ObjectDraw& object : inputs.objects) parts.push_back({object, is_closed(object.mesh)});
+  return parts;
+}
+
+void append(const mesh::TriangleMesh& mesh, float w, ObjectMesh& all) {
   const auto first = static_cast<std::uint32_t>(all.positions.size());
-  for (const Vec3f& position : mesh.positions) all.positions.push_back(Vec4f::from(position, 1));
+  for (const Vec3f& position : mesh.positions) all.positions.push_back(Vec4f::from(position, w));
   for (const Vec3f& normal : vertex_normals(mesh)) all.normals.push_back(Vec4f::from(normal, 0));
   for (const mesh::Triangle& triangle : mesh.triangles)
     for (const std::uint32_t vertex : triangle) all.indices.push_back(first + vertex);
@@ -19,18 +70,26 @@ void append(const mesh::TriangleMesh& mesh, ObjectMesh& all) {
 
 }  // namespace
 
-std::vector<Vec3f> vertex_normals(const mesh::TriangleMesh& mesh) {
-  std::vector<Vec3d> sums(mesh.positions.size());
+void write_vertex_normals(const mesh::TriangleMesh& mesh, std::vector<Vec3d>& sums,
+                          std::span<Vec4f> normals) {
+  sums.assign(mesh.positions.size(), {});
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3d pa = mesh.positions[a].to<double>();
     const Vec3d n = cross(mesh.positions[b].to<double>() - pa, mesh.positions[c].to<double>() - pa);
     for (const std::uint32_t vertex : {a, b, c}) sums[vertex] += n;
   }
-  std::vector<Vec3f> normals(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const double size = length(sums[i]);
-    normals[i] = size > 0 ? (sums[i] / size).to<float>() : Vec3f{0, 1, 0};
+    normals[i] = Vec4f::from(size > 0 ? (sums[i] / size).to<float>() : Vec3f{0, 1, 0}, 0);
   }
+}
+
+std::vector<Vec3f> vertex_normals(const mesh::TriangleMesh& mesh) {
+  std::vector<Vec3d> sums;
+  std::vector<Vec4f> wide(mesh.positions.size());
+  write_vertex_normals(mesh, sums, wide);
+  std::vector<Vec3f> normals;
+  for (const Vec4f& normal : wide) normals.push_back(normal.xyz());
   return normals;
 }
 
@@ -49,24 +108,20 @@ bool is_closed(const mesh::TriangleMesh& mesh) {
 }
 
 ObjectMesh join_objects(const Inputs& inputs) {
+  std::vector<Part> parts = parts_of(inputs);
   ObjectMesh all;
-  if (!inputs.spheres.empty()) {
-    const mesh::TriangleMesh unit = mesh::make_sphere(kSphereColumns, kSphereRows);
-    for (const scene::ColliderSphere& sphere : inputs.spheres) {
-      mesh::TriangleMesh placed = unit;
-      for (Vec3f& p : placed.positions) p = (sphere.center + sphere.radius * p.to<double>()).to<float>();
-      append(placed, all);
-    }
-  }
-  std::vector<const mesh::TriangleMesh*> open;
-  for (const mesh::TriangleMesh& mesh : inputs.objects) {
-    if (is_closed(mesh))
-      append(mesh, all);
-    else
-      open.push_back(&mesh);
-  }
+  for (const Part& part : parts)
+    if (!part.moves() && part.closed) append(part.draw.mesh, 0, all);
   all.closed_index_count = all.indices.size();
-  for (const mesh::TriangleMesh* mesh : open) append(*mesh, all);
+  for (const Part& part : parts)
+    if (!part.moves() && !part.closed) append(part.draw.mesh, 0, all);
+  all.open_index_count = all.indices.size() - all.closed_index_count;
+  for (Part& part : parts) {
+    if (!part.moves()) continue;
+    all.moving.push_back({all.positions.size(), {}});
+    append(part.draw.mesh, static_cast<float>(all.moving.size() - 1), all);
+    all.moving.back().draw = std::move(part.draw);
+  }
   return all;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -9,21 +10,31 @@
 
 namespace weft::render {
 
+/// An obstacle that moves or deforms, and where its vertices begin among all.
+struct MovingObject {
+  std::size_t first_vertex = 0;
+  ObjectDraw draw;
+};
+
 struct ObjectMesh {
-  std::vector<Vec4f> positions;  // [m]
+  std::vector<Vec4f> positions;  // [m]; w: of one that moves its number in `moving`
   std::vector<Vec4f> normals;    // unit
+  // Of still meshes whose inner side is never seen, then of the other still ones, then of those that move.
   std::vector<std::uint32_t> indices;
-  std::size_t closed_index_count = 0;  // at the front: of meshes whose inner side is never seen
+  std::size_t closed_index_count = 0, open_index_count = 0;
+  std::vector<MovingObject> moving;
 };
 
 /// The normal of each vertex: the sum of its triangles' normals times their areas, made unit.
 std::vector<Vec3f> vertex_normals(const mesh::TriangleMesh& mesh);
+/// The same into `normals`, one a vertex; `sums` is room that is kept, so that nothing is allocated.
+void write_vertex_normals(const mesh::TriangleMesh& mesh, std::vector<Vec3d>& sums, std::span<Vec4f> normals);
 
 /// Whether a mesh is a solid's surface that faces outward: each side of a triangle is that of one other, run
 /// through the other way.
 bool is_closed(const mesh::TriangleMesh& mesh);
 
-/// All meshes and spheres of `inputs`: first those that are closed, then the others.
+/// All obstacles of `inputs` but planes.
 ObjectMesh join_objects(const Inputs& inputs);
 
 }  // namespace weft::render

@@ -7,36 +7,41 @@ Result<ObjectBuffers> ObjectBuffers::create(gpu::Device& device, const ObjectMes
   WEFT_TRY(normal, gpu::Buffer<Vec4f>::create_from(device, mesh.normals, "object normal"));
   WEFT_TRY(indices, gpu::Buffer<std::uint32_t>::create_from(device, mesh.indices, "object triangles",
                                                             gpu::kIndex | gpu::kCopyTarget));
+  WEFT_TRY(placement, gpu::Buffer<Vec4f>::create(device, 3 * mesh.moving.size(), "object placement"));
   const auto closed = static_cast<std::uint32_t>(mesh.closed_index_count);
-  const auto open = static_cast<std::uint32_t>(mesh.indices.size()) - closed;
-  return ObjectBuffers{std::move(position), std::move(normal), std::move(indices), closed, open};
+  const auto open = static_cast<std::uint32_t>(mesh.open_index_count);
+  const auto moving = static_cast<std::uint32_t>(mesh.indices.size()) - closed - open;
+  return ObjectBuffers{
+      std::move(position), std::move(normal), std::move(indices), std::move(placement), closed, open, moving};
 }
 
 Result<ObjectSurface> ObjectSurface::create(gpu::Device& device, const Look& look,
                                             const gpu::Buffer<FrameParams>& frame, const ShadowMap& shadow,
                                             const ObjectBuffers& buffers) {
   ObjectSurface made;
-  gpu::RenderPipelineInfo info = picture_pipeline(look);
-  WEFT_TRY(open, gpu::RenderPipeline::create(device, "render/object.wgsl", info));
-  made.open_ = std::move(open);
-  info.cull = gpu::CullMode::Back;
-  WEFT_TRY(closed, gpu::RenderPipeline::create(device, "render/object.wgsl", info));
-  made.closed_ = std::move(closed);
-  for (auto [pipeline, group] :
-       {std::pair{&made.open_, &made.open_group_}, {&made.closed_, &made.closed_group_}}) {
-    WEFT_TRY(bound,
-             pipeline->bind({frame, shadow.texture(), shadow.sampler(), buffers.position, buffers.normal}));
-    *group = std::move(bound);
-  }
   made.index_buffer_ = buffers.indices.id();
-  made.closed_index_count_ = buffers.closed_index_count;
-  made.open_index_count_ = buffers.open_index_count;
+  gpu::RenderPipelineInfo open = picture_pipeline(look), closed = open, moving = open;
+  closed.cull = gpu::CullMode::Back;
+  moving.constants.push_back({"kMoves", 1});
+  const auto add = [&](Group& group, const gpu::RenderPipelineInfo& info, std::uint32_t first,
+                       std::uint32_t count) -> Result<void> {
+    WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/object.wgsl", info));
+    WEFT_TRY(bound, pipeline.bind({frame, shadow.texture(), shadow.sampler(), buffers.position,
+                                   buffers.normal, buffers.placement}));
+    group = {std::move(pipeline), std::move(bound), first, count};
+    return {};
+  };
+  WEFT_CHECK(add(made.closed_, closed, 0, buffers.closed_index_count));
+  WEFT_CHECK(add(made.open_, open, buffers.closed_index_count, buffers.open_index_count));
+  if (buffers.moving_index_count > 0)
+    WEFT_CHECK(add(made.moving_, moving, buffers.first_moving_index(), buffers.moving_index_count));
   return made;
 }
 
 void ObjectSurface::record(gpu::RenderPass& pass) const {
-  pass.draw_indexed(closed_.id(), closed_group_.id(), index_buffer_, closed_index_count_);
-  pass.draw_indexed(open_.id(), open_group_.id(), index_buffer_, open_index_count_, closed_index_count_);
+  for (const Group* group : {&closed_, &open_, &moving_})
+    pass.draw_indexed(group->pipeline.id(), group->bound.id(), index_buffer_, group->index_count,
+                      group->first_index);
 }
 
 }  // namespace weft::render

@@ -7,11 +7,14 @@
 
 namespace weft::render {
 
-/// The obstacles on the GPU. They do not move, so they are uploaded once.
+/// The obstacles on the GPU, as ObjectMesh orders them. Still ones are uploaded once; see MovingObjects.
 struct ObjectBuffers {
-  gpu::Buffer<Vec4f> position, normal;                         // vertex_count, m and unit
-  gpu::Buffer<std::uint32_t> indices;                          // 3 * triangle_count
-  std::uint32_t closed_index_count = 0, open_index_count = 0;  // the closed ones come first
+  gpu::Buffer<Vec4f> position, normal;  // vertex_count, m and unit
+  gpu::Buffer<std::uint32_t> indices;   // 3 * triangle_count
+  gpu::Buffer<Vec4f> placement;         // three rows for each that moves, see render/placement.wgsl
+  std::uint32_t closed_index_count = 0, open_index_count = 0, moving_index_count = 0;
+
+  std::uint32_t first_moving_index() const { return closed_index_count + open_index_count; }
 
   /// Errors  Limit, OutOfMemory.
   static Result<ObjectBuffers> create(gpu::Device& device, const ObjectMesh& mesh);
@@ -27,10 +30,14 @@ class ObjectSurface {
   void record(gpu::RenderPass& pass) const;
 
  private:
-  gpu::RenderPipeline closed_, open_;  // the first leaves out the far sides: half the work
-  gpu::BindGroup closed_group_, open_group_;
+  /// What is drawn with one pipeline.
+  struct Group {
+    gpu::RenderPipeline pipeline;
+    gpu::BindGroup bound;
+    std::uint32_t first_index = 0, index_count = 0;
+  };
+  Group closed_, open_, moving_;  // the first leaves out the far sides: half the work
   gpu::Id index_buffer_ = 0;
-  std::uint32_t closed_index_count_ = 0, open_index_count_ = 0;
 };
 
 }  // namespace weft::render

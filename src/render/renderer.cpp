@@ -82,10 +82,16 @@ Result<void> Renderer::create_scene(const Inputs& inputs) {
   scene_.frame = std::move(frame);
   WEFT_TRY(weaves, create_weaves(*device_, inputs.cloth.ranges));
   scene_.weaves = std::move(weaves);
-  WEFT_TRY(planes, create_planes(*device_, planes_of(inputs, settings_)));
+  const std::vector<PlaneParams> squares = planes_of(inputs, settings_);
+  WEFT_TRY(planes, create_planes(*device_, squares));
   scene_.planes = std::move(planes);
-  WEFT_TRY(objects, ObjectBuffers::create(*device_, join_objects(inputs)));
+  for (std::size_t p = 0; p < inputs.planes.size(); ++p)
+    if (inputs.planes[p].motion) moving_planes_.push_back({p, squares[p], *inputs.planes[p].motion});
+  ObjectMesh mesh = join_objects(inputs);
+  WEFT_TRY(objects, ObjectBuffers::create(*device_, mesh));
   scene_.objects = std::move(objects);
+  moving_objects_ = MovingObjects(std::move(mesh.moving));
+  set_time(0);
   WEFT_TRY(shadow_map, ShadowMap::create(*device_, scene_.frame, inputs.cloth, scene_.objects));
   scene_.shadow_map = std::move(shadow_map);
   return {};
@@ -152,6 +158,15 @@ void Renderer::record(gpu::CommandList& list, std::uint32_t parity, gpu::Id targ
 void Renderer::set_camera(const Camera& camera) {
   settings_.camera = camera;
   write_frame();
+}
+
+void Renderer::set_time(double time) {
+  moving_objects_.write(*device_, scene_.objects, time);
+  for (const MovingPlane& moving : moving_planes_) {
+    const PlaneParams params =
+        moved_plane(moving.rest, scene::motion_at(moving.motion, time), middle_of(settings_.bounds));
+    scene_.planes[moving.plane].write(*device_, {&params, 1});
+  }
 }
 
 }  // namespace weft::render

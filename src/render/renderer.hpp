@@ -7,6 +7,7 @@
 #include "gpu/texture.hpp"
 #include "render/camera.hpp"
 #include "render/inputs.hpp"
+#include "render/moving_objects.hpp"
 #include "render/view_passes.hpp"
 
 namespace weft::render {
@@ -27,7 +28,7 @@ struct Settings {
 /// Draws a state's buffers where they lie, with light and shadow, into a texture of the caller's.
 class Renderer {
  public:
-  /// Reads   inputs.cloth: buffers that outlive the renderer; inputs.objects are copied.
+  /// Reads   inputs.cloth: buffers that outlive the renderer; obstacles are copied.
   /// Errors  Shape: buffers disagree in size, or the view lacks one. Limit: the picture is larger than the
   ///         adapter can make. OutOfMemory.
   static Result<Renderer> create(gpu::Device& device, const Settings& settings, const Inputs& inputs);
@@ -46,9 +47,18 @@ class Renderer {
   View view() const { return settings_.view; }
   /// Moves the camera, from the next submit on; the light stays.
   void set_camera(const Camera& camera);
+  /// Brings the obstacles that move or deform to where they are at `time` [s], from the next submit on. Costs
+  /// nothing where none does.
+  void set_time(double time);
   const Camera& camera() const { return *settings_.camera; }
 
  private:
+  struct MovingPlane {
+    std::size_t plane = 0;  // of DrawnScene::planes
+    PlaneParams rest;
+    scene::ColliderMotion motion;
+  };
+
   Result<void> create_scene(const Inputs& inputs);
   void write_frame();
 
@@ -56,6 +66,8 @@ class Renderer {
   Settings settings_;
   gpu::Texture color_, depth_;
   DrawnScene scene_;
+  MovingObjects moving_objects_;
+  std::vector<MovingPlane> moving_planes_;
   std::array<std::optional<ViewPasses>, 4> passes_;  // by view
 };
 

@@ -1,6 +1,7 @@
 #include "render/scene_inputs.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "scene/motion.hpp"
 
@@ -12,11 +13,21 @@ void include(mesh::Bounds& bounds, const Vec3f& point) {
   bounds.high = max(bounds.high, point);
 }
 
+ObjectDraw object_of(const scene::ColliderMesh& collider, const mesh::TriangleMesh& mesh,
+                     const std::vector<mesh::TriangleMesh>& keyframes) {
+  assert(keyframes.empty() || keyframes.size() == collider.keyframes.size());
+  ObjectDraw object{mesh, {}, collider.motion};
+  for (std::size_t k = 0; k < keyframes.size(); ++k)
+    object.keyframes.push_back({collider.keyframes[k].time, keyframes[k].positions});
+  return object;
+}
+
 }  // namespace
 
 Inputs inputs_of(const Model& model, const State& state, const gpu::RawBuffer& normal,
                  const gpu::RawBuffer& stretch, const scene::Scene& scene,
-                 const std::vector<mesh::TriangleMesh>& objects) {
+                 const std::vector<mesh::TriangleMesh>& objects,
+                 const std::vector<std::vector<mesh::TriangleMesh>>& keyframes) {
   Inputs inputs;
   inputs.cloth.position = {&state.position[0], &state.position[1]};
   inputs.cloth.normal = &normal;
@@ -31,8 +42,20 @@ Inputs inputs_of(const Model& model, const State& state, const gpu::RawBuffer& n
     }
     inputs.cloth.ranges.push_back({cloth.first_triangle, cloth.triangle_count, cloth.color, size});
   }
-  inputs.objects = objects;
+  std::size_t object = 0;
   for (const scene::Collider& collider : scene.colliders) {
+    if (const auto* mesh = std::get_if<scene::ColliderMesh>(&collider)) {
+      assert(object < objects.size());
+      inputs.objects.push_back(object_of(
+          *mesh, objects[object], keyframes.empty() ? std::vector<mesh::TriangleMesh>() : keyframes[object]));
+      ++object;
+    }
+    if (const auto* box = std::get_if<scene::ColliderBox>(&collider)) {  // drawn with sharp edges
+      inputs.boxes.push_back(*box);
+      ++object;
+    }
+    if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&collider))
+      inputs.capsules.push_back(*capsule);
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) inputs.spheres.push_back(*sphere);
     if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) inputs.planes.push_back(*plane);
   }
@@ -60,12 +83,17 @@ mesh::Bounds scene_bounds(const HostModel& model, const scene::Scene& scene,
     include(bounds, box.low);
     include(bounds, box.high);
   }
-  for (const scene::Collider& collider : scene.colliders)
-    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) {
-      const Vec3d r{sphere->radius, sphere->radius, sphere->radius};
-      include(bounds, (sphere->center - r).to<float>());
-      include(bounds, (sphere->center + r).to<float>());
-    }
+  const auto include_ball = [&](const Vec3d& center, double radius) {
+    const Vec3d r{radius, radius, radius};
+    include(bounds, (center - r).to<float>());
+    include(bounds, (center + r).to<float>());
+  };
+  for (const scene::Collider& collider : scene.colliders) {
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider))
+      include_ball(sphere->center, sphere->radius);
+    if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&collider))
+      for (const Vec3d& point : {capsule->a, capsule->b}) include_ball(point, capsule->radius);
+  }
   return bounds;
 }
 

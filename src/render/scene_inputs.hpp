@@ -3,23 +3,24 @@
 
 #include <vector>
 
-#include "render/inputs.hpp"
 #include "model/host_model.hpp"
+#include "render/inputs.hpp"
 #include "state/model.hpp"
 #include "state/state.hpp"
 
 namespace weft::render {
 
 /// What a picture of a running scene is drawn from.
-/// Reads   normal: vertex_count x Vec4f, unit; stretch: vertex_count x float; objects: in the world [m].
-/// Model,
-///         state, normal and stretch must outlive the renderer.
+/// Reads   normal: vertex_count x Vec4f, unit; stretch: vertex_count x float; objects: in the world [m], one
+///         for each mesh and box collider in order, and of each the shapes of its keyframes (or none at all).
+///         Model, state, normal and stretch must outlive the renderer.
 Inputs inputs_of(const Model& model, const State& state, const gpu::RawBuffer& normal,
                  const gpu::RawBuffer& stretch, const scene::Scene& scene,
-                 const std::vector<mesh::TriangleMesh>& objects);
+                 const std::vector<mesh::TriangleMesh>& objects,
+                 const std::vector<std::vector<mesh::TriangleMesh>>& keyframes = {});
 
 /// The box around all that a run is likely to show: objects, the cloth at rest, hanging down by its own
-/// length, and where motions take it [m].
+/// length, and where motions take it; obstacles as they are at time 0 [m].
 mesh::Bounds scene_bounds(const HostModel& model, const scene::Scene& scene,
                           const std::vector<mesh::TriangleMesh>& objects);
 

@@ -28,11 +28,12 @@ class ShadowMap {
  private:
   gpu::Texture depth_;
   gpu::Sampler sampler_;
-  gpu::RenderPipeline closed_, open_;  // the first leaves out what faces away from the sun
-  gpu::BindGroup closed_object_, open_object_;
+  gpu::RenderPipeline closed_, open_, moving_;  // the first leaves out what faces away from the sun
+  gpu::BindGroup closed_object_, open_object_, moving_object_;
   std::array<gpu::BindGroup, 2> cloth_;  // by parity
   gpu::Id object_indices_ = 0, cloth_indices_ = 0;
-  std::uint32_t closed_index_count_ = 0, open_index_count_ = 0, cloth_index_count_ = 0;
+  std::uint32_t closed_index_count_ = 0, open_index_count_ = 0, moving_index_count_ = 0,
+                cloth_index_count_ = 0;
 };
 
 }  // namespace weft::render

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "mesh/primitives.hpp"
@@ -54,4 +55,22 @@ TEST_CASE("a box has its size, and is closed and faces outward") {
     CHECK(dot(cross(b - a, c - a), a) > 0.0F);
   }
   CHECK(signed_volume(box) == doctest::Approx(3));
+}
+
+TEST_CASE("a capsule has its radius around its axis, and is closed and faces outward") {
+  for (const auto& [columns, rows] : {std::pair{3, 1}, {7, 2}, {48, 12}}) {
+    const TriangleMesh capsule = make_capsule(2, 0.5, columns, rows);
+    REQUIRE(check_mesh(capsule));
+    CHECK(capsule.positions.size() == static_cast<std::size_t>(2 * columns * rows + 2));
+    CHECK(is_closed_and_consistent(capsule));
+    CHECK(signed_volume(capsule) > 0);
+    for (const Vec3f& p : capsule.positions) {
+      const Vec3f on_axis{0, std::min(1.0F, std::max(-1.0F, p.y)), 0};
+      CHECK(length(p - on_axis) == doctest::Approx(0.5F).epsilon(1e-6));
+    }
+    TriangleMesh left = capsule;
+    CHECK(drop_degenerate_triangles(left) == 0);
+  }
+  const double volume = 3.14159265 * (0.25 * 2 + 4.0 / 3 * 0.125);
+  CHECK(signed_volume(make_capsule(2, 0.5, 200, 100)) == doctest::Approx(volume).epsilon(1e-3));
 }

@@ -46,8 +46,7 @@ TEST_CASE("each view of a waved sheet over a sphere shows something, and somethi
   Inputs inputs;
   inputs.cloth = sheet.draw();
   inputs.spheres = {{{0, 0, 0}, 0.5}};
-  inputs.objects = {
-      mesh::TriangleMesh{{{-1, -0.5F, 1}, {-0.6F, -0.5F, 1}, {-0.8F, 0.2F, 1}}, {{0, 1, 2}}}};  // open
+  inputs.objects = {{{{{-1, -0.5F, 1}, {-0.6F, -0.5F, 1}, {-0.8F, 0.2F, 1}}, {{0, 1, 2}}}}};  // open
   std::vector<Image> images;
   for (const View view : {View::Textured, View::Wireframe, View::Normals, View::Stretch}) {
     Settings settings = settings_for({{-1, -0.5F, -1}, {1, 0.7F, 1}}, view);

@@ -1,4 +1,5 @@
 #include "gpu/gpu_fixture.hpp"
+#include "mesh/primitives.hpp"
 #include "render/scene_inputs.hpp"
 #include "render/sheet.hpp"
 
@@ -44,12 +45,15 @@ TEST_CASE("a scene's bounds hold the sheet at rest, hanging, and where a motion 
   CHECK(bounds.high.z == 1);
 }
 
-TEST_CASE("a scene's bounds hold meshes and spheres, and no plane") {
+TEST_CASE("a scene's bounds hold meshes, spheres and capsules, and no plane") {
   scene::Scene scene = one_second();
-  scene.colliders = {scene::ColliderSphere{{-5, 0, 0}, 0.5}, scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}}};
+  scene.colliders = {scene::ColliderSphere{{-5, 0, 0}, 0.5},
+                     scene::ColliderCapsule{{0, 0, 0}, {6, 0, 0}, 0.25},
+                     scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}}};
   const mesh::TriangleMesh object{{{0, 7, 0}, {0, 8, 0}, {0, 8, 4}}, {{0, 1, 2}}};
   const mesh::Bounds bounds = scene_bounds(two_triangles(), scene, {object});
   CHECK(bounds.low == Vec3f{-5.5F, -1.5F, -0.5F});
+  CHECK(bounds.high.x == 6.25F);
   CHECK(bounds.high.y == 8);
   CHECK(bounds.high.z == 4);
 }
@@ -57,11 +61,19 @@ TEST_CASE("a scene's bounds hold meshes and spheres, and no plane") {
 TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by cloth") {
   GpuFixture fixture;
   scene::Scene scene = one_second();
-  scene.colliders = {scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}}, scene::ColliderSphere{{-5, 0, 0}, 0.5}};
+  const scene::ColliderMotion line = scene::MotionLine{{1, 0, 0}, 2};
+  scene.colliders = {scene::ColliderBox{{0, 0, 0}, {1, 2, 3}}, scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}},
+                     scene::ColliderSphere{{-5, 0, 0}, 0.5, {}, line},
+                     scene::ColliderMesh{"", "a.obj", {}, {{0.5, "b.obj"}}, {}, line},
+                     scene::ColliderCapsule{{0, 0, 0}, {1, 0, 0}, 0.5}};
   const Model model = value_of(Model::create(fixture.device(), two_triangles()));
   const State state = value_of(State::create(fixture.device(), model.host, 1));
   const auto stretch = value_of(gpu::Buffer<float>::create(fixture.device(), 6, "stretch"));
-  const Inputs inputs = inputs_of(model, state, model.rest_position, stretch, scene, {{}, {}});
+  const mesh::TriangleMesh box = mesh::make_box({1, 2, 3});
+  const mesh::TriangleMesh object{{{0, 7, 0}, {0, 8, 0}, {0, 8, 4}}, {{0, 1, 2}}};
+  const mesh::TriangleMesh bent{{{0, 7, 0}, {0, 9, 0}, {0, 8, 4}}, {{0, 1, 2}}};
+  const Inputs inputs =
+      inputs_of(model, state, model.rest_position, stretch, scene, {box, object}, {{}, {bent}});
   CHECK(inputs.cloth.position[1] == &state.position[1]);
   CHECK(inputs.cloth.normal == &model.rest_position);
   CHECK(inputs.cloth.stretch == &stretch);
@@ -71,7 +83,15 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   CHECK(inputs.cloth.ranges[1].color == Vec3d{0.1, 0.2, 0.3});
   CHECK(inputs.cloth.ranges[0].sheet_size == 1);
   CHECK(inputs.cloth.ranges[1].sheet_size == 1.5);
-  CHECK(inputs.objects.size() == 2);
-  CHECK(inputs.spheres.size() == 1);
+  REQUIRE(inputs.objects.size() == 1);  // the box is drawn from its size
+  CHECK(inputs.objects[0].mesh.positions == object.positions);
+  REQUIRE(inputs.objects[0].keyframes.size() == 1);
+  CHECK(inputs.objects[0].keyframes[0].time == 0.5);
+  CHECK(inputs.objects[0].keyframes[0].positions == bent.positions);
+  CHECK(inputs.objects[0].motion == line);
+  CHECK(inputs.boxes.size() == 1);
+  CHECK(inputs.capsules.size() == 1);
+  REQUIRE(inputs.spheres.size() == 1);
+  CHECK(inputs.spheres[0].motion == line);
   CHECK(inputs.planes.size() == 1);
 }

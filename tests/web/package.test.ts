@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
-import { createWorld, WeftError, type World, type WorldOptions } from "weft";
+import { createWorld, meshNames, WeftError, type World, type WorldOptions } from "weft";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { gpu } from "./node_gpu.ts";
 
@@ -42,6 +42,12 @@ it("the README's example for Node runs", async () => {
   expect(positions).toHaveLength(3 * 64 * 64);
   expect(hash).toMatch(/^[0-9a-f]{16}$/);
   world.dispose();
+});
+
+it("a scene names the meshes of its cloths, its colliders and their keyframes, each once", () => {
+  const names = meshNames({ format: "weft-scene/1", cloths: [{ mesh: "shirt" }, { grid: [2, 2] }], colliders: [{ kind: "plane" }, null,
+    { kind: "mesh", mesh: "body", keyframes: [{ time: 1, mesh: "bent" }, { time: 2, mesh: "body" }, null] }, { kind: "mesh", mesh: "chair", keyframes: 3 }] });
+  expect(names).toEqual(["shirt", "body", "bent", "chair"]);
 });
 
 describe("a world", () => {

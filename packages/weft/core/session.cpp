@@ -94,11 +94,15 @@ Result<void> Session::set_view(scene::View view) {
 Result<void> Session::advance(bool draw) {
   // Natively advance_frame would wait here; in a browser nothing arrives while it does.
   if (!world_->has_room()) return make_error(ErrorKind::Failure, "Three frames are under way already.");
-  return world_->advance_frame(draw && view_ ? &view_->list(world_->parity_after()) : nullptr);
+  if (!draw || !view_) return world_->advance_frame();
+  view_->set_time(world_->time() + world_->scene().time.frame);
+  return world_->advance_frame(&view_->list(world_->parity_after()));
 }
 
 Result<void> Session::draw() {
-  return view_ ? device_->submit(view_->list(world_->parity())) : Result<void>();
+  if (!view_) return {};
+  view_->set_time(world_->time());
+  return device_->submit(view_->list(world_->parity()));
 }
 
 Result<void> Session::pick(double x, double y) {

@@ -28,6 +28,9 @@ class View {
   /// What draws the state that lies in this parity's buffers.
   const gpu::CommandList& list(std::uint32_t parity) const { return lists_[parity]; }
 
+  /// As render::Renderer::set_time; before the submit of a list.
+  void set_time(double time) { renderer_.set_time(time); }
+
   const render::Camera& camera() const { return renderer_.camera(); }
   void set_camera(const render::Camera& camera) { renderer_.set_camera(camera); }
   void reset_camera() { renderer_.set_camera(first_camera_); }

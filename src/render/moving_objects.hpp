@@ -1,0 +1,34 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "render/object_surface.hpp"
+
+namespace weft::render {
+
+/// Brings the obstacles that move or deform to where they are at a time. All room is taken at the start.
+class MovingObjects {
+ public:
+  MovingObjects() = default;
+  explicit MovingObjects(std::vector<MovingObject> objects);
+
+  /// Writes  buffers.placement: three rows each; of those that deform position [m] and normal, where they
+  ///         change. Before anything that is submitted later.
+  void write(gpu::Device& device, const ObjectBuffers& buffers, double time);
+
+ private:
+  struct Moving {
+    MovingObject object;       // its mesh is the shape as it was written last
+    double written_shape = 0;  // the time that shape is of [s]
+  };
+  void deform(gpu::Device& device, const ObjectBuffers& buffers, std::size_t number, double time);
+
+  std::vector<Moving> objects_;
+  double written_ = std::numeric_limits<double>::quiet_NaN();  // [s]
+  std::vector<Vec4f> rows_;                                    // of all
+  std::vector<Vec4f> positions_, normals_;                     // of one that deforms
+  std::vector<Vec3d> sums_;
+};
+
+}  // namespace weft::render
