@@ -27,6 +27,8 @@ fn set_reach() {
   let need = 1.5 * kDetectInterval * step.dt * bitcast<f32>(statistics[kStatSpeed]);
   statistics[kStatReach] = bitcast<u32>(clamp(need, step.least_reach, step.most_reach));
   statistics[kStatSpeed] = 0u;
+  statistics[kStatDetect] = 0u;
+  statistics[kStatDetections] += 1u;
 }
 
 fn leaf_box(leaf : u32) -> Box {

@@ -9,7 +9,7 @@
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m (w: inverse mass, 1/kg)
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m: shared/contact.wgsl
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
-@group(0) @binding(4) var<storage, read>       entries         : array<u32>;
+@group(0) @binding(4) var<storage, read>       entries         : array<vec2u>;
 @group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> position        : array<vec4f>;        // vertex_count          m
 @group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>;        // vertex_count          m/s
@@ -66,11 +66,11 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.vertex_count) { return; }
   let words = kVertexWords * vertex;
-  let begin = atomicLoad(&vertex_contacts[words]) +
-              atomicLoad(&vertex_contacts[kVertexWords * step.vertex_count + vertex / kScanBlock]);
-  let end = begin + select(0u, atomicLoad(&vertex_contacts[words + 1u]), atomicLoad(&statistics[kStatPairs]) > 0u);
+  let begin = atomicLoad(&vertex_contacts[words]);
+  let end = begin + atomicLoad(&vertex_contacts[words + 1u]);
   let count = atomicLoad(&vertex_contacts[words + 2u + step.parity]);
   atomicStore(&vertex_contacts[words + 3u - step.parity], 0u);  // for the next substep
+  if (vertex == 0u) { atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatFound])); }
 
   let reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   let start = previous[vertex];
@@ -81,7 +81,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     if ((count & 65535u) > 0u) {
       var change = vec3f(0.0);
       for (var k = begin; k < end; k++) {
-        let entry = entries[k];
+        let entry = entries[k].y;
         if ((entry & kEntryActs) == 0u) { continue; }
         let contact = contacts[entry / 16u];
         change += weights_of(contact.ids, contact.place.x, contact.place.y)[entry & 3u] * impulse(contact);
@@ -95,22 +95,22 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     if (begin < end && (far || (count >> 16u) > 0u)) {
       var part = 1.0;
       for (var k = begin; k < end; k++) {
-        if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-        let contact = contacts[entries[k] / 16u];
+        if (!far && (entries[k].y & kEntryNear) == 0u) { continue; }
+        let contact = contacts[entries[k].y / 16u];
         if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the spring brings it out
-        let now = beyond(contact, entries[k] & 3u, start.xyz);
-        let then = beyond(contact, entries[k] & 3u, x);
+        let now = beyond(contact, entries[k].y & 3u, start.xyz);
+        let then = beyond(contact, entries[k].y & 3u, x);
         if (then > 0.0 && now < 0.0) { part = min(part, now / (now - then)); }
         if (then > 0.0 && now >= 0.0 && is_self_pair(contact.ids)) { part = 0.0; }
       }
       if (part < 1.0) { x = start.xyz + part * (x - start.xyz); }
       var pushed = false;
       for (var k = begin; k < end; k++) {  // a collider that comes nearer takes the vertex with it
-        if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-        let contact = contacts[entries[k] / 16u];
+        if (!far && (entries[k].y & kEntryNear) == 0u) { continue; }
+        let contact = contacts[entries[k].y / 16u];
         if (contact.normal.w <= 0.0 || is_self_pair(contact.ids)) { continue; }
-        let side = select(-1.0, 1.0, (entries[k] & 3u) < roles_of_a(contact.ids));
-        let depth = beyond(contact, entries[k] & 3u, x);
+        let side = select(-1.0, 1.0, (entries[k].y & 3u) < roles_of_a(contact.ids));
+        let depth = beyond(contact, entries[k].y & 3u, x);
         if (depth > 0.0) {
           x += side * depth * contact.normal.xyz;
           pushed = true;

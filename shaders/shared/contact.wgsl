@@ -31,8 +31,7 @@ fn weights_of(ids : vec4u, s : f32, t : f32) -> vec4f {
   return vec4f(1.0, s + t - 1.0, -s, -t);
 }
 
-// What each vertex has, four words: where its entries begin within its block, how many they are, and for
-// substeps of either parity how many pairs act (low half) and are near (high half). After all vertices: where the
-// blocks of kScanBlock begin.
-const kVertexWords = 4u;
-const kScanBlock = 1024u;
+// What each vertex has: where its entries begin, how many they are, for substeps of either parity how many of its pairs act (low
+// half) and are near (high half), and a count that the listing needs.
+const kVertexWords = 5u;
+const kCursorWord = 4u;
