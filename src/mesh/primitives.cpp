@@ -42,4 +42,26 @@ TriangleMesh make_sphere(int columns, int rows) {
   return mesh;
 }
 
+// Vertex k is at the positive end of x, y, z where bit 0, 1, 2 of k is set:
+//
+//      2 ────── 3      y
+//    6 ─┼──── 7 │      │
+//    │  0 ────┼ 1      o── x
+//    4 ────── 5       z
+TriangleMesh make_box(const Vec3d& size) {
+  TriangleMesh mesh;
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    const Vec3d end{(k & 1U) != 0 ? 0.5 : -0.5, (k & 2U) != 0 ? 0.5 : -0.5, (k & 4U) != 0 ? 0.5 : -0.5};
+    mesh.positions.push_back(Vec3d{end.x * size.x, end.y * size.y, end.z * size.z}.to<float>());
+  }
+  constexpr std::uint32_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5},   // x
+                                          {0, 1, 5, 4}, {2, 6, 7, 3},   // y
+                                          {0, 2, 3, 1}, {4, 5, 7, 6}};  // z
+  for (const auto& [a, b, c, d] : kFaces) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  }
+  return mesh;
+}
+
 }  // namespace weft::mesh

@@ -10,4 +10,8 @@ namespace weft::mesh {
 /// triangles, closed and facing outward. 20 x 20 is the sphere of Sung et al.: 382 vertices, 760 triangles.
 TriangleMesh make_sphere(int columns, int rows);
 
+/// A box around the origin with edges of these lengths [m]: 8 vertices and 12 triangles, closed and facing
+/// outward.
+TriangleMesh make_box(const Vec3d& size);
+
 }  // namespace weft::mesh

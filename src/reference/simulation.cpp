@@ -7,9 +7,9 @@
 #include "base/state_hash.hpp"
 #include "model/grab_speed.hpp"
 #include "model/max_push.hpp"
+#include "model/spectrum.hpp"
 #include "reference/collision/analytic.hpp"
 #include "reference/collision/response.hpp"
-#include "model/spectrum.hpp"
 #include "scene/motion.hpp"
 
 namespace weft::reference {
@@ -48,7 +48,9 @@ Result<Simulation> Simulation::create(const scene::Scene& scene,
   system.grab_speed = grab_speed(made.model_);
   // No more than the whole distance in a substep: the follower would swing about its target.
   system.grab_rate = std::min(kGrabRate, 1 / made.step());
-  if (scene.contact.method != scene::ContactMethod::None) WEFT_CHECK(made.add_colliders(objects));
+  const scene::ContactMethod method = scene.contact.method;
+  if (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh)
+    WEFT_CHECK(made.add_colliders(objects));
   made.reset();
   return made;
 }
@@ -114,7 +116,8 @@ void Simulation::substep(std::uint32_t number) {
 void Simulation::set_grabs(double time) {
   system_.grabs.clear();
   for (const NodeGrab& one : model_.grabs)
-    if (scene::holds_at(one.grab, time)) system_.grabs.push_back({one.node, scene::target_at(one.grab, time)});
+    if (scene::holds_at(one.grab, time))
+      system_.grabs.push_back({one.node, scene::target_at(one.grab, time)});
 }
 
 void Simulation::follow_motions(const std::vector<Vec3d>& previous, double time) {

@@ -20,9 +20,9 @@ namespace weft::reference {
 /// one order: the same bits on every machine, native or WebAssembly.
 class Simulation {
  public:
-  /// `cloth_meshes` holds a mesh for each cloth (empty for a grid), `objects` one for each mesh collider, all
-  /// placed in the world. Errors  Input: the model cannot be built, an object has a triangle without area.
-  /// Limit: "auto" needs too many substeps.
+  /// `cloth_meshes` holds a mesh for each cloth (empty for a grid), `objects` one for each mesh and box
+  /// collider, all placed in the world. Errors  Input: the model cannot be built, an object has a triangle
+  /// without area. Limit: "auto" needs too many substeps.
   static Result<Simulation> create(const scene::Scene& scene,
                                    const std::vector<mesh::TriangleMesh>& cloth_meshes,
                                    const std::vector<mesh::TriangleMesh>& objects);

@@ -1,48 +1,15 @@
 #include "scene/build.hpp"
 
 #include <algorithm>
-#include <iterator>
 
+#include "scene/build_collider.hpp"
+#include "scene/build_motion.hpp"
+#include "scene/checked_values.hpp"
 #include "scene/grab.hpp"
 #include "scene/names.hpp"
 
 namespace weft::scene {
 namespace {
-
-// Readers of values that the checks have passed.
-const Json& at(const Json& object, const char* key) {
-  const Json* value = object.find(key);
-  assert(value);
-  return *value;
-}
-double number(const Json& object, const char* key) { return at(object, key).number; }
-std::uint32_t whole(const Json& json) { return static_cast<std::uint32_t>(json.number); }
-std::string text(const Json& object, const char* key) {
-  const Json* value = object.find(key);
-  return value ? value->text : "";
-}
-std::optional<double> maybe_number(const Json& object, const char* key) {
-  const Json* value = object.find(key);
-  return value ? std::optional(value->number) : std::nullopt;
-}
-Vec3d vector(const Json& json) {
-  return {json.values[0].number, json.values[1].number, json.values[2].number};
-}
-Vec3d vector(const Json& object, const char* key) { return vector(at(object, key)); }
-
-/// The vector's direction; the largest component is made 1 first, so that no square underflows.
-Vec3d unit(const Vec3d& v) {
-  const double largest = std::max({v.x, -v.x, v.y, -v.y, v.z, -v.z});
-  const Vec3d scaled = v / largest;
-  return scaled / length(scaled);
-}
-
-template <class E, std::size_t N>
-E word(const Json& json, const char* const (&names)[N]) {
-  const auto found = std::find(std::begin(names), std::end(names), json.text);
-  assert(found != std::end(names));
-  return static_cast<E>(found - std::begin(names));
-}
 
 class Builder {
  public:
@@ -62,15 +29,18 @@ class Builder {
     scene.solver.kind = word<SolverKind>(at(at(json, "solver"), "kind"), kSolverKindNames);
     if (scene.solver.kind == SolverKind::MassSpring)
       scene.solver.forces = word<Forces>(at(at(json, "solver"), "forces"), kForcesNames);
-    scene.contact.method = word<ContactMethod>(at(at(json, "contact"), "method"), kContactMethodNames);
-    scene.contact.thickness = number(at(json, "contact"), "thickness");
+    WEFT_TRY(contact, this->contact(at(json, "contact")));
+    scene.contact = contact;
     for (const Json& one : at(json, "cloths").values) {
       WEFT_TRY(built, cloth(one, path_of_index("cloths", scene.cloths.size())));
       scene.cloths.push_back(std::move(built));
     }
     WEFT_CHECK(check_grabs(scene.cloths));
-    for (const Json& one : at(json, "colliders").values)
-      scene.colliders.push_back(collider(one, path_of_index("colliders", scene.colliders.size())));
+    for (const Json& one : at(json, "colliders").values) {
+      const std::string path = path_of_index("colliders", scene.colliders.size());
+      WEFT_TRY(built, build_collider(one, scene.contact.method, file_, path));
+      scene.colliders.push_back(std::move(built));
+    }
     if (const Json* camera = json.find("camera")) {
       scene.camera =
           Camera{vector(*camera, "eye"), vector(*camera, "target"), number(*camera, "fov_degrees")};
@@ -98,15 +68,15 @@ class Builder {
     return time;
   }
 
-  static Transform transform(const Json& json) {
-    Transform transform;
-    transform.scale = number(json, "scale");
-    const std::vector<Json>& q = at(json, "rotate").values;
-    double sum = 0;  // of squares
-    for (std::size_t k = 0; k < 4; ++k) sum += q[k].number * q[k].number;
-    for (std::size_t k = 0; k < 4; ++k) transform.rotate[k] = q[k].number / std::sqrt(sum);
-    transform.translate = vector(json, "translate");
-    return transform;
+  Result<Contact> contact(const Json& json) const {
+    Contact contact;
+    contact.method = word<ContactMethod>(at(json, "method"), kContactMethodNames);
+    contact.thickness = number(json, "thickness");
+    contact.self = at(json, "self").boolean;
+    contact.restitution = number(json, "restitution");
+    if (contact.method == ContactMethod::Proximity && contact.thickness == 0)
+      return wrong("contact.thickness", "is 0; contact.method \"proximity\" needs one above 0 m");
+    return contact;
   }
 
   Result<Cloth> cloth(const Json& json, const std::string& path) {
@@ -123,13 +93,14 @@ class Builder {
         return wrong(path + ".grid", "brings the grids to " + std::to_string(grid_nodes_) +
                                          " nodes, more than the limit of " + std::to_string(kMaxGridNodes));
     }
-    cloth.transform = transform(at(json, "transform"));
+    cloth.transform = transform_of(at(json, "transform"));
     cloth.density = maybe_number(json, "density");
     cloth.node_mass = maybe_number(json, "node_mass");
     const Json& stiffness = at(json, "stiffness");
     cloth.stiffness = {number(stiffness, "structural"), number(stiffness, "shear"),
                        number(stiffness, "bend")};
     cloth.damping = number(json, "damping");
+    cloth.friction = number(json, "friction");
     WEFT_TRY(pins, selectors(at(json, "pins"), path + ".pins", cloth));
     cloth.pins = std::move(pins);
     for (const Json& one : at(json, "motions").values) {
@@ -185,26 +156,8 @@ class Builder {
     motion.where = where(path);
     WEFT_TRY(nodes, selectors(at(json, "nodes"), path + ".nodes", cloth));
     motion.nodes = std::move(nodes);
-    const std::string& kind = at(json, "kind").text;
-    if (kind == "line") {
-      motion.shape = MotionLine{unit(vector(json, "direction")), number(json, "speed"),
-                                maybe_number(json, "distance"), number(json, "start"), number(json, "ramp")};
-    } else if (kind == "rotation") {
-      motion.shape =
-          MotionRotation{unit(vector(json, "axis")),  vector(json, "center"), number(json, "speed"),
-                         maybe_number(json, "angle"), number(json, "start"),  number(json, "ramp")};
-    } else {
-      MotionPath shape;
-      for (const Json& point : at(json, "points").values) {
-        const double time = point.values[0].number;
-        if (!shape.points.empty() && time <= shape.points.back().time)
-          return wrong(path_of_index(path_of_index(path + ".points", shape.points.size()), 0),
-                       "is " + number_text(time) + " s, not after the " +
-                           number_text(shape.points.back().time) + " s of the point before it");
-        shape.points.push_back({time, vector(point.values[1])});
-      }
-      motion.shape = std::move(shape);
-    }
+    WEFT_TRY(shape, build_motion(json, file_, path));
+    motion.shape = std::move(shape);
     return motion;
   }
 
@@ -243,14 +196,6 @@ class Builder {
                            grab->where.c_str(), static_cast<std::size_t>(count), grab->start, kMaxGrabs);
     }
     return {};
-  }
-
-  Collider collider(const Json& json, const std::string& path) const {
-    const std::string& kind = at(json, "kind").text;
-    if (kind == "mesh")
-      return ColliderMesh{where(path), text(json, "mesh"), transform(at(json, "transform"))};
-    if (kind == "sphere") return ColliderSphere{vector(json, "center"), number(json, "radius")};
-    return ColliderPlane{vector(json, "point"), unit(vector(json, "normal"))};
   }
 
   const std::string& file_;

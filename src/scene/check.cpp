@@ -12,6 +12,8 @@ namespace {
 std::string expected(const Type& type) {
   std::string text;
   switch (type.kind) {
+    case Type::Kind::Truth:
+      return "true or false";
     case Type::Kind::Text:
       return "a text";
     case Type::Kind::Number:
@@ -60,6 +62,7 @@ class Checker {
         return tuple(json, type, path);
       case Type::Kind::Object:
         return object(json, type, path);
+      case Type::Kind::Truth:
       case Type::Kind::Either:
         break;
     }
@@ -190,6 +193,8 @@ class Checker {
 
 Json::Kind json_kind(const Type& type) {
   switch (type.kind) {
+    case Type::Kind::Truth:
+      return Json::Kind::Boolean;
     case Type::Kind::Text:
     case Type::Kind::Choice:
       return Json::Kind::Text;

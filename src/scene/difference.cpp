@@ -20,6 +20,7 @@ const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (a.node_mass != b.node_mass) return "node_mass";
   if (!(a.stiffness == b.stiffness)) return "stiffness";
   if (a.damping != b.damping) return "damping";
+  if (a.friction != b.friction) return "friction";
   if (!(a.pins == b.pins)) return "pins";
   if (!(a.motions == b.motions)) return "motions";
   if (!(a.grabs == b.grabs)) return "grabs";
@@ -35,6 +36,8 @@ std::optional<std::string> fixed_difference(const Scene& running, const Scene& w
   if (running.solver.forces != wanted.solver.forces) return "solver.forces";
   if (running.contact.method != wanted.contact.method) return "contact.method";
   if (running.contact.thickness != wanted.contact.thickness) return "contact.thickness";
+  if (running.contact.self != wanted.contact.self) return "contact.self";
+  if (running.contact.restitution != wanted.contact.restitution) return "contact.restitution";
   if (running.cloths.size() != wanted.cloths.size()) return "cloths";
   for (std::size_t c = 0; c < running.cloths.size(); ++c)
     if (const char* key = cloth_difference(running.cloths[c], wanted.cloths[c]))

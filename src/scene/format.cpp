@@ -34,6 +34,9 @@ constexpr Type kInstant{.kind = Kind::Number, .most = kLate, .unit = "s"};
 constexpr Type kLength{.kind = Kind::Number, .least = kSmall, .most = kFar, .unit = "m"};
 constexpr Type kSpeed{.kind = Kind::Number, .least = 1e-9, .most = 1e4, .unit = "m/s"};
 constexpr Type kTurnRate{.kind = Kind::Number, .least = 1e-9, .most = 1e4, .unit = "rad/s"};
+constexpr Type kPart{.kind = Kind::Number, .most = 1};
+constexpr Type kFriction{.kind = Kind::Number, .most = 100};
+constexpr Type kTruth{.kind = Kind::Truth};
 constexpr Type kAngle{.kind = Kind::Number, .least = 1e-9, .most = 1e6, .unit = "rad"};
 
 // transform
@@ -49,7 +52,6 @@ constexpr Key kTransformKeys[] = {
 constexpr Type kTransform{.kind = Kind::Object, .name = "transform", .keys = kTransformKeys};
 
 // wind
-constexpr Type kPart{.kind = Kind::Number, .most = 1};
 constexpr Key kWindKeys[] = {
     {"velocity", &kVelocity, "The mean", "[0, 0, 0]"},
     {"gusts", &kPart, "Strength of the gusts, as a part of the mean", "0"},
@@ -87,9 +89,13 @@ constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kS
 constexpr Type kContactMethod{.kind = Kind::Choice, .choices = kContactMethodNames};
 constexpr Type kThickness{.kind = Kind::Number, .most = 10, .unit = "m"};
 constexpr Key kContactKeys[] = {
-    {"method", &kContactMethod, "How cloth meets colliders: not at all, all pairs, or pairs from a tree",
+    {"method", &kContactMethod,
+     "How cloth meets colliders: not at all, all pairs, pairs from a tree, or before surfaces meet, cloth "
+     "too",
      "\"bvh\""},
-    {"thickness", &kThickness, "Distance that contact keeps from a surface", "0.005"},
+    {"thickness", &kThickness, "Distance that contact keeps from a surface; above 0 for proximity", "0.005"},
+    {"self", &kTruth, "Whether cloth meets cloth; only proximity uses it", "true"},
+    {"restitution", &kPart, "Part of the normal velocity that comes back; only proximity uses it", "0"},
 };
 constexpr Type kContact{.kind = Kind::Object, .keys = kContactKeys};
 
@@ -158,6 +164,13 @@ constexpr Key kRotationKeys[] = {
     {"ramp", &kInstant, "Time in which the speed rises from 0, and falls to 0 before the end", "0"},
 };
 constexpr Variant kMotionVariants[] = {{"line", kLineKeys}, {"path", kPathKeys}, {"rotation", kRotationKeys}};
+constexpr Key kColliderMotionKeys[] = {
+    {"kind", &kMotionKind, "How the collider moves", nullptr, true},
+};
+constexpr Type kColliderMotion{.kind = Kind::Object,
+                               .name = "collider_motion",
+                               .keys = kColliderMotionKeys,
+                               .variants = kMotionVariants};
 constexpr Type kMotion{
     .kind = Kind::Object, .name = "motion", .keys = kMotionKeys, .variants = kMotionVariants};
 constexpr const Type* kMotionItem[] = {&kMotion};
@@ -208,6 +221,7 @@ constexpr Key kClothKeys[] = {
     {"node_mass", &kNodeMass, "Mass of every node alike"},
     {"stiffness", &kStiffness, "Stiffness of the springs", "{}"},
     {"damping", &kDamping, "Damping along each spring", "0.25"},
+    {"friction", &kFriction, "With cloth, and with colliders that give none; only proximity uses it", "0.3"},
     {"pins", &kPinList, "Nodes that stay where they are", "[]"},
     {"motions", &kMotions, "Nodes that follow a given motion", "[]"},
     {"grabs", &kGrabs, "Nodes that are pulled to a point for a while", "[]"},
@@ -223,13 +237,27 @@ constexpr const Type* kClothItem[] = {&kCloth};
 constexpr Type kCloths{.kind = Kind::List, .count_least = 1, .count_most = 1000, .types = kClothItem};
 
 // colliders
-constexpr const char* kColliderKindNames[] = {"mesh", "sphere", "plane"};
+constexpr const char* kColliderKindNames[] = {"mesh", "sphere", "plane", "capsule", "box"};
 constexpr Type kColliderKind{.kind = Kind::Choice, .choices = kColliderKindNames};
-constexpr Key kColliderKeys[] = {{"kind", &kColliderKind, "The shape", nullptr, true}};
+constexpr Key kColliderKeys[] = {
+    {"kind", &kColliderKind, "The shape", nullptr, true},
+    {"friction", &kFriction, "Without it the cloth's; only proximity uses it"},
+    {"motion", &kColliderMotion, "Without it the collider stays; needs proximity"},
+};
+constexpr Type kKeyframeTime{.kind = Kind::Number, .least = 1e-6, .most = kLate, .unit = "s"};
+constexpr Key kKeyframeKeys[] = {
+    {"time", &kKeyframeTime, "When", nullptr, true},
+    {"mesh", &kMeshName, "The shape then: the same vertices and triangles elsewhere", nullptr, true},
+};
+constexpr Type kKeyframe{.kind = Kind::Object, .name = "keyframe", .keys = kKeyframeKeys};
+constexpr const Type* kKeyframeItem[] = {&kKeyframe};
+constexpr Type kKeyframes{.kind = Kind::List, .count_most = 1000, .types = kKeyframeItem};
 constexpr Key kMeshColliderKeys[] = {
     {"mesh", &kMeshName, "Name of a model, or path of an OBJ or PLY file relative to the scene", nullptr,
      true},
     {"transform", &kTransform, "From the mesh to the world", "{}"},
+    {"keyframes", &kKeyframes, "Shapes that it comes to, times rising; straight between; needs proximity",
+     "[]"},
 };
 constexpr Key kSphereKeys[] = {
     {"center", &kPoint, "Centre", nullptr, true},
@@ -239,8 +267,23 @@ constexpr Key kPlaneKeys[] = {
     {"point", &kPoint, "A point of the plane", nullptr, true},
     {"normal", &kDirection, "Out of the solid side; any length but zero", nullptr, true},
 };
-constexpr Variant kColliderVariants[] = {
-    {"mesh", kMeshColliderKeys}, {"sphere", kSphereKeys}, {"plane", kPlaneKeys}};
+constexpr Key kCapsuleKeys[] = {
+    {"a", &kPoint, "One end of the axis", nullptr, true},
+    {"b", &kPoint, "The other end, not a itself", nullptr, true},
+    {"radius", &kLength, "Greatest distance from the axis", nullptr, true},
+};
+constexpr Type kSides{.kind = Kind::Numbers, .least = kSmall, .most = kFar, .unit = "m", .count_least = 3};
+constexpr Key kBoxColliderKeys[] = {
+    {"center", &kPoint, "Centre", nullptr, true},
+    {"size", &kSides, "Lengths of the edges along x, y and z, before it is rotated", nullptr, true},
+    {"rotate", &kQuaternion, "Unit quaternion [x, y, z, w] (length within 0.001 of 1), about the centre",
+     "[0, 0, 0, 1]"},
+};
+constexpr Variant kColliderVariants[] = {{"mesh", kMeshColliderKeys},
+                                         {"sphere", kSphereKeys},
+                                         {"plane", kPlaneKeys},
+                                         {"capsule", kCapsuleKeys},
+                                         {"box", kBoxColliderKeys}};
 constexpr Type kCollider{
     .kind = Kind::Object, .name = "collider", .keys = kColliderKeys, .variants = kColliderVariants};
 constexpr const Type* kColliderItem[] = {&kCollider};

@@ -37,6 +37,7 @@ struct Needs {
 
 struct Type {
   enum class Kind {
+    Truth,    ///< true or false
     Text,     ///< count_least to count_most characters
     Choice,   ///< one of `choices`
     Number,   ///< from `least` to `most`; `whole`: an integer

@@ -59,12 +59,14 @@ double travelled(double elapsed, double speed, double ramp, const std::optional<
   return speed * (elapsed - 0.5 * ramp);
 }
 
-RigidTransform motion_at(const Motion& motion, double time) {
-  if (const auto* line = std::get_if<MotionLine>(&motion.shape))
+RigidTransform motion_at(const MotionShape& shape, double time) {
+  if (const auto* line = std::get_if<MotionLine>(&shape))
     return shift(line->direction * travelled(time - line->start, line->speed, line->ramp, line->distance));
-  if (const auto* path = std::get_if<MotionPath>(&motion.shape)) return shift(path_offset(*path, time));
-  const auto& turn = *std::get_if<MotionRotation>(&motion.shape);
+  if (const auto* path = std::get_if<MotionPath>(&shape)) return shift(path_offset(*path, time));
+  const auto& turn = *std::get_if<MotionRotation>(&shape);
   return rotation(turn, travelled(time - turn.start, turn.speed, turn.ramp, turn.angle));
 }
+
+RigidTransform motion_at(const Motion& motion, double time) { return motion_at(motion.shape, time); }
 
 }  // namespace weft::scene

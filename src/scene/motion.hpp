@@ -19,7 +19,9 @@ struct RigidTransform {
   }
 };
 
-/// What takes a rest position in the world to its place at `time` [s].
+/// What takes a rest position in the world to its place at `time` [s]. Of a collider, the place that the
+/// scene gives is the rest position.
+RigidTransform motion_at(const MotionShape& shape, double time);
 RigidTransform motion_at(const Motion& motion, double time);
 
 /// How far a motion has come `elapsed` s after its start: the speed rises linearly from 0 in `ramp` s, stays,

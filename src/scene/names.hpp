@@ -10,7 +10,7 @@ inline constexpr const char* kGridPartNames[] = {"top_left", "top_right", "botto
 inline constexpr const char* kPlaneNames[] = {"xy", "xz"};
 inline constexpr const char* kSolverKindNames[] = {"mass_spring"};
 inline constexpr const char* kForcesNames[] = {"node_centric", "spring_centric"};
-inline constexpr const char* kContactMethodNames[] = {"none", "paper", "bvh"};
+inline constexpr const char* kContactMethodNames[] = {"none", "paper", "bvh", "proximity"};
 inline constexpr const char* kViewNames[] = {"textured", "wireframe", "normals", "stretch"};
 
 }  // namespace weft::scene

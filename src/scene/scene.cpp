@@ -25,6 +25,14 @@ std::vector<Vec3d> grid_positions(const GridShape& grid, const Transform& transf
   return positions;
 }
 
+const std::optional<double>& friction_of(const Collider& collider) {
+  return std::visit([](const auto& one) -> const std::optional<double>& { return one.friction; }, collider);
+}
+const std::optional<ColliderMotion>& motion_of(const Collider& collider) {
+  return std::visit([](const auto& one) -> const std::optional<ColliderMotion>& { return one.motion; },
+                    collider);
+}
+
 const char* name_of(GridPart part) { return kGridPartNames[static_cast<int>(part)]; }
 const char* name_of(Plane plane) { return kPlaneNames[static_cast<int>(plane)]; }
 const char* name_of(SolverKind kind) { return kSolverKindNames[static_cast<int>(kind)]; }

@@ -74,11 +74,12 @@ struct MotionRotation {
   double start = 0, ramp = 0;   // [s]
   bool operator==(const MotionRotation&) const = default;
 };
+using MotionShape = std::variant<MotionLine, MotionPath, MotionRotation>;
 /// Nodes that follow a given motion instead of the forces.
 struct Motion {
   std::string where;  // file and JSON path
   std::vector<Selector> nodes;
-  std::variant<MotionLine, MotionPath, MotionRotation> shape;
+  MotionShape shape;
   bool operator==(const Motion& other) const { return nodes == other.nodes && shape == other.shape; }
 };
 
@@ -126,32 +127,70 @@ struct Cloth {
   std::optional<double> node_mass;  // or this [kg]
   Stiffness stiffness;
   double damping = 0.25;  // along each spring [N·s/m]
+  double friction = 0.3;  // with cloth, and with colliders that give none
   std::vector<Selector> pins;
   std::vector<Motion> motions;
   std::vector<Grab> grabs;
   std::optional<Vec3d> color;  // red, green, blue in [0, 1]
 };
 
+/// How a whole collider moves; motion_at takes it from where the scene puts it to its place at a time.
+using ColliderMotion = MotionShape;
+
+/// A shape that a mesh collider has come to at a time: other positions of the same vertices.
+struct ColliderKeyframe {
+  double time = 0;   // [s]
+  std::string mesh;  // the name of a model or a path; see mesh_path
+  bool operator==(const ColliderKeyframe&) const = default;
+};
+
+// Each has its friction (none: the cloth's) and its motion (none: it stays).
 struct ColliderMesh {
   std::string where;  // file and JSON path
   std::string mesh;   // the name of a model or a path; see mesh_path
   Transform transform;
+  std::vector<ColliderKeyframe> keyframes{};  // times rise; straight between, from `mesh` at time 0
+  std::optional<double> friction{};
+  std::optional<ColliderMotion> motion{};
   bool operator==(const ColliderMesh& other) const {
-    return mesh == other.mesh && transform == other.transform;
+    return mesh == other.mesh && transform == other.transform && keyframes == other.keyframes &&
+           friction == other.friction && motion == other.motion;
   }
 };
 struct ColliderSphere {
   Vec3d center;       // [m]
   double radius = 0;  // [m]
+  std::optional<double> friction{};
+  std::optional<ColliderMotion> motion{};
   bool operator==(const ColliderSphere&) const = default;
 };
 /// Solid on the side away from `normal`.
 struct ColliderPlane {
   Vec3d point;   // [m]
   Vec3d normal;  // unit
+  std::optional<double> friction{};
+  std::optional<ColliderMotion> motion{};
   bool operator==(const ColliderPlane&) const = default;
 };
-using Collider = std::variant<ColliderMesh, ColliderSphere, ColliderPlane>;
+/// All points within `radius` of the line from `a` to `b`, which differ.
+struct ColliderCapsule {
+  Vec3d a, b;         // [m]
+  double radius = 0;  // [m]
+  std::optional<double> friction{};
+  std::optional<ColliderMotion> motion{};
+  bool operator==(const ColliderCapsule&) const = default;
+};
+struct ColliderBox {
+  Vec3d center, size;                        // [m]; full edge lengths along x, y, z before the rotation
+  std::array<double, 4> rotate{0, 0, 0, 1};  // unit quaternion x, y, z, w; about the centre
+  std::optional<double> friction{};
+  std::optional<ColliderMotion> motion{};
+  bool operator==(const ColliderBox&) const = default;
+};
+using Collider = std::variant<ColliderMesh, ColliderSphere, ColliderPlane, ColliderCapsule, ColliderBox>;
+
+const std::optional<double>& friction_of(const Collider& collider);
+const std::optional<ColliderMotion>& motion_of(const Collider& collider);
 
 /// What drag pulls towards. Gusts are two waves that travel through it (wind.hpp).
 struct Wind {
@@ -173,10 +212,13 @@ struct Solver {
   Forces forces = Forces::NodeCentric;
 };
 
-enum class ContactMethod { None, Paper, Bvh };
+enum class ContactMethod { None, Paper, Bvh, Proximity };
 struct Contact {
   ContactMethod method = ContactMethod::Bvh;
   double thickness = 0.005;  // [m]
+  // Of method proximity only.
+  bool self = true;        // cloth meets cloth
+  double restitution = 0;  // of the normal velocity, 0 to 1
 };
 
 struct Camera {

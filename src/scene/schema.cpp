@@ -42,6 +42,8 @@ class Writer {
 
   Schema body(const Type& type) {
     switch (type.kind) {
+      case Type::Kind::Truth:
+        return {{"type", "boolean"}};
       case Type::Kind::Text:
         return {{"type", "string"}, {"minLength", type.count_least}, {"maxLength", type.count_most}};
       case Type::Kind::Choice:

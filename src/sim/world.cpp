@@ -73,7 +73,9 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   model_ = std::move(model);
   WEFT_TRY(state, State::create(device_, model_.host, substeps_));
   state_ = std::move(state);
-  const bool has_contact = scene_.contact.method != scene::ContactMethod::None && !scene_.colliders.empty();
+  const scene::ContactMethod method = scene_.contact.method;
+  const bool has_contact = (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh) &&
+                           !scene_.colliders.empty();
   if (has_contact) {
     WEFT_TRY(contacts, Contacts::create(device_, model_.host));
     contacts_ = std::move(contacts);

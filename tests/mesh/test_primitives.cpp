@@ -40,3 +40,18 @@ TEST_CASE("spheres are round, closed and face outward") {
   }
   CHECK(signed_volume(make_sphere(200, 200)) == doctest::Approx(4.18879).epsilon(1e-3));  // 4/3 π
 }
+
+TEST_CASE("a box has its size, and is closed and faces outward") {
+  const TriangleMesh box = make_box({2, 3, 0.5});
+  REQUIRE(check_mesh(box));
+  CHECK(box.positions.size() == 8);
+  CHECK(box.triangles.size() == 12);
+  CHECK(bounds(box).low == Vec3f{-1, -1.5F, -0.25F});
+  CHECK(bounds(box).high == Vec3f{1, 1.5F, 0.25F});
+  CHECK(is_closed_and_consistent(box));
+  for (const Triangle& t : box.triangles) {
+    const Vec3f a = box.positions[t[0]], b = box.positions[t[1]], c = box.positions[t[2]];
+    CHECK(dot(cross(b - a, c - a), a) > 0.0F);
+  }
+  CHECK(signed_volume(box) == doctest::Approx(3));
+}

@@ -18,6 +18,7 @@ bool of_type(const Json& value, const std::string& type) {
   if (type == "string") return value.kind == Kind::Text;
   if (type == "array") return value.kind == Kind::List;
   if (type == "object") return value.kind == Kind::Object;
+  if (type == "boolean") return value.kind == Kind::Boolean;
   if (type == "integer") return value.kind == Kind::Number && value.number == std::floor(value.number);
   return type == "number" && value.kind == Kind::Number;
 }

@@ -34,6 +34,8 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(scene.solver.forces == Forces::NodeCentric);
   CHECK(scene.contact.method == ContactMethod::Bvh);
   CHECK(scene.contact.thickness == 0.005);
+  CHECK(scene.contact.self);
+  CHECK(scene.contact.restitution == 0);
   CHECK(scene.colliders.empty());
   CHECK_FALSE(scene.camera);
   CHECK(scene.render.view == View::Textured);
@@ -50,6 +52,7 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(cloth.stiffness.shear == 2000);
   CHECK(cloth.stiffness.bend == 500);
   CHECK(cloth.damping == 0.25);
+  CHECK(cloth.friction == 0.3);
   CHECK(cloth.pins.empty());
   CHECK(cloth.motions.empty());
   CHECK(cloth.grabs.empty());
@@ -68,12 +71,15 @@ TEST_CASE("a default-made Scene has the same defaults as one that is read") {
   CHECK(made.solver.forces == read.solver.forces);
   CHECK(made.contact.method == read.contact.method);
   CHECK(made.contact.thickness == read.contact.thickness);
+  CHECK(made.contact.self == read.contact.self);
+  CHECK(made.contact.restitution == read.contact.restitution);
   CHECK(made.render.view == read.render.view);
   CHECK(made.render.width == read.render.width);
   CHECK(Cloth{}.stiffness.structural == read.cloths[0].stiffness.structural);
   CHECK(Cloth{}.stiffness.shear == read.cloths[0].stiffness.shear);
   CHECK(Cloth{}.stiffness.bend == read.cloths[0].stiffness.bend);
   CHECK(Cloth{}.damping == read.cloths[0].damping);
+  CHECK(Cloth{}.friction == read.cloths[0].friction);
   CHECK(Camera{}.fov_degrees == 35);
 }
 
@@ -81,9 +87,9 @@ TEST_CASE("every key arrives where it belongs") {
   const Scene scene = parsed(R"({
     "format": "weft-scene/1", "title": "T", "description": "D", "gravity": [1, 2, 3], "external_force": [4, 5, 6],
     "drag": 0.5, "wind": {"velocity": [7, 8, 9], "gusts": 0.25, "wavelength": 3}, "time": {"frame": 0.02, "substeps": 12, "frames": 7},
-    "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "contact": {"method": "paper", "thickness": 0.01},
+    "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "contact": {"method": "proximity", "thickness": 0.01, "self": false, "restitution": 0.5},
     "cloths": [
-      {"name": "flag", "grid": [5, 3], "size": [4, 2], "plane": "xz", "node_mass": 0.1, "damping": 2,
+      {"name": "flag", "grid": [5, 3], "size": [4, 2], "plane": "xz", "node_mass": 0.1, "damping": 2, "friction": 0.7,
        "transform": {"scale": 2, "rotate": [0, 0, 0.6, 0.8], "translate": [1, 2, 3]},
        "stiffness": {"structural": 1, "shear": 2, "bend": 3}, "color": [0.1, 0.2, 0.3],
        "pins": ["top_left", {"box": {"min": [0, 1, 2], "max": [3, 4, 5]}}, {"nodes": [7, 8]},
@@ -95,9 +101,16 @@ TEST_CASE("every key arrives where it belongs") {
           "start": 2, "ramp": 1}],
        "grabs": [{"node": {"nodes": [6]}, "start": 1, "end": 2, "path": [{"time": 1.5, "point": [1, 2, 3]}]}]},
       {"mesh": "shirt.obj", "density": 0.3}],
-    "colliders": [{"kind": "mesh", "mesh": "dragon", "transform": {"scale": 0.5}},
-                  {"kind": "sphere", "center": [1, 2, 3], "radius": 4},
-                  {"kind": "plane", "point": [0, -1, 0], "normal": [0, 5, 0]}],
+    "colliders": [{"kind": "mesh", "mesh": "dragon", "transform": {"scale": 0.5}, "friction": 0.1,
+                   "keyframes": [{"time": 0.5, "mesh": "a.obj"}, {"time": 1, "mesh": "b.obj"}]},
+                  {"kind": "sphere", "center": [1, 2, 3], "radius": 4, "friction": 0,
+                   "motion": {"kind": "line", "direction": [0, 3, 4], "speed": 2, "distance": 5}},
+                  {"kind": "plane", "point": [0, -1, 0], "normal": [0, 5, 0], "friction": 100,
+                   "motion": {"kind": "path", "points": [[1, [0, 0, 1]]]}},
+                  {"kind": "capsule", "a": [1, 2, 3], "b": [4, 5, 6], "radius": 0.5, "friction": 0.2,
+                   "motion": {"kind": "rotation", "axis": [0, 0, 2], "center": [1, 1, 1], "speed": 3}},
+                  {"kind": "box", "center": [1, 2, 3], "size": [4, 5, 6], "rotate": [0, 0, 0.6, 0.8], "friction": 0.4,
+                   "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 1}}],
     "camera": {"eye": [0, 0, 5], "target": [0, 1, 0], "fov_degrees": 50},
     "render": {"view": "stretch", "size": [640, 480]}})");
   CHECK(scene.file == "a.json");
@@ -113,8 +126,10 @@ TEST_CASE("every key arrives where it belongs") {
   CHECK(scene.time.substeps == 12U);
   CHECK(scene.time.frames == 7);
   CHECK(scene.solver.forces == Forces::SpringCentric);
-  CHECK(scene.contact.method == ContactMethod::Paper);
+  CHECK(scene.contact.method == ContactMethod::Proximity);
   CHECK(scene.contact.thickness == 0.01);
+  CHECK_FALSE(scene.contact.self);
+  CHECK(scene.contact.restitution == 0.5);
   CHECK(scene.camera->eye == Vec3d{0, 0, 5});
   CHECK(scene.camera->target == Vec3d{0, 1, 0});
   CHECK(scene.camera->fov_degrees == 50);
@@ -133,6 +148,7 @@ TEST_CASE("every key arrives where it belongs") {
   CHECK(flag.node_mass == 0.1);
   CHECK_FALSE(flag.density);
   CHECK(flag.damping == 2);
+  CHECK(flag.friction == 0.7);
   CHECK(flag.stiffness.bend == 3);
   CHECK(flag.color == Vec3d{0.1, 0.2, 0.3});
   CHECK(flag.transform.scale == 2);
@@ -169,11 +185,60 @@ TEST_CASE("every key arrives where it belongs") {
   CHECK(scene.cloths[1].density == 0.3);
   CHECK_FALSE(scene.cloths[1].grid);
 
-  REQUIRE(scene.colliders.size() == 3);
-  CHECK(std::get<ColliderMesh>(scene.colliders[0]).mesh == "dragon");
-  CHECK(std::get<ColliderMesh>(scene.colliders[0]).transform.scale == 0.5);
+  REQUIRE(scene.colliders.size() == 5);
+  const auto& mesh = std::get<ColliderMesh>(scene.colliders[0]);
+  CHECK(mesh.where == "a.json: colliders[0]");
+  CHECK(mesh.mesh == "dragon");
+  CHECK(mesh.transform.scale == 0.5);
+  CHECK(mesh.keyframes == std::vector<ColliderKeyframe>{{0.5, "a.obj"}, {1, "b.obj"}});
   CHECK(std::get<ColliderSphere>(scene.colliders[1]).radius == 4);
   CHECK(std::get<ColliderPlane>(scene.colliders[2]).normal == Vec3d{0, 1, 0});
+  const auto& capsule = std::get<ColliderCapsule>(scene.colliders[3]);
+  CHECK(capsule.a == Vec3d{1, 2, 3});
+  CHECK(capsule.b == Vec3d{4, 5, 6});
+  CHECK(capsule.radius == 0.5);
+  const auto& box = std::get<ColliderBox>(scene.colliders[4]);
+  CHECK(box.center == Vec3d{1, 2, 3});
+  CHECK(box.size == Vec3d{4, 5, 6});
+  CHECK(box.rotate[3] == doctest::Approx(0.8));
+  const double frictions[] = {0.1, 0, 100, 0.2, 0.4};
+  for (std::size_t c = 0; c < 5; ++c) CHECK(friction_of(scene.colliders[c]) == frictions[c]);
+  CHECK_FALSE(motion_of(scene.colliders[0]));
+  CHECK(std::get<MotionLine>(*motion_of(scene.colliders[1])).distance == 5.0);
+  CHECK(std::get<MotionPath>(*motion_of(scene.colliders[2])).points[0].offset == Vec3d{0, 0, 1});
+  CHECK(std::get<MotionRotation>(*motion_of(scene.colliders[3])).axis == Vec3d{0, 0, 1});
+  CHECK(std::get<MotionLine>(*motion_of(scene.colliders[4])).direction == Vec3d{1, 0, 0});
+}
+
+TEST_CASE("a collider gives no friction of its own, stays and has one shape unless it says so") {
+  const Scene scene = parsed(scene_with(R"("colliders": [{"kind": "mesh", "mesh": "dragon"},
+    {"kind": "sphere", "center": [0, 0, 0], "radius": 1}, {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]},
+    {"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0], "radius": 1}, {"kind": "box", "center": [0, 0, 0], "size": [1, 1, 1]}],
+    "contact": {"method": "proximity"})"));
+  for (const Collider& collider : scene.colliders) {
+    CHECK_FALSE(friction_of(collider));
+    CHECK_FALSE(motion_of(collider));
+  }
+  CHECK(std::get<ColliderMesh>(scene.colliders[0]).keyframes.empty());
+  CHECK(std::get<ColliderBox>(scene.colliders[4]).rotate == std::array<double, 4>{0, 0, 0, 1});
+}
+
+TEST_CASE("what moves, deforms or is a capsule is read where nothing meets it, and a box by every method") {
+  for (const char* collider : {R"({"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0], "radius": 1})",
+                               R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1,
+                                   "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 1}})",
+                               R"({"kind": "mesh", "mesh": "a", "keyframes": [{"time": 1, "mesh": "b"}]})"})
+    for (const char* method : {"none", "proximity"})
+      CHECK(parse_scene(scene_with("\"colliders\": [" + std::string(collider) +
+                                   "], \"contact\": {\"method\": \"" + method + "\"}"),
+                        "a"));
+  for (const char* method : {"none", "paper", "bvh", "proximity"}) {
+    const Scene scene = parsed(scene_with(
+        R"("colliders": [{"kind": "box", "center": [0, 0, 0], "size": [1, 2, 3]},
+                         {"kind": "mesh", "mesh": "a", "keyframes": []}], "contact": {"method": ")" +
+        std::string(method) + "\"}"));
+    CHECK(std::get<ColliderBox>(scene.colliders[0]).size == Vec3d{1, 2, 3});
+  }
 }
 
 TEST_CASE("the word of each enumerator is the one that the scene says") {
@@ -181,7 +246,7 @@ TEST_CASE("the word of each enumerator is the one that the scene says") {
     CHECK(std::string(name_of(
               parsed(scene_with("\"render\": {\"view\": \"" + std::string(word) + "\"}")).render.view)) ==
           word);
-  for (const char* word : {"none", "paper", "bvh"})
+  for (const char* word : {"none", "paper", "bvh", "proximity"})
     CHECK(std::string(name_of(parsed(scene_with("\"contact\": {\"method\": \"" + std::string(word) + "\"}"))
                                   .contact.method)) == word);
   for (const char* word : {"node_centric", "spring_centric"})

@@ -13,7 +13,8 @@ const std::string kScene = R"({"format": "weft-scene/1", "cloths": [
     {"grid": [4, 3], "size": [3, 2], "density": 0.2, "pins": ["top_left"],
      "motions": [{"nodes": "top_right", "kind": "line", "direction": [1, 0, 0], "speed": 1}],
      "grabs": [{"node": "bottom_left", "path": [{"time": 0, "point": [0, 0, 0]}]}]}],
-    "colliders": [{"kind": "mesh", "mesh": "dragon"}, {"kind": "sphere", "center": [0, 0, 0], "radius": 1}]})";
+    "colliders": [{"kind": "mesh", "mesh": "dragon"}, {"kind": "sphere", "center": [0, 0, 0], "radius": 1}],
+    "contact": {"method": "proximity"}})";
 
 std::string difference(const std::string& key, const std::string& value) {
   const Override change[] = {{key, value}};
@@ -46,8 +47,10 @@ TEST_CASE("a difference in anything else is found and named by its key") {
        {std::pair{"time.frame", "0.01"},
         {"time.substeps", "8"},
         {"solver.forces", "spring_centric"},
-        {"contact.method", "paper"},
+        {"contact.method", "none"},
         {"contact.thickness", "0.1"},
+        {"contact.self", "false"},
+        {"contact.restitution", "0.5"},
         {"cloths[0].mesh", "\"coat.obj\""},
         {"cloths[1].grid", "[5, 3]"},
         {"cloths[1].size", "[3, 1]"},
@@ -56,6 +59,7 @@ TEST_CASE("a difference in anything else is found and named by its key") {
         {"cloths[1].density", "0.3"},
         {"cloths[0].stiffness", R"({"bend": 1})"},
         {"cloths[1].damping", "0.1"},
+        {"cloths[1].friction", "0.1"},
         {"cloths[1].pins", R"(["bottom_right"])"},
         {"cloths[1].motions", "[]"},
         {"cloths[1].grabs", "[]"},
@@ -66,5 +70,9 @@ TEST_CASE("a difference in anything else is found and named by its key") {
     CHECK(difference(key, value) == key);
   CHECK(difference("cloths[1].motions[0].speed", "2") == "cloths[1].motions");
   CHECK(difference("cloths[1].grabs[0].path[0].time", "2") == "cloths[1].grabs");
+  CHECK(difference("colliders[1].friction", "0.1") == "colliders[1]");
+  CHECK(difference("colliders[1].motion", R"({"kind": "line", "direction": [1, 0, 0], "speed": 1})") ==
+        "colliders[1]");
+  CHECK(difference("colliders[0].keyframes", R"([{"time": 1, "mesh": "a"}])") == "colliders[0]");
   CHECK(difference("cloths[0].pins[0].nodes", "[2]") == "cloths[0].pins");
 }

@@ -71,8 +71,14 @@ std::vector<Hostile> hostile_scenes() {
       {scene_with(R"("solver": {"iterations": 4})"),
        R"(solver.iterations is not known; the keys here are "kind", "forces")"},
       {scene_with(R"("contact": {"method": "bhv"})"),
-       R"(contact.method is "bhv", not one of "none", "paper", "bvh"; did you mean "bvh"?)"},
-      {scene_with(R"("contact": {"method": "proximity"})"), R"(contact.method is "proximity", not one of)"},
+       R"(contact.method is "bhv", not one of "none", "paper", "bvh", "proximity"; did you mean "bvh"?)"},
+      {scene_with(R"("contact": {"method": "proximty"})"), R"(did you mean "proximity"?)"},
+      {scene_with(R"("contact": {"method": "proximity", "thickness": 0})"),
+       R"(contact.thickness is 0; contact.method "proximity" needs one above 0 m.)", false},
+      {scene_with(R"("contact": {"self": 1})"), "contact.self is 1, not true or false"},
+      {scene_with(R"("contact": {"self": "true"})"), R"(contact.self is the text "true", not true or false)"},
+      {scene_with(R"("contact": {"restitution": 1.5})"),
+       "contact.restitution is 1.5; it must be from 0 to 1"},
       {scene_with(R"("contact": {"thickness": -0.001})"),
        "contact.thickness is -0.001; it must be from 0 to 10 m"},
       {scene_with(R"("contact": {"thicknes": 0})"),
@@ -167,7 +173,7 @@ std::vector<Hostile> hostile_scenes() {
        R"(cloths[0].stiffness.bending is not known; did you mean "bend"?)"},
       {cloth_with(R"("damping": -0.25)"),
        "cloths[0].damping is -0.25; it must be from 0 to 1000000000 N·s/m"},
-      {cloth_with(R"("friction": 0.3)"), "cloths[0].friction is not known"},
+      {cloth_with(R"("friction": -0.3)"), "cloths[0].friction is -0.3; it must be from 0 to 100"},
       {cloth_with(R"("color": [1, 0.5, 1.5])"), "cloths[0].color[2] is 1.5; it must be from 0 to 1"},
       {cloth_with(R"("color": "red")"), R"(cloths[0].color is the text "red", not a list of 3 numbers)"},
       // Selectors.
@@ -231,10 +237,10 @@ std::vector<Hostile> hostile_scenes() {
       {scene_with(R"("colliders": {})"), "colliders is an object, not a list"},
       {scene_with(R"("colliders": [{}])"),
        R"(colliders[0].kind is missing; it must be one of "mesh", "sphere", "plane")"},
-      {scene_with(R"("colliders": [{"kind": "capsule"}])"), R"(colliders[0].kind is "capsule", not one of)"},
+      {scene_with(R"("colliders": [{"kind": "cone"}])"), R"(colliders[0].kind is "cone", not one of)"},
       {scene_with(R"("colliders": [{"kind": "mesh"}])"), "colliders[0].mesh is missing; it must be a text"},
-      {scene_with(R"("colliders": [{"kind": "mesh", "mesh": "dragon", "friction": 0.3}])"),
-       "colliders[0].friction is not known"},
+      {scene_with(R"("colliders": [{"kind": "mesh", "mesh": "dragon", "friction": 101}])"),
+       "colliders[0].friction is 101; it must be from 0 to 100"},
       {scene_with(R"("colliders": [{"kind": "sphere", "center": [0, 0, 0]}])"),
        "colliders[0].radius is missing"},
       {scene_with(R"("colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": -1}])"),
@@ -245,6 +251,53 @@ std::vector<Hostile> hostile_scenes() {
        "colliders[0].normal is zero"},
       {scene_with(R"("colliders": [{"kind": "plane", "normal": [0, 1, 0]}])"),
        "colliders[0].point is missing"},
+      {proximity_with(R"({"kind": "capsule", "a": [0, 0, 0], "radius": 1})"),
+       "colliders[0].b is missing; it must be a list of 3 numbers"},
+      {proximity_with(R"({"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0], "radius": 0})"),
+       "colliders[0].radius is 0; it must be from 1e-06"},
+      {proximity_with(R"({"kind": "capsule", "a": [1, 0, 0], "b": [1, 0, 0], "radius": 1})"),
+       "colliders[0].b is its a; a capsule without a length is a sphere.", false},
+      {proximity_with(R"({"kind": "box", "center": [0, 0, 0]})"), "colliders[0].size is missing"},
+      {proximity_with(R"({"kind": "box", "center": [0, 0, 0], "size": 1})"),
+       "colliders[0].size is 1, not a list of 3 numbers"},
+      {proximity_with(R"({"kind": "box", "center": [0, 0, 0], "size": [1, 0, 1]})"),
+       "colliders[0].size[1] is 0; it must be from 1e-06 to 1000000 m"},
+      {proximity_with(R"({"kind": "box", "center": [0, 0, 0], "size": [1, 1, 1], "rotate": [0, 0, 0, 0.5]})"),
+       "colliders[0].rotate has length 0.5; a unit quaternion", false},
+      {proximity_with(R"({"kind": "box", "center": [0, 0, 0], "size": [1, 1, 1], "keyframes": []})"),
+       "colliders[0].keyframes is not known"},
+      // What moves them.
+      {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1, "motion": {}})"),
+       R"(colliders[0].motion.kind is missing; it must be one of "line", "path", "rotation")"},
+      {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1, "motion": []})"),
+       "colliders[0].motion is a list of 0, not an object"},
+      {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1,
+                          "motion": {"kind": "line", "nodes": "top", "direction": [1, 0, 0], "speed": 1}})"),
+       "colliders[0].motion.nodes is not known"},
+      {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1,
+                          "motion": {"kind": "line", "direction": [0, 0, 0], "speed": 1}})"),
+       "colliders[0].motion.direction is zero"},
+      {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1,
+                          "motion": {"kind": "path", "points": [[1, [0, 0, 0]], [1, [1, 0, 0]]]}})"),
+       "colliders[0].motion.points[1][0] is 1 s, not after the 1 s of the point before it", false},
+      {proximity_with(R"({"kind": "mesh", "mesh": "a", "keyframes": [{"time": 0, "mesh": "b"}]})"),
+       "colliders[0].keyframes[0].time is 0; it must be from 1e-06 to 1000000 s"},
+      {proximity_with(R"({"kind": "mesh", "mesh": "a", "keyframes": [{"time": 1}]})"),
+       "colliders[0].keyframes[0].mesh is missing; it must be a text"},
+      {proximity_with(
+           R"({"kind": "mesh", "mesh": "a", "keyframes": [{"time": 1, "mesh": "b"}, {"time": 1, "mesh": "c"}]})"),
+       "colliders[0].keyframes[1].time is 1 s, not after the 1 s of the keyframe before it", false},
+      // What only one method can do.
+      {scene_with(
+           R"("contact": {"method": "bvh"}, "colliders": [{"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0],
+                     "radius": 1}])"),
+       R"(colliders[0], a capsule, needs contact.method "proximity"; it is "bvh".)", false},
+      {scene_with(R"("contact": {"method": "paper"}, "colliders": [{"kind": "plane", "point": [0, 0, 0],
+                     "normal": [0, 1, 0], "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 1}}])"),
+       R"(colliders[0].motion needs contact.method "proximity"; it is "paper".)", false},
+      {scene_with(R"("contact": {"method": "bvh"}, "colliders": [{"kind": "mesh", "mesh": "a",
+                     "keyframes": [{"time": 1, "mesh": "b"}]}])"),
+       R"(colliders[0].keyframes needs contact.method "proximity"; it is "bvh".)", false},
   };
 }
 
@@ -268,6 +321,7 @@ TEST_CASE("every hostile scene is refused as bad input with file, path, value an
 TEST_CASE("the texts that hostile scenes are made of are good by themselves") {
   CHECK(parse_scene(minimal_scene(), "a.json"));
   CHECK(parse_scene(scene_with(R"("drag": 1)"), "a.json"));
+  CHECK(parse_scene(proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1})"), "a.json"));
   CHECK(parse_scene(cloth_with(R"("damping": 1)"), "a.json"));
   CHECK(parse_scene(motion_with(R"("kind": "path", "points": [[0, [0, 0, 0]]])"), "a.json"));
 }

@@ -114,6 +114,22 @@ TEST_CASE("a rotation turns right-handed about its centre and ends at its angle"
   CHECK(close(motion_at(tilted, 2 * pi / 3)({1, 2, 3}), {3, 1, 2}));  // x -> y -> z -> x
 }
 
+TEST_CASE("a collider moves as nodes with the same motion do") {
+  for (const char* members :
+       {R"("kind": "line", "direction": [0, 3, 4], "speed": 2, "distance": 5, "start": 1, "ramp": 0.25)",
+        R"("kind": "path", "points": [[0, [0, 0, 2]], [1, [0, 0, 3]]])",
+        R"("kind": "rotation", "axis": [3, -2, 7], "center": [1, 2, 3], "speed": 2)"}) {
+    const auto scene =
+        parse_scene(proximity_with(R"({"kind": "sphere", "center": [7, 8, 9], "radius": 1, "motion": {)" +
+                                   std::string(members) + "}}"),
+                    "a.json");
+    REQUIRE(scene);
+    const ColliderMotion& moved = *motion_of(scene->colliders[0]);
+    for (const double time : {0.0, 0.3, 1.2, 99.0})
+      CHECK(motion_at(moved, time)({7, 8, 9}) == motion_at(motion(members), time)({7, 8, 9}));
+  }
+}
+
 TEST_CASE("a rotation keeps distances for all angles") {
   const Motion turn =
       motion(R"("kind": "rotation", "axis": [3, -2, 7], "center": [1, 2, 3], "speed": 10000)");

@@ -71,6 +71,13 @@ TEST_CASE("the schema accepts what the loader accepts") {
       motion_with(R"("kind": "rotation", "axis": [0, 1, 0], "center": [0, 0, 0], "speed": 1, "angle": 2)")));
   CHECK(accepts(scene_with(R"("colliders": [{"kind": "mesh", "mesh": "dragon"},
                                {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])")));
+  CHECK(accepts(scene_with(R"("contact": {"method": "proximity", "self": false, "restitution": 1})")));
+  CHECK(accepts(
+      proximity_with(R"({"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0], "radius": 1, "friction": 0.5,
+                                   "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 1}})")));
+  CHECK(accepts(
+      proximity_with(R"({"kind": "box", "center": [0, 0, 0], "size": [1, 2, 3], "rotate": [0, 0, 0, 1]})")));
+  CHECK(accepts(proximity_with(R"({"kind": "mesh", "mesh": "a", "keyframes": [{"time": 1, "mesh": "b"}]})")));
   for (const auto& entry : std::filesystem::directory_iterator(WEFT_SOURCE_DIR "/scenes")) {
     const auto bytes = read_file(entry.path().string(), 1 << 20);
     REQUIRE(bytes);

@@ -11,6 +11,11 @@ inline std::string scene_with(const std::string& members) {
          members + "}";
 }
 
+/// A scene with one collider, which proximity contact meets.
+inline std::string proximity_with(const std::string& collider) {
+  return scene_with(R"("contact": {"method": "proximity"}, "colliders": [)" + collider + "]");
+}
+
 /// A scene of one cloth that has these keys.
 inline std::string cloth_of(const std::string& members) {
   return R"({"format": "weft-scene/1", "cloths": [{)" + members + "}]}";

@@ -10,8 +10,9 @@ export type Bytes = ArrayBuffer | Uint8Array;
 /** The meshes that a scene names, each once: what `meshes` must hold. */
 export function meshNames(scene: Scene): string[] {
   const json = (typeof scene === "string" ? JSON.parse(scene) : scene) as Record<string, unknown>;
-  const parts = [json["cloths"], json["colliders"]].flatMap((list) => (Array.isArray(list) ? list : []) as unknown[]);
-  const names = parts.map((part) => (part as { mesh?: unknown } | null)?.mesh);
+  const entries = (list: unknown) => (Array.isArray(list) ? list : []) as ({ mesh?: unknown; keyframes?: unknown } | null)[];
+  const parts = [...entries(json["cloths"]), ...entries(json["colliders"]).flatMap((part) => [part, ...entries(part?.keyframes)])];
+  const names = parts.map((part) => part?.mesh);
   return [...new Set(names.filter((name) => typeof name === "string"))];
 }
 

@@ -1,0 +1,72 @@
+#include "scene/build_collider.hpp"
+
+#include "scene/build_motion.hpp"
+#include "scene/checked_values.hpp"
+
+namespace weft::scene {
+namespace {
+
+Result<std::vector<ColliderKeyframe>> build_keyframes(const Json& json, const std::string& file,
+                                                      const std::string& path) {
+  std::vector<ColliderKeyframe> keyframes;
+  for (const Json& one : json.values) {
+    const double time = number(one, "time");
+    if (!keyframes.empty() && time <= keyframes.back().time)
+      return input_error("%s: %s.time is %s s, not after the %s s of the keyframe before it.", file.c_str(),
+                         path_of_index(path, keyframes.size()).c_str(), number_text(time).c_str(),
+                         number_text(keyframes.back().time).c_str());
+    keyframes.push_back({time, text(one, "mesh")});
+  }
+  return keyframes;
+}
+
+/// What only method proximity can do: the older ones know still objects with an inside. Method none meets
+/// nothing, and draws all.
+Result<void> check_method(const Json& json, ContactMethod method, const std::string& file,
+                          const std::string& path) {
+  if (method == ContactMethod::None || method == ContactMethod::Proximity) return {};
+  const auto refused = [&](const char* what) {
+    return input_error("%s: %s%s needs contact.method \"proximity\"; it is \"%s\".", file.c_str(),
+                       path.c_str(), what, name_of(method));
+  };
+  if (at(json, "kind").text == "capsule") return refused(", a capsule,");
+  if (json.find("motion")) return refused(".motion");
+  const Json* keyframes = json.find("keyframes");
+  if (keyframes && !keyframes->values.empty()) return refused(".keyframes");
+  return {};
+}
+
+}  // namespace
+
+Result<Collider> build_collider(const Json& json, ContactMethod method, const std::string& file,
+                                const std::string& path) {
+  WEFT_CHECK(check_method(json, method, file, path));
+  const std::optional<double> friction = maybe_number(json, "friction");
+  std::optional<ColliderMotion> motion;
+  if (const Json* given = json.find("motion")) {
+    WEFT_TRY(built, build_motion(*given, file, path + ".motion"));
+    motion = std::move(built);
+  }
+  const std::string& kind = at(json, "kind").text;
+  if (kind == "mesh") {
+    WEFT_TRY(keyframes, build_keyframes(at(json, "keyframes"), file, path + ".keyframes"));
+    return Collider(ColliderMesh{file + ": " + path, text(json, "mesh"), transform_of(at(json, "transform")),
+                                 std::move(keyframes), friction, std::move(motion)});
+  }
+  if (kind == "sphere")
+    return Collider(
+        ColliderSphere{vector(json, "center"), number(json, "radius"), friction, std::move(motion)});
+  if (kind == "plane")
+    return Collider(
+        ColliderPlane{vector(json, "point"), unit(vector(json, "normal")), friction, std::move(motion)});
+  if (kind == "box")
+    return Collider(ColliderBox{vector(json, "center"), vector(json, "size"),
+                                unit_quaternion(at(json, "rotate")), friction, std::move(motion)});
+  const Vec3d a = vector(json, "a"), b = vector(json, "b");
+  if (a == b)
+    return input_error("%s: %s.b is its a; a capsule without a length is a sphere.", file.c_str(),
+                       path.c_str());
+  return Collider(ColliderCapsule{a, b, number(json, "radius"), friction, std::move(motion)});
+}
+
+}  // namespace weft::scene
