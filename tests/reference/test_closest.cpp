@@ -215,6 +215,6 @@ TEST_CASE("gaps take the radius off, and are negative inside") {
   CHECK(gap_of({0, 3, 4}, 2).distance == 3);
   CHECK(gap_of({0, 3, 4}, 2).direction == Vec3d{0, 0.6, 0.8});
   CHECK(gap_of({0, 0.5, 0}, 2).distance == -1.5);
-  CHECK(gap_of({0, 0, 0}, 2).direction == Vec3d{});
+  CHECK(gap_of({0, 0, 0}, 2).direction == Vec3d{0, 1, 0});
   CHECK(plane_gap({5, 1, 7}, {0, 3, 0}, {0, 1, 0}).distance == -2);
 }

@@ -60,7 +60,7 @@ ClosestSegments closest_segments(const Vec3d& a0, const Vec3d& a1, const Vec3d& 
 
 Gap gap_of(const Vec3d& offset, double radius) {
   const double distance = length(offset);
-  return {distance > 0 ? offset / distance : Vec3d{}, distance - radius};
+  return {distance > 0 ? offset / distance : Vec3d{0, 1, 0}, distance - radius};
 }
 
 Gap plane_gap(const Vec3d& point, const Vec3d& on_plane, const Vec3d& normal) {

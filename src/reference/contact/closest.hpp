@@ -42,7 +42,7 @@ ClosestSegments closest_segments(const Vec3d& a0, const Vec3d& a1, const Vec3d& 
 
 /// How far two surfaces are apart, and along which line.
 struct Gap {
-  Vec3d direction;      // unit, from B to A; zero where the closest points are one
+  Vec3d direction;      // unit, from B to A; +y where the closest points are one
   double distance = 0;  // less the radius: negative inside a sphere or capsule, or below a plane [m]
 };
 /// Of closest points p_A and p_B with offset p_A - p_B, of which one is the centre or axis of a body with
