@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "mesh/grid.hpp"
-#include "reference/contact/pairs.hpp"
+#include "reference/contact/near_list.hpp"
 #include "soup.hpp"
 
 using namespace weft;
@@ -74,6 +74,30 @@ TEST_CASE("the trees list the pairs of all features against all, with the same n
     CHECK(std::is_sorted(with.begin(), with.end()));
     CHECK(self_pairs(cloth, 0).empty());
   }
+}
+
+TEST_CASE(
+    "a list that is kept while things move gives what a search gives, and searches again after a jump") {
+  Random random(33);
+  Features cloth = features(random_soup(random, 80, 0.1)), object = features(random_soup(random, 60, 0.1));
+  object.add_capsule({-0.4, 0, 0}, {0.2, 0.3, 0}, 0.1);
+  NearList list;
+  for (int step = 0; step < 60; ++step) {
+    const double jump = step % 20 == 19 ? 0.3 : 0.001;
+    for (Vec3d& p : cloth.positions) p += random_point(random, jump);
+    for (Vec3d& p : object.positions) p += random_point(random, 0.001);
+    const NearList::Reach reach{random.uniform(0.02, 0.025), random.uniform(0.02, 0.025)};
+    const std::vector<FeaturePair> near = list.near(cloth, object, reach, 0.01);
+    std::vector<FeaturePair> searched = self_pairs(cloth, reach.self);
+    const std::vector<FeaturePair> more = object_pairs(cloth, object, trees_of(object), reach.object);
+    searched.insert(searched.end(), more.begin(), more.end());
+    CHECK(equal(near, searched));
+    CHECK(near.size() > 50);
+  }
+  CHECK(list.searches() >= 3);  // one at the start, one after each jump but the last
+  CHECK(list.searches() < 30);
+  for (const FeaturePair& pair : list.near(cloth, object, {0, 0.02}, 0.01))
+    CHECK(pair.kind > PairKind::EdgeEdge);
 }
 
 TEST_CASE("weights sum to one on each side, and to the offset of the closest points") {

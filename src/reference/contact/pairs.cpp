@@ -25,38 +25,52 @@ bool names(const auto& feature, std::uint32_t vertex) {
   return std::find(feature.begin(), feature.end(), vertex) != feature.end();
 }
 
-/// Features of two lists that are tested against each other; those of one list must not share a vertex.
+FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t vertex,
+                            const Features& second, std::uint32_t triangle) {
+  const mesh::Triangle& face = second.triangles[triangle];
+  const auto& x = second.positions;
+  const ClosestOnTriangle closest =
+      closest_on_triangle(first.positions[vertex], x[face[0]], x[face[1]], x[face[2]]);
+  const Gap gap = gap_of(closest.offset, first.radius_of_vertex(vertex));
+  const auto [b0, b1, b2] = closest.weights;
+  return {kind, vertex, triangle, gap.distance, gap.direction, {1, 0, 0}, {-b0, -b1, -b2}, true};
+}
+
+FeaturePair edge_edge(PairKind kind, const Features& first, std::uint32_t of_first, const Features& second,
+                      std::uint32_t of_second) {
+  const mesh::Edge &a = first.edges[of_first], &b = second.edges[of_second];
+  const ClosestSegments closest = closest_segments(first.positions[a[0]], first.positions[a[1]],
+                                                   second.positions[b[0]], second.positions[b[1]]);
+  const Gap gap = gap_of(closest.offset, first.radius_of_edge(of_first) + second.radius_of_edge(of_second));
+  return {kind,
+          of_first,
+          of_second,
+          gap.distance,
+          gap.direction,
+          {1 - closest.s, closest.s, 0},
+          {closest.t - 1, -closest.t, 0},
+          closest.inside_first() && closest.inside_second()};
+}
+
+/// Collects the pairs of two lists of features; those of one list must not share a vertex.
 class Finder {
  public:
   Finder(const Features& first, const Features& second, double reach, std::vector<FeaturePair>& found)
       : first_(first), second_(second), one_(&first == &second), reach_(reach), found_(found) {}
 
   void vertex_triangle(PairKind kind, std::uint32_t vertex, std::uint32_t triangle) {
-    const mesh::Triangle& face = second_.triangles[triangle];
-    if (one_ && names(face, vertex)) return;
-    const auto& x = second_.positions;
-    const ClosestOnTriangle closest =
-        closest_on_triangle(first_.positions[vertex], x[face[0]], x[face[1]], x[face[2]]);
-    const auto [b0, b1, b2] = closest.weights;
-    add(kind, vertex, triangle, gap_of(closest.offset, first_.radius_of_vertex(vertex)), {1, 0, 0},
-        {-b0, -b1, -b2}, true);
+    if (one_ && names(second_.triangles[triangle], vertex)) return;
+    add(reference::vertex_triangle(kind, first_, vertex, second_, triangle));
   }
-
   void edges(PairKind kind, std::uint32_t of_first, std::uint32_t of_second) {
     const mesh::Edge &a = first_.edges[of_first], &b = second_.edges[of_second];
     if (one_ && (names(b, a[0]) || names(b, a[1]))) return;
-    const ClosestSegments closest = closest_segments(first_.positions[a[0]], first_.positions[a[1]],
-                                                     second_.positions[b[0]], second_.positions[b[1]]);
-    const double radius = first_.radius_of_edge(of_first) + second_.radius_of_edge(of_second);
-    add(kind, of_first, of_second, gap_of(closest.offset, radius), {1 - closest.s, closest.s, 0},
-        {closest.t - 1, -closest.t, 0}, closest.inside_first() && closest.inside_second());
+    add(edge_edge(kind, first_, of_first, second_, of_second));
   }
 
  private:
-  void add(PairKind kind, std::uint32_t a, std::uint32_t b, const Gap& gap,
-           const std::array<double, 3>& weights_a, const std::array<double, 3>& weights_b, bool inside) {
-    if (gap.distance < reach_)
-      found_.push_back({kind, a, b, gap.distance, gap.direction, weights_a, weights_b, inside});
+  void add(const FeaturePair& pair) {
+    if (pair.distance < reach_) found_.push_back(pair);
   }
 
   const Features &first_, &second_;
@@ -102,6 +116,24 @@ bool operator<(const FeaturePair& x, const FeaturePair& y) {
 }
 bool same_features(const FeaturePair& x, const FeaturePair& y) {
   return std::tie(x.kind, x.a, x.b) == std::tie(y.kind, y.a, y.b);
+}
+
+FeaturePair measured(const FeaturePair& pair, const Features& cloth, const Features& object) {
+  switch (pair.kind) {
+    case PairKind::VertexTriangle:
+      return vertex_triangle(pair.kind, cloth, pair.a, cloth, pair.b);
+    case PairKind::EdgeEdge:
+      return edge_edge(pair.kind, cloth, pair.a, cloth, pair.b);
+    case PairKind::VertexObjectTriangle:
+      return vertex_triangle(pair.kind, cloth, pair.a, object, pair.b);
+    case PairKind::ObjectVertexTriangle:
+      return vertex_triangle(pair.kind, object, pair.a, cloth, pair.b);
+    case PairKind::EdgeObjectEdge:
+      return edge_edge(pair.kind, cloth, pair.a, object, pair.b);
+    case PairKind::VertexPlane:
+      break;
+  }
+  return pair;
 }
 
 FeatureTrees trees_of(const Features& features) {

@@ -53,6 +53,9 @@ struct FeaturePair {
 bool operator<(const FeaturePair& x, const FeaturePair& y);
 bool same_features(const FeaturePair& x, const FeaturePair& y);
 
+/// The same features at the positions that they have now. Not for planes.
+FeaturePair measured(const FeaturePair& pair, const Features& cloth, const Features& object);
+
 /// Trees over features, each grown by its radius.
 struct FeatureTrees {
   BoxTree vertices, edges, triangles;  // visit places in Features::vertices, edges, triangles

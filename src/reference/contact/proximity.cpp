@@ -6,6 +6,12 @@
 #include "model/contact_law.hpp"
 
 namespace weft::reference {
+namespace {
+
+// How far beyond a substep pairs are listed: a search serves for about as many substeps as the first says.
+constexpr double kSlackTravels = 4, kSlackThickness = 0.25;
+
+}  // namespace
 
 Proximity::Proximity(const scene::Scene& scene, const HostModel& model,
                      std::span<const mesh::TriangleMesh> objects,
@@ -21,25 +27,15 @@ Proximity::Proximity(const scene::Scene& scene, const HostModel& model,
 }
 
 double Proximity::move_obstacles(double begin, double dt) {
-  if (!trees_ || !obstacles_.still()) {
+  if (start_.transforms.empty() || !obstacles_.still()) {
     start_ = obstacles_.at(begin);
     end_ = obstacles_.at(begin + dt);
     object_.positions = start_.positions;
-    trees_ = trees_of(object_);
   }
   double most = 0;
   for (std::size_t v = 0; v < start_.positions.size(); ++v)
     most = std::max(most, length(end_.positions[v] - start_.positions[v]));
   return most;
-}
-
-std::vector<FeaturePair> Proximity::find(double cloth_reach, double obstacle_reach) {
-  std::vector<FeaturePair> pairs;
-  if (self_thickness_ > 0) pairs = self_pairs(cloth_, cloth_reach);
-  for (const auto& more : {object_pairs(cloth_, object_, *trees_, obstacle_reach),
-                           plane_pairs(cloth_, start_.planes, obstacle_reach)})
-    pairs.insert(pairs.end(), more.begin(), more.end());
-  return pairs;
 }
 
 Proximity::Sides Proximity::sides_of(const FeaturePair& pair) const {
@@ -166,8 +162,12 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   // An impulse may make a node faster than any was: this much more is listed for, and none goes further.
   const double most = travel + 0.5 * thickness_;
   const double obstacle_travel = move_obstacles(begin, dt);
-  const std::vector<FeaturePair> pairs =
-      find(self_thickness_ + 2 * most, thickness_ + most + obstacle_travel);
+  const double self_reach = self_thickness_ > 0 ? self_thickness_ + 2 * most : 0;
+  const double object_reach = thickness_ + most + obstacle_travel;
+  const double slack = kSlackTravels * std::max(travel, obstacle_travel) + kSlackThickness * thickness_;
+  std::vector<FeaturePair> pairs = list_.near(cloth_, object_, {self_reach, object_reach}, slack);
+  const std::vector<FeaturePair> with_planes = plane_pairs(cloth_, start_.planes, object_reach);
+  pairs.insert(pairs.end(), with_planes.begin(), with_planes.end());
   std::vector<NearPair> near;
   for (const FeaturePair& pair : pairs) near.push_back(near_pair(pair, sides_of(pair), dt));
   const Response response = respond(near, nodes.velocity, nodes.inverse_mass, {dt, damping_});

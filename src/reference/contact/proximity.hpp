@@ -1,13 +1,14 @@
 // Contact method "proximity" for a substep, in double: finds near pairs, answers them, and lets nothing pass.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "model/host_model.hpp"
 #include "reference/contact/obstacles.hpp"
+#include "reference/contact/near_list.hpp"
 #include "reference/contact/respond.hpp"
 #include "reference/contact/truncate.hpp"
 
@@ -52,7 +53,6 @@ class Proximity {
     double support = 0;  // at the end: the most of m . x, where m points from the obstacle to cloth [m]
   };
 
-  std::vector<FeaturePair> find(double cloth_reach, double obstacle_reach);
   Sides sides_of(const FeaturePair& pair) const;
   Surface surface_of(const FeaturePair& pair, const Sides& sides, const Vec3d& toward_cloth, double dt) const;
   double friction_of(const FeaturePair& pair, const Sides& sides) const;
@@ -67,8 +67,8 @@ class Proximity {
   std::vector<double> friction_;  // of each vertex's cloth
   Features cloth_;                // positions: at the start of the substep
   Obstacles obstacles_;
-  Features object_;                    // the obstacles at the start of the substep
-  std::optional<FeatureTrees> trees_;  // over object_
+  Features object_;  // the obstacles at the start of the substep
+  NearList list_;
   Obstacles::Placed start_, end_;
   std::uint64_t truncated_ = 0;
 };
