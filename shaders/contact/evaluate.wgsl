@@ -105,6 +105,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let counts = near.inside || radius > 0.0;
     let acts = counts && (gap < thickness || gap + step.dt * speed < 0.25 * thickness);
     let is_near = gap < thickness;
+    let urgency = urgency_of(gap + min(step.dt * speed, 0.0), thickness);
     var reach = 0.0;
     if (!is_self) {
       reach = reach_of_collider(ids, n, radius);
@@ -114,13 +115,13 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     contacts[pair].normal = vec4f(n, gap);
     contacts[pair].place = vec4f(near.s, near.t, place_a, reach);
     contacts[pair].surface = vec4f(r.surface, friction);
+    contacts[pair].urgency = f32(urgency);
     let marks = select(0u, kEntryActs, acts) | select(0u, kEntryNear, is_near);
-    let change = select(0u, 1u, acts) + select(0u, 65536u, is_near);
+    let change = select(0u, kUrgencyUnit * urgency, acts) + select(0u, 1u, is_near);
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
       entries[contacts[pair].slots[role]].y = 16u * pair + marks + role;
-      let carried = select(change & 65535u, 0u, w[role] == 0.0) + (change & 65536u);
-      if (carried != 0u) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + parity_word], carried); }
+      if (change != 0u) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + parity_word], change); }
     }
     if (acts) {
       hits++;

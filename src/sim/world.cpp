@@ -48,7 +48,7 @@ Result<void> check_size(const scene::Scene& scene, const Assets& assets, const g
 /// ζ of docs/contact.md, equation (3): the damping for which a spring of strength β gives back the part e of
 /// the speed.
 double contact_damping(double restitution) {
-  constexpr double kSpring = 0.1;  // β, as in contact_respond.wgsl
+  constexpr double kSpring = 0.25; // β, as in contact_respond.wgsl
   double ratio = 1;
   if (restitution > 0) {
     const double log = std::log(restitution), pi = 3.141592653589793;

@@ -18,8 +18,10 @@ struct Contact {
   Vec4f normal;                          // from B to A; w: the gap [m]
   Vec4f place;                           // s, t; two places along the normal [m]
   Vec4f surface;                         // the collider's share of the relative velocity [m/s]; w: friction
+  float urgency = 0;
+  std::uint32_t padding[3] = {};
 };
-static_assert(sizeof(Contact) == 80 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
+static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
 
 inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000000U, kIdBits = 0x3fffffffU;
 inline constexpr std::uint32_t kVertexWords = 5;  // of ContactPairs::vertex_contacts
