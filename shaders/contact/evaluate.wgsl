@@ -45,15 +45,28 @@ fn relative_velocity(ids : vec4u, w : vec4f, n : vec3f, radius : f32) -> Relativ
   return r;
 }
 
-// How far along n the collider's feature will reach at the end of the substep.
-fn reach_of_collider(ids : vec4u, n : vec3f, radius : f32) -> f32 {
-  let a = roles_of_a(ids);
-  let on_a = is_collider(ids.x);
-  let first = select(a, 0u, on_a);
-  let end = select(role_count(ids), a, on_a);
-  let sign = select(1.0, -1.0, on_a);
+// Whether roles from `first` to before `end` are a collider's or held by the scene.
+fn is_solid(ids : vec4u, first : u32, end : u32) -> bool {
+  var solid = true;
+  for (var role = first; role < end; role++) {
+    solid = solid && (is_collider(ids[role]) || previous[ids[role] & kIdBits].w == 0.0);
+  }
+  return solid;
+}
+
+// How far along n a solid side will be at the end of the substep, in the direction of the other.
+fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius : f32) -> f32 {
   var reach = -3e38;
-  for (var role = first; role < end; role++) { reach = max(reach, sign * dot(n, end_of(ids[role]).xyz)); }
+  for (var role = first; role < end; role++) {
+    let id = ids[role];
+    var place : vec3f;
+    if (is_collider(id)) {
+      place = end_of(id).xyz;
+    } else {
+      place = previous[id & kIdBits].xyz + step.dt * predicted[id & kIdBits].xyz;
+    }
+    reach = max(reach, sign * dot(n, place));
+  }
   return sign * (reach + radius);
 }
 
@@ -106,9 +119,18 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let acts = counts && (gap < thickness || gap + step.dt * speed < 0.25 * thickness);
     let is_near = gap < thickness;
     let urgency = urgency_of(gap + min(step.dt * speed, 0.0), thickness);
+    let first_b = roles_of_a(ids);
+    let end_b = role_count(ids);
     var reach = 0.0;
+    var solid = 0u;
+    if (is_solid(ids, first_b, end_b)) {
+      solid = 2u;
+      reach = reach_of(ids, first_b, end_b, 1.0, n, radius);
+    } else if (is_solid(ids, 0u, first_b)) {
+      solid = 1u;
+      reach = reach_of(ids, 0u, first_b, -1.0, n, radius);
+    }
     if (!is_self) {
-      reach = reach_of_collider(ids, n, radius);
       let own = max(max(own_friction(ids.x), own_friction(ids.z)), own_friction(ids.y));
       if (own >= 0.0) { friction = own; }
     }
@@ -116,11 +138,12 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     contacts[pair].place = vec4f(near.s, near.t, place_a, reach);
     contacts[pair].surface = vec4f(r.surface, friction);
     contacts[pair].urgency = f32(urgency);
+    contacts[pair].solid = solid;
     let marks = select(0u, kEntryActs, acts) | select(0u, kEntryNear, is_near);
-    let change = select(0u, kUrgencyUnit * urgency, acts) + select(0u, 1u, is_near);
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
       entries[contacts[pair].slots[role]].y = 16u * pair + marks + role;
+      let change = select(0u, kUrgencyUnit * urgency, acts && w[role] != 0.0) + select(0u, 1u, is_near);
       if (change != 0u) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + parity_word], change); }
     }
     if (acts) {

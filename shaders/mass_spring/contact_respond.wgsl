@@ -24,6 +24,8 @@ fn acting(vertex : u32) -> f32 {
   return f32(atomicLoad(&vertex_contacts[kVertexWords * vertex + 2u + step.parity]) / kUrgencyUnit);
 }
 
+fn thickness_of(ids : vec4u) -> f32 { return select(step.thickness, step.self_thickness, is_self_pair(ids)); }
+
 // Equations (2) to (4): the impulse on side A, N·s.
 fn impulse(contact : Contact) -> vec3f {
   let ids = contact.ids;
@@ -40,7 +42,7 @@ fn impulse(contact : Contact) -> vec3f {
   if (mobility <= 0.0) { return vec3f(0.0); }
   let n = contact.normal.xyz;
   let gap = contact.normal.w;
-  let thickness = select(step.thickness, step.self_thickness, is_self_pair(ids));
+  let thickness = thickness_of(ids);
   let speed = dot(n, u);
   var change = min(kWall * thickness - gap, 0.0) / step.dt - speed;
   if (gap < thickness) {
@@ -60,15 +62,11 @@ fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
   let side = select(-1.0, 1.0, on_a);
   let gap = contact.normal.w;
   var plane = contact.place.z - 0.5 * gap + side * max(kMargin * gap, 0.5 * kFloor * step.self_thickness);
-  if (!is_self_pair(contact.ids)) { plane = contact.place.w + side * max(kMargin * min(gap, step.thickness), kFloor * step.thickness); }
+  if (contact.solid != 0u) {
+    let thickness = thickness_of(contact.ids);
+    plane = contact.place.w + side * max(kMargin * min(gap, thickness), kFloor * thickness);
+  }
   return side * (plane - dot(contact.normal.xyz, place));
-}
-
-// A velocity without what goes into the plane.
-fn stopped(contact : Contact, role : u32, v : vec3f) -> vec3f {
-  let n = contact.normal.xyz;
-  let side = select(-1.0, 1.0, role < roles_of_a(contact.ids));
-  return v - side * min(side * dot(n, v) + dot(n, contact.surface.xyz), 0.0) * n;
 }
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -99,6 +97,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       v += inverse_mass * change;
       x += step.dt * (inverse_mass * change);
     }
+    var held = false;
     // Equation (6). What moves less than this passes nothing that is not near.
     let free = 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0);
     let far = length(x - start.xyz) > free;
@@ -111,15 +110,14 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
         let now = beyond(contact, entries[k].y & 3u, start.xyz);
         let then = beyond(contact, entries[k].y & 3u, x);
         if (then <= 0.0) { continue; }
-        v = stopped(contact, entries[k].y & 3u, v);
-        if (now < 0.0) { part = min(part, now / (now - then)); } else if (is_self_pair(contact.ids)) { part = 0.0; }
+        if (now < 0.0) { part = min(part, now / (now - then)); } else if (contact.solid == 0u) { part = 0.0; }
       }
       if (part < 1.0) { x = start.xyz + part * (x - start.xyz); }
       var pushed = false;
       for (var k = begin; k < end; k++) {  // a collider that comes nearer takes the vertex with it
         if (!far && (entries[k].y & kEntryNear) == 0u) { continue; }
         let contact = contacts[entries[k].y / 16u];
-        if (contact.normal.w <= 0.0 || is_self_pair(contact.ids)) { continue; }
+        if (contact.normal.w <= 0.0 || contact.solid == 0u) { continue; }
         let side = select(-1.0, 1.0, (entries[k].y & 3u) < roles_of_a(contact.ids));
         let depth = beyond(contact, entries[k].y & 3u, x);
         if (depth > 0.0) {
@@ -127,14 +125,17 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
           pushed = true;
         }
       }
-      if (part < 1.0 || pushed) { atomicAdd(&statistics[kStatTruncated], 1u); }
+      held = part < 1.0 || pushed;
     }
     // Beyond its reach a vertex could meet what is not listed.
     let away = x - predicted[step.vertex_count + vertex].xyz;
     let distance = length(away);
     if (distance > reach) {
       x = predicted[step.vertex_count + vertex].xyz + (reach / distance) * away;
-      v *= min(1.0, length(x - start.xyz) / (step.dt * length(v)));  // or its neighbours would pull it ever faster
+      held = true;
+    }
+    if (held) {  // it has the velocity that it came by, or its neighbours would pull it ever faster
+      v = (x - start.xyz) / step.dt;
       atomicAdd(&statistics[kStatTruncated], 1u);
     }
     position[vertex] = vec4f(x, inverse_mass);

@@ -4,9 +4,10 @@ struct Contact {
   ids : vec4u,      // side A first, then side B; see kColliderPoint, kPairFlag
   slots : array<u32, 4>,  // where each cloth vertex of ids has this pair in `entries`
   normal : vec4f,   // n, from B to A; w: the gap d, m
-  place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(the collider's last point on its way), m
+  place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(how far a solid side comes), m
   surface : vec4f,  // what the collider adds to the relative velocity, m/s; w: friction
   urgency : f32,    // its share of its vertices' masses, before they are shared
+  solid : u32,      // the side that goes its way whatever comes: 1 A, 2 B, 0 neither; colliders, and vertices that are held
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
 const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; of neither: vertex and triangle

@@ -33,7 +33,7 @@ Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, s
   return substeps;
 }
 
-Row describe(const sim::World& world, std::uint32_t substeps) {
+Row describe(sim::World& world, std::uint32_t substeps) {
   Row row;
   row.nodes = world.model().vertex_count();
   row.springs = world.spring_count();
@@ -42,7 +42,8 @@ Row describe(const sim::World& world, std::uint32_t substeps) {
   row.substeps = substeps;
   constexpr double kFramePasses = 3;  // guard, keep, surface: once a frame, for one cloth
   row.dispatches_per_step =
-      (static_cast<double>(world.frame_commands(0).dispatch_count()) - kFramePasses) / world.substeps();
+      (static_cast<double>(world.frame_commands(0, world.substeps()).dispatch_count()) - kFramePasses) /
+      world.substeps();
   row.bytes_per_step =
       4.0 * sizeof(Vec4f) * static_cast<double>(row.nodes);  // position and velocity, in and out
   return row;

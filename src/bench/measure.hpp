@@ -36,6 +36,6 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
 Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps);
 
 /// What stands in every row: sizes, dispatches, bytes.
-Row describe(const sim::World& world, std::uint32_t substeps);
+Row describe(sim::World& world, std::uint32_t substeps);
 
 }  // namespace weft::bench

@@ -3,19 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/contact_law.hpp"
+
 namespace weft::collision {
 namespace {
-
-/// The shortest altitude of any cloth triangle at rest [m].
-double shortest_altitude(const HostModel& model) {
-  double least = 1e300;
-  for (const mesh::Triangle& t : model.triangles) {
-    const Vec3d a = model.rest_position[t[0]], b = model.rest_position[t[1]], c = model.rest_position[t[2]];
-    const double longest = std::max({length(b - a), length(c - b), length(a - c)});
-    least = std::min(least, length(cross(b - a, c - a)) / longest);
-  }
-  return least;
-}
 
 double farthest(const HostModel& model) {
   double most = 0;
@@ -41,7 +32,7 @@ Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::
   const double altitude = shortest_altitude(model);
   ProximityLengths lengths;
   lengths.thickness = thickness;
-  const double self_thickness = std::min(thickness, 0.5 * altitude);
+  const double self_thickness = weft::self_thickness(model, thickness);
   if (contact.self) lengths.self_thickness = self_thickness;
   // Cloth that lies flat and still should list nothing of itself, so h_s + 2b stays below the altitude.
   lengths.most_reach = 0.5 * (0.95 * altitude - self_thickness);
@@ -91,13 +82,14 @@ Result<void> Proximity::create_kernels(gpu::Device& device, const State& state, 
   return {};
 }
 
-void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, double time, double step) {
+void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
+                             std::uint32_t substeps) {
   const ColliderSet& colliders = search_.colliders();
   if (!colliders.moves) return;
   const std::size_t count = colliders.list.size();
-  for (std::uint32_t s = 0; s <= substeps_; ++s)
+  for (std::uint32_t s = 0; s <= substeps; ++s)
     place_colliders(scene, colliders, time + s * step, step, std::span(rows_).subspan(s * count, count));
-  places_.write(device, rows_);
+  places_.write(device, std::span(rows_).first((substeps + 1) * count));
 }
 
 void Proximity::record(gpu::ComputePass& pass) const {

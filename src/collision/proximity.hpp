@@ -32,7 +32,8 @@ class Proximity {
                                   std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const;
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
-  void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step);
+  void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
+                    std::uint32_t substeps);
 
   const ProximityLengths& lengths() const { return lengths_; }
   const PairSearch& search() const { return search_; }

@@ -21,6 +21,11 @@ double minus_log(double x) {
 
 }  // namespace
 
+std::uint32_t contact_urgency(double gap, double thickness) {
+  const double depth = std::clamp(1 - gap / thickness, 0.0, 1.0);
+  return 1 + static_cast<std::uint32_t>(255 * depth * depth);
+}
+
 double contact_damping(double restitution) {
   constexpr double kPi = 3.141592653589793;
   double ratio = 1;

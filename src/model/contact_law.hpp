@@ -1,16 +1,24 @@
 // The numbers of proximity contact that follow from a scene: one rule for the GPU and for the reference.
 #pragma once
 
+#include <cstdint>
+
 #include "model/host_model.hpp"
 
 namespace weft {
 
 /// β: the part of a missing gap that the spring of a contact makes good in a substep.
-inline constexpr double kContactSpring = 0.1;
+inline constexpr double kContactSpring = 0.25;
 /// The part of the thickness at which the wall behind the spring stands.
 inline constexpr double kContactWall = 0.25;
 /// How near to the plane between two features a vertex may come, as a part of their distance.
 inline constexpr double kContactMargin = 0.05;
+/// The same as a part of the thickness, at least, so that f32 can tell it from touching.
+inline constexpr double kContactFloor = 0.01;
+
+/// s of docs/contact.md: what a pair asks of its vertices' masses, in whole numbers from 1 to 256. By the gap
+/// that it would have after the substep [m].
+std::uint32_t contact_urgency(double gap, double thickness);
 
 /// ζ = 2 ξ √β of a contact with this restitution e, 0 to 1, where ξ = -ln e / √(π² + ln² e) is the damping
 /// ratio of an oscillator that returns e of its speed after half a swing; 1 for e = 0. With a logarithm of

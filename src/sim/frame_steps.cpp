@@ -2,9 +2,10 @@
 
 namespace weft::sim {
 
-FrameSteps::FrameSteps(const StepParams& base, std::uint32_t substeps, std::size_t motion_count, double step)
-    : steps_(substeps, base), step_(step) {
-  for (std::uint32_t s = 0; s < substeps; ++s) {
+FrameSteps::FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::size_t motion_count,
+                       double frame)
+    : steps_(most_substeps, base), frame_(frame) {
+  for (std::uint32_t s = 0; s < most_substeps; ++s) {
     steps_[s].first_motion = s * 3 * static_cast<std::uint32_t>(motion_count);
     steps_[s].first_place = s * base.first_place;
     steps_[s].detect = s == 0 ? Detect::Always : s % kDetectInterval == 0 ? Detect::IfDue : Detect::No;
@@ -25,19 +26,24 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
 }
 
 void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
-                       double time, std::uint32_t parity) {
-  const bool held = grabs.any(time, time + static_cast<double>(steps_.size()) * step_);
-  if (!changed_ && !wind_.varies() && !held && !held_ && parity == parity_) return;
-  for (std::size_t s = 0; s < steps_.size(); ++s) {
-    const double now = time + static_cast<double>(s) * step_;  // the substep's forces are those at its start
-    set_wind(steps_[s], wind_, {turns(0, now), turns(1, now)});
-    steps_[s].parity = (parity + static_cast<std::uint32_t>(s)) & 1U;
-    grabs.set(steps_[s], now + step_);  // a follower, as a motion, goes to where the target is at the end
+                       const Frame& frame) {
+  const bool held = grabs.any(frame.time, frame.time + frame_);
+  const bool same = frame.parity == parity_ && frame.substeps == substeps_;
+  if (!changed_ && !wind_.varies() && !held && !held_ && same) return;
+  const double step = frame_ / frame.substeps;
+  for (std::uint32_t s = 0; s < frame.substeps; ++s) {
+    StepParams& params = steps_[s];
+    const double now = frame.time + s * step;  // the substep's forces are those at its start
+    params.dt = static_cast<float>(step);
+    params.parity = (frame.parity + s) & 1U;
+    set_wind(params, wind_, {turns(0, now), turns(1, now)});
+    grabs.set(params, now + step);  // a follower, as a motion, goes to where the target is at the end
   }
-  steps.write(device, steps_);
+  steps.write(device, std::span(steps_).first(frame.substeps));
   changed_ = false;
   held_ = held;
-  parity_ = parity;
+  parity_ = frame.parity;
+  substeps_ = frame.substeps;
 }
 
 void FrameSteps::rewind() {

@@ -16,15 +16,19 @@ namespace weft::sim {
 class FrameSteps {
  public:
   FrameSteps() = default;
-  /// `base`: what all substeps have in common and no scene changes while it runs.
-  FrameSteps(const StepParams& base, std::uint32_t substeps, std::size_t motion_count, double step);
+  /// `frame` [s]; `base`: what all substeps have in common and no scene changes while it runs.
+  FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::size_t motion_count, double frame);
 
   /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
   /// where they are.
   void set_air(const scene::Scene& scene, double time);
-  /// Writes the substeps of the frame that begins at `time` [s] with the state in the buffers of `parity`.
-  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs, double time,
-             std::uint32_t parity);
+  /// A frame: when it begins [s], its substeps, which of State's buffers it begins with.
+  struct Frame {
+    double time = 0;
+    std::uint32_t substeps = 1, parity = 0;
+  };
+  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
+             const Frame& frame);
   /// Time begins anew at 0.
   void rewind();
 
@@ -35,11 +39,11 @@ class FrameSteps {
 
   std::vector<StepParams> steps_;
   scene::WindField wind_;
-  double step_ = 0;                         // [s]
+  double frame_ = 0;                        // [s]
   double start_ = 0;                        // when the wind became what it is [s]
   std::array<double, 2> start_turns_ = {};  // of its waves, then
   bool changed_ = true;
-  std::uint32_t parity_ = 0;
+  std::uint32_t parity_ = 0, substeps_ = 0;
   bool held_ = false;  // in the frame that was written last
 };
 

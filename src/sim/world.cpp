@@ -1,15 +1,17 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/state_hash.hpp"
+#include "model/contact_law.hpp"
 #include "scene/difference.hpp"
 #include "scene/motion.hpp"
 #include "solver/registry.hpp"
 
 namespace weft::sim {
 namespace {
+
+constexpr double kEver = 1e9;  // s; later than any motion begins
 
 std::size_t count_springs(const HostModel& model) {
   std::size_t count = 0;
@@ -45,18 +47,6 @@ Result<void> check_size(const scene::Scene& scene, const Assets& assets, const g
                     static_cast<unsigned long long>(limit));
 }
 
-/// ζ of docs/contact.md, equation (3): the damping for which a spring of strength β gives back the part e of
-/// the speed.
-double contact_damping(double restitution) {
-  constexpr double kSpring = 0.25; // β, as in contact_respond.wgsl
-  double ratio = 1;
-  if (restitution > 0) {
-    const double log = std::log(restitution), pi = 3.141592653589793;
-    ratio = -log / std::sqrt(pi * pi + log * log);
-  }
-  return 2 * ratio * std::sqrt(kSpring);
-}
-
 /// What the lists have room for at first; World makes them longer when they are short.
 ContactRoom first_room(const Model& model) {
   return {std::max(32768U, 2 * model.triangle_count()), std::max(131072U, 12 * model.triangle_count())};
@@ -89,7 +79,10 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   }
   WEFT_TRY(model, Model::create(device_, std::move(host)));
   model_ = std::move(model);
-  WEFT_TRY(state, State::create(device_, model_.host, substeps_));
+  if (scene_.contact.method == scene::ContactMethod::Proximity)
+    movers_ = contact_movers(scene_, model_.host, assets_.objects, assets_.keyframes);
+  most_substeps_ = substeps_ * contact_step_factor(movers_, scene_.contact.thickness, 0, kEver, substeps_);
+  WEFT_TRY(state, State::create(device_, model_.host, most_substeps_));
   state_ = std::move(state);
   options_ = options;
   WEFT_CHECK(build_contact(options.contact_room ? *options.contact_room : first_room(model_)));
@@ -102,12 +95,10 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
     report.readback = std::move(readback);
     report.commands.copy(state_.statistics.source(), report.readback.target());
   }
-  motion_rows_.resize(3 * model_.host.motions.size() * substeps_);
+  motion_rows_.resize(3 * model_.host.motions.size() * most_substeps_);
   grabs_.emplace(model_.host);
-  steps_ = FrameSteps(base_params(), substeps_, model_.host.motions.size(), step());
+  steps_ = FrameSteps(base_params(), most_substeps_, model_.host.motions.size(), scene_.time.frame);
   steps_.set_air(scene_, 0);
-  record_frame(0);
-  record_frame(1);
   WEFT_CHECK(submit_rest());
   return device_.wait();  // in a browser, only now is it known whether all of this could be made
 }
@@ -122,7 +113,7 @@ Result<void> World::build_contact(const ContactRoom& room) {
     WEFT_TRY(proximity,
              collision::Proximity::create(device_, model_, state_, *contacts_->pairs, scene_,
                                           {assets_.objects, assets_.object_colliders, assets_.keyframes},
-                                          substeps_, options_.workgroup_size));
+                                          most_substeps_, options_.workgroup_size));
     proximity_ = std::move(proximity);
   } else if ((method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh) &&
              !scene_.colliders.empty()) {
@@ -173,12 +164,13 @@ StepParams World::base_params() const {
   return params;
 }
 
-void World::write_motions() {
+void World::write_motions(std::uint32_t substeps) {
   const auto& motions = model_.host.motions;
   if (motions.empty()) return;
   Vec4f* row = motion_rows_.data();
-  for (std::uint32_t s = 0; s < substeps_; ++s) {
-    const double time = (static_cast<double>(frame_) * substeps_ + s + 1) * step();
+  const double step = scene_.time.frame / substeps;
+  for (std::uint32_t s = 0; s < substeps; ++s) {
+    const double time = (static_cast<double>(frame_) * substeps + s + 1) * step;
     for (const scene::Motion& motion : motions) {
       const scene::RigidTransform transform = scene::motion_at(motion, time);
       for (int axis = 0; axis < 3; ++axis) {
@@ -188,23 +180,33 @@ void World::write_motions() {
       }
     }
   }
-  state_.motions.write(device_, motion_rows_);
+  state_.motions.write(device_, std::span(motion_rows_).first(3 * motions.size() * substeps));
 }
 
-void World::record_frame(std::uint32_t parity) {
-  gpu::CommandList& list = frame_commands_[parity];
+std::uint32_t World::substeps_of(std::uint32_t frame) const {
+  return substeps_ * contact_step_factor(movers_, scene_.contact.thickness, frame * scene_.time.frame,
+                                         (frame + 1) * scene_.time.frame, substeps_);
+}
+
+void World::record_frame(gpu::CommandList& list, std::uint32_t parity, std::uint32_t substeps) const {
   list.clear(state_.statistics.range(0, kStatisticsPerFrameBytes));
   gpu::ComputePass pass(list, "frame");
-  for (std::uint32_t s = 0; s < substeps_; ++s) {
+  for (std::uint32_t s = 0; s < substeps; ++s) {
     pass.set_step(s, (parity + s) & 1U);
     solver_->record_predict(pass);
     if (collision_) collision_->record(pass);
     if (proximity_) proximity_->record(pass);
     solver_->record_solve(pass);
   }
-  pass.set_step(0, (parity + substeps_) & 1U);
+  pass.set_step(0, (parity + substeps) & 1U);
   last_good_->record(pass);
   surface_->record(pass);
+}
+
+const gpu::CommandList& World::frame_commands(std::uint32_t parity, std::uint32_t substeps) {
+  gpu::CommandList& list = frame_commands_[substeps][parity];
+  if (list.commands().empty()) record_frame(list, parity, substeps);
+  return list;
 }
 
 Result<void> World::advance_frame(const gpu::CommandList* draw) {
@@ -216,7 +218,7 @@ Result<void> World::advance_frame(const gpu::CommandList* draw) {
     WEFT_CHECK(take_reports(false));
   }
   while (frame_ < asked_ && has_room()) {
-    const bool shown = frame_ + 1 == asked_ && parity_end() == drawn_parity;
+    const bool shown = frame_ + 1 == asked_ && parity_after_frames(1) == drawn_parity;
     WEFT_CHECK(submit_frame(shown ? draw : nullptr));
   }
   return {};
@@ -226,15 +228,18 @@ Result<void> World::submit_frame(const gpu::CommandList* draw) {
   Report& free = *std::find_if(reports_.begin(), reports_.end(),
                                [](const Report& report) { return !report.readback.pending(); });
   const double now = frame_ * scene_.time.frame;
-  steps_.write(device_, state_.steps, *grabs_, now, parity_);
-  write_motions();
-  if (proximity_) proximity_->write_places(device_, scene_, now, step());
-  const std::array<const gpu::CommandList*, 3> lists = {&frame_commands_[parity_], &free.commands, draw};
+  const std::uint32_t substeps = substeps_of(frame_);
+  steps_.write(device_, state_.steps, *grabs_, {now, substeps, parity_});
+  write_motions(substeps);
+  if (proximity_) proximity_->write_places(device_, scene_, now, scene_.time.frame / substeps, substeps);
+  const std::array<const gpu::CommandList*, 3> lists = {&frame_commands(parity_, substeps), &free.commands,
+                                                        draw};
   WEFT_CHECK(device_.submit(std::span(lists).first(draw != nullptr ? 3 : 2)));
   free.frame = frame_;
+  free.parity = parity_;
   free.attempt = attempt_;
   free.readback.start();
-  parity_ = parity_end();
+  parity_ = (parity_ + substeps) & 1U;
   ++frame_;
   return {};
 }
@@ -245,9 +250,9 @@ Result<void> World::poll() {
   return {};
 }
 
-Result<void> World::repeat_from(std::uint32_t frame, const Statistics& short_of) {
-  parity_ = (parity_ + (frame_ - frame) * substeps_) & 1U;
-  frame_ = frame;
+Result<void> World::repeat_from(const Report& report, const Statistics& short_of) {
+  parity_ = report.parity;
+  frame_ = report.frame;
   ++attempt_;
   ++totals_.repeated_frames;
   const auto longer = [](std::uint32_t room,
@@ -259,14 +264,18 @@ Result<void> World::repeat_from(std::uint32_t frame, const Statistics& short_of)
   const ContactRoom& room = contacts_->pairs->room;
   WEFT_CHECK(
       build_contact({longer(room.pairs, short_of.pairs), longer(room.candidates, short_of.candidates)}));
-  for (gpu::CommandList& list : frame_commands_) list.reset();
-  record_frame(0);
-  record_frame(1);
+  frame_commands_.clear();
   const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
   state_.statistics.write(device_, zeros);
   gpu::CommandList list;
   last_good_->record_restore(list, state_, parity_);
   return device_.submit(list);
+}
+
+std::uint32_t World::parity_after_frames(std::uint32_t count) const {
+  std::uint32_t parity = parity_;
+  for (std::uint32_t frame = frame_; frame < frame_ + count; ++frame) parity += substeps_of(frame);
+  return parity & 1U;
 }
 
 bool World::has_room() const {
@@ -305,7 +314,7 @@ Result<void> World::take(Report& report) {
     return make_error(ErrorKind::DeviceLost, "The report of frame %u did not arrive.", report.frame);
   }
   if (report.attempt != attempt_) return {};  // of a frame that is being repeated
-  if (statistics.held != 0) return repeat_from(report.frame, statistics);
+  if (statistics.held != 0) return repeat_from(report, statistics);
   totals_.nonfinite = statistics.nonfinite;
   if (statistics.nonfinite != 0) {
     if (!diverged_)  // the frames after the first bad one say the same

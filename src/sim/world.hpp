@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "element/last_good.hpp"
 #include "element/surface.hpp"
 #include "gpu/readback.hpp"
+#include "model/contact_steps.hpp"
 #include "sim/assets.hpp"
 #include "sim/frame_steps.hpp"
 #include "sim/grabs.hpp"
@@ -106,16 +108,16 @@ class World {
   /// Which of State's buffers holds the current state.
   std::uint32_t parity() const { return parity_; }
   /// Which it will be after one more frame.
-  std::uint32_t parity_after() const { return (parity_ + (asked_ + 1 - frame_) * substeps_) & 1U; }
-  /// The commands of a frame that begins with this parity.
-  const gpu::CommandList& frame_commands(std::uint32_t parity) const { return frame_commands_[parity]; }
+  std::uint32_t parity_after() const { return parity_after_frames(asked_ + 1 - frame_); }
+  /// The commands of a frame of so many substeps that begins with this parity.
+  const gpu::CommandList& frame_commands(std::uint32_t parity, std::uint32_t substeps);
 
  private:
   struct Report {
     gpu::Readback readback;
     gpu::CommandList commands;
     std::uint32_t frame = 0;
-    std::uint32_t attempt = 0;
+    std::uint32_t attempt = 0, parity = 0;
   };
 
   World(gpu::Device& device, scene::Scene scene) : device_(device), scene_(std::move(scene)) {}
@@ -124,14 +126,16 @@ class World {
   Result<void> build_contact(const ContactRoom& room);
   Result<void> submit_frame(const gpu::CommandList* draw);
   /// Goes back to before a frame whose lists were too short, with longer ones.
-  Result<void> repeat_from(std::uint32_t frame, const Statistics& short_of);
-  std::uint32_t parity_end() const { return (parity_ + substeps_) & 1U; }  ///< of the next frame
+  Result<void> repeat_from(const Report& report, const Statistics& short_of);
+  /// Substeps of a frame: more than substeps() where something is moved fast (docs/contact.md).
+  std::uint32_t substeps_of(std::uint32_t frame) const;
+  std::uint32_t parity_after_frames(std::uint32_t count) const;
   /// What follows from the rest state, before the first frame.
   Result<void> submit_rest();
   /// What all substeps have in common.
   StepParams base_params() const;
-  void write_motions();
-  void record_frame(std::uint32_t parity);
+  void write_motions(std::uint32_t substeps);
+  void record_frame(gpu::CommandList& list, std::uint32_t parity, std::uint32_t substeps) const;
   Result<void> take_reports(bool wait_for_all);
   Result<void> take(Report& report);
 
@@ -149,12 +153,14 @@ class World {
   std::optional<LastGood> last_good_;
   StepLimit limit_;
   SolverConstants constants_;
-  std::uint32_t substeps_ = 1, parity_ = 0;
+  std::uint32_t substeps_ = 1, most_substeps_ = 1, parity_ = 0;
   std::uint32_t frame_ = 0;    // submitted
   std::uint32_t asked_ = 0;    // by advance_frame: more than that while frames are repeated
   std::uint32_t attempt_ = 0;  // counts up when frames are repeated
   std::size_t spring_count_ = 0;
-  std::array<gpu::CommandList, 2> frame_commands_;
+  std::map<std::uint32_t, std::array<gpu::CommandList, 2>>
+      frame_commands_;  // by substeps and parity, once needed
+  std::vector<ContactMover> movers_;
   std::array<Report, 3> reports_;
   std::optional<Grabs> grabs_;
   FrameSteps steps_;

@@ -19,7 +19,8 @@ struct Contact {
   Vec4f place;                           // s, t; two places along the normal [m]
   Vec4f surface;                         // the collider's share of the relative velocity [m/s]; w: friction
   float urgency = 0;
-  std::uint32_t padding[3] = {};
+  std::uint32_t solid = 0;  // 1: side A goes its way whatever comes; 2: side B; 0: neither
+  std::uint32_t padding[2] = {};
 };
 static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
 

@@ -137,7 +137,8 @@ void Proximity::add_planes(const FeaturePair& pair, const Sides& sides, const No
     if (side.obstacle) continue;
     const Vec3d away = other_is_a ? -pair.direction : pair.direction;  // from the other side to this one
     if (other.obstacle) {
-      const double margin = kContactMargin * std::min(pair.distance, thickness_);
+      const double margin =
+          std::max(kContactMargin * std::min(pair.distance, thickness_), kContactFloor * thickness_);
       keep(side, away, surface_of(pair, sides, away, dt).support + margin, true);
     } else if (held(other)) {  // cloth that only its motion moves is an obstacle
       double support = dot(away, nodes.position[other.vertices[0]]);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/host_model.hpp"
-#include "reference/contact/obstacles.hpp"
 #include "reference/contact/near_list.hpp"
+#include "reference/contact/obstacles.hpp"
 #include "reference/contact/respond.hpp"
 #include "reference/contact/truncate.hpp"
 

@@ -17,7 +17,7 @@ Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity) {
 /// Equations (3) and (4), with W > 0.
 Vec3d impulse(const NearPair& pair, const Vec3d& u, double mobility, const ContactLaw& law) {
   const double h = pair.thickness, d = pair.distance, u_n = dot(pair.direction, u);
-  double normal = std::max(0.0, ((kContactWall * h - d) / law.dt - u_n) / mobility);
+  double normal = std::max(0.0, (std::min(kContactWall * h - d, 0.0) / law.dt - u_n) / mobility);
   if (d < h) {
     const double spring = kContactSpring * std::min(h - d, h) / law.dt - law.damping * u_n;
     normal = std::max(normal, spring / mobility);
@@ -38,6 +38,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
   response.acting.assign(velocity.size(), 0);
   response.impulses.assign(pairs.size(), {});
   response.acts.assign(pairs.size(), false);
+  std::vector<std::uint32_t> urgency(pairs.size(), 0);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const NearPair& pair = pairs[p];
     if (!pair.may) continue;
@@ -45,8 +46,9 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     response.acts[p] =
         pair.distance < pair.thickness || pair.distance + law.dt * u_n < kContactWall * pair.thickness;
     if (!response.acts[p]) continue;
+    urgency[p] = contact_urgency(pair.distance + std::min(law.dt * u_n, 0.0), pair.thickness);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
-      if (pair.weights[k] != 0) ++response.acting[pair.nodes[k]];
+      if (pair.weights[k] != 0) response.acting[pair.nodes[k]] += urgency[p];
   }
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     if (!response.acts[p]) continue;
@@ -55,6 +57,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       mobility +=
           pair.weights[k] * pair.weights[k] * response.acting[pair.nodes[k]] * inverse_mass[pair.nodes[k]];
+    mobility /= urgency[p];
     if (!(mobility > 0)) continue;
     response.impulses[p] = impulse(pair, relative_velocity(pair, velocity), mobility, law);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)

@@ -30,7 +30,7 @@ struct ContactLaw {
 
 struct Response {
   std::vector<Vec3d> change;          // of each node's velocity [m/s]
-  std::vector<std::uint32_t> acting;  // c: pairs that act, of each node
+  std::vector<std::uint32_t> acting;  // S: sum of the urgencies of the pairs that act, of each node
   std::vector<Vec3d> impulses;        // J of each pair; zero where it does not act [N·s]
   std::vector<bool> acts;             // each pair, equation (1)
 };
