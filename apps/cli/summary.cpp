@@ -64,6 +64,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   if (world.scene().contact.method == scene::ContactMethod::Proximity) {
     json["detections"] = totals.detections;
     json["pairs"] = totals.pairs;
+    json["candidates"] = totals.candidates;
     json["crossings"] = totals.crossings;
     json["truncated"] = totals.truncated;
     json["repeated_frames"] = totals.repeated_frames;

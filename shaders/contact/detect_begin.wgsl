@@ -9,7 +9,7 @@
 @group(0) @binding(1) var<storage, read>       position        : array<vec4f>;      // vertex_count       m
 @group(0) @binding(2) var<storage, read>       velocity        : array<vec4f>;      // vertex_count       m/s
 @group(0) @binding(3) var<storage, read_write> predicted       : array<vec4f>;      // 2 * vertex_count   m/s, then m
-@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;        // kVertexWords * vertex_count + blocks
+@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;        // kVertexWords * vertex_count
 @group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -19,7 +19,12 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   let due = wanted && atomicLoad(&statistics[kStatHeld]) == 0u;
   if (vertex == 0u) {
     atomicStore(&statistics[kStatDue], select(0u, 1u, due));
-    atomicStore(&statistics[kStatFound], 0u);
+    if (due) {
+      atomicStore(&statistics[kStatFound], 0u);
+      atomicStore(&statistics[kStatCandidates], 0u);
+      atomicStore(&statistics[kStatPairs], 0u);
+      atomicStore(&statistics[kStatEntries], 0u);
+    }
   }
   if (!due || vertex >= step.vertex_count) { return; }
   predicted[step.vertex_count + vertex] = position[vertex];

@@ -11,7 +11,7 @@
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m
 @group(0) @binding(3) var<storage, read>       points          : array<vec4f>;        // of colliders: contact/move_points.wgsl
 @group(0) @binding(4) var<storage, read_write> contacts        : array<Contact>;
-@group(0) @binding(5) var<storage, read_write> entries         : array<u32>;
+@group(0) @binding(5) var<storage, read_write> entries         : array<vec2u>;
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 
@@ -59,7 +59,7 @@ fn reach_of_collider(ids : vec4u, n : vec3f, radius : f32) -> f32 {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let count = atomicLoad(&statistics[kStatPairs]);
+  let count = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatHeld]) != 0u);
   let parity_word = 2u + step.parity;
   var hits = 0u;
   var hash = 0u;
@@ -105,6 +105,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let counts = near.inside || radius > 0.0;
     let acts = counts && (gap < thickness || gap + step.dt * speed < 0.25 * thickness);
     let is_near = gap < thickness;
+    let urgency = urgency_of(gap + min(step.dt * speed, 0.0), thickness);
     var reach = 0.0;
     if (!is_self) {
       reach = reach_of_collider(ids, n, radius);
@@ -114,13 +115,13 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     contacts[pair].normal = vec4f(n, gap);
     contacts[pair].place = vec4f(near.s, near.t, place_a, reach);
     contacts[pair].surface = vec4f(r.surface, friction);
+    contacts[pair].urgency = f32(urgency);
     let marks = select(0u, kEntryActs, acts) | select(0u, kEntryNear, is_near);
-    let change = select(0u, 1u, acts) + select(0u, 65536u, is_near);
+    let change = select(0u, kUrgencyUnit * urgency, acts) + select(0u, 1u, is_near);
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
-      entries[contacts[pair].slots[role]] = 16u * pair + marks + role;
-      let carried = select(change & 65535u, 0u, w[role] == 0.0) + (change & 65536u);
-      if (carried != 0u) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + parity_word], carried); }
+      entries[contacts[pair].slots[role]].y = 16u * pair + marks + role;
+      if (change != 0u) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + parity_word], change); }
     }
     if (acts) {
       hits++;

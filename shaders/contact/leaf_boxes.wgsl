@@ -22,11 +22,15 @@ fn store(level : u32, node : u32, box : Box) {
   trees[place.x + 2u * node + 1u] = vec4u(bitcast<vec3u>(box.high), 0u);
 }
 
-// The reach of this detection: what the fastest vertex needs until the next may come, and half as much again.
+// The reach of this detection: the way of the fastest vertex in so many substeps. A longer one lists more pairs, a shorter one asks for
+// more detections.
+const kReachSteps = 12.0;
 fn set_reach() {
-  let need = 1.5 * kDetectInterval * step.dt * bitcast<f32>(statistics[kStatSpeed]);
+  let need = kReachSteps * step.dt * bitcast<f32>(statistics[kStatSpeed]);
   statistics[kStatReach] = bitcast<u32>(clamp(need, step.least_reach, step.most_reach));
   statistics[kStatSpeed] = 0u;
+  statistics[kStatDetect] = 0u;
+  statistics[kStatDetections] += 1u;
 }
 
 fn leaf_box(leaf : u32) -> Box {

@@ -9,17 +9,19 @@
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m (w: inverse mass, 1/kg)
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m: shared/contact.wgsl
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
-@group(0) @binding(4) var<storage, read>       entries         : array<u32>;
+@group(0) @binding(4) var<storage, read>       entries         : array<vec2u>;
 @group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> position        : array<vec4f>;        // vertex_count          m
 @group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>;        // vertex_count          m/s
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
-const kSpring = 0.1;    // β: of the gap that is missing, what a substep makes good
+const kSpring = 0.25;   // β: of the gap that is missing, what a substep makes good
 const kWall = 0.25;     // of the thickness: no pair comes nearer
 const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
+const kFloor = 0.01;    // of the thickness: likewise, so that f32 can tell it from touching
 
+// The sum of the urgencies at a vertex, of which each pair gets its part of the mass.
 fn acting(vertex : u32) -> f32 {
-  return f32(atomicLoad(&vertex_contacts[kVertexWords * vertex + 2u + step.parity]) & 65535u);
+  return f32(atomicLoad(&vertex_contacts[kVertexWords * vertex + 2u + step.parity]) / kUrgencyUnit);
 }
 
 // Equations (2) to (4): the impulse on side A, N·s.
@@ -34,6 +36,7 @@ fn impulse(contact : Contact) -> vec3f {
     u += w[role] * predicted[vertex].xyz;
     mobility += w[role] * w[role] * acting(vertex) * previous[vertex].w;
   }
+  mobility /= contact.urgency;
   if (mobility <= 0.0) { return vec3f(0.0); }
   let n = contact.normal.xyz;
   let gap = contact.normal.w;
@@ -56,9 +59,16 @@ fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
   let on_a = role < roles_of_a(contact.ids);
   let side = select(-1.0, 1.0, on_a);
   let gap = contact.normal.w;
-  var plane = contact.place.z - 0.5 * gap + side * kMargin * gap;
-  if (!is_self_pair(contact.ids)) { plane = contact.place.w + side * kMargin * min(gap, step.thickness); }
+  var plane = contact.place.z - 0.5 * gap + side * max(kMargin * gap, 0.5 * kFloor * step.self_thickness);
+  if (!is_self_pair(contact.ids)) { plane = contact.place.w + side * max(kMargin * min(gap, step.thickness), kFloor * step.thickness); }
   return side * (plane - dot(contact.normal.xyz, place));
+}
+
+// A velocity without what goes into the plane.
+fn stopped(contact : Contact, role : u32, v : vec3f) -> vec3f {
+  let n = contact.normal.xyz;
+  let side = select(-1.0, 1.0, role < roles_of_a(contact.ids));
+  return v - side * min(side * dot(n, v) + dot(n, contact.surface.xyz), 0.0) * n;
 }
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -66,11 +76,11 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.vertex_count) { return; }
   let words = kVertexWords * vertex;
-  let begin = atomicLoad(&vertex_contacts[words]) +
-              atomicLoad(&vertex_contacts[kVertexWords * step.vertex_count + vertex / kScanBlock]);
-  let end = begin + select(0u, atomicLoad(&vertex_contacts[words + 1u]), atomicLoad(&statistics[kStatPairs]) > 0u);
+  let begin = atomicLoad(&vertex_contacts[words]);
+  let end = begin + atomicLoad(&vertex_contacts[words + 1u]);
   let count = atomicLoad(&vertex_contacts[words + 2u + step.parity]);
   atomicStore(&vertex_contacts[words + 3u - step.parity], 0u);  // for the next substep
+  if (vertex == 0u) { atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatFound])); }
 
   let reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   let start = previous[vertex];
@@ -78,10 +88,10 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   var x = position[vertex].xyz;
   var v = predicted[vertex].xyz;
   if (inverse_mass > 0.0) {
-    if ((count & 65535u) > 0u) {
+    if (count >= kUrgencyUnit) {
       var change = vec3f(0.0);
       for (var k = begin; k < end; k++) {
-        let entry = entries[k];
+        let entry = entries[k].y;
         if ((entry & kEntryActs) == 0u) { continue; }
         let contact = contacts[entry / 16u];
         change += weights_of(contact.ids, contact.place.x, contact.place.y)[entry & 3u] * impulse(contact);
@@ -92,25 +102,26 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     // Equation (6). What moves less than this passes nothing that is not near.
     let free = 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0);
     let far = length(x - start.xyz) > free;
-    if (begin < end && (far || (count >> 16u) > 0u)) {
+    if (begin < end && (far || count > 0u)) {
       var part = 1.0;
       for (var k = begin; k < end; k++) {
-        if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-        let contact = contacts[entries[k] / 16u];
+        if (!far && (entries[k].y & kEntryNear) == 0u) { continue; }
+        let contact = contacts[entries[k].y / 16u];
         if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the spring brings it out
-        let now = beyond(contact, entries[k] & 3u, start.xyz);
-        let then = beyond(contact, entries[k] & 3u, x);
-        if (then > 0.0 && now < 0.0) { part = min(part, now / (now - then)); }
-        if (then > 0.0 && now >= 0.0 && is_self_pair(contact.ids)) { part = 0.0; }
+        let now = beyond(contact, entries[k].y & 3u, start.xyz);
+        let then = beyond(contact, entries[k].y & 3u, x);
+        if (then <= 0.0) { continue; }
+        v = stopped(contact, entries[k].y & 3u, v);
+        if (now < 0.0) { part = min(part, now / (now - then)); } else if (is_self_pair(contact.ids)) { part = 0.0; }
       }
       if (part < 1.0) { x = start.xyz + part * (x - start.xyz); }
       var pushed = false;
       for (var k = begin; k < end; k++) {  // a collider that comes nearer takes the vertex with it
-        if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-        let contact = contacts[entries[k] / 16u];
+        if (!far && (entries[k].y & kEntryNear) == 0u) { continue; }
+        let contact = contacts[entries[k].y / 16u];
         if (contact.normal.w <= 0.0 || is_self_pair(contact.ids)) { continue; }
-        let side = select(-1.0, 1.0, (entries[k] & 3u) < roles_of_a(contact.ids));
-        let depth = beyond(contact, entries[k] & 3u, x);
+        let side = select(-1.0, 1.0, (entries[k].y & 3u) < roles_of_a(contact.ids));
+        let depth = beyond(contact, entries[k].y & 3u, x);
         if (depth > 0.0) {
           x += side * depth * contact.normal.xyz;
           pushed = true;
@@ -123,6 +134,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     let distance = length(away);
     if (distance > reach) {
       x = predicted[step.vertex_count + vertex].xyz + (reach / distance) * away;
+      v *= min(1.0, length(x - start.xyz) / (step.dt * length(v)));  // or its neighbours would pull it ever faster
       atomicAdd(&statistics[kStatTruncated], 1u);
     }
     position[vertex] = vec4f(x, inverse_mass);

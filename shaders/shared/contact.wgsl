@@ -5,7 +5,8 @@ struct Contact {
   slots : array<u32, 4>,  // where each cloth vertex of ids has this pair in `entries`
   normal : vec4f,   // n, from B to A; w: the gap d, m
   place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(the collider's last point on its way), m
-  surface : vec4f,  // what the collider adds to the relative velocity, m/s; w: friction, negative until it is known
+  surface : vec4f,  // what the collider adds to the relative velocity, m/s; w: friction
+  urgency : f32,    // its share of its vertices' masses, before they are shared
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
 const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; of neither: vertex and triangle
@@ -31,8 +32,16 @@ fn weights_of(ids : vec4u, s : f32, t : f32) -> vec4f {
   return vec4f(1.0, s + t - 1.0, -s, -t);
 }
 
-// What each vertex has, four words: where its entries begin within its block, how many they are, and for
-// substeps of either parity how many pairs act (low half) and are near (high half). After all vertices: where the
-// blocks of kScanBlock begin.
-const kVertexWords = 4u;
-const kScanBlock = 1024u;
+// How much of a vertex's mass a pair may use, among others that act: the more, the deeper its features will be in each other's
+// thickness. In whole numbers, so that sums do not hang on their order.
+const kMostUrgent = 255.0;
+fn urgency_of(gap : f32, thickness : f32) -> u32 {
+  let depth = clamp(1.0 - gap / thickness, 0.0, 1.0);
+  return 1u + u32(kMostUrgent * depth * depth);
+}
+const kUrgencyUnit = 16u;  // pairs that are near but do not act count 1
+
+// What each vertex has: where its entries begin, how many they are, for substeps of either parity the sum over its pairs of
+// kUrgencyUnit * urgency, and 1 for each that is near; and a count that the listing needs.
+const kVertexWords = 5u;
+const kCursorWord = 4u;

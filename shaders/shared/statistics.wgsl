@@ -1,21 +1,23 @@
-// What a frame reports to the host. The first eight are cleared before each frame.
+// What a frame reports to the host. The first ten are cleared before each frame.
 // Mirror: src/state/statistics.hpp. Kernels bind it as array<atomic<u32>>.
 const kStatHits = 0u;            // pairs that intersect or act, summed over the frame's substeps
 const kStatHitHash = 1u;         // wrapping sum of hash_pair over them: does not depend on their order
 const kStatMaxStretch = 2u;      // largest length / rest length, as the bits of a positive f32
-const kStatContactOverflow = 3u; // contacts that a list had no room for; by proximity, how long the list ought to be
+const kStatContactOverflow = 3u; // contacts that a list had no room for
 const kStatDetections = 4u;      // how often pairs were looked for
 const kStatCrossings = 5u;       // edges that pass through triangles, the most that a detection has found
 const kStatTruncated = 6u;       // vertices that were held back, summed over substeps
-const kStatPairs = 7u;           // pairs that are listed
-const kStatNonfinite = 8u;       // nodes that were not finite, in all frames so far
-const kStatFrozen = 9u;          // 1 once the state is frozen at the last good frame
-const kStatHeld = 10u;           // 1 once a list was too short: frames end as they begin until the host has made it longer
-const kStatDetect = 11u;         // 1: a vertex is about to leave its reach
-const kStatDue = 12u;            // 1: a detection is under way
-const kStatFound = 13u;          // crossings of this detection
-const kStatSpeed = 14u;          // the largest |v| at this detection, m/s, as the bits of a positive f32
-const kStatReach = 15u;          // how far a vertex may go until the next detection, m, likewise
+const kStatPairs = 7u;           // pairs that are listed, or ought to be
+const kStatCandidates = 8u;      // likewise, of the pairs of triangles before them
+const kStatEntries = 9u;
+const kStatNonfinite = 10u;      // nodes that were not finite, in all frames so far
+const kStatFrozen = 11u;         // 1 once the state is frozen at the last good frame
+const kStatHeld = 12u;           // 1 once a list was too short: frames end as they begin until the host has made it longer
+const kStatDetect = 13u;         // 1: a vertex is about to leave its reach
+const kStatDue = 14u;            // 1: a detection is under way
+const kStatFound = 15u;          // crossings of this detection
+const kStatSpeed = 16u;          // the largest |v| at this detection, m/s, as the bits of a positive f32
+const kStatReach = 17u;          // how far a vertex may go until the next detection, m, likewise
 
 // A hash of two numbers. Source: Pcg3d's mixing step (Jarzynski, Olano: Hash Functions for GPU Rendering, 2020), cut to two words.
 fn hash_pair(a : u32, b : u32) -> u32 {

@@ -3,7 +3,7 @@
 const kMaxGrabs = 4u;
 const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
 const kDetectAlways = 2u;
-const kDetectInterval = 4.0;  // substeps from one that may to the next; kDetectInterval in src/state/step_params.hpp
+const kDetectInterval = 2.0;  // substeps from one that may to the next; kDetectInterval in src/state/step_params.hpp
 
 struct StepParams {
   acceleration : vec4f,  // m/s²: gravity and the external force, xyz

@@ -15,12 +15,6 @@ std::uint32_t friction_bits(double friction) {
   return static_cast<std::uint32_t>(std::lround(friction * 131072)) << 8U;
 }
 
-Result<gpu::RawBuffer> uniform(gpu::Device& device, const FindParams& params) {
-  WEFT_TRY(buffer, gpu::Buffer<FindParams>::create_from(device, std::span(&params, 1), "find params",
-                                                        gpu::kUniform | gpu::kCopyTarget));
-  return gpu::RawBuffer(std::move(buffer));
-}
-
 }  // namespace
 
 std::uint32_t strided_groups(const gpu::Device& device, std::uint32_t capacity,
@@ -35,7 +29,7 @@ Result<PairSearch> PairSearch::create(gpu::Device& device, const Model& model, c
   PairSearch made;
   made.vertex_count_ = model.vertex_count();
   made.triangle_count_ = model.triangle_count();
-  made.strided_groups_ = strided_groups(device, pairs.capacity, setup.workgroup_size);
+  made.strided_groups_ = strided_groups(device, pairs.room.candidates, setup.workgroup_size);
   WEFT_CHECK(made.create_buffers(device, model, scene, meshes));
   WEFT_CHECK(made.create_trees(device, state, setup.workgroup_size));
   WEFT_CHECK(made.create_find(device, state, pairs, setup));
@@ -76,9 +70,6 @@ Result<void> PairSearch::create_buffers(gpu::Device& device, const Model& model,
   WEFT_TRY(list_buffer,
            gpu::Buffer<TreeWord>::create_from(device, list, "colliders", gpu::kUniform | gpu::kCopyTarget));
   collider_list_ = std::move(list_buffer);
-  WEFT_TRY(lists, gpu::Buffer<std::uint32_t>::create(
-                      device, triangle_count_ + scan_blocks(triangle_count_) + 1, "pairs of each triangle"));
-  lists_ = std::move(lists);
   return {};
 }
 
@@ -96,58 +87,55 @@ Result<void> PairSearch::create_trees(gpu::Device& device, const State& state, s
 
 Result<void> PairSearch::create_find(gpu::Device& device, const State& state, const ContactPairs& pairs,
                                      const SearchSetup& setup) {
+  SearchParams params{triangle_count_, static_cast<std::uint32_t>(colliders_.list.size())};
+  params.self_contact = setup.self_thickness > 0 ? 1 : 0;
+  params.first_row = 2 * colliders_.point_count;
+  params.candidate_capacity = pairs.room.candidates;
+  params.pair_capacity = pairs.room.pairs;
+  params.thickness = setup.thickness;
+  params.self_thickness = setup.self_thickness;
+  WEFT_TRY(buffer, gpu::Buffer<SearchParams>::create_from(device, std::span(&params, 1), "search params",
+                                                          gpu::kUniform | gpu::kCopyTarget));
+  params_ = std::move(buffer);
+  using Candidate = std::array<std::uint32_t, 2>;
+  WEFT_TRY(candidates, gpu::Buffer<Candidate>::create(device, pairs.room.candidates, "contact candidates"));
+  candidates_ = std::move(candidates);
   WEFT_TRY(begin, gpu::Kernel::create(device, "contact/detect_begin.wgsl", {}, setup.workgroup_size));
   detect_begin_ = std::move(begin);
-  WEFT_TRY(find, gpu::Kernel::create(device, "contact/find_pairs.wgsl", {}, setup.workgroup_size));
-  find_pairs_ = std::move(find);
-  FindParams params{0, setup.candidates ? 1U : 0U, triangle_count_,
-                    static_cast<std::uint32_t>(colliders_.list.size())};
-  params.self_contact = setup.self_radius > 0 ? 1 : 0;
-  params.first_row = 2 * colliders_.point_count;
-  params.first_block = triangle_count_;
-  params.radius = setup.radius;
-  params.self_radius = setup.self_radius;
-  for (std::size_t fill = 0; fill < 2; ++fill) {
-    params.fill = static_cast<std::uint32_t>(fill);
-    WEFT_TRY(buffer, uniform(device, params));
-    find_params_[fill] = std::move(buffer);
-    for (std::size_t parity = 0; parity < 2; ++parity) {
-      WEFT_TRY(group, find_pairs_.bind({state.steps, find_params_[fill], collider_list_,
-                                        state.position[parity], triangles_, trees_, points_, lists_,
-                                        pairs.contacts, pairs.vertex_contacts, state.statistics}));
-      find_groups_[fill][parity] = std::move(group);
-    }
-  }
+  WEFT_TRY(broad, gpu::Kernel::create(device, "contact/find_candidates.wgsl", {}, setup.workgroup_size));
+  find_candidates_ = std::move(broad);
+  WEFT_TRY(narrow, gpu::Kernel::create(device, "contact/find_pairs.wgsl", {}, setup.workgroup_size));
+  find_pairs_ = std::move(narrow);
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group, detect_begin_.bind({state.steps, state.position[parity], state.velocity[parity],
-                                        pairs.predicted, pairs.vertex_contacts, state.statistics}));
-    begin_groups_[parity] = std::move(group);
+    WEFT_TRY(begin_group, detect_begin_.bind({state.steps, state.position[parity], state.velocity[parity],
+                                              pairs.predicted, pairs.vertex_contacts, state.statistics}));
+    begin_groups_[parity] = std::move(begin_group);
+    WEFT_TRY(broad_group, find_candidates_.bind({params_, collider_list_, state.position[parity], triangles_,
+                                                 trees_, points_, candidates_, state.statistics}));
+    candidate_groups_[parity] = std::move(broad_group);
+    WEFT_TRY(narrow_group,
+             find_pairs_.bind({params_, state.position[parity], triangles_, trees_, points_, candidates_,
+                               pairs.contacts, pairs.vertex_contacts, state.statistics}));
+    find_groups_[parity] = std::move(narrow_group);
   }
   return {};
 }
 
 Result<void> PairSearch::create_lists(gpu::Device& device, const State& state, const ContactPairs& pairs,
                                       const SearchSetup& setup) {
-  WEFT_TRY(scan_pairs, Scan::create(device, {triangle_count_, 1, 0, 0, triangle_count_, pairs.capacity},
-                                    state.statistics, lists_));
-  scan_pairs_ = std::move(scan_pairs);
-  WEFT_TRY(scan_entries,
-           Scan::create(device, {vertex_count_, kVertexWords, 1, 0, kVertexWords * vertex_count_, 0},
-                        state.statistics, pairs.vertex_contacts));
-  scan_entries_ = std::move(scan_entries);
-  const std::array<std::uint32_t, 4> params = {vertex_count_};
-  WEFT_TRY(buffer, gpu::Buffer<std::uint32_t>::create_from(device, params, "entry params",
-                                                           gpu::kUniform | gpu::kCopyTarget));
-  entry_params_ = std::move(buffer);
+  WEFT_TRY(place, gpu::Kernel::create(device, "contact/place_entries.wgsl", {}, setup.workgroup_size));
+  place_entries_ = std::move(place);
   WEFT_TRY(list, gpu::Kernel::create(device, "contact/list_entries.wgsl", {}, setup.workgroup_size));
   list_entries_ = std::move(list);
   WEFT_TRY(sort, gpu::Kernel::create(device, "contact/sort_entries.wgsl", {}, setup.workgroup_size));
   sort_entries_ = std::move(sort);
-  WEFT_TRY(list_group, list_entries_.bind({entry_params_, state.statistics, pairs.contacts,
-                                           pairs.vertex_contacts, pairs.entries}));
+  WEFT_TRY(place_group, place_entries_.bind({pairs.vertex_contacts, state.statistics}));
+  place_group_ = std::move(place_group);
+  WEFT_TRY(list_group,
+           list_entries_.bind({state.statistics, pairs.contacts, pairs.vertex_contacts, pairs.entries}));
   list_group_ = std::move(list_group);
-  WEFT_TRY(sort_group, sort_entries_.bind({entry_params_, state.statistics, pairs.contacts,
-                                           pairs.vertex_contacts, pairs.entries}));
+  WEFT_TRY(sort_group,
+           sort_entries_.bind({state.statistics, pairs.contacts, pairs.vertex_contacts, pairs.entries}));
   sort_group_ = std::move(sort_group);
   return {};
 }
@@ -156,10 +144,9 @@ void PairSearch::record(gpu::ComputePass& pass) const {
   const std::uint32_t parity = pass.parity();
   detect_begin_.dispatch(pass, begin_groups_[parity], vertex_count_);
   refit_.record(pass);
-  find_pairs_.dispatch(pass, find_groups_[0][parity], triangle_count_);  // counts
-  scan_pairs_.record(pass);
-  find_pairs_.dispatch(pass, find_groups_[1][parity], triangle_count_);  // fills
-  scan_entries_.record(pass);
+  find_candidates_.dispatch(pass, candidate_groups_[parity], triangle_count_);
+  find_pairs_.dispatch_groups(pass, find_groups_[parity], strided_groups_);
+  place_entries_.dispatch(pass, place_group_, vertex_count_);
   list_entries_.dispatch_groups(pass, list_group_, strided_groups_);
   sort_entries_.dispatch(pass, sort_group_, vertex_count_);
 }

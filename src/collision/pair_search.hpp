@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "collision/collider_set.hpp"
-#include "collision/scan.hpp"
 #include "collision/tree_refit.hpp"
 #include "gpu/kernel.hpp"
 #include "state/contact_pairs.hpp"
@@ -12,25 +11,22 @@
 
 namespace weft::collision {
 
-/// Mirror of FindParams in shaders/contact/find_pairs.wgsl.
-struct FindParams {
-  std::uint32_t fill = 0, candidates = 0, triangle_count = 0, collider_count = 0;
-  std::uint32_t self_contact = 0, tree = 0, first_row = 0, first_block = 0;
-  float radius = 0, self_radius = 0;  // [m]
-  std::uint32_t padding[2] = {};
+/// Mirror of SearchParams in shaders/contact/triangles.wgsl.
+struct SearchParams {
+  std::uint32_t triangle_count = 0, collider_count = 0, self_contact = 0, first_row = 0;
+  std::uint32_t candidate_capacity = 0, pair_capacity = 0;
+  float thickness = 0, self_thickness = 0;  // [m]
 };
-static_assert(sizeof(FindParams) == 48);
+static_assert(sizeof(SearchParams) == 32);
 
 /// What a search looks for.
 struct SearchSetup {
-  float radius = 0, self_radius = 0;  // [m], without reaches; the second 0: cloth does not meet cloth
+  float thickness = 0, self_thickness = 0;  // [m]; the second 0: cloth does not meet cloth
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
-  bool candidates =
-      false;  // all pairs of triangles whose grown boxes overlap, instead of features: for tests and timings
 };
 
-/// Finds and lists all pairs of features nearer than a radius: broad phase, narrow phase, count, scan, fill.
-/// Ten dispatches, which do nothing where no detection is due.
+/// Finds and lists all pairs of features nearer than a radius: broad phase, narrow phase, entries.
+/// Eight dispatches, which do nothing where no detection is due.
 /// Reads   state.steps; state.position[parity] [m]: at the start of the substep; the colliders' points.
 /// Writes  pairs; state.statistics.
 /// Errors  Input, Limit, Shader, OutOfMemory. Source: docs/contact.md.
@@ -44,7 +40,7 @@ class PairSearch {
 
   const ColliderSet& colliders() const { return colliders_; }
   const gpu::Buffer<Vec4f>& points() const { return points_; }
-  const gpu::Buffer<TreeWord>& trees() const { return trees_; }
+  const gpu::Buffer<std::array<std::uint32_t, 2>>& candidates() const { return candidates_; }
   /// The cloths' triangles in the order of their tree.
   const std::vector<std::uint32_t>& order() const { return order_; }
 
@@ -63,15 +59,12 @@ class PairSearch {
   ImplicitTree tree_;
   gpu::Buffer<TreeWord> triangles_, trees_;
   gpu::Buffer<Vec4f> points_;
-  gpu::RawBuffer collider_list_, entry_params_;
-  std::array<gpu::RawBuffer, 2> find_params_;  // to count, to fill
-  gpu::Buffer<std::uint32_t> lists_;
+  gpu::RawBuffer collider_list_, params_;
+  gpu::Buffer<std::array<std::uint32_t, 2>> candidates_;
   TreeRefit refit_;
-  Scan scan_pairs_, scan_entries_;
-  gpu::Kernel detect_begin_, find_pairs_, list_entries_, sort_entries_;
-  std::array<gpu::BindGroup, 2> begin_groups_;                // by parity
-  std::array<std::array<gpu::BindGroup, 2>, 2> find_groups_;  // to count and to fill, by parity
-  gpu::BindGroup list_group_, sort_group_;
+  gpu::Kernel detect_begin_, find_candidates_, find_pairs_, place_entries_, list_entries_, sort_entries_;
+  std::array<gpu::BindGroup, 2> begin_groups_, candidate_groups_, find_groups_;  // by parity
+  gpu::BindGroup place_group_, list_group_, sort_group_;
 };
 
 /// Workgroups of a dispatch whose invocations take every so-manieth pair: as many as keep the adapter busy.

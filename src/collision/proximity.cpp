@@ -58,12 +58,12 @@ Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, con
   WEFT_TRY(lengths, proximity_lengths(model.host, scene.contact));
   made.lengths_ = lengths;
   SearchSetup setup;
-  setup.radius = static_cast<float>(lengths.thickness);
-  setup.self_radius = static_cast<float>(lengths.self_thickness);
+  setup.thickness = static_cast<float>(lengths.thickness);
+  setup.self_thickness = static_cast<float>(lengths.self_thickness);
   setup.workgroup_size = workgroup_size;
   WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
   made.search_ = std::move(search);
-  made.strided_groups_ = strided_groups(device, pairs.capacity, workgroup_size);
+  made.strided_groups_ = strided_groups(device, pairs.room.pairs, workgroup_size);
   WEFT_CHECK(made.create_kernels(device, state, pairs, workgroup_size));
   return made;
 }

@@ -28,7 +28,8 @@ std::vector<SpringLink> links_of(const HostModel& model) {
 
 Result<Simulation> Simulation::create(const scene::Scene& scene,
                                       const std::vector<mesh::TriangleMesh>& cloth_meshes,
-                                      const std::vector<mesh::TriangleMesh>& objects) {
+                                      const std::vector<mesh::TriangleMesh>& objects,
+                                      const std::vector<std::vector<mesh::TriangleMesh>>& keyframes) {
   WEFT_TRY(model, build_model(scene, cloth_meshes));
   Simulation made(scene, std::move(model));
   made.limit_ = mass_spring_step_limit(made.model_, scene.drag);
@@ -51,6 +52,10 @@ Result<Simulation> Simulation::create(const scene::Scene& scene,
   const scene::ContactMethod method = scene.contact.method;
   if (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh)
     WEFT_CHECK(made.add_colliders(objects));
+  if (method == scene::ContactMethod::Proximity) {
+    made.proximity_.emplace(scene, made.model_, objects, keyframes);
+    made.movers_ = contact_movers(scene, made.model_, objects, keyframes);
+  }
   made.reset();
   return made;
 }
@@ -83,7 +88,11 @@ Result<void> Simulation::add_colliders(const std::vector<mesh::TriangleMesh>& ob
 Result<void> Simulation::advance_frame() {
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   const std::uint64_t contacts = contacts_;
-  for (std::uint32_t s = 0; s < substeps_; ++s) substep(s);
+  std::uint32_t count = substeps_;
+  if (proximity_)
+    count *=
+        contact_step_factor(movers_, scene_.contact.thickness, time(), time() + scene_.time.frame, count);
+  for (std::uint32_t s = 0; s < count; ++s) substep(s, count);
   if (!finite()) {
     system_.position = position;
     system_.velocity = velocity;
@@ -102,15 +111,21 @@ void Simulation::reset() {
   contacts_ = 0;
 }
 
-void Simulation::substep(std::uint32_t number) {
-  const double count = static_cast<double>(frame_) * substeps_ + number;  // of substeps before this one
+void Simulation::substep(std::uint32_t number, std::uint32_t count) {
+  const double dt = scene_.time.frame / count;
+  const double before = static_cast<double>(frame_) * count + number;  // substeps, were all frames cut alike
   const std::vector<Vec3d> previous = system_.position;
-  system_.time = count * step();  // of the wind
+  system_.time = before * dt;  // of the wind
   // As sim::FrameSteps counts time, to the bit: which substep is the first of a grab hangs on it.
-  set_grabs(time() + number * step() + step());
-  advance(system_, step());
-  follow_motions(previous, (count + 1) * step());
-  answer_contacts(previous);
+  set_grabs(time() + number * dt + dt);
+  advance(system_, dt);
+  follow_motions(previous, (before + 1) * dt, dt);
+  if (!proximity_) {
+    answer_contacts(previous);
+  } else if (finite()) {
+    contacts_ += proximity_->answer({previous, system_.inverse_mass, system_.position, system_.velocity},
+                                    before * dt, dt);
+  }
 }
 
 void Simulation::set_grabs(double time) {
@@ -120,13 +135,13 @@ void Simulation::set_grabs(double time) {
       system_.grabs.push_back({one.node, scene::target_at(one.grab, time)});
 }
 
-void Simulation::follow_motions(const std::vector<Vec3d>& previous, double time) {
+void Simulation::follow_motions(const std::vector<Vec3d>& previous, double time, double dt) {
   std::vector<scene::RigidTransform> transforms;
   for (const scene::Motion& motion : model_.motions) transforms.push_back(scene::motion_at(motion, time));
   for (std::size_t node = 0; node < previous.size(); ++node) {
     if (model_.motion[node] < 2) continue;  // free or pinned
     system_.position[node] = transforms[model_.motion[node] - 2](model_.rest_position[node]);
-    system_.velocity[node] = (system_.position[node] - previous[node]) / step();
+    system_.velocity[node] = (system_.position[node] - previous[node]) / dt;
   }
 }
 

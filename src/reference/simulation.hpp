@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "model/contact_steps.hpp"
 #include "model/host_model.hpp"
 #include "model/step_limit.hpp"
 #include "reference/collision/contact_pairs.hpp"
 #include "reference/collision/pushes.hpp"
+#include "reference/contact/proximity.hpp"
 #include "reference/mass_spring.hpp"
 #include "scene/scene.hpp"
 
@@ -23,9 +25,11 @@ class Simulation {
   /// `cloth_meshes` holds a mesh for each cloth (empty for a grid), `objects` one for each mesh and box
   /// collider, all placed in the world. Errors  Input: the model cannot be built, an object has a triangle
   /// without area. Limit: "auto" needs too many substeps.
+  /// `keyframes` has the shapes of each object's keyframes, or nothing.
   static Result<Simulation> create(const scene::Scene& scene,
                                    const std::vector<mesh::TriangleMesh>& cloth_meshes,
-                                   const std::vector<mesh::TriangleMesh>& objects);
+                                   const std::vector<mesh::TriangleMesh>& objects,
+                                   const std::vector<std::vector<mesh::TriangleMesh>>& keyframes = {});
 
   /// Errors  Diverged: a node is not finite; the state stays as it was before the frame.
   Result<void> advance_frame();
@@ -44,21 +48,25 @@ class Simulation {
   std::uint32_t frame() const { return frame_; }
   double time() const { return frame_ * scene_.time.frame; }  // [s]
   std::uint32_t substeps() const { return substeps_; }
-  double step() const { return scene_.time.frame / substeps_; }  // [s]
+  double step() const { return scene_.time.frame / substeps_; }  // [s]; shorter in frames that are cut
   const StepLimit& step_limit() const { return limit_; }
   std::size_t spring_count() const { return system_.springs.size(); }
-  /// Of cloth triangles with object triangles, and of nodes with spheres and planes, in all substeps so far.
+  /// In all substeps so far. Of cloth triangles with object triangles, and of nodes with spheres and planes;
+  /// by proximity, pairs of features that act.
   std::uint64_t contacts() const { return contacts_; }
+  /// What contact method proximity knows; null with the others.
+  const Proximity* proximity() const { return proximity_ ? &*proximity_ : nullptr; }
 
  private:
   Simulation(const scene::Scene& scene, HostModel model) : scene_(scene), model_(std::move(model)) {}
   Result<void> add_colliders(const std::vector<mesh::TriangleMesh>& objects);
 
-  void substep(std::uint32_t number);
+  /// One of `count` of this frame.
+  void substep(std::uint32_t number, std::uint32_t count);
   /// Who is held by the scene in the substep that ends at `time` [s], and where they are pulled.
   void set_grabs(double time);
   /// Takes the nodes that follow a motion to where they are at `time` [s].
-  void follow_motions(const std::vector<Vec3d>& previous, double time);
+  void follow_motions(const std::vector<Vec3d>& previous, double time, double dt);
   void answer_contacts(const std::vector<Vec3d>& previous);
   bool finite() const;
 
@@ -73,6 +81,8 @@ class Simulation {
   std::vector<scene::ColliderSphere> spheres_;
   std::vector<scene::ColliderPlane> planes_;
   PushLimits push_limits_;
+  std::optional<Proximity> proximity_;
+  std::vector<ContactMover> movers_;  // of proximity
   std::uint64_t contacts_ = 0;
 };
 

@@ -48,7 +48,7 @@ Result<void> check_size(const scene::Scene& scene, const Assets& assets, const g
 /// ζ of docs/contact.md, equation (3): the damping for which a spring of strength β gives back the part e of
 /// the speed.
 double contact_damping(double restitution) {
-  constexpr double kSpring = 0.1;  // β, as in contact_respond.wgsl
+  constexpr double kSpring = 0.25; // β, as in contact_respond.wgsl
   double ratio = 1;
   if (restitution > 0) {
     const double log = std::log(restitution), pi = 3.141592653589793;
@@ -57,8 +57,10 @@ double contact_damping(double restitution) {
   return 2 * ratio * std::sqrt(kSpring);
 }
 
-/// Pairs that lists have room for at first; World makes them longer when they are short.
-std::uint32_t first_capacity(const Model& model) { return std::max(32768U, 2 * model.triangle_count()); }
+/// What the lists have room for at first; World makes them longer when they are short.
+ContactRoom first_room(const Model& model) {
+  return {std::max(32768U, 2 * model.triangle_count()), std::max(131072U, 12 * model.triangle_count())};
+}
 
 }  // namespace
 
@@ -90,7 +92,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_TRY(state, State::create(device_, model_.host, substeps_));
   state_ = std::move(state);
   options_ = options;
-  WEFT_CHECK(build_contact(options.pair_capacity != 0 ? options.pair_capacity : first_capacity(model_)));
+  WEFT_CHECK(build_contact(options.contact_room ? *options.contact_room : first_room(model_)));
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);
   WEFT_TRY(last_good, LastGood::create(device_, state_));
@@ -110,12 +112,12 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   return device_.wait();  // in a browser, only now is it known whether all of this could be made
 }
 
-Result<void> World::build_contact(std::uint32_t pair_capacity) {
+Result<void> World::build_contact(const ContactRoom& room) {
   const scene::ContactMethod method = scene_.contact.method;
   if (method == scene::ContactMethod::Proximity && (scene_.contact.self || !scene_.colliders.empty())) {
     proximity_.reset();  // frees what it holds before more is asked for
     contacts_.reset();
-    WEFT_TRY(contacts, Contacts::create_pairs(device_, model_.host, pair_capacity));
+    WEFT_TRY(contacts, Contacts::create_pairs(device_, model_.host, room));
     contacts_ = std::move(contacts);
     WEFT_TRY(proximity,
              collision::Proximity::create(device_, model_, state_, *contacts_->pairs, scene_,
@@ -243,14 +245,20 @@ Result<void> World::poll() {
   return {};
 }
 
-Result<void> World::repeat_from(std::uint32_t frame, std::uint32_t pairs) {
+Result<void> World::repeat_from(std::uint32_t frame, const Statistics& short_of) {
   parity_ = (parity_ + (frame_ - frame) * substeps_) & 1U;
   frame_ = frame;
   ++attempt_;
   ++totals_.repeated_frames;
-  const std::uint64_t wanted =
-      std::max<std::uint64_t>(2ULL * contacts_->pairs->capacity, pairs + pairs / 4ULL);
-  WEFT_CHECK(build_contact(static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted, 1U << 28U))));
+  const auto longer = [](std::uint32_t room,
+                         std::uint32_t wanted) {  // a quarter more: the next may need more
+    return wanted <= room
+               ? room
+               : static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted + wanted / 4ULL, 1U << 28U));
+  };
+  const ContactRoom& room = contacts_->pairs->room;
+  WEFT_CHECK(
+      build_contact({longer(room.pairs, short_of.pairs), longer(room.candidates, short_of.candidates)}));
   for (gpu::CommandList& list : frame_commands_) list.reset();
   record_frame(0);
   record_frame(1);
@@ -297,7 +305,7 @@ Result<void> World::take(Report& report) {
     return make_error(ErrorKind::DeviceLost, "The report of frame %u did not arrive.", report.frame);
   }
   if (report.attempt != attempt_) return {};  // of a frame that is being repeated
-  if (statistics.held != 0) return repeat_from(report.frame, statistics.contact_overflow);
+  if (statistics.held != 0) return repeat_from(report.frame, statistics);
   totals_.nonfinite = statistics.nonfinite;
   if (statistics.nonfinite != 0) {
     if (!diverged_)  // the frames after the first bad one say the same
@@ -316,6 +324,7 @@ Result<void> World::take(Report& report) {
   totals_.crossings = statistics.crossings;
   totals_.truncated += statistics.truncated;
   totals_.pairs = std::max(totals_.pairs, statistics.pairs);
+  totals_.candidates = std::max(totals_.candidates, statistics.candidates);
   totals_.max_stretch = std::max(totals_.max_stretch, statistics.max_stretch);
   return {};
 }

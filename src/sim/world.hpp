@@ -21,7 +21,7 @@ namespace weft::sim {
 
 struct WorldOptions {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
-  std::uint32_t pair_capacity = 0;  // of proximity contact at first; 0: chosen by the number of triangles
+  std::optional<ContactRoom> contact_room;  // of proximity contact at first; none: by the number of triangles
 };
 
 /// What the frames so far have reported.
@@ -33,6 +33,7 @@ struct Totals {
   std::uint64_t detections = 0;       // by proximity: searches for pairs
   std::uint64_t truncated = 0;        // vertices held back, summed over substeps
   std::uint32_t pairs = 0;            // the most that were listed at the end of a frame
+  std::uint32_t candidates = 0;       // likewise, pairs of triangles
   std::uint32_t crossings = 0;        // edges through triangles, the most of any search of the last frame
   std::uint32_t repeated_frames = 0;  // since a list was too short
   float max_stretch = 0;              // the largest at the end of any frame, length / rest length
@@ -120,10 +121,10 @@ class World {
   World(gpu::Device& device, scene::Scene scene) : device_(device), scene_(std::move(scene)) {}
   Result<void> build(const Assets& assets, const WorldOptions& options);
   /// Collision, lists and the solver that reads them.
-  Result<void> build_contact(std::uint32_t pair_capacity);
+  Result<void> build_contact(const ContactRoom& room);
   Result<void> submit_frame(const gpu::CommandList* draw);
-  /// Goes back to before a frame whose lists were too short, with lists for at least `pairs`.
-  Result<void> repeat_from(std::uint32_t frame, std::uint32_t pairs);
+  /// Goes back to before a frame whose lists were too short, with longer ones.
+  Result<void> repeat_from(std::uint32_t frame, const Statistics& short_of);
   std::uint32_t parity_end() const { return (parity_ + substeps_) & 1U; }  ///< of the next frame
   /// What follows from the rest state, before the first frame.
   Result<void> submit_rest();

@@ -18,29 +18,34 @@ struct Contact {
   Vec4f normal;                          // from B to A; w: the gap [m]
   Vec4f place;                           // s, t; two places along the normal [m]
   Vec4f surface;                         // the collider's share of the relative velocity [m/s]; w: friction
+  float urgency = 0;
+  std::uint32_t padding[3] = {};
 };
-static_assert(sizeof(Contact) == 80 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
+static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
 
 inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000000U, kIdBits = 0x3fffffffU;
-inline constexpr std::uint32_t kVertexWords = 4;   // of ContactPairs::vertex_contacts
-inline constexpr std::uint32_t kScanBlock = 1024;  // numbers that a workgroup scans
+inline constexpr std::uint32_t kVertexWords = 5;  // of ContactPairs::vertex_contacts
 
-/// Blocks of a scan of `count` numbers.
-constexpr std::uint32_t scan_blocks(std::uint32_t count) { return (count + kScanBlock - 1) / kScanBlock; }
+/// What the lists of proximity contact have room for.
+struct ContactRoom {
+  std::uint32_t pairs = 0;       // of features
+  std::uint32_t candidates = 0;  // pairs of triangles that may hold some
+};
 
-/// A pair is listed once; its entries, one for each cloth vertex in it, stand vertex after vertex, each
-/// vertex's in the order of the pairs. So a gather over a vertex's entries has one order, and the same bits
-/// in every run.
+/// A pair is listed once, wherever it fell; its entries, one for each cloth vertex in it, stand with those of
+/// the vertex, in an order that hangs on the features alone. So a gather over a vertex's entries has one
+/// order, and the same bits in every run.
 struct ContactPairs {
-  std::uint32_t capacity = 0;                  // pairs
-  gpu::Buffer<Vec4f> predicted;                // 2 * vertex_count: velocities that the solver predicts [m/s];
-                                               // then where reaches are measured from [m]
-  gpu::Buffer<Contact> contacts;               // capacity
-  gpu::Buffer<std::uint32_t> entries;          // 4 * capacity
-  gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count, blocks, the total
+  ContactRoom room;
+  gpu::Buffer<Vec4f> predicted;   // 2 * vertex_count: velocities that the solver predicts [m/s];
+                                  // then where reaches are measured from [m]
+  gpu::Buffer<Contact> contacts;  // room.pairs
+  gpu::Buffer<std::array<std::uint32_t, 2>>
+      entries;  // 4 * room.pairs: a key of the pair, and shaders/shared/contact.wgsl
+  gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count
 
   /// Errors  Limit, OutOfMemory.
-  static Result<ContactPairs> create(gpu::Device& device, const HostModel& model, std::uint32_t capacity);
+  static Result<ContactPairs> create(gpu::Device& device, const HostModel& model, const ContactRoom& room);
 };
 
 }  // namespace weft

@@ -51,9 +51,10 @@ Result<Contacts> Contacts::create_pushes(gpu::Device& device, const HostModel& m
   return contacts;
 }
 
-Result<Contacts> Contacts::create_pairs(gpu::Device& device, const HostModel& model, std::uint32_t capacity) {
+Result<Contacts> Contacts::create_pairs(gpu::Device& device, const HostModel& model,
+                                        const ContactRoom& room) {
   Contacts contacts;
-  WEFT_TRY(pairs, ContactPairs::create(device, model, capacity));
+  WEFT_TRY(pairs, ContactPairs::create(device, model, room));
   contacts.pairs = std::move(pairs);
   return contacts;
 }

@@ -36,7 +36,7 @@ struct Contacts {
   std::optional<ContactPairs> pairs;
 
   static Result<Contacts> create_pushes(gpu::Device& device, const HostModel& model);
-  static Result<Contacts> create_pairs(gpu::Device& device, const HostModel& model, std::uint32_t capacity);
+  static Result<Contacts> create_pairs(gpu::Device& device, const HostModel& model, const ContactRoom& room);
 };
 
 }  // namespace weft

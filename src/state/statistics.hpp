@@ -9,20 +9,25 @@ namespace weft {
 struct Statistics {
   std::uint32_t hits = 0;
   std::uint32_t hit_hash = 0;
-  float max_stretch = 0;               // length / rest length
-  std::uint32_t contact_overflow = 0;  // by proximity: how long the list of pairs ought to be
+  float max_stretch = 0;  // length / rest length
+  std::uint32_t contact_overflow = 0;
+  // By proximity:
   std::uint32_t detections = 0;
-  std::uint32_t crossings = 0;  // edges through triangles, the most of any detection
-  std::uint32_t truncated = 0;  // vertices held back, summed over substeps
-  std::uint32_t pairs = 0;      // listed by the last detection
+  std::uint32_t crossings = 0;   // edges through triangles, the most of any detection
+  std::uint32_t truncated = 0;   // vertices held back, summed over substeps
+  std::uint32_t pairs = 0;       // listed by the last detection, or what ought to be
+  std::uint32_t candidates = 0;  // likewise
+  std::uint32_t entries = 0;
+  // Kept from frame to frame:
   std::uint32_t nonfinite = 0;
   std::uint32_t frozen = 0;
   std::uint32_t held = 0;  // 1: a list was too short, and the state is as before the frame
   std::uint32_t detect = 0, due = 0, found = 0;  // the GPU's own
   float speed = 0, reach = 0;                    // likewise
+  std::uint32_t padding[2] = {};
 };
-static_assert(sizeof(Statistics) == 64);
-inline constexpr std::uint32_t kStatisticsPerFrameBytes = 32;  // the part that is cleared before each frame
+static_assert(sizeof(Statistics) == 80);
+inline constexpr std::uint32_t kStatisticsPerFrameBytes = 40;  // the part that is cleared before each frame
 static_assert(kStatisticsPerFrameBytes == offsetof(Statistics, nonfinite), "what is kept comes last");
 
 /// The same function as in the shader.

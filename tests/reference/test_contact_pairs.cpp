@@ -5,49 +5,19 @@
 #include <cmath>
 #include <tuple>
 
-#include "base/random.hpp"
 #include "mesh/primitives.hpp"
 #include "reference/collision/contact_pairs.hpp"
+#include "soup.hpp"
 
 using namespace weft;
 using namespace weft::reference;
-
-namespace {
-
-Vec3d random_point(Random& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
-
-/// Triangles of any place and shape, `reach` [m] long at most.
-struct Soup {
-  std::vector<Vec3d> positions;
-  std::vector<mesh::Triangle> triangles;
-};
-Soup random_soup(Random& random, std::uint32_t count, double reach) {
-  Soup soup;
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const Vec3d place = random_point(random, 0.6);
-    for (int corner = 0; corner < 3; ++corner) soup.positions.push_back(place + random_point(random, reach));
-    soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
-  }
-  return soup;
-}
-
-mesh::TriangleMesh mesh_of(const Soup& soup) {
-  mesh::TriangleMesh mesh;
-  for (const Vec3d& p : soup.positions) mesh.positions.push_back(p.to<float>());
-  mesh.triangles = soup.triangles;
-  return mesh;
-}
-
-}  // namespace
 
 TEST_CASE("the tree finds the pairs of the unpruned loops, in their order") {
   Random random(3);
   for (const auto& [cloth_count, object_count, reach] :
        {std::tuple{300U, 1U, 0.3}, {200U, 5U, 0.3}, {300U, 777U, 0.05}, {40U, 2000U, 0.4}}) {
     const Soup cloth = random_soup(random, cloth_count, reach);
-    const ObjectTriangles object(mesh_of(random_soup(random, object_count, 0.05)));
+    const ObjectTriangles object(random_soup(random, object_count, 0.05).mesh());
     const std::vector<TrianglePair> pairs = object.pairs(cloth.triangles, cloth.positions);
     CHECK(pairs == object.pairs_by_brute_force(cloth.triangles, cloth.positions));
     CHECK((object_count < 700 || pairs.size() > 10));

@@ -5,19 +5,22 @@
 
 using namespace weft;
 
-TEST_CASE("four scenes have the bits that every machine must have") {
+TEST_CASE("five scenes have the bits that every machine must have") {
   // The browser tests ask the same of WebAssembly. What changes these on purpose: the method, or a scene.
   struct Golden {
     std::string scene, grid;
     int frames;
-    std::string hash;
+    std::string hash, method = "";  // of contact; none: the scene's
   };
   for (const Golden& golden : {Golden{"hanging", "[16,16]", 5, "1a811593b3634d9e"},
                                {"pull-sphere", "[16,16]", 12, "ab35bb2000e9b984"},
                                {"breeze", "[24,16]", 10, "453b402d469758d2"},
-                               {"drag", "[16,16]", 40, "4c7d1a904baab260"}}) {
+                               {"drag", "[16,16]", 40, "4c7d1a904baab260"},
+                               {"pull-sphere", "[16,16]", 12, "24c031d17d4ef94d", "\"proximity\""}}) {
     CAPTURE(golden.scene);
-    auto simulation = simulation_of_file(golden.scene, {{"cloths.0.grid", golden.grid}});
+    std::vector<scene::Override> overrides = {{"cloths.0.grid", golden.grid}};
+    if (!golden.method.empty()) overrides.push_back({"contact.method", golden.method});
+    auto simulation = simulation_of_file(golden.scene, overrides);
     advance(simulation, golden.frames);
     CHECK(simulation.hash() == golden.hash);
   }

@@ -21,7 +21,8 @@ class Twins {
  public:
   Twins(gpu::Device& device, const std::string& name, const std::string& grid)
       : scene_(shipped_scene(name, {{"cloths.0.grid", grid}})), world_(world_of(device, scene_)) {
-    auto made = reference::Simulation::create(scene_, world_->assets().cloths, world_->assets().objects);
+    auto made = reference::Simulation::create(scene_, world_->assets().cloths, world_->assets().objects,
+                                              world_->assets().keyframes);
     REQUIRE_OK(made);
     exact_.emplace(std::move(*made));
     CHECK(exact_->substeps() == world_->substeps());

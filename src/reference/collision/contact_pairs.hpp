@@ -11,8 +11,7 @@
 
 namespace weft::reference {
 
-/// The triangles of an object, and a tree of boxes over them: the halves of a range of triangles, cut at the
-/// middle along the longest side, down to four.
+/// The triangles of an object, and a tree of boxes over them.
 class ObjectTriangles {
  public:
   /// `object` is finite.
@@ -26,20 +25,9 @@ class ObjectTriangles {
                                                  std::span<const Vec3d> positions) const;
 
  private:
-  /// Nodes stand in the order of a walk from the left: what does not overlap a node's box is passed by going
-  /// on at `after`.
-  struct Node {
-    Box box;
-    std::uint32_t after = 0;             // the next node that is not below this one
-    std::uint32_t first = 0, count = 0;  // of a leaf: triangles in order_; count is 0 where there are halves
-  };
-
-  void build(std::uint32_t first, std::uint32_t count);
-
   std::vector<TrianglePoints> points_;
   std::vector<Box> boxes_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  BoxTree tree_;
 };
 
 }  // namespace weft::reference

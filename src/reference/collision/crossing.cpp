@@ -48,11 +48,6 @@ Box query_box(const TrianglePoints& cloth) {
   return {box.low - Vec3d{growth, growth, growth}, box.high + Vec3d{growth, growth, growth}};
 }
 
-bool overlap(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 bool triangles_cross(const TrianglePoints& a, const TrianglePoints& b) {
   return edges_cross(a, b) || edges_cross(b, a);
 }

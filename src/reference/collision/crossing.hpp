@@ -1,17 +1,13 @@
 #pragma once
 
+#include "reference/box_tree.hpp"
 #include "reference/collision/segment_triangle.hpp"
 
 namespace weft::reference {
 
-/// An axis-aligned box [m].
-struct Box {
-  Vec3d low, high;
-};
 Box box_of(const TrianglePoints& triangle);
 /// A cloth triangle's box, grown by 2^-21 of its largest coordinate as in triangle_pair.wgsl.
 Box query_box(const TrianglePoints& cloth);
-bool overlap(const Box& a, const Box& b);
 
 /// Whether an edge of either triangle crosses the other: the rule of triangle_pair.wgsl to the letter, with
 /// its tolerances, but in double. Where cloth and object are laid out evenly, edges cross right on borders,

@@ -1,0 +1,31 @@
+// Gives each vertex room for its entries. One invocation per vertex. Where a vertex's room lies hangs on the order of workgroups,
+// and nothing hangs on that.
+#include "shared/index.wgsl"
+#include "shared/contact.wgsl"
+#include "shared/statistics.wgsl"
+//                                                                                    elements
+@group(0) @binding(0) var<storage, read_write> vertex_contacts : array<u32>;
+@group(0) @binding(1) var<storage, read_write> statistics      : array<atomic<u32>>;
+var<workgroup> sums : array<u32, kWorkgroupSize>;
+var<workgroup> base : u32;
+
+@compute @workgroup_size(kWorkgroupSize)
+fn place_entries(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) thread : u32) {
+  let word = kVertexWords * flat_index(id);
+  var own = 0u;
+  if (word < arrayLength(&vertex_contacts) && atomicLoad(&statistics[kStatDue]) != 0u) {
+    if (atomicLoad(&statistics[kStatHeld]) == 0u) { own = vertex_contacts[word + 1u]; } else { vertex_contacts[word + 1u] = 0u; }
+  }
+  sums[thread] = own;
+  workgroupBarrier();
+  for (var distance = 1u; distance < kWorkgroupSize; distance *= 2u) {
+    var other = 0u;
+    if (thread >= distance) { other = sums[thread - distance]; }
+    workgroupBarrier();
+    sums[thread] += other;
+    workgroupBarrier();
+  }
+  if (thread == kWorkgroupSize - 1u && sums[thread] > 0u) { base = atomicAdd(&statistics[kStatEntries], sums[thread]); }
+  workgroupBarrier();
+  if (own > 0u) { vertex_contacts[word] = base + sums[thread] - own; }
+}

@@ -1,0 +1,26 @@
+// The numbers of proximity contact that follow from a scene: one rule for the GPU and for the reference.
+#pragma once
+
+#include "model/host_model.hpp"
+
+namespace weft {
+
+/// β: the part of a missing gap that the spring of a contact makes good in a substep.
+inline constexpr double kContactSpring = 0.1;
+/// The part of the thickness at which the wall behind the spring stands.
+inline constexpr double kContactWall = 0.25;
+/// How near to the plane between two features a vertex may come, as a part of their distance.
+inline constexpr double kContactMargin = 0.05;
+
+/// ζ = 2 ξ √β of a contact with this restitution e, 0 to 1, where ξ = -ln e / √(π² + ln² e) is the damping
+/// ratio of an oscillator that returns e of its speed after half a swing; 1 for e = 0. With a logarithm of
+/// its own: the same bits on every machine.
+double contact_damping(double restitution);
+
+/// The shortest altitude of any cloth triangle at rest [m]; infinite without triangles.
+double shortest_altitude(const HostModel& model);
+/// h_s: what cloth keeps from cloth [m]. No more than half the shortest altitude, since a vertex lies no
+/// nearer to a triangle of its own sheet.
+double self_thickness(const HostModel& model, double thickness);
+
+}  // namespace weft

@@ -1,0 +1,46 @@
+// How many times finer a frame must be stepped where something is moved fast: one rule for the GPU and for
+// the reference.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mesh/triangle_mesh.hpp"
+#include "model/host_model.hpp"
+#include "scene/scene.hpp"
+
+namespace weft {
+
+/// Something that a scene moves: a collider, or the nodes of a cloth's motion.
+struct ContactMover {
+  std::optional<scene::MotionShape> motion;
+  double lever = 0;  // of its farthest point from the axis that it turns about [m]
+  /// Of a mesh with keyframes: up to each time, how fast its fastest vertex goes from the shape before.
+  struct Change {
+    double time = 0;   // [s]
+    double speed = 0;  // [m/s]
+  };
+  std::vector<Change> changes;
+};
+
+/// All that the scene moves. `objects` has the mesh of each mesh and box among the colliders, placed as at
+/// time 0, in their order, and `keyframes` those of each object, or nothing. A plane that turns is as long as
+/// the cloths at rest are far from its axis.
+std::vector<ContactMover> contact_movers(const scene::Scene& scene, const HostModel& model,
+                                         std::span<const mesh::TriangleMesh> objects,
+                                         std::span<const std::vector<mesh::TriangleMesh>> keyframes);
+
+/// The most that any point of the mover may do between two times [m/s]: a bound, by the largest speed of its
+/// motion in that time.
+double largest_speed(const ContactMover& mover, double begin, double end);
+
+inline constexpr std::uint32_t kMostContactSteps = 4096;
+/// By what the substeps of a frame are multiplied so that no mover travels more than half the thickness in
+/// one: contact looks at places at the start of a substep, and must not find a surface passed. At least 1, at
+/// most kMostContactSteps. Times in [s], thickness in [m].
+std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double thickness, double frame_begin,
+                                  double frame_end, std::uint32_t substeps);
+
+}  // namespace weft

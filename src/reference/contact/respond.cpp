@@ -1,0 +1,67 @@
+#include "reference/contact/respond.hpp"
+
+#include <algorithm>
+
+#include "model/contact_law.hpp"
+
+namespace weft::reference {
+namespace {
+
+/// u = Σ w v over both sides.
+Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity) {
+  Vec3d sum = pair.surface;
+  for (std::uint32_t k = 0; k < pair.node_count; ++k) sum += pair.weights[k] * velocity[pair.nodes[k]];
+  return sum;
+}
+
+/// Equations (3) and (4), with W > 0.
+Vec3d impulse(const NearPair& pair, const Vec3d& u, double mobility, const ContactLaw& law) {
+  const double h = pair.thickness, d = pair.distance, u_n = dot(pair.direction, u);
+  double normal = std::max(0.0, ((kContactWall * h - d) / law.dt - u_n) / mobility);
+  if (d < h) {
+    const double spring = kContactSpring * std::min(h - d, h) / law.dt - law.damping * u_n;
+    normal = std::max(normal, spring / mobility);
+  }
+  const Vec3d sliding = u - u_n * pair.direction;
+  const double slip = length(sliding);
+  Vec3d total = normal * pair.direction;
+  if (slip > 0) total -= (std::min(pair.friction * normal, slip / mobility) / slip) * sliding;
+  return total;
+}
+
+}  // namespace
+
+Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocity,
+                 std::span<const double> inverse_mass, const ContactLaw& law) {
+  Response response;
+  response.change.assign(velocity.size(), {});
+  response.acting.assign(velocity.size(), 0);
+  response.impulses.assign(pairs.size(), {});
+  response.acts.assign(pairs.size(), false);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const NearPair& pair = pairs[p];
+    if (!pair.may) continue;
+    const double u_n = dot(pair.direction, relative_velocity(pair, velocity));
+    response.acts[p] =
+        pair.distance < pair.thickness || pair.distance + law.dt * u_n < kContactWall * pair.thickness;
+    if (!response.acts[p]) continue;
+    for (std::uint32_t k = 0; k < pair.node_count; ++k)
+      if (pair.weights[k] != 0) ++response.acting[pair.nodes[k]];
+  }
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (!response.acts[p]) continue;
+    const NearPair& pair = pairs[p];
+    double mobility = 0;  // equation (2)
+    for (std::uint32_t k = 0; k < pair.node_count; ++k)
+      mobility +=
+          pair.weights[k] * pair.weights[k] * response.acting[pair.nodes[k]] * inverse_mass[pair.nodes[k]];
+    if (!(mobility > 0)) continue;
+    response.impulses[p] = impulse(pair, relative_velocity(pair, velocity), mobility, law);
+    for (std::uint32_t k = 0; k < pair.node_count; ++k)
+      response.change[pair.nodes[k]] +=
+          (pair.weights[k] * inverse_mass[pair.nodes[k]]) * response.impulses[p];
+  }
+  return response;
+}
+
+}  // namespace weft::reference

@@ -1,0 +1,43 @@
+// Answers pairs that are near: the impulses of docs/contact.md, equations (1) to (5), in double.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace weft::reference {
+
+/// A pair of features as its impulse sees it.
+struct NearPair {
+  std::uint32_t node_count = 0;          // of cloth
+  std::array<std::uint32_t, 4> nodes{};  // of side A, then of side B
+  std::array<double, 4> weights{};       // w, with their signs
+  Vec3d direction;                       // n
+  double distance = 0;                   // d [m]
+  double thickness = 0;                  // h, or h_s for cloth with cloth [m]
+  double friction = 0;                   // μ
+  Vec3d surface;    // Σ w v over an obstacle's side: its velocity o, or -o where it is side B [m/s]
+  bool may = true;  // false: edges whose closest points are not both inside; never acts
+};
+
+struct ContactLaw {
+  double dt = 0;       // [s]
+  double damping = 0;  // ζ, of model/contact_law.hpp
+};
+
+struct Response {
+  std::vector<Vec3d> change;          // of each node's velocity [m/s]
+  std::vector<std::uint32_t> acting;  // c: pairs that act, of each node
+  std::vector<Vec3d> impulses;        // J of each pair; zero where it does not act [N·s]
+  std::vector<bool> acts;             // each pair, equation (1)
+};
+
+/// What the pairs do to velocities that the solver predicts. All are answered at once, from the same
+/// velocities; sums are taken in the order of the pairs.
+Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocity,
+                 std::span<const double> inverse_mass, const ContactLaw& law);
+
+}  // namespace weft::reference
