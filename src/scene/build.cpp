@@ -5,6 +5,7 @@
 #include "scene/build_collider.hpp"
 #include "scene/build_motion.hpp"
 #include "scene/checked_values.hpp"
+#include "scene/copies.hpp"
 #include "scene/grab.hpp"
 #include "scene/names.hpp"
 
@@ -31,9 +32,16 @@ class Builder {
       scene.solver.forces = word<Forces>(at(at(json, "solver"), "forces"), kForcesNames);
     WEFT_TRY(contact, this->contact(at(json, "contact")));
     scene.contact = contact;
-    for (const Json& one : at(json, "cloths").values) {
-      WEFT_TRY(built, cloth(one, path_of_index("cloths", scene.cloths.size())));
-      scene.cloths.push_back(std::move(built));
+    const std::vector<Json>& cloths = at(json, "cloths").values;
+    for (std::size_t entry = 0; entry < cloths.size(); ++entry) {
+      const std::string path = path_of_index("cloths", entry);
+      WEFT_TRY(copies, copies_of(cloths[entry], file_, path));
+      WEFT_TRY(first, cloth(cloths[entry], path, copies.count));
+      first.entry = entry;
+      for (std::uint32_t k = 0; k < copies.count; ++k) {
+        scene.cloths.push_back(shifted(first, copies.offset * k));
+        scene.cloths.back().copy = k;
+      }
     }
     WEFT_CHECK(check_grabs(scene.cloths));
     for (const Json& one : at(json, "colliders").values) {
@@ -79,7 +87,7 @@ class Builder {
     return contact;
   }
 
-  Result<Cloth> cloth(const Json& json, const std::string& path) {
+  Result<Cloth> cloth(const Json& json, const std::string& path, std::uint32_t copies) {
     Cloth cloth;
     cloth.where = where(path);
     cloth.name = text(json, "name");
@@ -88,7 +96,7 @@ class Builder {
       const std::vector<Json>& size = at(json, "size").values;
       cloth.grid = GridShape{whole(grid->values[0]), whole(grid->values[1]), size[0].number, size[1].number,
                              word<Plane>(at(json, "plane"), kPlaneNames)};
-      grid_nodes_ += static_cast<std::size_t>(cloth.grid->nx) * cloth.grid->ny;
+      grid_nodes_ += std::uint64_t{copies} * cloth.grid->nx * cloth.grid->ny;
       if (grid_nodes_ > kMaxGridNodes)
         return wrong(path + ".grid", "brings the grids to " + std::to_string(grid_nodes_) +
                                          " nodes, more than the limit of " + std::to_string(kMaxGridNodes));
@@ -199,7 +207,7 @@ class Builder {
   }
 
   const std::string& file_;
-  std::size_t grid_nodes_ = 0;
+  std::uint64_t grid_nodes_ = 0;
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ const char* grid_difference(const std::optional<GridShape>& a, const std::option
 const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (const char* key = grid_difference(a.grid, b.grid)) return key;
   if (a.mesh != b.mesh) return "mesh";
-  if (!(a.transform == b.transform)) return "transform";
+  if (!(a.transform == b.transform)) return b.copy > 0 ? "copies" : "transform";  // the first's are equal
   if (a.density != b.density) return "density";
   if (a.node_mass != b.node_mass) return "node_mass";
   if (!(a.stiffness == b.stiffness)) return "stiffness";
@@ -41,7 +41,7 @@ std::optional<std::string> fixed_difference(const Scene& running, const Scene& w
   if (running.cloths.size() != wanted.cloths.size()) return "cloths";
   for (std::size_t c = 0; c < running.cloths.size(); ++c)
     if (const char* key = cloth_difference(running.cloths[c], wanted.cloths[c]))
-      return path_of_key(path_of_index("cloths", c), key);
+      return path_of_key(path_of_index("cloths", wanted.cloths[c].entry), key);
   if (running.colliders.size() != wanted.colliders.size()) return "colliders";
   for (std::size_t c = 0; c < running.colliders.size(); ++c)
     if (!(running.colliders[c] == wanted.colliders[c])) return path_of_index("colliders", c);

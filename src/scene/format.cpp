@@ -7,7 +7,7 @@ namespace {
 
 using Kind = Type::Kind;
 
-constexpr double kFar = 1e6;            // m; f32 positions are 6 cm apart there
+constexpr double kFar = kMaxCoordinate;
 constexpr double kSmall = 1e-6;         // m; below it f32 has no digits left beside a coordinate of 1 m
 constexpr double kLate = 1e6;           // s; eleven days
 constexpr double kMostNodes = 1 << 26;  // of all grids together, and of one node list
@@ -204,6 +204,12 @@ constexpr Type kNodeMass{.kind = Kind::Number, .least = 1e-12, .most = 1e6, .uni
 constexpr Type kSpringStiffness{.kind = Kind::Number, .most = 1e12, .unit = "N/m"};
 constexpr Type kDamping{.kind = Kind::Number, .most = 1e9, .unit = "N·s/m"};
 constexpr Type kColor{.kind = Kind::Numbers, .most = 1, .count_least = 3};
+constexpr Type kCopyCount{.kind = Kind::Number, .least = 1, .most = 1000, .whole = true};
+constexpr Key kCopiesKeys[] = {
+    {"count", &kCopyCount, "How often the cloth stands, the first included", nullptr, true},
+    {"offset", &kPoint, "From each copy to the next", nullptr, true},
+};
+constexpr Type kCopies{.kind = Kind::Object, .keys = kCopiesKeys};
 constexpr Key kStiffnessKeys[] = {
     {"structural", &kSpringStiffness, "Springs along the threads, or along the edges of a mesh", "5000"},
     {"shear", &kSpringStiffness, "Springs along the diagonals", "2000"},
@@ -226,6 +232,7 @@ constexpr Key kClothKeys[] = {
     {"motions", &kMotions, "Nodes that follow a given motion", "[]"},
     {"grabs", &kGrabs, "Nodes that are pulled to a point for a while", "[]"},
     {"color", &kColor, "Red, green and blue"},
+    {"copies", &kCopies, "The same cloth again and again, each some way further; not with grabs"},
 };
 constexpr const char* kShapeWays[] = {"grid", "mesh"};
 constexpr const char* kMassWays[] = {"density", "node_mass"};

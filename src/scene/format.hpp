@@ -64,6 +64,7 @@ struct Type {
   std::span<const Needs> needs = {};
 };
 
+inline constexpr double kMaxCoordinate = 1e6;   // m; f32 positions are 6 cm apart there
 inline constexpr double kUnitTolerance = 1e-3;  // of a quaternion's length: what three written decimals leave
 
 /// The type of a whole scene.

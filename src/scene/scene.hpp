@@ -132,6 +132,8 @@ struct Cloth {
   std::vector<Motion> motions;
   std::vector<Grab> grabs;
   std::optional<Vec3d> color;  // red, green, blue in [0, 1]
+  std::size_t entry = 0;       // in the scene's list of cloths
+  std::uint32_t copy = 0;      // which of that entry's copies it is
 };
 
 /// How a whole collider moves; motion_at takes it from where the scene puts it to its place at a time.
@@ -242,7 +244,7 @@ struct Scene {
   Time time;
   Solver solver;
   Contact contact;
-  std::vector<Cloth> cloths;
+  std::vector<Cloth> cloths;  // each copy by itself
   std::vector<Collider> colliders;
   std::optional<Camera> camera;  // none: the renderer frames the scene
   Render render;

@@ -56,6 +56,8 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(cloth.pins.empty());
   CHECK(cloth.motions.empty());
   CHECK(cloth.grabs.empty());
+  CHECK(scene.cloths.size() == 1);
+  CHECK(cloth.copy == 0);
   CHECK_FALSE(cloth.color);
   CHECK_FALSE(cloth.node_mass);
 }

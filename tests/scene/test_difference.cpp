@@ -75,4 +75,6 @@ TEST_CASE("a difference in anything else is found and named by its key") {
         "colliders[1]");
   CHECK(difference("colliders[0].keyframes", R"([{"time": 1, "mesh": "a"}])") == "colliders[0]");
   CHECK(difference("cloths[0].pins[0].nodes", "[2]") == "cloths[0].pins");
+  CHECK(difference("cloths[0].copies", R"({"count": 2, "offset": [0, 0, 1]})") == "cloths");
+  CHECK(difference("cloths[0].copies", R"({"count": 1, "offset": [0, 0, 1]})") == "none");
 }

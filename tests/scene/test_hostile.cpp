@@ -9,6 +9,12 @@ using namespace weft::scene;
 
 namespace weft::scene {
 
+static std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int k = 0; k < count; ++k) all += text;
+  return all;
+}
+
 std::vector<Hostile> hostile_scenes() {
   const std::string good = minimal_scene();
   return {
@@ -176,6 +182,35 @@ std::vector<Hostile> hostile_scenes() {
       {cloth_with(R"("friction": -0.3)"), "cloths[0].friction is -0.3; it must be from 0 to 100"},
       {cloth_with(R"("color": [1, 0.5, 1.5])"), "cloths[0].color[2] is 1.5; it must be from 0 to 1"},
       {cloth_with(R"("color": "red")"), R"(cloths[0].color is the text "red", not a list of 3 numbers)"},
+      // Copies.
+      {cloth_with(R"("copies": 3)"), "cloths[0].copies is 3, not an object"},
+      {cloth_with(R"("copies": {"offset": [0, 0, 1]})"), "cloths[0].copies.count is missing"},
+      {cloth_with(R"("copies": {"count": 3})"), "cloths[0].copies.offset is missing"},
+      {cloth_with(R"("copies": {"count": 0, "offset": [0, 0, 1]})"),
+       "cloths[0].copies.count is 0; it must be from 1 to 1000"},
+      {cloth_with(R"("copies": {"count": 1001, "offset": [0, 0, 1]})"), "cloths[0].copies.count is 1001;"},
+      {cloth_with(R"("copies": {"count": 1.5, "offset": [0, 0, 1]})"),
+       "cloths[0].copies.count is 1.5, not a whole number"},
+      {cloth_with(R"("copies": {"count": 2, "offset": [0, 1]})"),
+       "cloths[0].copies.offset is a list of 2, not a list of 3 numbers"},
+      {cloth_with(R"("copies": {"count": 2, "offset": [0, 0, 1], "ofset": 1})"), R"(did you mean "offset"?)"},
+      {cloth_with(
+           R"("transform": {"translate": [0, 10, 0]}, "copies": {"count": 11, "offset": [0, 1e5, 0]})"),
+       "cloths[0].copies take the last copy's translate[1] to 1000010; it must be from -1000000 to 1000000 "
+       "m.",
+       false},
+      {cloth_with(R"("copies": {"count": 2, "offset": [0, 0, 1]}, "grabs": [{"node": "top_left",
+                     "path": [{"time": 0, "point": [0, 0, 0]}]}])"),
+       R"(cloths[0] has both "copies" and "grabs"; a cloth that is grabbed stands once.)", false},
+      {R"({"format": "weft-scene/1", "cloths": [{"grid": [2, 2], "size": [1, 1], "density": 0.2}, {"grid": [1024, 1024],
+          "size": [3, 2], "density": 0.2, "copies": {"count": 64, "offset": [0, 0, 1]}}]})",
+       "cloths[1].grid brings the grids to 67108868 nodes, more than the limit of 67108864", false},
+      {cloth_of(
+           R"("grid": [16384, 16384], "size": [3, 2], "density": 1, "copies": {"count": 1000, "offset": [0, 0, 1]})"),
+       "cloths[0].grid brings the grids to 268435456000 nodes", false},
+      {cloth_with(R"("copies": {"count": 1000, "offset": [0, 0, 1]}, "pins": [{"nodes": [0)" +
+                  repeated(", 1", 1100) + "]}]"),
+       "values, more than the limit of 1048576.", false},
       // Selectors.
       {cloth_with(R"("pins": "top")"), R"(cloths[0].pins is the text "top", not a list)"},
       {cloth_with(R"("pins": ["topleft"])"), R"(did you mean "top_left"?)"},

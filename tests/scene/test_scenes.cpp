@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "base/file.hpp"
@@ -40,7 +41,43 @@ TEST_CASE("every shipped scene loads, says what it shows, and holds the nodes th
     }
     ++count;
   }
-  CHECK(count >= 5);
+  CHECK(count >= 16);
+}
+
+TEST_CASE("the scenes of contact use proximity, place their own camera and take any grid") {
+  for (const char* name : {"drape-sphere", "drape-armadillo", "drape-dragon", "twist", "stack", "funnel",
+                           "flag", "shot", "incline"}) {
+    CAPTURE(name);
+    for (const char* grid : {"[2,2]", "[24,24]", "[257,129]"}) {
+      const Override change[] = {{"cloths.0.grid", grid}};
+      const auto scene = load_scene(kScenes + name + ".json", change);
+      if (!scene) FAIL(scene.error().message);
+      CHECK(scene->contact.method == ContactMethod::Proximity);
+      CHECK(scene->contact.self);
+      CHECK(scene->camera);
+      CHECK_FALSE(scene->time.substeps);
+      const Cloth& cloth = scene->cloths[0];
+      CHECK(
+          held_nodes(cloth, {grid_positions(*cloth.grid, cloth.transform), cloth.grid->nx, cloth.grid->ny}));
+    }
+  }
+}
+
+TEST_CASE("the stack is sixteen sheets, and fifty of 4900 nodes are its full size") {
+  CHECK(loaded("stack.json").cloths.size() == 16);
+  const Override full[] = {{"cloths.0.copies.count", "50"}, {"cloths.0.grid", "[70,70]"}};
+  const auto scene = load_scene(kScenes + "stack.json", full);
+  REQUIRE(scene);
+  CHECK(scene->cloths.size() == 50);
+  CHECK(scene->cloths[49].transform.translate.y == doctest::Approx(0.02 + 49 * 0.008));
+}
+
+TEST_CASE("the sheet on the incline lies at its thickness on a slope that its friction holds") {
+  const Scene scene = loaded("incline.json");
+  CHECK(scene.cloths[0].transform.translate.y == scene.contact.thickness);
+  CHECK(length(scene.gravity) == doctest::Approx(9.81).epsilon(1e-6));
+  CHECK(scene.gravity.x / -scene.gravity.y == doctest::Approx(std::tan(20 * std::acos(-1.0) / 180)));
+  CHECK(friction_of(scene.colliders[0]) == 0.5);
 }
 
 TEST_CASE("the hanging scene is the cloth of the figures, the paper's has the paper's habits") {
