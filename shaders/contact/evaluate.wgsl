@@ -116,8 +116,8 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let thickness = select(step.thickness, step.self_thickness, is_self);
     let speed = dot(n, r.velocity + r.surface);
     let counts = near.inside || radius > 0.0;
-    let acts = counts && (gap < thickness || gap + step.dt * speed < 0.25 * thickness);
-    let is_near = gap < thickness;
+    let is_near = gap + min(step.dt * speed, 0.0) < kTouching * thickness;
+    let acts = counts && is_near;
     let urgency = urgency_of(gap + min(step.dt * speed, 0.0), thickness);
     let first_b = roles_of_a(ids);
     let end_b = role_count(ids);

@@ -45,8 +45,10 @@ fn impulse(contact : Contact) -> vec3f {
   let thickness = thickness_of(ids);
   let speed = dot(n, u);
   var change = min(kWall * thickness - gap, 0.0) / step.dt - speed;
-  if (gap < thickness) {
-    change = max(change, kSpring * min(thickness - gap, thickness) / step.dt - step.contact_damping * speed);
+  if (gap < kTouching * thickness) {
+    change = max(change, kSpring * clamp(thickness - gap, 0.0, thickness) / step.dt - step.contact_damping * speed);
+  } else {  // it comes to the thickness and no further
+    change = max(change, step.contact_damping * ((thickness - gap) / step.dt - speed));
   }
   if (change <= 0.0) { return vec3f(0.0); }
   let sliding = u - speed * n;

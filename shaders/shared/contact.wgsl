@@ -15,7 +15,9 @@ const kIdBits = 0x3fffffffu;
 
 // An entry is 16 * pair + 4 * flags + role: how a vertex knows its pairs.
 const kEntryActs = 4u;  // the pair acts, equation (1)
-const kEntryNear = 8u;  // the gap is below the thickness
+const kEntryNear = 8u;  // it would act but that an end of an edge is nearest
+
+const kTouching = 1.001;  // of the thickness: what rests there is in contact, whatever the rounding of its place
 
 fn is_collider(id : u32) -> bool { return (id & kColliderPoint) != 0u; }
 fn is_edge_pair(ids : vec4u) -> bool { return (ids.x & kPairFlag) != 0u; }

@@ -11,6 +11,8 @@ namespace weft {
 inline constexpr double kContactSpring = 0.25;
 /// The part of the thickness at which the wall behind the spring stands.
 inline constexpr double kContactWall = 0.25;
+/// What is no further away than this many thicknesses is in contact, whatever the rounding of its place.
+inline constexpr double kContactTouching = 1.001;
 /// How near to the plane between two features a vertex may come, as a part of their distance.
 inline constexpr double kContactMargin = 0.05;
 /// The same as a part of the thickness, at least, so that f32 can tell it from touching.

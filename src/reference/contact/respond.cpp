@@ -18,10 +18,10 @@ Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity) {
 Vec3d impulse(const NearPair& pair, const Vec3d& u, double mobility, const ContactLaw& law) {
   const double h = pair.thickness, d = pair.distance, u_n = dot(pair.direction, u);
   double normal = std::max(0.0, (std::min(kContactWall * h - d, 0.0) / law.dt - u_n) / mobility);
-  if (d < h) {
-    const double spring = kContactSpring * std::min(h - d, h) / law.dt - law.damping * u_n;
-    normal = std::max(normal, spring / mobility);
-  }
+  const double spring = d < kContactTouching * h
+                            ? kContactSpring * std::clamp(h - d, 0.0, h) / law.dt - law.damping * u_n
+                            : law.damping * ((h - d) / law.dt - u_n);
+  normal = std::max(normal, spring / mobility);
   const Vec3d sliding = u - u_n * pair.direction;
   const double slip = length(sliding);
   Vec3d total = normal * pair.direction;
@@ -43,8 +43,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     const NearPair& pair = pairs[p];
     if (!pair.may) continue;
     const double u_n = dot(pair.direction, relative_velocity(pair, velocity));
-    response.acts[p] =
-        pair.distance < pair.thickness || pair.distance + law.dt * u_n < kContactWall * pair.thickness;
+    response.acts[p] = pair.distance + std::min(law.dt * u_n, 0.0) < kContactTouching * pair.thickness;
     if (!response.acts[p]) continue;
     urgency[p] = contact_urgency(pair.distance + std::min(law.dt * u_n, 0.0), pair.thickness);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
