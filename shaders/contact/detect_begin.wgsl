@@ -29,5 +29,10 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   if (!due || vertex >= step.vertex_count) { return; }
   predicted[step.vertex_count + vertex] = position[vertex];
   vertex_contacts[kVertexWords * vertex + 1u] = 0u;
+  vertex_contacts[kVertexWords * vertex + kCursorWord] = 0u;
+  if (step.detect == kDetectAlways) {  // the first substep of a frame, after whatever was before it
+    vertex_contacts[kVertexWords * vertex + 2u] = 0u;
+    vertex_contacts[kVertexWords * vertex + 3u] = 0u;
+  }
   atomicMax(&statistics[kStatSpeed], bitcast<u32>(length(velocity[vertex].xyz)));
 }

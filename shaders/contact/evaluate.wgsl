@@ -11,7 +11,7 @@
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m
 @group(0) @binding(3) var<storage, read>       points          : array<vec4f>;        // of colliders: contact/move_points.wgsl
 @group(0) @binding(4) var<storage, read_write> contacts        : array<Contact>;
-@group(0) @binding(5) var<storage, read_write> entries         : array<vec2u>;
+@group(0) @binding(5) var<storage, read_write> entries         : array<u32>;
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 
@@ -142,7 +142,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let marks = select(0u, kEntryActs, acts) | select(0u, kEntryNear, is_near);
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
-      entries[contacts[pair].slots[role]].y = 16u * pair + marks + role;
+      entries[contacts[pair].slots[role]] = 16u * pair + marks + role;
       let change = select(0u, kUrgencyUnit * urgency, acts && w[role] != 0.0) + select(0u, 1u, is_near);
       if (change != 0u) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + parity_word], change); }
     }

@@ -24,7 +24,7 @@ fn store(level : u32, node : u32, box : Box) {
 
 // The reach of this detection: the way of the fastest vertex in so many substeps. A longer one lists more pairs, a shorter one asks for
 // more detections.
-const kReachSteps = 12.0;
+const kReachSteps = 6.0;
 fn set_reach() {
   let need = kReachSteps * step.dt * bitcast<f32>(statistics[kStatSpeed]);
   statistics[kStatReach] = bitcast<u32>(clamp(need, step.least_reach, step.most_reach));

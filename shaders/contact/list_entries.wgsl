@@ -1,13 +1,13 @@
-// Enters every pair with each of its cloth vertices, in whatever order invocations come. An invocation takes every
-// so-manieth pair.
+// Enters every pair with each of its cloth vertices, in whatever order invocations come: sums over them are of integers. An invocation
+// takes every so-manieth pair.
 #include "shared/index.wgsl"
 #include "shared/contact.wgsl"
 #include "shared/statistics.wgsl"
 //                                                                                    elements
 @group(0) @binding(0) var<storage, read>       statistics      : array<u32>;
-@group(0) @binding(1) var<storage, read>       contacts        : array<Contact>;
+@group(0) @binding(1) var<storage, read_write> contacts        : array<Contact>;
 @group(0) @binding(2) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
-@group(0) @binding(3) var<storage, read_write> entries         : array<vec2u>;  // a key of the pair, and the entry
+@group(0) @binding(3) var<storage, read_write> entries         : array<u32>;  // see shared/contact.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
 fn list_entries(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
@@ -15,13 +15,12 @@ fn list_entries(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
   let count = statistics[kStatPairs];
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     let ids = contacts[pair].ids;
-    let key = hash_pair(hash_pair(ids.x, ids.y), hash_pair(ids.z, ids.w));
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
-      // Counts up what sort_entries, which has the number of entries from the word before, sets back.
       let word = kVertexWords * (ids[role] & kIdBits);
       let slot = atomicLoad(&vertex_contacts[word]) + atomicAdd(&vertex_contacts[word + kCursorWord], 1u);
-      entries[slot] = vec2u(key, 16u * pair + role);
+      entries[slot] = 16u * pair + role;
+      contacts[pair].slots[role] = slot;
     }
   }
 }

@@ -1,5 +1,4 @@
-// Answers the pairs that act at a vertex, then holds it back from whatever it would pass through. One invocation per vertex; its
-// pairs come in a fixed order. Source: docs/contact.md, equations (2) to (6).
+// Answers the pairs that act at a vertex, then holds it back from whatever it would pass through. One invocation per vertex. Source: docs/contact.md, equations (2) to (6).
 #include "shared/index.wgsl"
 #include "shared/step.wgsl"
 #include "shared/contact.wgsl"
@@ -9,7 +8,7 @@
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m (w: inverse mass, 1/kg)
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m: shared/contact.wgsl
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
-@group(0) @binding(4) var<storage, read>       entries         : array<vec2u>;
+@group(0) @binding(4) var<storage, read>       entries         : array<u32>;
 @group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> position        : array<vec4f>;        // vertex_count          m
 @group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>;        // vertex_count          m/s
@@ -17,6 +16,9 @@
 const kSpring = 0.25;   // β: of the gap that is missing, what a substep makes good
 const kWall = 0.25;     // of the thickness: no pair comes nearer
 const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
+const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s
+const kMostUnits = 1.0e9;
+const kPushes = 4u;
 const kFloor = 0.01;    // of the thickness: likewise, so that f32 can tell it from touching
 
 // The sum of the urgencies at a vertex, of which each pair gets its part of the mass.
@@ -71,6 +73,14 @@ fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
   return side * (plane - dot(contact.normal.xyz, place));
 }
 
+// Of two pushes, direction and depth: the deeper; of equally deep ones, so that the order of entries does not matter, by direction.
+fn comes_first(a : vec4f, b : vec4f) -> bool {
+  if (a.w != b.w) { return a.w > b.w; }
+  if (a.x != b.x) { return a.x > b.x; }
+  if (a.y != b.y) { return a.y > b.y; }
+  return a.z > b.z;
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
@@ -89,15 +99,18 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   var v = predicted[vertex].xyz;
   if (inverse_mass > 0.0) {
     if (count >= kUrgencyUnit) {
-      var change = vec3f(0.0);
+      var sum = vec3i(0);  // entries have no order, so their sum is of integers
       for (var k = begin; k < end; k++) {
-        let entry = entries[k].y;
+        let entry = entries[k];
         if ((entry & kEntryActs) == 0u) { continue; }
         let contact = contacts[entry / 16u];
-        change += weights_of(contact.ids, contact.place.x, contact.place.y)[entry & 3u] * impulse(contact);
+        let weight = weights_of(contact.ids, contact.place.x, contact.place.y)[entry & 3u];
+        let change = (inverse_mass * weight) * impulse(contact);
+        sum += vec3i(round(clamp(kSpeedUnits * change, vec3f(-kMostUnits), vec3f(kMostUnits))));
       }
-      v += inverse_mass * change;
-      x += step.dt * (inverse_mass * change);
+      let change = vec3f(sum) / kSpeedUnits;
+      v += change;
+      x += step.dt * change;
     }
     var held = false;
     // Equation (6). What moves less than this passes nothing that is not near.
@@ -106,26 +119,29 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     if (begin < end && (far || count > 0u)) {
       var part = 1.0;
       for (var k = begin; k < end; k++) {
-        if (!far && (entries[k].y & kEntryNear) == 0u) { continue; }
-        let contact = contacts[entries[k].y / 16u];
+        if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+        let contact = contacts[entries[k] / 16u];
         if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the spring brings it out
-        let now = beyond(contact, entries[k].y & 3u, start.xyz);
-        let then = beyond(contact, entries[k].y & 3u, x);
+        let now = beyond(contact, entries[k] & 3u, start.xyz);
+        let then = beyond(contact, entries[k] & 3u, x);
         if (then <= 0.0) { continue; }
         if (now < 0.0) { part = min(part, now / (now - then)); } else if (contact.solid == 0u) { part = 0.0; }
       }
       if (part < 1.0) { x = start.xyz + part * (x - start.xyz); }
       var pushed = false;
-      for (var k = begin; k < end; k++) {  // a collider that comes nearer takes the vertex with it
-        if (!far && (entries[k].y & kEntryNear) == 0u) { continue; }
-        let contact = contacts[entries[k].y / 16u];
-        if (contact.normal.w <= 0.0 || contact.solid == 0u) { continue; }
-        let side = select(-1.0, 1.0, (entries[k].y & 3u) < roles_of_a(contact.ids));
-        let depth = beyond(contact, entries[k].y & 3u, x);
-        if (depth > 0.0) {
-          x += side * depth * contact.normal.xyz;
-          pushed = true;
+      for (var round = 0u; round < kPushes; round++) {  // a solid side that comes nearer takes the vertex with it, the deepest first
+        var deepest = vec4f(0.0);
+        for (var k = begin; k < end; k++) {
+          if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+          let contact = contacts[entries[k] / 16u];
+          if (contact.normal.w <= 0.0 || contact.solid == 0u) { continue; }
+          let side = select(-1.0, 1.0, (entries[k] & 3u) < roles_of_a(contact.ids));
+          let push = vec4f(side * contact.normal.xyz, beyond(contact, entries[k] & 3u, x));
+          if (comes_first(push, deepest)) { deepest = push; }
         }
+        if (deepest.w <= 0.0) { break; }
+        x += deepest.w * deepest.xyz;
+        pushed = true;
       }
       held = part < 1.0 || pushed;
     }

@@ -127,16 +127,11 @@ Result<void> PairSearch::create_lists(gpu::Device& device, const State& state, c
   place_entries_ = std::move(place);
   WEFT_TRY(list, gpu::Kernel::create(device, "contact/list_entries.wgsl", {}, setup.workgroup_size));
   list_entries_ = std::move(list);
-  WEFT_TRY(sort, gpu::Kernel::create(device, "contact/sort_entries.wgsl", {}, setup.workgroup_size));
-  sort_entries_ = std::move(sort);
   WEFT_TRY(place_group, place_entries_.bind({pairs.vertex_contacts, state.statistics}));
   place_group_ = std::move(place_group);
   WEFT_TRY(list_group,
            list_entries_.bind({state.statistics, pairs.contacts, pairs.vertex_contacts, pairs.entries}));
   list_group_ = std::move(list_group);
-  WEFT_TRY(sort_group,
-           sort_entries_.bind({state.statistics, pairs.contacts, pairs.vertex_contacts, pairs.entries}));
-  sort_group_ = std::move(sort_group);
   return {};
 }
 
@@ -148,7 +143,6 @@ void PairSearch::record(gpu::ComputePass& pass) const {
   find_pairs_.dispatch_groups(pass, find_groups_[parity], strided_groups_);
   place_entries_.dispatch(pass, place_group_, vertex_count_);
   list_entries_.dispatch_groups(pass, list_group_, strided_groups_);
-  sort_entries_.dispatch(pass, sort_group_, vertex_count_);
 }
 
 }  // namespace weft::collision

@@ -26,7 +26,7 @@ struct SearchSetup {
 };
 
 /// Finds and lists all pairs of features nearer than a radius: broad phase, narrow phase, entries.
-/// Eight dispatches, which do nothing where no detection is due.
+/// Seven dispatches, which do nothing where no detection is due.
 /// Reads   state.steps; state.position[parity] [m]: at the start of the substep; the colliders' points.
 /// Writes  pairs; state.statistics.
 /// Errors  Input, Limit, Shader, OutOfMemory. Source: docs/contact.md.
@@ -62,9 +62,9 @@ class PairSearch {
   gpu::RawBuffer collider_list_, params_;
   gpu::Buffer<std::array<std::uint32_t, 2>> candidates_;
   TreeRefit refit_;
-  gpu::Kernel detect_begin_, find_candidates_, find_pairs_, place_entries_, list_entries_, sort_entries_;
+  gpu::Kernel detect_begin_, find_candidates_, find_pairs_, place_entries_, list_entries_;
   std::array<gpu::BindGroup, 2> begin_groups_, candidate_groups_, find_groups_;  // by parity
-  gpu::BindGroup place_group_, list_group_, sort_group_;
+  gpu::BindGroup place_group_, list_group_;
 };
 
 /// Workgroups of a dispatch whose invocations take every so-manieth pair: as many as keep the adapter busy.

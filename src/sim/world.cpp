@@ -255,11 +255,8 @@ Result<void> World::repeat_from(const Report& report, const Statistics& short_of
   frame_ = report.frame;
   ++attempt_;
   ++totals_.repeated_frames;
-  const auto longer = [](std::uint32_t room,
-                         std::uint32_t wanted) {  // a quarter more: the next may need more
-    return wanted <= room
-               ? room
-               : static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted + wanted / 4ULL, 1U << 28U));
+  const auto longer = [](std::uint32_t room, std::uint32_t wanted) {  // twice, as the next frames may need more
+    return wanted <= room ? room : static_cast<std::uint32_t>(std::min<std::uint64_t>(2ULL * wanted, 1U << 28U));
   };
   const ContactRoom& room = contacts_->pairs->room;
   WEFT_CHECK(
@@ -330,7 +327,7 @@ Result<void> World::take(Report& report) {
   totals_.contact_hash += statistics.hit_hash;
   totals_.contact_overflow += statistics.contact_overflow;
   totals_.detections += statistics.detections;
-  totals_.crossings = statistics.crossings;
+  totals_.crossings = std::max(totals_.crossings, statistics.crossings);
   totals_.truncated += statistics.truncated;
   totals_.pairs = std::max(totals_.pairs, statistics.pairs);
   totals_.candidates = std::max(totals_.candidates, statistics.candidates);

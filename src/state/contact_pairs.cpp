@@ -11,8 +11,7 @@ Result<ContactPairs> ContactPairs::create(gpu::Device& device, const HostModel& 
   made.predicted = std::move(predicted);
   WEFT_TRY(contacts, gpu::Buffer<Contact>::create(device, room.pairs, "contact pairs"));
   made.contacts = std::move(contacts);
-  using Entry = std::array<std::uint32_t, 2>;
-  WEFT_TRY(entries, gpu::Buffer<Entry>::create(device, 4UL * room.pairs, "contact entries"));
+  WEFT_TRY(entries, gpu::Buffer<std::uint32_t>::create(device, 4UL * room.pairs, "contact entries"));
   made.entries = std::move(entries);
   WEFT_TRY(words, gpu::Buffer<std::uint32_t>::create(device, kVertexWords * vertices, "vertex contacts"));
   made.vertex_contacts = std::move(words);

@@ -33,16 +33,15 @@ struct ContactRoom {
   std::uint32_t candidates = 0;  // pairs of triangles that may hold some
 };
 
-/// A pair is listed once, wherever it fell; its entries, one for each cloth vertex in it, stand with those of
-/// the vertex, in an order that hangs on the features alone. So a gather over a vertex's entries has one
-/// order, and the same bits in every run.
+/// A pair is listed once, and entered once with each of its cloth vertices; a vertex's entries stand
+/// together. Neither pairs nor entries have an order that lasts from run to run, so sums over them are of
+/// integers.
 struct ContactPairs {
   ContactRoom room;
-  gpu::Buffer<Vec4f> predicted;   // 2 * vertex_count: velocities that the solver predicts [m/s];
-                                  // then where reaches are measured from [m]
-  gpu::Buffer<Contact> contacts;  // room.pairs
-  gpu::Buffer<std::array<std::uint32_t, 2>>
-      entries;  // 4 * room.pairs: a key of the pair, and shaders/shared/contact.wgsl
+  gpu::Buffer<Vec4f> predicted;                // 2 * vertex_count: velocities that the solver predicts [m/s];
+                                               // then where reaches are measured from [m]
+  gpu::Buffer<Contact> contacts;               // room.pairs
+  gpu::Buffer<std::uint32_t> entries;          // 4 * room.pairs: shaders/shared/contact.wgsl
   gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count
 
   /// Errors  Limit, OutOfMemory.
