@@ -19,7 +19,7 @@ const kMargin = 0.05;   // of the distance: how near to the plane between two fe
 const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s
 const kMostUnits = 1.0e9;
 const kPushes = 4u;
-const kFloor = 0.01;    // of the thickness: likewise, so that f32 can tell it from touching
+const kFloor = 0.1;     // of the thickness: likewise; nearer, f32 does not know the plane well enough along a whole edge
 
 // The sum of the urgencies at a vertex, of which each pair gets its part of the mass.
 fn acting(vertex : u32) -> f32 {
@@ -112,7 +112,18 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       v += change;
       x += step.dt * change;
     }
+    // Beyond its reach a vertex could meet what is not listed: it goes as far as the ball around where it was found.
     var held = false;
+    let way = x - start.xyz;
+    let away = start.xyz - predicted[step.vertex_count + vertex].xyz;
+    let square = dot(way, way);
+    let beyond_reach = away + way;
+    if (dot(beyond_reach, beyond_reach) > reach * reach) {
+      let along = dot(way, away);
+      let room = max(reach * reach - dot(away, away), 0.0);
+      x = start.xyz + clamp((sqrt(along * along + square * room) - along) / square, 0.0, 1.0) * way;
+      held = true;
+    }
     // Equation (6). What moves less than this passes nothing that is not near.
     let free = 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0);
     let far = length(x - start.xyz) > free;
@@ -125,7 +136,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
         let now = beyond(contact, entries[k] & 3u, start.xyz);
         let then = beyond(contact, entries[k] & 3u, x);
         if (then <= 0.0) { continue; }
-        if (now < 0.0) { part = min(part, now / (now - then)); } else if (contact.solid == 0u) { part = 0.0; }
+        if (now < 0.0) { part = min(part, now / (now - then)); } else if (contact.solid == 0u && then > now) { part = 0.0; }
       }
       if (part < 1.0) { x = start.xyz + part * (x - start.xyz); }
       var pushed = false;
@@ -143,14 +154,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
         x += deepest.w * deepest.xyz;
         pushed = true;
       }
-      held = part < 1.0 || pushed;
-    }
-    // Beyond its reach a vertex could meet what is not listed.
-    let away = x - predicted[step.vertex_count + vertex].xyz;
-    let distance = length(away);
-    if (distance > reach) {
-      x = predicted[step.vertex_count + vertex].xyz + (reach / distance) * away;
-      held = true;
+      held = held || part < 1.0 || pushed;
     }
     if (held) {  // it has the velocity that it came by, or its neighbours would pull it ever faster
       v = (x - start.xyz) / step.dt;

@@ -15,8 +15,9 @@ inline constexpr double kContactWall = 0.25;
 inline constexpr double kContactTouching = 1.001;
 /// How near to the plane between two features a vertex may come, as a part of their distance.
 inline constexpr double kContactMargin = 0.05;
-/// The same as a part of the thickness, at least, so that f32 can tell it from touching.
-inline constexpr double kContactFloor = 0.01;
+/// The same as a part of the thickness, at least: where features are nearer, f32 does not know the plane well
+/// enough along a whole edge.
+inline constexpr double kContactFloor = 0.1;
 
 /// s of docs/contact.md: what a pair asks of its vertices' masses, in whole numbers from 1 to 256. By the gap
 /// that it would have after the substep [m].
