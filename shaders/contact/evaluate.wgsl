@@ -15,6 +15,8 @@
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 
+var<workgroup> listed : u32;
+
 fn start_of(id : u32) -> vec4f {
   if (is_collider(id)) { return points[id & kIdBits]; }
   return previous[id & kIdBits];
@@ -71,8 +73,12 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
 }
 
 @compute @workgroup_size(kWorkgroupSize)
-fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let count = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatHeld]) != 0u);
+fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
+            @builtin(local_invocation_index) thread : u32) {
+  if (thread == 0u) {
+    listed = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatHeld]) != 0u);
+  }
+  let count = workgroupUniformLoad(&listed);
   let parity_word = 2u + step.parity;
   var hits = 0u;
   var hash = 0u;

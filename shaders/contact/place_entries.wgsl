@@ -8,12 +8,15 @@
 @group(0) @binding(1) var<storage, read_write> statistics      : array<atomic<u32>>;
 var<workgroup> sums : array<u32, kWorkgroupSize>;
 var<workgroup> base : u32;
+var<workgroup> due : u32;
 
 @compute @workgroup_size(kWorkgroupSize)
 fn place_entries(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) thread : u32) {
+  if (thread == 0u) { due = atomicLoad(&statistics[kStatDue]); }
+  if (workgroupUniformLoad(&due) == 0u) { return; }
   let word = kVertexWords * flat_index(id);
   var own = 0u;
-  if (word < arrayLength(&vertex_contacts) && atomicLoad(&statistics[kStatDue]) != 0u) {
+  if (word < arrayLength(&vertex_contacts)) {
     if (atomicLoad(&statistics[kStatHeld]) == 0u) { own = vertex_contacts[word + 1u]; } else { vertex_contacts[word + 1u] = 0u; }
   }
   sums[thread] = own;

@@ -255,8 +255,8 @@ Result<void> World::repeat_from(const Report& report, const Statistics& short_of
   frame_ = report.frame;
   ++attempt_;
   ++totals_.repeated_frames;
-  const auto longer = [](std::uint32_t room, std::uint32_t wanted) {  // twice, as the next frames may need more
-    return wanted <= room ? room : static_cast<std::uint32_t>(std::min<std::uint64_t>(2ULL * wanted, 1U << 28U));
+  const auto longer = [](std::uint32_t room, std::uint32_t wanted) {  // half as much again, as the next frames may need more
+    return wanted <= room ? room : static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted + wanted / 2ULL, 1U << 28U));
   };
   const ContactRoom& room = contacts_->pairs->room;
   WEFT_CHECK(
