@@ -1,8 +1,8 @@
 // The broad phase: finds what each cloth triangle may be near, by boxes grown by the radius. One invocation per cloth triangle; it
-// walks the cloths' own tree for later triangles, and every collider; what it finds waits in workgroup memory until the list's place is
-// known. Who finds more than fits there walks again. Where candidates stand in the list hangs on the order of workgroups, and
-// nothing hangs on that.
+// walks the cloths' own tree for later triangles, and every collider, once to count and once to write. Where a triangle's
+// candidates stand in the list hangs on the order of workgroups, and nothing hangs on that.
 // Source: docs/contact.md.
+#include "shared/index.wgsl"
 #include "shared/contact.wgsl"
 #include "shared/statistics.wgsl"
 #include "contact/tree.wgsl"
@@ -25,35 +25,25 @@ struct Colliders { list : array<vec4u, kMostColliders> }
 @group(0) @binding(6) var<storage, read_write> candidates    : array<vec2u>;        // candidate_capacity
 @group(0) @binding(7) var<storage, read_write> statistics    : array<atomic<u32>>;
 
-const kThreads = 64u;
-const kGroupsPerRow = 32768u;  // as in shared/index.wgsl
-const kWaiting = 24u;  // candidates of an invocation that fit: 12 KiB of the workgroup's 16
 var<private> found : u32;
 var<private> next : u32;  // where to write, once `writing`
 var<private> writing : bool;
-var<private> thread : u32;
 var<private> own : u32;
 var<private> corners : vec3u;
 var<private> a : vec3f;  // the corners' places, m
 var<private> b : vec3f;
 var<private> c : vec3f;
-var<workgroup> sums : array<u32, kThreads>;
+var<workgroup> sums : array<u32, kWorkgroupSize>;
 var<workgroup> base : u32;
 var<workgroup> due : u32;
-var<workgroup> waiting_kind : array<u32, kThreads * kWaiting>;
-var<workgroup> waiting_place : array<u32, kThreads * kWaiting>;
 
 fn emit(kind : u32, place : u32) {
   if (writing) {
     candidates[next] = vec2u(own | (kind << kKindShift), place);
     next++;
-    return;
+  } else {
+    found++;
   }
-  if (found < kWaiting) {
-    waiting_kind[found * kThreads + thread] = kind;
-    waiting_place[found * kThreads + thread] = place;
-  }
-  found++;
 }
 
 // Two triangles of a sheet that share an edge are no nearer than their altitudes until the sheet is folded there by more than
@@ -213,12 +203,11 @@ fn meet_all(reach : f32) {
   }
 }
 
-@compute @workgroup_size(kThreads)
-fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local_index : u32) {
-  thread = local_index;
-  own = (group.y * kGroupsPerRow + group.x) * kThreads + thread;
+@compute @workgroup_size(kWorkgroupSize)
+fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) { due = atomicLoad(&statistics[kStatDue]); }
   if (workgroupUniformLoad(&due) == 0u) { return; }
+  own = flat_index(id);
   let reach = 2.0 * bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   var works = own < params.triangle_count;
   if (works) {
@@ -231,26 +220,21 @@ fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocati
   if (works) { meet_all(reach); }
   sums[thread] = found;
   workgroupBarrier();
-  for (var distance = 1u; distance < kThreads; distance *= 2u) {
+  for (var distance = 1u; distance < kWorkgroupSize; distance *= 2u) {
     var other = 0u;
     if (thread >= distance) { other = sums[thread - distance]; }
     workgroupBarrier();
     sums[thread] += other;
     workgroupBarrier();
   }
-  if (thread == kThreads - 1u && sums[thread] > 0u) {
+  if (thread == kWorkgroupSize - 1u && sums[thread] > 0u) {
     base = atomicAdd(&statistics[kStatCandidates], sums[thread]);
     if (base + sums[thread] > params.candidate_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
   }
   workgroupBarrier();
   next = base + sums[thread] - found;
-  if (next + found > params.candidate_capacity) { return; }
-  if (found > kWaiting) {
+  if (found > 0u && next + found <= params.candidate_capacity) {
     writing = true;
     meet_all(reach);
-    return;
-  }
-  for (var k = 0u; k < found; k++) {
-    candidates[next + k] = vec2u(own | (waiting_kind[k * kThreads + thread] << kKindShift), waiting_place[k * kThreads + thread]);
   }
 }

@@ -102,7 +102,7 @@ Result<void> PairSearch::create_find(gpu::Device& device, const State& state, co
   candidates_ = std::move(candidates);
   WEFT_TRY(begin, gpu::Kernel::create(device, "contact/detect_begin.wgsl", {}, setup.workgroup_size));
   detect_begin_ = std::move(begin);
-  WEFT_TRY(broad, gpu::Kernel::create(device, "contact/find_candidates.wgsl", {}, 64));
+  WEFT_TRY(broad, gpu::Kernel::create(device, "contact/find_candidates.wgsl", {}, setup.workgroup_size));
   find_candidates_ = std::move(broad);
   WEFT_TRY(narrow, gpu::Kernel::create(device, "contact/find_pairs.wgsl", {}, setup.workgroup_size));
   find_pairs_ = std::move(narrow);

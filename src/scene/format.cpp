@@ -92,7 +92,7 @@ constexpr Key kContactKeys[] = {
     {"method", &kContactMethod,
      "How cloth meets colliders: not at all, all pairs, pairs from a tree, or before surfaces meet, cloth "
      "too",
-     "\"bvh\""},
+     "\"proximity\""},
     {"thickness", &kThickness, "Distance that contact keeps from a surface; above 0 for proximity", "0.005"},
     {"self", &kTruth, "Whether cloth meets cloth; only proximity uses it", "true"},
     {"restitution", &kPart, "Part of the normal velocity that comes back; only proximity uses it", "0"},

@@ -216,7 +216,7 @@ struct Solver {
 
 enum class ContactMethod { None, Paper, Bvh, Proximity };
 struct Contact {
-  ContactMethod method = ContactMethod::Bvh;
+  ContactMethod method = ContactMethod::Proximity;
   double thickness = 0.005;  // [m]
   // Of method proximity only.
   bool self = true;        // cloth meets cloth

@@ -80,7 +80,7 @@ class CollisionRun {
     auto state = State::create(device, model_.host, 2);
     REQUIRE(state);
     state_ = std::move(*state);
-    auto contacts = Contacts::create(device, model_.host);
+    auto contacts = Contacts::create_pushes(device, model_.host);
     REQUIRE(contacts);
     contacts_ = std::move(*contacts);
     place(pose);

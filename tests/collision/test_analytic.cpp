@@ -117,7 +117,7 @@ TEST_CASE("a radius or a normal that is off is refused") {
   REQUIRE(model);
   auto state = State::create(fixture.device(), model->host, 1);
   REQUIRE(state);
-  auto contacts = Contacts::create(fixture.device(), model->host);
+  auto contacts = Contacts::create_pushes(fixture.device(), model->host);
   REQUIRE(contacts);
   CollisionSetup setup;
   setup.spheres = {{{0, 0, 0}, 1}, {{0, 0, 0}, 0}};

@@ -20,7 +20,7 @@ TEST_CASE(
   host.motion.assign(count, 0);
   auto state = State::create(device, host, 1);
   REQUIRE_OK(state);
-  auto contacts = Contacts::create(device, host);
+  auto contacts = Contacts::create_pushes(device, host);
   REQUIRE_OK(contacts);
   const auto draw = [&](double size) { return static_cast<float>(random.uniform(-size, size)); };
   std::vector<Vec4f> previous(count), predicted(count), velocity(count);
