@@ -11,6 +11,18 @@ constexpr double kSlowestStepMs = 2000;
 constexpr std::uint32_t kCountedSteps =
     2;  // the same for all methods, so that contacts and hashes can be compared
 
+/// How contact is found; names stand in results.
+struct Variant {
+  const char* name;
+  scene::ContactMethod method;
+  bool self = false;
+};
+constexpr Variant kVariants[] = {{"none", scene::ContactMethod::None},
+                                 {"bvh", scene::ContactMethod::Bvh},
+                                 {"proximity", scene::ContactMethod::Proximity},
+                                 {"proximity_self", scene::ContactMethod::Proximity, true},
+                                 {"paper", scene::ContactMethod::Paper}};
+
 struct Case {
   const char* object;
   std::uint32_t side;
@@ -24,10 +36,10 @@ Result<scene::Scene> load_case(const Case& c, const Folders& folders) {
   return scene::load_scene(folders.scenes + "/pull-" + c.object + ".json", overrides);
 }
 
-/// The state at which the methods are compared, reached by the tree.
+/// The state at which the methods are compared, reached by proximity.
 Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const sim::Assets& assets,
                               double seconds) {
-  scene.contact.method = scene::ContactMethod::Bvh;
+  scene.contact.method = scene::ContactMethod::Proximity;
   WEFT_TRY(world, sim::World::create(device, scene, assets));
   const int frames = static_cast<int>(std::ceil(seconds / scene.time.frame));
   for (int frame = 0; frame < frames; ++frame) WEFT_CHECK(world->advance_frame());
@@ -48,18 +60,19 @@ Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scen
 }
 
 Result<Row> measure(gpu::Device& device, const Case& c, scene::Scene scene, const sim::Assets& assets,
-                    const sim::Snapshot& start, scene::ContactMethod method) {
-  scene.contact.method = method;
+                    const sim::Snapshot& start, const Variant& variant) {
+  scene.contact.method = variant.method;
+  scene.contact.self = variant.self;
   scene::Scene at_60_hz = scene;
   WEFT_TRY(substeps, fix_step(at_60_hz, assets, kCountedSteps));
   WEFT_TRY(counted, start_world(device, scene, assets, start, kCountedSteps));
   WEFT_TRY(snapshot, counted->snapshot());
   Row row = describe(*counted, substeps);
   row.object = c.object;
-  row.variant = scene::name_of(method);
+  row.variant = variant.name;
   row.contacts = counted->totals().contacts;
   row.state_hash = snapshot.hash();
-  const bool brute_force = method == scene::ContactMethod::Paper;
+  const bool brute_force = variant.method == scene::ContactMethod::Paper;
   WEFT_TRY(world, start_world(device, scene, assets, start, brute_force ? kCountedSteps : c.quick ? 8 : 64));
   WEFT_TRY(timing, time_steps(*world, c.quick ? 200 : 300, brute_force ? 1 : 5));
   row.ms_per_step = timing.median;
@@ -84,9 +97,8 @@ Result<std::vector<Row>> run_pull(gpu::Device& device, bool quick, const Folders
       WEFT_TRY(scene, load_case(c, folders));
       WEFT_TRY(assets, sim::load_assets(scene, folders.models));
       WEFT_TRY(start, warm_up(device, scene, assets, quick ? 0.05 : 0.4));
-      for (const auto method :
-           {scene::ContactMethod::None, scene::ContactMethod::Bvh, scene::ContactMethod::Paper}) {
-        if (method == scene::ContactMethod::Paper && too_slow) {
+      for (const Variant& variant : kVariants) {
+        if (variant.method == scene::ContactMethod::Paper && too_slow) {
           Row skipped;
           skipped.object = object;
           skipped.variant = "paper";
@@ -94,7 +106,7 @@ Result<std::vector<Row>> run_pull(gpu::Device& device, bool quick, const Folders
           skipped.skipped = "the size before took over 2 s a step";
           rows.push_back(skipped);
         } else {
-          WEFT_TRY(row, measure(device, c, scene, assets, start, method));
+          WEFT_TRY(row, measure(device, c, scene, assets, start, variant));
           too_slow = too_slow || row.ms_per_step > kSlowestStepMs;
           rows.push_back(row);
         }

@@ -9,10 +9,13 @@
 #include "collision/colliders_analytic.hpp"
 #include "collision/object_tree.hpp"
 #include "collision/object_triangles.hpp"
+#include "collision/pair_search.hpp"
 #include "collision/pairs_paper.hpp"
+#include "collision/tree_refit.hpp"
 #include "element/neighbours.hpp"
 #include "element/surface.hpp"
 #include "gpu/kernel.hpp"
+#include "model/contact_law.hpp"
 #include "model/host_model.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/floor.hpp"
@@ -21,6 +24,7 @@
 #include "scene/scene.hpp"
 #include "solver/mass_spring/advance_grid.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
+#include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
 
@@ -40,6 +44,8 @@ template <>
 struct Scalar<std::uint32_t> {
   static constexpr const char* kName = "u32";
 };
+template <>
+struct Scalar<Detect> : Scalar<std::uint32_t> {};
 
 template <class T>
 Json member(const char* name, std::size_t offset) {
@@ -64,10 +70,13 @@ constexpr std::size_t kUniform = 16;  // a uniform block of its own
 Json step_params() {
   using T = StepParams;
   return row("StepParams", "shared/step.wgsl", sizeof(T), gpu::kStepStride,
-             {M(acceleration), M(dt),          M(drag),       M(vertex_count), M(spring_count),
-              M(force_scale),  M(force_limit), M(push_scale), M(thickness),    M(max_push),
-              M(first_motion), M(grab_rate),   M(grab_speed), M(wind),         M(wind_wave_a),
-              M(wind_wave_b),  M(gust_a),      M(gust_b),     M(grab_node),    M(grab_target)});
+             {M(acceleration),   M(dt),          M(drag),         M(vertex_count),
+              M(spring_count),   M(force_scale), M(force_limit),  M(push_scale),
+              M(thickness),      M(max_push),    M(first_motion), M(grab_rate),
+              M(grab_speed),     M(wind),        M(wind_wave_a),  M(wind_wave_b),
+              M(gust_a),         M(gust_b),      M(grab_node),    M(grab_target),
+              M(self_thickness), M(least_reach), M(most_reach),   M(contact_damping),
+              M(detect),         M(parity),      M(point_count),  M(first_place)});
 }
 Json spring() {
   using T = Spring;
@@ -115,6 +124,31 @@ Json analytic_collider() {
   using T = collision::AnalyticCollider;
   return row("AnalyticCollider", "collision/analytic.wgsl", sizeof(T), kExact, {M(point), M(normal)});
 }
+Json contact() {
+  using T = Contact;
+  return row("Contact", "shared/contact.wgsl", sizeof(T), kUniform,
+             {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid)});
+}
+Json search_params() {
+  using T = collision::SearchParams;
+  return row("SearchParams", "contact/triangles.wgsl", sizeof(T), kExact,
+             {M(triangle_count), M(collider_count), M(self_contact), M(first_row), M(candidate_capacity),
+              M(pair_capacity), M(thickness), M(self_thickness)});
+}
+Json tree_params() {
+  using T = collision::TreeParams;
+  return row("TreeParams", "contact/tree_params.wgsl", sizeof(T), kExact,
+             {M(tree), M(top), M(first_triangle), M(triangle_count)});
+}
+Json colliders() {
+  using List = std::array<std::array<std::uint32_t, 4>, collision::kMostColliders>;
+  static_assert(sizeof(List) == collision::kMostColliders * sizeof(collision::TreeWord));
+  return row("Colliders", "contact/find_candidates.wgsl", sizeof(List), kExact, {member<List>("list", 0)});
+}
+Json collider_place() {
+  using T = collision::ColliderPlace;
+  return row("ColliderPlace", "contact/move_points.wgsl", sizeof(T), kExact, {M(rows), M(shape), M(spin)});
+}
 Json frame() {
   using T = render::FrameParams;
   return row("Frame", "render/frame.wgsl", sizeof(T), kExact,
@@ -146,7 +180,8 @@ Json statistic(const char* name, std::size_t offset) {
 Json struct_layouts() {
   return Json::array({step_params(), spring(), neighbour(), grid_params_row(), vertex_range(),
                       surface_params(), object_triangle(), tree_node(), pair_range(), analytic_collider(),
-                      frame(), weave(), plane()});
+                      contact(), search_params(), tree_params(), colliders(), collider_place(), frame(),
+                      weave(), plane()});
 }
 
 Json shared_constants() {
@@ -163,6 +198,32 @@ Json shared_constants() {
       statistic("kStatContactOverflow", offsetof(Statistics, contact_overflow)),
       statistic("kStatNonfinite", offsetof(Statistics, nonfinite)),
       statistic("kStatFrozen", offsetof(Statistics, frozen)),
+      statistic("kStatDetections", offsetof(Statistics, detections)),
+      statistic("kStatCrossings", offsetof(Statistics, crossings)),
+      statistic("kStatTruncated", offsetof(Statistics, truncated)),
+      statistic("kStatPairs", offsetof(Statistics, pairs)),
+      statistic("kStatCandidates", offsetof(Statistics, candidates)),
+      statistic("kStatEntries", offsetof(Statistics, entries)),
+      statistic("kStatHeld", offsetof(Statistics, held)),
+      statistic("kStatDetect", offsetof(Statistics, detect)),
+      statistic("kStatDue", offsetof(Statistics, due)),
+      statistic("kStatFound", offsetof(Statistics, found)),
+      statistic("kStatSpeed", offsetof(Statistics, speed)),
+      statistic("kStatReach", offsetof(Statistics, reach)),
+      constant("kDetectInterval", "shared/step.wgsl", kDetectInterval),
+      constant("kDetectIfDue", "shared/step.wgsl", static_cast<double>(Detect::IfDue)),
+      constant("kDetectAlways", "shared/step.wgsl", static_cast<double>(Detect::Always)),
+      constant("kColliderPoint", "shared/contact.wgsl", kColliderPoint),
+      constant("kPairFlag", "shared/contact.wgsl", kPairFlag),
+      constant("kIdBits", "shared/contact.wgsl", kIdBits),
+      constant("kVertexWords", "shared/contact.wgsl", kVertexWords),
+      constant("kTouching", "shared/contact.wgsl", kContactTouching),
+      constant("kSpring", "mass_spring/contact_respond.wgsl", kContactSpring),
+      constant("kWall", "mass_spring/contact_respond.wgsl", kContactWall),
+      constant("kMargin", "mass_spring/contact_respond.wgsl", kContactMargin),
+      constant("kFloor", "mass_spring/contact_respond.wgsl", kContactFloor),
+      constant("kLeafTriangles", "contact/tree.wgsl", collision::kTreeLeafTriangles),
+      constant("kTreeArity", "contact/tree.wgsl", collision::kTreeArity),
   });
 }
 
