@@ -44,3 +44,129 @@ TEST_CASE(
     if (shape != Shape::Crumpled) CHECK(listed.flat == 0);
   }
 }
+
+TEST_CASE("trees of one triangle and of 4 * 8^k triangles, one more and one less, hold every triangle") {
+  GpuFixture fixture;
+  for (const std::uint32_t count : {1U, 2U, 3U, 4U, 5U, 31U, 32U, 33U, 255U, 256U, 257U}) {
+    CAPTURE(count);
+    SearchCase setup = sheet_of(count);  // from x = 0 on: the tail of a tree must not write into its head
+    SearchCase other = sheet_of(count);
+    for (Vec3f& p : other.cloth.positions) p = {p.x, 0.25F * p.z, -p.y};
+    setup.objects = {other.cloth};
+    setup.deforming = {true};
+    const std::vector<Vec3f> flat = setup.cloth.positions;
+    SearchRun run(fixture.device(), setup);
+    for (const Shape shape : {Shape::Wavy, Shape::Crumpled}) {
+      CAPTURE(static_cast<int>(shape));
+      std::vector<Vec3f> placed = shaped(flat, shape);
+      check_all(run);
+      for (const Vec3f& shift : {Vec3f{0, 0.125F, 0}, Vec3f{0.5F, 0.01F, 0}, Vec3f{-0.75F, -0.5F, -0.25F}}) {
+        for (std::size_t i = 0; i < placed.size(); ++i) placed[i] = shaped(flat, shape)[i] + shift;
+        run.place(placed);
+        check_all(run);
+      }
+    }
+  }
+}
+
+TEST_CASE("rigid trees of one triangle and of few triangles hold every triangle") {
+  GpuFixture fixture;
+  for (const std::uint32_t count : {1U, 2U, 4U, 5U, 16U, 17U}) {
+    CAPTURE(count);
+    SearchCase setup = sheet_of(40);
+    setup.objects = {mesh::make_sphere(6, 5)};
+    setup.objects[0].triangles.resize(count);
+    for (Vec3f& p : setup.objects[0].positions) p = 0.25F * p;
+    SearchRun run(fixture.device(), setup);
+    run.place(shaped(setup.cloth.positions, Shape::Crumpled));
+    CHECK(check_all(run).pairs > 0);
+  }
+}
+
+TEST_CASE("every triangle of a rigid object that has turned and moved is a candidate where its box is near") {
+  GpuFixture fixture;
+  SearchCase setup = sheet_with_objects(256);
+  setup.objects.pop_back();
+  const mesh::TriangleMesh ball = setup.objects[0];
+  SearchRun run(fixture.device(), setup);
+  const std::vector<Vec3f> cloth = shaped(setup.cloth.positions, Shape::Wavy);
+  run.place(cloth);
+  // Two thirds, one third, two thirds: a turn whose rows f32 does not have exactly.
+  const float a = 2.0F / 3.0F, b = 1.0F / 3.0F;
+  const RigidRows to{{Vec4f{a, -b, a, 0.1F}, Vec4f{a, a, -b, 0.02F}, Vec4f{-b, a, a, 0.3F}}};
+  run.move_object(0, to);
+  const SearchFound found = run.run();
+  const NamedCandidates names = named(found, run);
+  // In the object's space, where the kernel tests boxes; the way there is rounded to a few 2^-24 m.
+  std::vector<Vec3f> local;
+  for (const Vec3f& p : cloth) {
+    const Vec3d d = p.to<double>() - to({});
+    Vec3d q;
+    for (const Vec4f& row : to.rows) q += d[static_cast<int>(&row - to.rows.data())] * row.xyz().to<double>();
+    local.push_back(q.to<float>());
+  }
+  std::size_t sure = 0, missing = 0, stray = 0;
+  for (std::uint32_t i = 0; i < setup.cloth.triangles.size(); ++i)
+    for (std::uint32_t t = 0; t < ball.triangles.size(); ++t) {
+      const BoxF own = box_of(local, setup.cloth.triangles[i]),
+                 other = box_of(ball.positions, ball.triangles[t]);
+      const bool listed =
+          std::binary_search(names.objects[0].begin(), names.objects[0].end(), NumberPair{i, t});
+      const bool near = boxes_meet(own, other, setup.radius() - 1e-5F);
+      sure += near ? 1 : 0;
+      missing += near && !listed ? 1 : 0;
+      stray += listed && !boxes_meet(own, other, setup.radius() + 1e-5F) ? 1 : 0;
+    }
+  CHECK(sure > 200);
+  CHECK(missing == 0);
+  CHECK(stray == 0);
+  CHECK(check_contacts(found, run, 1e-5 * setup.radius()).pairs > 100);
+  check_entries(found);
+}
+
+TEST_CASE("an object that deforms is found exactly where it is now") {
+  GpuFixture fixture;
+  SearchCase setup = sheet_of(200), other = sheet_of(150);
+  setup.objects = {other.cloth};
+  setup.deforming = {true};
+  SearchRun run(fixture.device(), setup);
+  for (const Shape shape : kShapes) {
+    CAPTURE(static_cast<int>(shape));
+    run.place(shaped(setup.cloth.positions, Shape::Wavy));
+    std::vector<Vec3f> placed = shaped(other.cloth.positions, shape, 7);
+    for (Vec3f& p : placed) p = {p.z, 0.03F + 0.5F * p.y, p.x};
+    run.place_object(0, placed);
+    CHECK(check_all(run).pairs > 200);
+  }
+}
+
+TEST_CASE("spheres, capsules and planes are listed with every feature that is near their surface") {
+  GpuFixture fixture;
+  SearchCase setup = sheet_of(256);
+  setup.shapes = {scene::ColliderSphere{{0.25, -0.125, 0.5}, 0.1875},
+                  scene::ColliderPlane{{0, -0.0625, 0}, {0, 1, 0}},
+                  scene::ColliderCapsule{{0.625, 0, 0.25}, {0.75, 0.125, 0.875}, 0.0625},
+                  scene::ColliderPlane{{0.5, 0.25, 0}, {-0.6, -0.8, 0}}};
+  SearchRun run(fixture.device(), setup);
+  for (const Shape shape : kShapes) {
+    CAPTURE(static_cast<int>(shape));
+    run.place(shaped(setup.cloth.positions, shape));
+    CHECK(check_all(run).pairs > 50);
+  }
+}
+
+TEST_CASE("what a search lists does not hang on the size of workgroups") {
+  GpuFixture fixture;
+  SearchCase setup = sheet_with_objects(257);
+  setup.cloth.positions = shaped(setup.cloth.positions, Shape::Accordion);
+  std::vector<std::vector<FeatureKey>> lists;
+  for (const std::uint32_t size : {64U, 128U, 256U}) {
+    SearchRun run(fixture.device(), setup, size);
+    lists.emplace_back();
+    for (const Contact& contact : run.run().contacts) lists.back().push_back(key_of(contact.ids));
+    std::sort(lists.back().begin(), lists.back().end());
+    CHECK(std::adjacent_find(lists.back().begin(), lists.back().end()) == lists.back().end());
+    CHECK(lists.back() == lists.front());
+  }
+  CHECK(lists.front().size() > 1000);
+}
