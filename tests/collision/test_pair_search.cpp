@@ -36,12 +36,12 @@ TEST_CASE(
                       box = check_object_candidates(names, run, 1);
     const ListCheck listed = check_contacts(found, run, 1e-5 * setup.self_radius());
     check_entries(found);
-    std::printf("pose %d: candidates %zu + %zu + %zu, pairs %zu, doubtful %zu, flat %zu\n",
-                static_cast<int>(shape), self, ball, box, listed.pairs, listed.doubtful, listed.flat);
+    std::printf("pose %d: candidates %zu + %zu + %zu, pairs %zu, doubtful %zu, left out %zu\n",
+                static_cast<int>(shape), self, ball, box, listed.pairs, listed.doubtful, listed.left_out);
     CHECK(ball > 50);
     CHECK(box > 50);
     if (shape != Shape::Flat) CHECK(listed.pairs > 500);
-    if (shape != Shape::Crumpled) CHECK(listed.flat == 0);
+    if (shape != Shape::Crumpled) CHECK(listed.left_out == 0);
   }
 }
 
