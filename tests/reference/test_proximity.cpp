@@ -224,8 +224,10 @@ TEST_CASE("a ball that flies into a sheet at 20 m/s has its frames cut, and take
 }
 
 TEST_CASE("what is held back brings no energy into a sheet that falls over a ball in too long steps") {
-  auto simulation =
-      simulation_of_file("pull-sphere", {{"cloths.0.grid", "[16,16]"}, {"contact.method", "\"proximity\""}});
+  // So thin that vertices come to the planes between features before impulses stop them.
+  auto simulation = simulation_of_file(
+      "pull-sphere",
+      {{"cloths.0.grid", "[16,16]"}, {"contact.method", "\"proximity\""}, {"contact.thickness", "0.001"}});
   const double start = simulation.energy();
   for (int frame = 0; frame < 12; ++frame) {  // the pull begins after 15
     advance(simulation, 1);

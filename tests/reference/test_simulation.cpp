@@ -16,7 +16,7 @@ TEST_CASE("five scenes have the bits that every machine must have") {
                                {"pull-sphere", "[16,16]", 12, "ab35bb2000e9b984"},
                                {"breeze", "[24,16]", 10, "453b402d469758d2"},
                                {"drag", "[16,16]", 40, "4c7d1a904baab260"},
-                               {"pull-sphere", "[16,16]", 12, "24c031d17d4ef94d", "\"proximity\""}}) {
+                               {"pull-sphere", "[16,16]", 12, "13f639a70b9f9c84", "\"proximity\""}}) {
     CAPTURE(golden.scene);
     std::vector<scene::Override> overrides = {{"cloths.0.grid", golden.grid}};
     if (!golden.method.empty()) overrides.push_back({"contact.method", golden.method});

@@ -1,0 +1,102 @@
+// Worlds of contact for tests: scenes by text, states set and read in double, the audit of a state.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/contact/audit.hpp"
+#include "scene/motion.hpp"
+#include "world_rig.hpp"
+
+namespace weft {
+
+inline scene::Scene contact_scene(const std::string& members) {
+  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", )" + members + "}", "contact.json");
+  REQUIRE_OK(scene);
+  return std::move(*scene);
+}
+
+/// A cloth of 0.4 m by 0.4 m that lies at a height [m]; soft enough for eight substeps.
+inline std::string lying_cloth(int side, const std::string& translate, const std::string& more = "") {
+  const std::string count = std::to_string(side);
+  return R"({"grid": [)" + count + "," + count +
+         R"(], "size": [0.4, 0.4], "plane": "xz", "density": 0.3, "damping": 0.01,
+    "stiffness": {"structural": 40, "shear": 10, "bend": 0.3}, "transform": {"translate": )" +
+         translate + "}" + more + "}";
+}
+
+struct Moment {
+  std::vector<Vec3d> position, velocity;  // [m], [m/s]
+  std::vector<double> mass;               // 0: held [kg]
+
+  explicit Moment(sim::World& world) {
+    const auto snapshot = world.snapshot();
+    REQUIRE_OK(snapshot);
+    for (const Vec4f& p : snapshot->position) {
+      position.push_back(p.xyz().to<double>());
+      mass.push_back(p.w > 0 ? 1 / static_cast<double>(p.w) : 0);
+    }
+    for (const Vec4f& v : snapshot->velocity) velocity.push_back(v.xyz().to<double>());
+  }
+  Vec3d momentum(std::size_t begin, std::size_t end) const {
+    Vec3d sum;
+    for (std::size_t i = begin; i < end; ++i) sum += mass[i] * velocity[i];
+    return sum;
+  }
+  Vec3d mean_position() const { return mean(position); }
+  Vec3d mean_velocity() const { return mean(velocity); }
+  double largest_speed() const {
+    double largest = 0;
+    for (const Vec3d& v : velocity) largest = std::max(largest, length(v));
+    return largest;
+  }
+  bool finite() const {
+    return std::all_of(position.begin(), position.end(), [](const Vec3d& p) {
+      return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
+  }
+
+ private:
+  static Vec3d mean(const std::vector<Vec3d>& values) {
+    Vec3d sum;
+    for (const Vec3d& value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+  }
+};
+
+/// Gives nodes from `begin` to before `end` a velocity [m/s].
+inline void push(sim::World& world, std::size_t begin, std::size_t end, const Vec3d& velocity) {
+  auto snapshot = world.snapshot();
+  REQUIRE_OK(snapshot);
+  for (std::size_t i = begin; i < end; ++i) snapshot->velocity[i] = Vec4f::from(velocity.to<float>(), 0);
+  world.restore(*snapshot);
+}
+
+/// Everything that has passed through anything: cloth through cloth, through meshes and boxes as `objects`
+/// has them now, and vertices inside spheres and below planes.
+inline std::size_t passed(const sim::World& world, const Moment& now,
+                          const std::vector<mesh::TriangleMesh>& objects) {
+  const reference::Surfaces cloth{now.position, world.model().host.triangles};
+  std::size_t count = reference::self_crossings(cloth).size();
+  for (const mesh::TriangleMesh& object : objects) {
+    const std::vector<Vec3d> corners = reference::widened(object.positions);
+    count += reference::crossings(cloth, {corners, object.triangles}).size();
+  }
+  for (const scene::Collider& collider : world.scene().colliders) {
+    if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider))
+      count += reference::below_plane(now.position, *plane).count;
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) {
+      const Vec3d center =
+          sphere->motion ? scene::motion_at(*sphere->motion, world.time())(sphere->center) : sphere->center;
+      count += reference::inside_capsule(now.position, center, center, sphere->radius).count;
+    }
+  }
+  return count;
+}
+inline std::size_t passed(sim::World& world) {
+  const Moment now(world);
+  REQUIRE(now.finite());
+  return passed(world, now, world.assets().objects);
+}
+
+}  // namespace weft

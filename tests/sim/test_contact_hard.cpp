@@ -1,0 +1,298 @@
+// Contact by proximity under things that move, fast ones, and states that are bad from the start.
+#include <fstream>
+
+#include "contact_rig.hpp"
+#include "mesh/primitives.hpp"
+#include "temporary_folder.hpp"
+
+using namespace weft;
+
+namespace {
+
+std::string contact_text(const std::string& thickness, int substeps = 8) {
+  return R"("time": {"substeps": )" + std::to_string(substeps) +
+         R"(}, "contact": {"method": "proximity", "thickness": )" + thickness + "}, ";
+}
+
+/// Runs frames and says in how many of them something had passed through something.
+std::uint32_t bad_frames(sim::World& world, std::uint32_t frames) {
+  std::uint32_t bad = 0;
+  for (std::uint32_t frame = 0; frame < frames; ++frame) {
+    advance(world, 1);
+    const std::size_t count = passed(world);
+    if (count != 0 && bad++ == 0) MESSAGE("frame ", world.frame(), ": ", count, " have passed");
+  }
+  return bad;
+}
+
+/// A box of 0.1 m with its top at y = 0, which is raised by `lift`, and by `bulge` more where x > 0 [m].
+void write_box(const std::string& path, double lift, double bulge) {
+  mesh::TriangleMesh box = mesh::make_box({0.3, 0.1, 0.3});
+  std::ofstream file(path);
+  for (const Vec3f& p : box.positions) {
+    const double y = static_cast<double>(p.y) - 0.05, top = p.y > 0 ? lift + (p.x > 0 ? bulge : 0) : 0;
+    file << "v " << p.x << " " << y + top << " " << p.z << "\n";
+  }
+  for (const mesh::Triangle& t : box.triangles)
+    file << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
+}
+
+}  // namespace
+
+TEST_CASE("a box that moves carries the sheet that lies on it") {
+  GpuFixture fixture;
+  auto world = world_of(
+      fixture.device(),
+      contact_scene(
+          contact_text("0.01") + R"("cloths": [)" + lying_cloth(6, "[0, 0.01, 0]") +
+          R"(], "colliders": [{"kind": "box", "center": [0, -0.1, 0], "size": [1, 0.2, 1], "friction": 0.4,
+      "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 0.3, "start": 0.1, "ramp": 0.2}}])"));
+  advance(*world, 60);  // the ramp asks 1.5 m/s², friction gives 3.9 m/s²
+  const Moment now(*world);
+  for (const Vec3d& v : now.velocity) CHECK(length(v - Vec3d{0.3, 0, 0}) < 1e-3);
+  CHECK(std::abs(now.mean_position().x - 0.3 * (1 - 0.1 - 0.1)) < 1e-3);
+}
+
+TEST_CASE("a box that is pulled away too fast leaves the sheet behind, by as much as friction says") {
+  GpuFixture fixture;
+  auto world = world_of(
+      fixture.device(),
+      contact_scene(
+          contact_text("0.01") + R"("cloths": [)" + lying_cloth(6, "[0, 0.01, 0]") +
+          R"(], "colliders": [{"kind": "box", "center": [0, -0.1, 0], "size": [4, 0.2, 1], "friction": 0.1,
+      "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 2}}])"));
+  advance(*world, 30);
+  CHECK(Moment(*world).mean_velocity().x == doctest::Approx(0.1 * 9.81 * 0.5).epsilon(0.02));
+}
+
+TEST_CASE("a sphere that spins under a sheet drags it along, and turns it no faster than itself") {
+  GpuFixture fixture;
+  const auto turned = [&](const std::string& friction) {
+    auto world = world_of(
+        fixture.device(),
+        contact_scene(
+            contact_text("0.01") + R"("cloths": [)" + lying_cloth(9, "[0, 0.31, 0]") +
+            R"(], "colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": 0.3, "friction": )" +
+            friction + R"(,
+        "motion": {"kind": "rotation", "axis": [0, 1, 0], "center": [0, 0, 0], "speed": 3, "ramp": 0.3}}])"));
+    CHECK(bad_frames(*world, 40) == 0);
+    const Moment now(*world);
+    double rate = 0, moment = 0;
+    for (std::size_t i = 0; i < now.position.size(); ++i) {
+      const Vec3d &p = now.position[i], &v = now.velocity[i];
+      rate += p.z * v.x - p.x * v.z;
+      moment += p.x * p.x + p.z * p.z;
+    }
+    return rate / moment;
+  };
+  CHECK(turned("0") == doctest::Approx(0).epsilon(0.05));
+  const double rate = turned("0.8");
+  MESSAGE("turns at ", rate, " 1/s");
+  CHECK(rate > 1.5);
+  CHECK(rate < 3.3);
+}
+
+TEST_CASE("a mesh that deforms pushes a sheet up and does not come through") {
+  GpuFixture fixture;
+  const TemporaryFolder folder;
+  write_box(folder.path("low.obj"), 0, 0);
+  write_box(folder.path("high.obj"), 0.15, 0.1);
+  auto world = world_of(
+      fixture.device(),
+      contact_scene(contact_text("0.01") + R"("cloths": [)" + lying_cloth(10, "[0.02, 0.01, 0.01]") +
+                    R"(], "colliders": [{"kind": "mesh", "mesh": ")" + folder.path("low.obj") +
+                    R"(", "keyframes": [{"time": 0.3, "mesh": ")" + folder.path("high.obj") + "\"}]}]"));
+  std::uint32_t bad = 0;
+  for (int frame = 1; frame <= 24; ++frame) {
+    advance(*world, 1);
+    const Moment now(*world);
+    REQUIRE(now.finite());
+    mesh::TriangleMesh object = world->assets().objects[0];
+    const mesh::TriangleMesh& last = world->assets().keyframes[0][0];
+    const float part = std::min(1.0F, static_cast<float>(world->time() / 0.3));
+    for (std::size_t i = 0; i < object.positions.size(); ++i)
+      object.positions[i] = object.positions[i] + part * (last.positions[i] - object.positions[i]);
+    if (passed(*world, now, {object}) != 0) ++bad;
+  }
+  CHECK(bad == 0);
+  const Moment now(*world);
+  double highest = 0;
+  for (const Vec3d& p : now.position) highest = std::max(highest, p.y);
+  CHECK(highest > 0.2);  // the raised side stands at 0.25 m
+}
+
+TEST_CASE("a ball that flies at one and ten thicknesses a substep does not get through a sheet") {
+  GpuFixture fixture;
+  for (const double times : {1.0, 10.0}) {
+    CAPTURE(times);
+    const double thickness = 0.01, step = 1.0 / 60 / 8, speed = times * thickness / step;
+    const std::string text = std::to_string(speed), start = std::to_string(1.5 / 60);
+    const double from = -0.25;  // it sets off at 1.5 frames and goes 0.6 m
+    const scene::Scene scene =
+        shipped_scene("shot", {{"cloths.0.grid", "[12,12]"},
+                               {"contact.thickness", std::to_string(thickness)},
+                               {"time.substeps", "8"},
+                               {"colliders.0.center", "[0.08, 0, " + std::to_string(from) + "]"},
+                               {"colliders.0.motion.speed", text},
+                               {"colliders.0.motion.start", start},
+                               {"colliders.0.motion.ramp", "0"},
+                               {"colliders.0.motion.distance", "0.6"}});
+    auto world = world_of(fixture.device(), scene);
+    CHECK(bad_frames(*world, times > 1 ? 6 : 36) == 0);
+    // The sheet is ahead of the ball wherever it is within its radius.
+    const Moment now(*world);
+    std::uint32_t near = 0;
+    for (const Vec3d& p : now.position) {
+      if (std::hypot(p.x - 0.08, p.y) > 0.1) continue;
+      ++near;
+      CHECK(p.z > from + 0.6);
+    }
+    MESSAGE("held back ", world->totals().truncated, ", nodes ahead ", near, ", largest speed ",
+            now.largest_speed());
+    CHECK(near > 0);
+  }
+}
+
+TEST_CASE("sheets that fly at each other at one, ten and a hundred thicknesses a substep do not pass") {
+  GpuFixture fixture;
+  for (const double times : {1.0, 10.0, 100.0}) {
+    CAPTURE(times);
+    auto world =
+        world_of(fixture.device(), contact_scene(R"("gravity": [0, 0, 0], )" + contact_text("0.01") +
+                                                 R"("cloths": [)" + lying_cloth(10, "[0, 0, 0]") + "," +
+                                                 lying_cloth(10, "[0.013, 0.05, 0.017]") + "]"));
+    const double speed = 0.5 * times * 0.01 / world->step();
+    push(*world, 0, 100, {0, speed, 0});
+    push(*world, 100, 200, {0, -speed, 0});
+    CHECK(bad_frames(*world, 8) == 0);
+    const Moment now(*world);
+    double lower = 0, upper = 0;
+    for (std::size_t i = 0; i < 100; ++i) lower += now.position[i].y;
+    for (std::size_t i = 100; i < 200; ++i) upper += now.position[i].y;
+    CHECK(upper > lower);
+    MESSAGE("held back ", world->totals().truncated, ", apart ", (upper - lower) / 100, ", largest speed ",
+            now.largest_speed());
+  }
+}
+
+TEST_CASE("a spike comes up under a coarse triangle, far from its vertices, and lifts it") {
+  GpuFixture fixture;
+  const TemporaryFolder folder;
+  {
+    std::ofstream file(folder.path("spike.obj"));  // 2 mm wide at its foot, 0.3 m high
+    file << "v -0.001 -0.3 -0.001\nv 0.001 -0.3 -0.001\nv 0 -0.3 0.001\nv 0 0 0\n"
+            "f 1 2 3\nf 2 1 4\nf 3 2 4\nf 1 3 4\n";
+  }
+  auto world = world_of(
+      fixture.device(),
+      contact_scene(
+          R"("gravity": [0, 0, 0], )" + contact_text("0.01") + R"("cloths": [)" +
+          lying_cloth(3, "[0.03, 0.03, 0.05]") + R"(], "colliders": [{"kind": "mesh", "mesh": ")" +
+          folder.path("spike.obj") +
+          R"(", "motion": {"kind": "line", "direction": [0, 1, 0], "speed": 1, "distance": 0.2}}])"));
+  std::uint32_t bad = 0;
+  for (int frame = 1; frame <= 16; ++frame) {
+    advance(*world, 1);
+    const Moment now(*world);
+    REQUIRE(now.finite());
+    mesh::TriangleMesh spike = world->assets().objects[0];
+    for (Vec3f& p : spike.positions) p.y += static_cast<float>(std::min(0.2, world->time()));
+    if (passed(*world, now, {spike}) != 0) ++bad;
+  }
+  CHECK(bad == 0);
+  CHECK(Moment(*world).mean_velocity().y > 0.1);
+}
+
+TEST_CASE("two strips that cross edge on edge do not pass") {
+  GpuFixture fixture;
+  // Narrow strips of one cell's width at right angles, which meet in the middle of long edges.
+  const auto strip = [](const std::string& grid, const std::string& size, const std::string& at) {
+    return R"({"grid": )" + grid + R"(, "size": )" + size +
+           R"(, "plane": "xz", "density": 0.3, "damping": 0.01,
+      "stiffness": {"structural": 40, "shear": 10, "bend": 0.3}, "transform": {"translate": )" +
+           at + "}}";
+  };
+  auto world = world_of(fixture.device(),
+                        contact_scene(R"("gravity": [0, 0, 0], )" + contact_text("0.01") + R"("cloths": [)" +
+                                      strip("[4,2]", "[0.6,0.05]", "[0, 0, 0]") + "," +
+                                      strip("[2,4]", "[0.05,0.6]", "[0.011, 0.05, 0.007]") + "]"));
+  push(*world, 8, 16, {0, -1, 0});
+  CHECK(bad_frames(*world, 20) == 0);
+  const Moment now(*world);
+  CHECK(now.momentum(0, 8).y < 0.4 * now.momentum(0, 16).y);
+}
+
+TEST_CASE("sheets that lie exactly in each other come apart or stay, and nothing is flung") {
+  GpuFixture fixture;
+  for (const std::string at : {"[0, 0, 0]", "[0.01, 0, 0.02]"}) {
+    CAPTURE(at);
+    auto world = world_of(fixture.device(), contact_scene(R"("gravity": [0, 0, 0], )" + contact_text("0.01") +
+                                                          R"("cloths": [)" + lying_cloth(6, "[0, 0, 0]") +
+                                                          "," + lying_cloth(6, at) + "]"));
+    advance(*world, 30);
+    const Moment now(*world);
+    REQUIRE(now.finite());
+    MESSAGE("largest speed ", now.largest_speed());
+    // A contact's spring asks a quarter of the thickness a substep, no more.
+    CHECK(now.largest_speed() < 0.25 * 0.01 / world->step());
+  }
+}
+
+TEST_CASE("a pinned node inside a ball pulls nothing apart") {
+  GpuFixture fixture;
+  auto world = world_of(
+      fixture.device(),
+      contact_scene(contact_text("0.01") + R"("cloths": [)" +
+                    lying_cloth(8, "[0, 0.1, 0]", R"(, "pins": ["top_left"])") +
+                    R"(], "colliders": [{"kind": "sphere", "center": [-0.2, 0.1, -0.2], "radius": 0.1}])"));
+  double fastest = 0;
+  for (int frame = 0; frame < 30; ++frame) {
+    advance(*world, 1);
+    const Moment now(*world);
+    REQUIRE(now.finite());
+    fastest = std::max(fastest, now.largest_speed());
+  }
+  MESSAGE("largest speed ", fastest, ", stretch ", world->totals().max_stretch);
+  CHECK(fastest < 0.25 * 0.01 / world->step() + 9.81 * 0.5);
+}
+
+TEST_CASE("a sheet that begins inside a ball comes out of it and is not flung") {
+  GpuFixture fixture;
+  auto world =
+      world_of(fixture.device(),
+               contact_scene(contact_text("0.01") + R"("cloths": [)" + lying_cloth(8, "[0, 0.05, 0]") +
+                             R"(], "colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": 0.1}])"));
+  double fastest = 0;
+  for (int frame = 0; frame < 30; ++frame) {
+    advance(*world, 1);
+    const Moment now(*world);
+    REQUIRE(now.finite());
+    fastest = std::max(fastest, now.largest_speed());
+  }
+  MESSAGE("largest speed ", fastest, ", inside ", passed(*world), ", stretch ", world->totals().max_stretch);
+  CHECK(passed(*world) == 0);
+  CHECK(fastest < 0.25 * 0.01 / world->step() + 9.81 * 0.5);
+}
+
+TEST_CASE("a node that is not finite is reported where there is contact, and a reset thaws the world") {
+  GpuFixture fixture;
+  for (const float bad : {NAN, INFINITY}) {
+    auto world =
+        world_of(fixture.device(),
+                 contact_scene(contact_text("0.01") + R"("cloths": [)" + lying_cloth(6, "[0, 0.012, 0]") +
+                               R"(], "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]},
+        {"kind": "box", "center": [0, 0.1, 0], "size": [0.1, 0.1, 0.1]}])"));
+    advance(*world, 3);
+    const std::string good = hash_of(*world);
+    world->set_node(14, {0, bad, 0, 1}, {});
+    REQUIRE(world->advance_frame());
+    const auto finished = world->finish();
+    REQUIRE_FALSE(finished);
+    CHECK(finished.error().kind == ErrorKind::Diverged);
+    CHECK(finished.error().message.find("In frame 3 ") != std::string::npos);
+    CHECK(hash_of(*world) == good);
+    REQUIRE(world->reset());
+    advance(*world, 3);
+    CHECK(hash_of(*world) == good);
+  }
+}
