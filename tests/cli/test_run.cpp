@@ -47,7 +47,7 @@ TEST_CASE("the summary has every documented member, with the values that follow 
   CHECK(summary.at("end") == "complete");
   CHECK(summary.at("solver") == "mass_spring");
   CHECK(summary.at("forces") == "node_centric");
-  CHECK(summary.at("contact_method") == "bvh");
+  CHECK(summary.at("contact_method") == "proximity");
   CHECK(summary.at("adapter").get<std::string>().find("llvmpipe") != std::string::npos);
   CHECK(summary.at("nodes") == 30);      // 6 * 5
   CHECK(summary.at("triangles") == 40);  // 2 * 5 * 4

@@ -32,7 +32,7 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(scene.time.frames == 90);
   CHECK(scene.solver.kind == SolverKind::MassSpring);
   CHECK(scene.solver.forces == Forces::NodeCentric);
-  CHECK(scene.contact.method == ContactMethod::Bvh);
+  CHECK(scene.contact.method == ContactMethod::Proximity);
   CHECK(scene.contact.thickness == 0.005);
   CHECK(scene.contact.self);
   CHECK(scene.contact.restitution == 0);
@@ -267,7 +267,7 @@ TEST_CASE("limits themselves are accepted") {
   CHECK(parse_scene(cloth_of(R"("grid": [8192, 8192], "size": [1, 1], "node_mass": 1e-12)"), "a"));
   CHECK(parse_scene(cloth_with(R"("stiffness": {"structural": 0, "shear": 0, "bend": 1e12}, "damping": 0)"),
                     "a"));
-  CHECK(parse_scene(scene_with(R"("contact": {"thickness": 0}, "drag": 10000)"), "a"));
+  CHECK(parse_scene(scene_with(R"("contact": {"method": "bvh", "thickness": 0}, "drag": 10000)"), "a"));
 }
 
 TEST_CASE("quaternions within a thousandth of unit length are made unit, directions of any length too") {
