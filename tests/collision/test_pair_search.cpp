@@ -181,3 +181,15 @@ TEST_CASE("what a search lists does not hang on the size of workgroups") {
   }
   CHECK(lists.front().size() > 1000);
 }
+
+TEST_CASE("a tree of five levels, whose upper boxes have a dispatch of their own, holds every triangle") {
+  GpuFixture fixture;
+  SearchCase setup = sheet_of(2049);  // 4 * 8^3 + 1: the walk begins at boxes of the fourth level
+  const std::vector<Vec3f> flat = setup.cloth.positions;
+  SearchRun run(fixture.device(), setup);
+  for (const Shape shape : {Shape::Wavy, Shape::Accordion}) {
+    run.place(shaped(flat, shape));
+    const std::size_t pairs = check_all(run).pairs;
+    if (shape == Shape::Accordion) CHECK(pairs > 500);
+  }
+}
