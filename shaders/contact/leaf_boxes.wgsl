@@ -27,7 +27,9 @@ fn store(level : u32, node : u32, box : Box) {
 const kReachSteps = 6.0;
 fn set_reach() {
   let need = kReachSteps * step.dt * bitcast<f32>(statistics[kStatSpeed]);
-  statistics[kStatReach] = bitcast<u32>(clamp(need, step.least_reach, step.most_reach));
+  let travel = kReachMargin * kDetectInterval * step.acceleration.w;  // of a collider until the next
+  statistics[kStatReach] = bitcast<u32>(max(clamp(need, step.least_reach, step.most_reach), travel));
+  statistics[kStatTravel] = 0u;
   statistics[kStatSpeed] = 0u;
   statistics[kStatDetect] = 0u;
   statistics[kStatDetections] += 1u;
@@ -74,7 +76,7 @@ fn leaf_boxes(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocati
     high[local] = vec4f(box.high, 0.0);
   }
   workgroupBarrier();
-  if (due && local < kWorkgroupSize / (kTreeArity * kTreeArity)) {
+  if (due && params.top >= 2u && local < kWorkgroupSize / (kTreeArity * kTreeArity)) {
     store(2u, first / (kTreeArity * kTreeArity) + local, children(kTreeArity * local));
   }
 }

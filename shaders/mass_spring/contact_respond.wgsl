@@ -90,7 +90,13 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let end = begin + atomicLoad(&vertex_contacts[words + 1u]);
   let count = atomicLoad(&vertex_contacts[words + 2u + step.parity]);
   atomicStore(&vertex_contacts[words + 3u - step.parity], 0u);  // for the next substep
-  if (vertex == 0u) { atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatFound])); }
+  if (vertex == 0u) {
+    atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatFound]));
+    let travel = bitcast<f32>(atomicLoad(&statistics[kStatTravel])) + step.acceleration.w;
+    atomicStore(&statistics[kStatTravel], bitcast<u32>(travel));
+    let next = kReachMargin * kDetectInterval * step.acceleration.w;
+    if (next > 0.0 && travel + next > bitcast<f32>(atomicLoad(&statistics[kStatReach]))) { atomicStore(&statistics[kStatDetect], 1u); }
+  }
 
   let reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   let start = previous[vertex];
@@ -122,7 +128,9 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       let along = dot(way, away);
       let room = max(reach * reach - dot(away, away), 0.0);
       x = start.xyz + clamp((sqrt(along * along + square * room) - along) / square, 0.0, 1.0) * way;
-      held = true;
+      // It goes on no faster than reaches let it, or its neighbours would pull it ever faster.
+      v *= min(1.0, reach / (kDetectInterval * step.dt * length(v)));
+      atomicAdd(&statistics[kStatTruncated], 1u);
     }
     // Equation (6). What moves less than this passes nothing that is not near.
     let free = 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0);
@@ -154,7 +162,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
         x += deepest.w * deepest.xyz;
         pushed = true;
       }
-      held = held || part < 1.0 || pushed;
+      held = part < 1.0 || pushed;
     }
     if (held) {  // it has the velocity that it came by, or its neighbours would pull it ever faster
       v = (x - start.xyz) / step.dt;
@@ -164,5 +172,5 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   }
   velocity[vertex] = vec4f(v, 0.0);
   let gone = length(x - predicted[step.vertex_count + vertex].xyz);
-  if (gone + 1.25 * kDetectInterval * length(x - start.xyz) > reach) { atomicStore(&statistics[kStatDetect], 1u); }
+  if (gone + kReachMargin * kDetectInterval * length(x - start.xyz) > reach) { atomicStore(&statistics[kStatDetect], 1u); }
 }

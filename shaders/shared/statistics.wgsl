@@ -19,6 +19,8 @@ const kStatFound = 15u;          // crossings of this detection
 const kStatSpeed = 16u;          // the largest |v| at this detection, m/s, as the bits of a positive f32
 const kStatReach = 17u;          // how far a vertex may go until the next detection, m, likewise
 
+const kStatTravel = 18u;         // how far a collider may have gone since this detection, m, likewise
+
 // A hash of two numbers. Source: Pcg3d's mixing step (Jarzynski, Olano: Hash Functions for GPU Rendering, 2020), cut to two words.
 fn hash_pair(a : u32, b : u32) -> u32 {
   var h = a * 1664525u + 1013904223u;

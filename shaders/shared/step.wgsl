@@ -4,9 +4,10 @@ const kMaxGrabs = 4u;
 const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
 const kDetectAlways = 2u;
 const kDetectInterval = 2.0;  // substeps from one that may to the next; kDetectInterval in src/state/step_params.hpp
+const kReachMargin = 1.25;    // what is on its way may speed up until then
 
 struct StepParams {
-  acceleration : vec4f,  // m/s²: gravity and the external force, xyz
+  acceleration : vec4f,  // m/s²: gravity and the external force, xyz; w: how far a collider may go in the substep, m
   dt : f32,              // s
   drag : f32,            // 1/s
   vertex_count : u32,

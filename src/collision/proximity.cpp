@@ -36,6 +36,7 @@ Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::
   if (contact.self) lengths.self_thickness = self_thickness;
   // Cloth that lies flat and still should list nothing of itself, so h_s + 2b stays below the altitude.
   lengths.most_reach = 0.5 * (0.95 * altitude - self_thickness);
+  if (!contact.self) lengths.most_reach = 2 * altitude;  // there is nothing of itself to list
   lengths.least_reach = std::min(0.25 * thickness, lengths.most_reach);
   return lengths;
 }

@@ -19,7 +19,7 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
   wind_ = scene::wind_field(scene.wind);
   const Vec3d acceleration = scene.gravity + scene.external_force;
   for (StepParams& params : steps_) {
-    params.acceleration = Vec4f::from(acceleration.to<float>(), 0);
+    params.acceleration = Vec4f::from(acceleration.to<float>(), params.acceleration.w);
     params.drag = static_cast<float>(scene.drag);
   }
   changed_ = true;
@@ -28,7 +28,8 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
 void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
                        const Frame& frame) {
   const bool held = grabs.any(frame.time, frame.time + frame_);
-  const bool same = frame.parity == parity_ && frame.substeps == substeps_;
+  const bool same =
+      frame.parity == parity_ && frame.substeps == substeps_ && frame.collider_speed == collider_speed_;
   if (!changed_ && !wind_.varies() && !held && !held_ && same) return;
   const double step = frame_ / frame.substeps;
   for (std::uint32_t s = 0; s < frame.substeps; ++s) {
@@ -36,6 +37,7 @@ void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps
     const double now = frame.time + s * step;  // the substep's forces are those at its start
     params.dt = static_cast<float>(step);
     params.parity = (frame.parity + s) & 1U;
+    params.acceleration.w = static_cast<float>(frame.collider_speed * step);
     set_wind(params, wind_, {turns(0, now), turns(1, now)});
     grabs.set(params, now + step);  // a follower, as a motion, goes to where the target is at the end
   }
@@ -44,6 +46,7 @@ void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps
   held_ = held;
   parity_ = frame.parity;
   substeps_ = frame.substeps;
+  collider_speed_ = frame.collider_speed;
 }
 
 void FrameSteps::rewind() {

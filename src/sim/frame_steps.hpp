@@ -26,6 +26,7 @@ class FrameSteps {
   struct Frame {
     double time = 0;
     std::uint32_t substeps = 1, parity = 0;
+    double collider_speed = 0;  // the largest in it [m/s]
   };
   void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
              const Frame& frame);
@@ -44,6 +45,7 @@ class FrameSteps {
   std::array<double, 2> start_turns_ = {};  // of its waves, then
   bool changed_ = true;
   std::uint32_t parity_ = 0, substeps_ = 0;
+  double collider_speed_ = 0;
   bool held_ = false;  // in the frame that was written last
 };
 

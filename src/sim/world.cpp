@@ -229,7 +229,10 @@ Result<void> World::submit_frame(const gpu::CommandList* draw) {
                                [](const Report& report) { return !report.readback.pending(); });
   const double now = frame_ * scene_.time.frame;
   const std::uint32_t substeps = substeps_of(frame_);
-  steps_.write(device_, state_.steps, *grabs_, {now, substeps, parity_});
+  double speed = 0;
+  for (const ContactMover& mover : movers_)
+    speed = std::max(speed, largest_speed(mover, now, now + scene_.time.frame));
+  steps_.write(device_, state_.steps, *grabs_, {now, substeps, parity_, speed});
   write_motions(substeps);
   if (proximity_) proximity_->write_places(device_, scene_, now, scene_.time.frame / substeps, substeps);
   const std::array<const gpu::CommandList*, 3> lists = {&frame_commands(parity_, substeps), &free.commands,
@@ -255,8 +258,11 @@ Result<void> World::repeat_from(const Report& report, const Statistics& short_of
   frame_ = report.frame;
   ++attempt_;
   ++totals_.repeated_frames;
-  const auto longer = [](std::uint32_t room, std::uint32_t wanted) {  // half as much again, as the next frames may need more
-    return wanted <= room ? room : static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted + wanted / 2ULL, 1U << 28U));
+  const auto longer = [](std::uint32_t room,
+                         std::uint32_t wanted) {  // half as much again, as the next frames may need more
+    return wanted <= room
+               ? room
+               : static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted + wanted / 2ULL, 1U << 28U));
   };
   const ContactRoom& room = contacts_->pairs->room;
   WEFT_CHECK(

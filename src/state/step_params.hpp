@@ -18,7 +18,7 @@ enum class Detect : std::uint32_t { No, IfDue, Always };
 
 /// Mirror of shaders/shared/step.wgsl.
 struct StepParams {
-  Vec4f acceleration;  // [m/s²]
+  Vec4f acceleration;  // [m/s²]; w: how far a collider may go in the substep [m]
   float dt = 0;        // [s]
   float drag = 0;      // [1/s]
   std::uint32_t vertex_count = 0;

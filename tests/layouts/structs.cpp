@@ -210,6 +210,7 @@ Json shared_constants() {
       statistic("kStatFound", offsetof(Statistics, found)),
       statistic("kStatSpeed", offsetof(Statistics, speed)),
       statistic("kStatReach", offsetof(Statistics, reach)),
+      statistic("kStatTravel", offsetof(Statistics, travel)),
       constant("kDetectInterval", "shared/step.wgsl", kDetectInterval),
       constant("kDetectIfDue", "shared/step.wgsl", static_cast<double>(Detect::IfDue)),
       constant("kDetectAlways", "shared/step.wgsl", static_cast<double>(Detect::Always)),

@@ -13,7 +13,7 @@ TEST_CASE("five scenes have the bits that every machine must have") {
     std::string hash, method = "";  // of contact; none: the scene's
   };
   for (const Golden& golden : {Golden{"hanging", "[16,16]", 5, "1a811593b3634d9e"},
-                               {"pull-sphere", "[16,16]", 12, "ab35bb2000e9b984"},
+                               {"pull-sphere", "[16,16]", 12, "ab35bb2000e9b984", "\"bvh\""},
                                {"breeze", "[24,16]", 10, "453b402d469758d2"},
                                {"drag", "[16,16]", 40, "4c7d1a904baab260"},
                                {"pull-sphere", "[16,16]", 12, "13f639a70b9f9c84", "\"proximity\""}}) {
@@ -152,7 +152,7 @@ TEST_CASE("a frame that ends with nodes that are not finite is taken back and na
 }
 
 TEST_CASE("an object's triangle without area is refused") {
-  auto scene = scene::parse_scene(R"({"format": "weft-scene/1",
+  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "bvh"},
     "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 0.1}]})",
                                   "test.json");
   REQUIRE_OK(scene);

@@ -12,7 +12,7 @@ const SPRING_CENTRIC = { kind: "mass_spring", forces: "spring_centric" };
 const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "auto" chooses
   { name: "hanging, node-centric", scene: "hanging", frames: 2, set: { "cloths.0.grid": [64, 64], "time.frame": 0.005, "time.substeps": 50 } },
   { name: "hanging, spring-centric", scene: "hanging", frames: 2, set: { "cloths.0.grid": [61, 47], "time.frame": 0.005, "time.substeps": 50, solver: SPRING_CENTRIC } },
-  { name: "pull over the sphere, bvh", scene: "pull-sphere", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
+  { name: "pull over the sphere, proximity", scene: "pull-sphere", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
   { name: "pull over the armadillo, bvh", scene: "pull-armadillo", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
   { name: "breeze", scene: "breeze", frames: 5, set: { "cloths.0.grid": [33, 24], "time.substeps": 20, "cloths.0.stiffness": { structural: 100, shear: 40, bend: 5 } } },
   { name: "hanging with its own choice of substeps", scene: "hanging", frames: 1, set: { "cloths.0.grid": [24, 24] } },
