@@ -64,8 +64,10 @@ void check_picture(const sim::World& world, const std::string& object) {
 void check_pull(const std::string& object, std::uint32_t side) {
   GpuFixture fixture;
   const std::string count = std::to_string(side);
-  const scene::Scene scene = shipped_scene(
-      "pull-" + object, {{"cloths.0.grid", "[" + count + "," + count + "]"}, {"render.size", "[640,360]"}});
+  const scene::Scene scene =
+      shipped_scene("pull-" + object, {{"cloths.0.grid", "[" + count + "," + count + "]"},
+                                       {"render.size", "[640,360]"},
+                                       {"contact.method", "bvh"}});
   auto world = world_of(fixture.device(), scene);
   advance(*world, 2);
   CHECK_MESSAGE(world->totals().contacts > 0, "the sheet touches the object within two frames");

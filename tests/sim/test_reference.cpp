@@ -19,8 +19,10 @@ constexpr double kRounding = 3 * 6e-8;  // of a substep [m]
 /// The same scene twice.
 class Twins {
  public:
-  Twins(gpu::Device& device, const std::string& name, const std::string& grid)
-      : scene_(shipped_scene(name, {{"cloths.0.grid", grid}})), world_(world_of(device, scene_)) {
+  Twins(gpu::Device& device, const std::string& name, const std::string& grid,
+        const std::string& contact = "\"bvh\"")
+      : scene_(shipped_scene(name, {{"cloths.0.grid", grid}, {"contact.method", contact}})),
+        world_(world_of(device, scene_)) {
     auto made = reference::Simulation::create(scene_, world_->assets().cloths, world_->assets().objects,
                                               world_->assets().keyframes);
     REQUIRE_OK(made);
