@@ -82,7 +82,9 @@ TEST_CASE("the summary has every documented member, with the values that follow 
 TEST_CASE("a run counts its contacts, and those of the paper's method are the tree's") {
   const std::string scene = WEFT_SOURCE_DIR "/scenes/pull-sphere.json";
   const std::vector<std::string> small = {"--frames", "2", "--set", "cloths.0.grid=[16,16]"};
-  const auto tree = run_json(scene, small);
+  std::vector<std::string> with_tree = small;
+  with_tree.insert(with_tree.end(), {"--set", "contact.method=bvh"});
+  const auto tree = run_json(scene, with_tree);
   std::vector<std::string> with_paper = small;
   with_paper.insert(with_paper.end(), {"--set", "contact.method=paper"});
   const auto paper = run_json(scene, with_paper);
