@@ -9,7 +9,7 @@ const kStatCrossings = 5u;       // edges that pass through triangles, the most 
 const kStatTruncated = 6u;       // vertices that were held back, summed over substeps
 const kStatPairs = 7u;           // pairs that are listed, or ought to be
 const kStatCandidates = 8u;      // likewise, of the pairs of triangles before them
-const kStatEntries = 9u;
+const kStatEntries = 9u;         // of the pairs' lists by vertex, likewise
 const kStatNonfinite = 10u;      // nodes that were not finite, in all frames so far
 const kStatFrozen = 11u;         // 1 once the state is frozen at the last good frame
 const kStatHeld = 12u;           // 1 once a list was too short: frames end as they begin until the host has made it longer
@@ -18,7 +18,6 @@ const kStatDue = 14u;            // 1: a detection is under way
 const kStatFound = 15u;          // crossings of this detection
 const kStatSpeed = 16u;          // the largest |v| at this detection, m/s, as the bits of a positive f32
 const kStatReach = 17u;          // how far a vertex may go until the next detection, m, likewise
-
 const kStatTravel = 18u;         // how far a collider may have gone since this detection, m, likewise
 
 // A hash of two numbers. Source: Pcg3d's mixing step (Jarzynski, Olano: Hash Functions for GPU Rendering, 2020), cut to two words.

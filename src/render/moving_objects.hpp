@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "render/object_surface.hpp"
+#include "render/object_draws.hpp"
 
 namespace weft::render {
 

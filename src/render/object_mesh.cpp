@@ -13,7 +13,7 @@ constexpr int kColumns = 96, kRows = 48;  // of a sphere; a capsule's ends are i
 struct Part {
   ObjectDraw draw;
   bool closed = false;
-  bool moves() const { return draw.motion || !draw.keyframes.empty(); }
+  bool moves = draw.motion.has_value() || !draw.keyframes.empty();
 };
 
 mesh::TriangleMesh placed(mesh::TriangleMesh mesh, const scene::ColliderSphere& sphere) {
@@ -46,6 +46,17 @@ mesh::TriangleMesh mesh_of(const scene::ColliderBox& box) {
   return mesh;
 }
 
+/// In all of its shapes.
+bool stays_closed(const ObjectDraw& object) {
+  mesh::TriangleMesh shape = object.mesh;
+  bool closed = is_closed(shape);
+  for (const ObjectKeyframe& keyframe : object.keyframes) {
+    shape.positions = keyframe.positions;
+    closed = closed && mesh::signed_volume(shape) > 0;
+  }
+  return closed;
+}
+
 std::vector<Part> parts_of(const Inputs& inputs) {
   std::vector<Part> parts;
   if (!inputs.spheres.empty()) {
@@ -56,7 +67,7 @@ std::vector<Part> parts_of(const Inputs& inputs) {
   for (const scene::ColliderCapsule& capsule : inputs.capsules)
     parts.push_back({{mesh_of(capsule), {}, capsule.motion}, true});
   for (const scene::ColliderBox& box : inputs.boxes) parts.push_back({{mesh_of(box), {}, box.motion}, true});
-  for (const ObjectDraw& object : inputs.objects) parts.push_back({object, is_closed(object.mesh)});
+  for (const ObjectDraw& object : inputs.objects) parts.push_back({object, stays_closed(object)});
   return parts;
 }
 
@@ -110,17 +121,15 @@ bool is_closed(const mesh::TriangleMesh& mesh) {
 ObjectMesh join_objects(const Inputs& inputs) {
   std::vector<Part> parts = parts_of(inputs);
   ObjectMesh all;
-  for (const Part& part : parts)
-    if (!part.moves() && part.closed) append(part.draw.mesh, 0, all);
-  all.closed_index_count = all.indices.size();
-  for (const Part& part : parts)
-    if (!part.moves() && !part.closed) append(part.draw.mesh, 0, all);
-  all.open_index_count = all.indices.size() - all.closed_index_count;
-  for (Part& part : parts) {
-    if (!part.moves()) continue;
-    all.moving.push_back({all.positions.size(), {}});
-    append(part.draw.mesh, static_cast<float>(all.moving.size() - 1), all);
-    all.moving.back().draw = std::move(part.draw);
+  for (ObjectGroup& group : all.groups) {
+    group.first_index = static_cast<std::uint32_t>(all.indices.size());
+    for (Part& part : parts) {
+      if (part.moves != group.moves || part.closed != group.closed) continue;
+      const std::size_t first_vertex = all.positions.size();
+      append(part.draw.mesh, static_cast<float>(all.moving.size()), all);
+      if (group.moves) all.moving.push_back({first_vertex, std::move(part.draw)});
+    }
+    group.index_count = static_cast<std::uint32_t>(all.indices.size()) - group.first_index;
   }
   return all;
 }

@@ -1,6 +1,7 @@
 // Obstacles as one mesh with normals, ready to upload.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,12 +17,17 @@ struct MovingObject {
   ObjectDraw draw;
 };
 
+/// What is drawn in one call.
+struct ObjectGroup {
+  bool moves = false, closed = false;  // closed: the inner side is never seen
+  std::uint32_t first_index = 0, index_count = 0;
+};
+
 struct ObjectMesh {
-  std::vector<Vec4f> positions;  // [m]; w: of one that moves its number in `moving`
-  std::vector<Vec4f> normals;    // unit
-  // Of still meshes whose inner side is never seen, then of the other still ones, then of those that move.
-  std::vector<std::uint32_t> indices;
-  std::size_t closed_index_count = 0, open_index_count = 0;
+  std::vector<Vec4f> positions;        // [m]; w: of one that moves its number in `moving`
+  std::vector<Vec4f> normals;          // unit
+  std::vector<std::uint32_t> indices;  // by group
+  std::array<ObjectGroup, 4> groups{{{false, true}, {false, false}, {true, true}, {true, false}}};
   std::vector<MovingObject> moving;
 };
 

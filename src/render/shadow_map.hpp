@@ -2,14 +2,11 @@
 
 #include <array>
 
-#include "gpu/render_pipeline.hpp"
-#include "gpu/texture.hpp"
 #include "render/frame_params.hpp"
 #include "render/inputs.hpp"
+#include "render/object_draws.hpp"
 
 namespace weft::render {
-
-struct ObjectBuffers;
 
 /// Depth as the sun sees it, of all cloths and obstacles.
 class ShadowMap {
@@ -28,12 +25,11 @@ class ShadowMap {
  private:
   gpu::Texture depth_;
   gpu::Sampler sampler_;
-  gpu::RenderPipeline closed_, open_, moving_;  // the first leaves out what faces away from the sun
-  gpu::BindGroup closed_object_, open_object_, moving_object_;
+  gpu::RenderPipeline cloth_pipeline_;
   std::array<gpu::BindGroup, 2> cloth_;  // by parity
-  gpu::Id object_indices_ = 0, cloth_indices_ = 0;
-  std::uint32_t closed_index_count_ = 0, open_index_count_ = 0, moving_index_count_ = 0,
-                cloth_index_count_ = 0;
+  ObjectDraws objects_;
+  gpu::Id cloth_indices_ = 0;
+  std::uint32_t cloth_index_count_ = 0;
 };
 
 }  // namespace weft::render

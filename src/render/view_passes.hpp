@@ -6,7 +6,7 @@
 #include "render/cloth_surface.hpp"
 #include "render/cloth_wireframe.hpp"
 #include "render/floor.hpp"
-#include "render/object_surface.hpp"
+#include "render/object_draws.hpp"
 
 namespace weft::render {
 
@@ -30,7 +30,7 @@ class ViewPasses {
  private:
   ClothSurface cloth_surface_;  // of these two, one is empty
   ClothWireframe cloth_wireframe_;
-  ObjectSurface object_surface_;
+  ObjectDraws object_draws_;
   Floors floors_;
   Background background_;
 };

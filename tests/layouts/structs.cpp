@@ -170,6 +170,11 @@ Json constant(const char* name, const char* file, double value) {
   return {{"name", name}, {"file", file}, {"value", value}};
 }
 
+/// One that kernels have as f32.
+Json real(const char* name, const char* file, double value) {
+  return constant(name, file, static_cast<double>(static_cast<float>(value)));
+}
+
 /// Kernels know the statistics as words of an array.
 Json statistic(const char* name, std::size_t offset) {
   return constant(name, "shared/statistics.wgsl", static_cast<double>(offset / sizeof(std::uint32_t)));
@@ -196,14 +201,14 @@ Json shared_constants() {
       statistic("kStatHitHash", offsetof(Statistics, hit_hash)),
       statistic("kStatMaxStretch", offsetof(Statistics, max_stretch)),
       statistic("kStatContactOverflow", offsetof(Statistics, contact_overflow)),
-      statistic("kStatNonfinite", offsetof(Statistics, nonfinite)),
-      statistic("kStatFrozen", offsetof(Statistics, frozen)),
       statistic("kStatDetections", offsetof(Statistics, detections)),
       statistic("kStatCrossings", offsetof(Statistics, crossings)),
       statistic("kStatTruncated", offsetof(Statistics, truncated)),
       statistic("kStatPairs", offsetof(Statistics, pairs)),
       statistic("kStatCandidates", offsetof(Statistics, candidates)),
       statistic("kStatEntries", offsetof(Statistics, entries)),
+      statistic("kStatNonfinite", offsetof(Statistics, nonfinite)),
+      statistic("kStatFrozen", offsetof(Statistics, frozen)),
       statistic("kStatHeld", offsetof(Statistics, held)),
       statistic("kStatDetect", offsetof(Statistics, detect)),
       statistic("kStatDue", offsetof(Statistics, due)),
@@ -218,11 +223,11 @@ Json shared_constants() {
       constant("kPairFlag", "shared/contact.wgsl", kPairFlag),
       constant("kIdBits", "shared/contact.wgsl", kIdBits),
       constant("kVertexWords", "shared/contact.wgsl", kVertexWords),
-      constant("kTouching", "shared/contact.wgsl", kContactTouching),
-      constant("kSpring", "mass_spring/contact_respond.wgsl", kContactSpring),
-      constant("kWall", "mass_spring/contact_respond.wgsl", kContactWall),
-      constant("kMargin", "mass_spring/contact_respond.wgsl", kContactMargin),
-      constant("kFloor", "mass_spring/contact_respond.wgsl", kContactFloor),
+      real("kTouching", "shared/contact.wgsl", kContactTouching),
+      real("kSpring", "mass_spring/contact_respond.wgsl", kContactSpring),
+      real("kWall", "mass_spring/contact_respond.wgsl", kContactWall),
+      real("kMargin", "mass_spring/contact_respond.wgsl", kContactMargin),
+      real("kFloor", "mass_spring/contact_respond.wgsl", kContactFloor),
       constant("kLeafTriangles", "contact/tree.wgsl", collision::kTreeLeafTriangles),
       constant("kTreeArity", "contact/tree.wgsl", collision::kTreeArity),
   });

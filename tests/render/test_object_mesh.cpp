@@ -48,8 +48,8 @@ TEST_CASE("joined objects begin with the closed ones and keep every triangle") {
   inputs.spheres = {{{1, 2, 3}, 0.5}};
   const ObjectMesh all = join_objects(inputs);
   const std::size_t fine = mesh::make_sphere(96, 48).triangles.size();
-  CHECK(all.closed_index_count == 3 * (fine + 2 * 5 * 3));
-  CHECK(all.indices.size() == all.closed_index_count + 3 * open.triangles.size());
+  CHECK(all.groups[0].index_count == 3 * (fine + 2 * 5 * 3));
+  CHECK(all.indices.size() == all.groups[0].index_count + 3 * open.triangles.size());
   CHECK(all.positions.size() == all.normals.size());
   for (const std::uint32_t index : all.indices) CHECK(index < all.positions.size());
   CHECK(length(all.positions[0].xyz() - Vec3f{1, 2, 3}) == doctest::Approx(0.5));
@@ -60,7 +60,7 @@ TEST_CASE("a capsule is drawn around its axis, closed") {
   Inputs inputs;
   inputs.capsules = {{{1, 2, 3}, {3, 2, 1}, 0.5}};
   const ObjectMesh all = join_objects(inputs);
-  CHECK(all.closed_index_count == all.indices.size());
+  CHECK(all.groups[0].index_count == all.indices.size());
   const Vec3f axis = Vec3f{2, 0, -2} / length(Vec3f{2, 0, -2});
   for (std::size_t i = 0; i < all.positions.size(); ++i) {
     const Vec3f from_a = all.positions[i].xyz() - Vec3f{1, 2, 3};
@@ -74,7 +74,7 @@ TEST_CASE("a box is drawn with the normals of its faces, closed") {
   Inputs inputs;
   inputs.boxes = {{{5, 0, 0}, {2, 4, 6}}};
   const ObjectMesh all = join_objects(inputs);
-  CHECK(all.closed_index_count == 36);
+  CHECK(all.groups[0].index_count == 36);
   CHECK(all.indices.size() == 36);
   for (std::size_t i = 0; i < all.positions.size(); ++i) {
     const Vec3f p = all.positions[i].xyz() - Vec3f{5, 0, 0}, n = all.normals[i].xyz();
@@ -90,8 +90,8 @@ TEST_CASE("what moves or deforms comes last, and its vertices have its number") 
   inputs.spheres = {{{1, 2, 3}, 0.5, {}, line}};
   inputs.objects = {{bent, {{1, bent.positions}}}, {mesh::make_sphere(8, 6)}};
   const ObjectMesh all = join_objects(inputs);
-  CHECK(all.closed_index_count == 3 * 2 * 8 * 5);
-  CHECK(all.open_index_count == 0);
+  CHECK(all.groups[0].index_count == 3 * 2 * 8 * 5);
+  CHECK(all.groups[1].index_count == 0);
   REQUIRE(all.moving.size() == 2);
   CHECK(all.moving[0].draw.motion == scene::ColliderMotion(line));
   CHECK(all.moving[1].draw.keyframes.size() == 1);
@@ -100,7 +100,18 @@ TEST_CASE("what moves or deforms comes last, and its vertices have its number") 
     for (std::size_t i = 0; i < all.moving[m].draw.mesh.positions.size(); ++i)
       CHECK(all.positions[all.moving[m].first_vertex + i] ==
             Vec4f::from(all.moving[m].draw.mesh.positions[i], static_cast<float>(m)));
-  for (std::size_t i = 0; i < all.closed_index_count; ++i) CHECK(all.indices[i] < all.moving[0].first_vertex);
+  for (std::size_t i = 0; i < all.groups[0].index_count; ++i)
+    CHECK(all.indices[i] < all.moving[0].first_vertex);
+}
+
+TEST_CASE("a mesh that turns inside out as it deforms is drawn from both sides") {
+  mesh::TriangleMesh body = mesh::make_sphere(5, 4), mirrored = body;
+  for (Vec3f& p : mirrored.positions) p.x = -p.x;
+  Inputs inputs;
+  inputs.objects = {{body, {{1, body.positions}}}, {body, {{1, mirrored.positions}}}};
+  const ObjectMesh all = join_objects(inputs);
+  CHECK(all.groups[2].index_count == 3 * body.triangles.size());
+  CHECK(all.groups[3].index_count == 3 * body.triangles.size());
 }
 
 TEST_CASE("a plane that moves takes its squares along, and is seen below the same middle") {
