@@ -5,6 +5,7 @@
 #include "shared/contact.wgsl"
 #include "shared/statistics.wgsl"
 #include "contact/closest.wgsl"
+#include "contact/planes.wgsl"
 //                                                                                     elements              unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m
@@ -79,7 +80,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     listed = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatHeld]) != 0u);
   }
   let count = workgroupUniformLoad(&listed);
-  let parity_word = 2u + step.parity;
+  let free = free_way();
   var hits = 0u;
   var hash = 0u;
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
@@ -140,17 +141,29 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       let own = max(max(own_friction(ids.x), own_friction(ids.z)), own_friction(ids.y));
       if (own >= 0.0) { friction = own; }
     }
-    contacts[pair].normal = vec4f(n, gap);
-    contacts[pair].place = vec4f(near.s, near.t, place_a, reach);
-    contacts[pair].surface = vec4f(r.surface, friction);
-    contacts[pair].urgency = f32(urgency);
-    contacts[pair].solid = solid;
-    let marks = select(0u, kEntryActs, acts) | select(0u, kEntryNear, is_near);
+    var contact = contacts[pair];
+    contact.normal = vec4f(n, gap);
+    contact.place = vec4f(near.s, near.t, place_a, reach);
+    contact.surface = vec4f(r.surface, friction);
+    contact.urgency = select(0.0, f32(urgency), acts);
+    contact.solid = solid;
+    let near_flag = select(0u, kEntryNear, is_near);
+    let is_other = near_flag != contact.near;  // most stay as they were
+    contact.near = near_flag;
+    contacts[pair].normal = contact.normal;
+    contacts[pair].place = contact.place;
+    contacts[pair].surface = contact.surface;
+    contacts[pair].urgency = contact.urgency;
+    contacts[pair].solid = contact.solid;
+    contacts[pair].near = contact.near;
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
-      entries[contacts[pair].slots[role]] = 16u * pair + marks + role;
-      let change = select(0u, kUrgencyUnit * urgency, acts && w[role] != 0.0) + select(0u, 1u, is_near);
-      if (change != 0u) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + parity_word], change); }
+      if (is_other) { entries[contact.slots[role]] = kEntryPair * pair + near_flag + role; }
+      if (!is_near) { continue; }
+      let words = kVertexWords * (ids[role] & kIdBits);
+      if (acts && w[role] != 0.0) { atomicAdd(&vertex_contacts[words + kUrgencyWord], urgency); }
+      let tight = free + beyond(contact, role, previous[ids[role] & kIdBits].xyz);
+      if (gap > 0.0 && tight > 0.0) { atomicMax(&vertex_contacts[words + kTightWord], bitcast<u32>(tight)); }
     }
     if (acts) {
       hits++;

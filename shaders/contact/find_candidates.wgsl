@@ -1,6 +1,6 @@
-// The broad phase: finds what each cloth triangle may be near, by boxes grown by the radius. One invocation per cloth triangle; it
-// walks the cloths' own tree for later triangles, and every collider, once to count and once to write. Where a triangle's
-// candidates stand in the list hangs on the order of workgroups, and nothing hangs on that.
+// The broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation per cloth triangle; it
+// walks the cloths' own tree for later triangles, and every collider, once to count and, where that has found many, once to write.
+// Where a triangle's candidates stand in the list hangs on the order of workgroups, and nothing hangs on that.
 // Source: docs/contact.md.
 #include "shared/index.wgsl"
 #include "shared/contact.wgsl"
@@ -18,14 +18,16 @@ struct Colliders { list : array<vec4u, kMostColliders> }
 //                                                                                   elements
 @group(0) @binding(0) var<uniform>             params        : SearchParams;
 @group(0) @binding(1) var<uniform>             colliders     : Colliders;
-@group(0) @binding(2) var<storage, read>       position      : array<vec4f>;        // vertex_count, m
+@group(0) @binding(2) var<storage, read>       predicted     : array<vec4f>;        // 2 * vertex_count: contact/triangles.wgsl
 @group(0) @binding(3) var<storage, read>       triangles     : array<vec4u>;        // in tree order: corners; w: what it owns, friction
 @group(0) @binding(4) var<storage, read>       trees         : array<vec4u>;
 @group(0) @binding(5) var<storage, read>       points        : array<vec4f>;        // of colliders; see contact/move_points.wgsl
 @group(0) @binding(6) var<storage, read_write> candidates    : array<vec2u>;        // candidate_capacity
 @group(0) @binding(7) var<storage, read_write> statistics    : array<atomic<u32>>;
 
+const kMostKept = 16u;
 var<private> found : u32;
+var<private> kept : array<vec2u, kMostKept>;  // the first of them
 var<private> next : u32;  // where to write, once `writing`
 var<private> writing : bool;
 var<private> own : u32;
@@ -33,6 +35,7 @@ var<private> corners : vec3u;
 var<private> a : vec3f;  // the corners' places, m
 var<private> b : vec3f;
 var<private> c : vec3f;
+var<private> own_reach : f32;  // m
 var<workgroup> sums : array<u32, kWorkgroupSize>;
 var<workgroup> base : u32;
 var<workgroup> due : u32;
@@ -42,12 +45,13 @@ fn emit(kind : u32, place : u32) {
     candidates[next] = vec2u(own | (kind << kKindShift), place);
     next++;
   } else {
+    if (found < kMostKept) { kept[found] = vec2u(own | (kind << kKindShift), place); }
     found++;
   }
 }
 
 // Two triangles of a sheet that share an edge are no nearer than their altitudes until the sheet is folded there by more than
-// a right angle or so; flat cloth has nothing else within its radius.
+// a right angle or so; slow and flat cloth has nothing else within its radius.
 fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f) -> bool {
   let same_a = vec3<bool>(corners.x == other.x || corners.x == other.y || corners.x == other.z,
                           corners.y == other.x || corners.y == other.y || corners.y == other.z,
@@ -82,20 +86,21 @@ fn child_hits(tree : u32, level : u32, node : u32, box : Box, after : u32) -> u3
 fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
   for (var t = begin; t < end; t++) {
     let other = triangles[first + t];
-    var d : vec3f;
-    var e : vec3f;
-    var f : vec3f;
     if (deforming) {
-      d = points[other.x].xyz;
-      e = points[other.y].xyz;
-      f = points[other.z].xyz;
-    } else {
-      d = position[other.x].xyz;
-      e = position[other.y].xyz;
-      f = position[other.z].xyz;
+      let d = points[other.x].xyz;
+      let e = points[other.y].xyz;
+      let f = points[other.z].xyz;
+      if (overlap(box, box_of(d, e, f)) && is_finite(d) && is_finite(e) && is_finite(f)) { emit(kNearDeforming, first + t); }
+      continue;
     }
-    if (!overlap(box, box_of(d, e, f)) || !(is_finite(d) && is_finite(e) && is_finite(f))) { continue; }
-    if (deforming) { emit(kNearDeforming, first + t); } else if (!lie_flat(other.xyz, d, e, f)) { emit(kNearCloth, t); }
+    let d = predicted[params.vertex_count + other.x];
+    let e = predicted[params.vertex_count + other.y];
+    let f = predicted[params.vertex_count + other.z];
+    let reach = max(max(d.w, e.w), f.w);
+    if (!overlap(box, grown(box_of(d.xyz, e.xyz, f.xyz), reach))) { continue; }
+    if (!(is_finite(d.xyz) && is_finite(e.xyz) && is_finite(f.xyz))) { continue; }
+    let slow = own_reach + reach <= 2.0 * params.flat_reach;
+    if (!(slow && lie_flat(other.xyz, d.xyz, e.xyz, f.xyz))) { emit(kNearCloth, t); }
   }
 }
 
@@ -175,12 +180,12 @@ fn walk_rigid(collider : vec4u, radius : f32) {
   }
 }
 
-fn meet_all(reach : f32) {
+fn meet_all(scripted_reach : f32) {
   let box = box_of(a, b, c);
-  let radius = params.thickness + reach;
+  let radius = params.thickness + own_reach + scripted_reach;
   let wide = grown(box, radius);
   if (params.self_contact == 1u) {
-    walk_implicit(0u, 0u, params.triangle_count, false, own + 1u, grown(box, params.self_thickness + reach));
+    walk_implicit(0u, 0u, params.triangle_count, false, own + 1u, grown(box, params.self_thickness + own_reach));
   }
   for (var k = 0u; k < params.collider_count; k++) {
     let collider = colliders.list[k];
@@ -208,16 +213,20 @@ fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_inv
   if (thread == 0u) { due = atomicLoad(&statistics[kStatDue]); }
   if (workgroupUniformLoad(&due) == 0u) { return; }
   own = flat_index(id);
-  let reach = 2.0 * bitcast<f32>(atomicLoad(&statistics[kStatReach]));
+  let scripted_reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   var works = own < params.triangle_count;
   if (works) {
     corners = triangles[own].xyz;
-    a = position[corners.x].xyz;
-    b = position[corners.y].xyz;
-    c = position[corners.z].xyz;
+    let place_a = predicted[params.vertex_count + corners.x];
+    let place_b = predicted[params.vertex_count + corners.y];
+    let place_c = predicted[params.vertex_count + corners.z];
+    a = place_a.xyz;
+    b = place_b.xyz;
+    c = place_c.xyz;
+    own_reach = max(max(place_a.w, place_b.w), place_c.w);
     works = is_finite(a) && is_finite(b) && is_finite(c);
   }
-  if (works) { meet_all(reach); }
+  if (works) { meet_all(scripted_reach); }
   sums[thread] = found;
   workgroupBarrier();
   for (var distance = 1u; distance < kWorkgroupSize; distance *= 2u) {
@@ -233,8 +242,11 @@ fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_inv
   }
   workgroupBarrier();
   next = base + sums[thread] - found;
-  if (found > 0u && next + found <= params.candidate_capacity) {
+  if (next + found > params.candidate_capacity) { return; }
+  if (found > kMostKept) {
     writing = true;
-    meet_all(reach);
+    meet_all(scripted_reach);
+  } else {
+    for (var k = 0u; k < found; k++) { candidates[next + k] = kept[k]; }
   }
 }

@@ -1,4 +1,4 @@
-// The narrow phase: lists the pairs of features nearer than the radius, out of the candidates. An invocation takes every so-manieth
+// The narrow phase: lists the pairs of features nearer than thickness and reaches, out of the candidates. An invocation takes every so-manieth
 // candidate. A vertex or edge belongs to one of its triangles, so that each pair of features is found once (Curtis et al. 2008, Fast
 // Collision Detection for Deformable Models using Representative-Triangles). Also counts edges that pass through triangles.
 #include "shared/index.wgsl"
@@ -10,7 +10,7 @@
 #include "contact/crossing.wgsl"
 //                                                                                     elements
 @group(0) @binding(0) var<uniform>             params          : SearchParams;
-@group(0) @binding(1) var<storage, read>       position        : array<vec4f>;        // vertex_count, m
+@group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count: contact/triangles.wgsl
 @group(0) @binding(2) var<storage, read>       triangles       : array<vec4u>;        // in tree order: corners; w: what it owns, friction
 @group(0) @binding(3) var<storage, read>       trees           : array<vec4u>;
 @group(0) @binding(4) var<storage, read>       points          : array<vec4f>;        // of colliders; see contact/move_points.wgsl
@@ -22,6 +22,7 @@
 // A triangle and what it owns: bits 0 to 2 its corners, 3 to 5 the edges from them.
 struct Face {
   a : vec3f, b : vec3f, c : vec3f,  // m
+  reach : vec3f,  // of each corner, m
   ids : vec3u,
   owned : u32,
 }
@@ -32,7 +33,10 @@ var<workgroup> count : u32;
 
 fn cloth_face(t : u32) -> Face {
   let corner = triangles[t];
-  return Face(position[corner.x].xyz, position[corner.y].xyz, position[corner.z].xyz, corner.xyz, corner.w & 63u);
+  let a = predicted[params.vertex_count + corner.x];
+  let b = predicted[params.vertex_count + corner.y];
+  let c = predicted[params.vertex_count + corner.z];
+  return Face(a.xyz, b.xyz, c.xyz, vec3f(a.w, b.w, c.w), corner.xyz, corner.w & 63u);
 }
 
 // The other side of a candidate that is a triangle.
@@ -52,41 +56,45 @@ fn other_face(candidate : vec2u) -> Face {
     let edges = (w >> vec3u(31u)) << vec3u(3u, 4u, 5u);
     owned = corners.x | corners.y | corners.z | edges.x | edges.y | edges.z;
   }
-  return Face(points[ids.x].xyz, points[ids.y].xyz, points[ids.z].xyz, ids | vec3u(kColliderPoint), owned);
+  let reach = vec3f(bitcast<f32>(atomicLoad(&statistics[kStatReach])));
+  return Face(points[ids.x].xyz, points[ids.y].xyz, points[ids.z].xyz, reach, ids | vec3u(kColliderPoint), owned);
 }
 
-fn corner_near(p : vec3f, id : u32, face : Face, limit : f32) -> bool {
+fn largest_of(v : vec3f) -> f32 { return max(max(v.x, v.y), v.z); }
+
+fn corner_near(p : vec3f, reach : f32, id : u32, face : Face, thickness : f32) -> bool {
   if (any(face.ids == vec3u(id))) { return false; }
+  let radius = thickness + reach + largest_of(face.reach);
   let near = closest_on_triangle(p, face.a, face.b, face.c);
-  return dot(near.apart, near.apart) < limit;
+  return dot(near.apart, near.apart) < radius * radius;
 }
-fn edges_near(a : vec3f, b : vec3f, ab : vec2u, c : vec3f, d : vec3f, cd : vec2u, limit : f32) -> bool {
+fn edges_near(a : vec3f, b : vec3f, ab : vec2u, c : vec3f, d : vec3f, cd : vec2u, radius : f32) -> bool {
   if (any(ab == cd) || any(ab == cd.yx)) { return false; }
   let near = closest_on_edges(a, b, c, d);
-  return dot(near.apart, near.apart) < limit;
+  return dot(near.apart, near.apart) < radius * radius;
 }
 
 fn bit(k : u32, near : bool) -> u32 { return select(0u, 1u << k, near); }
 
 // Which features are near, as bits: 0 to 2 corners of a, 3 to 5 corners of b, 6 + 3 k + l edge k of a and edge l of b.
-fn near_features(a : Face, b : Face, limit : f32) -> u32 {
+fn near_features(a : Face, b : Face, thickness : f32) -> u32 {
   var hits = 0u;
-  if ((a.owned & 1u) != 0u) { hits |= bit(0u, corner_near(a.a, a.ids.x, b, limit)); }
-  if ((a.owned & 2u) != 0u) { hits |= bit(1u, corner_near(a.b, a.ids.y, b, limit)); }
-  if ((a.owned & 4u) != 0u) { hits |= bit(2u, corner_near(a.c, a.ids.z, b, limit)); }
-  if ((b.owned & 1u) != 0u) { hits |= bit(3u, corner_near(b.a, b.ids.x, a, limit)); }
-  if ((b.owned & 2u) != 0u) { hits |= bit(4u, corner_near(b.b, b.ids.y, a, limit)); }
-  if ((b.owned & 4u) != 0u) { hits |= bit(5u, corner_near(b.c, b.ids.z, a, limit)); }
-  if ((a.owned & 8u) != 0u) { hits |= near_edges(a.a, a.b, a.ids.xy, b, limit) << 6u; }
-  if ((a.owned & 16u) != 0u) { hits |= near_edges(a.b, a.c, a.ids.yz, b, limit) << 9u; }
-  if ((a.owned & 32u) != 0u) { hits |= near_edges(a.c, a.a, a.ids.zx, b, limit) << 12u; }
+  if ((a.owned & 1u) != 0u) { hits |= bit(0u, corner_near(a.a, a.reach.x, a.ids.x, b, thickness)); }
+  if ((a.owned & 2u) != 0u) { hits |= bit(1u, corner_near(a.b, a.reach.y, a.ids.y, b, thickness)); }
+  if ((a.owned & 4u) != 0u) { hits |= bit(2u, corner_near(a.c, a.reach.z, a.ids.z, b, thickness)); }
+  if ((b.owned & 1u) != 0u) { hits |= bit(3u, corner_near(b.a, b.reach.x, b.ids.x, a, thickness)); }
+  if ((b.owned & 2u) != 0u) { hits |= bit(4u, corner_near(b.b, b.reach.y, b.ids.y, a, thickness)); }
+  if ((b.owned & 4u) != 0u) { hits |= bit(5u, corner_near(b.c, b.reach.z, b.ids.z, a, thickness)); }
+  if ((a.owned & 8u) != 0u) { hits |= near_edges(a.a, a.b, a.ids.xy, b, thickness + max(a.reach.x, a.reach.y)) << 6u; }
+  if ((a.owned & 16u) != 0u) { hits |= near_edges(a.b, a.c, a.ids.yz, b, thickness + max(a.reach.y, a.reach.z)) << 9u; }
+  if ((a.owned & 32u) != 0u) { hits |= near_edges(a.c, a.a, a.ids.zx, b, thickness + max(a.reach.z, a.reach.x)) << 12u; }
   return hits;
 }
-fn near_edges(p : vec3f, q : vec3f, pq : vec2u, b : Face, limit : f32) -> u32 {
+fn near_edges(p : vec3f, q : vec3f, pq : vec2u, b : Face, radius : f32) -> u32 {
   var hits = 0u;
-  if ((b.owned & 8u) != 0u) { hits |= bit(0u, edges_near(p, q, pq, b.a, b.b, b.ids.xy, limit)); }
-  if ((b.owned & 16u) != 0u) { hits |= bit(1u, edges_near(p, q, pq, b.b, b.c, b.ids.yz, limit)); }
-  if ((b.owned & 32u) != 0u) { hits |= bit(2u, edges_near(p, q, pq, b.c, b.a, b.ids.zx, limit)); }
+  if ((b.owned & 8u) != 0u) { hits |= bit(0u, edges_near(p, q, pq, b.a, b.b, b.ids.xy, radius + max(b.reach.x, b.reach.y))); }
+  if ((b.owned & 16u) != 0u) { hits |= bit(1u, edges_near(p, q, pq, b.b, b.c, b.ids.yz, radius + max(b.reach.y, b.reach.z))); }
+  if ((b.owned & 32u) != 0u) { hits |= bit(2u, edges_near(p, q, pq, b.c, b.a, b.ids.zx, radius + max(b.reach.z, b.reach.x))); }
   return hits;
 }
 
@@ -101,24 +109,26 @@ fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> u32 
 }
 
 // Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's ends, 3 a ball.
-fn near_shape(a : Face, kind : u32, point : u32, radius : f32) -> u32 {
+fn near_shape(a : Face, kind : u32, point : u32) -> u32 {
   let p = points[point];
+  let reach = a.reach + vec3f(params.thickness + bitcast<f32>(atomicLoad(&statistics[kStatReach])));
   if (kind == kNearPlane) {
     let n = points[point + 1u].xyz;
-    return a.owned & (bit(0u, dot(a.a - p.xyz, n) < radius) | bit(1u, dot(a.b - p.xyz, n) < radius) |
-                      bit(2u, dot(a.c - p.xyz, n) < radius));
+    return a.owned & (bit(0u, dot(a.a - p.xyz, n) < reach.x) | bit(1u, dot(a.b - p.xyz, n) < reach.y) |
+                      bit(2u, dot(a.c - p.xyz, n) < reach.z));
   }
-  let limit = (p.w + radius) * (p.w + radius);
+  let radius = p.w + largest_of(reach);
   let nearest = closest_on_triangle(p.xyz, a.a, a.b, a.c);
-  var hits = bit(3u, dot(nearest.apart, nearest.apart) < limit);
+  var hits = bit(3u, dot(nearest.apart, nearest.apart) < radius * radius);
   if (kind == kNearSphere) { return hits; }
   let q = points[point + 2u].xyz;
   let other_end = closest_on_triangle(q, a.a, a.b, a.c);
-  hits |= bit(4u, dot(other_end.apart, other_end.apart) < limit);
+  hits |= bit(4u, dot(other_end.apart, other_end.apart) < radius * radius);
   let none = vec2u(kColliderPoint);
-  hits |= bit(0u, (a.owned & 8u) != 0u && edges_near(a.a, a.b, a.ids.xy, p.xyz, q, none, limit));
-  hits |= bit(1u, (a.owned & 16u) != 0u && edges_near(a.b, a.c, a.ids.yz, p.xyz, q, none, limit));
-  hits |= bit(2u, (a.owned & 32u) != 0u && edges_near(a.c, a.a, a.ids.zx, p.xyz, q, none, limit));
+  let edge = vec3f(p.w) + max(reach, reach.yzx);
+  hits |= bit(0u, (a.owned & 8u) != 0u && edges_near(a.a, a.b, a.ids.xy, p.xyz, q, none, edge.x));
+  hits |= bit(1u, (a.owned & 16u) != 0u && edges_near(a.b, a.c, a.ids.yz, p.xyz, q, none, edge.y));
+  hits |= bit(2u, (a.owned & 32u) != 0u && edges_near(a.c, a.a, a.ids.zx, p.xyz, q, none, edge.z));
   return hits;
 }
 
@@ -145,7 +155,6 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
     count = select(0u, atomicLoad(&statistics[kStatCandidates]), works);
   }
   let end = workgroupUniformLoad(&count);
-  let reach = 2.0 * bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   for (var first = group.x * kWorkgroupSize; first < end; first += groups.x * kWorkgroupSize) {
     var hits = 0u;
     var candidate = vec2u(0u);
@@ -161,11 +170,10 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
       friction = f32(triangles[own].w >> 8u) * kFrictionUnit;
       ids_a = a.ids;
       if (kind >= kNearSphere) {
-        hits = near_shape(a, kind, candidate.y, params.thickness + reach);
+        hits = near_shape(a, kind, candidate.y);
       } else {
         let b = other_face(candidate);
-        let radius = select(params.thickness, params.self_thickness, kind == kNearCloth) + reach;
-        hits = near_features(a, b, radius * radius);
+        hits = near_features(a, b, select(params.thickness, params.self_thickness, kind == kNearCloth));
         ids_b = b.ids;
         if (overlap(box_of(a.a, a.b, a.c), box_of(b.a, b.b, b.c))) {
           let crossings = count_crossings(a, b) + count_crossings(b, a);
@@ -195,6 +203,7 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
       if (kind >= kNearSphere) { ids = pair_of_shape(ids_a, kind, candidate.y, hit); }
       contacts[pair].ids = ids;
       contacts[pair].surface = vec4f(0.0, 0.0, 0.0, friction);
+      contacts[pair].near = 0u;
       for (var role = 0u; role < role_count(ids); role++) {
         if (!is_collider(ids[role])) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + 1u], 1u); }
       }

@@ -1,4 +1,4 @@
-// The boxes of an implicit tree's leaves and of the two levels above them. One invocation per leaf; a workgroup's leaves are
+// The boxes of an implicit tree's leaves and of the two levels above them, of cloth grown by what its vertices may go. One invocation per leaf; a workgroup's leaves are
 // whole nodes of those levels, since its size is a multiple of 64.
 #include "shared/index.wgsl"
 #include "contact/tree.wgsl"
@@ -8,7 +8,7 @@
 //                                                                               elements
 @group(0) @binding(0) var<uniform>             step      : StepParams;
 @group(0) @binding(1) var<uniform>             params    : TreeParams;
-@group(0) @binding(2) var<storage, read>       position  : array<vec4f>;      // m
+@group(0) @binding(2) var<storage, read>       position  : array<vec4f>;      // m; of cloth: contact/triangles.wgsl
 @group(0) @binding(3) var<storage, read>       triangles : array<vec4u>;      // corners; w: contact/find_pairs.wgsl
 @group(0) @binding(4) var<storage, read_write> statistics : array<u32>;
 @group(0) @binding(5) var<storage, read_write> trees     : array<vec4u>;
@@ -22,28 +22,20 @@ fn store(level : u32, node : u32, box : Box) {
   trees[place.x + 2u * node + 1u] = vec4u(bitcast<vec3u>(box.high), 0u);
 }
 
-// The reach of this detection: the way of the fastest vertex in so many substeps. A longer one lists more pairs, a shorter one asks for
-// more detections.
-const kReachSteps = 6.0;
-fn set_reach() {
-  let need = kReachSteps * step.dt * bitcast<f32>(statistics[kStatSpeed]);
-  let travel = kReachMargin * kDetectInterval * step.acceleration.w;  // of a collider until the next
-  statistics[kStatReach] = bitcast<u32>(max(clamp(need, step.least_reach, step.most_reach), travel));
-  statistics[kStatTravel] = 0u;
-  statistics[kStatSpeed] = 0u;
-  statistics[kStatDetect] = 0u;
-  statistics[kStatDetections] += 1u;
-}
-
 fn leaf_box(leaf : u32) -> Box {
   var box = empty_box();
+  let is_cloth = params.tree == 0u;
+  let first = select(0u, step.vertex_count, is_cloth);
   let end = min(kLeafTriangles * (leaf + 1u), params.triangle_count);
   for (var t = kLeafTriangles * leaf; t < end; t++) {
     let corner = triangles[params.first_triangle + t];
-    let a = position[corner.x].xyz;
-    let b = position[corner.y].xyz;
-    let c = position[corner.z].xyz;
-    if (is_finite(a) && is_finite(b) && is_finite(c)) { box = united(box, box_of(a, b, c)); }
+    let a = position[first + corner.x];
+    let b = position[first + corner.y];
+    let c = position[first + corner.z];
+    let reach = select(0.0, max(max(a.w, b.w), c.w), is_cloth);
+    if (is_finite(a.xyz) && is_finite(b.xyz) && is_finite(c.xyz)) {
+      box = united(box, grown(box_of(a.xyz, b.xyz, c.xyz), reach));
+    }
   }
   return box;
 }
@@ -59,7 +51,7 @@ fn leaf_boxes(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocati
   let leaf = flat_index(id);
   let due = statistics[kStatDue] != 0u;
   var box = empty_box();
-  if (due && leaf == 0u && params.tree == 0u) { set_reach(); }
+  if (due && leaf == 0u && params.tree == 0u) { statistics[kStatDetect] = 0u; }
   if (due) {
     box = leaf_box(leaf);
     store(0u, leaf, box);

@@ -19,7 +19,7 @@ fn list_entries(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
       if (is_collider(ids[role])) { continue; }
       let word = kVertexWords * (ids[role] & kIdBits);
       let slot = atomicLoad(&vertex_contacts[word]) + atomicAdd(&vertex_contacts[word + kCursorWord], 1u);
-      entries[slot] = 16u * pair + role;
+      entries[slot] = kEntryPair * pair + role;
       contacts[pair].slots[role] = slot;
     }
   }

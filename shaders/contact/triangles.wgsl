@@ -6,9 +6,13 @@ struct SearchParams {  // mirror: src/collision/pair_search.hpp
   first_row : u32,           // of `points`: three rows for each collider, where it stands in the world
   candidate_capacity : u32,
   pair_capacity : u32,
-  thickness : f32,           // m, cloth and collider; with twice the reach features are listed
+  thickness : f32,           // m, cloth and collider; with the reaches of both, features are listed
   self_thickness : f32,      // m, cloth and cloth
+  vertex_count : u32,
+  flat_reach : f32,          // m: with no more, flat cloth has nothing of itself but what shares a corner within its radius
 }
+
+// From vertex_count on `predicted` has where vertices were found, m, and in w how far each may go from there, m.
 
 // A candidate: a cloth triangle and, in the upper four bits, what it may be near; then which one.
 const kNearCloth = 0u;      // a cloth triangle, by its place in the tree's order

@@ -1,77 +1,21 @@
-// Answers the pairs that act at a vertex, then holds it back from whatever it would pass through. One invocation per vertex. Source: docs/contact.md, equations (2) to (6).
+// Gives a vertex what its pairs change of its velocity, then holds it back from whatever it would pass through. One invocation per
+// vertex. Source: docs/contact.md, equation (6).
 #include "shared/index.wgsl"
 #include "shared/step.wgsl"
 #include "shared/contact.wgsl"
 #include "shared/statistics.wgsl"
+#include "contact/planes.wgsl"
 //                                                                                     elements              unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m (w: inverse mass, 1/kg)
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m: shared/contact.wgsl
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
 @group(0) @binding(4) var<storage, read>       entries         : array<u32>;
-@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<vec4u>;        // 2 * vertex_count: shared/contact.wgsl
 @group(0) @binding(6) var<storage, read_write> position        : array<vec4f>;        // vertex_count          m
 @group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>;        // vertex_count          m/s
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
-const kSpring = 0.25;   // β: of the gap that is missing, what a substep makes good
-const kWall = 0.25;     // of the thickness: no pair comes nearer
-const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
-const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s
-const kMostUnits = 1.0e9;
 const kPushes = 4u;
-const kFloor = 0.1;     // of the thickness: likewise; nearer, f32 does not know the plane well enough along a whole edge
-
-// The sum of the urgencies at a vertex, of which each pair gets its part of the mass.
-fn acting(vertex : u32) -> f32 {
-  return f32(atomicLoad(&vertex_contacts[kVertexWords * vertex + 2u + step.parity]) / kUrgencyUnit);
-}
-
-fn thickness_of(ids : vec4u) -> f32 { return select(step.thickness, step.self_thickness, is_self_pair(ids)); }
-
-// Equations (2) to (4): the impulse on side A, N·s.
-fn impulse(contact : Contact) -> vec3f {
-  let ids = contact.ids;
-  let w = weights_of(ids, contact.place.x, contact.place.y);
-  var u = contact.surface.xyz;
-  var mobility = 0.0;  // W, 1/kg
-  for (var role = 0u; role < role_count(ids); role++) {
-    if (is_collider(ids[role])) { continue; }
-    let vertex = ids[role] & kIdBits;
-    u += w[role] * predicted[vertex].xyz;
-    mobility += w[role] * w[role] * acting(vertex) * previous[vertex].w;
-  }
-  mobility /= contact.urgency;
-  if (mobility <= 0.0) { return vec3f(0.0); }
-  let n = contact.normal.xyz;
-  let gap = contact.normal.w;
-  let thickness = thickness_of(ids);
-  let speed = dot(n, u);
-  var change = min(kWall * thickness - gap, 0.0) / step.dt - speed;
-  if (gap < kTouching * thickness) {
-    change = max(change, kSpring * clamp(thickness - gap, 0.0, thickness) / step.dt - step.contact_damping * speed);
-  } else {  // it comes to the thickness and no further
-    change = max(change, step.contact_damping * ((thickness - gap) / step.dt - speed));
-  }
-  if (change <= 0.0) { return vec3f(0.0); }
-  let sliding = u - speed * n;
-  let slip = length(sliding);
-  var friction = vec3f(0.0);
-  if (slip > 0.0) { friction = (min(contact.surface.w * change, slip) / slip) * sliding; }
-  return (change * n - friction) / mobility;
-}
-
-// How far beyond the plane that it must stay behind a place lies, m; negative: it is on its own side.
-fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
-  let on_a = role < roles_of_a(contact.ids);
-  let side = select(-1.0, 1.0, on_a);
-  let gap = contact.normal.w;
-  var plane = contact.place.z - 0.5 * gap + side * max(kMargin * gap, 0.5 * kFloor * step.self_thickness);
-  if (contact.solid != 0u) {
-    let thickness = thickness_of(contact.ids);
-    plane = contact.place.w + side * max(kMargin * min(gap, thickness), kFloor * thickness);
-  }
-  return side * (plane - dot(contact.normal.xyz, place));
-}
 
 // Of two pushes, direction and depth: the deeper; of equally deep ones, so that the order of entries does not matter, by direction.
 fn comes_first(a : vec4f, b : vec4f) -> bool {
@@ -81,15 +25,48 @@ fn comes_first(a : vec4f, b : vec4f) -> bool {
   return a.z > b.z;
 }
 
+fn deeper(other : vec4f, contact : Contact, role : u32, depth : f32) -> vec4f {
+  let side = select(-1.0, 1.0, role < roles_of_a(contact.ids));
+  let push = vec4f(side * contact.normal.xyz, depth);
+  if (comes_first(push, other)) { return push; }
+  return other;
+}
+fn deepest_push(begin : u32, end : u32, far : bool, x : vec3f) -> vec4f {
+  var deepest = vec4f(0.0);
+  for (var k = begin; k < end; k++) {
+    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+    let contact = contacts[entries[k] / kEntryPair];
+    if (contact.normal.w <= 0.0 || contact.solid == 0u) { continue; }
+    deepest = deeper(deepest, contact, entries[k] & 3u, beyond(contact, entries[k] & 3u, x));
+  }
+  return deepest;
+}
+
+// The part of a push that takes a vertex past no plane between it and other cloth.
+fn part_before_cloth(begin : u32, end : u32, far : bool, x : vec3f, pushed : vec3f) -> f32 {
+  var part = 1.0;
+  for (var k = begin; k < end; k++) {
+    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+    let contact = contacts[entries[k] / kEntryPair];
+    if (contact.normal.w <= 0.0 || contact.solid != 0u) { continue; }
+    let then = beyond(contact, entries[k] & 3u, pushed);
+    if (then <= 0.0) { continue; }
+    let now = beyond(contact, entries[k] & 3u, x);
+    if (now < 0.0) { part = min(part, now / (now - then)); } else if (then > now) { part = 0.0; }
+  }
+  return part;
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.vertex_count) { return; }
-  let words = kVertexWords * vertex;
-  let begin = atomicLoad(&vertex_contacts[words]);
-  let end = begin + atomicLoad(&vertex_contacts[words + 1u]);
-  let count = atomicLoad(&vertex_contacts[words + 2u + step.parity]);
-  atomicStore(&vertex_contacts[words + 3u - step.parity], 0u);  // for the next substep
+  let words = vertex_contacts[2u * vertex];
+  let begin = words.x;
+  let end = begin + words.y;
+  let acted_on = words[kUrgencyWord] != 0u;
+  let tight = bitcast<f32>(words[kTightWord]);
+  if (acted_on || tight > 0.0) { vertex_contacts[2u * vertex] = vec4u(begin, words.y, 0u, 0u); }  // for the next substep
   if (vertex == 0u) {
     atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatFound]));
     let travel = bitcast<f32>(atomicLoad(&statistics[kStatTravel])) + step.acceleration.w;
@@ -98,22 +75,17 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     if (next > 0.0 && travel + next > bitcast<f32>(atomicLoad(&statistics[kStatReach]))) { atomicStore(&statistics[kStatDetect], 1u); }
   }
 
-  let reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
+  let found = predicted[step.vertex_count + vertex];
+  let reach = found.w;
   let start = previous[vertex];
   let inverse_mass = start.w;
   var x = position[vertex].xyz;
   var v = predicted[vertex].xyz;
   if (inverse_mass > 0.0) {
-    if (count >= kUrgencyUnit) {
-      var sum = vec3i(0);  // entries have no order, so their sum is of integers
-      for (var k = begin; k < end; k++) {
-        let entry = entries[k];
-        if ((entry & kEntryActs) == 0u) { continue; }
-        let contact = contacts[entry / 16u];
-        let weight = weights_of(contact.ids, contact.place.x, contact.place.y)[entry & 3u];
-        let change = (inverse_mass * weight) * impulse(contact);
-        sum += vec3i(round(clamp(kSpeedUnits * change, vec3f(-kMostUnits), vec3f(kMostUnits))));
-      }
+    if (acted_on) {
+      let more = vertex_contacts[2u * vertex + 1u];
+      vertex_contacts[2u * vertex + 1u] = vec4u(more.x, 0u, 0u, 0u);
+      let sum = bitcast<vec3i>(more.yzw);
       let change = vec3f(sum) / kSpeedUnits;
       v += change;
       x += step.dt * change;
@@ -121,7 +93,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     // Beyond its reach a vertex could meet what is not listed: it goes as far as the ball around where it was found.
     var held = false;
     let way = x - start.xyz;
-    let away = start.xyz - predicted[step.vertex_count + vertex].xyz;
+    let away = start.xyz - found.xyz;
     let square = dot(way, way);
     let beyond_reach = away + way;
     if (dot(beyond_reach, beyond_reach) > reach * reach) {
@@ -132,36 +104,36 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       v *= min(1.0, reach / (kDetectInterval * step.dt * length(v)));
       atomicAdd(&statistics[kStatTruncated], 1u);
     }
-    // Equation (6). What moves less than this passes nothing that is not near.
-    let free = 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0);
-    let far = length(x - start.xyz) > free;
-    if (begin < end && (far || count > 0u)) {
+    // Equation (6), where a plane is near enough to be met.
+    let length_of_way = 1.001 * length(x - start.xyz);
+    let far = length_of_way > free_way();
+    let still = step.acceleration.w == 0.0;  // no solid side comes nearer: what is within a margin may stay there
+    if (begin < end && (far || length_of_way > free_way() - tight)) {
       var part = 1.0;
+      var deepest = vec4f(0.0);
       for (var k = begin; k < end; k++) {
         if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-        let contact = contacts[entries[k] / 16u];
+        let contact = contacts[entries[k] / kEntryPair];
         if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the spring brings it out
-        let now = beyond(contact, entries[k] & 3u, start.xyz);
         let then = beyond(contact, entries[k] & 3u, x);
         if (then <= 0.0) { continue; }
-        if (now < 0.0) { part = min(part, now / (now - then)); } else if (contact.solid == 0u && then > now) { part = 0.0; }
+        let now = beyond(contact, entries[k] & 3u, start.xyz);
+        if (now < 0.0) { part = min(part, now / (now - then)); } else if ((contact.solid == 0u || still) && then > now) { part = 0.0; }
+        if (contact.solid != 0u) { deepest = deeper(deepest, contact, entries[k] & 3u, then); }
       }
-      if (part < 1.0) { x = start.xyz + part * (x - start.xyz); }
-      var pushed = false;
-      for (var round = 0u; round < kPushes; round++) {  // a solid side that comes nearer takes the vertex with it, the deepest first
-        var deepest = vec4f(0.0);
-        for (var k = begin; k < end; k++) {
-          if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-          let contact = contacts[entries[k] / 16u];
-          if (contact.normal.w <= 0.0 || contact.solid == 0u) { continue; }
-          let side = select(-1.0, 1.0, (entries[k] & 3u) < roles_of_a(contact.ids));
-          let push = vec4f(side * contact.normal.xyz, beyond(contact, entries[k] & 3u, x));
-          if (comes_first(push, deepest)) { deepest = push; }
-        }
-        if (deepest.w <= 0.0) { break; }
+      if (part < 1.0) {
+        x = start.xyz + part * (x - start.xyz);
+        deepest = deepest_push(begin, end, far, x);
+      }
+      // A solid side that comes nearer takes the vertex with it, the deepest first.
+      let pushed = deepest.w > 0.0;
+      let unpushed = x;
+      for (var round = 1u; round <= kPushes && deepest.w > 0.0; round++) {
         x += deepest.w * deepest.xyz;
-        pushed = true;
+        deepest = vec4f(0.0);
+        if (round < kPushes) { deepest = deepest_push(begin, end, far, x); }
       }
+      if (pushed && still) { x = unpushed + part_before_cloth(begin, end, far, unpushed, x) * (x - unpushed); }
       held = part < 1.0 || pushed;
     }
     if (held) {  // it has the velocity that it came by, or its neighbours would pull it ever faster
@@ -171,6 +143,6 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     position[vertex] = vec4f(x, inverse_mass);
   }
   velocity[vertex] = vec4f(v, 0.0);
-  let gone = length(x - predicted[step.vertex_count + vertex].xyz);
+  let gone = length(x - found.xyz);
   if (gone + kReachMargin * kDetectInterval * length(x - start.xyz) > reach) { atomicStore(&statistics[kStatDetect], 1u); }
 }

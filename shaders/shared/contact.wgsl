@@ -6,16 +6,17 @@ struct Contact {
   normal : vec4f,   // n, from B to A; w: the gap d, m
   place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(how far a solid side comes), m
   surface : vec4f,  // what the collider adds to the relative velocity, m/s; w: friction
-  urgency : f32,    // its share of its vertices' masses, before they are shared
+  urgency : f32,    // its share of its vertices' masses, before they are shared; 0: it does not act, equation (1)
   solid : u32,      // the side that goes its way whatever comes: 1 A, 2 B, 0 neither; colliders, and vertices that are held
+  near : u32,       // what its entries bear: kEntryNear or 0
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
 const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; of neither: vertex and triangle
 const kIdBits = 0x3fffffffu;
 
-// An entry is 16 * pair + 4 * flags + role: how a vertex knows its pairs.
-const kEntryActs = 4u;  // the pair acts, equation (1)
-const kEntryNear = 8u;  // it would act but that an end of an edge is nearest
+// An entry is 8 * pair + flag + role: how a vertex knows its pairs.
+const kEntryNear = 4u;  // the pair acts, or would but that an end of an edge is nearest
+const kEntryPair = 8u;
 
 const kTouching = 1.001;  // of the thickness: what rests there is in contact, whatever the rounding of its place
 
@@ -42,9 +43,13 @@ fn urgency_of(gap : f32, thickness : f32) -> u32 {
   let depth = clamp(1.0 - gap / thickness, 0.0, 1.0);
   return 1u + u32(kMostUrgent * depth * depth);
 }
-const kUrgencyUnit = 16u;  // pairs that are near but do not act count 1
 
-// What each vertex has: where its entries begin, how many they are, for substeps of either parity the sum over its pairs of
-// kUrgencyUnit * urgency, and 1 for each that is near; and a count that the listing needs.
-const kVertexWords = 5u;
+// What each vertex has: where its entries begin, how many they are; of this substep the sum of its pairs' urgencies, and by how much
+// the nearest plane of a near pair is nearer than free_way, m, as the bits of a positive f32; a count that the listing needs; and the
+// sum of the changes of velocity that pairs give it, in kSpeedUnits: of integers, since pairs have no order.
+const kVertexWords = 8u;
+const kUrgencyWord = 2u;
+const kTightWord = 3u;
 const kCursorWord = 4u;
+const kChangeWord = 5u;  // and two more
+const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s

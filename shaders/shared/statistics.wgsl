@@ -16,9 +16,8 @@ const kStatHeld = 12u;           // 1 once a list was too short: frames end as t
 const kStatDetect = 13u;         // 1: a vertex is about to leave its reach
 const kStatDue = 14u;            // 1: a detection is under way
 const kStatFound = 15u;          // crossings of this detection
-const kStatSpeed = 16u;          // the largest |v| at this detection, m/s, as the bits of a positive f32
-const kStatReach = 17u;          // how far a vertex may go until the next detection, m, likewise
-const kStatTravel = 18u;         // how far a collider may have gone since this detection, m, likewise
+const kStatReach = 16u;          // how far a collider may go until the next detection, m, as the bits of a positive f32
+const kStatTravel = 17u;         // how far one may have gone since this detection, m, likewise
 
 // A hash of two numbers. Source: Pcg3d's mixing step (Jarzynski, Olano: Hash Functions for GPU Rendering, 2020), cut to two words.
 fn hash_pair(a : u32, b : u32) -> u32 {

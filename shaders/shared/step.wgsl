@@ -3,7 +3,7 @@
 const kMaxGrabs = 4u;
 const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
 const kDetectAlways = 2u;
-const kDetectInterval = 2.0;  // substeps from one that may to the next; kDetectInterval in src/state/step_params.hpp
+const kDetectInterval = 4.0;  // substeps from one that may to the next; kDetectInterval in src/state/step_params.hpp
 const kReachMargin = 1.25;    // what is on its way may speed up until then
 
 struct StepParams {
@@ -28,8 +28,8 @@ struct StepParams {
   grab_node : vec4u,     // the held nodes; 0xffffffff where a place is free
   grab_target : array<vec4f, kMaxGrabs>,  // m: where they are pulled, xyz
   self_thickness : f32,    // m; 0: cloth does not meet cloth
-  least_reach : f32,       // m: how far a vertex may go between two detections, by the speed of the cloth
-  most_reach : f32,        // m
+  least_reach : f32,       // m: how far a slow vertex may go between two detections
+  most_reach : f32,        // m: a fast one, unless that is too little until the next detection
   contact_damping : f32,   // ζ of equation (3) of docs/contact.md
   detect : u32,            // kDetectIfDue or kDetectAlways; 0: not in this substep
   parity : u32,            // of the substep

@@ -17,21 +17,15 @@ std::uint32_t friction_bits(double friction) {
 
 }  // namespace
 
-std::uint32_t strided_groups(const gpu::Device& device, std::uint32_t capacity,
-                             std::uint32_t workgroup_size) {
-  const std::uint32_t most = device.adapter().type == "CPU" ? 16 : 262144 / workgroup_size;
-  return std::clamp((capacity + workgroup_size - 1) / workgroup_size, 1U, most);
-}
-
 Result<PairSearch> PairSearch::create(gpu::Device& device, const Model& model, const State& state,
                                       const ContactPairs& pairs, const scene::Scene& scene,
                                       const ColliderMeshes& meshes, const SearchSetup& setup) {
   PairSearch made;
   made.vertex_count_ = model.vertex_count();
   made.triangle_count_ = model.triangle_count();
-  made.strided_groups_ = strided_groups(device, pairs.room.candidates, setup.workgroup_size);
+  made.room_ = pairs.room;
   WEFT_CHECK(made.create_buffers(device, model, scene, meshes));
-  WEFT_CHECK(made.create_trees(device, state, setup.workgroup_size));
+  WEFT_CHECK(made.create_trees(device, state, pairs, setup.workgroup_size));
   WEFT_CHECK(made.create_find(device, state, pairs, setup));
   WEFT_CHECK(made.create_lists(device, state, pairs, setup));
   return made;
@@ -73,15 +67,15 @@ Result<void> PairSearch::create_buffers(gpu::Device& device, const Model& model,
   return {};
 }
 
-Result<void> PairSearch::create_trees(gpu::Device& device, const State& state, std::uint32_t workgroup_size) {
+Result<void> PairSearch::create_trees(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                                      std::uint32_t workgroup_size) {
   WEFT_TRY(refit, TreeRefit::create(device, workgroup_size));
   refit_ = std::move(refit);
-  WEFT_CHECK(refit_.add(device, state.steps, tree_, 0, triangle_count_,
-                        {&state.position[0], &state.position[1]}, triangles_, state.statistics, trees_));
+  WEFT_CHECK(refit_.add(device, state.steps, tree_, 0, triangle_count_, pairs.predicted, triangles_,
+                        state.statistics, trees_));
   for (std::size_t i = 0; i < colliders_.implicit.size(); ++i)
     WEFT_CHECK(refit_.add(device, state.steps, colliders_.implicit[i], colliders_.implicit_first[i],
-                          colliders_.implicit_count[i], {&points_, &points_}, triangles_, state.statistics,
-                          trees_));
+                          colliders_.implicit_count[i], points_, triangles_, state.statistics, trees_));
   return {};
 }
 
@@ -94,6 +88,8 @@ Result<void> PairSearch::create_find(gpu::Device& device, const State& state, co
   params.pair_capacity = pairs.room.pairs;
   params.thickness = setup.thickness;
   params.self_thickness = setup.self_thickness;
+  params.vertex_count = vertex_count_;
+  params.flat_reach = setup.flat_reach;
   WEFT_TRY(buffer, gpu::Buffer<SearchParams>::create_from(device, std::span(&params, 1), "search params",
                                                           gpu::kUniform | gpu::kCopyTarget));
   params_ = std::move(buffer);
@@ -110,14 +106,13 @@ Result<void> PairSearch::create_find(gpu::Device& device, const State& state, co
     WEFT_TRY(begin_group, detect_begin_.bind({state.steps, state.position[parity], state.velocity[parity],
                                               pairs.predicted, pairs.vertex_contacts, state.statistics}));
     begin_groups_[parity] = std::move(begin_group);
-    WEFT_TRY(broad_group, find_candidates_.bind({params_, collider_list_, state.position[parity], triangles_,
-                                                 trees_, points_, candidates_, state.statistics}));
-    candidate_groups_[parity] = std::move(broad_group);
-    WEFT_TRY(narrow_group,
-             find_pairs_.bind({params_, state.position[parity], triangles_, trees_, points_, candidates_,
-                               pairs.contacts, pairs.vertex_contacts, state.statistics}));
-    find_groups_[parity] = std::move(narrow_group);
   }
+  WEFT_TRY(broad_group, find_candidates_.bind({params_, collider_list_, pairs.predicted, triangles_, trees_,
+                                               points_, candidates_, state.statistics}));
+  candidate_group_ = std::move(broad_group);
+  WEFT_TRY(narrow_group, find_pairs_.bind({params_, pairs.predicted, triangles_, trees_, points_, candidates_,
+                                           pairs.contacts, pairs.vertex_contacts, state.statistics}));
+  find_group_ = std::move(narrow_group);
   return {};
 }
 
@@ -136,13 +131,12 @@ Result<void> PairSearch::create_lists(gpu::Device& device, const State& state, c
 }
 
 void PairSearch::record(gpu::ComputePass& pass) const {
-  const std::uint32_t parity = pass.parity();
-  detect_begin_.dispatch(pass, begin_groups_[parity], vertex_count_);
+  detect_begin_.dispatch(pass, begin_groups_[pass.parity()], vertex_count_);
   refit_.record(pass);
-  find_candidates_.dispatch(pass, candidate_groups_[parity], triangle_count_);
-  find_pairs_.dispatch_groups(pass, find_groups_[parity], strided_groups_);
+  find_candidates_.dispatch(pass, candidate_group_, triangle_count_);
+  find_pairs_.dispatch_strided(pass, find_group_, room_.candidates);
   place_entries_.dispatch(pass, place_group_, vertex_count_);
-  list_entries_.dispatch_groups(pass, list_group_, strided_groups_);
+  list_entries_.dispatch_strided(pass, list_group_, room_.pairs);
 }
 
 }  // namespace weft::collision

@@ -16,16 +16,20 @@ struct SearchParams {
   std::uint32_t triangle_count = 0, collider_count = 0, self_contact = 0, first_row = 0;
   std::uint32_t candidate_capacity = 0, pair_capacity = 0;
   float thickness = 0, self_thickness = 0;  // [m]
+  std::uint32_t vertex_count = 0;
+  float flat_reach = 0;  // [m]
 };
-static_assert(sizeof(SearchParams) == 32);
+static_assert(sizeof(SearchParams) == 40);
 
 /// What a search looks for.
 struct SearchSetup {
   float thickness = 0, self_thickness = 0;  // [m]; the second 0: cloth does not meet cloth
+  float flat_reach = 0;                     // [m]; ProximityLengths::most_reach
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 
-/// Finds and lists all pairs of features nearer than a radius: broad phase, narrow phase, entries.
+/// Finds and lists all pairs of features nearer than the thickness and how far both may go: broad phase,
+/// narrow phase, entries.
 /// Seven dispatches, which do nothing where no detection is due.
 /// Reads   state.steps; state.position[parity] [m]: at the start of the substep; the colliders' points.
 /// Writes  pairs; state.statistics.
@@ -47,7 +51,8 @@ class PairSearch {
  private:
   Result<void> create_buffers(gpu::Device& device, const Model& model, const scene::Scene& scene,
                               const ColliderMeshes& meshes);
-  Result<void> create_trees(gpu::Device& device, const State& state, std::uint32_t workgroup_size);
+  Result<void> create_trees(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                            std::uint32_t workgroup_size);
   Result<void> create_find(gpu::Device& device, const State& state, const ContactPairs& pairs,
                            const SearchSetup& setup);
   Result<void> create_lists(gpu::Device& device, const State& state, const ContactPairs& pairs,
@@ -55,7 +60,8 @@ class PairSearch {
 
   ColliderSet colliders_;
   std::vector<std::uint32_t> order_;
-  std::uint32_t vertex_count_ = 0, triangle_count_ = 0, strided_groups_ = 1;
+  std::uint32_t vertex_count_ = 0, triangle_count_ = 0;
+  ContactRoom room_;
   ImplicitTree tree_;
   gpu::Buffer<TreeWord> triangles_, trees_;
   gpu::Buffer<Vec4f> points_;
@@ -63,11 +69,8 @@ class PairSearch {
   gpu::Buffer<std::array<std::uint32_t, 2>> candidates_;
   TreeRefit refit_;
   gpu::Kernel detect_begin_, find_candidates_, find_pairs_, place_entries_, list_entries_;
-  std::array<gpu::BindGroup, 2> begin_groups_, candidate_groups_, find_groups_;  // by parity
-  gpu::BindGroup place_group_, list_group_;
+  std::array<gpu::BindGroup, 2> begin_groups_;  // by parity
+  gpu::BindGroup candidate_group_, find_group_, place_group_, list_group_;
 };
-
-/// Workgroups of a dispatch whose invocations take every so-manieth pair: as many as keep the adapter busy.
-std::uint32_t strided_groups(const gpu::Device& device, std::uint32_t capacity, std::uint32_t workgroup_size);
 
 }  // namespace weft::collision

@@ -35,9 +35,8 @@ Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::
   const double self_thickness = weft::self_thickness(model, thickness);
   if (contact.self) lengths.self_thickness = self_thickness;
   // Cloth that lies flat and still should list nothing of itself, so h_s + 2b stays below the altitude.
-  lengths.most_reach = 0.5 * (0.95 * altitude - self_thickness);
-  if (!contact.self) lengths.most_reach = 2 * altitude;  // there is nothing of itself to list
-  lengths.least_reach = std::min(0.25 * thickness, lengths.most_reach);
+  lengths.most_reach = 0.5 * (contact.self ? 0.95 * altitude - self_thickness : altitude);
+  lengths.least_reach = std::min(0.5 * thickness, lengths.most_reach);
   return lengths;
 }
 
@@ -52,10 +51,11 @@ Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, con
   SearchSetup setup;
   setup.thickness = static_cast<float>(lengths.thickness);
   setup.self_thickness = static_cast<float>(lengths.self_thickness);
+  setup.flat_reach = static_cast<float>(lengths.most_reach);
   setup.workgroup_size = workgroup_size;
   WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
   made.search_ = std::move(search);
-  made.strided_groups_ = strided_groups(device, pairs.room.pairs, workgroup_size);
+  made.pair_room_ = pairs.room.pairs;
   WEFT_CHECK(made.create_kernels(device, state, pairs, workgroup_size));
   return made;
 }
@@ -99,7 +99,7 @@ void Proximity::record(gpu::ComputePass& pass) const {
     move_points_.dispatch(pass, move_group_,
                           std::max<std::size_t>(colliders.point_count, 3 * colliders.list.size()));
   if (pass.step() % kDetectInterval == 0) search_.record(pass);
-  evaluate_.dispatch_groups(pass, evaluate_groups_[pass.parity()], strided_groups_);
+  evaluate_.dispatch_strided(pass, evaluate_groups_[pass.parity()], pair_room_);
 }
 
 }  // namespace weft::collision

@@ -12,8 +12,8 @@ namespace weft::collision {
 struct ProximityLengths {
   double thickness = 0;       // h
   double self_thickness = 0;  // h_s; 0: cloth does not meet cloth
-  double least_reach = 0;     // b of cloth at rest
-  double most_reach = 0;      // b of cloth at any speed
+  double least_reach = 0;     // b of a vertex at rest
+  double most_reach = 0;      // b of a fast one, unless that is too little until the next search
 };
 
 /// Errors  Input: the thickness is not positive, or below what f32 can tell apart where the cloth is.
@@ -50,7 +50,7 @@ class Proximity {
   gpu::Buffer<ColliderPlace> places_;
   gpu::Buffer<Vec4f> shapes_;
   std::vector<ColliderPlace> rows_;  // of one frame; kept so that a frame allocates nothing
-  std::uint32_t strided_groups_ = 1, substeps_ = 1;
+  std::uint32_t pair_room_ = 0, substeps_ = 1;
 };
 
 }  // namespace weft::collision

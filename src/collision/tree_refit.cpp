@@ -13,8 +13,7 @@ Result<TreeRefit> TreeRefit::create(gpu::Device& device, std::uint32_t workgroup
 
 Result<void> TreeRefit::add(gpu::Device& device, const gpu::Buffer<StepParams>& steps,
                             const ImplicitTree& tree, std::uint32_t first_triangle,
-                            std::uint32_t triangle_count,
-                            const std::array<const gpu::RawBuffer*, 2>& positions,
+                            std::uint32_t triangle_count, const gpu::RawBuffer& positions,
                             const gpu::Buffer<TreeWord>& triangles,
                             const gpu::Buffer<std::uint32_t>& statistics,
                             const gpu::Buffer<TreeWord>& trees) {
@@ -24,10 +23,8 @@ Result<void> TreeRefit::add(gpu::Device& device, const gpu::Buffer<StepParams>& 
   const TreeParams params{tree.first, tree.top(), first_triangle, triangle_count};
   WEFT_TRY(buffer, gpu::Buffer<TreeParams>::create_from(device, std::span(&params, 1), "tree params",
                                                         gpu::kUniform | gpu::kCopyTarget));
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group, leaf_boxes_.bind({steps, buffer, *positions[parity], triangles, statistics, trees}));
-    part.leaves[parity] = std::move(group);
-  }
+  WEFT_TRY(leaves, leaf_boxes_.bind({steps, buffer, positions, triangles, statistics, trees}));
+  part.leaves = std::move(leaves);
   WEFT_TRY(upper, upper_boxes_.bind({buffer, statistics, trees}));
   part.upper = std::move(upper);
   part.params = std::move(buffer);
@@ -37,7 +34,7 @@ Result<void> TreeRefit::add(gpu::Device& device, const gpu::Buffer<StepParams>& 
 
 void TreeRefit::record(gpu::ComputePass& pass) const {
   for (const Part& part : parts_) {
-    leaf_boxes_.dispatch(pass, part.leaves[pass.parity()], part.leaf_count);
+    leaf_boxes_.dispatch(pass, part.leaves, part.leaf_count);
     if (part.top > 2) upper_boxes_.dispatch_groups(pass, part.upper, 1);
   }
 }

@@ -22,18 +22,17 @@ class TreeRefit {
  public:
   TreeRefit() = default;
   static Result<TreeRefit> create(gpu::Device& device, std::uint32_t workgroup_size);
-  /// Adds a tree; `positions` for either parity of the substep.
+  /// Adds a tree.
   Result<void> add(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const ImplicitTree& tree,
                    std::uint32_t first_triangle, std::uint32_t triangle_count,
-                   const std::array<const gpu::RawBuffer*, 2>& positions,
-                   const gpu::Buffer<TreeWord>& triangles, const gpu::Buffer<std::uint32_t>& statistics,
-                   const gpu::Buffer<TreeWord>& trees);
+                   const gpu::RawBuffer& positions, const gpu::Buffer<TreeWord>& triangles,
+                   const gpu::Buffer<std::uint32_t>& statistics, const gpu::Buffer<TreeWord>& trees);
   void record(gpu::ComputePass& pass) const;
 
  private:
   struct Part {
     gpu::RawBuffer params;
-    std::array<gpu::BindGroup, 2> leaves;  // by parity
+    gpu::BindGroup leaves;
     gpu::BindGroup upper;
     std::uint32_t leaf_count = 0, top = 0;
   };

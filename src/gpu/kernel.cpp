@@ -65,6 +65,12 @@ void Kernel::dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t c
   dispatch_groups(pass, group, kGroupsPerRow, static_cast<std::uint32_t>(rows));
 }
 
+void Kernel::dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const {
+  const std::uint64_t most = device_->adapter().type == "CPU" ? 16 : 262144 / workgroup_size_;
+  const std::uint64_t groups = (capacity + workgroup_size_ - 1) / workgroup_size_;
+  dispatch_groups(pass, group, static_cast<std::uint32_t>(std::clamp<std::uint64_t>(groups, 1, most)));
+}
+
 void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x,
                              std::uint32_t y) const {
   pass.dispatch(pipeline_.id(), group.id(), {x, y, 1}, reads_step_);

@@ -51,6 +51,9 @@ class Kernel {
   /// One invocation for each of `count` elements. The kernel finds its element by flat_index
   /// (shared/index.wgsl), since past 65,535 workgroups the dispatch gets a second dimension.
   void dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const;
+  /// As many invocations as keep the adapter busy; each takes every so-manieth of up to `capacity` elements,
+  /// whose number only the GPU knows.
+  void dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const;
   void dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x, std::uint32_t y = 1) const;
 
   std::uint32_t workgroup_size() const { return workgroup_size_; }

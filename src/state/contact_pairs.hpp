@@ -20,12 +20,13 @@ struct Contact {
   Vec4f surface;                         // the collider's share of the relative velocity [m/s]; w: friction
   float urgency = 0;
   std::uint32_t solid = 0;  // 1: side A goes its way whatever comes; 2: side B; 0: neither
-  std::uint32_t padding[2] = {};
+  std::uint32_t near = 0;   // what its entries bear
+  std::uint32_t padding = 0;
 };
 static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
 
 inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000000U, kIdBits = 0x3fffffffU;
-inline constexpr std::uint32_t kVertexWords = 5;  // of ContactPairs::vertex_contacts
+inline constexpr std::uint32_t kVertexWords = 8, kCursorWord = 4;  // of ContactPairs::vertex_contacts
 
 /// What the lists of proximity contact have room for.
 struct ContactRoom {
@@ -39,7 +40,7 @@ struct ContactRoom {
 struct ContactPairs {
   ContactRoom room;
   gpu::Buffer<Vec4f> predicted;                // 2 * vertex_count: velocities that the solver predicts [m/s];
-                                               // then where reaches are measured from [m]
+                                               // then where a vertex was found and how far it may go [m]
   gpu::Buffer<Contact> contacts;               // room.pairs
   gpu::Buffer<std::uint32_t> entries;          // 4 * room.pairs: shaders/shared/contact.wgsl
   gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count

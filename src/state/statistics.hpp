@@ -23,9 +23,8 @@ struct Statistics {
   std::uint32_t frozen = 0;
   std::uint32_t held = 0;  // 1: a list was too short, and the state is as before the frame
   std::uint32_t detect = 0, due = 0, found = 0;  // the GPU's own
-  float speed = 0, reach = 0;                    // likewise
-  float travel = 0;                              // likewise
-  std::uint32_t padding = 0;
+  float reach = 0, travel = 0;                   // likewise
+  std::uint32_t padding[2] = {};
 };
 static_assert(sizeof(Statistics) == 80);
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = 40;  // the part that is cleared before each frame

@@ -24,13 +24,26 @@ inline BoxF box_of(const std::vector<Vec3f>& positions, const mesh::Triangle& t)
   const Vec3f &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
   return {min(min(a, b), c), max(max(a, b), c), finite(a) && finite(b) && finite(c)};
 }
-/// Rounded as in f32, so that the kernel's comparison is this one.
-inline bool boxes_meet(const BoxF& own, const BoxF& other, float radius) {
+/// Rounded as in f32, so that the kernel's comparison is this one; each box is grown by its own.
+inline bool boxes_meet(const BoxF& own, const BoxF& other, float radius, float other_radius = 0) {
   if (!own.whole || !other.whole) return false;
   for (int axis = 0; axis < 3; ++axis)
-    if (!(own.low[axis] - radius <= other.high[axis] && other.low[axis] <= own.high[axis] + radius))
+    if (!(own.low[axis] - radius <= other.high[axis] + other_radius &&
+          other.low[axis] - other_radius <= own.high[axis] + radius))
       return false;
   return true;
+}
+
+/// The largest of the vertices' [m].
+template <class Vertices>
+float reach_of(const std::vector<float>& reaches, const Vertices& vertices) {
+  float most = 0;
+  for (const std::uint32_t v : vertices) most = std::max(most, reaches[v]);
+  return most;
+}
+/// Whether flat cloth may be left out between two features.
+inline bool slow(const SearchCase& setup, float reach_a, float reach_b) {
+  return reach_a + reach_b <= 2 * setup.reach;
 }
 
 enum class Flat { No, Yes, Doubtful };
@@ -60,6 +73,7 @@ struct NamedCandidates {
   std::vector<NumberPair> self;
   std::vector<std::vector<NumberPair>> objects;  // cloth triangle, object triangle; for each object
   std::size_t shapes = 0;                        // with spheres, capsules, planes
+  std::vector<float> reaches;                    // of the cloth's vertices [m]
 };
 
 inline NamedCandidates named(const SearchFound& found, const SearchRun& run) {
@@ -78,6 +92,7 @@ inline NamedCandidates named(const SearchFound& found, const SearchRun& run) {
     }
   NamedCandidates names;
   names.objects.resize(setup.objects.size());
+  names.reaches = found.reaches;
   for (const auto& [x, y] : found.candidates) {
     const std::uint32_t kind = x >> 28U, place = x & 0x0fffffffU;
     REQUIRE(place < order.size());
@@ -131,13 +146,18 @@ inline std::size_t check_self_candidates(const NamedCandidates& names, const Sea
   const std::vector<std::uint32_t>& order = run.search().order();
   std::vector<NumberPair> expected, doubtful;
   std::vector<BoxF> boxes;
-  for (const std::uint32_t t : order)
+  std::vector<float> reach;
+  for (const std::uint32_t t : order) {
     boxes.push_back(box_of(setup.cloth.positions, setup.cloth.triangles[t]));
+    reach.push_back(reach_of(names.reaches, setup.cloth.triangles[t]));
+  }
   for (std::uint32_t i = 0; setup.self_thickness > 0 && i < order.size(); ++i)
     for (std::uint32_t j = i + 1; j < order.size(); ++j) {
-      if (!boxes_meet(boxes[i], boxes[j], setup.self_radius())) continue;
-      const Flat flat =
-          lie_flat(setup.cloth.positions, setup.cloth.triangles[order[i]], setup.cloth.triangles[order[j]]);
+      if (!boxes_meet(boxes[i], boxes[j], setup.self_thickness + reach[i], reach[j])) continue;
+      Flat flat = Flat::No;
+      if (slow(setup, reach[i], reach[j]))
+        flat =
+            lie_flat(setup.cloth.positions, setup.cloth.triangles[order[i]], setup.cloth.triangles[order[j]]);
       const NumberPair pair{std::min(order[i], order[j]), std::max(order[i], order[j])};
       if (flat == Flat::No) expected.push_back(pair);
       if (flat == Flat::Doubtful) doubtful.push_back(pair);
@@ -160,7 +180,8 @@ inline std::size_t check_object_candidates(const NamedCandidates& names, const S
   for (std::uint32_t i = 0; i < setup.cloth.triangles.size(); ++i)
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       if (boxes_meet(box_of(setup.cloth.positions, setup.cloth.triangles[i]),
-                     box_of(mesh.positions, mesh.triangles[t]), setup.radius()))
+                     box_of(mesh.positions, mesh.triangles[t]),
+                     setup.thickness + reach_of(names.reaches, setup.cloth.triangles[i])))
         expected.push_back({i, t});
   check_same(names.objects[object], expected);
   return expected.size();
@@ -239,38 +260,47 @@ struct PairCount {
 /// differences, `band` [m]; edges that are parallel within 1e-3, which the kernel takes as parallel, may be
 /// measured from an end and differ by that much of their length.
 inline void add_reference(std::map<FeatureKey, PairCount>& counts, const Scenery& scenery,
-                          const SearchCase& setup, double band) {
+                          const SearchCase& setup, const std::vector<float>& reaches, double band) {
   using reference::PairKind;
   const auto& [cloth, object, ids, planes, plane_ids] = scenery;
-  const double widest = 1.01;
+  const double most = *std::max_element(reaches.begin(), reaches.end());
+  const double self_radius = 1.01 * (setup.self_thickness + 2 * most),
+               radius = 1.01 * (setup.thickness + most);
   std::vector<reference::FeaturePair> pairs;
-  if (setup.self_thickness > 0) pairs = reference::self_pairs(cloth, widest * setup.self_radius());
-  for (const auto& p :
-       reference::object_pairs(cloth, object, reference::trees_of(object), widest * setup.radius()))
+  if (setup.self_thickness > 0) pairs = reference::self_pairs(cloth, self_radius);
+  for (const auto& p : reference::object_pairs(cloth, object, reference::trees_of(object), radius))
     pairs.push_back(p);
-  for (const auto& p : reference::plane_pairs(cloth, planes, widest * setup.radius())) pairs.push_back(p);
+  for (const auto& p : reference::plane_pairs(cloth, planes, radius)) pairs.push_back(p);
   for (const reference::FeaturePair& pair : pairs) {
     FeatureKey key{};
     double doubt = band;
     const bool self = pair.kind == PairKind::VertexTriangle || pair.kind == PairKind::EdgeEdge;
     const reference::Features& other = self ? cloth : object;
     const auto id = [&](std::uint32_t v) { return self ? v : ids[v]; };
+    double reach = 0;  // of the cloth's side, or both
+    const auto add_reach = [&](const auto& vertices) { reach += reach_of(reaches, vertices); };
     if (pair.kind == PairKind::VertexPlane) {
       key = {2, pair.a, plane_ids[pair.b], 0, 0};
+      add_reach(std::array{pair.a});
     } else if (pair.kind == PairKind::EdgeEdge || pair.kind == PairKind::EdgeObjectEdge) {
       const mesh::Edge &a = cloth.edges[pair.a], &b = other.edges[pair.b];
       key = edge_key(a, {id(b[0]), id(b[1])});
+      add_reach(a);
+      if (self) add_reach(b);
       const Vec3d u = cloth.positions[a[1]] - cloth.positions[a[0]],
                   v = other.positions[b[1]] - other.positions[b[0]];
       const double sine = length(cross(u, v)) / (length(u) * length(v));
       if (sine > 0 && sine < 2e-3) doubt += sine * std::max(length(u), length(v));
     } else if (pair.kind == PairKind::ObjectVertexTriangle) {
       key = corner_key(ids[pair.a], cloth.triangles[pair.b]);
+      add_reach(cloth.triangles[pair.b]);
     } else {
       const mesh::Triangle& face = other.triangles[pair.b];
       key = corner_key(pair.a, {id(face[0]), id(face[1]), id(face[2])});
+      add_reach(std::array{pair.a});
+      if (self) add_reach(face);
     }
-    const double over = pair.distance - (self ? setup.self_radius() : setup.radius());
+    const double over = pair.distance - (self ? setup.self_thickness : setup.thickness) - reach;
     PairCount& count = counts[key];
     count.nearest = std::min(count.nearest, over);
     if (over < -doubt)
@@ -284,7 +314,7 @@ inline void add_reference(std::map<FeatureKey, PairCount>& counts, const Scenery
 /// flat, or one of them has a corner that is not finite and lists nothing.
 class LeftOut {
  public:
-  explicit LeftOut(const SearchRun& run) : run_(run) {
+  LeftOut(const SearchRun& run, const std::vector<float>& reaches) : run_(run), reaches_(reaches) {
     for (const std::uint32_t t : run.search().order()) ordered_.push_back(run.setup().cloth.triangles[t]);
     const std::vector<std::uint32_t> owned = collision::feature_owners(ordered_);
     for (std::uint32_t t = 0; t < ordered_.size(); ++t)
@@ -306,7 +336,8 @@ class LeftOut {
 
  private:
   bool flat(std::uint32_t x, std::uint32_t y) const {
-    return lie_flat(run_.setup().cloth.positions, ordered_[x], ordered_[y]) != Flat::No;
+    return slow(run_.setup(), reach_of(reaches_, ordered_[x]), reach_of(reaches_, ordered_[y])) &&
+           lie_flat(run_.setup().cloth.positions, ordered_[x], ordered_[y]) != Flat::No;
   }
   /// Of features of cloth; those of an object that is not finite are for the test not to ask for.
   bool sick(const FeatureKey& key) const {
@@ -318,6 +349,7 @@ class LeftOut {
     return owner_is({key[1], key[2]}) || owner_is({key[3], key[4]});
   }
   const SearchRun& run_;
+  const std::vector<float>& reaches_;
   std::vector<mesh::Triangle> ordered_;
   std::map<NumberPair, std::uint32_t> owner_;
 };
@@ -330,9 +362,9 @@ struct ListCheck {
 inline ListCheck check_contacts(const SearchFound& found, const SearchRun& run, double band) {
   const Scenery scenery = scenery_of(run);
   std::map<FeatureKey, PairCount> counts;
-  add_reference(counts, scenery, run.setup(), band);
+  add_reference(counts, scenery, run.setup(), found.reaches, band);
   for (const Contact& contact : found.contacts) ++counts[key_of(contact.ids)].found;
-  const LeftOut left_out(run);
+  const LeftOut left_out(run, found.reaches);
   ListCheck result;
   result.pairs = found.contacts.size();
   std::size_t wrong = 0;
@@ -365,7 +397,7 @@ inline void check_entries(const SearchFound& found) {
       const std::uint32_t slot = contact.slots[role], word = kVertexWords * (contact.ids[role] & kIdBits);
       REQUIRE(slot < found.entries.size());
       const std::uint32_t first = found.vertex_contacts[word], number = found.vertex_contacts[word + 1];
-      if (seen[slot] || found.entries[slot] != 16 * pair + role || slot < first || slot >= first + number)
+      if (seen[slot] || found.entries[slot] != 8 * pair + role || slot < first || slot >= first + number)
         ++wrong;
       seen[slot] = true;
     }
@@ -375,7 +407,7 @@ inline void check_entries(const SearchFound& found) {
   std::size_t counted = 0;
   for (std::size_t word = 0; word < found.vertex_contacts.size(); word += kVertexWords) {
     counted += found.vertex_contacts[word + 1];
-    if (found.vertex_contacts[word + 1] != found.vertex_contacts[word + kVertexWords - 1]) ++wrong;
+    if (found.vertex_contacts[word + 1] != found.vertex_contacts[word + kCursorWord]) ++wrong;
   }
   CHECK(wrong == 0);
   CHECK(counted == found.entries.size());

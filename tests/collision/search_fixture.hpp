@@ -24,15 +24,19 @@ struct SearchCase {
   std::vector<mesh::TriangleMesh> objects;  // the first colliders
   std::vector<bool> deforming;              // of each object; where the list ends: rigid
   std::vector<scene::Collider> shapes;      // the colliders after them
-  float thickness = 0, self_thickness = 0, reach = 0;
+  std::vector<float> speeds;                // of its vertices [m/s], in substeps of 1 s; empty: all rest
+  float thickness = 0, self_thickness = 0;
+  float reach = 0;  // of a slow vertex
   ContactRoom room{20000, 60000};
 
-  float radius() const { return thickness + 2 * reach; }
+  /// Of slow vertices.
+  float radius() const { return thickness + reach; }
   float self_radius() const { return self_thickness + 2 * reach; }
 };
 
 struct SearchFound {
   Statistics statistics;
+  std::vector<float> reaches;  // of each vertex [m]
   std::vector<std::array<std::uint32_t, 2>> candidates;
   std::vector<Contact> contacts;
   std::vector<std::uint32_t> entries, vertex_contacts;
@@ -69,7 +73,8 @@ class SearchRun {
     StepParams step;
     step.dt = 1;
     step.vertex_count = model_.vertex_count();
-    step.least_reach = step.most_reach = setup_.reach;
+    step.least_reach = setup_.reach;
+    step.most_reach = 3 * setup_.reach;
     step.detect = Detect::Always;
     state_.steps.write(device, std::span(&step, 1));
     gpu::ComputePass pass(list_, "search");
@@ -82,6 +87,9 @@ class SearchRun {
     std::vector<Vec4f> places;
     for (const Vec3f& p : positions) places.push_back(Vec4f::from(p, 1));
     state_.position[0].write(device_, places);
+    std::vector<Vec4f> velocities;
+    for (const float speed : setup_.speeds) velocities.push_back({0, speed, 0, 0});
+    state_.velocity[0].write(device_, velocities);
   }
   /// Other places of an object's vertices, as a collider's motion would bring them.
   void place_object(std::size_t object, const std::vector<Vec3f>& positions) {
@@ -110,7 +118,10 @@ class SearchRun {
     std::memcpy(static_cast<void*>(&found.statistics), words.data(), sizeof(Statistics));
     REQUIRE(found.statistics.held == 0);
     CHECK(found.statistics.detections == 1);
-    CHECK(found.statistics.reach == setup_.reach);
+    CHECK(found.statistics.reach == 0);  // nothing moves by itself
+    const std::vector<Vec4f> predicted = read(pairs_.predicted);
+    for (std::size_t v = model_.vertex_count(); v < predicted.size(); ++v)
+      found.reaches.push_back(predicted[v].w);
     found.candidates = read(search_.candidates());
     found.candidates.resize(found.statistics.candidates);
     found.contacts = read(pairs_.contacts);
@@ -159,9 +170,9 @@ class SearchRun {
       if (o < setup_.deforming.size() && setup_.deforming[o]) keyframes[o] = {setup_.objects[o]};
     }
     for (const scene::Collider& shape : setup_.shapes) scene.colliders.push_back(shape);
-    auto search = collision::PairSearch::create(device_, model_, state_, pairs_, scene,
-                                                {setup_.objects, colliders, keyframes},
-                                                {setup_.thickness, setup_.self_thickness, workgroup_size});
+    auto search = collision::PairSearch::create(
+        device_, model_, state_, pairs_, scene, {setup_.objects, colliders, keyframes},
+        {setup_.thickness, setup_.self_thickness, setup_.reach, workgroup_size});
     REQUIRE_MESSAGE(search, search.error().message);
     search_ = std::move(*search);
   }

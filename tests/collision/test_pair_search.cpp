@@ -68,6 +68,32 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "a vertex reaches as far as its speed takes it, within bounds, and pairs are listed by the reach of "
+    "both") {
+  GpuFixture fixture;
+  SearchCase setup = sheet_with_objects(257);
+  setup.room = {1000000, 100000};
+  // Reaches: least 0.0078 m, where speed decides, three times that, what a still faster one needs until the
+  // next search, and four times that bound.
+  Random random(5);
+  for (std::size_t v = 0; v < setup.cloth.positions.size(); ++v)
+    setup.speeds.push_back(std::array{0.0F, 0.001F, 0.0015F, 0.01F, 0.5F}[random.below(5)]);
+  const float least = setup.reach, most = 3 * least;
+  SearchRun run(fixture.device(), setup);
+  for (const Shape shape : kShapes) {
+    CAPTURE(static_cast<int>(shape));
+    run.place(shaped(setup.cloth.positions, shape));
+    const SearchFound found = run.run();
+    for (std::size_t v = 0; v < setup.speeds.size(); ++v) {
+      const float way = setup.speeds[v], soon = 1.25F * kDetectInterval * way;
+      const float expected = std::clamp(std::max(std::min(10 * way, most), soon), least, 4 * most);
+      CHECK(found.reaches[v] == doctest::Approx(expected).epsilon(1e-6));
+    }
+    CHECK(check_all(run).pairs > 500);
+  }
+}
+
 TEST_CASE("trees of one triangle and of a leaf's four, one less and one more, hold every triangle") {
   check_tails({1, 3, 4, 5});
 }

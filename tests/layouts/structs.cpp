@@ -127,13 +127,13 @@ Json analytic_collider() {
 Json contact() {
   using T = Contact;
   return row("Contact", "shared/contact.wgsl", sizeof(T), kUniform,
-             {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid)});
+             {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid), M(near)});
 }
 Json search_params() {
   using T = collision::SearchParams;
   return row("SearchParams", "contact/triangles.wgsl", sizeof(T), kExact,
              {M(triangle_count), M(collider_count), M(self_contact), M(first_row), M(candidate_capacity),
-              M(pair_capacity), M(thickness), M(self_thickness)});
+              M(pair_capacity), M(thickness), M(self_thickness), M(vertex_count), M(flat_reach)});
 }
 Json tree_params() {
   using T = collision::TreeParams;
@@ -213,7 +213,6 @@ Json shared_constants() {
       statistic("kStatDetect", offsetof(Statistics, detect)),
       statistic("kStatDue", offsetof(Statistics, due)),
       statistic("kStatFound", offsetof(Statistics, found)),
-      statistic("kStatSpeed", offsetof(Statistics, speed)),
       statistic("kStatReach", offsetof(Statistics, reach)),
       statistic("kStatTravel", offsetof(Statistics, travel)),
       constant("kDetectInterval", "shared/step.wgsl", kDetectInterval),
@@ -223,11 +222,12 @@ Json shared_constants() {
       constant("kPairFlag", "shared/contact.wgsl", kPairFlag),
       constant("kIdBits", "shared/contact.wgsl", kIdBits),
       constant("kVertexWords", "shared/contact.wgsl", kVertexWords),
+      constant("kCursorWord", "shared/contact.wgsl", kCursorWord),
       real("kTouching", "shared/contact.wgsl", kContactTouching),
-      real("kSpring", "mass_spring/contact_respond.wgsl", kContactSpring),
-      real("kWall", "mass_spring/contact_respond.wgsl", kContactWall),
-      real("kMargin", "mass_spring/contact_respond.wgsl", kContactMargin),
-      real("kFloor", "mass_spring/contact_respond.wgsl", kContactFloor),
+      real("kSpring", "mass_spring/contact_impulse.wgsl", kContactSpring),
+      real("kWall", "mass_spring/contact_impulse.wgsl", kContactWall),
+      real("kMargin", "contact/planes.wgsl", kContactMargin),
+      real("kFloor", "contact/planes.wgsl", kContactFloor),
       constant("kLeafTriangles", "contact/tree.wgsl", collision::kTreeLeafTriangles),
       constant("kTreeArity", "contact/tree.wgsl", collision::kTreeArity),
   });

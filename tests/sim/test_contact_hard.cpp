@@ -253,7 +253,10 @@ TEST_CASE("a pinned node inside a ball pulls nothing apart") {
     fastest = std::max(fastest, now.largest_speed());
   }
   MESSAGE("largest speed ", fastest, ", stretch ", world->totals().max_stretch);
-  CHECK(fastest < 0.25 * 0.01 / world->step() + 9.81 * 0.5);
+  // A push's speed and a fall's, and what the springs that the ball holds stretched give a node of 0.75 g.
+  const double stretched = (world->totals().max_stretch - 1) * 0.4 / 7;
+  CHECK(fastest < 0.25 * 0.01 / world->step() + 9.81 * 0.5 + std::sqrt(40 / 7.5e-4) * stretched);
+  CHECK(world->totals().max_stretch < 2.5);
 }
 
 TEST_CASE("a sheet that begins inside a ball comes out of it and is not flung") {

@@ -5,16 +5,28 @@ namespace weft {
 Result<ContactRespond> ContactRespond::create(gpu::Device& device, const State& state,
                                               const ContactPairs& pairs, std::uint32_t workgroup_size) {
   ContactRespond made;
-  WEFT_TRY(kernel, gpu::Kernel::create(device, "mass_spring/contact_respond.wgsl", {}, workgroup_size));
-  made.kernel_ = std::move(kernel);
+  WEFT_TRY(impulse, gpu::Kernel::create(device, "mass_spring/contact_impulse.wgsl", {}, workgroup_size));
+  made.impulse_ = std::move(impulse);
+  WEFT_TRY(respond, gpu::Kernel::create(device, "mass_spring/contact_respond.wgsl", {}, workgroup_size));
+  made.respond_ = std::move(respond);
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group, made.kernel_.bind({state.steps, state.position[parity], pairs.predicted, pairs.contacts,
-                                       pairs.entries, pairs.vertex_contacts, state.position[1 - parity],
-                                       state.velocity[1 - parity], state.statistics}));
-    made.groups_[parity] = std::move(group);
+    WEFT_TRY(impulse_group, made.impulse_.bind({state.steps, state.position[parity], pairs.predicted,
+                                                pairs.contacts, pairs.vertex_contacts, state.statistics}));
+    made.impulse_groups_[parity] = std::move(impulse_group);
+    WEFT_TRY(respond_group,
+             made.respond_.bind({state.steps, state.position[parity], pairs.predicted, pairs.contacts,
+                                 pairs.entries, pairs.vertex_contacts, state.position[1 - parity],
+                                 state.velocity[1 - parity], state.statistics}));
+    made.respond_groups_[parity] = std::move(respond_group);
   }
-  made.count_ = state.position[0].size();
+  made.pair_room_ = pairs.room.pairs;
+  made.vertex_count_ = state.position[0].size();
   return made;
+}
+
+void ContactRespond::record(gpu::ComputePass& pass) const {
+  impulse_.dispatch_strided(pass, impulse_groups_[pass.parity()], pair_room_);
+  respond_.dispatch(pass, respond_groups_[pass.parity()], vertex_count_);
 }
 
 }  // namespace weft

@@ -8,19 +8,19 @@
 namespace weft {
 
 /// Answers pairs of features by impulses with friction, then holds vertices back from what they would pass
-/// through. Source: docs/contact.md, equations (2) to (6). Reads   steps; position[parity] [m]; pairs. Writes
-/// position[1 - parity], velocity[1 - parity]; statistics: what was held back, whether pairs are to be looked
-/// for. Errors  Shader, OutOfMemory.
+/// through. Two dispatches. Source: docs/contact.md, equations (2) to (6). Reads   steps; position[parity]
+/// [m]; pairs. Writes  position[1 - parity], velocity[1 - parity]; statistics: what was held back, whether
+/// pairs are to be looked for. Errors  Shader, OutOfMemory.
 class ContactRespond {
  public:
   static Result<ContactRespond> create(gpu::Device& device, const State& state, const ContactPairs& pairs,
                                        std::uint32_t workgroup_size);
-  void record(gpu::ComputePass& pass) const { kernel_.dispatch(pass, groups_[pass.parity()], count_); }
+  void record(gpu::ComputePass& pass) const;
 
  private:
-  gpu::Kernel kernel_;
-  std::array<gpu::BindGroup, 2> groups_;
-  std::size_t count_ = 0;
+  gpu::Kernel impulse_, respond_;
+  std::array<gpu::BindGroup, 2> impulse_groups_, respond_groups_;  // by parity
+  std::size_t pair_room_ = 0, vertex_count_ = 0;
 };
 
 }  // namespace weft

@@ -1,0 +1,21 @@
+// The plane between the two sides of a listed pair, that neither may pass in a substep: equation (6) of docs/contact.md.
+const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
+const kFloor = 0.1;     // of the thickness: likewise; nearer, f32 does not know the plane well enough along a whole edge
+
+fn thickness_of(ids : vec4u) -> f32 { return select(step.thickness, step.self_thickness, is_self_pair(ids)); }
+
+// How far beyond the plane that it must stay behind a place lies, m; negative: it is on its own side.
+fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
+  let on_a = role < roles_of_a(contact.ids);
+  let side = select(-1.0, 1.0, on_a);
+  let gap = contact.normal.w;
+  var plane = contact.place.z - 0.5 * gap + side * max(kMargin * gap, 0.5 * kFloor * step.self_thickness);
+  if (contact.solid != 0u) {
+    let thickness = thickness_of(contact.ids);
+    plane = contact.place.w + side * max(kMargin * min(gap, thickness), kFloor * thickness);
+  }
+  return side * (plane - dot(contact.normal.xyz, place));
+}
+
+// What moves no further than this in a substep passes nothing that is not near.
+fn free_way() -> f32 { return 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0); }
