@@ -16,12 +16,12 @@ struct ContactRow {
   double dispatches_per_step = 0;  // searches included, which stand in every second step
   Timing step;                     // ms a step, searches included, over whole submits
   Timing free_step;                // the same without contact
-  Timing search;                   // ms a search; 0 where the method has none of its own
-  double searches_per_frame = 0;   // of 60 Hz, at the rate of the timed submits
-  std::uint64_t contacts = 0;      // that acted in the counted submit
+  Timing search;  // ms a search after the counted submit; 0 where the method has none of its own
+  double searches_per_frame = 0;  // of 60 Hz, at the rate of the timed submits
+  std::uint64_t contacts = 0;     // that acted in the counted submit
   std::uint32_t counted_steps = 0;
-  std::uint32_t pairs = 0, candidates = 0;  // the most that a search listed
-  std::uint32_t crossings = 0;              // the most that a search found
+  std::uint32_t pairs = 0, candidates = 0;  // that this search lists
+  std::uint32_t crossings = 0;              // the most that any search found
   std::vector<KernelTime> kernels;          // empty: the adapter has no timestamps
   std::string state_hash;                   // after the counted submit, before the timed ones
   std::string skipped;                      // why this row was not run; empty where it was

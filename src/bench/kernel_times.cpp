@@ -105,7 +105,7 @@ StepDispatches step_dispatches(sim::World& world) {
   return made;
 }
 
-Result<Timing> time_search(sim::World& world, const Effort& effort) {
+Result<SearchCost> time_search(sim::World& world, const Effort& effort) {
   using Clock = std::chrono::steady_clock;
   gpu::CommandList list;
   {
@@ -124,10 +124,13 @@ Result<Timing> time_search(sim::World& world, const Effort& effort) {
     spent += milliseconds;
     times.push_back(milliseconds / effort.searches);
   }
-  WEFT_TRY(statistics, gpu::download(world.device(), world.state().statistics));
-  if (statistics[offsetof(Statistics, held) / sizeof(std::uint32_t)] != 0)
+  WEFT_TRY(words, gpu::download(world.device(), world.state().statistics));
+  const auto read = [&](std::size_t offset) { return words[offset / sizeof(std::uint32_t)]; };
+  if (read(offsetof(Statistics, held)) != 0)
     return make_error(ErrorKind::Limit, "A list was too short while searches were timed.");
-  return Timing{median_of(times), *std::min_element(times.begin(), times.end())};
+  return SearchCost{{median_of(times), *std::min_element(times.begin(), times.end())},
+                    read(offsetof(Statistics, pairs)),
+                    read(offsetof(Statistics, candidates))};
 }
 
 Result<std::vector<KernelTime>> time_kernels(sim::World& world, std::uint32_t repeats) {

@@ -25,9 +25,15 @@ struct Effort {
   std::uint32_t least_submits = 0;
 };
 
-/// Searches anew and anew in the state at the end of the last frame.
+/// What a search takes, and what it lists.
+struct SearchCost {
+  Timing timing;  // ms
+  std::uint32_t pairs = 0, candidates = 0;
+};
+
+/// Searches anew and anew in the state at the end of the last frame, which stays as it is.
 /// Errors  Limit: a list is too short for what there is to find. DeviceLost.
-Result<Timing> time_search(sim::World& world, const Effort& effort);
+Result<SearchCost> time_search(sim::World& world, const Effort& effort);
 
 /// What the dispatches of a kernel took together.
 struct KernelTime {

@@ -48,7 +48,7 @@ TEST_CASE("bench contact gives the same rows and the same bits in two runs, and 
     CAPTURE(rows);
     CHECK(row.at("state_hash").get<std::string>().size() == 16);
     for (const char* same : {"pose", "method", "nodes", "object_triangles", "substeps", "dispatches_per_step",
-                             "counted_steps", "contacts", "state_hash", "crossings"})
+                             "counted_steps", "contacts", "pairs", "candidates", "state_hash", "crossings"})
       CHECK(row.at(same) == again.at(same));
     CHECK(row.at("ms_per_step").at("median") > 0);
     CHECK(row.at("crossings") == 0);
