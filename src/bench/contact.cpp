@@ -16,7 +16,7 @@ constexpr std::uint32_t kLayers = 8;  // of a folded sheet
 constexpr std::uint64_t kSeed = 1;
 constexpr double kSettle = 0.02;  // m, the height at which sheets lie, as in scenes/stack.json
 
-Effort effort_of(bool quick) { return quick ? Effort{4, 1, 0, 2} : Effort{32, 16, 300, 5}; }
+Effort effort_of(bool quick) { return quick ? Effort{8, 1, 0, 1} : Effort{32, 16, 300, 5}; }
 
 /// A scene at the step that "auto" chooses, whatever starts in it.
 struct Setting {
@@ -92,9 +92,10 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
   row.state_hash = counted.hash();
   row.counted_steps = world->substeps();
   row.contacts = world->totals().contacts;
-  const std::size_t two = world->frame_commands(0, 2).dispatch_count(),
-                    four = world->frame_commands(0, 4).dispatch_count();
-  row.dispatches_per_step = 0.5 * static_cast<double>(four - two);
+  row.dispatches_per_step =
+      static_cast<double>(world->frame_commands(0, 2 * kDetectInterval).dispatch_count() -
+                          world->frame_commands(0, kDetectInterval).dispatch_count()) /
+      kDetectInterval;
 
   const bool searches = !step_dispatches(*world).search.empty();
   if (searches) {
@@ -115,8 +116,9 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
   if (searches) {
     const double in_submit = static_cast<double>(after.detections - before.detections) /
                              static_cast<double>(after.frames - before.frames);
-    // The first step of a frame always searches, whatever its length; of the others every second one may.
-    row.searches_per_frame = 1 + (in_submit - 1) * (0.5 * row.substeps - 1) / (0.5 * effort.steps - 1);
+    // The first step of a frame always searches, whatever its length; of the others every so-manieth may.
+    const auto chances = [](std::uint32_t steps) { return (steps - 1) / kDetectInterval; };
+    row.searches_per_frame = 1 + (in_submit - 1) * chances(row.substeps) / chances(effort.steps);
   }
   WEFT_TRY(kernels, time_kernels(*world, effort.least_submits));
   row.kernels = std::move(kernels);
