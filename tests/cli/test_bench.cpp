@@ -59,7 +59,7 @@ TEST_CASE("bench contact gives the same rows and the same bits in two runs, and 
     CHECK(row.at("ms_per_search").at("median") > 0);
     CHECK(row.at("searches_per_frame") >= 1);
     CHECK(row.at("candidates") > 0);
-    CHECK((row.at("pairs") > 0) == (pose != "flat"));
+    if (pose != "flat") CHECK(row.at("pairs") > 0);
     CHECK((row.at("contacts") > 0) == (pose != "flat"));
   }
   CHECK(rows ==
