@@ -48,6 +48,20 @@ task_web() {
   exec npx --no vite preview apps/web --host 127.0.0.1 --port "$port" --strictPort
 }
 
+# Only the comparison with Embree needs Embree; it runs both on the processor.
+task_bench() {
+  task_build
+  if [ "${1:-}" != embree ]; then
+    build/weft bench "$@"
+    return
+  fi
+  shift
+  setup_packages libembree-dev
+  cmake --preset release >/dev/null  # sees that Embree is there
+  cmake --build build --target bench_embree -- --quiet >&2
+  VK_DRIVER_FILES=/usr/share/vulkan/icd.d/lvp_icd.x86_64.json build/bench_embree "$@"
+}
+
 task_test() {
   local labels=(-L short)
   if [ "${1:-}" = --long ]; then labels=(); shift; fi

@@ -73,10 +73,11 @@ int main(int argc, char** argv) {
   CLI::App* bench_command =
       app.add_subcommand("bench",
                          "Example: weft bench hanging --quick --json results.json\n\nMeasure: hanging (both "
-                         "formulations over sizes), pull (contact methods over objects and sizes).");
-  bench_command->add_option("NAME", bench_options.name, "hanging or pull")
+                         "formulations over sizes), pull (contact methods over objects and sizes), contact "
+                         "(searches and kernels over poses, sizes and objects).");
+  bench_command->add_option("NAME", bench_options.name, "hanging, pull or contact")
       ->required()
-      ->check(CLI::IsMember({"hanging", "pull"}));
+      ->check(CLI::IsMember({"hanging", "pull", "contact"}));
   bench_command->add_flag("--quick", bench_options.quick, "Small sizes only, for machines without a GPU");
   bench_command->add_option("--json", bench_options.json, "Write the results to this file too")
       ->type_name("FILE");

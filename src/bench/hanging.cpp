@@ -75,12 +75,11 @@ Result<Row> measure(gpu::Device& device, std::uint32_t side, Formulation formula
 
 }  // namespace
 
-Result<std::vector<Row>> run_hanging(gpu::Device& device, bool quick,
-                                     const std::function<void(const Row&)>& done) {
+Result<void> run_hanging(gpu::Device& device, bool quick,
+                         const std::function<Result<void>(const Row&)>& done) {
   const std::vector<std::uint32_t> sides =
       quick ? std::vector<std::uint32_t>{64, 100, 128}
             : std::vector<std::uint32_t>{64, 100, 128, 200, 256, 400, 512, 800, 2048};
-  std::vector<Row> rows;
   for (const std::uint32_t side : sides)
     for (const Formulation formulation : {Formulation::Grid, Formulation::Mesh, Formulation::SpringCentric}) {
       auto row = measure(device, side, formulation, quick);
@@ -94,10 +93,9 @@ Result<std::vector<Row>> run_hanging(gpu::Device& device, bool quick,
         skipped.skipped = row.error().message;
         row = skipped;
       }
-      rows.push_back(*row);
-      done(rows.back());
+      WEFT_CHECK(done(*row));
     }
-  return rows;
+  return {};
 }
 
 }  // namespace weft::bench

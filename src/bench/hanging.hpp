@@ -9,7 +9,7 @@ namespace weft::bench {
 /// The paper's first experiment: a sheet of 2 m by 2 m pinned at two corners, in three formulations over
 /// grids of 64² to 2048² nodes (`quick`: to 128²). Each row goes to `done` as it is measured. Errors
 /// DeviceLost, Shader; what is too large for the adapter is a skipped row.
-Result<std::vector<Row>> run_hanging(gpu::Device& device, bool quick,
-                                     const std::function<void(const Row&)>& done);
+Result<void> run_hanging(gpu::Device& device, bool quick,
+                         const std::function<Result<void>(const Row&)>& done);
 
 }  // namespace weft::bench

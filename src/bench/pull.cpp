@@ -83,13 +83,12 @@ Result<Row> measure(gpu::Device& device, const Case& c, scene::Scene scene, cons
 
 }  // namespace
 
-Result<std::vector<Row>> run_pull(gpu::Device& device, bool quick, const Folders& folders,
-                                  const std::function<void(const Row&)>& done) {
+Result<void> run_pull(gpu::Device& device, bool quick, const Folders& folders,
+                      const std::function<Result<void>(const Row&)>& done) {
   const std::vector<const char*> objects = quick ? std::vector<const char*>{"sphere", "armadillo"}
                                                  : std::vector<const char*>{"sphere", "armadillo", "dragon"};
   const std::vector<std::uint32_t> sides =
       quick ? std::vector<std::uint32_t>{32, 64} : std::vector<std::uint32_t>{64, 100, 128, 256, 400, 800};
-  std::vector<Row> rows;
   for (const char* object : objects) {
     bool too_slow = false;
     for (const std::uint32_t side : sides) {
@@ -104,17 +103,16 @@ Result<std::vector<Row>> run_pull(gpu::Device& device, bool quick, const Folders
           skipped.variant = "paper";
           skipped.nodes = static_cast<std::uint64_t>(side) * side;
           skipped.skipped = "the size before took over 2 s a step";
-          rows.push_back(skipped);
+          WEFT_CHECK(done(skipped));
         } else {
           WEFT_TRY(row, measure(device, c, scene, assets, start, variant));
           too_slow = too_slow || row.ms_per_step > kSlowestStepMs;
-          rows.push_back(row);
+          WEFT_CHECK(done(row));
         }
-        done(rows.back());
       }
     }
   }
-  return rows;
+  return {};
 }
 
 }  // namespace weft::bench

@@ -47,6 +47,7 @@ Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vect
   const std::string entry = path.substr(slash, path.rfind('.') - slash);
   WEFT_TRY(pipeline, backend::create_compute_pipeline(context, layout, module_id, entry, constants, path));
   kernel.pipeline_ = Object(ObjectKind::ComputePipeline, pipeline);
+  device.note_kernel(pipeline, path);
   return kernel;
 }
 

@@ -1,0 +1,19 @@
+// The rows of benchmarks as lines for people and as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "bench/contact.hpp"
+#include "bench/measure.hpp"
+
+namespace weft::cli {
+
+void print_head();
+void print(const bench::Row& row);
+nlohmann::ordered_json json_of(const bench::Row& row);
+
+void print_contact_head(bool has_timestamps);
+void print(const bench::ContactRow& row);
+nlohmann::ordered_json json_of(const bench::ContactRow& row);
+
+}  // namespace weft::cli

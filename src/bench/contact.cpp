@@ -1,0 +1,242 @@
+#include "bench/contact.hpp"
+
+#include <algorithm>
+
+#include "bench/folds.hpp"
+#include "bench/round_object.hpp"
+#include "model/contact_law.hpp"
+#include "scene/load.hpp"
+
+namespace weft::bench {
+namespace {
+
+using Done = std::function<Result<void>(const ContactRow&)>;
+
+constexpr std::uint32_t kLayers = 8;  // of a folded sheet
+constexpr std::uint64_t kSeed = 1;
+constexpr double kSettle = 0.02;  // m, the height at which sheets lie, as in scenes/stack.json
+
+Effort effort_of(bool quick) { return quick ? Effort{8, 1, 0, 1} : Effort{32, 16, 300, 5}; }
+
+/// A scene at the step that "auto" chooses, whatever starts in it.
+struct Setting {
+  scene::Scene scene;
+  sim::Assets assets;
+  HostModel model;
+  std::uint32_t substeps = 0;  // of a 60 Hz frame
+  Timing free_step;
+};
+
+Result<Setting> make_setting(gpu::Device& device, scene::Scene scene, sim::Assets assets,
+                             const Effort& effort) {
+  Setting made{std::move(scene), std::move(assets)};
+  WEFT_TRY(substeps, fix_step(made.scene, made.assets, effort.steps));
+  made.substeps = substeps;
+  WEFT_TRY(model, build_model(made.scene, made.assets.cloths));
+  made.model = std::move(model);
+  scene::Scene free = made.scene;
+  free.contact.method = scene::ContactMethod::None;
+  WEFT_TRY(world, sim::World::create(device, std::move(free), made.assets));
+  WEFT_TRY(timing, time_steps(*world, effort.budget_ms, effort.least_submits));
+  made.free_step = timing;
+  return made;
+}
+
+struct Variant {
+  const char* name;
+  scene::ContactMethod method;
+  bool self;
+};
+constexpr Variant kSelf{"proximity_self", scene::ContactMethod::Proximity, true};
+constexpr Variant kVariants[] = {
+    {"bvh", scene::ContactMethod::Bvh, false}, {"proximity", scene::ContactMethod::Proximity, false}, kSelf};
+
+/// What a row says before it is measured.
+ContactRow begin_row(const Setting& setting, const char* pose, const Variant& variant) {
+  ContactRow row;
+  row.pose = pose;
+  row.method = variant.name;
+  row.sheets = setting.model.cloths.size();
+  row.nodes = setting.model.vertex_count();
+  row.cloth_triangles = setting.model.triangles.size();
+  for (const mesh::TriangleMesh& object : setting.assets.objects)
+    row.object_triangles += object.triangles.size();
+  row.substeps = setting.substeps;
+  row.free_step = setting.free_step;
+  return row;
+}
+
+/// Runs the counted submit, from rest at these places. Again where lists were too short, since a frame that
+/// is repeated begins where the frame before it ended, and not where it was put.
+Result<void> run_counted(sim::World& world, const std::vector<Vec3d>& places) {
+  WEFT_TRY(start, world.snapshot());
+  for (std::size_t node = 0; node < places.size(); ++node)
+    start.position[node] = Vec4f::from(places[node].to<float>(), start.position[node].w);
+  do {
+    WEFT_CHECK(world.reset());
+    world.restore(start);
+    WEFT_CHECK(world.advance_frame());
+    WEFT_CHECK(world.finish());
+  } while (world.totals().repeated_frames > 0);
+  return {};
+}
+
+Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const std::vector<Vec3d>& places,
+                           const Variant& variant, const Effort& effort, ContactRow row) {
+  scene::Scene scene = setting.scene;
+  scene.contact.method = variant.method;
+  scene.contact.self = variant.self;
+  WEFT_TRY(world, sim::World::create(device, std::move(scene), setting.assets));
+  WEFT_CHECK(run_counted(*world, places));
+  WEFT_TRY(counted, world->snapshot());
+  row.state_hash = counted.hash();
+  row.counted_steps = world->substeps();
+  row.contacts = world->totals().contacts;
+  row.dispatches_per_step =
+      static_cast<double>(world->frame_commands(0, 2 * kDetectInterval).dispatch_count() -
+                          world->frame_commands(0, kDetectInterval).dispatch_count()) /
+      kDetectInterval;
+
+  const bool searches = !step_dispatches(*world).search.empty();
+  if (searches) {
+    // The next frame begins with this search, so after it the lists are long enough.
+    WEFT_CHECK(world->advance_frame());
+    WEFT_CHECK(world->finish());
+    world->restore(counted);
+    WEFT_TRY(search, time_search(*world, effort));
+    row.search = search.timing;
+    row.pairs = search.pairs;
+    row.candidates = search.candidates;
+  }
+  const sim::Totals before = world->totals();
+  WEFT_TRY(step, time_steps(*world, effort.budget_ms, effort.least_submits));
+  row.step = step;
+  const sim::Totals after = world->totals();
+  row.crossings = after.crossings;
+  if (searches) {
+    const double in_submit = static_cast<double>(after.detections - before.detections) /
+                             static_cast<double>(after.frames - before.frames);
+    // The first step of a frame always searches, whatever its length; of the others every so-manieth may.
+    const auto chances = [](std::uint32_t steps) { return (steps - 1) / kDetectInterval; };
+    row.searches_per_frame = 1 + (in_submit - 1) * chances(row.substeps) / chances(effort.steps);
+  }
+  WEFT_TRY(kernels, time_kernels(*world, effort.least_submits));
+  row.kernels = std::move(kernels);
+  return row;
+}
+
+/// What cannot be run here, or did not stay finite, is a row that says so.
+Result<void> report(Result<ContactRow> measured, ContactRow begun, const Done& done) {
+  if (measured) return done(*measured);
+  const ErrorKind kind = measured.error().kind;
+  if (kind != ErrorKind::Limit && kind != ErrorKind::OutOfMemory && kind != ErrorKind::Diverged)
+    return measured.error();
+  begun.skipped = measured.error().message;
+  return done(begun);
+}
+
+// ---- Cloth that meets itself ----
+
+struct Sheets {
+  std::uint32_t side, count;
+};
+
+Result<scene::Scene> load_sheets(const Sheets& sheets, const std::string& scenes_folder) {
+  const std::string side = std::to_string(sheets.side);
+  const std::vector<scene::Override> overrides = {
+      {"cloths.0.grid", "[" + side + "," + side + "]"},
+      {"cloths.0.copies.count", std::to_string(sheets.count)},
+      {"cloths.0.damping", "0.001"}};  // N·s/m; the scene's would make fine sheets need shorter steps
+  return scene::load_scene(scenes_folder + "/stack.json", overrides);
+}
+
+/// Each sheet folded alike, sheet upon sheet. `sway` is the slope of the folds along themselves.
+std::vector<Vec3d> folded_places(const HostModel& model, const Folds& folds, double sway) {
+  std::vector<Vec3d> places;
+  const double sheet_height = static_cast<double>(folds.layers.size()) * folds.gap;
+  for (std::size_t c = 0; c < model.cloths.size(); ++c) {
+    const mesh::Grid& grid = *model.cloths[c].grid;
+    const std::vector<Vec3d> row = fold_profile(grid.nx, grid.width / (grid.nx - 1), folds),
+                             column = fold_column(grid.ny, grid.height / (grid.ny - 1), sway, kSeed);
+    for (const Vec3d& along : column)
+      for (const Vec3d& across : row)
+        places.push_back(across + along + Vec3d{0, static_cast<double>(c) * sheet_height, 0});
+  }
+  double lowest = places[0].y;
+  for (const Vec3d& p : places) lowest = std::min(lowest, p.y);
+  for (Vec3d& p : places) p.y += kSettle - lowest;
+  return places;
+}
+
+Result<void> run_sheets(gpu::Device& device, const Sheets& sheets, const std::vector<double>& parts,
+                        const std::string& scenes_folder, const Effort& effort, const Done& done) {
+  WEFT_TRY(scene, load_sheets(sheets, scenes_folder));
+  WEFT_TRY(setting, make_setting(device, std::move(scene), sim::Assets{{{}}}, effort));
+  const HostModel& model = setting.model;
+  const double size = model.cloths[0].grid->width;  // m
+  const double gap = self_thickness(model, setting.scene.contact.thickness);
+  const auto run = [&](const char* pose, const std::vector<Vec3d>& places, double part) {
+    ContactRow row = begin_row(setting, pose, kSelf);
+    row.part = part;
+    return report(measure(device, setting, places, kSelf, effort, row), row, done);
+  };
+  WEFT_CHECK(run("flat", model.rest_position, 1));
+  for (const double part : parts) {
+    WEFT_CHECK(run("folded", folded_places(model, even_folds(size, gap, kLayers, part), 0), part));
+    // Where the wave is steepest the layers of a crumpled sheet come to 1 / √(1 + slope²) = 0.55 of this, so
+    // some touch.
+    const Folds folds = crumpled_folds(size, 1.7 * gap, kLayers, part, kSeed);
+    WEFT_CHECK(run("crumpled", folded_places(model, folds, 0.1), part));
+  }
+  return {};
+}
+
+// ---- Cloth on an object ----
+
+constexpr const char* kDrapedScene = R"({"format": "weft-scene/1", "drag": 0.5, "time": {"substeps": "auto"},
+  "solver": {"kind": "mass_spring"}, "contact": {"method": "proximity", "thickness": 0.003},
+  "cloths": [{"mesh": "sheet", "density": 0.3, "friction": 0.4, "damping": 0.001,
+              "stiffness": {"structural": 300, "shear": 40, "bend": 1}}],
+  "colliders": [{"kind": "mesh", "mesh": "round"}]})";
+
+Result<void> run_draped(gpu::Device& device, std::uint32_t side, std::uint32_t object_triangles,
+                        const Effort& effort, const Done& done) {
+  WEFT_TRY(scene, scene::parse_scene(kDrapedScene, "bench contact"));
+  const auto read = [&](const std::string& name) -> Result<mesh::TriangleMesh> {
+    if (name == "sheet") return make_round_sheet(side, 1, scene.contact.thickness);
+    return make_round_object(object_triangles);
+  };
+  WEFT_TRY(assets, sim::load_assets(scene, read));
+  WEFT_TRY(setting, make_setting(device, std::move(scene), std::move(assets), effort));
+  for (const Variant& variant : kVariants) {
+    const ContactRow row = begin_row(setting, "draped", variant);
+    WEFT_CHECK(
+        report(measure(device, setting, setting.model.rest_position, variant, effort, row), row, done));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> run_contact(gpu::Device& device, bool quick, const std::string& scenes_folder,
+                         const Done& done) {
+  const Effort effort = effort_of(quick);
+  if (quick) {
+    WEFT_CHECK(run_sheets(device, {20, 2}, {1}, scenes_folder, effort, done));
+    return run_draped(device, 24, 5000, effort, done);
+  }
+  // The largest come last, so that a run that is cut off lacks least.
+  for (const Sheets& sheets : {Sheets{100, 1}, Sheets{256, 1}, Sheets{400, 1}, Sheets{70, 50}}) {
+    const bool sweep = sheets.side == 256;  // contacts at one size
+    const std::vector<double> parts = sweep ? std::vector{0.125, 0.25, 0.5, 1.0} : std::vector{0.125, 1.0};
+    WEFT_CHECK(run_sheets(device, sheets, parts, scenes_folder, effort, done));
+  }
+  for (const std::uint32_t object_triangles : {10000U, 100000U, 1000000U})
+    WEFT_CHECK(run_draped(device, 256, object_triangles, effort, done));
+  WEFT_CHECK(run_draped(device, 100, 1000000, effort, done));
+  WEFT_CHECK(run_draped(device, 800, 1000000, effort, done));
+  WEFT_CHECK(run_sheets(device, {800, 1}, {0.125, 1}, scenes_folder, effort, done));
+  return {};
+}
+
+}  // namespace weft::bench

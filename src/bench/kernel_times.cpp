@@ -1,0 +1,156 @@
+#include "bench/kernel_times.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+
+#include "gpu/readback.hpp"
+#include "gpu/timer.hpp"
+
+namespace weft::bench {
+namespace {
+
+using gpu::Command, gpu::CommandKind;
+
+std::uint32_t step_of(const Command& dispatch) { return dispatch.args[3] / gpu::kStepStride; }
+
+/// The frame whose first substep searches and whose second does not.
+const gpu::CommandList& two_steps(sim::World& world) { return world.frame_commands(world.parity(), 2); }
+
+void record(gpu::ComputePass& pass, const Command& dispatch) {
+  pass.set_step(step_of(dispatch), 0);
+  pass.dispatch(dispatch.ids[0], dispatch.ids[1], {dispatch.args[0], dispatch.args[1], dispatch.args[2]},
+                dispatch.args[4] != 0);
+}
+
+bool runs_in(const std::vector<Command>& dispatches, const Command& dispatch) {
+  return std::any_of(dispatches.begin(), dispatches.end(),
+                     [&](const Command& other) { return other.ids[0] == dispatch.ids[0]; });
+}
+
+/// "find_candidates" of contact/find_candidates.wgsl.
+std::string kernel_name(sim::World& world, const Command& dispatch) {
+  const std::string& path = world.device().kernel_path(dispatch.ids[0]);
+  const std::size_t begin = path.rfind('/') + 1;
+  return path.substr(begin, path.rfind('.') - begin);
+}
+
+double median_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The dispatches of a frame of two substeps, apart.
+struct Parts {
+  std::vector<Command> first, second, end;
+};
+Parts parts_of(sim::World& world) {
+  Parts parts;
+  for (const Command& command : two_steps(world).commands()) {
+    if (command.kind != CommandKind::Dispatch) continue;
+    (step_of(command) == 1  ? parts.second
+     : parts.second.empty() ? parts.first
+                            : parts.end)
+        .push_back(command);
+  }
+  return parts;
+}
+
+/// Which kernel each dispatch of the two steps counts for.
+struct Plan {
+  std::vector<KernelTime> kernels;
+  std::vector<std::size_t> kernel_of;
+};
+Plan plan_of(sim::World& world) {
+  Plan plan;
+  const auto add = [&](const Command& dispatch, const char* per) {
+    const std::string name = kernel_name(world, dispatch);
+    std::size_t k = 0;
+    while (k < plan.kernels.size() && (plan.kernels[k].kernel != name || plan.kernels[k].per != per)) ++k;
+    if (k == plan.kernels.size()) plan.kernels.push_back({name, per});
+    ++plan.kernels[k].dispatches;
+    plan.kernel_of.push_back(k);
+  };
+  const Parts parts = parts_of(world);
+  for (const Command& dispatch : parts.first)
+    add(dispatch, runs_in(parts.second, dispatch) ? "step" : "search");
+  for (const Command& dispatch : parts.second) add(dispatch, "step");
+  for (const Command& dispatch : parts.end) add(dispatch, "frame");
+  return plan;
+}
+
+/// The frame of two steps with a pass and a span for each dispatch.
+Result<std::vector<gpu::Timer::Span>> run_timed(sim::World& world, gpu::Timer& timer) {
+  gpu::CommandList list;
+  for (const Command& command : two_steps(world).commands()) {
+    if (command.kind == CommandKind::ClearBuffer)
+      list.clear({command.ids[0], gpu::ObjectKind::Buffer, command.sizes[0], command.sizes[1]});
+    if (command.kind != CommandKind::Dispatch) continue;
+    gpu::ComputePass pass(list, "timed", timer.span(kernel_name(world, command)));
+    record(pass, command);
+  }
+  timer.finish(list);
+  WEFT_CHECK(world.device().submit(list));
+  return timer.read();
+}
+
+}  // namespace
+
+StepDispatches step_dispatches(sim::World& world) {
+  const Parts parts = parts_of(world);
+  StepDispatches made;
+  made.step_count = parts.second.size();
+  for (const Command& dispatch : parts.first)
+    if (!runs_in(parts.second, dispatch)) made.search.push_back(dispatch);
+  return made;
+}
+
+Result<SearchCost> time_search(sim::World& world, const Effort& effort) {
+  using Clock = std::chrono::steady_clock;
+  gpu::CommandList list;
+  {
+    gpu::ComputePass pass(list, "searches");
+    const StepDispatches dispatches = step_dispatches(world);
+    for (std::uint32_t k = 0; k < effort.searches; ++k)
+      for (const Command& dispatch : dispatches.search) record(pass, dispatch);
+  }
+  std::vector<double> times;
+  double spent = 0;
+  while (times.size() < effort.least_submits || spent < effort.budget_ms) {
+    const auto start = Clock::now();
+    WEFT_CHECK(world.device().submit(list));
+    WEFT_CHECK(world.device().wait());
+    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    spent += milliseconds;
+    times.push_back(milliseconds / effort.searches);
+  }
+  WEFT_TRY(words, gpu::download(world.device(), world.state().statistics));
+  const auto read = [&](std::size_t offset) { return words[offset / sizeof(std::uint32_t)]; };
+  if (read(offsetof(Statistics, held)) != 0)
+    return make_error(ErrorKind::Limit, "A list was too short while searches were timed.");
+  return SearchCost{{median_of(times), *std::min_element(times.begin(), times.end())},
+                    read(offsetof(Statistics, pairs)),
+                    read(offsetof(Statistics, candidates))};
+}
+
+Result<std::vector<KernelTime>> time_kernels(sim::World& world, std::uint32_t repeats) {
+  if (!world.device().has_timestamps()) return std::vector<KernelTime>{};
+  Plan plan = plan_of(world);
+  WEFT_TRY(timer, gpu::Timer::create(world.device(), static_cast<std::uint32_t>(plan.kernel_of.size())));
+  std::vector<std::vector<double>> times(plan.kernels.size());  // of each kernel, by repeat
+  for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
+    WEFT_TRY(spans, run_timed(world, timer));
+    for (std::vector<double>& own : times) own.push_back(0);
+    for (std::size_t k = 0; k < spans.size(); ++k) times[plan.kernel_of[k]].back() += spans[k].milliseconds;
+  }
+  for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
+    KernelTime& kernel = plan.kernels[k];
+    kernel.milliseconds = median_of(times[k]);
+    if (kernel.per != "step") continue;
+    kernel.milliseconds /= 2;  // there were two
+    kernel.dispatches /= 2;
+  }
+  return plan.kernels;
+}
+
+}  // namespace weft::bench
