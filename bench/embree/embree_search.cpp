@@ -95,7 +95,8 @@ EmbreeSearch::Box EmbreeSearch::box_of(const std::vector<Vec3f>& positions, cons
 void EmbreeSearch::bounds_of_sheet(const RTCBoundsFunctionArguments* arguments) {
   const auto& own = *static_cast<const EmbreeSearch*>(arguments->geometryUserPtr);
   const Box box = own.box_of(own.search_.positions, own.sheet_[arguments->primID]);
-  const float radius = own.search_.radius(), by = own.search_.self() ? 0.50001F * radius : radius;
+  const float radius = own.search_.own_radius() + own.search_.other_radius();
+  const float by = own.search_.self() ? 0.50001F * radius : radius;
   *arguments->bounds_o = {box.low.x - by,  box.low.y - by,  box.low.z - by,  0,
                           box.high.x + by, box.high.y + by, box.high.z + by, 0};
 }
@@ -112,9 +113,11 @@ bool EmbreeSearch::is_pair(std::uint32_t own, std::uint32_t other) const {
   const std::vector<Vec3f>& positions = self ? search_.positions : search_.object.positions;
   const mesh::Triangle& triangle = self ? sheet_[other] : search_.object.triangles[other];
   const Box a = box_of(search_.positions, sheet_[own]), b = box_of(positions, triangle);
-  const float radius = search_.radius();
+  const float own_radius = search_.own_radius(), other_radius = search_.other_radius();
   for (int axis = 0; axis < 3; ++axis)
-    if (!(a.low[axis] - radius <= b.high[axis] && b.low[axis] <= a.high[axis] + radius)) return false;
+    if (!(a.low[axis] - own_radius <= b.high[axis] + other_radius &&
+          b.low[axis] - other_radius <= a.high[axis] + own_radius))
+      return false;
   return !self || !lie_flat(positions, sheet_[own], triangle);
 }
 

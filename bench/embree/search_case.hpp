@@ -11,18 +11,21 @@
 
 namespace weft {
 
-/// Which triangles of a sheet are near each other, or near an object: those whose boxes overlap where one of
-/// them is grown by the radius, but for neighbours that lie flat (docs/contact.md).
+/// Which triangles of a sheet are near each other, or near an object: those whose boxes overlap where the
+/// sheet's are grown by how far its nodes may go and one of a pair by the thickness too, but for neighbours
+/// that lie flat (docs/contact.md).
 struct SearchCase {
   std::string pose;
   HostModel model;
   std::vector<Vec3f> positions;  // of the sheet's nodes [m]
   mesh::TriangleMesh object;     // without triangles: the sheet meets itself
   float thickness = 0;           // [m]
-  float reach = 0;               // [m]; twice that on top of the thickness is the radius
+  float reach = 0;               // of a node at rest [m]
+  float flat_reach = 0;          // up to which neighbours that lie flat are left out [m]
 
   bool self() const { return object.triangles.empty(); }
-  float radius() const { return thickness + 2 * reach; }
+  float own_radius() const { return thickness + reach; }
+  float other_radius() const { return self() ? reach : 0; }
 };
 
 /// A pair of triangles as one number: the sheet's by its place in weft's order, in the upper half; then the

@@ -48,9 +48,9 @@ Result<WeftSearch> WeftSearch::create(gpu::Device& device, const SearchCase& sea
   }
   const std::vector<std::vector<mesh::TriangleMesh>> keyframes(objects.size());
   WEFT_TRY(pair_search,
-           collision::PairSearch::create(device, made.model_, made.state_, made.pairs_, scene,
-                                         {objects, colliders, keyframes},
-                                         {search.thickness, search.self() ? search.thickness : 0}));
+           collision::PairSearch::create(
+               device, made.model_, made.state_, made.pairs_, scene, {objects, colliders, keyframes},
+               {search.thickness, search.self() ? search.thickness : 0, search.flat_reach}));
   made.search_ = std::move(pair_search);
 
   std::vector<Vec4f> places;
