@@ -8,7 +8,12 @@ struct SearchParams {  // mirror: src/collision/pair_search.hpp
   pair_capacity : u32,
   thickness : f32,           // m, cloth and collider; with twice the reach features are listed
   self_thickness : f32,      // m, cloth and cloth
+  first_opposite : u32,      // of `trees`: for each cloth triangle the corners across its edges, kNoCorner where there is none
+  first_rim : u32,           // of `trees`: how far each vertex, then each point, lies from the rim of its sheet, m; four a word
+  vertex_count : u32,        // of the cloths
+  padding : u32,
 }
+const kNoCorner = 0xffffffffu;
 
 // A candidate: a cloth triangle and, in the upper four bits, what it may be near; then which one.
 const kNearCloth = 0u;      // a cloth triangle, by its place in the tree's order

@@ -1,4 +1,4 @@
-// Answers the pairs that act at a vertex, then holds it back from whatever it would pass through. One invocation per vertex. Source: docs/contact.md, equations (2) to (6).
+// Answers the pairs that act at a vertex, then holds it back from whatever it would pass through. One invocation per vertex. Source: docs/contact.md, equations (2) to (7).
 #include "shared/index.wgsl"
 #include "shared/step.wgsl"
 #include "shared/contact.wgsl"
@@ -15,6 +15,8 @@
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 const kSpring = 0.25;   // β: of the gap that is missing, what a substep makes good
 const kWall = 0.25;     // of the thickness: no pair comes nearer
+const kUntanglePart = 0.125;  // of the thickness: how far apart what crosses comes in a substep
+const kUntangleRate = 120.0;  // thicknesses a second: likewise
 const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
 const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s
 const kMostUnits = 1.0e9;
@@ -47,7 +49,9 @@ fn impulse(contact : Contact) -> vec3f {
   let thickness = thickness_of(ids);
   let speed = dot(n, u);
   var change = min(kWall * thickness - gap, 0.0) / step.dt - speed;
-  if (gap < kTouching * thickness) {
+  if (contact.solid == kUntangles) {
+    change = -gap * thickness * min(kUntanglePart / step.dt, kUntangleRate) - speed;
+  } else if (gap < kTouching * thickness) {
     change = max(change, kSpring * clamp(thickness - gap, 0.0, thickness) / step.dt - step.contact_damping * speed);
   } else {  // it comes to the thickness and no further
     change = max(change, step.contact_damping * ((thickness - gap) / step.dt - speed));
@@ -56,8 +60,26 @@ fn impulse(contact : Contact) -> vec3f {
   let sliding = u - speed * n;
   let slip = length(sliding);
   var friction = vec3f(0.0);
-  if (slip > 0.0) { friction = (min(contact.surface.w * change, slip) / slip) * sliding; }
+  if (slip > 0.0 && contact.solid != kUntangles) { friction = (min(contact.surface.w * change, slip) / slip) * sliding; }
   return (change * n - friction) / mobility;
+}
+
+// What pairs with bodies that a vertex is inside of ask of it, in sums of integers.
+struct OutOfBody {
+  way : vec3i,      // 2^-16
+  surface : vec3i,  // the bodies' velocity, 2^-16 m/s
+  parts : u32,      // 2^-16
+}
+const kPartUnits = 65536.0;
+
+// Equation (7d): a body gives no way, and its facets do not agree on where outside is. The vertex goes where most of them say.
+fn out_of_body(body : OutOfBody, v : vec3f) -> vec3f {
+  let way = vec3f(body.way) / f32(body.parts);
+  let agreement = length(way);
+  if (agreement <= 0.0) { return vec3f(0.0); }
+  let n = way / agreement;
+  let wanted = step.thickness * min(kUntanglePart / step.dt, kUntangleRate);
+  return max(0.0, wanted - dot(n, v - vec3f(body.surface) / f32(body.parts))) * n;
 }
 
 // How far beyond the plane that it must stay behind a place lies, m; negative: it is on its own side.
@@ -96,6 +118,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     atomicStore(&statistics[kStatTravel], bitcast<u32>(travel));
     let next = kReachMargin * kDetectInterval * step.acceleration.w;
     if (next > 0.0 && travel + next > bitcast<f32>(atomicLoad(&statistics[kStatReach]))) { atomicStore(&statistics[kStatDetect], 1u); }
+    if (atomicLoad(&statistics[kStatFound]) != 0u) { atomicStore(&statistics[kStatDetect], 1u); }  // what crosses comes ring by ring
   }
 
   let reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
@@ -106,15 +129,24 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   if (inverse_mass > 0.0) {
     if (count >= kUrgencyUnit) {
       var sum = vec3i(0);  // entries have no order, so their sum is of integers
+      var body = OutOfBody(vec3i(0), vec3i(0), 0u);
       for (var k = begin; k < end; k++) {
         let entry = entries[k];
         if ((entry & kEntryActs) == 0u) { continue; }
         let contact = contacts[entry / 16u];
         let weight = weights_of(contact.ids, contact.place.x, contact.place.y)[entry & 3u];
+        if (contact.solid == kUntangles && !is_self_pair(contact.ids)) {
+          let part = kPartUnits * weight * -contact.normal.w;
+          body.way += vec3i(round(part * contact.normal.xyz));
+          body.surface -= vec3i(round(clamp(part * contact.surface.xyz, vec3f(-kMostUnits), vec3f(kMostUnits))));
+          body.parts += u32(round(abs(part)));
+          continue;
+        }
         let change = (inverse_mass * weight) * impulse(contact);
         sum += vec3i(round(clamp(kSpeedUnits * change, vec3f(-kMostUnits), vec3f(kMostUnits))));
       }
-      let change = vec3f(sum) / kSpeedUnits;
+      var change = vec3f(sum) / kSpeedUnits;
+      if (body.parts > 0u) { change += out_of_body(body, v + change); }
       v += change;
       x += step.dt * change;
     }

@@ -15,9 +15,11 @@ namespace weft::collision {
 struct SearchParams {
   std::uint32_t triangle_count = 0, collider_count = 0, self_contact = 0, first_row = 0;
   std::uint32_t candidate_capacity = 0, pair_capacity = 0;
-  float thickness = 0, self_thickness = 0;  // [m]
+  float thickness = 0, self_thickness = 0;          // [m]
+  std::uint32_t first_opposite = 0, first_rim = 0;  // words of `trees`
+  std::uint32_t vertex_count = 0, padding = 0;
 };
-static_assert(sizeof(SearchParams) == 32);
+static_assert(sizeof(SearchParams) == 48);
 
 /// What a search looks for.
 struct SearchSetup {
@@ -56,6 +58,7 @@ class PairSearch {
   ColliderSet colliders_;
   std::vector<std::uint32_t> order_;
   std::uint32_t vertex_count_ = 0, triangle_count_ = 0, strided_groups_ = 1;
+  std::uint32_t first_opposite_ = 0, first_rim_ = 0;
   ImplicitTree tree_;
   gpu::Buffer<TreeWord> triangles_, trees_;
   gpu::Buffer<Vec4f> points_;

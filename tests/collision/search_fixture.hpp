@@ -25,7 +25,7 @@ struct SearchCase {
   std::vector<bool> deforming;              // of each object; where the list ends: rigid
   std::vector<scene::Collider> shapes;      // the colliders after them
   float thickness = 0, self_thickness = 0, reach = 0;
-  ContactRoom room{20000, 60000};
+  ContactRoom room{60000, 60000};
 
   float radius() const { return thickness + 2 * reach; }
   float self_radius() const { return self_thickness + 2 * reach; }

@@ -17,6 +17,7 @@
 #include "gpu/kernel.hpp"
 #include "model/contact_law.hpp"
 #include "model/host_model.hpp"
+#include "model/sheet_rim.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/floor.hpp"
 #include "render/frame_params.hpp"
@@ -127,13 +128,14 @@ Json analytic_collider() {
 Json contact() {
   using T = Contact;
   return row("Contact", "shared/contact.wgsl", sizeof(T), kUniform,
-             {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid)});
+             {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid), M(other_end)});
 }
 Json search_params() {
   using T = collision::SearchParams;
   return row("SearchParams", "contact/triangles.wgsl", sizeof(T), kExact,
              {M(triangle_count), M(collider_count), M(self_contact), M(first_row), M(candidate_capacity),
-              M(pair_capacity), M(thickness), M(self_thickness)});
+              M(pair_capacity), M(thickness), M(self_thickness), M(first_opposite), M(first_rim),
+              M(vertex_count), M(padding)});
 }
 Json tree_params() {
   using T = collision::TreeParams;
@@ -223,6 +225,18 @@ Json shared_constants() {
       constant("kPairFlag", "shared/contact.wgsl", kPairFlag),
       constant("kIdBits", "shared/contact.wgsl", kIdBits),
       constant("kVertexWords", "shared/contact.wgsl", kVertexWords),
+      constant("kCrossingFlag", "shared/contact.wgsl", kCrossingFlag),
+      constant("kUntangles", "shared/contact.wgsl", kUntangles),
+      constant("kCursorBits", "shared/contact.wgsl", kCursorBits),
+      constant("kNoCorner", "contact/triangles.wgsl", kNoCorner),
+      real("kUntanglePart", "mass_spring/contact_respond.wgsl", kUntanglePart),
+      real("kUntangleRate", "mass_spring/contact_respond.wgsl", kUntangleRate),
+      real("kContourGain", "contact/untangle.wgsl", kContourGain),
+      real("kRimPart", "contact/untangle.wgsl", kRimPart),
+      real("kLeastSlope", "contact/untangle.wgsl", kLeastSlope),
+      real("kLeastOutward", "contact/untangle.wgsl", kLeastOutward),
+      real("kOutwardPart", "contact/untangle.wgsl", kOutwardPart),
+      real("kTouch", "contact/evaluate.wgsl", kTouch),
       real("kTouching", "shared/contact.wgsl", kContactTouching),
       real("kSpring", "mass_spring/contact_respond.wgsl", kContactSpring),
       real("kWall", "mass_spring/contact_respond.wgsl", kContactWall),
