@@ -233,7 +233,7 @@ TEST_CASE("long: a sheet that begins through the head and the arms of the armadi
                                                           {"gravity", "[0, 0, 0]"},
                                                           {"cloths.0.transform.translate", "[0, 1, 0]"}}));
   const std::size_t before = passed(*world);
-  advance(*world, 60);
+  advance(*world, 45);
   MESSAGE(before, " passed at first, ", passed(*world), " after");
   CHECK(passed(*world) == 0);
   CHECK(world->totals().crossings_left == 0);
