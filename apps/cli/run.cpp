@@ -28,6 +28,7 @@ bool strikes(const std::string& fault, const char* kind, std::uint32_t frame) {
 Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& options, Summary& summary) {
   const std::uint32_t frames = options.frames.value_or(world.scene().time.frames);
   Progress progress("simulating", frames);
+  bool tangled = false;
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
     if (interrupted())
       return make_error(ErrorKind::Interrupted, "Interrupted after %u of %u frames.", frame, frames);
@@ -37,6 +38,13 @@ Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& o
     WEFT_CHECK(world.advance_frame());
     WEFT_CHECK(world.finish());
     summary.frame_ms.push_back(milliseconds_since(start));
+    if (world.totals().crossings > 0 && !tangled) {
+      tangled = true;
+      say("Cloth is in a tangle since frame %u: edges pass through triangles at %u places, and contact moves "
+          "them "
+          "apart.",
+          frame, world.totals().crossings);
+    }
     if (pictures != nullptr) WEFT_CHECK(pictures->draw(world));
     progress.show(frame + 1, summary.frame_ms.back());
   }
@@ -91,6 +99,8 @@ Result<void> run_scene(const RunOptions& options) {
   if (!ended && ended.error().kind != ErrorKind::Diverged && ended.error().kind != ErrorKind::Interrupted)
     return ended;
   if (pictures) WEFT_CHECK(pictures->finish());
+  if (world->totals().crossings_left > 0)
+    say("Cloth ends in a tangle: edges pass through triangles at %u places.", world->totals().crossings_left);
   summary.end = end_of(ended);
   summary.wall_s = milliseconds_since(start) / 1000;
   WEFT_TRY(snapshot, world->snapshot());

@@ -66,6 +66,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
     json["pairs"] = totals.pairs;
     json["candidates"] = totals.candidates;
     json["crossings"] = totals.crossings;
+    json["crossings_left"] = totals.crossings_left;
     json["truncated"] = totals.truncated;
     json["repeated_frames"] = totals.repeated_frames;
   }

@@ -19,3 +19,14 @@ fn crosses(p : vec3f, q : vec3f, a : vec3f, b : vec3f, c : vec3f) -> bool {
   let ca = volume(d, c - p, a - p);
   return min(min(ab, bc), ca) > none || max(max(ab, bc), ca) < -none;
 }
+
+// Where a segment that crosses a triangle passes through it, as weights of the second and the third corner.
+fn crossing_place(p : vec3f, q : vec3f, a : vec3f, b : vec3f, c : vec3f) -> vec2f {
+  let d = q - p;
+  let ab = volume(d, a - p, b - p);
+  let bc = volume(d, b - p, c - p);
+  let ca = volume(d, c - p, a - p);
+  let sum = ab + bc + ca;
+  if (sum == 0.0) { return vec2f(0.0); }
+  return vec2f(ca, ab) / sum;
+}

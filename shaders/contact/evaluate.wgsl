@@ -5,6 +5,7 @@
 #include "shared/contact.wgsl"
 #include "shared/statistics.wgsl"
 #include "contact/closest.wgsl"
+#include "contact/crossing.wgsl"
 #include "contact/planes.wgsl"
 //                                                                                     elements              unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
@@ -16,7 +17,10 @@
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 
+const kTouch = 0.01;  // of the thickness: what is nearer has no side of its own
+
 var<workgroup> listed : u32;
+var<workgroup> crossings : u32;  // that the last search has found
 
 fn start_of(id : u32) -> vec4f {
   if (is_collider(id)) { return points[id & kIdBits]; }
@@ -73,14 +77,34 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
   return sign * (reach + radius);
 }
 
+// What the last search has found at the cloth vertices from role `first` to before `end`: kTangledCloth, kTangledMesh.
+fn tangles_of(ids : vec4u, first : u32, end : u32) -> u32 {
+  var marks = 0u;
+  for (var role = first; role < end; role++) {
+    if (!is_collider(ids[role])) { marks |= atomicLoad(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kCursorWord]); }
+  }
+  return marks & ~kCursorBits;
+}
+
+// Whether both features are of what passes through each other, so that either may be on its wrong side.
+fn is_tangled(ids : vec4u, is_self : bool) -> bool {
+  if (is_plane_pair(ids)) { return false; }
+  let of_a = tangles_of(ids, 0u, roles_of_a(ids));
+  let of_b = tangles_of(ids, roles_of_a(ids), 4u);
+  if (is_self) { return (of_a & of_b & kTangledCloth) != 0u; }
+  return ((of_a | of_b) & kTangledMesh) != 0u;
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
             @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
     listed = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatHeld]) != 0u);
+    crossings = atomicLoad(&statistics[kStatFound]);
   }
   let count = workgroupUniformLoad(&listed);
   let free = free_way();
+  let tangled = workgroupUniformLoad(&crossings) != 0u;
   var hits = 0u;
   var hash = 0u;
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
@@ -94,7 +118,19 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     var place_a : f32;  // n·p_A
     var radius = 0.0;
     var friction = contacts[pair].surface.w;
-    if (is_plane_pair(ids)) {
+    var untangles = false;
+    if (is_crossing(ids)) {
+      let q = start_of(contacts[pair].other_end).xyz;
+      let p2 = start_of(ids.z).xyz;
+      let p3 = start_of(ids.w).xyz;
+      let at = crossing_place(p0.xyz, q, p1.xyz, p2, p3);
+      near.inside = crosses(p0.xyz, q, p1.xyz, p2, p3);
+      near.s = at.x;
+      near.t = at.y;
+      n = contacts[pair].normal.xyz;
+      gap = contacts[pair].normal.w;
+      untangles = true;
+    } else if (is_plane_pair(ids)) {
       n = points[(ids.y & kIdBits) + 1u].xyz;
       gap = dot(n, p0.xyz - p1.xyz);
       place_a = dot(n, p0.xyz);
@@ -106,17 +142,35 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       let p3 = start_of(ids.w);
       if (is_edge_pair(ids)) {
         near = closest_on_edges(p0.xyz, p1.xyz, p2.xyz, p3.xyz);
-        if (is_collider(ids.z)) { radius = p2.w; }
+        if (is_collider(ids.z)) { radius = max(p2.w, 0.0); }
         place_a = 0.0;
       } else {
         near = closest_on_triangle(p0.xyz, p1.xyz, p2.xyz, p3.xyz);
-        if (is_collider(ids.x)) { radius = p0.w; }
+        if (is_collider(ids.x)) { radius = max(p0.w, 0.0); }
       }
       let distance = length(near.apart);
       n = select(vec3f(0.0, 1.0, 0.0), near.apart / distance, distance > 0.0);
       gap = distance - radius;
       place_a = dot(n, p0.xyz);
       if (is_edge_pair(ids)) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }
+      let touches = distance < kTouch * step.thickness && min(min(p0.w, p1.w), p2.w) < 0.0;  // a closed mesh
+      if (touches || (tangled && radius == 0.0 && is_tangled(ids, is_self))) {
+        // Of a closed mesh the outside is known. All else is left to what crosses.
+        let normal = cross(p2.xyz - p1.xyz, p3.xyz - p1.xyz);
+        let size = length(normal);
+        let from_face = !is_self && !is_edge_pair(ids) && p1.w < 0.0 && is_collider(ids.y) && size > 0.0;
+        let outside = dot(near.apart, normal) >= 0.0 && !touches;
+        let over = near.s > 0.0 && near.t > 0.0 && near.s + near.t < 1.0;
+        if (from_face && !outside && (over || touches)) {
+          near.inside = distance < step.thickness;
+          n = normal / size;
+          gap = -1.0;
+          untangles = true;
+        } else if (!from_face || !outside) {
+          near.inside = false;
+          gap = 0.0;
+        }
+      }
     }
     let w = weights_of(ids, near.s, near.t);
     let r = relative_velocity(ids, w, n, radius);
@@ -130,7 +184,9 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let end_b = role_count(ids);
     var reach = 0.0;
     var solid = 0u;
-    if (is_solid(ids, first_b, end_b)) {
+    if (untangles) {
+      solid = kUntangles;
+    } else if (is_solid(ids, first_b, end_b)) {
       solid = 2u;
       reach = reach_of(ids, first_b, end_b, 1.0, n, radius);
     } else if (is_solid(ids, 0u, first_b)) {
@@ -162,8 +218,10 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       if (!is_near) { continue; }
       let words = kVertexWords * (ids[role] & kIdBits);
       if (acts && w[role] != 0.0) { atomicAdd(&vertex_contacts[words + kUrgencyWord], urgency); }
-      let tight = free + beyond(contact, role, previous[ids[role] & kIdBits].xyz);
-      if (gap > 0.0 && tight > 0.0) { atomicMax(&vertex_contacts[words + kTightWord], bitcast<u32>(tight)); }
+      var tight = 0.0;
+      if (gap > 0.0) { tight = free + beyond(contact, role, previous[ids[role] & kIdBits].xyz); }
+      if (untangles && acts && !is_self) { tight = kInBody; }
+      if (tight > 0.0) { atomicMax(&vertex_contacts[words + kTightWord], bitcast<u32>(tight)); }
     }
     if (acts) {
       hits++;

@@ -1,6 +1,7 @@
 // The narrow phase: lists the pairs of features nearer than thickness and reaches, out of the candidates. An invocation takes every so-manieth
 // candidate. A vertex or edge belongs to one of its triangles, so that each pair of features is found once (Curtis et al. 2008, Fast
-// Collision Detection for Deformable Models using Representative-Triangles). Also counts edges that pass through triangles.
+// Collision Detection for Deformable Models using Representative-Triangles). An edge that passes through a triangle is counted, and
+// listed with the way by which both come apart.
 #include "shared/index.wgsl"
 #include "shared/contact.wgsl"
 #include "shared/statistics.wgsl"
@@ -8,6 +9,7 @@
 #include "contact/triangles.wgsl"
 #include "contact/closest.wgsl"
 #include "contact/crossing.wgsl"
+#include "contact/untangle.wgsl"
 //                                                                                     elements
 @group(0) @binding(0) var<uniform>             params          : SearchParams;
 @group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count: contact/triangles.wgsl
@@ -98,14 +100,14 @@ fn near_edges(p : vec3f, q : vec3f, pq : vec2u, b : Face, radius : f32) -> u32 {
   return hits;
 }
 
-// The edges of `a`, each counted by its owner, that pass through `b`.
-fn count_crossings(a : Face, b : Face) -> u32 {
-  return edge_crosses(a.a, a.b, a.ids.xy, a.owned & 8u, b) + edge_crosses(a.b, a.c, a.ids.yz, a.owned & 16u, b) +
-         edge_crosses(a.c, a.a, a.ids.zx, a.owned & 32u, b);
+// The edges of `a`, each found by its owner, that pass through `b`, as bits.
+fn crossing_edges(a : Face, b : Face) -> u32 {
+  return bit(0u, edge_crosses(a.a, a.b, a.ids.xy, a.owned & 8u, b)) | bit(1u, edge_crosses(a.b, a.c, a.ids.yz, a.owned & 16u, b)) |
+         bit(2u, edge_crosses(a.c, a.a, a.ids.zx, a.owned & 32u, b));
 }
-fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> u32 {
-  if (owned == 0u || any(b.ids == pq.xxx) || any(b.ids == pq.yyy)) { return 0u; }
-  return select(0u, 1u, crosses(p, q, b.a, b.b, b.c));
+fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool {
+  if (owned == 0u || any(b.ids == pq.xxx) || any(b.ids == pq.yyy)) { return false; }
+  return crosses(p, q, b.a, b.b, b.c);
 }
 
 // Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's ends, 3 a ball.
@@ -147,6 +149,62 @@ fn pair_of_shape(a : vec3u, kind : u32, point : u32, hit : u32) -> vec4u {
   return vec4u(edge_ids(a, hit), id, id + 2u) | vec4u(kPairFlag, 0u, 0u, 0u);
 }
 
+fn count_roles(ids : vec4u) {
+  for (var role = 0u; role < role_count(ids); role++) {
+    if (!is_collider(ids[role])) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + 1u], 1u); }
+  }
+}
+
+fn rim_of(id : u32) -> f32 {
+  let place = select(id, params.vertex_count + (id & kIdBits), (id & kColliderPoint) != 0u);
+  return bitcast<f32>(trees[params.first_rim + place / 4u][place % 4u]);
+}
+fn rims_of(ids : vec3u) -> vec3f { return vec3f(rim_of(ids.x), rim_of(ids.y), rim_of(ids.z)); }
+
+fn kind_of(id : u32) -> u32 {
+  if ((id & kColliderPoint) == 0u) { return kFromCloth; }
+  return select(kFromOpenMesh, kFromClosedMesh, points[id & kIdBits].w < 0.0);
+}
+
+// Lists that edge `k` of `own`, a cloth triangle of this number or one of a collider, passes through `onto`; by its first or its
+// second end.
+fn list_crossing(own : Face, number : u32, k : u32, onto : Face, second : bool, pair : u32) {
+  let pq = edge_ids(own.ids, k);
+  let p = select(select(own.c, own.b, k == 1u), own.a, k == 0u);
+  let q = select(select(own.a, own.c, k == 1u), own.b, k == 0u);
+  let tip = select(select(own.b, own.a, k == 1u), own.c, k == 0u);
+  let e = unit(q - p);
+  let at = crossing_place(p, q, onto.a, onto.b, onto.c);
+  let weights = vec3f(1.0 - at.x - at.y, at);
+  let through = weights.x * onto.a + weights.y * onto.b + weights.z * onto.c;
+  let s = place_on_segment(through, p, q - p);
+  let edge_at = select(select(vec3f(s, 0.0, 1.0 - s), vec3f(0.0, 1.0 - s, s), k == 1u), vec3f(1.0 - s, s, 0.0), k == 0u);
+  let edge = sheet_of(own.a, own.b, own.c, rims_of(own.ids), edge_at, kind_of(pq.x));
+  let face = sheet_of(onto.a, onto.b, onto.c, rims_of(onto.ids), weights, kind_of(onto.ids.x));
+  var turn = vec3f(0.0);
+  if (edge.kind == kFromCloth) {
+    turn = contour_from_edge(p, e, tip, face.normal);
+    let opposite = trees[params.first_opposite + number][k];
+    if (opposite != kNoCorner) { turn += contour_from_edge(p, e, predicted[params.vertex_count + opposite].xyz, face.normal); }
+  }
+  let way = untangling(edge, e, turn, face);
+  contacts[pair].ids = vec4u(select(pq.x, pq.y, second), onto.ids.x, onto.ids.y | kCrossingFlag, onto.ids.z);
+  contacts[pair].other_end = select(pq.y, pq.x, second);
+  contacts[pair].normal = vec4f(unit(way), -length(way));
+  let mark = select(kTangledMesh, kTangledCloth, edge.kind == kFromCloth && face.kind == kFromCloth);
+  mark_tangled(pq.x, mark);
+  mark_tangled(pq.y, mark);
+  for (var corner = 0u; corner < 3u; corner++) { mark_tangled(corner_id(onto.ids, corner), mark); }
+}
+fn mark_tangled(id : u32, mark : u32) {
+  if ((id & kColliderPoint) == 0u) { atomicOr(&vertex_contacts[kVertexWords * id + kCursorWord], mark); }
+}
+
+// Crossings as bits of what is listed: 15 to 17 the edges of a through b, 18 to 20 of b through a, each by its first end; six further by
+// its second. An edge of a collider is listed once: the collider does not feel it.
+const kFirstCrossing = 15u;
+const kByOtherEnd = 6u;
+
 @compute @workgroup_size(kWorkgroupSize)
 fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) groups : vec3u,
               @builtin(local_invocation_index) thread : u32) {
@@ -176,8 +234,13 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
         hits = near_features(a, b, select(params.thickness, params.self_thickness, kind == kNearCloth));
         ids_b = b.ids;
         if (overlap(box_of(a.a, a.b, a.c), box_of(b.a, b.b, b.c))) {
-          let crossings = count_crossings(a, b) + count_crossings(b, a);
-          if (crossings > 0u) { atomicAdd(&statistics[kStatFound], crossings); }
+          let of_a = crossing_edges(a, b);
+          let of_b = crossing_edges(b, a);
+          if ((of_a | of_b) != 0u) {
+            atomicAdd(&statistics[kStatFound], countOneBits(of_a) + countOneBits(of_b));
+            let twice = select(of_a, of_a | (of_b << 3u), kind == kNearCloth);
+            hits |= (of_a | (of_b << 3u) | (twice << kByOtherEnd)) << kFirstCrossing;
+          }
         }
       }
     }
@@ -199,14 +262,26 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
     while (hits != 0u && pair < params.pair_capacity) {
       let hit = firstTrailingBit(hits);
       hits &= hits - 1u;
+      contacts[pair].surface = vec4f(0.0, 0.0, 0.0, friction);
+      contacts[pair].near = 0u;
+      if (hit >= kFirstCrossing) {
+        let a = cloth_face(candidate.x & kPlaceBits);
+        let b = other_face(candidate);
+        let edge = (hit - kFirstCrossing) % kByOtherEnd;
+        let second = hit >= kFirstCrossing + kByOtherEnd;
+        if (edge < 3u) {
+          list_crossing(a, candidate.x & kPlaceBits, edge, b, second, pair);
+        } else {
+          list_crossing(b, candidate.y, edge - 3u, a, second, pair);
+        }
+        count_roles(contacts[pair].ids);
+        pair++;
+        continue;
+      }
       var ids = pair_of_faces(ids_a, ids_b, hit);
       if (kind >= kNearSphere) { ids = pair_of_shape(ids_a, kind, candidate.y, hit); }
       contacts[pair].ids = ids;
-      contacts[pair].surface = vec4f(0.0, 0.0, 0.0, friction);
-      contacts[pair].near = 0u;
-      for (var role = 0u; role < role_count(ids); role++) {
-        if (!is_collider(ids[role])) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + 1u], 1u); }
-      }
+      count_roles(ids);
       pair++;
     }
     workgroupBarrier();

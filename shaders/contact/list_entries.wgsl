@@ -18,7 +18,7 @@ fn list_entries(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
       let word = kVertexWords * (ids[role] & kIdBits);
-      let slot = atomicLoad(&vertex_contacts[word]) + atomicAdd(&vertex_contacts[word + kCursorWord], 1u);
+      let slot = atomicLoad(&vertex_contacts[word]) + (atomicAdd(&vertex_contacts[word + kCursorWord], 1u) & kCursorBits);
       entries[slot] = kEntryPair * pair + role;
       contacts[pair].slots[role] = slot;
     }

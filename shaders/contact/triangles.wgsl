@@ -10,7 +10,10 @@ struct SearchParams {  // mirror: src/collision/pair_search.hpp
   self_thickness : f32,      // m, cloth and cloth
   vertex_count : u32,
   flat_reach : f32,          // m: with no more, flat cloth has nothing of itself but what shares a corner within its radius
+  first_opposite : u32,      // of `trees`: for each cloth triangle the corners across its edges, kNoCorner where there is none
+  first_rim : u32,           // of `trees`: how far each vertex, then each point, lies from the rim of its sheet, m; four a word
 }
+const kNoCorner = 0xffffffffu;
 
 // From vertex_count on `predicted` has where vertices were found, m, and in w how far each may go from there, m.
 

@@ -1,5 +1,5 @@
 // Gives the vertices of each pair that acts their changes of velocity. An invocation takes every so-manieth pair. Source:
-// docs/contact.md, equations (2) to (5).
+// docs/contact.md, equations (2) to (5) and (7).
 #include "shared/index.wgsl"
 #include "shared/step.wgsl"
 #include "shared/contact.wgsl"
@@ -13,7 +13,6 @@
 @group(0) @binding(5) var<storage, read>       statistics      : array<u32>;
 const kSpring = 0.25;   // β: of the gap that is missing, what a substep makes good
 const kWall = 0.25;     // of the thickness: no pair comes nearer
-const kMostUnits = 1.0e9;
 
 // The sum of the urgencies at a vertex, of which each pair gets its part of the mass.
 fn acting(vertex : u32) -> f32 {
@@ -39,7 +38,9 @@ fn impulse(contact : Contact) -> vec3f {
   let thickness = select(step.thickness, step.self_thickness, is_self_pair(ids));
   let speed = dot(n, u);
   var change = min(kWall * thickness - gap, 0.0) / step.dt - speed;
-  if (gap < kTouching * thickness) {
+  if (contact.solid == kUntangles) {
+    change = -gap * thickness * min(kUntanglePart / step.dt, kUntangleRate) - speed;
+  } else if (gap < kTouching * thickness) {
     change = max(change, kSpring * clamp(thickness - gap, 0.0, thickness) / step.dt - step.contact_damping * speed);
   } else {  // it comes to the thickness and no further
     change = max(change, step.contact_damping * ((thickness - gap) / step.dt - speed));
@@ -48,7 +49,7 @@ fn impulse(contact : Contact) -> vec3f {
   let sliding = u - speed * n;
   let slip = length(sliding);
   var friction = vec3f(0.0);
-  if (slip > 0.0) { friction = (min(contact.surface.w * change, slip) / slip) * sliding; }
+  if (slip > 0.0 && contact.solid != kUntangles) { friction = (min(contact.surface.w * change, slip) / slip) * sliding; }
   return (change * n - friction) / mobility;
 }
 
@@ -58,6 +59,7 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     if (contacts[pair].urgency == 0.0) { continue; }
     let contact = contacts[pair];
+    if (contact.solid == kUntangles && !is_self_pair(contact.ids)) { continue; }  // see contact_respond
     let on_a = impulse(contact);
     let weights = weights_of(contact.ids, contact.place.x, contact.place.y);
     for (var role = 0u; role < role_count(contact.ids); role++) {

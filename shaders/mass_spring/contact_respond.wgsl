@@ -1,5 +1,5 @@
 // Gives a vertex what its pairs change of its velocity, then holds it back from whatever it would pass through. One invocation per
-// vertex. Source: docs/contact.md, equation (6).
+// vertex. Source: docs/contact.md, equations (6) and (7d).
 #include "shared/index.wgsl"
 #include "shared/step.wgsl"
 #include "shared/contact.wgsl"
@@ -16,6 +16,40 @@
 @group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>;        // vertex_count          m/s
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 const kPushes = 4u;
+
+// What pairs with bodies that a vertex is inside of ask of it, in sums of integers.
+struct OutOfBody {
+  way : vec3i,      // 2^-16
+  surface : vec3i,  // the bodies' velocity, 2^-16 m/s
+  parts : u32,      // 2^-16
+}
+const kPartUnits = 65536.0;
+
+fn bodies_around(begin : u32, end : u32) -> OutOfBody {
+  var body = OutOfBody(vec3i(0), vec3i(0), 0u);
+  for (var k = begin; k < end; k++) {
+    if ((entries[k] & kEntryNear) == 0u) { continue; }
+    let contact = contacts[entries[k] / kEntryPair];
+    if (contact.solid != kUntangles || contact.urgency == 0.0 || is_self_pair(contact.ids)) { continue; }
+    let weight = weights_of(contact.ids, contact.place.x, contact.place.y)[entries[k] & 3u];
+    let part = kPartUnits * weight * -contact.normal.w;
+    body.way += vec3i(round(part * contact.normal.xyz));
+    body.surface -= vec3i(round(clamp(part * contact.surface.xyz, vec3f(-kMostUnits), vec3f(kMostUnits))));
+    body.parts += u32(round(abs(part)));
+  }
+  return body;
+}
+
+// Equation (7d): a body gives no way, and its facets do not agree on where outside is. The vertex goes where most of them say.
+fn out_of_body(body : OutOfBody, v : vec3f) -> vec3f {
+  if (body.parts == 0u) { return vec3f(0.0); }
+  let way = vec3f(body.way) / f32(body.parts);
+  let agreement = length(way);
+  if (agreement <= 0.0) { return vec3f(0.0); }
+  let n = way / agreement;
+  let wanted = step.thickness * min(kUntanglePart / step.dt, kUntangleRate);
+  return max(0.0, wanted - dot(n, v - vec3f(body.surface) / f32(body.parts))) * n;
+}
 
 // Of two pushes, direction and depth: the deeper; of equally deep ones, so that the order of entries does not matter, by direction.
 fn comes_first(a : vec4f, b : vec4f) -> bool {
@@ -73,6 +107,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     atomicStore(&statistics[kStatTravel], bitcast<u32>(travel));
     let next = kReachMargin * kDetectInterval * step.acceleration.w;
     if (next > 0.0 && travel + next > bitcast<f32>(atomicLoad(&statistics[kStatReach]))) { atomicStore(&statistics[kStatDetect], 1u); }
+    if (atomicLoad(&statistics[kStatFound]) != 0u) { atomicStore(&statistics[kStatDetect], 1u); }  // what crosses comes ring by ring
   }
 
   let found = predicted[step.vertex_count + vertex];
@@ -87,6 +122,11 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       vertex_contacts[2u * vertex + 1u] = vec4u(more.x, 0u, 0u, 0u);
       let sum = bitcast<vec3i>(more.yzw);
       let change = vec3f(sum) / kSpeedUnits;
+      v += change;
+      x += step.dt * change;
+    }
+    if (tight >= kInBody) {
+      let change = out_of_body(bodies_around(begin, end), v);
       v += change;
       x += step.dt * change;
     }

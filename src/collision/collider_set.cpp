@@ -6,6 +6,7 @@
 #include "collision/feature_owners.hpp"
 #include "collision/object_tree.hpp"
 #include "collision/triangle_order.hpp"
+#include "model/sheet_rim.hpp"
 #include "scene/motion.hpp"
 
 namespace weft::collision {
@@ -78,7 +79,13 @@ class Builder {
     const auto found = std::find(meshes_.object_colliders.begin(), meshes_.object_colliders.end(), c);
     const auto o = static_cast<std::size_t>(found - meshes_.object_colliders.begin());
     const mesh::TriangleMesh& mesh = meshes_.objects[o];
-    for (const Vec3f& p : mesh.positions) add_point(c, p.to<double>(), 0);
+    std::vector<Vec3d> places;
+    for (const Vec3f& p : mesh.positions) places.push_back(p.to<double>());
+    const bool closed = faces_outward(places, mesh.triangles);
+    for (const Vec3d& p : places) add_point(c, p, closed ? -1 : 0);
+    set_.rims.resize(first_point, 0);
+    for (const double rim : rim_distances(places, mesh.triangles))
+      set_.rims.push_back(static_cast<float>(rim));
     return meshes_.keyframes[o].empty() ? add_rigid(c, mesh, first_point) : add_deforming(mesh, first_point);
   }
 

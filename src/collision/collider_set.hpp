@@ -35,7 +35,9 @@ struct ColliderMeshes {
 
 struct ColliderSet {
   std::vector<TreeWord> list;       // a collider each: kind, and three numbers
-  std::vector<Vec4f> points;        // all at time 0 with radii, again with friction, then 3 rows a collider
+  std::vector<Vec4f> points;        // all at time 0 with radii, again with friction, then 3 rows a collider;
+                                    // a negative radius: of a mesh that faces outward
+  std::vector<float> rims;          // of each point of a mesh: how far it lies from the mesh's rim [m]
   std::vector<Vec4f> shapes;        // points, then those of keyframes; w: collider + kind of point
   std::vector<TreeWord> trees;      // behind the cloths' tree
   std::vector<TreeWord> triangles;  // of deforming meshes, behind the cloths'

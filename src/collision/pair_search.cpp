@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "collision/feature_owners.hpp"
 #include "collision/triangle_order.hpp"
+#include "model/sheet_rim.hpp"
 
 namespace weft::collision {
 namespace {
@@ -13,6 +15,16 @@ namespace {
 /// 4e-6.
 std::uint32_t friction_bits(double friction) {
   return static_cast<std::uint32_t>(std::lround(friction * 131072)) << 8U;
+}
+
+/// Four distances a word.
+void append_rims(std::vector<TreeWord>& trees, std::vector<float> rims) {
+  rims.resize((rims.size() + 3) / 4 * 4, 0);
+  for (std::size_t i = 0; i < rims.size(); i += 4) {
+    std::array<std::uint32_t, 4> word{};
+    std::memcpy(word.data(), &rims[i], sizeof word);
+    trees.push_back({word[0], word[1], word[2], word[3]});
+  }
 }
 
 }  // namespace
@@ -53,6 +65,15 @@ Result<void> PairSearch::create_buffers(gpu::Device& device, const Model& model,
   }
   triangles.insert(triangles.end(), colliders_.triangles.begin(), colliders_.triangles.end());
 
+  first_opposite_ = static_cast<std::uint32_t>(trees.size());
+  for (const mesh::Triangle& t : opposite_corners(ordered)) trees.push_back({t[0], t[1], t[2], kNoCorner});
+  first_rim_ = static_cast<std::uint32_t>(trees.size());
+  std::vector<float> rims;
+  for (const double rim : rim_distances(model.host.rest_position, model.host.triangles))
+    rims.push_back(static_cast<float>(rim));
+  rims.insert(rims.end(), colliders_.rims.begin(), colliders_.rims.end());
+  append_rims(trees, std::move(rims));
+
   WEFT_TRY(tree_buffer, gpu::Buffer<TreeWord>::create_from(device, trees, "trees"));
   trees_ = std::move(tree_buffer);
   WEFT_TRY(triangle_buffer, gpu::Buffer<TreeWord>::create_from(device, triangles, "ordered triangles"));
@@ -90,6 +111,8 @@ Result<void> PairSearch::create_find(gpu::Device& device, const State& state, co
   params.self_thickness = setup.self_thickness;
   params.vertex_count = vertex_count_;
   params.flat_reach = setup.flat_reach;
+  params.first_opposite = first_opposite_;
+  params.first_rim = first_rim_;
   WEFT_TRY(buffer, gpu::Buffer<SearchParams>::create_from(device, std::span(&params, 1), "search params",
                                                           gpu::kUniform | gpu::kCopyTarget));
   params_ = std::move(buffer);

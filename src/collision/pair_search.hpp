@@ -17,9 +17,10 @@ struct SearchParams {
   std::uint32_t candidate_capacity = 0, pair_capacity = 0;
   float thickness = 0, self_thickness = 0;  // [m]
   std::uint32_t vertex_count = 0;
-  float flat_reach = 0;  // [m]
+  float flat_reach = 0;                             // [m]
+  std::uint32_t first_opposite = 0, first_rim = 0;  // words of `trees`
 };
-static_assert(sizeof(SearchParams) == 40);
+static_assert(sizeof(SearchParams) == 48);
 
 /// What a search looks for.
 struct SearchSetup {
@@ -61,6 +62,7 @@ class PairSearch {
   ColliderSet colliders_;
   std::vector<std::uint32_t> order_;
   std::uint32_t vertex_count_ = 0, triangle_count_ = 0;
+  std::uint32_t first_opposite_ = 0, first_rim_ = 0;
   ContactRoom room_;
   ImplicitTree tree_;
   gpu::Buffer<TreeWord> triangles_, trees_;

@@ -19,6 +19,18 @@ inline constexpr double kContactMargin = 0.05;
 /// enough along a whole edge.
 inline constexpr double kContactFloor = 0.1;
 
+/// How fast what passes through each other comes apart: this part of the thickness in a substep, and no more
+/// than so many thicknesses a second.
+inline constexpr double kUntanglePart = 0.125, kUntangleRate = 120;
+/// The part of that speed with which a sheet is drawn to its nearer rim, and from what turn of the contour on
+/// its shortening has all of it, and below which slope a way is no longer for being oblique: docs/contact.md.
+inline constexpr double kRimPart = 0.5, kContourGain = 4, kLeastSlope = 0.1;
+/// Of cloth in a body: from which cosine between their normals on the cloth's own says where outside is, and
+/// how much the body's adds to it.
+inline constexpr double kLeastOutward = 0.25, kOutwardPart = 0.25;
+/// What is nearer to a body than this part of the thickness has no side of its own, and is sent outward.
+inline constexpr double kTouch = 0.01;
+
 /// s of docs/contact.md: what a pair asks of its vertices' masses, in whole numbers from 1 to 256. By the gap
 /// that it would have after the substep [m].
 std::uint32_t contact_urgency(double gap, double thickness);

@@ -334,6 +334,7 @@ Result<void> World::take(Report& report) {
   totals_.contact_overflow += statistics.contact_overflow;
   totals_.detections += statistics.detections;
   totals_.crossings = std::max(totals_.crossings, statistics.crossings);
+  totals_.crossings_left = statistics.found;
   totals_.truncated += statistics.truncated;
   totals_.pairs = std::max(totals_.pairs, statistics.pairs);
   totals_.candidates = std::max(totals_.candidates, statistics.candidates);

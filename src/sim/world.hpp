@@ -37,6 +37,7 @@ struct Totals {
   std::uint32_t pairs = 0;            // the most that were listed at the end of a frame
   std::uint32_t candidates = 0;       // likewise, pairs of triangles
   std::uint32_t crossings = 0;        // edges through triangles, the most of any search
+  std::uint32_t crossings_left = 0;   // of the last search
   std::uint32_t repeated_frames = 0;  // since a list was too short
   float max_stretch = 0;              // the largest at the end of any frame, length / rest length
   std::uint32_t nonfinite = 0;        // nodes

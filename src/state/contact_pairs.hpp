@@ -13,20 +13,22 @@ namespace weft {
 
 /// Mirror of Contact in shaders/shared/contact.wgsl.
 struct Contact {
-  std::array<std::uint32_t, 4> ids{};    // side A first; kColliderPoint and kPairFlag in their upper bits
+  std::array<std::uint32_t, 4> ids{};    // side A first; flags in their upper bits
   std::array<std::uint32_t, 4> slots{};  // of `entries`
   Vec4f normal;                          // from B to A; w: the gap [m]
   Vec4f place;                           // s, t; two places along the normal [m]
   Vec4f surface;                         // the collider's share of the relative velocity [m/s]; w: friction
   float urgency = 0;
-  std::uint32_t solid = 0;  // 1: side A goes its way whatever comes; 2: side B; 0: neither
-  std::uint32_t near = 0;   // what its entries bear
-  std::uint32_t padding = 0;
+  std::uint32_t solid = 0;      // 1: side A goes its way whatever comes; 2: side B; 0: neither; or kUntangles
+  std::uint32_t near = 0;       // what its entries bear
+  std::uint32_t other_end = 0;  // of a crossing: the id of the edge's other end
 };
 static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
 
 inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000000U, kIdBits = 0x3fffffffU;
+inline constexpr std::uint32_t kCrossingFlag = 0x40000000U, kUntangles = 4;
 inline constexpr std::uint32_t kVertexWords = 8, kCursorWord = 4;  // of ContactPairs::vertex_contacts
+inline constexpr std::uint32_t kCursorBits = 0x3fffffffU;  // of a vertex's kCursorWord; above: is it tangled
 
 /// What the lists of proximity contact have room for.
 struct ContactRoom {

@@ -94,6 +94,32 @@ TEST_CASE("a run counts its contacts, and those of the paper's method are the tr
     CHECK(paper.at(member) == tree.at(member));
 }
 
+TEST_CASE("a run says since when cloth is in a tangle and whether it ends in one, and counts what is left") {
+  const TemporaryFolder folder;
+  const auto sheet = [](const char* transform) {
+    return std::string(R"({"grid": [8, 8], "size": [0.4, 0.4], "plane": "xz", "density": 0.3, "damping": 0.01,
+      "stiffness": {"structural": 40, "shear": 10, "bend": 0.3}, "transform": )") +
+           transform + "}";
+  };
+  const std::string scene =
+      put(folder, "a.json",
+          R"({"format": "weft-scene/1", "gravity": [0, 0, 0], "time": {"substeps": 8},
+    "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
+              sheet("{}") + "," +
+              sheet(R"({"translate": [0.12, 0.03, 0.05], "rotate": [0, 0, 0.3, 0.954]})") + "]}");
+  const Ended tangled = run_weft({"run", scene, "--frames", "2", "--json"});
+  CHECK(tangled.code == 0);
+  const auto early = json_of(tangled.out);
+  CHECK(early.at("crossings").get<int>() > 5);
+  CHECK(early.at("crossings_left").get<int>() > 5);
+  CHECK(tangled.err.find("weft: Cloth is in a tangle since frame 0: ") == 0);
+  CHECK(tangled.err.find("\nweft: Cloth ends in a tangle: ") != std::string::npos);
+  const Ended apart = run_weft({"run", scene, "--frames", "45", "--json"});
+  CHECK(json_of(apart.out).at("crossings_left") == 0);
+  CHECK(apart.err.find("Cloth is in a tangle since frame 0: ") != std::string::npos);
+  CHECK(apart.err.find("Cloth ends in a tangle") == std::string::npos);
+}
+
 TEST_CASE("two runs end in the same bits, and a longer one in others") {
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", tiny_scene());

@@ -27,7 +27,7 @@ struct SearchCase {
   std::vector<float> speeds;                // of its vertices [m/s], in substeps of 1 s; empty: all rest
   float thickness = 0, self_thickness = 0;
   float reach = 0;  // of a slow vertex
-  ContactRoom room{20000, 60000};
+  ContactRoom room{60000, 60000};
 
   /// Of slow vertices.
   float radius() const { return thickness + reach; }

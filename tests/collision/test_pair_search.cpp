@@ -200,7 +200,8 @@ TEST_CASE("what a search lists does not hang on the size of workgroups") {
   for (const std::uint32_t size : {64U, 128U, 256U}) {
     SearchRun run(fixture.device(), setup, size);
     lists.emplace_back();
-    for (const Contact& contact : run.run().contacts) lists.back().push_back(key_of(contact.ids));
+    for (const Contact& contact : run.run().contacts)
+      if (!is_crossing(contact)) lists.back().push_back(key_of(contact.ids));
     std::sort(lists.back().begin(), lists.back().end());
     CHECK(std::adjacent_find(lists.back().begin(), lists.back().end()) == lists.back().end());
     CHECK(lists.back() == lists.front());

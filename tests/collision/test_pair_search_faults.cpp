@@ -36,7 +36,8 @@ mesh::TriangleMesh loose_triangles(std::uint32_t count, double range, double siz
 
 std::vector<FeatureKey> keys_of(const SearchFound& found) {
   std::vector<FeatureKey> keys;
-  for (const Contact& contact : found.contacts) keys.push_back(key_of(contact.ids));
+  for (const Contact& contact : found.contacts)
+    if (!is_crossing(contact)) keys.push_back(key_of(contact.ids));
   std::sort(keys.begin(), keys.end());
   return keys;
 }

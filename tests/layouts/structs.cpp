@@ -17,6 +17,7 @@
 #include "gpu/kernel.hpp"
 #include "model/contact_law.hpp"
 #include "model/host_model.hpp"
+#include "model/sheet_rim.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/floor.hpp"
 #include "render/frame_params.hpp"
@@ -126,14 +127,16 @@ Json analytic_collider() {
 }
 Json contact() {
   using T = Contact;
-  return row("Contact", "shared/contact.wgsl", sizeof(T), kUniform,
-             {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid), M(near)});
+  return row(
+      "Contact", "shared/contact.wgsl", sizeof(T), kUniform,
+      {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid), M(near), M(other_end)});
 }
 Json search_params() {
   using T = collision::SearchParams;
   return row("SearchParams", "contact/triangles.wgsl", sizeof(T), kExact,
              {M(triangle_count), M(collider_count), M(self_contact), M(first_row), M(candidate_capacity),
-              M(pair_capacity), M(thickness), M(self_thickness), M(vertex_count), M(flat_reach)});
+              M(pair_capacity), M(thickness), M(self_thickness), M(vertex_count), M(flat_reach),
+              M(first_opposite), M(first_rim)});
 }
 Json tree_params() {
   using T = collision::TreeParams;
@@ -223,6 +226,18 @@ Json shared_constants() {
       constant("kIdBits", "shared/contact.wgsl", kIdBits),
       constant("kVertexWords", "shared/contact.wgsl", kVertexWords),
       constant("kCursorWord", "shared/contact.wgsl", kCursorWord),
+      constant("kCrossingFlag", "shared/contact.wgsl", kCrossingFlag),
+      constant("kUntangles", "shared/contact.wgsl", kUntangles),
+      constant("kCursorBits", "shared/contact.wgsl", kCursorBits),
+      constant("kNoCorner", "contact/triangles.wgsl", kNoCorner),
+      real("kUntanglePart", "shared/contact.wgsl", kUntanglePart),
+      real("kUntangleRate", "shared/contact.wgsl", kUntangleRate),
+      real("kContourGain", "contact/untangle.wgsl", kContourGain),
+      real("kRimPart", "contact/untangle.wgsl", kRimPart),
+      real("kLeastSlope", "contact/untangle.wgsl", kLeastSlope),
+      real("kLeastOutward", "contact/untangle.wgsl", kLeastOutward),
+      real("kOutwardPart", "contact/untangle.wgsl", kOutwardPart),
+      real("kTouch", "contact/evaluate.wgsl", kTouch),
       real("kTouching", "shared/contact.wgsl", kContactTouching),
       real("kSpring", "mass_spring/contact_impulse.wgsl", kContactSpring),
       real("kWall", "mass_spring/contact_impulse.wgsl", kContactWall),

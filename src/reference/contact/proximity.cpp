@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "model/contact_law.hpp"
+#include "model/sheet_rim.hpp"
+#include "reference/contact/audit.hpp"
 
 namespace weft::reference {
 namespace {
@@ -20,7 +22,17 @@ Proximity::Proximity(const scene::Scene& scene, const HostModel& model,
       damping_(contact_damping(scene.contact.restitution)),
       cloth_(features_of(model.rest_position, model.triangles)),
       obstacles_(scene, objects, keyframes),
-      object_(obstacles_.features()) {
+      object_(obstacles_.features()),
+      cloth_facts_{rim_distances(model.rest_position, model.triangles),
+                   std::vector(model.vertex_count(), SurfaceKind::Cloth), opposite_corners(model.triangles)} {
+  for (const mesh::TriangleMesh& mesh : objects) {
+    const std::vector<Vec3d> places = widened(mesh.positions);
+    for (const double rim : rim_distances(places, mesh.triangles)) object_facts_.rims.push_back(rim);
+    object_facts_.kinds.resize(object_facts_.rims.size(), faces_outward(places, mesh.triangles)
+                                                              ? SurfaceKind::ClosedMesh
+                                                              : SurfaceKind::OpenMesh);
+  }
+  object_facts_.kinds.resize(object_.positions.size(), SurfaceKind::OpenMesh);  // balls have no triangles
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
   for (std::size_t c = 0; c < model.cloths.size(); ++c)
     friction_.insert(friction_.end(), model.cloths[c].vertex_count, scene.cloths[c].friction);
@@ -109,6 +121,7 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, doubl
       near.weights[near.node_count++] = side->weights[k];
     }
   const bool with_obstacle = sides.a.obstacle || sides.b.obstacle;
+  near.with_body = with_obstacle;
   near.direction = pair.direction;
   near.distance = pair.distance;
   near.thickness = with_obstacle ? thickness_ : self_thickness_;
@@ -167,10 +180,22 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   const double object_reach = thickness_ + most + obstacle_travel;
   const double slack = kSlackTravels * std::max(travel, obstacle_travel) + kSlackThickness * thickness_;
   std::vector<FeaturePair> pairs = list_.near(cloth_, object_, {self_reach, object_reach}, slack);
+  const TangledSurfaces cloth{cloth_, cloth_facts_}, object{object_, object_facts_};
+  // While nothing crosses, only what comes near could come to.
+  if (list_.searches() != tangle_searched_ || tangle_.crossings > 0)
+    tangle_ = find_tangle(cloth, object, self_thickness_ > 0);
+  tangle_searched_ = list_.searches();
+  std::vector<bool> untangles = release(tangle_, cloth, object, thickness_, pairs);
+  pairs.insert(pairs.end(), tangle_.pairs.begin(), tangle_.pairs.end());
+  untangles.resize(pairs.size(), true);
   const std::vector<FeaturePair> with_planes = plane_pairs(cloth_, start_.planes, object_reach);
   pairs.insert(pairs.end(), with_planes.begin(), with_planes.end());
+  untangles.resize(pairs.size(), false);
   std::vector<NearPair> near;
-  for (const FeaturePair& pair : pairs) near.push_back(near_pair(pair, sides_of(pair), dt));
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    near.push_back(near_pair(pairs[p], sides_of(pairs[p]), dt));
+    near.back().untangles = untangles[p];
+  }
   const Response response = respond(near, nodes.velocity, nodes.inverse_mass, {dt, damping_});
   for (std::size_t i = 0; i < nodes.position.size(); ++i) {
     if (nodes.inverse_mass[i] == 0) continue;

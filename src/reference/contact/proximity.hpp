@@ -11,6 +11,7 @@
 #include "reference/contact/obstacles.hpp"
 #include "reference/contact/respond.hpp"
 #include "reference/contact/truncate.hpp"
+#include "reference/contact/untangle.hpp"
 
 namespace weft::reference {
 
@@ -35,6 +36,8 @@ class Proximity {
   double self_thickness() const { return self_thickness_; }  // h_s [m]; 0: cloth does not meet cloth
   /// Vertices that were held back, in all substeps so far.
   std::uint64_t truncated() const { return truncated_; }
+  /// Edges that passed through triangles when it was last looked for them.
+  std::size_t crossings() const { return tangle_.crossings; }
 
  private:
   /// One side of a pair: vertices of cloth or of obstacles, and their weights.
@@ -69,6 +72,9 @@ class Proximity {
   Obstacles obstacles_;
   Features object_;  // the obstacles at the start of the substep
   NearList list_;
+  SurfaceFacts cloth_facts_, object_facts_;
+  Tangle tangle_;
+  std::uint64_t tangle_searched_ = 0;  // searches of `list_` when tangle_ was found
   Obstacles::Placed start_, end_;
   std::uint64_t truncated_ = 0;
 };

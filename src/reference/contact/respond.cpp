@@ -1,6 +1,7 @@
 #include "reference/contact/respond.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/contact_law.hpp"
 
@@ -13,6 +14,37 @@ Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity) {
   for (std::uint32_t k = 0; k < pair.node_count; ++k) sum += pair.weights[k] * velocity[pair.nodes[k]];
   return sum;
 }
+
+double untangling_speed(double thickness, double dt) {
+  return thickness * std::min(kUntanglePart / dt, kUntangleRate);
+}
+
+/// Equation (7), with W > 0: no spring, no friction.
+Vec3d push_apart(const NearPair& pair, const Vec3d& u, double mobility, const ContactLaw& law) {
+  const double speed = -pair.distance * untangling_speed(pair.thickness, law.dt);
+  return (std::max(0.0, speed - dot(pair.direction, u)) / mobility) * pair.direction;
+}
+
+/// Equation (7d): what pairs with bodies that a node is inside of ask of it.
+class OutOfBody {
+ public:
+  void add(const NearPair& pair, double weight) {
+    const double part = -pair.distance * weight;
+    way_ += part * pair.direction;
+    surface_ -= part * pair.surface;
+    parts_ += std::abs(part);
+    thickness_ = pair.thickness;
+  }
+  Vec3d change(const Vec3d& velocity, double dt) const {
+    if (!(parts_ > 0) || !(length(way_) > 0)) return {};
+    const Vec3d n = way_ / length(way_);
+    return std::max(0.0, untangling_speed(thickness_, dt) - dot(n, velocity - surface_ / parts_)) * n;
+  }
+
+ private:
+  Vec3d way_, surface_;
+  double parts_ = 0, thickness_ = 0;
+};
 
 /// Equations (3) and (4), with W > 0.
 Vec3d impulse(const NearPair& pair, const Vec3d& u, double mobility, const ContactLaw& law) {
@@ -49,20 +81,29 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       if (pair.weights[k] != 0) response.acting[pair.nodes[k]] += urgency[p];
   }
+  std::vector<OutOfBody> bodies(velocity.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     if (!response.acts[p]) continue;
     const NearPair& pair = pairs[p];
+    if (pair.untangles && pair.with_body) {
+      for (std::uint32_t k = 0; k < pair.node_count; ++k) bodies[pair.nodes[k]].add(pair, pair.weights[k]);
+      continue;
+    }
     double mobility = 0;  // equation (2)
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       mobility +=
           pair.weights[k] * pair.weights[k] * response.acting[pair.nodes[k]] * inverse_mass[pair.nodes[k]];
     mobility /= urgency[p];
     if (!(mobility > 0)) continue;
-    response.impulses[p] = impulse(pair, relative_velocity(pair, velocity), mobility, law);
+    const Vec3d u = relative_velocity(pair, velocity);
+    response.impulses[p] =
+        pair.untangles ? push_apart(pair, u, mobility, law) : impulse(pair, u, mobility, law);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.change[pair.nodes[k]] +=
           (pair.weights[k] * inverse_mass[pair.nodes[k]]) * response.impulses[p];
   }
+  for (std::size_t node = 0; node < velocity.size(); ++node)
+    response.change[node] += bodies[node].change(velocity[node] + response.change[node], law.dt);
   return response;
 }
 

@@ -19,8 +19,11 @@ struct NearPair {
   double distance = 0;                   // d [m]
   double thickness = 0;                  // h, or h_s for cloth with cloth [m]
   double friction = 0;                   // μ
-  Vec3d surface;    // Σ w v over an obstacle's side: its velocity o, or -o where it is side B [m/s]
-  bool may = true;  // false: edges whose closest points are not both inside; never acts
+  Vec3d surface;           // Σ w v over an obstacle's side: its velocity o, or -o where it is side B [m/s]
+  bool may = true;         // false: edges whose closest points are not both inside; never acts
+  bool with_body = false;  // one side is an obstacle
+  bool untangles =
+      false;  // it moves apart what is on the wrong side, equation (7); d: minus the part of that speed
 };
 
 struct ContactLaw {
