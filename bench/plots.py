@@ -62,7 +62,7 @@ def draw_growth(results, rows):
         axes.set(xscale="log", yscale="log")
         axes.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
         if axes.lines:
-            axes.legend(fontsize=7)
+            axes.legend(fontsize=6)
     save(figure, "contact-growth.svg", results)
 
 
@@ -83,7 +83,7 @@ def draw_kernels(results, rows):
             axes.barh(names, width, left=left, label=kernel)
             left = [a + b for a, b in zip(left, width)]
         axes.set(xlabel=f"% of the kernels' time a {per}", xlim=(0, 100))
-        axes.legend(fontsize=7, ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1))
+        axes.legend(fontsize=7, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1))
     panels[0].invert_yaxis()
     save(figure, "contact-kernels.svg", results)
 
