@@ -10,7 +10,7 @@ namespace weft {
 namespace {
 
 /// The dispatches up to the one that finds candidates.
-void record_broad_phase(gpu::Device& device, const collision::PairSearch& search, gpu::CommandList& list) {
+void record_broad_phase(const collision::PairSearch& search, gpu::CommandList& list) {
   gpu::CommandList whole;
   {
     gpu::ComputePass pass(whole, "search");
@@ -19,9 +19,8 @@ void record_broad_phase(gpu::Device& device, const collision::PairSearch& search
   gpu::ComputePass pass(list, "broad phase");
   for (const gpu::Command& command : whole.commands()) {
     if (command.kind != gpu::CommandKind::Dispatch) continue;
-    pass.dispatch(command.ids[0], command.ids[1], {command.args[0], command.args[1], command.args[2]},
-                  command.args[4] != 0);
-    if (device.kernel_path(command.ids[0]) == "contact/find_candidates.wgsl") return;
+    pass.repeat(whole, command);
+    if (whole.label(static_cast<std::uint32_t>(command.sizes[0])) == "contact/find_candidates.wgsl") return;
   }
 }
 
@@ -62,7 +61,7 @@ Result<WeftSearch> WeftSearch::create(gpu::Device& device, const SearchCase& sea
   step.least_reach = step.most_reach = search.reach;
   step.detect = Detect::Always;
   made.state_.steps.write(device, std::span(&step, 1));
-  record_broad_phase(device, made.search_, made.list_);
+  record_broad_phase(made.search_, made.list_);
   WEFT_CHECK(device.wait());
   return made;
 }

@@ -97,7 +97,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
                           world->frame_commands(0, kDetectInterval).dispatch_count()) /
       kDetectInterval;
 
-  const bool searches = !step_dispatches(*world).search.empty();
+  const bool searches = !search_dispatches(*world).empty();
   if (searches) {
     // The next frame begins with this search, so after it the lists are long enough.
     WEFT_CHECK(world->advance_frame());

@@ -1,7 +1,6 @@
 #include "bench/kernel_times.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 
 #include "gpu/readback.hpp"
@@ -17,20 +16,14 @@ std::uint32_t step_of(const Command& dispatch) { return dispatch.args[3] / gpu::
 /// The frame whose first substep searches and whose second does not.
 const gpu::CommandList& two_steps(sim::World& world) { return world.frame_commands(world.parity(), 2); }
 
-void record(gpu::ComputePass& pass, const Command& dispatch) {
-  pass.set_step(step_of(dispatch), 0);
-  pass.dispatch(dispatch.ids[0], dispatch.ids[1], {dispatch.args[0], dispatch.args[1], dispatch.args[2]},
-                dispatch.args[4] != 0);
-}
-
 bool runs_in(const std::vector<Command>& dispatches, const Command& dispatch) {
   return std::any_of(dispatches.begin(), dispatches.end(),
                      [&](const Command& other) { return other.ids[0] == dispatch.ids[0]; });
 }
 
 /// "find_candidates" of contact/find_candidates.wgsl.
-std::string kernel_name(sim::World& world, const Command& dispatch) {
-  const std::string& path = world.device().kernel_path(dispatch.ids[0]);
+std::string kernel_name(const gpu::CommandList& list, const Command& dispatch) {
+  const std::string& path = list.label(static_cast<std::uint32_t>(dispatch.sizes[0]));
   const std::size_t begin = path.rfind('/') + 1;
   return path.substr(begin, path.rfind('.') - begin);
 }
@@ -64,7 +57,7 @@ struct Plan {
 Plan plan_of(sim::World& world) {
   Plan plan;
   const auto add = [&](const Command& dispatch, const char* per) {
-    const std::string name = kernel_name(world, dispatch);
+    const std::string name = kernel_name(two_steps(world), dispatch);
     std::size_t k = 0;
     while (k < plan.kernels.size() && (plan.kernels[k].kernel != name || plan.kernels[k].per != per)) ++k;
     if (k == plan.kernels.size()) plan.kernels.push_back({name, per});
@@ -82,12 +75,13 @@ Plan plan_of(sim::World& world) {
 /// The frame of two steps with a pass and a span for each dispatch.
 Result<std::vector<gpu::Timer::Span>> run_timed(sim::World& world, gpu::Timer& timer) {
   gpu::CommandList list;
-  for (const Command& command : two_steps(world).commands()) {
+  const gpu::CommandList& frame = two_steps(world);
+  for (const Command& command : frame.commands()) {
     if (command.kind == CommandKind::ClearBuffer)
       list.clear({command.ids[0], gpu::ObjectKind::Buffer, command.sizes[0], command.sizes[1]});
     if (command.kind != CommandKind::Dispatch) continue;
-    gpu::ComputePass pass(list, "timed", timer.span(kernel_name(world, command)));
-    record(pass, command);
+    gpu::ComputePass pass(list, "timed", timer.span(kernel_name(frame, command)));
+    pass.repeat(frame, command);
   }
   timer.finish(list);
   WEFT_CHECK(world.device().submit(list));
@@ -96,41 +90,32 @@ Result<std::vector<gpu::Timer::Span>> run_timed(sim::World& world, gpu::Timer& t
 
 }  // namespace
 
-StepDispatches step_dispatches(sim::World& world) {
+std::vector<Command> search_dispatches(sim::World& world) {
   const Parts parts = parts_of(world);
-  StepDispatches made;
-  made.step_count = parts.second.size();
+  std::vector<Command> search;
   for (const Command& dispatch : parts.first)
-    if (!runs_in(parts.second, dispatch)) made.search.push_back(dispatch);
-  return made;
+    if (!runs_in(parts.second, dispatch)) search.push_back(dispatch);
+  return search;
 }
 
 Result<SearchCost> time_search(sim::World& world, const Effort& effort) {
-  using Clock = std::chrono::steady_clock;
   gpu::CommandList list;
   {
     gpu::ComputePass pass(list, "searches");
-    const StepDispatches dispatches = step_dispatches(world);
+    const std::vector<Command> dispatches = search_dispatches(world);
     for (std::uint32_t k = 0; k < effort.searches; ++k)
-      for (const Command& dispatch : dispatches.search) record(pass, dispatch);
+      for (const Command& dispatch : dispatches) pass.repeat(two_steps(world), dispatch);
   }
-  std::vector<double> times;
-  double spent = 0;
-  while (times.size() < effort.least_submits || spent < effort.budget_ms) {
-    const auto start = Clock::now();
-    WEFT_CHECK(world.device().submit(list));
-    WEFT_CHECK(world.device().wait());
-    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    spent += milliseconds;
-    times.push_back(milliseconds / effort.searches);
-  }
+  WEFT_TRY(timing,
+           time_repeats(effort.budget_ms, effort.least_submits, effort.searches, [&]() -> Result<void> {
+             WEFT_CHECK(world.device().submit(list));
+             return world.device().wait();
+           }));
   WEFT_TRY(words, gpu::download(world.device(), world.state().statistics));
   const auto read = [&](std::size_t offset) { return words[offset / sizeof(std::uint32_t)]; };
   if (read(offsetof(Statistics, held)) != 0)
     return make_error(ErrorKind::Limit, "A list was too short while searches were timed.");
-  return SearchCost{{median_of(times), *std::min_element(times.begin(), times.end())},
-                    read(offsetof(Statistics, pairs)),
-                    read(offsetof(Statistics, candidates))};
+  return SearchCost{timing, read(offsetof(Statistics, pairs)), read(offsetof(Statistics, candidates))};
 }
 
 Result<std::vector<KernelTime>> time_kernels(sim::World& world, std::uint32_t repeats) {

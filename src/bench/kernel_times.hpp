@@ -10,13 +10,9 @@
 
 namespace weft::bench {
 
-/// The dispatches of one search for pairs, and how many a substep has apart from it. A search is what a
-/// substep that may search has over one that may not.
-struct StepDispatches {
-  std::vector<gpu::Command> search;  // empty where the method does not search, or does in every substep
-  std::size_t step_count = 0;
-};
-StepDispatches step_dispatches(sim::World& world);
+/// The dispatches of one search for pairs: what a substep that may search has over one that may not. Empty
+/// where the method does not search, or does in every substep.
+std::vector<gpu::Command> search_dispatches(sim::World& world);
 
 /// How much is run to measure something.
 struct Effort {

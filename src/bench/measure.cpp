@@ -7,20 +7,27 @@
 
 namespace weft::bench {
 
-Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames) {
+Result<Timing> time_repeats(double budget_ms, std::uint32_t least, double parts,
+                            const std::function<Result<void>()>& work) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> times;
   double spent = 0;
-  while (times.size() < least_frames || spent < budget_ms) {
+  while (times.size() < least || spent < budget_ms) {
     const auto start = Clock::now();
-    WEFT_CHECK(world.advance_frame());
-    WEFT_CHECK(world.finish());
+    WEFT_CHECK(work());
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     spent += milliseconds;
-    times.push_back(milliseconds / world.substeps());
+    times.push_back(milliseconds / parts);
   }
   std::sort(times.begin(), times.end());
   return Timing{times[times.size() / 2], times.front()};
+}
+
+Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames) {
+  return time_repeats(budget_ms, least_frames, world.substeps(), [&]() -> Result<void> {
+    WEFT_CHECK(world.advance_frame());
+    return world.finish();
+  });
 }
 
 Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps) {

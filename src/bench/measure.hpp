@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,12 @@ struct Row {
 };
 
 struct Timing {
-  double median = 0, least = 0;  // ms a step
+  double median = 0, least = 0;  // ms
 };
+
+/// Does `work` until `budget_ms` are spent, `least` times or more. A time is that of one of its `parts`.
+Result<Timing> time_repeats(double budget_ms, std::uint32_t least, double parts,
+                            const std::function<Result<void>()>& work);
 
 /// Runs frames, drained after each, until `budget_ms` are spent; at least `least_frames`.
 Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames);

@@ -37,8 +37,10 @@ std::size_t CommandList::dispatch_count() const {
 }
 
 std::uint32_t CommandList::add_label(const std::string& label) {
-  labels_.push_back(label);
-  return static_cast<std::uint32_t>(labels_.size() - 1);
+  const auto at = std::find(labels_.begin(), labels_.end(), label);
+  const auto index = static_cast<std::uint32_t>(at - labels_.begin());
+  if (at == labels_.end()) labels_.push_back(label);
+  return index;
 }
 
 ComputePass::ComputePass(CommandList& list, const std::string& label, PassTimestamps timestamps)
@@ -51,12 +53,19 @@ ComputePass::ComputePass(CommandList& list, const std::string& label, PassTimest
 
 ComputePass::~ComputePass() { list_.commands_.push_back({CommandKind::EndCompute, {}, {}, {}}); }
 
-void ComputePass::dispatch(Id pipeline, Id bind_group, std::array<std::uint32_t, 3> groups, bool reads_step) {
+void ComputePass::dispatch(Id pipeline, Id bind_group, const std::string& label,
+                           std::array<std::uint32_t, 3> groups, bool reads_step) {
   if (groups[0] == 0 || groups[1] == 0 || groups[2] == 0) return;
   list_.commands_.push_back({CommandKind::Dispatch,
                              {pipeline, bind_group},
                              {groups[0], groups[1], groups[2], step_ * kStepStride, reads_step ? 1U : 0U},
-                             {}});
+                             {list_.add_label(label)}});
+}
+
+void ComputePass::repeat(const CommandList& from, const Command& dispatch) {
+  Command command = dispatch;
+  command.sizes[0] = list_.add_label(from.label(static_cast<std::uint32_t>(dispatch.sizes[0])));
+  list_.commands_.push_back(command);
 }
 
 RenderPass::RenderPass(CommandList& list, const RenderTarget& target, const std::string& label)

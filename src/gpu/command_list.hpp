@@ -14,7 +14,8 @@ enum class CommandKind : std::uint8_t {
   BeginCompute,  // args[0]: label; args[1], args[2]: begin and end timestamp, or kNoTimestamp; ids[0]: query
                  // set
   EndCompute,
-  Dispatch,  // ids: pipeline, bind group; args: x, y, z, offset of the step's uniform block, has such a block
+  Dispatch,  // ids: pipeline, bind group; args: x, y, z, offset of the step's uniform block, has such a
+             // block; sizes[0]: label, the kernel's
   CopyBuffer,      // ids: source, target; sizes: source offset, target offset, bytes
   ClearBuffer,     // ids: buffer; sizes: offset, bytes
   ResolveQueries,  // ids: query set, buffer; args: count
@@ -80,7 +81,11 @@ class ComputePass {
   ComputePass(const ComputePass&) = delete;
   ComputePass& operator=(const ComputePass&) = delete;
 
-  void dispatch(Id pipeline, Id bind_group, std::array<std::uint32_t, 3> groups, bool reads_step = false);
+  void dispatch(Id pipeline, Id bind_group, const std::string& label, std::array<std::uint32_t, 3> groups,
+                bool reads_step = false);
+
+  /// Records a dispatch of another list again, for its own substep.
+  void repeat(const CommandList& from, const Command& dispatch);
 
   /// `parity` says which of the two state buffers holds the state before this substep.
   void set_step(std::uint32_t step, std::uint32_t parity) { step_ = step, parity_ = parity; }

@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "base/result.hpp"
@@ -43,11 +41,6 @@ class Device {
   void write(const BindingSource& target, std::span<const std::byte> bytes);
   std::uint64_t allocated_bytes() const { return allocated_bytes_; }
 
-  /// The shader that a compute pipeline runs, as Kernel has noted it: so that recorded commands can be told
-  /// apart when they are measured.
-  const std::string& kernel_path(Id pipeline) const { return kernel_paths_.at(pipeline); }
-  void note_kernel(Id pipeline, const std::string& path) { kernel_paths_[pipeline] = path; }
-
   backend::Context& context() { return *context_; }
   void count_allocation(std::int64_t bytes) { allocated_bytes_ += static_cast<std::uint64_t>(bytes); }
 
@@ -59,7 +52,6 @@ class Device {
   Limits limits_;
   bool timestamps_ = false;
   std::uint64_t allocated_bytes_ = 0;
-  std::unordered_map<Id, std::string> kernel_paths_;  // by pipeline
 };
 
 }  // namespace weft::gpu

@@ -47,7 +47,6 @@ Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vect
   const std::string entry = path.substr(slash, path.rfind('.') - slash);
   WEFT_TRY(pipeline, backend::create_compute_pipeline(context, layout, module_id, entry, constants, path));
   kernel.pipeline_ = Object(ObjectKind::ComputePipeline, pipeline);
-  device.note_kernel(pipeline, path);
   return kernel;
 }
 
@@ -74,7 +73,7 @@ void Kernel::dispatch_strided(ComputePass& pass, const BindGroup& group, std::ui
 
 void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x,
                              std::uint32_t y) const {
-  pass.dispatch(pipeline_.id(), group.id(), {x, y, 1}, reads_step_);
+  pass.dispatch(pipeline_.id(), group.id(), label_, {x, y, 1}, reads_step_);
 }
 
 }  // namespace weft::gpu
