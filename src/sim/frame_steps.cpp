@@ -28,15 +28,13 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
 void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
                        const Frame& frame) {
   const bool held = grabs.any(frame.time, frame.time + frame_);
-  const bool same =
-      frame.parity == parity_ && frame.substeps == substeps_ && frame.collider_speed == collider_speed_;
+  const bool same = frame.substeps == substeps_ && frame.collider_speed == collider_speed_;
   if (!changed_ && !wind_.varies() && !held && !held_ && same) return;
   const double step = frame_ / frame.substeps;
   for (std::uint32_t s = 0; s < frame.substeps; ++s) {
     StepParams& params = steps_[s];
     const double now = frame.time + s * step;  // the substep's forces are those at its start
     params.dt = static_cast<float>(step);
-    params.parity = (frame.parity + s) & 1U;
     params.acceleration.w = static_cast<float>(frame.collider_speed * step);
     set_wind(params, wind_, {turns(0, now), turns(1, now)});
     grabs.set(params, now + step);  // a follower, as a motion, goes to where the target is at the end
@@ -44,7 +42,6 @@ void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps
   steps.write(device, std::span(steps_).first(frame.substeps));
   changed_ = false;
   held_ = held;
-  parity_ = frame.parity;
   substeps_ = frame.substeps;
   collider_speed_ = frame.collider_speed;
 }

@@ -22,10 +22,10 @@ class FrameSteps {
   /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
   /// where they are.
   void set_air(const scene::Scene& scene, double time);
-  /// A frame: when it begins [s], its substeps, which of State's buffers it begins with.
+  /// A frame: when it begins [s] and its substeps.
   struct Frame {
     double time = 0;
-    std::uint32_t substeps = 1, parity = 0;
+    std::uint32_t substeps = 1;
     double collider_speed = 0;  // the largest in it [m/s]
   };
   void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
@@ -44,7 +44,7 @@ class FrameSteps {
   double start_ = 0;                        // when the wind became what it is [s]
   std::array<double, 2> start_turns_ = {};  // of its waves, then
   bool changed_ = true;
-  std::uint32_t parity_ = 0, substeps_ = 0;
+  std::uint32_t substeps_ = 0;
   double collider_speed_ = 0;
   bool held_ = false;  // in the frame that was written last
 };

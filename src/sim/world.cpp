@@ -232,7 +232,7 @@ Result<void> World::submit_frame(const gpu::CommandList* draw) {
   double speed = 0;
   for (const ContactMover& mover : movers_)
     speed = std::max(speed, largest_speed(mover, now, now + scene_.time.frame));
-  steps_.write(device_, state_.steps, *grabs_, {now, substeps, parity_, speed});
+  steps_.write(device_, state_.steps, *grabs_, {now, substeps, speed});
   write_motions(substeps);
   if (proximity_) proximity_->write_places(device_, scene_, now, scene_.time.frame / substeps, substeps);
   const std::array<const gpu::CommandList*, 3> lists = {&frame_commands(parity_, substeps), &free.commands,

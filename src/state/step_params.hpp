@@ -40,7 +40,7 @@ struct StepParams {
   float least_reach = 0, most_reach = 0;                 // [m]
   float contact_damping = 0;                             // ζ of docs/contact.md
   Detect detect = Detect::No;
-  std::uint32_t parity = 0;
+  std::uint32_t padding = 0;
   std::uint32_t point_count = 0;  // of colliders
   std::uint32_t first_place = 0;
 };

@@ -77,7 +77,7 @@ Json step_params() {
               M(grab_speed),     M(wind),        M(wind_wave_a),  M(wind_wave_b),
               M(gust_a),         M(gust_b),      M(grab_node),    M(grab_target),
               M(self_thickness), M(least_reach), M(most_reach),   M(contact_damping),
-              M(detect),         M(parity),      M(point_count),  M(first_place)});
+              M(detect),         M(padding),     M(point_count),  M(first_place)});
 }
 Json spring() {
   using T = Spring;
