@@ -1,9 +1,9 @@
 #include "render/object_mesh.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "mesh/primitives.hpp"
+#include "model/sheet_rim.hpp"
 
 namespace weft::render {
 namespace {
@@ -105,17 +105,9 @@ std::vector<Vec3f> vertex_normals(const mesh::TriangleMesh& mesh) {
 }
 
 bool is_closed(const mesh::TriangleMesh& mesh) {
-  std::vector<std::uint64_t> there, back;
-  for (const mesh::Triangle& triangle : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint64_t a = triangle[i], b = triangle[(i + 1) % 3];
-      there.push_back((a << 32U) | b);
-      back.push_back((b << 32U) | a);
-    }
-  std::sort(there.begin(), there.end());
-  std::sort(back.begin(), back.end());
-  const bool each_once = std::adjacent_find(there.begin(), there.end()) == there.end();
-  return each_once && there == back && mesh::signed_volume(mesh) > 0;
+  std::vector<Vec3d> positions;
+  for (const Vec3f& p : mesh.positions) positions.push_back(p.to<double>());
+  return faces_outward(positions, mesh.triangles);
 }
 
 ObjectMesh join_objects(const Inputs& inputs) {
