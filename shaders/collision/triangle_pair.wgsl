@@ -15,14 +15,12 @@
 //
 // All products are added by fma(), and tolerances are products only: with `a * b + c` a compiler may or may not fuse, and
 // might choose differently in two kernels; here nothing is left to choose, so `paper` and `bvh` see the same bits.
-const kRounding = 3.814697265625e-06;  // 64 * 2^-24
+#include "shared/geometry.wgsl"
 
 struct TrianglePoints { a : vec3f, b : vec3f, c : vec3f }
-struct Box { low : vec3f, high : vec3f }
 
 fn cross_fused(a : vec3f, b : vec3f) -> vec3f { return fma(a.yzx, b.zxy, -(a.zxy * b.yzx)); }
 fn dot_fused(a : vec3f, b : vec3f) -> f32 { return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x)); }
-fn largest(a : vec3f) -> f32 { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }
 
 // Whether an edge of `edges` hits `face`. With n = e1 x e2 and w = s x d the determinants are
 //   a = -d . n,   t a = s . n,   u a = e2 . w,   v a = -e1 . w:
@@ -85,9 +83,4 @@ fn boxes_overlap(query : Box, box : Box) -> bool {
 // with a common point, grown or not.
 fn triangles_intersect(cloth : TrianglePoints, query : Box, object : TrianglePoints) -> bool {
   return boxes_overlap(query, box_of(object)) && (edges_hit(cloth, object) | edges_hit(object, cloth));
-}
-
-// Found on the bits: a compiler may take NaN and infinity to be absent.
-fn is_finite(v : vec3f) -> bool {
-  return all((bitcast<vec3u>(v) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
 }

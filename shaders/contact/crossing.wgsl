@@ -2,14 +2,13 @@
 // one and the same side. Source: signed volumes, as in Segura and Feito 2001. Each is a sum of six products of three
 // coordinate differences, so what is below 64 roundings of the largest product may be nothing (docs/collision.md, "Tolerance"):
 // touching is not crossing, and neither is lying in one plane.
-const kVolumeRounding = 3.814697265625e-06;  // 64 * 2^-24
+#include "shared/geometry.wgsl"
 
 fn volume(a : vec3f, b : vec3f, c : vec3f) -> f32 { return dot(a, cross(b, c)); }
-fn largest(a : vec3f) -> f32 { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }
 
 fn crosses(p : vec3f, q : vec3f, a : vec3f, b : vec3f, c : vec3f) -> bool {
   let size = max(max(largest(a - p), largest(b - p)), max(max(largest(c - p), largest(q - p)), max(largest(a - q), largest(b - q))));
-  let none = kVolumeRounding * size * size * size;
+  let none = kRounding * size * size * size;
   let from_p = volume(a - p, b - p, c - p);
   let from_q = volume(a - q, b - q, c - q);
   if (min(abs(from_p), abs(from_q)) <= none || (from_p > 0.0) == (from_q > 0.0)) { return false; }

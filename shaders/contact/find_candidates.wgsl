@@ -1,5 +1,5 @@
-// The broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation per cloth triangle; it
-// walks the cloths' own tree for later triangles, and every collider, once to count and, where that has found many, once to write.
+// The broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation per
+// cloth triangle; it walks the cloths' own tree for later triangles, and every collider, once to count and, where that has found many, once to write.
 // Where a triangle's candidates stand in the list hangs on the order of workgroups, and nothing hangs on that.
 // Source: docs/contact.md.
 #include "shared/index.wgsl"
@@ -7,6 +7,7 @@
 #include "shared/statistics.wgsl"
 #include "contact/tree.wgsl"
 #include "contact/triangles.wgsl"
+#include "contact/allocate.wgsl"
 // A collider: its kind, then
 const kColliderTree = 0u;       // a rigid mesh: first word of its nodes, first word of its triangles, its number
 const kColliderImplicit = 1u;   // a mesh that deforms: first word of its tree, its first triangle of `triangles`, their number
@@ -18,7 +19,7 @@ struct Colliders { list : array<vec4u, kMostColliders> }
 //                                                                                   elements
 @group(0) @binding(0) var<uniform>             params        : SearchParams;
 @group(0) @binding(1) var<uniform>             colliders     : Colliders;
-@group(0) @binding(2) var<storage, read>       predicted     : array<vec4f>;        // 2 * vertex_count: contact/triangles.wgsl
+@group(0) @binding(2) var<storage, read>       predicted     : array<vec4f>;        // 2 * vertex_count: contact/tree.wgsl
 @group(0) @binding(3) var<storage, read>       triangles     : array<vec4u>;        // in tree order: corners; w: what it owns, friction
 @group(0) @binding(4) var<storage, read>       trees         : array<vec4u>;
 @group(0) @binding(5) var<storage, read>       points        : array<vec4f>;        // of colliders; see contact/move_points.wgsl
@@ -36,8 +37,6 @@ var<private> a : vec3f;  // the corners' places, m
 var<private> b : vec3f;
 var<private> c : vec3f;
 var<private> own_reach : f32;  // m
-var<workgroup> sums : array<u32, kWorkgroupSize>;
-var<workgroup> base : u32;
 var<workgroup> due : u32;
 
 fn emit(kind : u32, place : u32) {
@@ -96,7 +95,7 @@ fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
     let d = predicted[params.vertex_count + other.x];
     let e = predicted[params.vertex_count + other.y];
     let f = predicted[params.vertex_count + other.z];
-    let reach = max(max(d.w, e.w), f.w);
+    let reach = largest_reach(d, e, f);
     if (!overlap(box, grown(box_of(d.xyz, e.xyz, f.xyz), reach))) { continue; }
     if (!(is_finite(d.xyz) && is_finite(e.xyz) && is_finite(f.xyz))) { continue; }
     let slow = own_reach + reach <= 2.0 * params.flat_reach;
@@ -223,25 +222,12 @@ fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_inv
     a = place_a.xyz;
     b = place_b.xyz;
     c = place_c.xyz;
-    own_reach = max(max(place_a.w, place_b.w), place_c.w);
+    own_reach = largest_reach(place_a, place_b, place_c);
     works = is_finite(a) && is_finite(b) && is_finite(c);
   }
   if (works) { meet_all(scripted_reach); }
-  sums[thread] = found;
-  workgroupBarrier();
-  for (var distance = 1u; distance < kWorkgroupSize; distance *= 2u) {
-    var other = 0u;
-    if (thread >= distance) { other = sums[thread - distance]; }
-    workgroupBarrier();
-    sums[thread] += other;
-    workgroupBarrier();
-  }
-  if (thread == kWorkgroupSize - 1u && sums[thread] > 0u) {
-    base = atomicAdd(&statistics[kStatCandidates], sums[thread]);
-    if (base + sums[thread] > params.candidate_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
-  }
-  workgroupBarrier();
-  next = base + sums[thread] - found;
+  next = allocate(thread, found, kStatCandidates);
+  if (found > 0u && next + found > params.candidate_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
   if (next + found > params.candidate_capacity) { return; }
   if (found > kMostKept) {
     writing = true;

@@ -10,9 +10,10 @@
 #include "contact/closest.wgsl"
 #include "contact/crossing.wgsl"
 #include "contact/untangle.wgsl"
+#include "contact/allocate.wgsl"
 //                                                                                     elements
 @group(0) @binding(0) var<uniform>             params          : SearchParams;
-@group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count: contact/triangles.wgsl
+@group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count: contact/tree.wgsl
 @group(0) @binding(2) var<storage, read>       triangles       : array<vec4u>;        // in tree order: corners; w: what it owns, friction
 @group(0) @binding(3) var<storage, read>       trees           : array<vec4u>;
 @group(0) @binding(4) var<storage, read>       points          : array<vec4f>;        // of colliders; see contact/move_points.wgsl
@@ -29,8 +30,6 @@ struct Face {
   owned : u32,
 }
 
-var<workgroup> sums : array<u32, kWorkgroupSize>;
-var<workgroup> base : u32;
 var<workgroup> count : u32;
 
 fn cloth_face(t : u32) -> Face {
@@ -244,21 +243,9 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
         }
       }
     }
-    sums[thread] = countOneBits(hits);
-    workgroupBarrier();
-    for (var distance = 1u; distance < kWorkgroupSize; distance *= 2u) {
-      var other = 0u;
-      if (thread >= distance) { other = sums[thread - distance]; }
-      workgroupBarrier();
-      sums[thread] += other;
-      workgroupBarrier();
-    }
-    if (thread == kWorkgroupSize - 1u && sums[thread] > 0u) {
-      base = atomicAdd(&statistics[kStatPairs], sums[thread]);
-      if (base + sums[thread] > params.pair_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
-    }
-    workgroupBarrier();
-    var pair = base + sums[thread] - countOneBits(hits);
+    let wanted = countOneBits(hits);
+    var pair = allocate(thread, wanted, kStatPairs);
+    if (wanted > 0u && pair + wanted > params.pair_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
     while (hits != 0u && pair < params.pair_capacity) {
       let hit = firstTrailingBit(hits);
       hits &= hits - 1u;
@@ -284,6 +271,5 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
       count_roles(ids);
       pair++;
     }
-    workgroupBarrier();
   }
 }

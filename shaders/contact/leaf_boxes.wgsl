@@ -1,4 +1,5 @@
-// The boxes of an implicit tree's leaves and of the two levels above them, of cloth grown by what its vertices may go. One invocation per leaf; a workgroup's leaves are
+// The boxes of an implicit tree's leaves and of the two levels above them, of cloth grown by what its vertices may go. One
+// invocation per leaf; a workgroup's leaves are
 // whole nodes of those levels, since its size is a multiple of 64.
 #include "shared/index.wgsl"
 #include "contact/tree.wgsl"
@@ -8,7 +9,7 @@
 //                                                                               elements
 @group(0) @binding(0) var<uniform>             step      : StepParams;
 @group(0) @binding(1) var<uniform>             params    : TreeParams;
-@group(0) @binding(2) var<storage, read>       position  : array<vec4f>;      // m; of cloth: contact/triangles.wgsl
+@group(0) @binding(2) var<storage, read>       position  : array<vec4f>;      // m; of cloth: contact/tree.wgsl
 @group(0) @binding(3) var<storage, read>       triangles : array<vec4u>;      // corners; w: contact/find_pairs.wgsl
 @group(0) @binding(4) var<storage, read_write> statistics : array<u32>;
 @group(0) @binding(5) var<storage, read_write> trees     : array<vec4u>;
@@ -32,7 +33,7 @@ fn leaf_box(leaf : u32) -> Box {
     let a = position[first + corner.x];
     let b = position[first + corner.y];
     let c = position[first + corner.z];
-    let reach = select(0.0, max(max(a.w, b.w), c.w), is_cloth);
+    let reach = select(0.0, largest_reach(a, b, c), is_cloth);
     if (is_finite(a.xyz) && is_finite(b.xyz) && is_finite(c.xyz)) {
       box = united(box, grown(box_of(a.xyz, b.xyz, c.xyz), reach));
     }

@@ -3,11 +3,10 @@
 #include "shared/index.wgsl"
 #include "shared/contact.wgsl"
 #include "shared/statistics.wgsl"
+#include "contact/allocate.wgsl"
 //                                                                                    elements
 @group(0) @binding(0) var<storage, read_write> vertex_contacts : array<u32>;
 @group(0) @binding(1) var<storage, read_write> statistics      : array<atomic<u32>>;
-var<workgroup> sums : array<u32, kWorkgroupSize>;
-var<workgroup> base : u32;
 var<workgroup> due : u32;
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -19,16 +18,6 @@ fn place_entries(@builtin(global_invocation_id) id : vec3u, @builtin(local_invoc
   if (word < arrayLength(&vertex_contacts)) {
     if (atomicLoad(&statistics[kStatHeld]) == 0u) { own = vertex_contacts[word + 1u]; } else { vertex_contacts[word + 1u] = 0u; }
   }
-  sums[thread] = own;
-  workgroupBarrier();
-  for (var distance = 1u; distance < kWorkgroupSize; distance *= 2u) {
-    var other = 0u;
-    if (thread >= distance) { other = sums[thread - distance]; }
-    workgroupBarrier();
-    sums[thread] += other;
-    workgroupBarrier();
-  }
-  if (thread == kWorkgroupSize - 1u && sums[thread] > 0u) { base = atomicAdd(&statistics[kStatEntries], sums[thread]); }
-  workgroupBarrier();
-  if (own > 0u) { vertex_contacts[word] = base + sums[thread] - own; }
+  let first = allocate(thread, own, kStatEntries);
+  if (own > 0u) { vertex_contacts[word] = first; }
 }

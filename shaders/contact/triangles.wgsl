@@ -15,7 +15,6 @@ struct SearchParams {  // mirror: src/collision/pair_search.hpp
 }
 const kNoCorner = 0xffffffffu;
 
-// From vertex_count on `predicted` has where vertices were found, m, and in w how far each may go from there, m.
 
 // A candidate: a cloth triangle and, in the upper four bits, what it may be near; then which one.
 const kNearCloth = 0u;      // a cloth triangle, by its place in the tree's order

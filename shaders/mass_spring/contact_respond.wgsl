@@ -76,6 +76,14 @@ fn deepest_push(begin : u32, end : u32, far : bool, x : vec3f) -> vec4f {
   return deepest;
 }
 
+// How much of a way takes a vertex past no plane that it has been short of by `now` and would be by `then`; one that it is past already it
+// passes no further where that `binds`.
+fn part_before(now : f32, then : f32, binds : bool) -> f32 {
+  if (then <= 0.0) { return 1.0; }
+  if (now < 0.0) { return now / (now - then); }
+  return select(1.0, 0.0, binds && then > now);
+}
+
 // The part of a push that takes a vertex past no plane between it and other cloth.
 fn part_before_cloth(begin : u32, end : u32, far : bool, x : vec3f, pushed : vec3f) -> f32 {
   var part = 1.0;
@@ -83,10 +91,7 @@ fn part_before_cloth(begin : u32, end : u32, far : bool, x : vec3f, pushed : vec
     if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
     let contact = contacts[entries[k] / kEntryPair];
     if (contact.normal.w <= 0.0 || contact.solid != 0u) { continue; }
-    let then = beyond(contact, entries[k] & 3u, pushed);
-    if (then <= 0.0) { continue; }
-    let now = beyond(contact, entries[k] & 3u, x);
-    if (now < 0.0) { part = min(part, now / (now - then)); } else if (then > now) { part = 0.0; }
+    part = min(part, part_before(beyond(contact, entries[k] & 3u, x), beyond(contact, entries[k] & 3u, pushed), true));
   }
   return part;
 }
@@ -157,8 +162,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
         if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the spring brings it out
         let then = beyond(contact, entries[k] & 3u, x);
         if (then <= 0.0) { continue; }
-        let now = beyond(contact, entries[k] & 3u, start.xyz);
-        if (now < 0.0) { part = min(part, now / (now - then)); } else if ((contact.solid == 0u || still) && then > now) { part = 0.0; }
+        part = min(part, part_before(beyond(contact, entries[k] & 3u, start.xyz), then, contact.solid == 0u || still));
         if (contact.solid != 0u) { deepest = deeper(deepest, contact, entries[k] & 3u, then); }
       }
       if (part < 1.0) {
