@@ -1,6 +1,16 @@
 #include "element/last_good.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace weft {
+namespace {
+
+bool is_finite(const Vec4f& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+}  // namespace
 
 Result<LastGood> LastGood::create(gpu::Device& device, const State& state) {
   LastGood made;
@@ -31,6 +41,15 @@ void LastGood::record(gpu::ComputePass& pass) const {
 void LastGood::record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const {
   list.copy(position_.source(), state.position[parity].source());
   list.copy(velocity_.source(), state.velocity[parity].source());
+}
+
+void LastGood::renew(gpu::Device& device, std::span<const Vec4f> position, std::span<const Vec4f> velocity,
+                     std::size_t first) const {
+  if (!std::all_of(position.begin(), position.end(), is_finite) ||
+      !std::all_of(velocity.begin(), velocity.end(), is_finite))
+    return;
+  position_.write(device, position, first);
+  velocity_.write(device, velocity, first);
 }
 
 }  // namespace weft

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
@@ -16,6 +17,9 @@ class LastGood {
   void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
   /// Makes what is kept the state of this parity.
   void record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const;
+  /// Keeps this state of the vertices from `first` on, if all of it is finite.
+  void renew(gpu::Device& device, std::span<const Vec4f> position, std::span<const Vec4f> velocity,
+             std::size_t first) const;
 
  private:
   gpu::Kernel guard_, keep_;

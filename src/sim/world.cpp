@@ -400,11 +400,13 @@ Result<Snapshot> World::snapshot() {
 void World::restore(const Snapshot& snapshot) {
   state_.position[parity_].write(device_, snapshot.position);
   state_.velocity[parity_].write(device_, snapshot.velocity);
+  last_good_->renew(device_, snapshot.position, snapshot.velocity, 0);
 }
 
 void World::set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity) {
   state_.position[parity_].write(device_, std::span(&position, 1), node);
   state_.velocity[parity_].write(device_, std::span(&velocity, 1), node);
+  last_good_->renew(device_, std::span(&position, 1), std::span(&velocity, 1), node);
 }
 
 }  // namespace weft::sim

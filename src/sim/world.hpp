@@ -87,7 +87,8 @@ class World {
 
   /// The current state, waited for.
   Result<Snapshot> snapshot();
-  /// Makes a snapshot of this model the current state; time goes on from where it is.
+  /// Makes a snapshot of this model the current state, and what a bad or repeated frame goes back to; time
+  /// goes on from where it is. No frame may be under way.
   void restore(const Snapshot& snapshot);
   /// Overwrites the current state of one node: for tests of what bad values do.
   void set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity);

@@ -85,6 +85,20 @@ TEST_CASE("lists that are too short grow, their frames are run again, and the bi
   }
 }
 
+TEST_CASE("a first frame after a restore that finds its lists too short is run again from what was restored") {
+  GpuFixture fixture;
+  auto roomy = world_of(fixture.device(), falling());
+  advance(*roomy, 6);
+  const auto middle = roomy->snapshot();
+  REQUIRE_OK(middle);
+  advance(*roomy, 2);
+  auto world = world_of(fixture.device(), falling(), {.contact_room = ContactRoom{8, 8}});
+  world->restore(*middle);
+  advance(*world, 2);
+  CHECK(world->totals().repeated_frames > 0);
+  CHECK(hash_of(*world) == hash_of(*roomy));
+}
+
 TEST_CASE("lists that are too short grow also where a reset came before the frame was reported") {
   GpuFixture fixture;
   const Ran roomy = run(fixture.device());
