@@ -85,7 +85,8 @@ TEST_CASE("lists that are too short grow, their frames are run again, and the bi
   }
 }
 
-TEST_CASE("a first frame after a restore that finds its lists too short is run again from what was restored") {
+TEST_CASE(
+    "a first frame after a restore that finds its lists too short is run again from what was restored") {
   GpuFixture fixture;
   auto roomy = world_of(fixture.device(), falling());
   advance(*roomy, 6);
