@@ -13,6 +13,11 @@ namespace {
 // How far beyond a substep pairs are listed: a search serves for about as many substeps as the first says.
 constexpr double kSlackTravels = 4, kSlackThickness = 0.25;
 
+/// How far before a solid side its plane lies: equation (6).
+double margin_of(double distance, double thickness) {
+  return std::max(kContactMargin * std::min(distance, thickness), kContactFloor * thickness);
+}
+
 }  // namespace
 
 Proximity::Proximity(const scene::Scene& scene, const HostModel& model,
@@ -150,19 +155,19 @@ void Proximity::add_planes(const FeaturePair& pair, const Sides& sides, const No
     if (side.obstacle) continue;
     const Vec3d away = other_is_a ? -pair.direction : pair.direction;  // from the other side to this one
     if (other.obstacle) {
-      const double margin =
-          std::max(kContactMargin * std::min(pair.distance, thickness_), kContactFloor * thickness_);
-      keep(side, away, surface_of(pair, sides, away, dt).support + margin, true);
+      keep(side, away, surface_of(pair, sides, away, dt).support + margin_of(pair.distance, thickness_),
+           true);
     } else if (held(other)) {  // cloth that only its motion moves is an obstacle
       double support = dot(away, nodes.position[other.vertices[0]]);
       for (std::uint32_t k = 1; k < other.count; ++k)
         support = std::max(support, dot(away, nodes.position[other.vertices[k]]));
-      keep(side, away, support + kContactMargin * pair.distance, true);
+      keep(side, away, support + margin_of(pair.distance, self_thickness_), true);
     } else {
       double closest = 0;  // of the other side, along `away`
       for (std::uint32_t k = 0; k < other.count; ++k)
         closest += std::abs(other.weights[k]) * dot(away, cloth_.positions[other.vertices[k]]);
-      keep(side, away, closest + (0.5 + kContactMargin) * pair.distance, false);
+      const double margin = std::max(kContactMargin * pair.distance, 0.5 * kContactFloor * self_thickness_);
+      keep(side, away, closest + 0.5 * pair.distance + margin, false);
     }
   }
 }
