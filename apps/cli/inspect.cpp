@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
+#include "model/host_model.hpp"
 #include "scene/schema.hpp"
 #include "sim/assets.hpp"
-#include "model/host_model.hpp"
 
 namespace weft::cli {
 namespace {

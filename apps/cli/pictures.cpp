@@ -16,7 +16,7 @@ std::string frame_name(std::uint32_t frame) {
 
 }  // namespace
 
-Result<std::unique_ptr<Pictures>> Pictures::create(const sim::World& world, const std::string& folder) {
+Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world, const std::string& folder) {
   auto made = std::make_unique<Pictures>();
   made->folder_ = folder;
   made->device_ = &world.device();
@@ -29,10 +29,12 @@ Result<std::unique_ptr<Pictures>> Pictures::create(const sim::World& world, cons
   settings.camera = world.scene().camera;
   settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
   const render::Inputs inputs =
-      render::inputs_of(world.model(), world.state(), world.surface().normal(), world.surface().stretch(),
+      render::inputs_of(world.model(), world.state(),
+                        {world.surface().normal(), world.surface().stretch(), world.contact_counts()},
                         world.scene(), objects, world.assets().keyframes);
   WEFT_TRY(offscreen, picture::Offscreen::create(world.device(), settings, inputs));
   made->offscreen_ = std::move(offscreen);
+  WEFT_CHECK(world.count_contacts(wanted.view == scene::View::Contacts));
   WEFT_TRY(video, picture::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height,
                                                1 / world.scene().time.frame));
   made->video_ = std::move(video);

@@ -14,7 +14,7 @@ namespace weft::cli {
 class Pictures {
  public:
   /// Errors  Shader, Limit, OutOfMemory; Failure where the folder cannot be written.
-  static Result<std::unique_ptr<Pictures>> create(const sim::World& world, const std::string& folder);
+  static Result<std::unique_ptr<Pictures>> create(sim::World& world, const std::string& folder);
 
   /// Draws the current state as the next frame; pictures are written as they arrive.
   Result<void> draw(const sim::World& world);

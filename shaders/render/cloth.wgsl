@@ -9,7 +9,7 @@
 @group(0) @binding(4) var<storage, read> position       : array<vec4f>;         // vertex_count  m
 @group(0) @binding(5) var<storage, read> normal         : array<vec4f>;         // vertex_count  unit
 @group(0) @binding(6) var<storage, read> uv             : array<vec2f>;         // vertex_count  m
-@group(0) @binding(7) var<storage, read> stretch        : array<f32>;           // vertex_count  length / rest length
+@group(0) @binding(7) var<storage, read> field          : array<f32>;           // what the view shows: see field_at
 const kWrap = 0.16;         // how far light reaches round the terminator: fibres stand up
 const kTransmitted = 0.16;  // the share of the sun that comes through
 const kSheen = 0.20;
@@ -19,13 +19,19 @@ struct Vertex {
   @location(0) position : vec3f,
   @location(1) normal : vec3f,
   @location(2) uv : vec2f,
-  @location(3) stretch : f32,
+  @location(3) field : f32,
+}
+
+// Length / rest length; of the velocity, as vec4f, its size, m/s; the number of contacts.
+fn field_at(i : u32) -> f32 {
+  if (kView == kVelocity) { return length(vec3f(field[4u * i], field[4u * i + 1u], field[4u * i + 2u])); }
+  return field[i];
 }
 
 @vertex
 fn vertex_main(@builtin(vertex_index) i : u32) -> Vertex {
   let p = position[i].xyz;
-  return Vertex(frame.view_projection * vec4f(p, 1.0), p, normal[i].xyz, uv[i], stretch[i]);
+  return Vertex(frame.view_projection * vec4f(p, 1.0), p, normal[i].xyz, uv[i], field_at(i));
 }
 
 fn facing_normal(in : Vertex, front : bool, to_eye : vec3f) -> vec3f {
@@ -58,9 +64,9 @@ fn fragment_normals(in : Vertex, @builtin(front_facing) front : bool) -> @locati
 
 // Shaded by at most a quarter, so that folds show and the legend still holds.
 @fragment
-fn fragment_stretch(in : Vertex, @builtin(front_facing) front : bool) -> @location(0) vec4f {
+fn fragment_field(in : Vertex, @builtin(front_facing) front : bool) -> @location(0) vec4f {
   let n = facing_normal(in, front, normalize(frame.eye.xyz - in.position));
-  let place = 8.0 * saturate((in.stretch - frame.stretch_range.x) * frame.stretch_range.z);
+  let place = 8.0 * saturate((in.field - frame.field_range.x) * frame.field_range.z);
   let below = min(u32(place), 7u);
   let color = mix(frame.color_map[below].rgb, frame.color_map[below + 1u].rgb, place - f32(below));
   return vec4f(color * (0.75 + 0.25 * saturate(0.4 + 0.6 * dot(n, frame.to_light.xyz))), 1.0);

@@ -6,11 +6,12 @@ struct Frame {
   eye : vec4f,                 // m
   to_light : vec4f,            // unit; w: the side of a shadow-map texel, m
   viewport : vec4f,            // width, height [pixel] and their inverses
-  stretch_range : vec4f,       // lowest, highest, 1 / (highest - lowest)
-  color_map : array<vec4f, 9>, // linear red, green, blue at equal distances over stretch_range
+  field_range : vec4f,         // lowest, highest, 1 / (highest - lowest)
+  color_map : array<vec4f, 9>, // linear red, green, blue at equal distances over field_range
 }
 override kView : u32 = 0u;
 const kWireframe = 1u;  // scene::View
+const kVelocity = 4u;
 
 // Quiet, lighter above, a little darker towards the corners; given after the tone curve, linear.
 fn background(pixel : vec2f) -> vec3f {

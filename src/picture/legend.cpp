@@ -28,7 +28,7 @@ int rounded(float value) { return static_cast<int>(std::lround(value)); }
 //   | [##] -- 1.15  |
 //   | [##] -- 1.10  |
 //   +---------------+
-LegendLayout legend_layout(std::uint32_t width, std::uint32_t height) {
+LegendLayout legend_layout(std::uint32_t width, std::uint32_t height, const render::Field& field) {
   LegendLayout layout;
   const float tall = static_cast<float>(height);
   const float text = std::max(8.0F, tall / 48);
@@ -37,7 +37,7 @@ LegendLayout legend_layout(std::uint32_t width, std::uint32_t height) {
   const int pad = rounded(text);
   const int bar_width = rounded(1.2F * text), tick = rounded(0.9F * text), bar_height = rounded(0.4F * tall);
   const int content_width =
-      std::max(bar_width + tick + rounded(label_width), rounded(text_width("stretch", text)));
+      std::max(bar_width + tick + rounded(label_width), rounded(text_width(field.title, text)));
   const int panel_width = content_width + 2 * pad;
   const int panel_height = bar_height + rounded(2.5F * text) + 2 * pad;
   layout.panel = {static_cast<int>(width) - panel_width - pad, (static_cast<int>(height) - panel_height) / 2,
@@ -51,13 +51,13 @@ LegendLayout legend_layout(std::uint32_t width, std::uint32_t height) {
   return layout;
 }
 
-void draw_legend(Image& image, double lowest, double highest) {
+void draw_legend(Image& image, const render::Field& field) {
   if (image.width < kSmallest || image.height < kSmallest) return;
-  const LegendLayout layout = legend_layout(image.width, image.height);
+  const LegendLayout layout = legend_layout(image.width, image.height, field);
   const Rectangle& bar = layout.bar;
   fill(image, layout.panel, kPaper, 0.72F);
   draw_text(image, static_cast<float>(layout.title.x), static_cast<float>(layout.title.y), layout.text_height,
-            "stretch", kInk);
+            field.title, kInk);
   for (int row = 0; row < bar.height; ++row) {
     const Vec3f color =
         255.0F * render::map_color(1 - static_cast<float>(row) / static_cast<float>(bar.height - 1));
@@ -69,7 +69,9 @@ void draw_legend(Image& image, double lowest, double highest) {
   for (int i = 0; i < kLegendLabels; ++i) {
     const Rectangle& label = layout.labels[static_cast<std::size_t>(i)];
     char number[32];
-    std::snprintf(number, sizeof number, "%.2f", highest - (highest - lowest) * i / (kLegendLabels - 1));
+    const auto [lowest, highest] = field.range;
+    std::snprintf(number, sizeof number, "%.*f", field.decimals,
+                  highest - (highest - lowest) * i / (kLegendLabels - 1));
     fill(image, {bar.x + bar.width, bar.y + i * (bar.height - 1) / (kLegendLabels - 1), bar.width / 3, 1},
          kInk, 1);
     draw_text(image, static_cast<float>(label.x), static_cast<float>(label.y), layout.text_height, number,

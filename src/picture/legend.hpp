@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "picture/image.hpp"
+#include "render/field.hpp"
 
 namespace weft::picture {
 
@@ -18,10 +19,10 @@ struct LegendLayout {
   float text_height = 0;          // [pixel]
 };
 inline constexpr int kLegendLabels = 5;
-LegendLayout legend_layout(std::uint32_t width, std::uint32_t height);
+LegendLayout legend_layout(std::uint32_t width, std::uint32_t height, const render::Field& field);
 
-/// Draws the colour bar from `lowest` (below) to `highest` (above) with numbers and the title "stretch". A
-/// picture too small for it stays as it is.
-void draw_legend(Image& image, double lowest, double highest);
+/// Draws the colour bar over the field's range with numbers and its title. A picture too small for it stays
+/// as it is.
+void draw_legend(Image& image, const render::Field& field);
 
 }  // namespace weft::picture

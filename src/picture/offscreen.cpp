@@ -8,9 +8,8 @@ Result<Offscreen> Offscreen::create(gpu::Device& device, const render::Settings&
                                     const render::Inputs& inputs, bool legend) {
   Offscreen made;
   made.device_ = &device;
-  made.legend_ = legend && settings.view == render::View::Stretch;
-  made.lowest_stretch_ = settings.lowest_stretch;
-  made.highest_stretch_ = settings.highest_stretch;
+  if (legend) made.legend_ = render::field_of(settings.view);
+  if (made.legend_ && settings.range) made.legend_->range = *settings.range;
   WEFT_TRY(renderer, render::Renderer::create(device, settings, inputs));
   made.renderer_ = std::move(renderer);
   const gpu::TextureInfo resolved = {settings.width, settings.height, 1, settings.color_format,
@@ -28,7 +27,7 @@ void Offscreen::record(gpu::CommandList& list, std::uint32_t parity) const {
 }
 
 void Offscreen::finish(Image& image) const {
-  if (legend_) draw_legend(image, lowest_stretch_, highest_stretch_);
+  if (legend_) draw_legend(image, *legend_);
 }
 
 Result<std::optional<Image>> Offscreen::try_take() {

@@ -14,7 +14,7 @@ namespace weft::picture {
 /// ImageRing::kSlots pictures may be on their way.
 class Offscreen {
  public:
-  /// `legend`: whether a picture of View::Stretch shows what its colours mean.
+  /// `legend`: whether a picture of a view that shows a field says what its colours mean.
   /// Errors  those of render::Renderer::create.
   static Result<Offscreen> create(gpu::Device& device, const render::Settings& settings,
                                   const render::Inputs& inputs, bool legend = true);
@@ -41,8 +41,7 @@ class Offscreen {
   render::Renderer renderer_;
   gpu::Texture resolved_;
   ImageRing ring_;
-  bool legend_ = false;
-  double lowest_stretch_ = 0, highest_stretch_ = 0;  // the legend's ends
+  std::optional<render::Field> legend_;
 };
 
 }  // namespace weft::picture

@@ -17,8 +17,8 @@ void blend(Image& image, int x, int y, Color color, float share);
 /// The width of a text whose digits are `height` tall [pixel].
 float text_width(const std::string& text, float height);
 
-/// Draws a text with its top left corner at (x, y) [pixel]. Known are digits, ".", "-", "+", "%" and the
-/// letters of "stretch"; anything else is a gap.
+/// Draws a text with its top left corner at (x, y) [pixel]. Known are digits, ".", "-", "+", "%", "/" and
+/// the letters of the titles in render/field.cpp; anything else is a gap.
 void draw_text(Image& image, float x, float y, float height, const std::string& text, Color color);
 
 }  // namespace weft::picture

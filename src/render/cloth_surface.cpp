@@ -33,9 +33,25 @@ const char* entry_of(scene::View view) {
     case scene::View::Normals:
       return "fragment_normals";
     case scene::View::Stretch:
-      return "fragment_stretch";
+    case scene::View::Velocity:
+    case scene::View::Contacts:
+      return "fragment_field";
   }
   return "fragment_textured";
+}
+
+/// What the view shows at each vertex; where it shows no field, anything.
+const gpu::RawBuffer& field_buffer(const ClothDraw& cloth, scene::View view, std::size_t parity) {
+  switch (view) {
+    case scene::View::Stretch:
+      return *cloth.stretch;
+    case scene::View::Velocity:
+      return *cloth.velocity[parity];
+    case scene::View::Contacts:
+      return *cloth.contacts;
+    default:
+      return *cloth.uv;
+  }
 }
 
 }  // namespace
@@ -70,14 +86,13 @@ Result<ClothSurface> ClothSurface::create(gpu::Device& device, const Look& look,
   WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/cloth.wgsl", info));
   made.pipeline_ = std::move(pipeline);
   made.index_buffer_ = cloth.triangles->id();
-  const gpu::RawBuffer& stretch =
-      cloth.stretch != nullptr ? *cloth.stretch : *cloth.uv;  // read in one view only
   for (const ClothRange& range : cloth.ranges) {
     const gpu::Buffer<WeaveParams>& weave = weaves[made.parts_.size()];
     Part part;
     for (std::size_t parity = 0; parity < 2; ++parity) {
-      WEFT_TRY(group, made.pipeline_.bind({frame, shadow.texture(), shadow.sampler(), weave,
-                                           *cloth.position[parity], *cloth.normal, *cloth.uv, stretch}));
+      WEFT_TRY(group,
+               made.pipeline_.bind({frame, shadow.texture(), shadow.sampler(), weave, *cloth.position[parity],
+                                    *cloth.normal, *cloth.uv, field_buffer(cloth, look.view, parity)}));
       part.groups[parity] = std::move(group);
     }
     part.first_index = 3 * range.first_triangle;

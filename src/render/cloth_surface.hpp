@@ -21,7 +21,7 @@ WeaveParams weave_of(const ClothRange& range, std::size_t index);
 Result<std::vector<gpu::Buffer<WeaveParams>>> create_weaves(gpu::Device& device,
                                                             const std::vector<ClothRange>& ranges);
 
-/// Draws the triangles of all cloths, woven, or coloured by normal or stretch.
+/// Draws the triangles of all cloths, woven, or coloured by normal or by a field.
 class ClothSurface {
  public:
   ClothSurface() = default;

@@ -14,7 +14,7 @@ struct FrameParams {
   Vec4f eye;                                     // [m]
   Vec4f to_light;                                // unit; w: the side of a shadow-map texel [m]
   Vec4f viewport;                                // width, height [pixel] and their inverses
-  Vec4f stretch_range;                           // lowest, highest, 1 / (highest - lowest)
+  Vec4f field_range;                             // lowest, highest, 1 / (highest - lowest)
   std::array<Vec4f, kColorMapSize> color_map{};  // linear
 };
 static_assert(sizeof(FrameParams) == 336);

@@ -26,6 +26,8 @@ struct ClothDraw {
   const gpu::RawBuffer* uv = nullptr;               // vertex_count x 2 float [m]
   const gpu::RawBuffer* triangles = nullptr;        // 3 x triangle_count uint32; usage kIndex and kStorage
   const gpu::RawBuffer* stretch = nullptr;  // vertex_count x float, length / rest length; only View::Stretch
+  std::array<const gpu::RawBuffer*, 2> velocity{};  // vertex_count x Vec4f [m/s]; only View::Velocity
+  const gpu::RawBuffer* contacts = nullptr;         // vertex_count x float, a number; only View::Contacts
   std::vector<ClothRange> ranges;
 };
 

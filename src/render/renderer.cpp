@@ -42,9 +42,27 @@ Result<void> check_cloth(const ClothDraw& cloth) {
 }
 
 Result<void> check_view(const ClothDraw& cloth, View view) {
-  if (view != View::Stretch) return {};
-  if (cloth.stretch == nullptr) return shape_error("View stretch needs buffer stretch.");
-  return check_size(cloth, "stretch", *cloth.stretch, sizeof(float));
+  switch (view) {
+    case View::Textured:
+    case View::Wireframe:
+    case View::Normals:
+      return {};
+    case View::Stretch:
+      if (cloth.stretch == nullptr) return shape_error("View stretch needs buffer stretch.");
+      return check_size(cloth, "stretch", *cloth.stretch, sizeof(float));
+    case View::Velocity:
+      for (const gpu::RawBuffer* velocity : cloth.velocity) {
+        if (velocity == nullptr) return shape_error("View velocity needs buffer velocity.");
+        WEFT_CHECK(check_size(cloth, "velocity", *velocity, sizeof(Vec4f)));
+      }
+      return {};
+    case View::Contacts:
+      if (cloth.contacts == nullptr)
+        return input_error(
+            "View contacts shows the pairs of contact method proximity, and this scene has none.");
+      return check_size(cloth, "contacts", *cloth.contacts, sizeof(float));
+  }
+  return {};
 }
 
 /// The scene's planes, or the ground that takes shadows only.
@@ -120,6 +138,7 @@ Result<void> Renderer::set_view(View view) {
     passes = std::move(made);
   }
   settings_.view = view;
+  write_frame();
   return {};
 }
 
@@ -141,9 +160,10 @@ void Renderer::write_frame() {
   params.eye = Vec4f::from(camera.eye.to<float>(), 1);
   params.to_light = Vec4f::from(to_light.to<float>(), static_cast<float>(light.texel));
   params.viewport = {width, height, 1 / width, 1 / height};
-  const auto low = static_cast<float>(settings_.lowest_stretch),
-             high = static_cast<float>(settings_.highest_stretch);
-  params.stretch_range = {low, high, 1 / std::max(high - low, 1e-6F), 0};
+  const std::optional<Field> field = field_of(settings_.view);
+  const Range range = settings_.range ? *settings_.range : field ? field->range : Range{};
+  const auto low = static_cast<float>(range.lowest), high = static_cast<float>(range.highest);
+  params.field_range = {low, high, 1 / std::max(high - low, 1e-6F), 0};
   for (std::size_t i = 0; i < kColorMapSize; ++i)
     params.color_map[i] = Vec4f::from(srgb_to_linear(kColorMap[i]), 1);
   scene_.frame.write(*device_, {&params, 1});

@@ -6,6 +6,7 @@
 #include "gpu/device.hpp"
 #include "gpu/texture.hpp"
 #include "render/camera.hpp"
+#include "render/field.hpp"
 #include "render/inputs.hpp"
 #include "render/moving_objects.hpp"
 #include "render/view_passes.hpp"
@@ -13,16 +14,17 @@
 namespace weft::render {
 
 using scene::View;
+inline constexpr std::size_t kViewCount = 6;
 
 struct Settings {
   std::uint32_t width = 1280, height = 720;  // [pixel]
   View view = View::Textured;
   gpu::TextureFormat color_format = gpu::TextureFormat::Rgba8UnormSrgb;  // of the texture drawn into
   mesh::Bounds bounds;  // of all that is drawn over the whole run [m]: light, depth and camera fit it
-  std::optional<Camera> camera;                          // none: frame_camera(bounds)
-  std::optional<Vec3d> to_light;                         // direction; none: default_light(camera)
-  double lowest_stretch = 0.95, highest_stretch = 1.15;  // the ends of the colour map
-  bool ground_shadow = false;  // a soft shadow below all, where the scene has no plane
+  std::optional<Camera> camera;   // none: frame_camera(bounds)
+  std::optional<Vec3d> to_light;  // direction; none: default_light(camera)
+  std::optional<Range> range;     // of the colour map; none: that of the view's field
+  bool ground_shadow = false;     // a soft shadow below all, where the scene has no plane
 };
 
 /// Draws a state's buffers where they lie, with light and shadow, into a texture of the caller's.
@@ -68,7 +70,7 @@ class Renderer {
   DrawnScene scene_;
   MovingObjects moving_objects_;
   std::vector<MovingPlane> moving_planes_;
-  std::array<std::optional<ViewPasses>, 4> passes_;  // by view
+  std::array<std::optional<ViewPasses>, kViewCount> passes_;  // by view
 };
 
 }  // namespace weft::render

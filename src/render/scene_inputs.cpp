@@ -24,14 +24,15 @@ ObjectDraw object_of(const scene::ColliderMesh& collider, const mesh::TriangleMe
 
 }  // namespace
 
-Inputs inputs_of(const Model& model, const State& state, const gpu::RawBuffer& normal,
-                 const gpu::RawBuffer& stretch, const scene::Scene& scene,
-                 const std::vector<mesh::TriangleMesh>& objects,
+Inputs inputs_of(const Model& model, const State& state, const VertexBuffers& buffers,
+                 const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& objects,
                  const std::vector<std::vector<mesh::TriangleMesh>>& keyframes) {
   Inputs inputs;
   inputs.cloth.position = {&state.position[0], &state.position[1]};
-  inputs.cloth.normal = &normal;
-  inputs.cloth.stretch = &stretch;
+  inputs.cloth.velocity = {&state.velocity[0], &state.velocity[1]};
+  inputs.cloth.normal = &buffers.normal;
+  inputs.cloth.stretch = &buffers.stretch;
+  inputs.cloth.contacts = buffers.contacts;
   inputs.cloth.uv = &model.uv;
   inputs.cloth.triangles = &model.triangles;
   for (const ClothModel& cloth : model.host.cloths) {

@@ -10,13 +10,18 @@
 
 namespace weft::render {
 
+/// What is found of vertices for pictures.
+struct VertexBuffers {
+  const gpu::RawBuffer& normal;              // vertex_count x Vec4f, unit
+  const gpu::RawBuffer& stretch;             // vertex_count x float
+  const gpu::RawBuffer* contacts = nullptr;  // vertex_count x float; none where there are no pairs
+};
+
 /// What a picture of a running scene is drawn from.
-/// Reads   normal: vertex_count x Vec4f, unit; stretch: vertex_count x float; objects: in the world [m], one
-///         for each mesh and box collider in order, and of each the shapes of its keyframes (or none at all).
-///         Model, state, normal and stretch must outlive the renderer.
-Inputs inputs_of(const Model& model, const State& state, const gpu::RawBuffer& normal,
-                 const gpu::RawBuffer& stretch, const scene::Scene& scene,
-                 const std::vector<mesh::TriangleMesh>& objects,
+/// Reads   objects: in the world [m], one for each mesh and box collider in order, and of each the shapes of
+///         its keyframes (or none at all). Model, state and buffers must outlive the renderer.
+Inputs inputs_of(const Model& model, const State& state, const VertexBuffers& buffers,
+                 const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& objects,
                  const std::vector<std::vector<mesh::TriangleMesh>>& keyframes = {});
 
 /// The box around all that a run is likely to show: objects, the cloth at rest, hanging down by its own

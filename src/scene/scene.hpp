@@ -228,7 +228,7 @@ struct Camera {
   double fov_degrees = 35;  // vertical
 };
 
-enum class View { Textured, Wireframe, Normals, Stretch };
+enum class View { Textured, Wireframe, Normals, Stretch, Velocity, Contacts };
 struct Render {
   View view = View::Textured;
   std::uint32_t width = 1280, height = 720;  // [pixel]

@@ -85,6 +85,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_TRY(state, State::create(device_, model_.host, most_substeps_));
   state_ = std::move(state);
   options_ = options;
+  WEFT_TRY(counts, gpu::Buffer<float>::create(device_, model_.vertex_count(), "contact counts"));
+  contact_counts_ = std::move(counts);
   WEFT_CHECK(build_contact(options.contact_room ? *options.contact_room : first_room(model_)));
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);
@@ -115,6 +117,7 @@ Result<void> World::build_contact(const ContactRoom& room) {
                                           {assets_.objects, assets_.object_colliders, assets_.keyframes},
                                           most_substeps_, options_.workgroup_size));
     proximity_ = std::move(proximity);
+    if (counter_) WEFT_CHECK(create_counter());
   } else if ((method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh) &&
              !scene_.colliders.empty()) {
     WEFT_TRY(contacts, Contacts::create_pushes(device_, model_.host));
@@ -128,6 +131,26 @@ Result<void> World::build_contact(const ContactRoom& room) {
   solver_ = std::move(solver);
   constants_ = solver_->constants();
   return {};
+}
+
+Result<void> World::create_counter() {
+  WEFT_TRY(counter, collision::ContactCounts::create(device_, *contacts_->pairs, contact_counts_));
+  counter_ = std::move(counter);
+  return {};
+}
+
+Result<void> World::count_contacts(bool on) {
+  if (!proximity_ || on == counter_.has_value()) return {};
+  frame_commands_.clear();
+  counter_.reset();
+  if (!on) return {};
+  WEFT_CHECK(create_counter());
+  gpu::CommandList list;
+  {
+    gpu::ComputePass pass(list, "count contacts");
+    counter_->record(pass);  // of the state that is shown now
+  }
+  return device_.submit(list);
 }
 
 Result<void> World::submit_rest() {
@@ -201,6 +224,7 @@ void World::record_frame(gpu::CommandList& list, std::uint32_t parity, std::uint
   pass.set_step(0, (parity + substeps) & 1U);
   last_good_->record(pass);
   surface_->record(pass);
+  if (counter_) counter_->record(pass);
 }
 
 const gpu::CommandList& World::frame_commands(std::uint32_t parity, std::uint32_t substeps) {

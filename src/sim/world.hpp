@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "collision/collision.hpp"
+#include "collision/contact_counts.hpp"
 #include "element/last_good.hpp"
 #include "element/surface.hpp"
 #include "gpu/readback.hpp"
@@ -107,6 +108,11 @@ class World {
   std::uint32_t frame() const { return asked_; }
   double time() const { return asked_ * scene_.time.frame; }  // [s]
   std::size_t spring_count() const { return spring_count_; }
+  /// How many pairs act on each vertex at the end of a frame, f32, while count_contacts is on; null where no
+  /// pairs are listed (scene::ContactMethod).
+  const gpu::Buffer<float>* contact_counts() const { return proximity_ ? &contact_counts_ : nullptr; }
+  /// Errors  Shader.
+  Result<void> count_contacts(bool on);
   /// Which of State's buffers holds the current state.
   std::uint32_t parity() const { return parity_; }
   /// Which it will be after one more frame.
@@ -126,6 +132,7 @@ class World {
   Result<void> build(const Assets& assets, const WorldOptions& options);
   /// Collision, lists and the solver that reads them.
   Result<void> build_contact(const ContactRoom& room);
+  Result<void> create_counter();
   Result<void> submit_frame(const gpu::CommandList* draw);
   /// Goes back to before a frame whose lists were too short, with longer ones.
   Result<void> repeat_from(const Report& report, const Statistics& short_of);
@@ -149,6 +156,8 @@ class World {
   std::optional<Contacts> contacts_;
   std::optional<collision::Collision> collision_;  // by paper and bvh
   std::optional<collision::Proximity> proximity_;
+  gpu::Buffer<float> contact_counts_;
+  std::optional<collision::ContactCounts> counter_;  // while they are counted
   WorldOptions options_;
   std::unique_ptr<Solver> solver_;
   std::optional<Surface> surface_;

@@ -155,7 +155,7 @@ Json collider_place() {
 Json frame() {
   using T = render::FrameParams;
   return row("Frame", "render/frame.wgsl", sizeof(T), kExact,
-             {M(view_projection), M(light_projection), M(eye), M(to_light), M(viewport), M(stretch_range),
+             {M(view_projection), M(light_projection), M(eye), M(to_light), M(viewport), M(field_range),
               M(color_map)});
 }
 Json weave() {

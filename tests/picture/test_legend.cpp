@@ -24,13 +24,15 @@ int ink(const Image& image, const Rectangle& area) {
   return count;
 }
 
+constexpr render::Field kStretch{"stretch", {0.95, 1.15}, 2};
+
 }  // namespace
 
 TEST_CASE("a legend has its bar, its title and five numbers where its layout says") {
   for (const auto& [width, height] : {std::pair{1280U, 720U}, {640U, 480U}, {301U, 257U}, {120U, 120U}}) {
     Image image = grey(width, height);
-    draw_legend(image, 0.95, 1.15);
-    const LegendLayout layout = legend_layout(width, height);
+    draw_legend(image, kStretch);
+    const LegendLayout layout = legend_layout(width, height, kStretch);
     CAPTURE(width);
     CHECK(layout.panel.x >= 0);
     CHECK(layout.panel.x + layout.panel.width <= static_cast<int>(width));
@@ -54,9 +56,9 @@ TEST_CASE("a legend has its bar, its title and five numbers where its layout say
 
 TEST_CASE("a legend's numbers depend on its range, and a tiny picture has none") {
   Image one = grey(640, 480), other = grey(640, 480), tiny = grey(60, 60);
-  draw_legend(one, 0.95, 1.15);
-  draw_legend(other, 0.90, 1.15);
-  const LegendLayout layout = legend_layout(640, 480);
+  draw_legend(one, kStretch);
+  draw_legend(other, {"stretch", {0.90, 1.15}, 2});
+  const LegendLayout layout = legend_layout(640, 480, kStretch);
   const auto same = [&](const Rectangle& area) {
     for (int y = area.y; y < area.y + area.height; ++y)
       for (int x = area.x; x < area.x + area.width; ++x)
@@ -67,12 +69,12 @@ TEST_CASE("a legend's numbers depend on its range, and a tiny picture has none")
   };
   CHECK(same(layout.labels.front()));
   CHECK_FALSE(same(layout.labels.back()));
-  draw_legend(tiny, 0.95, 1.15);
+  draw_legend(tiny, kStretch);
   CHECK(tiny.rgba == grey(60, 60).rgba);
 }
 
 TEST_CASE("no two letters look alike, and text stays inside its width") {
-  const std::string letters = "0123456789.-+%strech";
+  const std::string letters = "0123456789.-+%/strechpdonam";
   std::vector<Image> drawn;
   for (const char letter : letters) {
     Image image = grey(40, 40);

@@ -27,6 +27,7 @@ struct Sheet {
   gpu::Buffer<Vec4f> normal;
   gpu::Buffer<std::array<float, 2>> uv;
   gpu::Buffer<float> stretch;
+  gpu::Buffer<Vec4f> velocity;  // upwards, in m/s the number that is `stretch`
   gpu::Buffer<std::uint32_t> triangles;
   mesh::TriangleMesh mesh;
 
@@ -51,6 +52,9 @@ struct Sheet {
     normal = value_of(gpu::Buffer<Vec4f>::create_from(device, normals, "normal"));
     uv = value_of(gpu::Buffer<std::array<float, 2>>::create_from(device, places, "uv"));
     stretch = value_of(gpu::Buffer<float>::create_from(device, lengths, "stretch"));
+    std::vector<Vec4f> velocities;
+    for (const float value : lengths) velocities.push_back({0, value, 0, 0});
+    velocity = value_of(gpu::Buffer<Vec4f>::create_from(device, velocities, "velocity"));
     std::vector<std::uint32_t> indices;
     for (const auto& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
     triangles = value_of(gpu::Buffer<std::uint32_t>::create_from(device, indices, "triangles",
@@ -64,6 +68,8 @@ struct Sheet {
     cloth.normal = &normal;
     cloth.uv = &uv;
     cloth.stretch = &stretch;
+    cloth.velocity = {&velocity, &velocity};
+    cloth.contacts = &stretch;
     cloth.triangles = &triangles;
     cloth.ranges = {{0, static_cast<std::uint32_t>(mesh.triangles.size()), std::nullopt, sheet_size}};
     return cloth;

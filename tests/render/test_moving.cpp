@@ -119,7 +119,7 @@ TEST_CASE("every view shows what moves") {
   Drawn drawn;
   Inputs moving;
   moving.boxes = {{{0, 0, 0}, {0.5, 0.5, 0.5}, {0, 0, 0, 1}, {}, kLine}};
-  for (const View view : {View::Textured, View::Wireframe, View::Normals, View::Stretch}) {
+  for (const View view : {View::Textured, View::Wireframe, View::Normals, View::Stretch, View::Velocity}) {
     Offscreen offscreen = drawn.offscreen(moving, view);
     const Image first = value_of(offscreen.draw(0));
     CAPTURE(name_of(view));

@@ -171,7 +171,7 @@ TEST_CASE("a wireframe shows the sides of triangles and hides what lies behind")
         brightness(folded, 0.5 + 14.0 / 200, 0.5 - 6.0 / 150, 0) + 40);
 }
 
-TEST_CASE("stretch goes through the colour map from its lowest to its highest value") {
+TEST_CASE("stretch, speed and contacts go through the colour map from the lowest to the highest value") {
   GpuFixture fixture;
   const auto stretched = [](double u, double v) {
     return Vec3d{2 * u - 1 + 0.3 * (u * u - u), 2 * v - 1, 0};
@@ -179,20 +179,22 @@ TEST_CASE("stretch goes through the colour map from its lowest to its highest va
   const Sheet sheet(fixture.device(), 21, stretched, 2);  // dx/du / 2 = 1 + 0.15 (2 u - 1): from 0.85 to 1.15
   Inputs inputs;
   inputs.cloth = sheet.draw();
-  Settings settings = frontal(View::Stretch);
-  settings.lowest_stretch = 0.85;
-  settings.highest_stretch = 1.15;
-  settings.to_light = Vec3d{0, 0, 1};  // faces the sheet: full light, the map's own colour
-  auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs, false));
-  const Image image = value_of(offscreen.draw(0));
-  for (const double u : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-    const double x = 0.5 + (2 * u - 1 + 0.3 * (u * u - u)) * 42.53 / 200;
-    const Vec3f expected = 255.0F * map_color(static_cast<float>(u));
-    const std::uint8_t* pixel = image.pixel(static_cast<std::uint32_t>(x * 200), 75);
-    CAPTURE(u);
-    CHECK(std::abs(static_cast<float>(pixel[0]) - expected.x) < 9);  // a pixel is 1.2 % of the map
-    CHECK(std::abs(static_cast<float>(pixel[1]) - expected.y) < 9);
-    CHECK(std::abs(static_cast<float>(pixel[2]) - expected.z) < 9);
+  for (const View view : {View::Stretch, View::Velocity, View::Contacts}) {
+    CAPTURE(static_cast<int>(view));
+    Settings settings = frontal(view);
+    settings.range = Range{0.85, 1.15};
+    settings.to_light = Vec3d{0, 0, 1};  // faces the sheet: full light, the map's own colour
+    auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs, false));
+    const Image image = value_of(offscreen.draw(0));
+    for (const double u : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const double x = 0.5 + (2 * u - 1 + 0.3 * (u * u - u)) * 42.53 / 200;
+      const Vec3f expected = 255.0F * map_color(static_cast<float>(u));
+      const std::uint8_t* pixel = image.pixel(static_cast<std::uint32_t>(x * 200), 75);
+      CAPTURE(u);
+      CHECK(std::abs(static_cast<float>(pixel[0]) - expected.x) < 9);  // a pixel is 1.2 % of the map
+      CHECK(std::abs(static_cast<float>(pixel[1]) - expected.y) < 9);
+      CHECK(std::abs(static_cast<float>(pixel[2]) - expected.z) < 9);
+    }
   }
 }
 
@@ -206,6 +208,15 @@ TEST_CASE("a buffer that is missing or of another size is refused in words") {
   const auto missing = Offscreen::create(fixture.device(), frontal(View::Stretch), inputs);
   REQUIRE_FALSE(missing);
   CHECK(missing.error().message == "View stretch needs buffer stretch.");
+  inputs.cloth.velocity[1] = nullptr;
+  CHECK(Offscreen::create(fixture.device(), frontal(View::Velocity), inputs).error().message ==
+        "View velocity needs buffer velocity.");
+  inputs.cloth.contacts = nullptr;
+  const auto no_pairs = Offscreen::create(fixture.device(), frontal(View::Contacts), inputs);
+  REQUIRE_FALSE(no_pairs);
+  CHECK(no_pairs.error().kind == ErrorKind::Input);
+  CHECK(no_pairs.error().message ==
+        "View contacts shows the pairs of contact method proximity, and this scene has none.");
   inputs.cloth.uv = &sheet.stretch;
   const auto disagree = Offscreen::create(fixture.device(), frontal(View::Textured), inputs);
   REQUIRE_FALSE(disagree);

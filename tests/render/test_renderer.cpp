@@ -90,8 +90,8 @@ TEST_CASE("a view that is changed shows what a renderer of that view draws, and 
   Drawn drawn;
   auto renderer = drawn.renderer(small());
   const std::uint64_t bytes = drawn.fixture.device().allocated_bytes();
-  for (const View view :
-       {View::Wireframe, View::Textured, View::Stretch, View::Normals, View::Wireframe, View::Textured}) {
+  for (const View view : {View::Wireframe, View::Textured, View::Stretch, View::Velocity, View::Normals,
+                          View::Wireframe, View::Textured}) {
     Settings settings = small();
     settings.view = view;
     REQUIRE(renderer.set_view(view));

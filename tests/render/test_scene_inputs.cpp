@@ -73,7 +73,7 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   const mesh::TriangleMesh object{{{0, 7, 0}, {0, 8, 0}, {0, 8, 4}}, {{0, 1, 2}}};
   const mesh::TriangleMesh bent{{{0, 7, 0}, {0, 9, 0}, {0, 8, 4}}, {{0, 1, 2}}};
   const Inputs inputs =
-      inputs_of(model, state, model.rest_position, stretch, scene, {box, object}, {{}, {bent}});
+      inputs_of(model, state, {model.rest_position, stretch}, scene, {box, object}, {{}, {bent}});
   CHECK(inputs.cloth.position[1] == &state.position[1]);
   CHECK(inputs.cloth.normal == &model.rest_position);
   CHECK(inputs.cloth.stretch == &stretch);

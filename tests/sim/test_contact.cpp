@@ -78,6 +78,34 @@ TEST_CASE("above the angle of friction a sheet slides with g (sin - friction cos
   }
 }
 
+TEST_CASE("the numbers of contacts for pictures are those of the listed pairs, also when lists have grown") {
+  GpuFixture fixture;
+  auto world = world_of(fixture.device(),
+                        shipped_scene("stack", {{"cloths.0.grid", "[8,8]"}, {"cloths.0.copies.count", "3"}}),
+                        {.contact_room = ContactRoom{500, 100000}});
+  REQUIRE(world->count_contacts(true));
+  advance(*world, 10);
+  REQUIRE(world->totals().repeated_frames > 0);
+  const auto counts = gpu::download(fixture.device(), *world->contact_counts());
+  REQUIRE_OK(counts);
+  // A vertex at the thickness above the floor is in one pair at least; a corner of the upper sheet may be in
+  // none.
+  double sum = 0;
+  for (const float count : *counts) {
+    CHECK(count == std::floor(count));
+    sum += static_cast<double>(count);
+  }
+  CHECK(sum > 3 * 64);
+  REQUIRE(world->count_contacts(false));
+  const std::string hash = hash_of(*world);
+  REQUIRE(world->reset());
+  advance(*world, 10);
+  CHECK(hash_of(*world) == hash);  // to count changes nothing
+  const auto kept = gpu::download(fixture.device(), *world->contact_counts());
+  REQUIRE_OK(kept);
+  CHECK(*kept == *counts);  // nobody has counted since
+}
+
 TEST_CASE("two sheets that meet in free space keep their momentum") {
   GpuFixture fixture;
   auto world = world_of(fixture.device(), contact_scene(R"("gravity": [0, 0, 0], "time": {"substeps": 8},

@@ -35,7 +35,7 @@ std::vector<double> block_means(const std::string& path) {
 /// The last state's picture is not black and is the stored one but for small things: edges are drawn
 /// differently by different drivers, and a node that meets the object a step earlier makes another small
 /// fold.
-void check_picture(const sim::World& world, const std::string& object) {
+void check_picture(sim::World& world, const std::string& object) {
   const TemporaryFolder folder;
   auto pictures = cli::Pictures::create(world, folder.path(""));
   REQUIRE_OK(pictures);

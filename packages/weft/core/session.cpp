@@ -55,8 +55,10 @@ Result<void> Session::build(const std::string& text, const std::string& changes)
   WEFT_TRY(world, sim::World::create(*device_, std::move(inputs.scene), inputs.assets));
   world_ = std::move(world);
   if (canvas_.target == 0) return {};
+  if (shown_ == scene::View::Contacts && world_->contact_counts() == nullptr) shown_ = scene::View::Textured;
   WEFT_TRY(view, View::create(*world_, canvas_, shown_));
   view_.emplace(std::move(view));
+  WEFT_CHECK(world_->count_contacts(shown_ == scene::View::Contacts));
   return device_->wait();  // now it is known whether all of it could be made
 }
 
@@ -87,6 +89,7 @@ Result<void> Session::resize(std::uint32_t width, std::uint32_t height) {
 
 Result<void> Session::set_view(scene::View view) {
   if (view_) WEFT_CHECK(view_->set_view(view));
+  if (world_) WEFT_CHECK(world_->count_contacts(view == scene::View::Contacts));
   shown_ = view;
   return view_ ? device_->wait() : Result<void>();
 }
@@ -140,6 +143,7 @@ std::string Session::describe() const {
   const sim::World& world = *world_;
   nlohmann::ordered_json json = web::describe(
       world, world.model().vertex_count(), world.model().triangle_count(), world.assets().dropped_triangles);
+  json["view"] = scene::name_of(shown_);
   json["adapter"] = device_->adapter().name;
   json["gpuBytes"] = device_->allocated_bytes();
   return json.dump();

@@ -16,7 +16,8 @@ Result<View> View::create(const sim::World& world, const Canvas& canvas, scene::
   settings.camera = world.scene().camera;
   settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
   const render::Inputs inputs =
-      render::inputs_of(world.model(), world.state(), world.surface().normal(), world.surface().stretch(),
+      render::inputs_of(world.model(), world.state(),
+                        {world.surface().normal(), world.surface().stretch(), world.contact_counts()},
                         world.scene(), objects, world.assets().keyframes);
   WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs));
   made.renderer_ = std::move(renderer);

@@ -89,6 +89,7 @@ export class World {
       await this.core.sleepNow("load", [sceneText(scene), changeLines(set)]);
       this.core.call("describe");
       this.current = JSON.parse(this.core.text()) as WorldInfo;
+      this.shownView = this.current.view;
     });
     this.changed();
   }

@@ -2,7 +2,7 @@
 import type { WeftError } from "./error.js";
 import type { Bytes, Scene } from "./scene.js";
 
-export const VIEWS = ["textured", "wireframe", "normals", "stretch"] as const;
+export const VIEWS = ["textured", "wireframe", "normals", "stretch", "velocity", "contacts"] as const;
 export type View = (typeof VIEWS)[number];
 /** Metres. */
 export type Point = readonly [x: number, y: number, z: number];
@@ -28,6 +28,8 @@ export interface WorldOptions extends SceneOptions {
 /** What was loaded. */
 export interface WorldInfo {
   adapter: string;
+  /** What is drawn: that of before, but "textured" where the scene has no pairs to show as "contacts". */
+  view: View;
   nodes: number;
   triangles: number;
   springs: number;

@@ -1,0 +1,16 @@
+#include "collision/contact_counts.hpp"
+
+namespace weft::collision {
+
+Result<ContactCounts> ContactCounts::create(gpu::Device& device, const ContactPairs& pairs,
+                                            const gpu::Buffer<float>& counts) {
+  ContactCounts made;
+  WEFT_TRY(kernel, gpu::Kernel::create(device, "contact/count_contacts.wgsl"));
+  made.kernel_ = std::move(kernel);
+  WEFT_TRY(group, made.kernel_.bind({pairs.contacts, pairs.entries, pairs.vertex_contacts, counts}));
+  made.group_ = std::move(group);
+  made.vertex_count_ = counts.size();
+  return made;
+}
+
+}  // namespace weft::collision
