@@ -50,7 +50,7 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   if (place.w == 0.0) { reach = scripted_reach(); }
   predicted[step.vertex_count + vertex] = vec4f(place.xyz, reach);
   vertex_contacts[kVertexWords * vertex + 1u] = 0u;
-  vertex_contacts[kVertexWords * vertex + kTangleWord] = 0u;
+  vertex_contacts[kVertexWords * vertex + kCursorWord] = 0u;
   if (step.detect == kDetectAlways) {  // the first substep of a frame, after whatever was before it
     vertex_contacts[kVertexWords * vertex + kUrgencyWord] = 0u;
     vertex_contacts[kVertexWords * vertex + kTightWord] = 0u;

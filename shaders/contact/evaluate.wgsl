@@ -81,9 +81,9 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
 fn tangles_of(ids : vec4u, first : u32, end : u32) -> u32 {
   var marks = 0u;
   for (var role = first; role < end; role++) {
-    if (!is_collider(ids[role])) { marks |= atomicLoad(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kTangleWord]); }
+    if (!is_collider(ids[role])) { marks |= atomicLoad(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kCursorWord]); }
   }
-  return marks;
+  return marks & ~kCursorBits;
 }
 
 // Whether both features are of what passes through each other, so that either may be on its wrong side.

@@ -148,11 +148,9 @@ fn pair_of_shape(a : vec3u, kind : u32, point : u32, hit : u32) -> vec4u {
   return vec4u(edge_ids(a, hit), id, id + 2u) | vec4u(kPairFlag, 0u, 0u, 0u);
 }
 
-// Counts a pair at each of its cloth vertices. Which of a vertex's entries it will be stands in its slots until list_entries.
-fn count_roles(pair : u32, ids : vec4u) {
+fn count_roles(ids : vec4u) {
   for (var role = 0u; role < role_count(ids); role++) {
-    if (is_collider(ids[role])) { continue; }
-    contacts[pair].slots[role] = atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + 1u], 1u);
+    if (!is_collider(ids[role])) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + 1u], 1u); }
   }
 }
 
@@ -198,7 +196,7 @@ fn list_crossing(own : Face, number : u32, k : u32, onto : Face, second : bool, 
   for (var corner = 0u; corner < 3u; corner++) { mark_tangled(corner_id(onto.ids, corner), mark); }
 }
 fn mark_tangled(id : u32, mark : u32) {
-  if ((id & kColliderPoint) == 0u) { atomicOr(&vertex_contacts[kVertexWords * id + kTangleWord], mark); }
+  if ((id & kColliderPoint) == 0u) { atomicOr(&vertex_contacts[kVertexWords * id + kCursorWord], mark); }
 }
 
 // Crossings as bits of what is listed: 15 to 17 the edges of a through b, 18 to 20 of b through a, each by its first end; six further by
@@ -263,14 +261,14 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
         } else {
           list_crossing(b, candidate.y, edge - 3u, a, second, pair);
         }
-        count_roles(pair, contacts[pair].ids);
+        count_roles(contacts[pair].ids);
         pair++;
         continue;
       }
       var ids = pair_of_faces(ids_a, ids_b, hit);
       if (kind >= kNearSphere) { ids = pair_of_shape(ids_a, kind, candidate.y, hit); }
       contacts[pair].ids = ids;
-      count_roles(pair, ids);
+      count_roles(ids);
       pair++;
     }
   }

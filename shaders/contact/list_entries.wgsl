@@ -6,7 +6,7 @@
 //                                                                                    elements
 @group(0) @binding(0) var<storage, read>       statistics      : array<u32>;
 @group(0) @binding(1) var<storage, read_write> contacts        : array<Contact>;
-@group(0) @binding(2) var<storage, read>       vertex_contacts : array<u32>;
+@group(0) @binding(2) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(3) var<storage, read_write> entries         : array<u32>;  // see shared/contact.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -17,7 +17,8 @@ fn list_entries(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     let ids = contacts[pair].ids;
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
-      let slot = vertex_contacts[kVertexWords * (ids[role] & kIdBits)] + contacts[pair].slots[role];
+      let word = kVertexWords * (ids[role] & kIdBits);
+      let slot = atomicLoad(&vertex_contacts[word]) + (atomicAdd(&vertex_contacts[word + kCursorWord], 1u) & kCursorBits);
       entries[slot] = kEntryPair * pair + role;
       contacts[pair].slots[role] = slot;
     }

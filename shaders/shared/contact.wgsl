@@ -49,15 +49,16 @@ fn urgency_of(gap : f32, thickness : f32) -> u32 {
 }
 
 // What each vertex has: where its entries begin, how many they are; of this substep the sum of its pairs' urgencies, and by how much
-// the nearest plane of a near pair is nearer than free_way, m, as the bits of a positive f32; whether it is of an edge or a triangle
-// that passes through another; and the sum of the changes of velocity that pairs give it, in kSpeedUnits: of integers, since pairs
-// have no order.
+// the nearest plane of a near pair is nearer than free_way, m, as the bits of a positive f32; a count that the listing needs; and the
+// sum of the changes of velocity that pairs give it, in kSpeedUnits: of integers, since pairs have no order.
 const kVertexWords = 8u;
 const kUrgencyWord = 2u;
 const kTightWord = 3u;
-const kTangleWord = 4u;
-const kTangledCloth = 1u;
-const kTangledMesh = 2u;
+const kCursorWord = 4u;
+// Beside that count, whether the vertex is of an edge or a triangle that passes through another: of cloth, of a mesh.
+const kTangledCloth = 0x40000000u;
+const kTangledMesh = 0x80000000u;
+const kCursorBits = 0x3fffffffu;
 const kChangeWord = 5u;  // and two more
 const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s
 const kMostUnits = 1.0e9;       // of one pair

@@ -27,7 +27,8 @@ static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offset
 
 inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000000U, kIdBits = 0x3fffffffU;
 inline constexpr std::uint32_t kCrossingFlag = 0x40000000U, kUntangles = 4;
-inline constexpr std::uint32_t kVertexWords = 8, kTangleWord = 4;  // of ContactPairs::vertex_contacts
+inline constexpr std::uint32_t kVertexWords = 8, kCursorWord = 4;  // of ContactPairs::vertex_contacts
+inline constexpr std::uint32_t kCursorBits = 0x3fffffffU;  // of a vertex's kCursorWord; above: is it tangled
 
 /// What the lists of proximity contact have room for.
 struct ContactRoom {

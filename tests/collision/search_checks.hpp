@@ -410,8 +410,11 @@ inline void check_entries(const SearchFound& found) {
   CHECK(wrong == 0);
   CHECK(roles == found.entries.size());
   std::size_t counted = 0;
-  for (std::size_t word = 0; word < found.vertex_contacts.size(); word += kVertexWords)
+  for (std::size_t word = 0; word < found.vertex_contacts.size(); word += kVertexWords) {
     counted += found.vertex_contacts[word + 1];
+    if (found.vertex_contacts[word + 1] != (found.vertex_contacts[word + kCursorWord] & kCursorBits)) ++wrong;
+  }
+  CHECK(wrong == 0);
   CHECK(counted == found.entries.size());
 }
 

@@ -152,7 +152,7 @@ Compared compare(SearchRun& run, const SearchCase& rest) {
   CHECK(missing * 200 <= exact.size());  // what touches within rounding does not cross for f32
   CHECK(found.statistics.found == listed.size());
   for (std::uint32_t v = 0; v < run.setup().cloth.positions.size(); ++v) {
-    const bool mark = found.vertex_contacts[kVertexWords * v + kTangleWord] != 0;
+    const bool mark = (found.vertex_contacts[kVertexWords * v + kCursorWord] & ~kCursorBits) != 0;
     CHECK(mark == (tangled.count(v) != 0));
     result.marked += mark ? 1 : 0;
   }
