@@ -1,0 +1,190 @@
+import { element, button } from "../src/elements.js";
+import { CATALOG, type PathName } from "./catalog.js";
+import { adapterName, hardware, type Hardware } from "./hardware.js";
+import { OptionError, optionsOf, type Options } from "./options.js";
+import type { Path } from "./paths/path.js";
+import { mark, plot, type Series } from "./plot.js";
+import { csvOf, jsonOf, reportOf, textOf, type Report } from "./report.js";
+import { freshCanvas, openPath, Runner, type Cell } from "./runner.js";
+import { fetchScene } from "./sheet.js";
+import { Table, titleOf, verdict } from "./table.js";
+
+/** `window.compare`, for bench/web/compare.ts, tests and the browser's console. */
+export interface CompareHandle {
+  /** Rejects where the page cannot measure at all. */
+  readonly ready: Promise<void>;
+  /** Measures everything, as the button does; false where it was stopped. */
+  start(): Promise<boolean>;
+  report(): Report;
+  /** The same as a table for people. */
+  text(): string;
+  /** A sheet at rest, to be stepped by hand; what it draws is shown on the page. */
+  open(path: PathName, grid: readonly [number, number]): Promise<Path>;
+}
+
+const start = button("start"), pause = button("pause"), stop = button("stop");
+const progress = element("progress", HTMLParagraphElement);
+const live = element("live", HTMLDivElement), idle = live.firstElementChild!;
+
+/** All that is known once the page is ready. */
+interface Known { readonly options: Options; readonly scene: string; readonly machine: Hardware; table: Table }
+let known: Known | null = null;
+let runner: Runner | null = null;
+
+async function prepare(): Promise<void> {
+  try {
+    const options = optionsOf(location.href);
+    const [scene, machine] = await Promise.all([fetchScene(), hardware()]);
+    known = { options, scene, machine, table: new Table(element("table", HTMLTableElement), options) };
+    showAbout();
+    showHardware(machine);
+    showResults(known);
+    start.disabled = false;
+    progress.textContent = `Ready: ${options.paths.length} paths at ${options.sides.length} sizes, ${options.budget / 1000} s a timing.`;
+  } catch (reason) {
+    const problem = element("error", HTMLParagraphElement);
+    problem.textContent = reason instanceof Error ? reason.message : String(reason);
+    problem.hidden = false;
+    progress.textContent = reason instanceof OptionError ? "Nothing is measured." : "The page could not be prepared.";
+    throw reason;
+  }
+}
+
+async function measureAll(): Promise<boolean> {
+  if (!known) throw new Error("The page is not ready.");
+  if (runner) throw new Error("A measurement is under way.");
+  const { options, scene } = known;
+  const table = emptied(known);
+  const here = new Runner(options, scene, {
+    began(cell, canvas) {
+      live.replaceChildren(canvas);
+      table.show(cell, true);
+      progress.textContent = `Measuring ${titleOf(cell.path)}, ${(cell.side ** 2).toLocaleString("en")} nodes.`;
+    },
+    changed(cell) {
+      table.show(cell, cell.frame === null);
+      if (known) showResults(known);
+    },
+  });
+  runner = here;
+  last = here.cells;
+  setRunning(true);
+  try {
+    const whole = await here.run();
+    progress.textContent = whole ? "Done." : "Stopped.";
+    return whole;
+  } finally {
+    live.replaceChildren(idle);
+    runner = null;
+    setRunning(false);
+  }
+}
+
+let last: readonly Cell[] = [];
+
+function setRunning(on: boolean): void {
+  start.disabled = on;
+  pause.disabled = stop.disabled = !on;
+  showPaused(false);
+  for (const id of ["json", "csv", "copy"]) button(id).disabled = on || last.length === 0;
+}
+
+function showPaused(on: boolean): void {
+  pause.setAttribute("aria-pressed", String(on));
+}
+
+/** A table without figures, for a new run. */
+function emptied(page: Known): Table {
+  const place = element("table", HTMLTableElement);
+  place.tHead?.remove();
+  for (const body of [...place.tBodies]) body.remove();
+  return page.table = new Table(place, page.options);
+}
+
+function report(): Report {
+  if (!known) throw new Error("The page is not ready.");
+  return reportOf(known.machine, known.options, known.scene, last);
+}
+
+function showResults({ options }: Known): void {
+  element("verdicts", HTMLUListElement).replaceChildren(...(last.length === 0 ? [] : options.paths.map((path) => item(verdict(path, last)))));
+  element("legend", HTMLUListElement).replaceChildren(...options.paths.map((path, order) => item(mark(path, order), titleOf(path))));
+  for (const [id, title, which] of [["frame-plot", "a frame", "frame"], ["step-plot", "a step", "step"]] as const) {
+    const place = element(id, HTMLDivElement);
+    const series = options.paths.map((path): Series => ({ name: path, points: last.flatMap((cell) =>
+      cell.path === path && cell[which] ? [[cell.side ** 2, cell[which].median] as const] : []) }));
+    place.replaceChildren(plot(title, series, Math.max(280, place.clientWidth), 320));
+  }
+}
+
+function showHardware(machine: Hardware): void {
+  const rows: [string, string][] = [
+    ["WebGPU", adapterName(machine) ?? "not available: its paths are left out"],
+    ["WebGL 2", machine.webgl2 ?? "not available: its paths are left out"],
+    ["Processors", String(machine.processors)],
+    ["Browser", machine.browser],
+    ["Date", machine.date],
+  ];
+  element("hardware", HTMLDListElement).replaceChildren(...rows.map(([name, value]) => {
+    const row = document.createElement("div"), term = document.createElement("dt"), text = document.createElement("dd");
+    term.textContent = name;
+    text.textContent = value;
+    row.append(term, text);
+    return row;
+  }));
+}
+
+function showAbout(): void {
+  const body = element("about", HTMLTableSectionElement);
+  for (const { title, computes, draws, waits } of CATALOG) {
+    const row = body.insertRow();
+    const name = document.createElement("th");
+    name.scope = "row";
+    name.textContent = title;
+    row.append(name);
+    for (const text of [computes, draws, waits]) row.insertCell().textContent = text;
+  }
+}
+
+function item(...content: (Node | string)[]): HTMLLIElement {
+  const made = document.createElement("li");
+  made.append(...content);
+  return made;
+}
+
+function download(name: string, type: string, text: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+start.addEventListener("click", () => void measureAll().catch((reason: unknown) => { progress.textContent = String(reason); }));
+pause.addEventListener("click", () => {
+  if (!runner) return;
+  runner.gate.paused = !runner.gate.paused;
+  showPaused(runner.gate.paused);
+});
+stop.addEventListener("click", () => runner?.gate.stop());
+button("json").addEventListener("click", () => download("weft-compare.json", "application/json", jsonOf(report())));
+button("csv").addEventListener("click", () => download("weft-compare.csv", "text/csv", csvOf(report())));
+button("copy").addEventListener("click", () => {
+  const said = element("copied", HTMLSpanElement);
+  navigator.clipboard.writeText(textOf(report())).then(
+    () => { said.textContent = "Copied."; }, () => { said.textContent = "The browser does not allow copying here."; });
+});
+addEventListener("resize", () => { if (known) showResults(known); });
+
+const ready = prepare();
+ready.catch(() => undefined); // said on the page already
+const handle: CompareHandle = {
+  ready, report, start: measureAll, text: () => textOf(report()),
+  async open(name, grid) {
+    if (!known) throw new Error("The page is not ready.");
+    const canvas = freshCanvas();
+    live.replaceChildren(canvas);
+    return openPath(name, known.scene, grid, canvas);
+  },
+};
+Object.assign(window, { compare: handle });
