@@ -34,7 +34,7 @@ describe("the README's example", () => {
     const pictures = await harness.page.evaluate(async () => {
       const { world } = window as unknown as { world: World };
       world.pause();
-      await world.step(1, { draw: true }); // and nothing is left to be drawn
+      await new Promise((done) => world.on("frame", done)); // what the pause has left to be drawn is drawn
       const context = document.querySelector("canvas")!.getContext("webgpu")!;
       const texture = context.getCurrentTexture.bind(context);
       let count = 0;

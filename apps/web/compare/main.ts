@@ -1,6 +1,7 @@
-import { element, button } from "../src/elements.js";
-import { CATALOG, type PathName } from "./catalog.js";
-import { adapterName, hardware, type Hardware } from "./hardware.js";
+import { button, element } from "../src/elements.js";
+import type { PathName } from "./catalog.js";
+import { showAbout, showHardware } from "./facts.js";
+import { hardware, type Hardware } from "./hardware.js";
 import { OptionError, optionsOf, type Options } from "./options.js";
 import type { Path } from "./paths/path.js";
 import { mark, plot, type Series } from "./plot.js";
@@ -18,8 +19,8 @@ export interface CompareHandle {
   report(): Report;
   /** The same as a table for people. */
   text(): string;
-  /** A sheet at rest, to be stepped by hand; what it draws is shown on the page. */
-  open(path: PathName, grid: readonly [number, number]): Promise<Path>;
+  /** A sheet at rest, to be stepped by hand; what it draws is shown on the page. `scene`: another with the keys of hanging-paper. */
+  open(path: PathName, grid: readonly [number, number], scene?: string): Promise<Path>;
 }
 
 const start = button("start"), pause = button("pause"), stop = button("stop");
@@ -27,16 +28,18 @@ const progress = element("progress", HTMLParagraphElement);
 const live = element("live", HTMLDivElement), idle = live.firstElementChild!;
 
 /** All that is known once the page is ready. */
-interface Known { readonly options: Options; readonly scene: string; readonly machine: Hardware; table: Table }
+interface Known { readonly options: Options; readonly scene: string; readonly machine: Hardware }
 let known: Known | null = null;
 let runner: Runner | null = null;
+let last: readonly Cell[] = []; // of the run that was started last
 
 async function prepare(): Promise<void> {
+  showAbout();
   try {
     const options = optionsOf(location.href);
     const [scene, machine] = await Promise.all([fetchScene(), hardware()]);
-    known = { options, scene, machine, table: new Table(element("table", HTMLTableElement), options) };
-    showAbout();
+    known = { options, scene, machine };
+    new Table(element("table", HTMLTableElement), options);
     showHardware(machine);
     showResults(known);
     start.disabled = false;
@@ -54,7 +57,7 @@ async function measureAll(): Promise<boolean> {
   if (!known) throw new Error("The page is not ready.");
   if (runner) throw new Error("A measurement is under way.");
   const { options, scene } = known;
-  const table = emptied(known);
+  const table = new Table(element("table", HTMLTableElement), options);
   const here = new Runner(options, scene, {
     began(cell, canvas) {
       live.replaceChildren(canvas);
@@ -80,25 +83,11 @@ async function measureAll(): Promise<boolean> {
   }
 }
 
-let last: readonly Cell[] = [];
-
 function setRunning(on: boolean): void {
   start.disabled = on;
   pause.disabled = stop.disabled = !on;
-  showPaused(false);
+  pause.setAttribute("aria-pressed", "false");
   for (const id of ["json", "csv", "copy"]) button(id).disabled = on || last.length === 0;
-}
-
-function showPaused(on: boolean): void {
-  pause.setAttribute("aria-pressed", String(on));
-}
-
-/** A table without figures, for a new run. */
-function emptied(page: Known): Table {
-  const place = element("table", HTMLTableElement);
-  place.tHead?.remove();
-  for (const body of [...place.tBodies]) body.remove();
-  return page.table = new Table(place, page.options);
 }
 
 function report(): Report {
@@ -114,35 +103,6 @@ function showResults({ options }: Known): void {
     const series = options.paths.map((path): Series => ({ name: path, points: last.flatMap((cell) =>
       cell.path === path && cell[which] ? [[cell.side ** 2, cell[which].median] as const] : []) }));
     place.replaceChildren(plot(title, series, Math.max(280, place.clientWidth), 320));
-  }
-}
-
-function showHardware(machine: Hardware): void {
-  const rows: [string, string][] = [
-    ["WebGPU", adapterName(machine) ?? "not available: its paths are left out"],
-    ["WebGL 2", machine.webgl2 ?? "not available: its paths are left out"],
-    ["Processors", String(machine.processors)],
-    ["Browser", machine.browser],
-    ["Date", machine.date],
-  ];
-  element("hardware", HTMLDListElement).replaceChildren(...rows.map(([name, value]) => {
-    const row = document.createElement("div"), term = document.createElement("dt"), text = document.createElement("dd");
-    term.textContent = name;
-    text.textContent = value;
-    row.append(term, text);
-    return row;
-  }));
-}
-
-function showAbout(): void {
-  const body = element("about", HTMLTableSectionElement);
-  for (const { title, computes, draws, waits } of CATALOG) {
-    const row = body.insertRow();
-    const name = document.createElement("th");
-    name.scope = "row";
-    name.textContent = title;
-    row.append(name);
-    for (const text of [computes, draws, waits]) row.insertCell().textContent = text;
   }
 }
 
@@ -164,7 +124,7 @@ start.addEventListener("click", () => void measureAll().catch((reason: unknown) 
 pause.addEventListener("click", () => {
   if (!runner) return;
   runner.gate.paused = !runner.gate.paused;
-  showPaused(runner.gate.paused);
+  pause.setAttribute("aria-pressed", String(runner.gate.paused));
 });
 stop.addEventListener("click", () => runner?.gate.stop());
 button("json").addEventListener("click", () => download("weft-compare.json", "application/json", jsonOf(report())));
@@ -180,11 +140,11 @@ const ready = prepare();
 ready.catch(() => undefined); // said on the page already
 const handle: CompareHandle = {
   ready, report, start: measureAll, text: () => textOf(report()),
-  async open(name, grid) {
+  async open(name, grid, scene) {
     if (!known) throw new Error("The page is not ready.");
     const canvas = freshCanvas();
     live.replaceChildren(canvas);
-    return openPath(name, known.scene, grid, canvas);
+    return openPath(name, scene ?? known.scene, grid, canvas);
   },
 };
 Object.assign(window, { compare: handle });

@@ -7,7 +7,9 @@ import { framesASecond, type Cell } from "./runner.js";
 export class Table {
   private readonly places = new Map<string, HTMLTableCellElement>();
 
+  /** Without figures, in the place of what the table had before. */
   constructor(table: HTMLTableElement, { paths, sides }: Options) {
+    for (const part of [table.tHead, ...table.tBodies]) part?.remove();
     const head = table.createTHead().insertRow();
     head.append(heading("Nodes", "col"), ...paths.map((path) => heading(titleOf(path), "col")));
     const body = table.createTBody();
