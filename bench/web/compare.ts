@@ -1,10 +1,10 @@
 // The page /compare, headless: the paper's hanging cloth on WebGPU, WebGL 2 and the processor, in one browser.
 //   node bench/web/compare.ts [--quick] [--json FILE] [--paths weft-node,cpu] [--sizes 64,128] [--most NODES] [--budget MS]
 // It needs Node 24, node_modules/playwright-core, apps/web/dist (./dev bench web builds it) and a Chromium, nothing else.
-// CHROMIUM names another browser; CHROMIUM_FLAGS, separated by spaces, replace the flags of the software adapters below.
+// CHROMIUM names another browser; WEBGPU_FLAGS, separated by spaces, replace the flags of the software adapters below.
 //
 // On a machine with an NVIDIA GPU and its Vulkan driver, from the folder of the repository:
-//   CHROMIUM=/path/to/chromium CHROMIUM_FLAGS="--enable-unsafe-webgpu --enable-features=Vulkan --use-angle=vulkan \
+//   CHROMIUM=/path/to/chromium WEBGPU_FLAGS="--enable-unsafe-webgpu --enable-features=Vulkan --use-angle=vulkan \
 //     --ignore-gpu-blocklist" node bench/web/compare.ts --json bench/results/h100_compare.json
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -30,7 +30,7 @@ for (const key of PASSED_ON) if (asked[key] !== undefined) address.set(key, aske
 const site = await serveFiles(join(ROOT, "apps/web/dist"));
 const browser = await chromium.launch({
   executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-  args: ["--headless=new", "--no-sandbox", ...(process.env["CHROMIUM_FLAGS"] ?? SOFTWARE_FLAGS).split(/\s+/).filter(Boolean)],
+  args: ["--headless=new", "--no-sandbox", ...(process.env["WEBGPU_FLAGS"] ?? SOFTWARE_FLAGS).split(/\s+/).filter(Boolean)],
 });
 let failed = false;
 try {

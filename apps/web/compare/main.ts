@@ -1,5 +1,5 @@
 import { button, element } from "../src/elements.js";
-import type { PathName } from "./catalog.js";
+import { CATALOG, type PathName } from "./catalog.js";
 import { showAbout, showHardware } from "./facts.js";
 import { hardware, type Hardware } from "./hardware.js";
 import { OptionError, optionsOf, type Options } from "./options.js";
@@ -95,14 +95,16 @@ function report(): Report {
   return reportOf(known.machine, known.options, known.scene, last);
 }
 
-function showResults({ options }: Known): void {
-  element("verdicts", HTMLUListElement).replaceChildren(...(last.length === 0 ? [] : options.paths.map((path) => item(verdict(path, last)))));
-  element("legend", HTMLUListElement).replaceChildren(...options.paths.map((path, order) => item(mark(path, order), titleOf(path))));
-  for (const [id, title, which] of [["frame-plot", "a frame", "frame"], ["step-plot", "a step", "step"]] as const) {
-    const place = element(id, HTMLDivElement);
-    const series = options.paths.map((path): Series => ({ name: path, points: last.flatMap((cell) =>
-      cell.path === path && cell[which] ? [[cell.side ** 2, cell[which].median] as const] : []) }));
-    place.replaceChildren(plot(title, series, Math.max(280, place.clientWidth), 320));
+function showResults({ options: { paths } }: Known): void {
+  const series = (which: "frame" | "step") => paths.map((path): Series => ({
+    name: path, order: CATALOG.findIndex(({ name }) => name === path),
+    points: last.flatMap((cell) => (cell.path === path && cell[which] ? [[cell.side ** 2, cell[which].median] as const] : [])),
+  }));
+  element("verdicts", HTMLUListElement).replaceChildren(...(last.length === 0 ? [] : paths.map((path) => item(verdict(path, last)))));
+  element("legend", HTMLUListElement).replaceChildren(...series("frame").map((one, i) => item(mark(one), titleOf(paths[i]!))));
+  for (const which of ["frame", "step"] as const) {
+    const place = element(`${which}-plot`, HTMLDivElement);
+    place.replaceChildren(plot(`a ${which}`, series(which), Math.max(280, place.clientWidth), 320));
   }
 }
 

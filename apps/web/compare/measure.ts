@@ -16,7 +16,7 @@ export interface Timing {
 }
 
 const LEAST_BATCHES = 3;
-const MOST_STEPS = 256; // in a batch
+const MOST_STEPS = 4096; // in a batch
 const LONGEST_BATCH = 120; // ms: the page answers between batches, and what a wait costs is small beside it
 
 /** `run` takes so many steps and waits for them; the first call with another number than before may take longer. */
@@ -31,8 +31,8 @@ export async function measure(run: (steps: number) => Promise<void>, budget: num
   let batch = 1;
   await timed(batch); // compiles
   let took = await timed(batch);
-  for (let round = 0; round < 2 && took < wanted / 2 && batch < MOST_STEPS; round++) { // of one step, most is the wait
-    batch = Math.min(MOST_STEPS, 2 ** Math.floor(Math.log2((batch * wanted) / Math.max(took, 0.01))));
+  for (let round = 0; round < 3 && took < wanted / 2 && batch < MOST_STEPS; round++) { // of one step, most is the wait
+    batch = Math.min(MOST_STEPS, 2 ** Math.floor(Math.log2((batch * wanted) / Math.max(took, 0.1))));
     await timed(batch);
     took = await timed(batch);
   }

@@ -3,6 +3,8 @@
 
 export interface Series {
   readonly name: string;
+  /** Chooses marker and dash: its place among all that there are. */
+  readonly order: number;
   readonly points: readonly (readonly [nodes: number, ms: number])[];
 }
 
@@ -20,14 +22,13 @@ function svg(tag: string, attributes: Attributes, ...children: (Node | string)[]
   return made;
 }
 
-/** What stands for a series in the legend and in the plot. `order`: its place among all series. */
-export function mark(name: string, order: number): SVGElement {
+/** What stands for a series in the legend. */
+export function mark({ name, order }: Series): SVGElement {
   return svg("svg", { viewBox: "0 0 40 16", width: 40, height: 16, "aria-hidden": "true", class: `series series-${name}` },
     svg("path", { d: "M0 8H40", class: "line", "stroke-dasharray": DASHES[order % DASHES.length]! }),
     svg("path", { d: MARKERS[order % MARKERS.length]!, transform: "translate(20 8)", class: "marker" }));
 }
 
-/** `series` in the order of the legend; one without points keeps its mark. */
 export function plot(title: string, series: readonly Series[], width: number, height: number): SVGElement {
   const points = series.flatMap(({ points: own }) => own);
   const [left, right] = span(points.map(([nodes]) => nodes), 1000, 1_000_000);
@@ -53,12 +54,12 @@ export function plot(title: string, series: readonly Series[], width: number, he
     svg("text", { transform: `translate(13 ${(MARGIN.top + height - MARGIN.bottom) / 2}) rotate(-90)`, "text-anchor": "middle",
       class: "name" }, `${title} [ms]`));
 
-  series.forEach(({ name, points: own }, order) => {
+  for (const { name, order, points: own } of series) {
     const places = own.map(([nodes, ms]) => `${x(nodes).toFixed(1)} ${y(ms).toFixed(1)}`);
     picture.append(svg("g", { class: `series series-${name}` },
       svg("path", { d: places.length > 0 ? `M${places.join("L")}` : "", class: "line", "stroke-dasharray": DASHES[order % DASHES.length]! }),
       ...places.map((place) => svg("path", { d: MARKERS[order % MARKERS.length]!, transform: `translate(${place})`, class: "marker" }))));
-  });
+  }
   return picture;
 }
 

@@ -22,6 +22,8 @@ export interface Row {
 
 export interface Report {
   bench: "compare";
+  /** WebGPU's, or else WebGL's. */
+  adapter: string;
   scene: "hanging-paper";
   canvas: readonly [number, number];
   budget_ms: number;
@@ -34,7 +36,7 @@ const summary = (timing: Timing | null): Summary | null =>
 
 export function reportOf(hardware: Hardware, { budget }: Options, scene: string, cells: readonly Cell[]): Report {
   return {
-    bench: "compare", scene: "hanging-paper", canvas: [WIDTH, HEIGHT], budget_ms: budget, hardware,
+    bench: "compare", adapter: adapterName(hardware) ?? hardware.webgl2 ?? "none", scene: "hanging-paper", canvas: [WIDTH, HEIGHT], budget_ms: budget, hardware,
     rows: cells.map((cell) => ({
       path: cell.path, side: cell.side, nodes: cell.side ** 2, springs: springCount(sheetOf(scene, cell.side, cell.side)),
       ms_per_step: summary(cell.step), ms_per_frame: summary(cell.frame), fps: framesASecond(cell), note: cell.note,

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
 import type { Report } from "../../../apps/web/compare/report.js";
@@ -131,16 +132,18 @@ for (const [device, viewport, colorScheme] of [["desktop", { width: 1440, height
     await page.context().close();
   });
 
-test("the pages lead to each other, and the main page loads nothing of three.js", async () => {
+test("the pages lead to each other, and the main page loads nothing of three.js and less than 1 MB", async () => {
   const seen = await compared(here.browser, here.site, "?paths=weft-node&sizes=16");
   const { page } = seen;
   await page.getByRole("link", { name: "weft", exact: true }).click();
   await page.waitForURL(here.site.address);
   await page.waitForLoadState("networkidle");
   const main = seen.requests.slice(seen.requests.lastIndexOf(here.site.address));
-  const scripts = await Promise.all(main.filter((address) => address.endsWith(".js")).map(async (address) => (await fetch(address)).text()));
-  expect(scripts.length).toBeGreaterThan(1);
-  for (const script of scripts) expect(script).not.toContain("WebGLRenderer");
+  const own = await Promise.all(main.filter((address) => !/\.(ply|json)$/.test(address)).map(async (address) =>
+    Buffer.from(await (await fetch(address)).arrayBuffer())));
+  expect(main.filter((address) => address.endsWith(".js")).length).toBeGreaterThan(1);
+  for (const file of own) expect(file.includes("WebGLRenderer")).toBe(false);
+  expect(own.reduce((sum, file) => sum + gzipSync(file).length, 0)).toBeLessThan(1e6);
   await page.getByRole("link", { name: "Compare with WebGL and three.js" }).click();
   await page.waitForURL(`${here.site.address}compare/`);
   expect(await page.locator("h1").textContent()).toContain("compared");
