@@ -58,7 +58,7 @@ try {
   mkdirSync(dirname(asked.json), { recursive: true });
   writeFileSync(asked.json, `${JSON.stringify(report, null, 2)}\n`);
 } catch (reason) {
-  console.error(reason instanceof Error ? reason.message.replace(/^page\.\w+: (Error: )?/, "").split("\n")[0] : reason);
+  console.error(reason instanceof Error ? reason.message.replace(/^page\.\w+: (\w+: )?/, "").split("\n")[0] : reason);
   failed = true;
 } finally {
   await browser.close();

@@ -65,7 +65,7 @@ async function measureAll(): Promise<boolean> {
       progress.textContent = `Measuring ${titleOf(cell.path)}, ${(cell.side ** 2).toLocaleString("en")} nodes.`;
     },
     changed(cell) {
-      table.show(cell, cell.frame === null);
+      table.show(cell, cell.step === null);
       if (known) showResults(known);
     },
   });

@@ -63,9 +63,9 @@ export class Runner {
     await gate.pass();
     const path = await openPath(cell.path, this.scene, [cell.side, cell.side], canvas);
     try {
-      cell.step = await measure((steps) => path.simulate(steps), budget, gate);
+      cell.frame = await measure((steps) => path.animate(steps), budget, gate); // first, so that there is something to see
       this.listener.changed(cell);
-      cell.frame = await measure((steps) => path.animate(steps), budget, gate);
+      cell.step = await measure((steps) => path.simulate(steps), budget, gate);
       if (!(await path.positions()).every(Number.isFinite)) cell.note = "In the end the state was not finite.";
     } finally {
       path.dispose();
