@@ -4,10 +4,6 @@ export class Gate {
   private stopped = false;
   private wake: (() => void) | null = null;
 
-  constructor() {
-    document.addEventListener("visibilitychange", () => this.look());
-  }
-
   get paused(): boolean { return this.held; }
   set paused(on: boolean) {
     this.held = on;
@@ -22,7 +18,11 @@ export class Gate {
   /** Lets the page do its own work first. Errors  Stopped. */
   async pass(): Promise<void> {
     await new Promise((done) => setTimeout(done));
-    while (!this.stopped && (this.held || document.hidden)) await new Promise<void>((done) => { this.wake = done; });
+    while (!this.stopped && (this.held || document.hidden))
+      await new Promise<void>((done) => {
+        this.wake = done;
+        document.addEventListener("visibilitychange", () => done(), { once: true });
+      });
     if (this.stopped) throw new Stopped();
   }
 

@@ -20,7 +20,8 @@ const MOST_STEPS = 4096; // in a batch
 const LONGEST_BATCH = 120; // ms: the page answers between batches, and what a wait costs is small beside it
 
 /** `run` takes so many steps and waits for them; the first call with another number than before may take longer. */
-export async function measure(run: (steps: number) => Promise<void>, budget: number, gate: Gate): Promise<Timing> {
+export async function measure(run: (steps: number) => Promise<void>, budget: number, gate: Gate,
+  least = 1): Promise<Timing> {
   const timed = async (steps: number) => {
     await gate.pass();
     const start = performance.now();
@@ -28,7 +29,7 @@ export async function measure(run: (steps: number) => Promise<void>, budget: num
     return performance.now() - start;
   };
   const wanted = Math.min(LONGEST_BATCH, budget / 8);
-  let batch = 1;
+  let batch = least;
   await timed(batch); // compiles
   let took = await timed(batch);
   for (let round = 0; round < 3 && took < wanted / 2 && batch < MOST_STEPS; round++) { // of one step, most is the wait

@@ -65,7 +65,7 @@ export class Runner {
     try {
       cell.frame = await measure((steps) => path.animate(steps), budget, gate); // first, so that there is something to see
       this.listener.changed(cell);
-      cell.step = await measure((steps) => path.simulate(steps), budget, gate);
+      cell.step = await measure((steps) => path.simulate(steps), budget, gate, path.leastSteps);
       if (!(await path.positions()).every(Number.isFinite)) cell.note = "In the end the state was not finite.";
     } finally {
       path.dispose();

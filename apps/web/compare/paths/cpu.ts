@@ -33,6 +33,7 @@ export function gridNormals(position: Float64Array, nx: number, ny: number, out:
 }
 
 class CpuPath implements Path {
+  readonly leastSteps = 1;
   private readonly cloth: CpuSheet;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();

@@ -5,6 +5,8 @@ import type { Sheet } from "../sheet.js";
 export const WIDTH = 960, HEIGHT = 540;
 
 export interface Path {
+  /** Steps that a batch without pictures must have, or what comes once a batch would pass for a part of the step. */
+  readonly leastSteps: number;
   /** This many steps, nothing drawn; resolves when the last is done, not when it is handed over. */
   simulate(count: number): Promise<void>;
   /** This many times one step and its picture; resolves when all of it is done. */

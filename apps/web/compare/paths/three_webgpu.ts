@@ -81,6 +81,7 @@ function clothMesh({ nx, ny }: Sheet, position: ReturnType<typeof kernels>["posi
 }
 
 class ThreePath implements Path {
+  readonly leastSteps = 1;
   private readonly scene = new Scene();
   private readonly camera;
   private readonly kernels;

@@ -11,6 +11,7 @@ import { ADVANCE, CLOTH_FRAGMENT, CLOTH_VERTEX, COVER } from "./webgl2_shaders.j
 interface State { position: WebGLTexture; velocity: WebGLTexture; target: WebGLFramebuffer }
 
 class WebGl2Path implements Path {
+  readonly leastSteps = 1;
   private readonly advance: WebGLProgram;
   private readonly cloth: WebGLProgram;
   private readonly states: [now: State, next: State];

@@ -7,6 +7,7 @@ import { Unavailable, type Open, type Path } from "./path.js";
 const MOST_SUBSTEPS = 256;
 
 class WeftPath implements Path {
+  readonly leastSteps = 32; // a frame ends with normals, stretch, a copy of the state and a report
   private world: World | null = null;
   private opened = ""; // what `world` was opened for
 
