@@ -155,6 +155,22 @@ def contact_growth(rows):
         yield f"| {what} | {over.replace('_', ' ')} | {min(ends):,} | {max(ends):,} | {len(group)} | {cells[0]} | {cells[1]} |"
 
 
+def compare(rows):
+    """Of the page /compare: ms a step, ms a frame, frames a second."""
+    titles = {"weft-node": "weft, by node", "weft-spring": "weft, by spring", "three-webgpu": "three.js, WebGPU",
+              "webgl2": "WebGL 2 shaders", "cpu": "CPU, JavaScript"}
+    at = {(row["path"], row["nodes"]): row for row in rows}
+    paths = list(dict.fromkeys(row["path"] for row in rows))
+    for what, cell in (("a step [ms]", lambda row: number(row["ms_per_step"]["median"])),
+                       ("a frame [ms]", lambda row: f"{number(row['ms_per_frame']['median'])} ({number(row['fps'])} fps)")):
+        yield f"| nodes, {what} | {' | '.join(titles[path] for path in paths)} |"
+        yield "|---:" * (1 + len(paths)) + "|"
+        for nodes in dict.fromkeys(row["nodes"] for row in rows):
+            cells = (cell(at[path, nodes]) if at[path, nodes]["ms_per_frame"] else at[path, nodes]["note"] for path in paths)
+            yield f"| {nodes:,} | {' | '.join(cells)} |"
+        yield ""
+
+
 def embree(rows):
     yield "| query | nodes | object triangles | pairs, equal | their hash | weft, ms | Embree's tree, ms | Embree's query, ms | Embree's faster way | weft over Embree |"
     yield "|---|---:|---:|---:|---|---:|---:|---:|---|---:|"
@@ -167,7 +183,7 @@ def embree(rows):
 
 
 TABLES = {"hanging": hanging, "pull": pull, "hosts": hosts, "embree": embree, "contact self": contact_self,
-          "contact objects": contact_objects, "contact kernels": contact_kernels, "contact growth": contact_growth}
+          "contact objects": contact_objects, "contact kernels": contact_kernels, "contact growth": contact_growth, "compare": compare}
 
 
 def table(match):

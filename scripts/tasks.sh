@@ -48,8 +48,15 @@ task_web() {
   exec npx --no vite preview apps/web --host 127.0.0.1 --port "$port" --strictPort
 }
 
-# Only the comparison with Embree needs Embree; it runs both on the processor.
+# Only the comparison with Embree needs Embree; it runs both on the processor. `web` needs the page and a browser.
 task_bench() {
+  if [ "${1:-}" = web ]; then
+    shift
+    [ -n "${CHROMIUM:-}" ] || setup_packages chromium
+    build_web
+    node bench/web/compare.ts "$@"
+    return
+  fi
   task_build
   if [ "${1:-}" != embree ]; then
     build/weft bench "$@"

@@ -23,7 +23,10 @@ export default defineConfig({
     emptyOutDir: true,
     // Nothing as a data: address: the policy above lets none be fetched, and the module is compiled from a file.
     assetsInlineLimit: 0,
+    license: { fileName: "licenses.txt" }, // of three.js, whose comments the bundler drops
     modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 700, // kB: three.js, which only /compare loads
+    rollupOptions: { input: { main: `${import.meta.dirname}/index.html`, compare: `${import.meta.dirname}/compare/index.html` } },
   },
   server: { headers: headers("'self' 'unsafe-inline'") }, // Vite hands styles over inline while developing
   preview: { headers: headers("'self'") },

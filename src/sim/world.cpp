@@ -316,6 +316,7 @@ Result<void> World::finish() {
     WEFT_CHECK(device_.wait());
     WEFT_CHECK(take_reports(true));
   } while (frame_ < asked_);
+  if (diverged_) return *diverged_;  // also where every report of it has been taken already
   return {};
 }
 

@@ -67,7 +67,7 @@ class World {
   /// Takes the reports that have arrived. Errors as advance_frame.
   Result<void> poll();
   bool has_room() const;
-  /// Waits until all frames have reported. Errors as advance_frame.
+  /// Waits until all frames have reported. Errors as advance_frame; Diverged for as long as the state is frozen.
   Result<void> finish();
   /// Holds a free node, numbered through all cloths, and pulls it to `target` [m]: from the next frame on, by
   /// a part of the way in each substep, no faster than grab_speed(). Its springs and contacts go on. Errors

@@ -94,6 +94,7 @@ TEST_CASE("a first frame that is not finite freezes the state at rest, and a res
   world->set_node(40, {0, NAN, 0, 1}, {});
   REQUIRE(world->advance_frame());
   CHECK(world->finish().error().kind == ErrorKind::Diverged);
+  CHECK(world->finish().error().kind == ErrorKind::Diverged);  // the report is taken, the state still frozen
   const auto snapshot = world->snapshot();
   REQUIRE_OK(snapshot);
   CHECK(snapshot->hash() == rest);

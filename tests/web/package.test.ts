@@ -29,6 +29,30 @@ describe("the README's example", () => {
     expect(moved).toBeGreaterThan(1e-3);
     expect(harness.complaints).toEqual([]);
   });
+
+  it("draws every frame of a step where that is asked for, or else the last", async () => {
+    const pictures = await harness.page.evaluate(async () => {
+      const { world } = window as unknown as { world: World };
+      world.pause();
+      await new Promise((done) => world.on("frame", done)); // what the pause has left to be drawn is drawn
+      const context = document.querySelector("canvas")!.getContext("webgpu")!;
+      const texture = context.getCurrentTexture.bind(context);
+      let count = 0;
+      context.getCurrentTexture = () => {
+        count += 1;
+        return texture();
+      };
+      const drawn = async (draw: boolean) => {
+        count = 0;
+        await world.step(8, { draw });
+        await new Promise((done) => setTimeout(done, 1500)); // a tick of the page, at the pace of a software adapter
+        return count;
+      };
+      return [await drawn(true), await drawn(false)];
+    });
+    expect(pictures).toEqual([8, 1]);
+    expect(harness.complaints).toEqual([]);
+  });
 });
 
 it("the README's example for Node runs", async () => {

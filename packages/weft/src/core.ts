@@ -98,6 +98,14 @@ export class Core {
     return after?.() as T;
   }
 
+  /** Until one of the frames under way has reported; the others go on meanwhile. In its turn. */
+  takeReport(): Promise<void> {
+    return this.turn(async () => {
+      await this.backend.anyMapped();
+      this.checkNow("_weft_poll");
+    });
+  }
+
   /** A call of a frame: without arguments, and without making anything for the garbage collector. Not while busy. */
   now(name: `_weft_${string}`): number {
     if (this.dead) throw this.dead;

@@ -188,6 +188,11 @@ export class GpuBackend {
     while (this.maps.size > 0) await Promise.allSettled([...this.maps]);
   }
 
+  /** Until one of the mappings under way has settled; at once where there is none. */
+  async anyMapped(): Promise<void> {
+    if (this.maps.size > 0) await Promise.race(this.maps);
+  }
+
   // Objects
 
   /** The device to make something on; what is wrong with what is made is caught until the next wait. */

@@ -5,4 +5,4 @@ export { createReference, Reference, type ReferenceInfo, type ReferenceOptions }
 export { meshNames, type Bytes, type Scene } from "./scene.js";
 export { createWorld, World } from "./world.js";
 export { VIEWS, type Camera, type MemoryUse, type Pick, type Point, type SceneOptions, type Snapshot, type Statistics,
-  type View, type WorldInfo, type WorldOptions } from "./world_types.js";
+  type StepOptions, type View, type WorldInfo, type WorldOptions } from "./world_types.js";

@@ -2,7 +2,7 @@ import { Core } from "./core.js";
 import { WeftError } from "./error.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
 import { VIEWS, type Camera, type Events, type MemoryUse, type Pick, type Point, type SceneOptions, type Snapshot,
-  type Statistics, type View, type WorldInfo, type WorldOptions } from "./world_types.js";
+  type Statistics, type StepOptions, type View, type WorldInfo, type WorldOptions } from "./world_types.js";
 
 /** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
 export async function createWorld(options: WorldOptions): Promise<World> {
@@ -121,20 +121,20 @@ export class World {
     if (this.current) this.later("finish");
   }
 
-  /** Simulates this many frames and waits for them. */
-  async step(frames = 1): Promise<Statistics> {
+  /** Simulates this many frames and waits for them. Draws each of them, or else the last. */
+  async step(frames = 1, { draw = false }: StepOptions = {}): Promise<Statistics> {
     for (let i = 0; i < frames;) {
       const went = await this.core.turn(() => {
         this.loaded();
         if (this.core.now("_weft_has_room") === 0) return false;
-        this.core.checkNow("_weft_advance");
+        this.core.checkNow(draw ? "_weft_advance_and_draw" : "_weft_advance");
         return true;
       });
       if (went) i += 1;
-      else await this.core.sleep("finish");
+      else await this.core.takeReport();
     }
     const totals = await this.core.sleep("finish", [], () => ({ ...this.totals }));
-    this.changed();
+    if (!draw) this.changed();
     return totals;
   }
 

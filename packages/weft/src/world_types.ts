@@ -25,6 +25,11 @@ export interface WorldOptions extends SceneOptions {
   view?: View;
 }
 
+export interface StepOptions {
+  /** Whether to draw every frame; without a canvas, nothing is drawn. */
+  draw?: boolean;
+}
+
 /** What was loaded. */
 export interface WorldInfo {
   adapter: string;
