@@ -27,11 +27,16 @@ test("a device that is lost is reported, and the cloth runs on", () => withBrows
   const { page } = seen;
   await ready(page);
   await page.keyboard.press("2");
+  await page.locator("#contact").selectOption("bvh");
+  await until("it is loaded", () => page.evaluate(() => window.weft.state!.set["contact.method"] === "bvh"));
+  await page.getByLabel("Gravity").fill("3");
+  await until("gravity is 3", () => page.evaluate(() => String(window.weft.state!.set["gravity"]) === "0,-3,0"));
   await play(page, 3);
   await page.evaluate(() => window.weft.world!.device!.destroy());
   await until("it is said", async () => /lost.*opened again/.test((await page.locator("#notice").textContent())!));
   await until("it runs again", async () => (await running(page)) && (await frames(page)) > 3);
   expect(await page.evaluate(() => window.weft.world!.view)).toBe("wireframe");
+  expect(await page.evaluate(() => window.weft.state!.set)).toEqual({ "contact.method": "bvh", gravity: [0, -3, 0] });
   expectClean(seen, site);
 
   await page.keyboard.press("Space"); // a paused one is told too
