@@ -1,8 +1,8 @@
 // The package as its users have it: the README's examples, and what each call promises.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
-import { createWorld, meshNames, WeftError, type World, type WorldOptions } from "weft";
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
+import { catalog, createWorld, meshNames, schemaOf, WeftError, type World, type WorldOptions } from "weft";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { gpu } from "./node_gpu.ts";
 
@@ -48,6 +48,19 @@ it("a scene names the meshes of its cloths, its colliders and their keyframes, e
   const names = meshNames({ format: "weft-scene/1", cloths: [{ mesh: "shirt" }, { grid: [2, 2] }], colliders: [{ kind: "plane" }, null,
     { kind: "mesh", mesh: "body", keyframes: [{ time: 1, mesh: "bent" }, { time: 2, mesh: "body" }, null] }, { kind: "mesh", mesh: "chair", keyframes: 3 }] });
   expect(names).toEqual(["shirt", "body", "bent", "chair"]);
+});
+
+it("the catalog has the schema, the colour map and the limits of the core, without a device", async () => {
+  const { schema, colors, ranges, mostGrabs } = await catalog();
+  expect(schemaOf(schema, "contact.method")!.enum).toEqual(["none", "paper", "bvh", "proximity"]);
+  expect(schemaOf(schema, "solver.forces")!.enum).toContain("spring_centric"); // of a variant
+  expect(schemaOf(schema, "cloths.0.stiffness.shear")).toMatchObject({ minimum: 0, maximum: 1e12, default: 2000 });
+  expect(schemaOf(schema, "camera.eye")).toMatchObject({ type: "array", minItems: 3, description: "Where the camera is [m]." });
+  for (const key of ["cloths.0.colour", "cloths.x", "constructor", "gravity.0.1"]) expect(schemaOf(schema, key)).toBeNull();
+  expect(colors[0]!.map((part) => Math.round(255 * part))).toEqual([68, 1, 84]); // viridis
+  expect(colors.at(-1)!.map((part) => Math.round(255 * part))).toEqual([253, 231, 37]);
+  expect(ranges.stretch).toEqual([0.95, 1.15]);
+  expect(mostGrabs).toBe(4);
 });
 
 describe("a world", () => {
@@ -140,6 +153,47 @@ describe("a world", () => {
     const { frames, seconds } = await world.step(7);
     expect([frames, seconds]).toEqual([7, 7 / 60]);
     expect(world.info).toMatchObject({ nodes: 144, triangles: 242 });
+  });
+
+  it("times its passes, and goes on as if it had not", async () => {
+    const options = { scene: scene("pull-sphere"), meshes: { sphere: readFileSync(join(ROOT, "models/sphere.ply")) },
+      set: { "cloths.0.grid": [16, 16], "time.substeps": 12 } };
+    const [timed, plain] = [await open(options), await open(options)];
+    expect(timed.info.timestamps).toBe(true);
+    expect((await failure(timed.passTimes())).message).toContain("after a frame");
+    for (const world of [timed, plain]) await world.step(6);
+    const times = await timed.passTimes();
+    expect(times.map(({ kernel, per }) => `${kernel} a ${per}`)).toEqual(expect.arrayContaining(["find_candidates a search", "advance_grid a step"]));
+    for (const { milliseconds, dispatches } of times) expect([milliseconds >= 0, dispatches >= 1]).toEqual([true, true]);
+    const [a, b] = [await timed.step(6), await plain.step(6)];
+    expect([a.contacts, a.contactHash, (await timed.snapshot()).hash]).toEqual([b.contacts, b.contactHash, (await plain.snapshot()).hash]);
+    await timed.load(scene("hanging"), { set: { ...small, "time.substeps": 1, "time.frame": 1e-4 } });
+    await timed.step(1);
+    expect((await failure(timed.passTimes())).message).toContain("1 step");
+  });
+
+  it("counts the time that it leaves out where it is late", async () => {
+    const world = await open();
+    let clock = 0; // ms
+    const now = vi.spyOn(performance, "now").mockImplementation(() => clock);
+    try {
+      world.run();
+      const ticks = async (frames: number) => {
+        while (world.statistics.frames < frames) await new Promise((wake) => setTimeout(wake, 2));
+      };
+      for (let frame = 1; frame <= 4; frame++) {
+        clock += 1000 / 60;
+        await ticks(frame);
+      }
+      expect(world.statistics.droppedSeconds).toBeCloseTo(0, 9);
+      clock += 1000;
+      await ticks(6); // two frames are made up for
+      expect(world.statistics.droppedSeconds).toBeCloseTo(1 - 2 / 60, 9);
+    } finally {
+      now.mockRestore();
+    }
+    await world.reset();
+    expect(world.statistics.droppedSeconds).toBe(0);
   });
 
   it("pulls a held node to its target, and lets it go", async () => {

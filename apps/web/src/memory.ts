@@ -32,7 +32,7 @@ export async function adapterLimits(): Promise<Limits> {
 // Bytes a node, and a triangle of an obstacle, measured at 32² to 256² nodes; tests/web/page/memory.test.ts holds the sum
 // to info.gpuBytes within 10 %.
 const NODE = { all: 193, spring_centric: 131, proximity: 150, pushes: 17 };
-const OBSTACLE = { drawn: 60, proximity: 85, pushes: 71 };
+const OBSTACLE = { drawn: 29, proximity: 85, pushes: 71 };
 // The lists of World::first_room (src/sim/world.cpp): pairs and candidates. They grow where they are short.
 const LISTS = [{ least: 32_768, triangle: 2, entry: 112 }, { least: 131_072, triangle: 12, entry: 8 }] as const;
 const PAIR = 96; // of an entry, what lies in one buffer

@@ -29,7 +29,7 @@ test("a device that is lost is reported, and the cloth runs on", () => withBrows
   await page.keyboard.press("2");
   await page.locator("#contact").selectOption("bvh");
   await until("it is loaded", () => page.evaluate(() => window.weft.state!.set["contact.method"] === "bvh"));
-  await page.getByLabel("Gravity").fill("3");
+  await page.getByLabel("Gravity", { exact: true }).fill("3");
   await until("gravity is 3", () => page.evaluate(() => String(window.weft.state!.set["gravity"]) === "0,-3,0"));
   await play(page, 3);
   await page.evaluate(() => window.weft.world!.device!.destroy());

@@ -71,15 +71,15 @@ test("cloth, contact and time start the scene anew with what was entered", async
     return page.evaluate(() => window.weft.world!.statistics.maxStretch);
   };
   const firm = await stretched();
-  await enter("Stiffness along the threads", "500");
+  await enter("Structural stiffness", "500");
   await has("cloths.0.stiffness.structural", 500);
   expect((await info()).stableStepSeconds).toBeGreaterThan(before.stableStepSeconds);
   expect(await stretched()).toBeGreaterThan(firm);
   await enter("Steps a frame", "40");
   await has("time.substeps", 40);
   expect((await info()).substeps).toBe(40);
-  for (const [label, key, value] of [["Density", "cloths.0.density", 0.5], ["Stiffness in shear", "cloths.0.stiffness.shear", 300],
-    ["Stiffness in bending", "cloths.0.stiffness.bend", 20], ["Damping", "cloths.0.damping", 0.02],
+  for (const [label, key, value] of [["Density", "cloths.0.density", 0.5], ["Shear stiffness", "cloths.0.stiffness.shear", 300],
+    ["Bend stiffness", "cloths.0.stiffness.bend", 20], ["Damping", "cloths.0.damping", 0.02],
     ["Thickness", "contact.thickness", 0.01], ["Friction", "cloths.0.friction", 0.7]] as const) {
     const last = await page.evaluate(async () => {
       await window.weft.world!.reset();

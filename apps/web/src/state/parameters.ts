@@ -33,9 +33,9 @@ export const GROUPS: readonly Group[] = [
   { name: "cloth", title: "Cloth", live: false, parameters: [
     { key: DENSITY, label: "Density" },
     { key: NODE_MASS, label: "Mass of a node" },
-    { key: "cloths.0.stiffness.structural", label: "Stiffness along the threads" },
-    { key: "cloths.0.stiffness.shear", label: "Stiffness in shear" },
-    { key: "cloths.0.stiffness.bend", label: "Stiffness in bending" },
+    { key: "cloths.0.stiffness.structural", label: "Structural stiffness" },
+    { key: "cloths.0.stiffness.shear", label: "Shear stiffness" },
+    { key: "cloths.0.stiffness.bend", label: "Bend stiffness" },
     { key: "cloths.0.damping", label: "Damping" },
   ] },
   { name: "contact", title: "Contact", live: false, parameters: [
