@@ -3,6 +3,7 @@ import { Address, linkTo } from "./address.js";
 import { followSize, setFirstSize } from "./canvas_size.js";
 import { Panel } from "./controls/panel.js";
 import { Pins } from "./controls/pins.js";
+import { Theme } from "./controls/theme.js";
 import { element } from "./elements.js";
 import { showFallback } from "./fallback.js";
 import { adapterLimits } from "./memory.js";
@@ -28,6 +29,7 @@ const CAMERA_CALM = 400; // how often it is looked at where the camera is [ms]
 
 const notice = new Notice();
 const address = new Address();
+const theme = new Theme(); // without WebGPU too
 let page: { player: Player; pins: Pins } | null = null;
 
 /** All that needs WebGPU: the player and what stands around it. */
@@ -80,7 +82,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const say = (sentence: string) => notice.say(sentence, "plain");
   const pins = new Pins(canvas, player, offers.mostGrabs, say);
   const pointer = new Pointer(canvas, player, pins);
-  const panel = new Panel({ catalog: offers, limits, player, pins, say, open: (wanted) => void show(player, wanted),
+  const panel = new Panel({ catalog: offers, limits, player, pins, theme, say, open: (wanted) => void show(player, wanted),
     link: () => {
       player.noteCamera();
       return linkTo(player.state);

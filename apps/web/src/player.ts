@@ -1,7 +1,7 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
 import { createWorld, WeftError, type Camera, type Schema, type Statistics, type View, type World, type WorldInfo } from "weft";
 import { checkRoom, type Limits } from "./memory.js";
-import { fetchScene, type LoadedScene } from "./scenes.js";
+import { fetchScene, restated, type LoadedScene } from "./scenes.js";
 import { equal, withKey, type PageState, type Value } from "./state/page_state.js";
 import { isLive } from "./state/parameters.js";
 
@@ -83,7 +83,7 @@ export class Player {
     try {
       if (reason instanceof WeftError && reason.kind === "device-lost") this.discard();
       if (!before) throw reason;
-      await this.load(before);
+      await this.load(restated(before, this.state_)); // with what has been changed since it was opened
     } catch {
       this.events.empty();
       if (!before) throw reason;

@@ -97,17 +97,21 @@ export async function fetchScene(state: PageState, schema: Schema): Promise<Load
   const own = (key: string): unknown => valueAt(file, key) ?? fallbackOf(schema, key);
   const ownGrid = file.cloths?.[0]?.grid ?? null;
   const usual = entry?.nodes ?? (ownGrid ? Math.max(...ownGrid) : 0);
-  const grid = ownGrid && { own: ownGrid, usual, taken: gridOf(ownGrid, state.nodes ?? usual) };
-  return {
-    state, json, own, grid,
+  return restated({
+    state, json, own,
+    grid: ownGrid && { own: ownGrid, usual, taken: gridOf(ownGrid, state.nodes ?? usual) },
     title: entry?.title ?? state.scene,
     description: file.description ?? "",
     meshes,
     obstacleTriangles: Object.values(meshes).reduce((sum, mesh) => sum + trianglesOf(mesh), 0),
     copies: file.cloths?.[0]?.copies?.count ?? 1,
-    set: { ...(grid && { "cloths.0.grid": grid.taken }), ...state.set },
-    now: (key) => state.set[key] ?? own(key),
-  };
+  }, state);
+}
+
+/** The scene with other changes to its keys; its grid stays. */
+export function restated(scene: Omit<LoadedScene, "set" | "now">, state: PageState): LoadedScene {
+  return { ...scene, state, set: { ...(scene.grid && { "cloths.0.grid": scene.grid.taken }), ...state.set },
+    now: (key) => state.set[key] ?? scene.own(key) };
 }
 
 /** A grid of the scene's aspect with this many nodes along its longer side. */

@@ -59,16 +59,18 @@ test("a scene that cannot be fetched is reported, and the one before stays", () 
   expect(seen.errors.filter((error) => !error.includes("404"))).toEqual([]);
 }));
 
-test("a scene that the core refuses is reported, and the one before is opened again", () =>
+test("a scene that the core refuses is reported, and the one before is opened again as it was", () =>
   withBrowser(true, async (browser) => {
     const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`);
     const { page } = seen;
     await ready(page);
+    await page.getByLabel("Gravity", { exact: true }).fill("3");
+    await until("gravity is 3", () => page.evaluate(() => String(window.weft.state!.set["gravity"]) === "0,-3,0"));
     await page.route("**/pull-sphere*.json", (route) => route.fulfill({ json: { format: "weft-scene/1", gravty: 1 } }));
     await page.locator("#scene").selectOption("pull-sphere");
     await until("it is said", async () => (await page.locator("#notice").textContent())!.includes("gravty"));
     await until("the scene before is back", async () => (await page.locator("#scene").inputValue()) === "hanging");
-    expect(await page.evaluate(() => window.weft.world!.info.nodes)).toBe(576);
+    expect(await page.evaluate(() => [window.weft.world!.info.nodes, window.weft.state!.set])).toEqual([576, { gravity: [0, -3, 0] }]);
     await play(page, 2);
     expectClean(seen, site);
   }));
@@ -166,6 +168,10 @@ for (const colorScheme of ["dark", "light"] as const)
     await until("the label", async () => (await page.locator("#reference-label").textContent()) !== "");
     expect(await page.evaluate(() => [...document.querySelectorAll("html, #fallback, #reference")].filter((element) =>
       element.scrollWidth > element.clientWidth).length)).toBe(0);
+    const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const before = await ground();
+    await page.locator("#theme").click();
+    expect(await ground()).not.toBe(before);
     const box = (await page.locator("#reference-play").boundingBox())!;
     expect(box.x >= 0 && box.x + box.width <= 390 && box.height >= 44).toBe(true);
     expectClean(seen, site);

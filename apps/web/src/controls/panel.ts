@@ -14,7 +14,7 @@ import { Passes } from "./passes.js";
 import type { Pins } from "./pins.js";
 import { Readings } from "./readings.js";
 import { ScenePicker } from "./scene_picker.js";
-import { Theme } from "./theme.js";
+import type { Theme } from "./theme.js";
 import { Transport } from "./transport.js";
 import { Views } from "./views.js";
 
@@ -23,6 +23,7 @@ export interface PanelInputs {
   readonly limits: Limits;
   readonly player: Player;
   readonly pins: Pins;
+  readonly theme: Theme;
   open(state: PageState): void;
   /** The address of the page as it is. */
   link(): string;
@@ -39,7 +40,7 @@ export class Panel {
   private info: WorldInfo | null = null;
 
   constructor(private readonly inputs: PanelInputs) {
-    const { catalog, limits, player, pins, open, link, say } = inputs;
+    const { catalog, limits, player, pins, theme, open, link, say } = inputs;
     this.transport = new Transport(player);
     this.picker = new ScenePicker(catalog, limits, () => player.state, open);
     this.views = new Views(player, catalog);
@@ -47,7 +48,7 @@ export class Panel {
     this.passes = new Passes(player);
     const graph = new Graph();
     this.readings = new Readings(graph);
-    const theme = new Theme(() => graph.draw());
+    theme.onChange = () => graph.draw();
     followKeys({ player, pins, theme, views: this.views, help: new Help() });
     offerCopies({ link, readings: () => this.report() }, say);
   }

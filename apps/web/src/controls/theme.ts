@@ -18,8 +18,10 @@ function kept(): Look | null {
 
 export class Theme {
   private chosen = kept();
+  /** Called when colours have changed. */
+  onChange: (() => void) | null = null;
 
-  constructor(private readonly changed: () => void) {
+  constructor() {
     button("theme").addEventListener("click", () => this.toggle());
     system.addEventListener("change", () => this.show());
     this.show();
@@ -40,6 +42,6 @@ export class Theme {
   private show(): void {
     if (this.chosen) document.documentElement.dataset["theme"] = this.chosen;
     element("theme-label", HTMLSpanElement).textContent = this.now === "dark" ? "Light theme" : "Dark theme";
-    this.changed();
+    this.onChange?.();
   }
 }
