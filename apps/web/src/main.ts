@@ -83,10 +83,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const pins = new Pins(canvas, player, offers.mostGrabs, say);
   const pointer = new Pointer(canvas, player, pins);
   const panel = new Panel({ catalog: offers, limits, player, pins, theme, say, open: (wanted) => void show(player, wanted),
-    link: () => {
-      player.noteCamera();
-      return linkTo(player.state);
-    } });
+    link: () => linkTo(player.noteCamera()) });
   followSize(canvas, async (width, height) => {
     await player.resize(width, height);
     pins.draw();

@@ -1,5 +1,6 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
 import { createWorld, WeftError, type Camera, type Schema, type Statistics, type View, type World, type WorldInfo } from "weft";
+import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
 import { equal, withKey, type PageState, type Value } from "./state/page_state.js";
@@ -23,6 +24,8 @@ export interface PlayerEvents {
   failed(sentence: string): void;
 }
 
+interface LiveChange { readonly scene: LoadedScene; readonly value: Value | null; readonly before: Value | null; }
+
 const LOSSES = { most: 3, within: 60_000 }; // a device that is lost more often than this [ms] will be lost again
 const LOSS_SHOWS_WITHIN = 250; // [ms]
 const SCENE_ASPECT = 16 / 9; // of the picture that the scenes' cameras are made for
@@ -40,6 +43,7 @@ export class Player {
   private wantsToPlay = false;
   private hidden = false;
   private state_: PageState;
+  private readonly latest = new Map<string, Latest<LiveChange>>(); // by key
   private home: Camera | null = null; // the camera that the scene came with
   private turn: Promise<void> = Promise.resolve(); // loading and recovery, one after the other
   private newest = 0;
@@ -166,27 +170,43 @@ export class Player {
 
   // Change and look
 
+  // The state changes at once and the world after it: what is asked for next builds on the state.
+
   async setView(view: View): Promise<void> {
-    const shown = await this.ask((world) => world.setView(view).then(() => true));
-    if (this.live && !shown) return; // it has been said why
+    const before = this.state_.view;
     this.change({ ...this.state_, view });
     this.events.viewed(view);
+    const shown = await this.ask((world) => world.setView(view).then(() => true));
+    if (shown || !this.live || this.state_.view !== view) return;
+    this.change({ ...this.state_, view: before }); // it has been said why
+    this.events.viewed(before);
   }
 
   /** Changes a key of the scene while it moves; null: as the scene has it. */
-  async setLive(key: string, value: Value | null): Promise<void> {
+  setLive(key: string, value: Value | null): void {
     const scene = this.scene;
     if (!scene) return;
-    const done = await this.ask((world) => world.setParameter(key, value ?? scene.own(key)).then(() => true));
-    if (done && this.scene === scene) this.change(withKey(this.state_, key, value));
+    const before = this.state_.set[key] ?? null;
+    this.change(withKey(this.state_, key, value));
+    let latest = this.latest.get(key);
+    if (!latest) this.latest.set(key, latest = new Latest((change) => this.carryOut(key, change)));
+    latest.set({ scene, value, before });
   }
 
-  /** Takes up where the camera is: it is turned without the player. Not while the world is busy. */
-  noteCamera(): void {
+  private async carryOut(key: string, { scene, value, before }: LiveChange): Promise<void> {
+    if (this.scene !== scene) return; // what was loaded meanwhile has it already, or is another scene
+    const done = await this.ask((world) => world.setParameter(key, value ?? scene.own(key)).then(() => true));
+    if (!done && this.scene === scene) this.change(withKey(this.state_, key, before)); // it has been said why
+  }
+
+  /** Takes up where the camera is: it is turned without the player. A busy world cannot be asked. */
+  noteCamera(): PageState {
     const world = this.live;
-    if (!world || world.busy) return;
-    const { camera } = world;
-    this.change({ ...this.state_, camera: this.home && near(camera, this.home) ? null : camera });
+    if (world && !world.busy) {
+      const { camera } = world;
+      this.change({ ...this.state_, camera: this.home && near(camera, this.home) ? null : camera });
+    }
+    return this.state_;
   }
 
   private async cameraOf(world: World): Promise<Camera> {

@@ -27,6 +27,7 @@ test("what is changed stands in the address, and the copied link opens the same"
   await page.keyboard.press("4");
   await page.locator("#canvas").focus();
   for (const key of ["ArrowLeft", "ArrowUp", "+"]) await page.keyboard.press(key);
+  await until("the camera is taken up", async () => (await state(page)).camera !== null);
   await page.getByLabel("Gravity", { exact: true }).fill("4.2");
   await page.getByLabel("Gusts").fill("0.35");
   await page.locator("#formulation").selectOption("spring_centric");
@@ -99,5 +100,4 @@ test("more nodes than the adapter has room for are refused with both numbers, be
   const page = await open("?v=1&scene=hanging&nodes=16000");
   expect(await notice(page)).toMatch(/^A cloth of 256,000,000 nodes needs a buffer of [\d.]+ GB, more than this adapter's [\d.]+ [MG]B\.$/);
   expect(await state(page)).toMatchObject({ scene: "hanging", nodes: null });
-  expect(await page.locator("#resolution option:disabled").count()).toBeGreaterThan(0);
 });

@@ -19,7 +19,7 @@ export function followKeys(parts: Parts): void {
     if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || parts.help.shown || !parts.help.keysOn) return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (target.closest("select, input[type=number]")) return; // letters and digits choose there
-    if (event.key === " " && target.closest("button, input, summary, a")) return; // it presses what has the focus
+    if (event.key === " " && target.closest("button, summary, a, input:not([type=range])")) return; // it presses what has the focus
     const action = pageAction(event.key, parts) ?? (parts.player.live && sceneAction(event.key.toLowerCase(), parts));
     if (!action) return;
     event.preventDefault();

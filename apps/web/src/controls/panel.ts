@@ -42,7 +42,7 @@ export class Panel {
   constructor(private readonly inputs: PanelInputs) {
     const { catalog, limits, player, pins, theme, open, link, say } = inputs;
     this.transport = new Transport(player);
-    this.picker = new ScenePicker(catalog, limits, () => player.state, open);
+    this.picker = new ScenePicker(catalog, limits, () => player.noteCamera(), open);
     this.views = new Views(player, catalog);
     this.parameters = new Parameters(catalog, player, open, say);
     this.passes = new Passes(player);

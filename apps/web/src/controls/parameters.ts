@@ -1,7 +1,6 @@
 // The scene's parameters in groups: some change while the cloth moves, the others start the scene anew.
 import { schemaOf, type Catalog, type Schema } from "weft";
 import { element } from "../elements.js";
-import { Latest } from "../latest.js";
 import type { Player } from "../player.js";
 import type { LoadedScene } from "../scenes.js";
 import { blowing, headingOf, scaled, type Vector } from "../state/air.js";
@@ -68,8 +67,8 @@ export class Parameters {
   }
 
   private resetGroup({ live, parameters }: Group): void {
-    if (live) for (const { key } of parameters) void this.player.setLive(key, null);
-    else this.open(parameters.reduce((state, { key }) => withKey(state, key, null), this.player.state));
+    if (live) for (const { key } of parameters) this.player.setLive(key, null);
+    else this.open(parameters.reduce((state, { key }) => withKey(state, key, null), this.player.noteCamera()));
   }
 
   private look({ key, label }: Parameter) {
@@ -82,7 +81,7 @@ export class Parameters {
     const { key, label } = parameter;
     const field = new NumberField(this.look(parameter), (text) => {
       const found = parsed(this.schema, key, text);
-      if ("value" in found) this.open(withKey(this.player.state, key, found.value));
+      if ("value" in found) this.open(withKey(this.player.noteCamera(), key, found.value));
       else this.say(`${label} is “${text}”, but must ${found.must}.`);
       return "value" in found;
     });
@@ -93,15 +92,15 @@ export class Parameters {
   private liveField(parameter: Parameter): Field {
     const { key } = parameter;
     const look = this.look(parameter);
-    const latest = new Latest<Value>((value) => this.player.setLive(key, value));
+    const set = (value: Value) => this.player.setLive(key, value);
     const own = (): Vector => (this.player.loaded?.own(key) as Vector | undefined) ?? STILL;
     const sliders: Slider[] = [];
-    const speed = new Slider({ ...look, step: look.unit ? 0.1 : 0.05 }, (value) => latest.set(
+    const speed = new Slider({ ...look, step: look.unit ? 0.1 : 0.05 }, (value) => set(
       key === GRAVITY ? scaled(own(), value) : key === WIND ? blowing(value, sliders[1]!.value, own()) : value));
     sliders.push(speed);
     if (key === WIND)
       sliders.push(new Slider({ label: "Direction", unit: "°", hint: "Where it blows to, about the vertical: 90° is along x.", step: 1 },
-        (heading) => latest.set(blowing(speed.value, heading, own()))));
+        (heading) => set(blowing(speed.value, heading, own()))));
     const show = (scene: LoadedScene, value: unknown) => {
       const strength = (of: unknown) => (Array.isArray(of) ? Math.hypot(...(of as number[])) : Number(of));
       const most = Math.max(REACH[key] ?? 0, 2 * strength(scene.own(key)), strength(value));
