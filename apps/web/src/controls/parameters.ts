@@ -6,11 +6,11 @@ import type { LoadedScene } from "../scenes.js";
 import { blowing, headingOf, scaled, type Vector } from "../state/air.js";
 import { choicesOf, meaningOf, parsed, rangeOf, unitOf } from "../state/limits.js";
 import { withKey, type PageState, type Value } from "../state/page_state.js";
-import { applies, DRAG, GRAVITY, GROUPS, WIND, type Group, type Parameter } from "../state/parameters.js";
+import { applies, DRAG, GRAVITY, GROUPS, GUSTS, WIND, type Group, type Parameter } from "../state/parameters.js";
 import { NumberField, Slider } from "./fields.js";
 
 const STILL: Vector = [0, 0, 0];
-const REACH: Readonly<Record<string, number>> = { [GRAVITY]: 20, [DRAG]: 10, [WIND]: 15 }; // of sliders, at least
+const REACH: Readonly<Record<string, number>> = { [GRAVITY]: 20, [DRAG]: 10, [WIND]: 15, [GUSTS]: 1 }; // of sliders, at least
 
 interface Field {
   readonly key: string;
@@ -103,7 +103,7 @@ export class Parameters {
         (heading) => set(blowing(speed.value, heading, own()))));
     const show = (scene: LoadedScene, value: unknown) => {
       const strength = (of: unknown) => (Array.isArray(of) ? Math.hypot(...(of as number[])) : Number(of));
-      const most = Math.max(REACH[key] ?? 0, 2 * strength(scene.own(key)), strength(value));
+      const most = Math.max(REACH[key]!, 2 * strength(scene.own(key)), strength(value));
       speed.show(strength(value), 0, Math.min(look.most, Math.ceil(most)));
       if (strength(value) > 0 || !sliders[1]?.value) sliders[1]?.show(headingOf(value as Vector), -180, 180);
     };

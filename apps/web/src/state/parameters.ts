@@ -17,6 +17,7 @@ export const FORMULATION = "solver.forces";
 export const CONTACT_METHOD = "contact.method";
 export const GRAVITY = "gravity";
 export const WIND = "wind.velocity";
+export const GUSTS = "wind.gusts";
 export const SUBSTEPS = "time.substeps";
 export const DRAG = "drag";
 const [DENSITY, NODE_MASS] = ["cloths.0.density", "cloths.0.node_mass"] as const;
@@ -28,7 +29,7 @@ export const GROUPS: readonly Group[] = [
   ] },
   { name: "wind", title: "Wind", live: true, parameters: [
     { key: WIND, label: "Speed" },
-    { key: "wind.gusts", label: "Gusts" },
+    { key: GUSTS, label: "Gusts" },
   ] },
   { name: "cloth", title: "Cloth", live: false, parameters: [
     { key: DENSITY, label: "Density" },
