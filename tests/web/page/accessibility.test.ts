@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterEach, expect, test } from "vitest";
-import { expectClean, opened, ready, until, visit, type Visit } from "./browser.js";
+import { expectClean, frames, opened, ready, until, visit, type Visit } from "./browser.js";
 
 const AXE = readFileSync(join(import.meta.dirname, "../../../node_modules/axe-core/axe.min.js"), "utf8");
 
@@ -41,7 +41,8 @@ for (const colorScheme of ["dark", "light"] as const)
 test("the help takes the focus, keeps it, and gives it back", async () => {
   const page = await open({});
   const focused = () => page.evaluate(() => document.activeElement!.id);
-  await page.locator("#step").focus();
+  await page.locator("#step").click();
+  await until("a frame has passed", async () => (await frames(page)) === 1);
   await page.keyboard.press("?");
   expect(await page.locator("#help").isVisible()).toBe(true);
   for (let i = 0; i < 5; i++) {
@@ -49,6 +50,8 @@ test("the help takes the focus, keeps it, and gives it back", async () => {
     expect(["help", "help-close", "shortcuts", ""]).toContain(await focused()); // "": the browser's own, after the last
   }
   await page.keyboard.press("r"); // behind the dialog no key does anything
+  await page.waitForTimeout(200);
+  expect(await frames(page)).toBe(1);
   await page.keyboard.press("Escape");
   expect(await page.locator("#help").isVisible()).toBe(false);
   expect(await focused()).toBe("step");

@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { brightness, difference, expectClean, frames, picture, play, ready, running, serve, until, visit,
+import { brightness, difference, expectClean, frames, meanVelocity, picture, play, ready, running, serve, until, visit,
   type Site } from "./browser.js";
 import { launch, SOFTWARE_FLAGS } from "../chromium.ts";
 import type { PageHandle } from "../../../apps/web/src/main.js";
@@ -37,6 +37,9 @@ test("a device that is lost is reported, and the cloth runs on", () => withBrows
   await until("it runs again", async () => (await running(page)) && (await frames(page)) > 3);
   expect(await page.evaluate(() => window.weft.world!.view)).toBe("wireframe");
   expect(await page.evaluate(() => window.weft.state!.set)).toEqual({ "contact.method": "bvh", gravity: [0, -3, 0] });
+  const falling = (await meanVelocity(page))[1]; // m/s after a sixtieth of a second
+  expect(falling).toBeLessThan(-0.7 * 3 / 60);
+  expect(falling).toBeGreaterThan(-3 / 60);
   expectClean(seen, site);
 
   await page.keyboard.press("Space"); // a paused one is told too
