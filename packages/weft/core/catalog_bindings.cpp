@@ -1,5 +1,5 @@
-// The functions that packages/weft/src/catalog.ts calls: what there is to choose from. They need neither device
-// nor scene, and leave their answer in weft_message.
+// The functions that packages/weft/src/catalog.ts calls: what there is to choose from. They need neither
+// device nor scene, and leave their answer in weft_message.
 #include <emscripten.h>
 
 #include <array>
@@ -22,8 +22,8 @@ extern "C" {
 /// The JSON Schema of scenes.
 EMSCRIPTEN_KEEPALIVE void weft_schema() { weft::web::message = weft::scene::schema_json(); }
 
-/// As JSON: the colour map as sRGB in [0, 1], from the lowest value to the highest, the values that stand at its
-/// ends by view, and how many nodes can be held at once.
+/// As JSON: the colour map as sRGB in [0, 1], from the lowest value to the highest, the values that stand at
+/// its ends by view, and how many nodes can be held at once.
 EMSCRIPTEN_KEEPALIVE void weft_catalog() {
   nlohmann::ordered_json json;
   json["colors"] = nlohmann::ordered_json::array();
