@@ -141,12 +141,11 @@ double largest_speed(const ContactMover& mover, double begin, double end) {
   return speed + change;
 }
 
-std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double thickness, double frame_begin,
-                                  double frame_end, std::uint32_t substeps) {
+std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double thickness, double begin,
+                                  double end, double step) {
   double speed = 0;
-  for (const ContactMover& mover : movers)
-    speed = std::max(speed, largest_speed(mover, frame_begin, frame_end));
-  const double travel = speed * (frame_end - frame_begin) / substeps;
+  for (const ContactMover& mover : movers) speed = std::max(speed, largest_speed(mover, begin, end));
+  const double travel = speed * step;
   const double factor =
       std::ceil(travel / (0.5 * thickness) * (1 - 1e-12));  // an even bound is not rounded up
   if (!(factor > 1)) return 1;

@@ -37,10 +37,10 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const HostMo
 double largest_speed(const ContactMover& mover, double begin, double end);
 
 inline constexpr std::uint32_t kMostContactSteps = 4096;
-/// By what the substeps of a frame are multiplied so that no mover travels more than half the thickness in
-/// one: contact looks at places at the start of a substep, and must not find a surface passed. At least 1, at
-/// most kMostContactSteps. Times in [s], thickness in [m].
-std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double thickness, double frame_begin,
-                                  double frame_end, std::uint32_t substeps);
+/// By what the substeps of a frame, `step` long, are multiplied so that no mover travels more than half the
+/// thickness in one between two times: contact looks at places at the start of a substep, and must not find a
+/// surface passed. At least 1, at most kMostContactSteps. Times in [s], thickness in [m].
+std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double thickness, double begin,
+                                  double end, double step);
 
 }  // namespace weft

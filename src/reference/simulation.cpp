@@ -90,8 +90,8 @@ Result<void> Simulation::advance_frame() {
   const std::uint64_t contacts = contacts_;
   std::uint32_t count = substeps_;
   if (proximity_)
-    count *=
-        contact_step_factor(movers_, scene_.contact.thickness, time(), time() + scene_.time.frame, count);
+    count *= contact_step_factor(movers_, scene_.contact.thickness, time(), time() + scene_.time.frame,
+                                 scene_.time.frame / count);
   for (std::uint32_t s = 0; s < count; ++s) substep(s, count);
   if (!finite()) {
     system_.position = position;

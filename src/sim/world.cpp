@@ -81,7 +81,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   model_ = std::move(model);
   if (scene_.contact.method == scene::ContactMethod::Proximity)
     movers_ = contact_movers(scene_, model_.host, assets_.objects, assets_.keyframes);
-  most_substeps_ = substeps_ * contact_step_factor(movers_, scene_.contact.thickness, 0, kEver, substeps_);
+  most_substeps_ = substeps_ * contact_step_factor(movers_, scene_.contact.thickness, 0, kEver, step());
   WEFT_TRY(state, State::create(device_, model_.host, most_substeps_));
   state_ = std::move(state);
   options_ = options;
@@ -208,7 +208,7 @@ void World::write_motions(std::uint32_t substeps) {
 
 std::uint32_t World::substeps_of(std::uint32_t frame) const {
   return substeps_ * contact_step_factor(movers_, scene_.contact.thickness, frame * scene_.time.frame,
-                                         (frame + 1) * scene_.time.frame, substeps_);
+                                         (frame + 1) * scene_.time.frame, step());
 }
 
 void World::record_frame(gpu::CommandList& list, std::uint32_t parity, std::uint32_t substeps) const {

@@ -59,12 +59,13 @@ TEST_CASE("the bound of a motion's speed is no less than its samples, and no mor
 TEST_CASE("a frame is cut into the fewest substeps in which nothing moved travels half the thickness") {
   const ContactMover mover{scene::MotionLine{{1, 0, 0}, 4, std::nullopt, 0, 0}, 0, {}};
   // 4 m/s over 1/60 s in 10 substeps: 6.67 mm each; half of 5 mm is 2.5 mm.
-  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 10) == 3);
-  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 27) == 1);
-  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 26) == 2);
-  CHECK(contact_step_factor({&mover, 1}, 2 * 4 / 600.0, 0, 1 / 60.0, 10) == 1);  // just half
-  CHECK(contact_step_factor({}, 0.005, 0, 1 / 60.0, 1) == 1);
-  CHECK(contact_step_factor({&mover, 1}, 1e-12, 0, 1 / 60.0, 1) == kMostContactSteps);
+  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 1 / 600.0) == 3);
+  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 1 / 1620.0) == 1);
+  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 1 / 1560.0) == 2);
+  CHECK(contact_step_factor({&mover, 1}, 2 * 4 / 600.0, 0, 1 / 60.0, 1 / 600.0) == 1);  // just half
+  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1e9, 1 / 600.0) == 3);  // however long it is looked at
+  CHECK(contact_step_factor({}, 0.005, 0, 1 / 60.0, 1 / 60.0) == 1);
+  CHECK(contact_step_factor({&mover, 1}, 1e-12, 0, 1 / 60.0, 1 / 60.0) == kMostContactSteps);
 }
 
 TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they reach, and meshes that deform") {

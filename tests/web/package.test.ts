@@ -1,8 +1,8 @@
 // The package as its users have it: the README's examples, and what each call promises.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
-import { createWorld, meshNames, WeftError, type World, type WorldOptions } from "weft";
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
+import { catalog, createWorld, meshNames, schemaOf, WeftError, type World, type WorldOptions } from "weft";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { gpu } from "./node_gpu.ts";
 
@@ -72,6 +72,19 @@ it("a scene names the meshes of its cloths, its colliders and their keyframes, e
   const names = meshNames({ format: "weft-scene/1", cloths: [{ mesh: "shirt" }, { grid: [2, 2] }], colliders: [{ kind: "plane" }, null,
     { kind: "mesh", mesh: "body", keyframes: [{ time: 1, mesh: "bent" }, { time: 2, mesh: "body" }, null] }, { kind: "mesh", mesh: "chair", keyframes: 3 }] });
   expect(names).toEqual(["shirt", "body", "bent", "chair"]);
+});
+
+it("the catalog has the schema, the colour map and the limits of the core, without a device", async () => {
+  const { schema, colors, ranges, mostGrabs } = await catalog();
+  expect(schemaOf(schema, "contact.method")!.enum).toEqual(["none", "paper", "bvh", "proximity"]);
+  expect(schemaOf(schema, "solver.forces")!.enum).toContain("spring_centric"); // of a variant
+  expect(schemaOf(schema, "cloths.0.stiffness.shear")).toMatchObject({ minimum: 0, maximum: 1e12, default: 2000 });
+  expect(schemaOf(schema, "camera.eye")).toMatchObject({ type: "array", minItems: 3, description: "Where the camera is [m]." });
+  for (const key of ["cloths.0.colour", "cloths.x", "constructor", "gravity.0.1"]) expect(schemaOf(schema, key)).toBeNull();
+  expect(colors[0]!.map((part) => Math.round(255 * part))).toEqual([68, 1, 84]); // viridis
+  expect(colors.at(-1)!.map((part) => Math.round(255 * part))).toEqual([253, 231, 37]);
+  expect(ranges.stretch).toEqual([0.95, 1.15]);
+  expect(mostGrabs).toBe(4);
 });
 
 describe("a world", () => {
@@ -164,6 +177,55 @@ describe("a world", () => {
     const { frames, seconds } = await world.step(7);
     expect([frames, seconds]).toEqual([7, 7 / 60]);
     expect(world.info).toMatchObject({ nodes: 144, triangles: 242 });
+  });
+
+  it("times its passes, and goes on as if it had not", async () => {
+    const options = { scene: scene("pull-sphere"), meshes: { sphere: readFileSync(join(ROOT, "models/sphere.ply")) },
+      set: { "cloths.0.grid": [16, 16], "time.substeps": 4, "time.frame": 0.001 } };
+    const world = await open(options);
+    expect(world.info.timestamps).toBe(true);
+    expect((await failure(world.passTimes())).message).toContain("after a frame");
+    const end = async () => {
+      const { contacts, contactHash } = await world.step(3);
+      return [contacts, contactHash, (await world.snapshot()).hash];
+    };
+    await world.step(2);
+    const untimed = await end();
+    await world.reset();
+    await world.step(2);
+    const times = await world.passTimes();
+    expect(times.map(({ kernel, per }) => `${kernel} a ${per}`)).toEqual(expect.arrayContaining(["find_candidates a search", "advance_grid a step"]));
+    for (const { milliseconds, dispatches } of times) expect([milliseconds >= 0, dispatches >= 1]).toEqual([true, true]);
+    expect(await end()).toEqual(untimed);
+    await world.load(scene("hanging"), { set: { ...small, "time.substeps": 1, "time.frame": 1e-4 } });
+    await world.step(1);
+    expect((await failure(world.passTimes())).message).toContain("1 step");
+  });
+
+  it("counts the time that it leaves out where it is late", async () => {
+    const world = await open();
+    let clock = 0; // ms
+    const now = vi.spyOn(performance, "now").mockImplementation(() => clock);
+    try {
+      let simulated = 0;
+      world.on("frame", () => { simulated += 1; });
+      world.run();
+      const ticks = async (frames: number) => {
+        while (simulated < frames) await new Promise((wake) => setTimeout(wake, 2));
+      };
+      for (let frame = 1; frame <= 4; frame++) {
+        clock += 1000 / 60;
+        await ticks(frame);
+      }
+      expect(world.statistics.droppedSeconds).toBeCloseTo(0, 9);
+      clock += 1000;
+      await ticks(6); // two frames are made up for
+      expect(world.statistics.droppedSeconds).toBeCloseTo(1 - 2 / 60, 9);
+    } finally {
+      now.mockRestore();
+    }
+    await world.reset();
+    expect(world.statistics.droppedSeconds).toBe(0);
   });
 
   it("pulls a held node to its target, and lets it go", async () => {

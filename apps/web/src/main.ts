@@ -1,63 +1,111 @@
-import type { World } from "weft";
+import { catalog, VIEWS, type World } from "weft";
+import { Address, linkTo } from "./address.js";
 import { followSize, setFirstSize } from "./canvas_size.js";
-import { Controls } from "./controls.js";
+import { Panel } from "./controls/panel.js";
+import { Pins } from "./controls/pins.js";
+import { Theme } from "./controls/theme.js";
 import { element } from "./elements.js";
 import { showFallback } from "./fallback.js";
+import { adapterLimits } from "./memory.js";
 import { Notice } from "./notice.js";
-import { Player } from "./player.js";
+import { Player, type PlayerEvents } from "./player.js";
 import { Pointer } from "./pointer.js";
-import { addressOf, choiceOf, type Choice } from "./scenes.js";
-import { Status } from "./status.js";
+import { SCENES } from "./scenes.js";
+import { plain, type PageState } from "./state/page_state.js";
+import { read } from "./state/url_state.js";
 import { missingDevice, missingSupport } from "./support.js";
 
 /** `window.weft`, for tests and the browser's console. `ready` rejects where the page cannot open a world. */
 export interface PageHandle {
   readonly world: World | null;
+  readonly state: PageState | null;
+  /** Nodes that are pinned. */
+  readonly pins: readonly number[];
   readonly ready: Promise<World>;
 }
 
-const canvas = element("canvas", HTMLCanvasElement);
-const notice = new Notice();
-const status = new Status();
-const player = new Player(canvas, {
-  opening(sentence) {
-    pointer.forget();
-    controls.opening();
-    notice.wait(sentence);
-  },
-  opened(scene, info) {
-    controls.opened(scene);
-    status.showFacts(info);
-    notice.wait(null);
-    notice.announce(`${scene.title}: ${info.nodes} nodes.`);
-    history.replaceState(null, "", addressOf(scene.choice));
-  },
-  empty() {
-    controls.empty();
-    status.showFacts(null);
-    notice.wait(null);
-  },
-  playing(on) {
-    controls.playing(on);
-    status.restart();
-    if (on && player.live) notice.clear(); // it has been read
-    notice.announce(on ? "Playing." : "Paused.");
-  },
-  viewed: (view) => controls.viewed(view),
-  frame: (statistics) => status.frame(performance.now(), statistics),
-  said: (sentence) => notice.say(sentence, "plain"),
-  failed: (sentence) => notice.say(sentence),
-});
-const controls = new Controls(player, (choice) => void show(choice));
-const pointer = new Pointer(canvas, player);
+const MOST_NODES = 16384; // along a side, as scenes may have
+const CAMERA_CALM = 400; // how often it is looked at where the camera is [ms]
 
-async function show(choice: Choice): Promise<void> {
+const notice = new Notice();
+const address = new Address();
+const theme = new Theme(); // without WebGPU too
+let page: { player: Player; pins: Pins } | null = null;
+
+/** All that needs WebGPU: the player and what stands around it. */
+async function build(): Promise<{ player: Player; pins: Pins; refused: string | null }> {
+  const canvas = element("canvas", HTMLCanvasElement);
+  setFirstSize(canvas);
+  const [offers, limits] = await Promise.all([catalog(), adapterLimits()]);
+  const { state, refused } = read(location.href,
+    { schema: offers.schema, scenes: SCENES.map(({ name }) => name), view: VIEWS[0], mostNodes: MOST_NODES });
+  let cameraAt = 0;
+  const events: PlayerEvents = {
+    opening(sentence) {
+      pointer.forget();
+      pins.forget();
+      panel.opening();
+      notice.wait(sentence);
+    },
+    opened(scene, info) {
+      panel.opened(scene, info);
+      notice.wait(null);
+      notice.announce(`${scene.title}: ${info.nodes} nodes.`);
+    },
+    empty() {
+      panel.empty();
+      notice.wait(null);
+    },
+    playing(on) {
+      panel.playing(on);
+      if (on && player.live) notice.clear(); // it has been read
+      notice.announce(on ? "Playing." : "Paused.");
+    },
+    viewed: (view) => panel.viewed(view),
+    changed(state) {
+      if (player.loaded) panel.changed(player.loaded, state);
+      address.show(state);
+    },
+    rested: () => pins.forget(),
+    frame(statistics, host) {
+      const now = performance.now();
+      panel.frame(now, statistics, host);
+      pins.draw();
+      if (now - cameraAt < CAMERA_CALM) return;
+      cameraAt = now;
+      setTimeout(() => player.noteCamera(), CAMERA_CALM); // where it has come to by then
+    },
+    said: (sentence) => notice.say(sentence, "plain"),
+    failed: (sentence) => notice.say(sentence),
+  };
+  const player = new Player(canvas, offers.schema, limits, state, events);
+  const say = (sentence: string) => notice.say(sentence, "plain");
+  const pins = new Pins(canvas, player, offers.mostGrabs, say);
+  const pointer = new Pointer(canvas, player, pins);
+  const panel = new Panel({ catalog: offers, limits, player, pins, theme, say, open: (wanted) => void show(player, wanted),
+    link: () => linkTo(player.noteCamera()) });
+  followSize(canvas, async (width, height) => {
+    await player.resize(width, height);
+    pins.draw();
+  });
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden) pointer.cancel();
+    player.setHidden(document.hidden);
+  });
+  player.setHidden(document.hidden);
+  return { player, pins, refused };
+}
+
+/** Opens a scene; false where there is none then, and it has been said why. */
+async function show(player: Player, state: PageState): Promise<boolean> {
   notice.clear();
   try {
-    await player.open(choice);
+    await player.open(state);
+    return true;
   } catch {
     const missing = await missingDevice(); // an input that fails, or no device to try it on?
     if (missing) showFallback(missing);
+    return false;
   }
 }
 
@@ -67,23 +115,29 @@ async function start(): Promise<World> {
     showFallback(missing);
     throw new Error(missing.cause);
   }
-  setFirstSize(canvas);
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  await show(choiceOf(location.href));
+  const { player, pins, refused } = await build();
+  page = { player, pins };
+  const asked = player.state;
+  let sentence = refused;
+  if (!(await show(player, asked)) && Object.keys(asked.set).length + Number(asked.nodes !== null) > 0) {
+    sentence = notice.text; // why it could not be opened as the address asks
+    await show(player, plain(asked.scene, asked.view));
+  }
   if (document.body.classList.contains("without-gpu")) throw new Error("There is no WebGPU device.");
-  followSize(canvas, (width, height) => player.resize(width, height));
-  document.addEventListener("visibilitychange", () => {
-    if (document.hidden) pointer.cancel();
-    player.setHidden(document.hidden);
-  });
-  player.setHidden(document.hidden);
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   if (!still) player.play(true);
   else if (player.live) notice.say("Your system asks for less motion, so the cloth waits until you press Play.", "plain");
+  if (sentence !== null) notice.say(sentence);
   if (!player.world) throw new Error("The first scene could not be opened.");
   return player.world;
 }
 
 const ready = start();
 ready.catch(() => undefined); // said on the page already
-const handle: PageHandle = { get world() { return player.world; }, ready };
+const handle: PageHandle = {
+  get world() { return page?.player.world ?? null; },
+  get state() { return page?.player.state ?? null; },
+  get pins() { return page?.pins.held.map(({ node }) => node) ?? []; },
+  ready,
+};
 Object.assign(window, { weft: handle });

@@ -3,7 +3,7 @@ import { button, element } from "./elements.js";
 /** Sentences to the user: over the cloth where they matter, and aloud where a screen reader is in use. */
 export class Notice {
   private readonly box = element("notice", HTMLDivElement);
-  private readonly text = element("notice-text", HTMLDivElement);
+  private readonly line = element("notice-text", HTMLDivElement);
   private readonly announcer = element("announcer", HTMLParagraphElement);
   private readonly veil = element("veil", HTMLDivElement);
 
@@ -18,8 +18,11 @@ export class Notice {
   say(sentence: string, tone: "error" | "plain" = "error"): void {
     this.box.dataset["tone"] = tone;
     this.box.hidden = false;
-    this.text.textContent = sentence;
+    this.line.textContent = sentence;
   }
+
+  /** What is said over the cloth; null: nothing. */
+  get text(): string | null { return this.box.hidden ? null : this.line.textContent; }
 
   clear(): void { this.box.hidden = true; }
 

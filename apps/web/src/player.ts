@@ -1,6 +1,10 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
-import { createWorld, WeftError, type Statistics, type View, type World, type WorldInfo } from "weft";
-import { fetchScene, type Choice, type LoadedScene } from "./scenes.js";
+import { createWorld, WeftError, type Camera, type Schema, type Statistics, type View, type World, type WorldInfo } from "weft";
+import { Latest } from "./latest.js";
+import { checkRoom, type Limits } from "./memory.js";
+import { fetchScene, restated, type LoadedScene } from "./scenes.js";
+import { equal, withKey, type PageState, type Value } from "./state/page_state.js";
+import { isLive } from "./state/parameters.js";
 
 export interface PlayerEvents {
   /** The world is being built; whatever was held of it is void. */
@@ -10,10 +14,17 @@ export interface PlayerEvents {
   empty(): void;
   playing(on: boolean): void;
   viewed(view: View): void;
-  frame(statistics: Readonly<Statistics>): void;
+  /** The state differs from before: another scene, parameter, view or camera. */
+  changed(state: PageState): void;
+  /** The cloth is at rest again, and nothing of it is held. */
+  rested(): void;
+  /** `host`: what a frame cost the page's thread [ms]; null where it was only drawn. */
+  frame(statistics: Readonly<Statistics>, host: number | null): void;
   said(sentence: string): void;
   failed(sentence: string): void;
 }
+
+interface LiveChange { readonly scene: LoadedScene; readonly value: Value | null; readonly before: Value | null; }
 
 const LOSSES = { most: 3, within: 60_000 }; // a device that is lost more often than this [ms] will be lost again
 const LOSS_SHOWS_WITHIN = 250; // [ms]
@@ -31,30 +42,40 @@ export class Player {
   private scene: LoadedScene | null = null; // what the world holds; null while it must not be asked
   private wantsToPlay = false;
   private hidden = false;
-  private view: View = "textured";
-  private wind: readonly [number, number, number] | null = null;
+  private state_: PageState;
+  private readonly latest = new Map<string, Latest<LiveChange>>(); // by key
+  private home: Camera | null = null; // the camera that the scene came with
   private turn: Promise<void> = Promise.resolve(); // loading and recovery, one after the other
   private newest = 0;
   private recovering = false;
   private losses: number[] = [];
 
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly events: PlayerEvents) {}
+  /** `first`: what is asked for before any scene is open. */
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly schema: Schema, private readonly limits: Limits,
+    first: PageState, private readonly events: PlayerEvents) {
+    this.state_ = first;
+  }
 
   get world(): World | null { return this.open_; }
   /** The world, while it holds a scene. */
   get live(): World | null { return this.scene ? this.open_ : null; }
   get playing(): boolean { return this.wantsToPlay; }
-  get shownView(): View { return this.view; }
+  get shownView(): View { return this.state_.view; }
+  /** What is shown; while another scene loads, what was shown before. */
+  get state(): PageState { return this.state_; }
+  get loaded(): LoadedScene | null { return this.scene; }
 
   /** Shows a scene; where it cannot be opened, the one before. Rejects only the first time, when there is nothing to show. */
-  open(choice: Choice): Promise<void> {
+  open(state: PageState): Promise<void> {
     const number = ++this.newest;
     return this.inTurn(async () => {
       if (number !== this.newest) return; // another was chosen meanwhile
       this.events.opening("Loading the scene …");
       const before = this.scene;
       try {
-        await this.load(await fetchScene(choice));
+        const scene = await fetchScene(state, this.schema);
+        checkRoom(scene, this.limits);
+        await this.load(scene);
       } catch (reason) {
         await this.reopen(before, reason);
       }
@@ -66,7 +87,7 @@ export class Player {
     try {
       if (reason instanceof WeftError && reason.kind === "device-lost") this.discard();
       if (!before) throw reason;
-      await this.load(before);
+      await this.load(restated(before, this.state_)); // with what has been changed since it was opened
     } catch {
       this.events.empty();
       if (!before) throw reason;
@@ -78,23 +99,34 @@ export class Player {
     this.scene = null;
     this.open_?.pause();
     if (this.open_) await this.open_.load(scene.json, options);
-    else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.view }));
-    this.wind = null;
-    await this.settle(scene);
+    else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.state_.view }));
+    await this.settle(scene, scene.state);
   }
 
   /** The world holds this scene now. */
-  private async settle(scene: LoadedScene): Promise<void> {
+  private async settle(scene: LoadedScene, state: PageState): Promise<void> {
     const world = this.open_!;
     await this.fitCamera(world);
+    this.home = await this.cameraOf(world);
+    if (state.camera) world.camera = state.camera;
+    if (world.view !== state.view) await world.setView(state.view);
     this.scene = scene;
+    this.state_ = state;
+    this.events.viewed(state.view);
     this.events.opened(scene, world.info);
+    this.events.changed(state);
     this.follow();
+  }
+
+  private change(state: PageState): void {
+    if (equal(state, this.state_)) return;
+    this.state_ = state;
+    this.events.changed(state);
   }
 
   private adopt(world: World): void {
     this.open_ = world;
-    world.on("frame", (statistics) => this.events.frame(statistics));
+    world.on("frame", (statistics) => this.events.frame(statistics, world.running ? world.hostMilliseconds : null));
     world.on("error", (error) => { // what the scene before still has to say is of no interest while another loads
       if (this.scene || error.kind === "device-lost") void this.fail(error);
     });
@@ -132,20 +164,54 @@ export class Player {
     await this.ask((world) => world.step());
   }
 
-  async reset(): Promise<void> { await this.ask((world) => world.reset()); }
+  async reset(): Promise<void> {
+    if (await this.ask((world) => world.reset().then(() => true))) this.events.rested();
+  }
 
   // Change and look
 
+  // The state changes at once and the world after it: what is asked for next builds on the state.
+
   async setView(view: View): Promise<void> {
-    const shown = await this.ask((world) => world.setView(view).then(() => true));
-    if (this.live && !shown) return; // it has been said why
-    this.view = view;
+    const before = this.state_.view;
+    this.change({ ...this.state_, view });
     this.events.viewed(view);
+    const shown = await this.ask((world) => world.setView(view).then(() => true));
+    if (shown || !this.live || this.state_.view !== view) return;
+    this.change({ ...this.state_, view: before }); // it has been said why
+    this.events.viewed(before);
   }
 
-  async setWind(velocity: readonly [number, number, number]): Promise<void> {
-    this.wind = velocity;
-    await this.ask((world) => world.setParameter("wind.velocity", velocity));
+  /** Changes a key of the scene while it moves; null: as the scene has it. */
+  setLive(key: string, value: Value | null): void {
+    const scene = this.scene;
+    if (!scene) return;
+    const before = this.state_.set[key] ?? null;
+    this.change(withKey(this.state_, key, value));
+    let latest = this.latest.get(key);
+    if (!latest) this.latest.set(key, latest = new Latest((change) => this.carryOut(key, change)));
+    latest.set({ scene, value, before });
+  }
+
+  private async carryOut(key: string, { scene, value, before }: LiveChange): Promise<void> {
+    if (this.scene !== scene) return; // what was loaded meanwhile has it already, or is another scene
+    const done = await this.ask((world) => world.setParameter(key, value ?? scene.own(key)).then(() => true));
+    if (!done && this.scene === scene) this.change(withKey(this.state_, key, before)); // it has been said why
+  }
+
+  /** Takes up where the camera is: it is turned without the player. A busy world cannot be asked. */
+  noteCamera(): PageState {
+    const world = this.live;
+    if (world && !world.busy) {
+      const { camera } = world;
+      this.change({ ...this.state_, camera: this.home && near(camera, this.home) ? null : camera });
+    }
+    return this.state_;
+  }
+
+  private async cameraOf(world: World): Promise<Camera> {
+    while (world.busy) await new Promise((wake) => setTimeout(wake));
+    return world.camera;
   }
 
   async resetCamera(): Promise<void> {
@@ -232,8 +298,11 @@ export class Player {
       const world = this.open_!;
       await world.recover();
       this.watch(world);
-      if (this.wind) await world.setParameter("wind.velocity", this.wind);
-      await this.settle(scene);
+      const { set } = this.state_;
+      for (const [key, value] of Object.entries(set)) if (isLive(key)) await world.setParameter(key, value);
+      // What the address had changed and was put back since, the world starts with again.
+      for (const key of Object.keys(scene.state.set)) if (isLive(key) && !(key in set)) await world.setParameter(key, scene.own(key));
+      await this.settle(scene, this.state_);
       this.events.said(`The GPU device was lost and has been opened again; the scene starts anew. (${cause})`);
     } catch (reason) {
       this.discard();
@@ -248,4 +317,11 @@ export class Player {
     this.turn = done.catch(() => undefined);
     return done;
   }
+}
+
+/** Whether two cameras are one but for rounding. */
+function near(a: Camera, b: Camera): boolean {
+  const size = Math.hypot(...b.eye.map((value, axis) => value - b.target[axis]!));
+  return [a.eye, a.target].every((point, i) => point.every((value, axis) =>
+    Math.abs(value - (i === 0 ? b.eye : b.target)[axis]!) < 1e-4 * size));
 }

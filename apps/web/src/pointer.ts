@@ -1,6 +1,7 @@
 // Pointers on the canvas. One on the cloth takes hold of it, one beside it turns the camera, the right button or two
-// fingers move it, wheel and pinch zoom. Moves are gathered and handed on once a picture: the world does them in turn.
+// fingers move it, wheel and pinch zoom. A node that is pinned is pulled too, and stays where it is left. Moves are gathered and handed on once a picture: the world does them in turn.
 import { WeftError, type Point, type World } from "weft";
+import type { Pins } from "./controls/pins.js";
 import { Latest } from "./latest.js";
 import type { Player } from "./player.js";
 
@@ -28,7 +29,8 @@ export class Pointer {
   private readonly drags = new Latest<{ node: number; target: Point }>(({ node, target }) =>
     this.player.ask((world) => world.drag(node, target)));
 
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly player: Player) {
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly player: Player,
+    private readonly pins: Pins) {
     canvas.addEventListener("pointerdown", (event) => this.onDown(event));
     canvas.addEventListener("pointermove", (event) => this.onMove(event));
     for (const name of ["pointerup", "pointercancel", "lostpointercapture"] as const)
@@ -90,10 +92,11 @@ export class Pointer {
     const { x, y } = this.clip(this.last);
     const held = await this.player.ask(async (world) => {
       const picked = await world.pick(x, y);
+      if (picked && this.pins.has(picked.node)) return picked; // it is held already
       return picked && this.gesture === mine && (await free(world.grab(picked.node, picked.point))) ? picked : null;
     });
     if (this.gesture !== mine) { // the pointer is up again, or another came
-      if (held) void this.player.ask((world) => world.release(held.node));
+      if (held && !this.pins.has(held.node)) void this.player.ask((world) => world.release(held.node));
       return;
     }
     if (!held) {
@@ -108,7 +111,7 @@ export class Pointer {
   private begin(next: Gesture): void {
     const before = this.gesture;
     this.gesture = next;
-    if (before.kind === "grab") void this.player.ask((world) => world.release(before.node));
+    if (before.kind === "grab" && !this.pins.has(before.node)) void this.player.ask((world) => world.release(before.node));
     this.mark();
   }
 
@@ -147,7 +150,9 @@ export class Pointer {
   private moveGrab(world: World, { node, point }: { node: number; point: Point }): void {
     if (world.busy) return this.schedule(); // a place on the canvas can be asked for only between the world's calls
     const { x, y } = this.clip(this.centre());
-    this.drags.set({ node, target: world.pointAt(x, y, point) });
+    const target = world.pointAt(x, y, point);
+    this.drags.set({ node, target });
+    this.pins.moved(node, target);
   }
 
   // Wheel and keys

@@ -1,11 +1,12 @@
 // The reference on the CPU, played in real time and drawn on a 2D canvas: what a page without WebGPU can show.
-import { createReference, type Reference } from "weft";
+import { catalog, createReference, VIEWS, type Reference } from "weft";
 import { followSize, setFirstSize } from "./canvas_size.js";
 import { ClothSketch, type Look } from "./cloth_sketch.js";
 import { fetchScene, type Grid } from "./scenes.js";
+import { plain } from "./state/page_state.js";
 
 /** Never at rest. 24 × 18 nodes take a fifth of a frame, with the drawing (docs/reference.md): slower machines keep up too. */
-const SHOWN = { name: "breeze", nodes: 24 } as const;
+const SHOWN = { ...plain("breeze", VIEWS[0]), nodes: 24 };
 const HALF_TURN = Math.PI; // of the camera, for a drag over the canvas's height [rad]
 const KEY_TURN = 0.1; // of the camera, for an arrow key [rad]
 
@@ -32,7 +33,7 @@ export class ReferencePlayer {
 
   /** Builds the scene and draws it at rest. */
   static async create(canvas: HTMLCanvasElement, events: ReferencePlayerEvents): Promise<ReferencePlayer> {
-    const { json, set } = await fetchScene(SHOWN);
+    const { json, set } = await fetchScene(SHOWN, (await catalog()).schema);
     const { camera } = JSON.parse(json) as { camera: { eye: Look["eye"]; target: Look["target"]; fov_degrees: number } };
     const reference = await createReference({ scene: json, set });
     const context = canvas.getContext("2d");

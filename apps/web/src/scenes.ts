@@ -1,48 +1,68 @@
 // The scenes that the page offers, and their files. Vite gives every file that is there an address on the page's own
 // origin, in the build and while developing; what is not there is not offered.
-import { meshNames } from "weft";
+import { meshNames, schemaOf, type Schema } from "weft";
+import type { PageState } from "./state/page_state.js";
 
-const SCENE_FILES = import.meta.glob<string>(
-  "../../../scenes/{breeze,hanging,pull-sphere,pull-armadillo,pull-dragon,drag}.json",
-  { query: "?url", import: "default", eager: true });
+const SCENE_FILES = import.meta.glob<string>("../../../scenes/*.json", { query: "?url", import: "default", eager: true });
 const MODEL_FILES = import.meta.glob<string>("../../../models/{sphere,armadillo,dragon}.ply",
   { query: "?url", import: "default", eager: true });
 
-export interface SceneEntry { name: string; title: string; }
-
-export const SCENES: readonly SceneEntry[] = [
-  { name: "breeze", title: "Breeze" },
-  { name: "hanging", title: "Hanging" },
-  { name: "pull-sphere", title: "Pulled over a sphere" },
-  { name: "pull-armadillo", title: "Pulled over the armadillo" },
-  { name: "pull-dragon", title: "Pulled over the dragon" },
-  { name: "drag", title: "A corner drawn up" },
-].filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined);
-
-/** Nodes along the longer side that the page offers; a scene's own number comes on top. */
-export const RESOLUTIONS = [32, 64, 100, 128, 200, 256] as const;
-const MOST_NODES = 1024; // along a side, by an address; the core says what the GPU cannot hold
-
-/** What to show. */
-export interface Choice {
-  name: string;
-  /** Along the longer side; null: as the scene says. */
-  nodes: number | null;
+export interface SceneEntry {
+  readonly name: string;
+  readonly title: string;
+  /** Along the longer side, where the scene's own number is more than a laptop's GPU plays with. */
+  readonly nodes?: number;
 }
+
+export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: readonly SceneEntry[] }[] = [
+  { title: "In the air", scenes: [
+    { name: "breeze", title: "Breeze" },
+    { name: "flag", title: "Flag in a storm", nodes: 64 },
+    { name: "hanging", title: "Hanging" },
+    { name: "drag", title: "A corner drawn up" },
+    { name: "hanging-paper", title: "Hanging, in the paper's units" },
+  ] },
+  { title: "Pulled over", scenes: [
+    { name: "pull-sphere", title: "Pulled over a sphere" },
+    { name: "pull-armadillo", title: "Pulled over the armadillo" },
+    { name: "pull-dragon", title: "Pulled over the dragon" },
+  ] },
+  { title: "Draped over", scenes: [
+    { name: "drape-sphere", title: "Draped over a sphere", nodes: 80 },
+    { name: "drape-armadillo", title: "Draped over the armadillo", nodes: 80 },
+    { name: "drape-dragon", title: "Draped over the dragon", nodes: 80 },
+  ] },
+  { title: "On itself and on things", scenes: [
+    { name: "twist", title: "Twisted", nodes: 80 },
+    { name: "stack", title: "A stack of sheets", nodes: 24 },
+    { name: "funnel", title: "Into a funnel", nodes: 64 },
+    { name: "shot", title: "A ball flies in", nodes: 64 },
+    { name: "incline", title: "On a slope" },
+  ] },
+].map(({ title, scenes }) => ({ title, scenes: scenes.filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined) }));
+
+export const SCENES: readonly SceneEntry[] = SCENE_GROUPS.flatMap(({ scenes }) => scenes);
 
 export type Grid = readonly [number, number];
 
 /** A scene with all that it needs. */
 export interface LoadedScene {
-  choice: Choice;
-  title: string;
-  json: string;
-  meshes: Record<string, ArrayBuffer>;
-  /** The scene's own grid of its first cloth; null where that is a mesh. */
-  ownGrid: Grid | null;
-  set: Record<string, unknown>;
-  /** [m/s]; null where nothing blows. */
-  wind: readonly [number, number, number] | null;
+  readonly state: PageState;
+  readonly title: string;
+  readonly description: string;
+  readonly json: string;
+  readonly meshes: Record<string, ArrayBuffer>;
+  /** The first cloth's grid: the scene's own, what the page takes where nothing is asked for, and what is taken. */
+  readonly grid: { readonly own: Grid; readonly usual: number; readonly taken: Grid } | null;
+  /** How often the first cloth stands. */
+  readonly copies: number;
+  /** Of its meshes. */
+  readonly obstacleTriangles: number;
+  readonly set: Record<string, unknown>;
+  /** What the scene's file says of a key, or else the format. */
+  own(key: string): unknown;
+  /** The same, with what the page has changed. */
+  now(key: string): unknown;
 }
 
 function fileOf(files: Record<string, string>, name: string): string | undefined {
@@ -61,21 +81,37 @@ async function fetched(address: string | undefined, what: string): Promise<Respo
   return answer;
 }
 
-export async function fetchScene(choice: Choice): Promise<LoadedScene> {
-  const json = await (await fetched(fileOf(SCENE_FILES, choice.name), `The scene ${choice.name}`)).text();
+interface SceneFile {
+  readonly title?: string;
+  readonly description?: string;
+  readonly cloths?: readonly { readonly grid?: Grid; readonly copies?: { readonly count: number } }[];
+}
+
+export async function fetchScene(state: PageState, schema: Schema): Promise<LoadedScene> {
+  const json = await (await fetched(fileOf(SCENE_FILES, state.scene), `The scene ${state.scene}`)).text();
   const models = meshNames(json).map(async (name) =>
     [name, await (await fetched(fileOf(MODEL_FILES, name), `The model ${name}`)).arrayBuffer()] as const);
-  const parsed = JSON.parse(json) as {
-    cloths?: { grid?: Grid }[]; wind?: { velocity?: [number, number, number] } };
-  const ownGrid = parsed.cloths?.[0]?.grid ?? null;
-  const grid = ownGrid && choice.nodes !== null ? gridOf(ownGrid, choice.nodes) : null;
-  return {
-    choice, json, ownGrid,
-    title: SCENES.find(({ name }) => name === choice.name)?.title ?? choice.name,
-    meshes: Object.fromEntries(await Promise.all(models)),
-    set: grid ? { "cloths.0.grid": grid } : {},
-    wind: parsed.wind?.velocity ?? null,
-  };
+  const meshes = Object.fromEntries(await Promise.all(models));
+  const file = JSON.parse(json) as SceneFile;
+  const entry = SCENES.find(({ name }) => name === state.scene);
+  const own = (key: string): unknown => valueAt(file, key) ?? fallbackOf(schema, key);
+  const ownGrid = file.cloths?.[0]?.grid ?? null;
+  const usual = entry?.nodes ?? (ownGrid ? Math.max(...ownGrid) : 0);
+  return restated({
+    state, json, own,
+    grid: ownGrid && { own: ownGrid, usual, taken: gridOf(ownGrid, state.nodes ?? usual) },
+    title: entry?.title ?? state.scene,
+    description: file.description ?? "",
+    meshes,
+    obstacleTriangles: Object.values(meshes).reduce((sum, mesh) => sum + trianglesOf(mesh), 0),
+    copies: file.cloths?.[0]?.copies?.count ?? 1,
+  }, state);
+}
+
+/** The scene with other changes to its keys; its grid stays. */
+export function restated(scene: Omit<LoadedScene, "set" | "now">, state: PageState): LoadedScene {
+  return { ...scene, state, set: { ...(scene.grid && { "cloths.0.grid": scene.grid.taken }), ...state.set },
+    now: (key) => state.set[key] ?? scene.own(key) };
 }
 
 /** A grid of the scene's aspect with this many nodes along its longer side. */
@@ -85,14 +121,15 @@ export function gridOf(own: Grid, nodes: number): Grid {
   return [along(own[0]), along(own[1])];
 }
 
-/** What the page's address asks for, as ?scene=hanging&nodes=64; the first scene at its own size where it says nothing. */
-export function choiceOf(address: string): Choice {
-  const asked = new URL(address).searchParams;
-  const name = SCENES.find((scene) => scene.name === asked.get("scene"))?.name ?? SCENES[0]?.name ?? "";
-  const nodes = Number(asked.get("nodes"));
-  return { name, nodes: Number.isInteger(nodes) && nodes >= 2 && nodes <= MOST_NODES ? nodes : null };
+/** What a PLY file's header says of its faces. */
+function trianglesOf(mesh: ArrayBuffer): number {
+  const header = new TextDecoder("latin1").decode(mesh.slice(0, 1024));
+  return Number(/^element face (\d+)/m.exec(header)?.[1] ?? 0);
 }
 
-export function addressOf({ name, nodes }: Choice): string {
-  return `?scene=${name}${nodes === null ? "" : `&nodes=${nodes}`}`;
+function valueAt(file: unknown, key: string): unknown {
+  return key.split(".").reduce<unknown>((at, part) =>
+    (typeof at === "object" && at !== null ? (at as Record<string, unknown>)[part] : undefined), file);
 }
+
+const fallbackOf = (schema: Schema, key: string): unknown => schemaOf(schema, key)?.default;

@@ -115,7 +115,7 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_release(std::uint32_t node) {
 }
 
 /// frames reported, simulated s, contacts, contact hash, contact overflow, largest stretch, nodes that are
-/// not finite; null where there is no world.
+/// not finite, most pairs listed at the end of a frame; null where there is no world.
 EMSCRIPTEN_KEEPALIVE const double* weft_totals() {
   if (session == nullptr || session->world() == nullptr) return nullptr;
   const weft::sim::World& world = *session->world();
@@ -123,7 +123,7 @@ EMSCRIPTEN_KEEPALIVE const double* weft_totals() {
   return give({static_cast<double>(totals.frames), totals.frames * world.scene().time.frame,
                static_cast<double>(totals.contacts), static_cast<double>(totals.contact_hash),
                static_cast<double>(totals.contact_overflow), static_cast<double>(totals.max_stretch),
-               static_cast<double>(totals.nonfinite)});
+               static_cast<double>(totals.nonfinite), static_cast<double>(totals.pairs)});
 }
 EMSCRIPTEN_KEEPALIVE double weft_gpu_bytes() {
   if (session == nullptr || session->world() == nullptr) return 0;
@@ -134,6 +134,12 @@ EMSCRIPTEN_KEEPALIVE double weft_gpu_bytes() {
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_snapshot() {
   const std::uint32_t failed = with_world([](Session& s) { return s.take_snapshot(); });
   if (failed == 0) message = session->snapshot().hash();
+  return failed;
+}
+/// Sleeps. Leaves the times in weft_message.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_time_passes() {
+  const std::uint32_t failed = with_world([](Session& s) { return s.time_passes(); });
+  if (failed == 0) message = session->pass_times();
   return failed;
 }
 /// After weft_open and before weft_load. `format`: a gpu::TextureFormat.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bench/kernel_times.hpp"
 #include "inputs.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
@@ -13,12 +14,15 @@ namespace {
 /// Measured at 256² to 1024² nodes: a world takes 176, and while its shape is exported, 351.
 constexpr std::uint64_t kHostBytesPerNode = 360;
 
+constexpr std::uint32_t kTimedFrames = 9;  // the median of so many
+
 }  // namespace
 
 Result<void> Session::open(const std::string& adapter) {
   close();
   gpu::DeviceOptions options;
   options.adapter = adapter;
+  options.timestamps = true;
   WEFT_TRY(device, gpu::Device::create(options));
   device_ = std::move(device);
   return {};
@@ -139,6 +143,25 @@ Result<void> Session::export_mesh(const std::string& format) {
   return {};
 }
 
+Result<void> Session::time_passes() {
+  WEFT_CHECK(world_->finish());
+  if (world_->frame() == 0)
+    return make_error(ErrorKind::Failure, "Nothing has been simulated yet: passes are timed after a frame.");
+  if (world_->substeps() < 2)
+    return make_error(ErrorKind::Failure, "A frame of this scene has 1 step; passes are timed over 2.");
+  WEFT_TRY(before, world_->snapshot());
+  WEFT_TRY(kernels, bench::time_kernels(*world_, kTimedFrames));
+  world_->restore(before);
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const bench::KernelTime& one : kernels)
+    json.push_back({{"kernel", one.kernel},
+                    {"per", one.per},
+                    {"dispatches", one.dispatches},
+                    {"milliseconds", one.milliseconds}});
+  pass_times_ = json.dump();
+  return {};
+}
+
 std::string Session::describe() const {
   const sim::World& world = *world_;
   nlohmann::ordered_json json = web::describe(
@@ -146,6 +169,7 @@ std::string Session::describe() const {
   json["view"] = scene::name_of(shown_);
   json["adapter"] = device_->adapter().name;
   json["gpuBytes"] = device_->allocated_bytes();
+  json["timestamps"] = device_->has_timestamps();
   return json.dump();
 }
 

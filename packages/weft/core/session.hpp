@@ -42,6 +42,11 @@ class Session {
   Result<void> export_mesh(const std::string& format);
   const std::vector<std::byte>& exported() const { return exported_; }
 
+  /// What each kernel takes, as JSON: empty where the adapter has no timestamps. The state is as it was then.
+  /// Errors  Failure: nothing was simulated, or a frame has one step. DeviceLost.
+  Result<void> time_passes();
+  const std::string& pass_times() const { return pass_times_; }
+
   /// What was loaded, as JSON.
   std::string describe() const;
   sim::World* world() { return world_.get(); }
@@ -60,6 +65,7 @@ class Session {
   std::optional<render::PickedNode> picked_;
   sim::Snapshot snapshot_;
   std::vector<std::byte> exported_;
+  std::string pass_times_;
 };
 
 }  // namespace weft::web

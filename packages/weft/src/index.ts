@@ -1,8 +1,9 @@
 // weft: real-time cloth on WebGPU. README.md has an example.
+export { catalog, schemaOf, type Catalog, type Schema } from "./catalog.js";
 export { WeftError } from "./error.js";
 export type { ErrorKind } from "./gpu_tables.js";
 export { createReference, Reference, type ReferenceInfo, type ReferenceOptions } from "./reference.js";
 export { meshNames, type Bytes, type Scene } from "./scene.js";
 export { createWorld, World } from "./world.js";
-export { VIEWS, type Camera, type MemoryUse, type Pick, type Point, type SceneOptions, type Snapshot, type Statistics,
+export { VIEWS, type Camera, type MemoryUse, type PassTime, type Pick, type Point, type SceneOptions, type Snapshot, type Statistics,
   type StepOptions, type View, type WorldInfo, type WorldOptions } from "./world_types.js";

@@ -1,7 +1,7 @@
 import { Core } from "./core.js";
 import { WeftError } from "./error.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
-import { VIEWS, type Camera, type Events, type MemoryUse, type Pick, type Point, type SceneOptions, type Snapshot,
+import { VIEWS, type Camera, type Events, type MemoryUse, type PassTime, type Pick, type Point, type SceneOptions, type Snapshot,
   type Statistics, type StepOptions, type View, type WorldInfo, type WorldOptions } from "./world_types.js";
 
 /** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
@@ -30,7 +30,7 @@ export class World {
   private current: WorldInfo | null = null;
   private scene: { scene: Scene; set: Readonly<Record<string, unknown>> } = { scene: "", set: {} };
   private readonly totals: Statistics = { frames: 0, seconds: 0, contacts: 0, contactHash: 0, contactOverflow: 0,
-    maxStretch: 0, nonfinite: 0 };
+    maxStretch: 0, nonfinite: 0, pairs: 0, droppedSeconds: 0 };
   private shownView: View;
   private playing = false;
   private lastTick = 0;
@@ -90,6 +90,7 @@ export class World {
       this.core.call("describe");
       this.current = JSON.parse(this.core.text()) as WorldInfo;
       this.shownView = this.current.view;
+      this.totals.droppedSeconds = 0;
     });
     this.changed();
   }
@@ -142,6 +143,7 @@ export class World {
   async reset(): Promise<void> {
     this.loaded();
     await this.core.sleep("reset");
+    this.totals.droppedSeconds = 0;
     this.changed();
   }
 
@@ -244,6 +246,15 @@ export class World {
   /** x, y, z of every node in model order [m]. */
   async positions(): Promise<Float32Array> { return (await this.snapshot()).positions; }
 
+  /**
+   * What each kernel takes on the GPU, over a few frames of two steps whose passes are apart: shares, not totals. The
+   * state stays as it is. Empty where `info.timestamps` is false; fails before the first frame.
+   */
+  async passTimes(): Promise<PassTime[]> {
+    this.loaded();
+    return this.core.sleep("time_passes", [], () => JSON.parse(this.core.text()) as PassTime[]);
+  }
+
   /** The cloths' shape as a file. */
   async exportMesh(format: "obj" | "ply"): Promise<Uint8Array<ArrayBuffer>> {
     this.loaded();
@@ -303,7 +314,9 @@ export class World {
     if (this.playing) {
       const frameSeconds = this.info.frameSeconds;
       // What is late by more than a frame is dropped: slower than real time, never a burst.
-      this.due = Math.min(this.due + (now - this.lastTick) / 1000, 2 * frameSeconds);
+      const due = this.due + (now - this.lastTick) / 1000;
+      this.due = Math.min(due, 2 * frameSeconds);
+      this.totals.droppedSeconds += due - this.due;
       this.lastTick = now;
       // A display of 60 Hz ticks a little early or late; half a millisecond of slack keeps one frame a tick.
       if (this.due + 5e-4 >= frameSeconds && this.core.now("_weft_has_room") !== 0) {
@@ -331,6 +344,7 @@ export class World {
     this.totals.contactOverflow = values[at + 4]!;
     this.totals.maxStretch = values[at + 5]!;
     this.totals.nonfinite = values[at + 6]!;
+    this.totals.pairs = values[at + 7]!;
   }
 
   private numbers(name: string, count: number, ...args: number[]): number[] {

@@ -49,6 +49,8 @@ export interface WorldInfo {
   /** Triangles of obstacles without area, left out. */
   droppedTriangles: number;
   gpuBytes: number;
+  /** Whether the adapter can time passes. */
+  timestamps: boolean;
 }
 
 /** What the frames so far have reported; up to three frames old. */
@@ -62,6 +64,19 @@ export interface Statistics {
   /** Largest length / rest length at the end of any frame. */
   maxStretch: number;
   nonfinite: number;
+  /** Pairs that contact by proximity listed at the end of a frame, the most of any. */
+  pairs: number;
+  /** Simulated time that came due while running and was left out, since the machine was late [s]. */
+  droppedSeconds: number;
+}
+
+/** What the dispatches of one kernel took together. */
+export interface PassTime {
+  kernel: string;
+  /** Of a search for pairs, a step, or the end of a frame. */
+  per: "search" | "step" | "frame";
+  dispatches: number;
+  milliseconds: number;
 }
 
 export interface Snapshot {

@@ -129,3 +129,17 @@ export function expectClean({ errors, requests }: Visit, site: Site): void {
   const foreign = requests.filter((request) => !request.startsWith(site.address) && !request.startsWith("blob:"));
   if (foreign.length > 0) throw new Error(`The page asks elsewhere: ${foreign.join(", ")}`);
 }
+
+/** One frame from the rest state: the mean velocity of the nodes [m/s], what a change of gravity or wind shows in. */
+export async function meanVelocity(page: Page): Promise<[number, number, number]> {
+  return page.evaluate(async () => {
+    const world = window.weft.world!;
+    world.pause();
+    await world.reset();
+    await world.step();
+    const { velocities } = await world.snapshot();
+    const sum: [number, number, number] = [0, 0, 0];
+    for (let i = 0; i < velocities.length; i++) sum[i % 3]! += (3 * velocities[i]!) / velocities.length;
+    return sum;
+  });
+}

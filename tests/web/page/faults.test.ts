@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { brightness, difference, expectClean, frames, picture, play, ready, running, serve, until, visit,
+import { brightness, difference, expectClean, frames, meanVelocity, picture, play, ready, running, serve, until, visit,
   type Site } from "./browser.js";
 import { launch, SOFTWARE_FLAGS } from "../chromium.ts";
 import type { PageHandle } from "../../../apps/web/src/main.js";
@@ -27,11 +27,19 @@ test("a device that is lost is reported, and the cloth runs on", () => withBrows
   const { page } = seen;
   await ready(page);
   await page.keyboard.press("2");
+  await page.locator("#contact").selectOption("bvh");
+  await until("it is loaded", () => page.evaluate(() => window.weft.state!.set["contact.method"] === "bvh"));
+  await page.getByLabel("Gravity", { exact: true }).fill("3");
+  await until("gravity is 3", () => page.evaluate(() => String(window.weft.state!.set["gravity"]) === "0,-3,0"));
   await play(page, 3);
   await page.evaluate(() => window.weft.world!.device!.destroy());
   await until("it is said", async () => /lost.*opened again/.test((await page.locator("#notice").textContent())!));
   await until("it runs again", async () => (await running(page)) && (await frames(page)) > 3);
   expect(await page.evaluate(() => window.weft.world!.view)).toBe("wireframe");
+  expect(await page.evaluate(() => window.weft.state!.set)).toEqual({ "contact.method": "bvh", gravity: [0, -3, 0] });
+  const falling = (await meanVelocity(page))[1]; // m/s after a sixtieth of a second
+  expect(falling).toBeLessThan(-0.7 * 3 / 60);
+  expect(falling).toBeGreaterThan(-3 / 60);
   expectClean(seen, site);
 
   await page.keyboard.press("Space"); // a paused one is told too
@@ -54,16 +62,18 @@ test("a scene that cannot be fetched is reported, and the one before stays", () 
   expect(seen.errors.filter((error) => !error.includes("404"))).toEqual([]);
 }));
 
-test("a scene that the core refuses is reported, and the one before is opened again", () =>
+test("a scene that the core refuses is reported, and the one before is opened again as it was", () =>
   withBrowser(true, async (browser) => {
     const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`);
     const { page } = seen;
     await ready(page);
+    await page.getByLabel("Gravity", { exact: true }).fill("3");
+    await until("gravity is 3", () => page.evaluate(() => String(window.weft.state!.set["gravity"]) === "0,-3,0"));
     await page.route("**/pull-sphere*.json", (route) => route.fulfill({ json: { format: "weft-scene/1", gravty: 1 } }));
     await page.locator("#scene").selectOption("pull-sphere");
     await until("it is said", async () => (await page.locator("#notice").textContent())!.includes("gravty"));
     await until("the scene before is back", async () => (await page.locator("#scene").inputValue()) === "hanging");
-    expect(await page.evaluate(() => window.weft.world!.info.nodes)).toBe(576);
+    expect(await page.evaluate(() => [window.weft.world!.info.nodes, window.weft.state!.set])).toEqual([576, { gravity: [0, -3, 0] }]);
     await play(page, 2);
     expectClean(seen, site);
   }));
@@ -161,6 +171,10 @@ for (const colorScheme of ["dark", "light"] as const)
     await until("the label", async () => (await page.locator("#reference-label").textContent()) !== "");
     expect(await page.evaluate(() => [...document.querySelectorAll("html, #fallback, #reference")].filter((element) =>
       element.scrollWidth > element.clientWidth).length)).toBe(0);
+    const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const before = await ground();
+    await page.locator("#theme").click();
+    expect(await ground()).not.toBe(before);
     const box = (await page.locator("#reference-play").boundingBox())!;
     expect(box.x >= 0 && box.x + box.width <= 390 && box.height >= 44).toBe(true);
     expectClean(seen, site);

@@ -52,9 +52,12 @@ for (const [device, viewport] of [["desktop", { width: 1024, height: 600 }], ["p
       await ready(page);
       expect(await badControls(page)).toEqual([]);
       if (device === "phone") await page.getByRole("button", { name: "More" }).click();
-      await page.locator("summary").click();
+      for (const summary of await page.locator("summary").all()) await summary.click();
       expect(await badControls(page)).toEqual([]);
       expect(await faintTexts(page)).toEqual([]);
+      await page.getByRole("button", { name: "Help" }).click();
+      expect(await badControls(page)).toEqual([]);
+      await page.keyboard.press("Escape");
       expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
       expect(await page.locator("h1").count()).toBe(1);
       expect(await page.locator("#canvas").evaluate((canvas: HTMLCanvasElement) =>

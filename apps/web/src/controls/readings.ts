@@ -1,6 +1,8 @@
-// What is loaded, and how it goes: the lists of the panel.
+// What is loaded, and how it goes: the lists of the panel, and all of it as JSON.
 import type { Statistics, WorldInfo } from "weft";
-import { element } from "./elements.js";
+import { element } from "../elements.js";
+import { inBytes } from "../memory.js";
+import type { Graph } from "./graph.js";
 
 const WINDOW = 1000; // rates are means over this time [ms]
 const REFRESH = 250; // numbers that change faster cannot be read [ms]
@@ -11,7 +13,7 @@ const fixed = (digits: number) => new Intl.NumberFormat("en", {
   minimumFractionDigits: digits, maximumFractionDigits: digits });
 const [one, two] = [fixed(1), fixed(2)];
 
-function fill(list: HTMLDListElement, rows: readonly (readonly [name: string, value: string])[]): void {
+export function fill(list: HTMLDListElement, rows: readonly (readonly [name: string, value: string])[]): void {
   list.replaceChildren(...rows.map(([name, value]) => {
     const row = document.createElement("div");
     const term = document.createElement("dt");
@@ -22,13 +24,16 @@ function fill(list: HTMLDListElement, rows: readonly (readonly [name: string, va
   }));
 }
 
-export class Status {
+export class Readings {
   private readonly facts = element("facts", HTMLDListElement);
   private readonly readings = element("readings", HTMLDListElement);
   private readonly pulse = element("pulse", HTMLParagraphElement);
   private samples: { at: number; seconds: number; frames: number }[] = [];
   private shownAt = 0;
   private late: ReturnType<typeof setTimeout> | undefined;
+  private statistics: Readonly<Statistics> | null = null;
+
+  constructor(private readonly graph: Graph) {}
 
   /** What was loaded; null: nothing is. */
   showFacts(info: WorldInfo | null): void {
@@ -38,27 +43,35 @@ export class Status {
       ["Triangles", whole.format(info.triangles)],
       ["Springs", whole.format(info.springs)],
       ["Steps a frame", whole.format(info.substeps)],
+      ["Step", `${two.format(1000 * info.stepSeconds)} ms`],
+      ["Largest stable step", `${two.format(1000 * info.stableStepSeconds)} ms`],
+      ["Buffers on the GPU", inBytes(info.gpuBytes)],
     ] : []);
-    clearTimeout(this.late);
+    this.statistics = null;
     this.restart();
-    this.show({ frames: 0, seconds: 0, contacts: 0, contactHash: 0, contactOverflow: 0, maxStretch: 1, nonfinite: 0 });
+    this.show();
   }
 
   /** Rates begin anew: after a pause, a reset, another scene. */
   restart(): void {
+    clearTimeout(this.late);
     this.samples = [];
     this.shownAt = 0;
+    this.graph.restart();
   }
 
-  frame(now: number, statistics: Readonly<Statistics>): void {
+  /** `host`: what this frame cost the page's thread [ms]; null where none was simulated. */
+  frame(now: number, statistics: Readonly<Statistics>, host: number | null): void {
     const { seconds, frames } = statistics;
     const newest = this.samples.at(-1);
     if (newest && frames < newest.frames) this.restart(); // it was reset
     if (!newest || frames > newest.frames) this.samples.push({ at: now, seconds, frames });
     while (this.samples.length > 2 && now - this.samples[0]!.at > WINDOW) this.samples.shift();
+    if (host !== null) this.graph.add(now, host);
+    this.statistics = statistics;
     clearTimeout(this.late);
-    if (now - this.shownAt >= REFRESH) this.show(statistics);
-    else this.late = setTimeout(() => this.show(statistics), REFRESH); // the last before a pause counts
+    if (now - this.shownAt >= REFRESH) this.show();
+    else this.late = setTimeout(() => this.show(), REFRESH); // the last before a pause counts
   }
 
   /** Mean over the window; null where it is too short to say. */
@@ -68,19 +81,30 @@ export class Status {
     return ((last[of] - first[of]) * 1000) / (last.at - first.at);
   }
 
-  private show(statistics: Readonly<Statistics>): void {
+  /** What is shown, as numbers. */
+  get values() {
+    const now = this.graph.medians;
+    return { statistics: this.statistics && { ...this.statistics }, realTimeFactor: this.rate("seconds"), framesPerSecond: this.rate("frames"),
+      medianFrameMilliseconds: now?.interval ?? null, medianHostMilliseconds: now?.host ?? null };
+  }
+
+  private show(): void {
     this.shownAt = performance.now();
-    const [speed, pictures] = [this.rate("seconds"), this.rate("frames")];
-    const factor = speed === null ? NONE : `${two.format(speed)} ×`;
-    const rate = pictures === null ? NONE : one.format(pictures);
-    const stretch = Math.max(0, statistics.maxStretch - 1); // 0 before the first frame has reported
+    this.graph.draw();
+    const { statistics, realTimeFactor, framesPerSecond, medianHostMilliseconds } = this.values;
+    const factor = realTimeFactor === null ? NONE : `${two.format(realTimeFactor)} ×`;
+    const rate = framesPerSecond === null ? NONE : one.format(framesPerSecond);
+    const stretch = Math.max(0, (statistics?.maxStretch ?? 1) - 1); // 0 before the first frame has reported
     fill(this.readings, [
-      ["Simulated time", `${two.format(statistics.seconds)} s`],
+      ["Simulated time", `${two.format(statistics?.seconds ?? 0)} s`],
       ["Speed against real time", factor],
       ["Frames a second", rate],
+      ["Host, of a frame", medianHostMilliseconds === null ? NONE : `${two.format(medianHostMilliseconds)} ms`],
+      ["Left out, being late", `${two.format(statistics?.droppedSeconds ?? 0)} s`],
       ["Largest stretch", `${one.format(100 * stretch)} %`],
-      ["Contacts", whole.format(statistics.contacts)],
+      ["Contacts", whole.format(statistics?.contacts ?? 0)],
+      ["Pairs, at most", whole.format(statistics?.pairs ?? 0)],
     ]);
-    this.pulse.textContent = speed === null ? "" : `${factor} · ${rate} fps`;
+    this.pulse.textContent = realTimeFactor === null ? "" : `${factor} · ${rate} fps`;
   }
 }

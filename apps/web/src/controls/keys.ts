@@ -1,0 +1,48 @@
+// The keys that do what the panel does; docs/web.md and the help list them.
+import { VIEWS } from "weft";
+import type { Player } from "../player.js";
+import type { Help } from "./help.js";
+import type { Pins } from "./pins.js";
+import type { Theme } from "./theme.js";
+import type { Views } from "./views.js";
+
+interface Parts {
+  readonly player: Player;
+  readonly views: Views;
+  readonly pins: Pins;
+  readonly help: Help;
+  readonly theme: Theme;
+}
+
+export function followKeys(parts: Parts): void {
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || parts.help.shown || !parts.help.keysOn) return;
+    const target = event.target instanceof Element ? event.target : document.body;
+    if (target.closest("select, input[type=number]")) return; // letters and digits choose there
+    if (event.key === " " && target.closest("button, summary, a, input:not([type=range])")) return; // it presses what has the focus
+    const action = pageAction(event.key, parts) ?? (parts.player.live && sceneAction(event.key.toLowerCase(), parts));
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}
+
+function pageAction(key: string, { help, theme }: Parts): (() => void) | null {
+  if (key === "?") return () => help.open();
+  return key.toLowerCase() === "t" ? () => theme.toggle() : null;
+}
+
+function sceneAction(key: string, { player, views, pins }: Parts): (() => void) | null {
+  const view = VIEWS[Number(key) - 1];
+  if (view) return () => void player.setView(view);
+  switch (key) {
+    case " ": return () => player.play(!player.playing);
+    case ".": return () => void player.step();
+    case "r": return () => void player.reset();
+    case "f": return () => void player.resetCamera();
+    case "x": return () => views.toggleWireframe();
+    case "p": return () => void pins.toggleUnderPointer();
+    case "u": return () => void pins.removeAll();
+    default: return null;
+  }
+}

@@ -1,0 +1,97 @@
+// The panel as a whole: its parts, and what each is told.
+import type { Catalog, Statistics, View, WorldInfo } from "weft";
+import { element } from "../elements.js";
+import type { Limits } from "../memory.js";
+import type { Player } from "../player.js";
+import type { LoadedScene } from "../scenes.js";
+import type { PageState } from "../state/page_state.js";
+import { offerCopies } from "./copying.js";
+import { Graph } from "./graph.js";
+import { Help } from "./help.js";
+import { followKeys } from "./keys.js";
+import { Parameters } from "./parameters.js";
+import { Passes } from "./passes.js";
+import type { Pins } from "./pins.js";
+import { Readings } from "./readings.js";
+import { ScenePicker } from "./scene_picker.js";
+import type { Theme } from "./theme.js";
+import { Transport } from "./transport.js";
+import { Views } from "./views.js";
+
+export interface PanelInputs {
+  readonly catalog: Catalog;
+  readonly limits: Limits;
+  readonly player: Player;
+  readonly pins: Pins;
+  readonly theme: Theme;
+  open(state: PageState): void;
+  /** The address of the page as it is. */
+  link(): string;
+  say(sentence: string): void;
+}
+
+export class Panel {
+  private readonly transport: Transport;
+  private readonly picker: ScenePicker;
+  private readonly views: Views;
+  private readonly parameters: Parameters;
+  private readonly passes: Passes;
+  private readonly readings: Readings;
+  private info: WorldInfo | null = null;
+
+  constructor(private readonly inputs: PanelInputs) {
+    const { catalog, limits, player, pins, theme, open, link, say } = inputs;
+    this.transport = new Transport(player);
+    this.picker = new ScenePicker(catalog, limits, () => player.noteCamera(), open);
+    this.views = new Views(player, catalog);
+    this.parameters = new Parameters(catalog, player, open, say);
+    this.passes = new Passes(player);
+    const graph = new Graph();
+    this.readings = new Readings(graph);
+    theme.onChange = () => graph.draw();
+    followKeys({ player, pins, theme, views: this.views, help: new Help() });
+    offerCopies({ link, readings: () => this.report() }, say);
+  }
+
+  private enable(on: boolean): void {
+    const { transport, picker, views, parameters } = this;
+    for (const part of [transport, picker, views, parameters, this.inputs.pins]) part.enable(on);
+  }
+
+  opening(): void { this.enable(false); }
+
+  opened(scene: LoadedScene, info: WorldInfo): void {
+    this.info = info;
+    this.picker.opened(scene, info);
+    this.enable(true);
+    this.passes.show(info);
+    this.readings.showFacts(info);
+    element("scene-title", HTMLElement).textContent = scene.title;
+  }
+
+  empty(): void {
+    this.info = null;
+    this.enable(false);
+    this.picker.empty();
+    this.passes.show(null);
+    this.readings.showFacts(null);
+    element("scene-title", HTMLElement).textContent = "";
+  }
+
+  changed(scene: LoadedScene, state: PageState): void { this.parameters.show(scene, state); }
+
+  playing(on: boolean): void {
+    this.transport.playing(on);
+    this.readings.restart();
+  }
+
+  viewed(view: View): void { this.views.viewed(view); }
+
+  frame(now: number, statistics: Readonly<Statistics>, host: number | null): void { this.readings.frame(now, statistics, host); }
+
+  /** All that the panel says, for whoever reports how it went. */
+  private report(): unknown {
+    return { weft: 1, page: this.inputs.link(), state: this.inputs.player.state, browser: navigator.userAgent, loaded: this.info, ...this.readings.values,
+      pins: this.inputs.pins.held, passes: this.passes.times };
+  }
+}

@@ -1,0 +1,141 @@
+// Nodes that the page holds at their places, as a hand would; each has a marker over the picture.
+import { WeftError, type Point, type World } from "weft";
+import { button, element } from "../elements.js";
+import type { Player } from "../player.js";
+
+const STILL = 6; // a click that has moved no farther [CSS pixels]
+const SVG = "http://www.w3.org/2000/svg";
+
+interface Pin { readonly node: number; point: Point; readonly marker: SVGCircleElement; }
+
+/** Clip coordinates, unless said otherwise. */
+export interface Place { readonly x: number; readonly y: number; }
+
+export class Pins {
+  private readonly pins = new Map<number, Pin>();
+  private readonly layer = element("pins", SVGSVGElement);
+  private down: Place = { x: 0, y: 0 }; // of the last press [CSS pixels]
+  private pointer: Place = { x: 0, y: 0 }; // where the pointer is on the canvas, or was
+
+  /** `most`: nodes that the world holds at once; the hand needs one of them. */
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly player: Player, private readonly most: number,
+    private readonly say: (sentence: string) => void) {
+    canvas.addEventListener("pointermove", (event) => { this.pointer = this.clip(event); });
+    canvas.addEventListener("pointerdown", (event) => { this.down = { x: event.clientX, y: event.clientY }; });
+    canvas.addEventListener("click", (event) => {
+      const way = Math.hypot(event.clientX - this.down.x, event.clientY - this.down.y);
+      if (this.mode && way < STILL) void this.toggle(this.clip(event)); // else it was a pull, or turned the camera
+    });
+    canvas.addEventListener("dblclick", (event) => {
+      if (!this.mode) void this.toggle(this.clip(event)); // else each click has done so
+    });
+    button("pin-mode").addEventListener("click", () => this.setMode(!this.mode));
+    button("unpin").addEventListener("click", () => void this.removeAll());
+    this.tell();
+  }
+
+  /** Whether a single click or tap pins and unpins. */
+  get mode(): boolean { return button("pin-mode").getAttribute("aria-pressed") === "true"; }
+  get count(): number { return this.pins.size; }
+  /** Nodes and where they are held [m]. */
+  get held(): { node: number; point: Point }[] { return [...this.pins.values()].map(({ node, point }) => ({ node, point })); }
+  has(node: number): boolean { return this.pins.has(node); }
+
+  private setMode(on: boolean): void {
+    button("pin-mode").setAttribute("aria-pressed", String(on));
+    this.canvas.dataset["pinning"] = String(on);
+  }
+
+  enable(on: boolean): void { button("pin-mode").disabled = !on; }
+
+  toggleUnderPointer(): Promise<void> { return this.toggle(this.pointer); }
+
+  /** Pins the node under a place on the canvas where it is now, or lets it go. */
+  async toggle({ x, y }: Place): Promise<void> {
+    const found = await this.player.ask(async (world) => {
+      const picked = await world.pick(x, y);
+      if (!picked) return { fault: "There is no cloth to pin there." };
+      const { node } = picked;
+      if (this.pins.has(node)) {
+        await world.release(node);
+        return { released: node };
+      }
+      if (this.pins.size + 1 >= this.most)
+        return { fault: `${this.pins.size} nodes are pinned, and there can be ${this.most - 1}: the core holds ${this.most}, and the hand needs one.` };
+      const positions = await world.positions();
+      const point: Point = [positions[3 * node]!, positions[3 * node + 1]!, positions[3 * node + 2]!];
+      return { ...(await held(world, node, point)), point };
+    });
+    if (!found) return;
+    if ("fault" in found) this.say(found.fault);
+    else if ("released" in found) this.drop(found.released);
+    else this.put(found.node, found.point);
+  }
+
+  /** A pinned node was pulled elsewhere, and stays there. */
+  moved(node: number, point: Point): void {
+    const pin = this.pins.get(node);
+    if (pin) pin.point = point;
+    this.draw();
+  }
+
+  async removeAll(): Promise<void> {
+    const nodes = [...this.pins.keys()];
+    this.forget();
+    await this.player.ask(async (world) => { for (const node of nodes) await world.release(node); });
+  }
+
+  /** The world holds nothing any more. */
+  forget(): void { for (const node of [...this.pins.keys()]) this.drop(node); }
+
+  private put(node: number, point: Point): void {
+    const marker = document.createElementNS(SVG, "circle");
+    marker.setAttribute("r", "6");
+    this.layer.append(marker);
+    this.pins.set(node, { node, point, marker });
+    this.tell();
+    this.draw();
+  }
+
+  private drop(node: number): void {
+    this.pins.get(node)?.marker.remove();
+    this.pins.delete(node);
+    this.tell();
+  }
+
+  private tell(): void {
+    const count = this.pins.size;
+    element("pin-count", HTMLParagraphElement).textContent = count === 0
+      ? `Double-click the cloth, or press P over it: up to ${this.most - 1} nodes stay where they are.`
+      : `${count} of ${this.most - 1} pinned. Drag a pin to move it.`;
+    button("unpin").disabled = count === 0;
+  }
+
+  /** Brings the markers to where their nodes are held. */
+  draw(): void {
+    const world = this.player.live;
+    if (!world || world.busy || this.pins.size === 0) return;
+    const { width, height } = this.layer.getBoundingClientRect();
+    for (const { point, marker } of this.pins.values()) {
+      const [x, y] = world.project(point);
+      marker.setAttribute("cx", String((width * (x + 1)) / 2));
+      marker.setAttribute("cy", String((height * (1 - y)) / 2));
+    }
+  }
+
+  private clip({ clientX, clientY }: MouseEvent): Place {
+    const box = this.canvas.getBoundingClientRect();
+    return { x: (2 * (clientX - box.left)) / box.width - 1, y: 1 - (2 * (clientY - box.top)) / box.height };
+  }
+}
+
+/** The node once it is held; why it cannot be: a node that the scene pins or moves is no fault of the world. */
+async function held(world: World, node: number, point: Point): Promise<{ node: number } | { fault: string }> {
+  try {
+    await world.grab(node, point);
+    return { node };
+  } catch (reason) {
+    if (reason instanceof WeftError && (reason.kind === "input" || reason.kind === "limit")) return { fault: reason.message };
+    throw reason;
+  }
+}

@@ -1,0 +1,92 @@
+// Which scene, how fine, and by which methods. What there is of each comes from the page's list and the core's schema.
+import { schemaOf, type Catalog, type WorldInfo } from "weft";
+import { element, select } from "../elements.js";
+import { demand, demandOf, inBytes, tooLarge, type Limits } from "../memory.js";
+import { gridOf, SCENE_GROUPS, type LoadedScene } from "../scenes.js";
+import { choicesOf } from "../state/limits.js";
+import { plain, withKey, type PageState } from "../state/page_state.js";
+import { CONTACT_METHOD, FORMULATION, SUBSTEPS } from "../state/parameters.js";
+
+const RESOLUTIONS = [32, 64, 100, 128, 200, 256, 400, 512, 800, 1024, 1600, 2048] as const;
+
+/** What the schema's words are called here; one that is not, by itself. */
+const NAMES: Readonly<Record<string, string>> = {
+  node_centric: "Node-centric (gather)", spring_centric: "Spring-centric (scatter)",
+  none: "None", proximity: "Proximity", bvh: "BVH (the paper's pairs, by a tree)", paper: "Paper (all pairs)" };
+
+/** What a contact method costs or leaves out. */
+const REMARKS: Readonly<Record<string, string>> = {
+  none: "Nothing holds the cloth up: it falls through everything.",
+  bvh: "Cloth meets obstacles, not itself.",
+  paper: "Tests every cloth triangle against every triangle of the obstacle in every step: slow, for comparison." };
+
+export class ScenePicker {
+  private readonly scene = select("scene");
+  private readonly resolution = select("resolution");
+  private readonly methods = [[select("formulation"), FORMULATION], [select("contact"), CONTACT_METHOD]] as const;
+
+  constructor(catalog: Catalog, private readonly limits: Limits, private readonly current: () => PageState,
+    open: (state: PageState) => void) {
+    this.scene.replaceChildren(...SCENE_GROUPS.map(({ title, scenes }) => {
+      const group = document.createElement("optgroup");
+      group.label = title;
+      group.append(...scenes.map((scene) => new Option(scene.title, scene.name)));
+      return group;
+    }));
+    for (const [list, key] of this.methods) {
+      const words = choicesOf(schemaOf(catalog.schema, key) ?? {});
+      list.replaceChildren(...words.map((word) => new Option(NAMES[word] ?? word, word)));
+      list.addEventListener("change", () => open(withKey(current(), key, list.value)));
+    }
+    this.scene.addEventListener("change", () => open(plain(this.scene.value, current().view)));
+    this.resolution.addEventListener("change", () => open(this.refined(Number(this.resolution.value))));
+  }
+
+  /** Another resolution has other nodes, and steps that "auto" chooses anew. */
+  private refined(nodes: number): PageState { return { ...withKey(this.current(), SUBSTEPS, null), nodes }; }
+
+  enable(on: boolean): void {
+    this.scene.disabled = false; // another choice may replace one that takes long
+    for (const list of [this.resolution, ...this.methods.map(([list]) => list)]) list.disabled = !on;
+  }
+
+  opened(scene: LoadedScene, info: WorldInfo): void {
+    this.scene.value = scene.state.scene;
+    for (const [list, key] of this.methods) list.value = String(scene.now(key));
+    this.fillResolutions(scene);
+    element("description", HTMLParagraphElement).textContent = scene.description;
+    const method = String(scene.now(CONTACT_METHOD));
+    const remark = method === "none" && scene.own(CONTACT_METHOD) === "none" ? "" : REMARKS[method] ?? "";
+    const contact = element("contact-remark", HTMLParagraphElement);
+    contact.textContent = remark;
+    contact.hidden = remark === "";
+    const asked = demandOf(scene);
+    element("memory", HTMLParagraphElement).textContent = `${info.nodes.toLocaleString("en")} nodes: ${inBytes(info.gpuBytes)} on the GPU` +
+      (asked ? `, ${inBytes(asked.module)} at most of the module.` : ".");
+  }
+
+  empty(): void {
+    this.enable(false);
+    // Any choice must count as a change, so none is shown as made.
+    this.scene.selectedIndex = -1;
+    this.resolution.replaceChildren();
+  }
+
+  private fillResolutions(scene: LoadedScene): void {
+    const { grid, copies } = scene;
+    this.resolution.disabled = grid === null;
+    if (!grid) return this.resolution.replaceChildren(new Option("as its mesh has", ""));
+    const { own, usual } = grid;
+    const chosen = scene.state.nodes ?? usual;
+    const counts = [...new Set([...RESOLUTIONS, usual, Math.max(...own), chosen])].sort((a, b) => a - b);
+    this.resolution.replaceChildren(...counts.map((count) => {
+      const [along, down] = gridOf(own, count);
+      const asked = demand(along * down * copies, scene);
+      const fault = tooLarge(asked, this.limits);
+      const option = new Option(`${along} × ${down}${copies > 1 ? ` × ${copies} sheets` : ""}, ${fault ? "too large" : `about ${inBytes(asked.gpu)}`}`,
+        String(count), false, count === chosen);
+      option.disabled = fault !== null;
+      return option;
+    }));
+  }
+}

@@ -1,0 +1,84 @@
+// What a scene will take, before it is taken: from measured bytes, beside the limits of adapter and module.
+import type { LoadedScene } from "./scenes.js";
+import { CONTACT_METHOD, FORMULATION } from "./state/parameters.js";
+
+/** What a grid asks for [bytes]. */
+export interface Demand {
+  readonly nodes: number;
+  /** The buffers on the GPU. */
+  readonly gpu: number;
+  /** The largest of them. */
+  readonly buffer: number;
+  /** Of the WebAssembly module, beside what it has empty: while a file of the shape is made. */
+  readonly module: number;
+}
+
+/** The most that there is [bytes]. */
+export interface Limits {
+  /** The adapter's maxStorageBufferBindingSize. */
+  readonly buffer: number;
+  readonly module: number;
+}
+
+const MODULE_MOST = 2 ** 31; // Emscripten's own limit
+const MODULE_NODE = 360; // packages/weft/core/session.cpp
+
+/** What the adapter gives at most; the module's limit is the same everywhere. */
+export async function adapterLimits(): Promise<Limits> {
+  const adapter = await navigator.gpu.requestAdapter({ powerPreference: "high-performance" });
+  return { buffer: adapter?.limits.maxStorageBufferBindingSize ?? 0, module: MODULE_MOST };
+}
+
+// Bytes a node, and a triangle of an obstacle, measured at 32² to 256² nodes; tests/web/page/memory.test.ts holds the sum
+// to info.gpuBytes within 10 %.
+const NODE = { all: 193, spring_centric: 131, proximity: 150, pushes: 17 };
+const OBSTACLE = { drawn: 29, proximity: 85, pushes: 71 };
+// The lists of World::first_room (src/sim/world.cpp): pairs and candidates. They grow where they are short.
+const LISTS = [{ least: 32_768, triangle: 2, entry: 112 }, { least: 131_072, triangle: 12, entry: 8 }] as const;
+const PAIR = 96; // of an entry, what lies in one buffer
+
+/** What `nodes` nodes in all ask for, in this scene with its methods. */
+export function demand(nodes: number, scene: LoadedScene): Demand {
+  const method = scene.now(CONTACT_METHOD);
+  const [proximity, pushes] = [method === "proximity", method === "bvh" || method === "paper"];
+  const entries = LISTS.map(({ least, triangle }) => Math.max(least, 2 * nodes * triangle)) as [number, number];
+  const node = NODE.all + (scene.now(FORMULATION) === "spring_centric" ? NODE.spring_centric : 0) +
+    (proximity ? NODE.proximity : pushes ? NODE.pushes : 0);
+  const obstacle = OBSTACLE.drawn + (proximity ? OBSTACLE.proximity : pushes ? OBSTACLE.pushes : 0);
+  const lists = proximity ? entries[0] * LISTS[0].entry + entries[1] * LISTS[1].entry : 0;
+  return {
+    nodes,
+    gpu: nodes * node + scene.obstacleTriangles * obstacle + lists,
+    buffer: Math.max(16 * nodes, proximity ? entries[0] * PAIR : 0),
+    module: MODULE_NODE * nodes,
+  };
+}
+
+/** The demand of a loaded scene as it is. */
+export function demandOf(scene: LoadedScene): Demand | null {
+  return scene.grid && demand(scene.grid.taken[0] * scene.grid.taken[1] * scene.copies, scene);
+}
+
+/** Why a demand cannot be met; null where it can. */
+export function tooLarge({ nodes, buffer, module }: Demand, limits: Limits): string | null {
+  const count = nodes.toLocaleString("en");
+  if (buffer > limits.buffer)
+    return `A cloth of ${count} nodes needs a buffer of ${inBytes(buffer)}, more than this adapter's ${inBytes(limits.buffer)}.`;
+  if (module > limits.module)
+    return `A cloth of ${count} nodes needs ${inBytes(module)} of the module's memory, more than its ${inBytes(limits.module)}.`;
+  return null;
+}
+
+/** Throws a sentence where a scene has no room. */
+export function checkRoom(scene: LoadedScene, limits: Limits): void {
+  const asked = demandOf(scene);
+  const fault = asked && tooLarge(asked, limits);
+  if (fault) throw new Error(fault);
+}
+
+/** As in 12 MB. */
+export function inBytes(bytes: number): string {
+  const [unit, name] = bytes < 1e6 ? [1e3, "kB"] : bytes < 1e9 ? [1e6, "MB"] : [1e9, "GB"];
+  const value = bytes / unit;
+  return `${value.toFixed(value < 10 ? 1 : 0)} ${name}`;
+}

@@ -1,0 +1,29 @@
+// What the page shows, apart from where the cloth is: what its address says, its controls show and its player loads.
+import type { Camera, View } from "weft";
+
+/** The value of a scene's key. */
+export type Value = number | string | readonly number[];
+
+export interface PageState {
+  readonly scene: string;
+  /** Nodes along the longer side of the first cloth; null: as the page has it for this scene. */
+  readonly nodes: number | null;
+  /** What is changed in the scene, by dotted key. */
+  readonly set: Readonly<Record<string, Value>>;
+  readonly view: View;
+  /** null: the scene's. */
+  readonly camera: Camera | null;
+}
+
+/** A scene as it is. */
+export function plain(scene: string, view: View): PageState {
+  return { scene, nodes: null, set: {}, view, camera: null };
+}
+
+/** With a key changed; null: as the scene has it. */
+export function withKey(state: PageState, key: string, value: Value | null): PageState {
+  const { [key]: _, ...rest } = state.set;
+  return { ...state, set: value === null ? rest : { ...rest, [key]: value } };
+}
+
+export function equal(a: unknown, b: unknown): boolean { return JSON.stringify(a) === JSON.stringify(b); }

@@ -1,0 +1,59 @@
+// The keys of a scene that the page lets change. Limits, units and what they mean come from the core's schema.
+
+export interface Parameter {
+  readonly key: string;
+  readonly label: string;
+}
+
+export interface Group {
+  readonly name: string;
+  readonly title: string;
+  /** Whether its keys change while the cloth moves; else the scene starts anew. */
+  readonly live: boolean;
+  readonly parameters: readonly Parameter[];
+}
+
+export const FORMULATION = "solver.forces";
+export const CONTACT_METHOD = "contact.method";
+export const GRAVITY = "gravity";
+export const WIND = "wind.velocity";
+export const GUSTS = "wind.gusts";
+export const SUBSTEPS = "time.substeps";
+export const DRAG = "drag";
+const [DENSITY, NODE_MASS] = ["cloths.0.density", "cloths.0.node_mass"] as const;
+
+export const GROUPS: readonly Group[] = [
+  { name: "air", title: "Gravity and air", live: true, parameters: [
+    { key: GRAVITY, label: "Gravity" },
+    { key: DRAG, label: "Drag" },
+  ] },
+  { name: "wind", title: "Wind", live: true, parameters: [
+    { key: WIND, label: "Speed" },
+    { key: GUSTS, label: "Gusts" },
+  ] },
+  { name: "cloth", title: "Cloth", live: false, parameters: [
+    { key: DENSITY, label: "Density" },
+    { key: NODE_MASS, label: "Mass of a node" },
+    { key: "cloths.0.stiffness.structural", label: "Structural stiffness" },
+    { key: "cloths.0.stiffness.shear", label: "Shear stiffness" },
+    { key: "cloths.0.stiffness.bend", label: "Bend stiffness" },
+    { key: "cloths.0.damping", label: "Damping" },
+  ] },
+  { name: "contact", title: "Contact", live: false, parameters: [
+    { key: "contact.thickness", label: "Thickness" },
+    { key: "cloths.0.friction", label: "Friction" },
+  ] },
+  { name: "time", title: "Time", live: false, parameters: [{ key: SUBSTEPS, label: "Steps a frame" }] },
+];
+
+/** All keys that the page changes. */
+export const KEYS: readonly string[] =
+  [FORMULATION, CONTACT_METHOD, ...GROUPS.flatMap(({ parameters }) => parameters.map(({ key }) => key))];
+
+const LIVE = new Set(GROUPS.filter(({ live }) => live).flatMap(({ parameters }) => parameters.map(({ key }) => key)));
+export const isLive = (key: string): boolean => LIVE.has(key);
+
+/** Of two keys a cloth has one: what it is not given, it cannot be asked for. */
+export function applies(key: string, own: (key: string) => unknown): boolean {
+  return (key !== DENSITY && key !== NODE_MASS) || own(key) !== undefined;
+}

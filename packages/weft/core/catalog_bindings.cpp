@@ -1,0 +1,40 @@
+// The functions that packages/weft/src/catalog.ts calls: what there is to choose from. They need neither
+// device nor scene, and leave their answer in weft_message.
+#include <emscripten.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "message.hpp"
+#include "render/color_map.hpp"
+#include "render/renderer.hpp"
+#include "scene/grab.hpp"
+#include "scene/schema.hpp"
+
+namespace {
+
+constexpr int kShades = 33;  // of the map: between them sRGB is close enough to linear
+
+}  // namespace
+
+extern "C" {
+
+/// The JSON Schema of scenes.
+EMSCRIPTEN_KEEPALIVE void weft_schema() { weft::web::message = weft::scene::schema_json(); }
+
+/// As JSON: the colour map as sRGB in [0, 1], from the lowest value to the highest, the values that stand at
+/// its ends by view, and how many nodes can be held at once.
+EMSCRIPTEN_KEEPALIVE void weft_catalog() {
+  nlohmann::ordered_json json;
+  json["colors"] = nlohmann::ordered_json::array();
+  for (int i = 0; i < kShades; ++i) {
+    const weft::Vec3f color = weft::render::map_color(static_cast<float>(i) / (kShades - 1));
+    json["colors"].push_back({color.x, color.y, color.z});
+  }
+  const weft::render::Settings settings;
+  json["ranges"]["stretch"] = {settings.lowest_stretch, settings.highest_stretch};
+  json["mostGrabs"] = weft::scene::kMaxGrabs;
+  weft::web::message = json.dump();
+}
+
+}  // extern "C"
