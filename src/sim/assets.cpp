@@ -1,8 +1,8 @@
 #include "sim/assets.hpp"
 
+#include "base/json.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/read_mesh.hpp"
-#include "scene/json.hpp"
 #include "scene/load.hpp"
 
 namespace weft::sim {

@@ -44,8 +44,8 @@ std::vector<BadMesh> bad_meshes() {
       write_obj(cube()).substr(0, write_obj(cube()).find("f ") + 3);  // an OBJ has no counts
   return {
       // Of no kind.
-      {"a.txt", "hello", "does not end in .obj"},
-      {"a.obj.gz", gzip(points), "does not end in .obj"},
+      {"a.txt", "hello", "does not end in .glb"},
+      {"a.obj.gz", gzip(points), "does not end in .glb"},
       {"none.obj", "", "The mesh has no triangles"},
       {"noise.ply", repeated("\xff\x00\x7f\n", 5000), "not with ply"},
       // OBJ.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "inputs.hpp"
+#include "mesh/glb.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
 #include "scene/load.hpp"
@@ -126,12 +127,14 @@ Result<void> Session::export_mesh(const std::string& format) {
   shape.triangles = world_->model().host.triangles;
   if (format == "ply") {
     exported_ = mesh::write_ply(shape);
+  } else if (format == "glb") {
+    exported_ = mesh::write_glb(shape);
   } else if (format == "obj") {
     const std::string text = mesh::write_obj(shape);
     const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
     exported_.assign(bytes.begin(), bytes.end());
   } else {
-    return input_error("The format %s is not known; there are obj and ply.", format.c_str());
+    return input_error("The format %s is not known; there are obj, ply and glb.", format.c_str());
   }
   return {};
 }

@@ -244,7 +244,7 @@ export class World {
   async positions(): Promise<Float32Array> { return (await this.snapshot()).positions; }
 
   /** The cloths' shape as a file. */
-  async exportMesh(format: "obj" | "ply"): Promise<Uint8Array<ArrayBuffer>> {
+  async exportMesh(format: "obj" | "ply" | "glb"): Promise<Uint8Array<ArrayBuffer>> {
     this.loaded();
     return this.core.sleep("export", [format], () => {
       const at = this.core.call("exported") >>> 0;
