@@ -25,6 +25,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
   },
+  worker: { format: "es" }, // as the page: the core finds its file beside the module
   server: { headers: headers("'self' 'unsafe-inline'") }, // Vite hands styles over inline while developing
   preview: { headers: headers("'self'") },
 });

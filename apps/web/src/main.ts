@@ -3,6 +3,7 @@ import { followSize, setFirstSize } from "./canvas_size.js";
 import { Controls } from "./controls.js";
 import { element } from "./elements.js";
 import { showFallback } from "./fallback.js";
+import { Files } from "./files/files.js";
 import { Notice } from "./notice.js";
 import { Player } from "./player.js";
 import { Pointer } from "./pointer.js";
@@ -50,6 +51,7 @@ const player = new Player(canvas, {
 });
 const controls = new Controls(player, (choice) => void show(choice));
 const pointer = new Pointer(canvas, player);
+new Files(player, notice, canvas, show);
 
 async function show(choice: Choice): Promise<void> {
   notice.clear();

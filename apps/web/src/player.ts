@@ -43,6 +43,8 @@ export class Player {
   get world(): World | null { return this.open_; }
   /** The world, while it holds a scene. */
   get live(): World | null { return this.scene ? this.open_ : null; }
+  /** What the world holds. */
+  get shown(): LoadedScene | null { return this.scene; }
   get playing(): boolean { return this.wantsToPlay; }
   get shownView(): View { return this.view; }
 
@@ -80,6 +82,9 @@ export class Player {
     if (this.open_) await this.open_.load(scene.json, options);
     else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.view }));
     this.wind = null;
+    const { substeps } = this.open_!.info;
+    if (substeps > scene.mostSubsteps)
+      throw new Error(`${scene.title} needs ${substeps} steps a frame, more than the page's limit of ${scene.mostSubsteps}.`);
     await this.settle(scene);
   }
 

@@ -1,6 +1,7 @@
 // The scenes that the page offers, and their files. Vite gives every file that is there an address on the page's own
 // origin, in the build and while developing; what is not there is not offered.
-import { meshNames } from "weft";
+import { meshNames, type Bytes } from "weft";
+import { MOST_SUBSTEPS } from "./files/limits.js";
 
 const SCENE_FILES = import.meta.glob<string>(
   "../../../scenes/{breeze,hanging,pull-sphere,pull-armadillo,pull-dragon,drag}.json",
@@ -37,13 +38,23 @@ export interface LoadedScene {
   choice: Choice;
   title: string;
   json: string;
-  meshes: Record<string, ArrayBuffer>;
+  meshes: Record<string, Bytes>;
   /** The scene's own grid of its first cloth; null where that is a mesh. */
   ownGrid: Grid | null;
   set: Record<string, unknown>;
   /** [m/s]; null where nothing blows. */
   wind: readonly [number, number, number] | null;
+  /** Of a frame; a scene that needs more is not shown. */
+  mostSubsteps: number;
 }
+
+/** A scene that the visitor has brought; the page keeps the last. */
+export interface OwnScene { title: string; json: string; meshes: Record<string, Bytes>; }
+export const OWN = "own"; // its name in a choice
+let own: OwnScene | null = null;
+
+export const ownScene = (): OwnScene | null => own;
+export function keepOwnScene(scene: OwnScene | null): void { own = scene; }
 
 function fileOf(files: Record<string, string>, name: string): string | undefined {
   return Object.entries(files).find(([path]) => path.replace(/^.*\/|\.\w+$/g, "") === name)?.[1];
@@ -61,20 +72,26 @@ async function fetched(address: string | undefined, what: string): Promise<Respo
   return answer;
 }
 
+/** A mesh of the page's own. */
+export async function fetchModel(name: string): Promise<ArrayBuffer> {
+  return (await fetched(fileOf(MODEL_FILES, name), `The model ${name}`)).arrayBuffer();
+}
+
 export async function fetchScene(choice: Choice): Promise<LoadedScene> {
-  const json = await (await fetched(fileOf(SCENE_FILES, choice.name), `The scene ${choice.name}`)).text();
-  const models = meshNames(json).map(async (name) =>
-    [name, await (await fetched(fileOf(MODEL_FILES, name), `The model ${name}`)).arrayBuffer()] as const);
+  const brought = choice.name === OWN ? own : null;
+  const json = brought?.json ?? await (await fetched(fileOf(SCENE_FILES, choice.name), `The scene ${choice.name}`)).text();
+  const models = meshNames(json).map(async (name) => [name, brought?.meshes[name] ?? await fetchModel(name)] as const);
   const parsed = JSON.parse(json) as {
     cloths?: { grid?: Grid }[]; wind?: { velocity?: [number, number, number] } };
   const ownGrid = parsed.cloths?.[0]?.grid ?? null;
   const grid = ownGrid && choice.nodes !== null ? gridOf(ownGrid, choice.nodes) : null;
   return {
     choice, json, ownGrid,
-    title: SCENES.find(({ name }) => name === choice.name)?.title ?? choice.name,
+    title: brought?.title ?? SCENES.find(({ name }) => name === choice.name)?.title ?? choice.name,
     meshes: Object.fromEntries(await Promise.all(models)),
     set: grid ? { "cloths.0.grid": grid } : {},
     wind: parsed.wind?.velocity ?? null,
+    mostSubsteps: brought ? MOST_SUBSTEPS : Infinity,
   };
 }
 
@@ -94,5 +111,6 @@ export function choiceOf(address: string): Choice {
 }
 
 export function addressOf({ name, nodes }: Choice): string {
+  if (name === OWN) return location.pathname; // another visitor does not have it
   return `?scene=${name}${nodes === null ? "" : `&nodes=${nodes}`}`;
 }

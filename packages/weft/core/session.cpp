@@ -9,12 +9,6 @@
 #include "scene/load.hpp"
 
 namespace weft::web {
-namespace {
-
-/// Measured at 256² to 1024² nodes: a world takes 176, and while its shape is exported, 351.
-constexpr std::uint64_t kHostBytesPerNode = 360;
-
-}  // namespace
 
 Result<void> Session::open(const std::string& adapter) {
   close();
@@ -51,7 +45,7 @@ Result<void> Session::build(const std::string& text, const std::string& changes)
   text_ = text;
   WEFT_TRY(parsed, parse_changes(changes));
   changes_ = std::move(parsed);
-  WEFT_TRY(inputs, read_inputs(text_, changes_, kHostBytesPerNode));
+  WEFT_TRY(inputs, read_inputs(text_, changes_, kWorldBytesPerNode));
   WEFT_CHECK(device_->status());
   WEFT_TRY(world, sim::World::create(*device_, std::move(inputs.scene), inputs.assets));
   world_ = std::move(world);

@@ -222,6 +222,12 @@ export class World {
     this.changed();
   }
 
+  /** Draws in the next tick, whether anything has changed or not. */
+  redraw(): void {
+    this.loaded();
+    this.changed();
+  }
+
   // Read
 
   async snapshot(): Promise<Snapshot> {

@@ -1,0 +1,105 @@
+// From files to a scene on the page: which of them is what, read apart, asked about, opened.
+import { meshNames } from "weft";
+import { select } from "../elements.js";
+import type { Notice } from "../notice.js";
+import { sentence, type Player } from "../player.js";
+import { fetchModel, keepOwnScene, OWN, ownScene, type Choice, type OwnScene } from "../scenes.js";
+import { count, megabytes, MOST_BYTES, MOST_CLOTH_NODES, MOST_OBSTACLE_TRIANGLES, MOST_SCENE_NODES } from "./limits.js";
+import { MeshDialog } from "./mesh_dialog.js";
+import { readApart } from "./mesh_reader.js";
+import { sceneOfJson, sceneOfMesh } from "./own_scene.js";
+
+const isScene = ({ name }: File): boolean => /\.json$/i.test(name);
+const lastPart = (path: string): string => path.replace(/^.*[\\/]/, "");
+
+export class FileOpener {
+  private readonly dialog = new MeshDialog();
+  private newest = 0;
+
+  constructor(private readonly player: Player, private readonly notice: Notice,
+    private readonly show: (choice: Choice) => Promise<void>) {}
+
+  /** A mesh, or a scene with the meshes that it names. What cannot be opened is said; what is shown then stays. */
+  async open(files: readonly File[]): Promise<void> {
+    if (files.length === 0) return;
+    const number = ++this.newest;
+    this.notice.clear();
+    try {
+      const own = await this.sceneOf(files);
+      if (own && number === this.newest) await this.showOwn(own);
+    } catch (reason) {
+      if (number !== this.newest) return; // others were chosen meanwhile
+      this.notice.wait(null);
+      this.notice.say(sentence(reason));
+    }
+  }
+
+  private async sceneOf(files: readonly File[]): Promise<OwnScene | null> {
+    const bytes = files.reduce((sum, { size }) => sum + size, 0);
+    const names = files.length === 1 ? files[0]!.name : `These ${files.length} files`;
+    if (bytes > MOST_BYTES)
+      throw new Error(`${names}: ${megabytes(bytes)} are more than the limit of ${megabytes(MOST_BYTES)}.`);
+    const [scene, another] = files.filter(isScene);
+    if (another) throw new Error(`Open one scene at a time: ${scene!.name} and ${another.name} are two.`);
+    if (scene) return this.readScene(scene, files.filter((file) => file !== scene));
+    if (files.length > 1) throw new Error(`Open one mesh at a time, or a scene with the meshes that it names: these are ${files.length} meshes.`);
+    return this.readMesh(files[0]!);
+  }
+
+  private async readMesh(file: File): Promise<OwnScene | null> {
+    this.notice.wait(`Reading ${file.name} …`);
+    const { mesh } = await readApart(file.name, { kind: "mesh", file });
+    this.notice.wait(null);
+    if (mesh.vertices > MOST_CLOTH_NODES && mesh.triangles > MOST_OBSTACLE_TRIANGLES)
+      throw new Error(`${file.name}: ${count(mesh.triangles)} triangles are more than the limit of ${count(MOST_OBSTACLE_TRIANGLES)}.`);
+    const use = await this.dialog.ask(file.name, mesh);
+    return use && sceneOfMesh(file.name, mesh, use.role, use.length);
+  }
+
+  private async readScene(file: File, others: readonly File[]): Promise<OwnScene> {
+    this.notice.wait(`Reading ${file.name} …`);
+    const text = await file.text();
+    const files: Record<string, File> = {};
+    const models: Record<string, ArrayBuffer> = {};
+    for (const name of namesIn(text)) {
+      const brought = others.find((other) => [name, `${name}.ply`].map(lastPart).includes(other.name.replace(/\.gz$/i, "")));
+      if (brought) files[name] = brought;
+      else models[name] = await fetchModel(name).catch(() => {
+        throw new Error(`${file.name} names the mesh ${name}, which is neither part of this page nor among the files: open it along with the scene.`);
+      });
+    }
+    const { size, meshes } = await readApart(file.name, { kind: "scene", scene: text, files, models });
+    if (size.nodes > MOST_SCENE_NODES)
+      throw new Error(`${file.name}: ${count(size.nodes)} nodes are more than the limit of ${count(MOST_SCENE_NODES)}.`);
+    if (size.obstacleTriangles > MOST_OBSTACLE_TRIANGLES)
+      throw new Error(`${file.name}: ${count(size.obstacleTriangles)} triangles of obstacles are more than the limit of ${count(MOST_OBSTACLE_TRIANGLES)}.`);
+    this.notice.wait(null);
+    return sceneOfJson(file.name, text, meshes);
+  }
+
+  private async showOwn(own: OwnScene): Promise<void> {
+    const before = ownScene();
+    offer(own);
+    await this.show({ name: OWN, nodes: null });
+    if (this.player.shown?.json !== own.json) offer(before); // it could not be opened
+  }
+}
+
+/** The list of scenes has it too, from now on. */
+function offer(own: OwnScene | null): void {
+  keepOwnScene(own);
+  const list = select("scene");
+  const option = [...list.options].find(({ value }) => value === OWN);
+  if (!own) option?.remove();
+  else if (option) option.textContent = own.title;
+  else list.add(new Option(own.title, OWN));
+}
+
+/** None where the text is no JSON: the core says what is wrong with it. */
+function namesIn(text: string): string[] {
+  try {
+    return meshNames(text);
+  } catch {
+    return [];
+  }
+}
