@@ -157,7 +157,7 @@ test("files that cannot be opened are refused with one sentence, and the scene b
     const said = await notice();
     expect(said, what).toMatch(expected);
     expect(said.length, what).toBeLessThan(320);
-    expect(said.endsWith("."), what).toBe(true);
+    expect(said, what).toMatch(/[.?]$/);
     await until("the scene before is there", async () => (await title()) === "Hanging" && !(await page.locator("#veil").isVisible()));
     expect(await nodes(), what).toBe(before);
   }
@@ -229,10 +229,12 @@ test("the picture is saved as it is drawn", async () => {
     context.drawImage(bitmap, 0, 0);
     const { data, width, height } = context.getImageData(0, 0, bitmap.width, bitmap.height);
     const canvas = document.querySelector<HTMLCanvasElement>("#canvas")!;
-    return { data: Array.from(data), sizes: [width, height, canvas.width, canvas.height] };
+    let letters = "";
+    for (let i = 0; i < data.length; i += 4096) letters += String.fromCharCode(...data.subarray(i, i + 4096));
+    return { data: btoa(letters), sizes: [width, height, canvas.width, canvas.height] };
   }, bytes.toString("base64"));
   expect(image.sizes.slice(0, 2)).toEqual(image.sizes.slice(2));
-  const drawn = new Uint8Array(image.data);
+  const drawn = new Uint8Array(Buffer.from(image.data, "base64"));
   const { mean, deviation } = brightness(drawn);
   expect(mean).toBeGreaterThan(30); // of 255: neither black
   expect(deviation).toBeGreaterThan(8); // nor a single colour
@@ -253,12 +255,12 @@ async function played(bytes: Buffer, type: string): Promise<{ width: number; hei
       const loaded = event("loadeddata");
       video.src = URL.createObjectURL(new Blob([file], { type: type! }));
       await loaded;
+      const sought = event("seeked");
+      video.currentTime = 1e6; // a recording does not state its duration before its end is known
+      await sought; // at its last picture
       const context = new OffscreenCanvas(video.videoWidth, video.videoHeight).getContext("2d")!;
       context.drawImage(video, 0, 0);
       const { data } = context.getImageData(0, 0, video.videoWidth, video.videoHeight);
-      const sought = event("seeked");
-      video.currentTime = 1e6; // a recording does not state its duration before its end is known
-      await sought;
       return { width: video.videoWidth, height: video.videoHeight, seconds: video.currentTime, bright: data.reduce((most, value, i) => (i % 4 < 3 ? Math.max(most, value) : most), 0) };
     }, [bytes.toString("base64"), type] as const);
   } finally {
