@@ -10,7 +10,7 @@ export interface Use {
   length: number;
 }
 
-const plural = (number: number, what: string): string => `${count(number)} ${what}${number === 1 ? "" : "s"}`;
+const counted = (number: number, one: string, many: string): string => `${count(number)} ${number === 1 ? one : many}`;
 
 export class MeshDialog {
   private readonly dialog = element("mesh-dialog", HTMLDialogElement);
@@ -37,9 +37,9 @@ export class MeshDialog {
     this.close(null);
     this.mesh = mesh;
     element("mesh-title", HTMLHeadingElement).textContent = name;
-    const left = mesh.dropped > 0 ? ` ${plural(mesh.dropped, "triangle")} without area left out.` : "";
+    const left = mesh.dropped > 0 ? ` ${counted(mesh.dropped, "triangle", "triangles")} without area left out.` : "";
     element("mesh-facts", HTMLParagraphElement).textContent =
-      `${plural(mesh.vertices, "vertex").replace("vertexs", "vertices")}, ${plural(mesh.triangles, "triangle")}, ` +
+      `${counted(mesh.vertices, "vertex", "vertices")}, ${counted(mesh.triangles, "triangle", "triangles")}, ` +
       `${box(sides(mesh))} in the file's unit.${left}`;
     const fits = { cloth: mesh.vertices <= MOST_CLOTH_NODES, obstacle: mesh.triangles <= MOST_OBSTACLE_TRIANGLES };
     for (const role of ["obstacle", "cloth"] as const) this.roles[role].disabled = !fits[role];

@@ -58,14 +58,17 @@ function asCloth(title: string, mesh: MeshFile, length: number): object {
   const nodeMass = (DENSITY * area) / mesh.vertices;
   const edge = 1.5 * Math.sqrt(area / mesh.triangles); // of an equilateral triangle of the mean area
   const radius = 0.25 * length;
+  const floor = 2 * radius + 0.08 * length; // of the mesh, above the ball
+  const top = floor + scale * sides(mesh)[1];
+  const distance = 1.9 * top; // a fifth more than what its field of view holds
   return {
     ...common(title, Math.min(0.005 * length, 0.3 * edge)),
     cloths: [{
-      name: "mesh", mesh: MESH, transform: placed(mesh, scale, 2 * radius + 0.08 * length),
+      name: "mesh", mesh: MESH, transform: placed(mesh, scale, floor),
       node_mass: number(nodeMass), stiffness: stiffnessOf(length), friction: 0.4, damping: dampingOf(length, nodeMass),
     }],
     colliders: [{ kind: "sphere", center: point(0, radius, 0), radius: number(radius) }, FLOOR],
-    camera: { eye: point(1.3 * length, 1.3 * length, 2.5 * length), target: point(0, 0.55 * length, 0), fov_degrees: 38 },
+    camera: { eye: point(0.44 * distance, 0.5 * top + 0.25 * distance, 0.86 * distance), target: point(0, 0.5 * top, 0), fov_degrees: 38 },
   };
 }
 
