@@ -138,6 +138,7 @@ const HOSTILE: readonly [what: string, files: readonly [string, Buffer][], sente
   ["with broken gzip data", [["a.obj.gz", Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3])]], /a\.obj\.gz: its gzip data are broken/],
   ["that unpacks to too much", [["a.obj.gz", packed(Buffer.alloc(70_000_000))]], /a\.obj\.gz unpacks to more than the limit of 64\.0 MB/],
   ["that are two meshes", [["a.obj", obj(MESH)], ["b.obj", obj(MESH)]], /one mesh at a time.*2 meshes/],
+  ["of a scene that is too long", [["a.json", Buffer.alloc(16_100_000, 32)]], /a\.json: 16\.1 MB are more than a scene's limit of 16\.0 MB/],
   ["of JSON that is none", [["a.json", text("{")]], /line 1, column/],
   ["of a scene with a key that is not known", [["a.json", SCENE("dome.obj", { gravty: 1 })], ["dome.obj", obj(MESH)]], /gravty/],
   ["of a scene whose mesh is missing", [["a.json", SCENE("dome.obj")]], /a\.json names the mesh dome\.obj, which is neither/],

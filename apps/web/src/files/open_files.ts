@@ -4,7 +4,7 @@ import { select } from "../elements.js";
 import type { Notice } from "../notice.js";
 import { sentence, type Player } from "../player.js";
 import { fetchModel, keepOwnScene, OWN, ownScene, type Choice, type OwnScene } from "../scenes.js";
-import { count, megabytes, MOST_BYTES, MOST_CLOTH_NODES, MOST_OBSTACLE_TRIANGLES, MOST_SCENE_NODES } from "./limits.js";
+import { count, megabytes, MOST_BYTES, MOST_CLOTH_NODES, MOST_OBSTACLE_TRIANGLES, MOST_SCENE_BYTES, MOST_SCENE_NODES } from "./limits.js";
 import { MeshDialog } from "./mesh_dialog.js";
 import { readApart } from "./mesh_reader.js";
 import { sceneOfJson, sceneOfMesh } from "./own_scene.js";
@@ -57,6 +57,8 @@ export class FileOpener {
   }
 
   private async readScene(file: File, others: readonly File[]): Promise<OwnScene> {
+    if (file.size > MOST_SCENE_BYTES)
+      throw new Error(`${file.name}: ${megabytes(file.size)} are more than a scene's limit of ${megabytes(MOST_SCENE_BYTES)}.`);
     this.notice.wait(`Reading ${file.name} …`);
     const text = await file.text();
     const files: Record<string, File> = {};
