@@ -284,6 +284,8 @@ std::vector<Hostile> hostile_glb() {
       {"a chunk of 4 GiB", read_glb, good.substr(0, 12) + "\xff\xff\xff\xff" + good.substr(16)},
       {"a binary chunk of 4 GiB", read_glb,
        good.substr(0, binary - 8) + "\xff\xff\xff\xff" + good.substr(binary - 4)},
+      {"a binary chunk of four bytes more", read_glb,
+       good.substr(0, binary - 8) + std::string("\x30\0\0\0", 4) + good.substr(binary - 4)},
       {"the first chunk is not JSON", read_glb, good.substr(0, 16) + "BIN!" + good.substr(20)},
       {"JSON of nothing", read_glb, json_only("")},
       {"JSON of zeros", read_glb, json_only(std::string(1000, '\0'))},
