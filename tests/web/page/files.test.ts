@@ -99,10 +99,27 @@ test("a mesh can be dropped, and what is asked then be declined", async () => {
   await page.keyboard.press("Enter");
   expect(await page.locator("#mesh-size").textContent()).toBe("The length is 11 m; it must be from 0.1 to 10 m.");
   await page.keyboard.press("2"); // a digit of the length, and no view
-  expect(await page.evaluate(() => window.weft.world!.view)).toBe("textured");
+  expect(await page.locator("#mesh-length").inputValue()).toBe("112");
   await page.keyboard.press("Escape");
   expect(await dialog().isVisible()).toBe(false);
   expect([await title(), await nodes()]).toEqual(["Hanging", before]);
+});
+
+test("on a phone what is asked is in the window, and can be touched", async () => {
+  const { width, height } = page.viewportSize()!;
+  await page.setViewportSize({ width: 360, height: 640 });
+  await give(["a mesh with a name that is a good deal longer than a phone is wide.obj", obj(MESH)]);
+  await until("the dialog", () => dialog().isVisible());
+  const box = (await dialog().boundingBox())!;
+  expect([box.x >= 0, box.y >= 0, box.x + box.width <= 360, box.y + box.height <= 640]).toEqual([true, true, true, true]);
+  expect(await dialog().evaluate((element) => element.scrollWidth - element.clientWidth)).toBeLessThanOrEqual(0);
+  const small = await dialog().locator("button, input").evaluateAll((controls) => controls
+    .map((control) => (control.closest("label") ?? control).getBoundingClientRect()).filter(({ width, height }) => Math.min(width, height) < 44));
+  expect(small).toEqual([]);
+  expect(await page.evaluate(() => document.activeElement?.closest("dialog")?.id)).toBe("mesh-dialog");
+  await page.getByRole("button", { name: "Cancel" }).click();
+  expect(await dialog().isVisible()).toBe(false);
+  await page.setViewportSize({ width, height });
 });
 
 const SCENE = (mesh: string, more = {}) => Buffer.from(JSON.stringify({
