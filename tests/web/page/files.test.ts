@@ -127,7 +127,7 @@ const SCENE = (mesh: string, more = {}) => Buffer.from(JSON.stringify({
   cloths: [{ mesh, density: 0.3, pins: [{ nodes: [0, 8] }] }], ...more }));
 
 test("a scene is opened with the mesh that came along, and can be chosen again", async () => {
-  await give(["mine.json", SCENE("meshes/dome.obj")], ["dome.obj", obj(MESH)]);
+  await give(["mine.json", SCENE("meshes/dome.obj")], ["dome.obj.gz", packed(obj(MESH))]);
   await until("it is shown", async () => (await title()) === "Brought along" && (await nodes()) === 81);
   await step();
   await openHanging();
@@ -205,6 +205,25 @@ test("reading that takes too long is ended, and the cloth moves on meanwhile", a
   await page.unroute("**/mesh_worker*.js");
   await give(["quick.ply", ply(MESH)]);
   await until("another is read", () => dialog().isVisible());
+  await page.keyboard.press("Escape");
+});
+
+test("of two files that are read at the same time the one that was chosen last is asked about", async () => {
+  let waiting = true;
+  await page.route("**/mesh_worker*.js", async (route) => {
+    const first = waiting;
+    waiting = false;
+    if (first) await new Promise((wake) => setTimeout(wake, 2500));
+    await route.continue();
+  });
+  let ended = 0;
+  page.on("worker", (worker) => worker.on("close", () => { ended += 1; }));
+  await give(["first.ply", ply(MESH)]);
+  await give(["last.ply", ply(MESH)]);
+  await until("the dialog", () => dialog().isVisible());
+  await until("both have answered", async () => ended === 2);
+  expect(await page.locator("#mesh-title").textContent()).toBe("last.ply");
+  await page.unroute("**/mesh_worker*.js");
   await page.keyboard.press("Escape");
 });
 

@@ -10,7 +10,8 @@ import { readApart } from "./mesh_reader.js";
 import { sceneOfJson, sceneOfMesh } from "./own_scene.js";
 
 const isScene = ({ name }: File): boolean => /\.json$/i.test(name);
-const lastPart = (path: string): string => path.replace(/^.*[\\/]/, "");
+/** Without folders, packed or not. */
+const bare = (path: string): string => path.replace(/^.*[\\/]|\.gz$/gi, "");
 
 export class FileOpener {
   private readonly dialog = new MeshDialog();
@@ -25,7 +26,7 @@ export class FileOpener {
     const number = ++this.newest;
     this.notice.clear();
     try {
-      const own = await this.sceneOf(files);
+      const own = await this.sceneOf(files, () => number !== this.newest);
       if (own && number === this.newest) await this.showOwn(own);
     } catch (reason) {
       if (number !== this.newest) return; // others were chosen meanwhile
@@ -34,21 +35,23 @@ export class FileOpener {
     }
   }
 
-  private async sceneOf(files: readonly File[]): Promise<OwnScene | null> {
+  /** Null: not to be shown; `late`: others were chosen meanwhile. */
+  private async sceneOf(files: readonly File[], late: () => boolean): Promise<OwnScene | null> {
     const bytes = files.reduce((sum, { size }) => sum + size, 0);
     const names = files.length === 1 ? files[0]!.name : `These ${files.length} files`;
     if (bytes > MOST_BYTES)
       throw new Error(`${names}: ${megabytes(bytes)} are more than the limit of ${megabytes(MOST_BYTES)}.`);
     const [scene, another] = files.filter(isScene);
     if (another) throw new Error(`Open one scene at a time: ${scene!.name} and ${another.name} are two.`);
-    if (scene) return this.readScene(scene, files.filter((file) => file !== scene));
+    if (scene) return this.readScene(scene, files.filter((file) => file !== scene), late);
     if (files.length > 1) throw new Error(`Open one mesh at a time, or a scene with the meshes that it names: these are ${files.length} meshes.`);
-    return this.readMesh(files[0]!);
+    return this.readMesh(files[0]!, late);
   }
 
-  private async readMesh(file: File): Promise<OwnScene | null> {
+  private async readMesh(file: File, late: () => boolean): Promise<OwnScene | null> {
     this.notice.wait(`Reading ${file.name} …`);
     const { mesh } = await readApart(file.name, { kind: "mesh", file });
+    if (late()) return null;
     this.notice.wait(null);
     if (mesh.vertices > MOST_CLOTH_NODES && mesh.triangles > MOST_OBSTACLE_TRIANGLES)
       throw new Error(`${file.name}: ${count(mesh.triangles)} triangles are more than the limit of ${count(MOST_OBSTACLE_TRIANGLES)}.`);
@@ -56,7 +59,7 @@ export class FileOpener {
     return use && sceneOfMesh(file.name, mesh, use.role, use.length);
   }
 
-  private async readScene(file: File, others: readonly File[]): Promise<OwnScene> {
+  private async readScene(file: File, others: readonly File[], late: () => boolean): Promise<OwnScene | null> {
     if (file.size > MOST_SCENE_BYTES)
       throw new Error(`${file.name}: ${megabytes(file.size)} are more than a scene's limit of ${megabytes(MOST_SCENE_BYTES)}.`);
     this.notice.wait(`Reading ${file.name} …`);
@@ -64,13 +67,14 @@ export class FileOpener {
     const files: Record<string, File> = {};
     const models: Record<string, ArrayBuffer> = {};
     for (const name of namesIn(text)) {
-      const brought = others.find((other) => [name, `${name}.ply`].map(lastPart).includes(other.name.replace(/\.gz$/i, "")));
+      const brought = others.find((other) => [name, `${name}.ply`].map(bare).includes(bare(other.name)));
       if (brought) files[name] = brought;
       else models[name] = await fetchModel(name).catch(() => {
         throw new Error(`${file.name} names the mesh ${name}, which is neither part of this page nor among the files: open it along with the scene.`);
       });
     }
     const { size, meshes } = await readApart(file.name, { kind: "scene", scene: text, files, models });
+    if (late()) return null;
     if (size.nodes > MOST_SCENE_NODES)
       throw new Error(`${file.name}: ${count(size.nodes)} nodes are more than the limit of ${count(MOST_SCENE_NODES)}.`);
     if (size.obstacleTriangles > MOST_OBSTACLE_TRIANGLES)
