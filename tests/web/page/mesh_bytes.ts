@@ -28,8 +28,10 @@ export function off({ positions, triangles }: Mesh): Buffer {
 }
 
 export function ply({ positions, triangles }: Mesh): Buffer {
-  return Buffer.from(`ply\nformat ascii 1.0\nelement vertex ${positions.length}\nproperty float x\nproperty float y\nproperty float z\n` +
-    `element face ${triangles.length}\nproperty list uchar int vertex_indices\nend_header\n${rows(positions)}${rows(triangles, "3 ")}`);
+  return Buffer.from(`ply\nformat ascii 1.0\nelement vertex ${positions.length}\n` +
+    "property float x\nproperty float y\nproperty float z\n" +
+    `element face ${triangles.length}\nproperty list uchar int vertex_indices\nend_header\n` +
+    rows(positions) + rows(triangles, "3 "));
 }
 
 export function stl({ positions, triangles }: Mesh): Buffer {

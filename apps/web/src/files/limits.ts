@@ -18,5 +18,13 @@ const digits = new Intl.NumberFormat("en", { maximumSignificantDigits: 3 });
 
 export const count = (number: number): string => whole.format(number);
 export const megabytes = (bytes: number): string => `${one.format(bytes / 1e6)} MB`;
+
+/** Refuses what is over a limit. `things` are counted; without, they are bytes. */
+export function checkLimit(name: string, value: number, most: number, things: string | null = null): void {
+  if (value <= most) return;
+  const over = things === null ? megabytes(value) : `${count(value)} ${things}`;
+  throw new Error(`${name}: ${over} are more than the limit of ${things === null ? megabytes(most) : count(most)}.`);
+}
+
 /** Three lengths, as "1.2 × 0.8 × 0.4". */
 export const box = (sides: readonly number[]): string => sides.map((side) => digits.format(side)).join(" × ");

@@ -15,7 +15,8 @@ const counted = (number: number, one: string, many: string): string => `${count(
 export class MeshDialog {
   private readonly dialog = element("mesh-dialog", HTMLDialogElement);
   private readonly length = input("mesh-length");
-  private readonly roles: Readonly<Record<Role, HTMLInputElement>> = { obstacle: input("mesh-obstacle"), cloth: input("mesh-cloth") };
+  private readonly roles: Readonly<Record<Role, HTMLInputElement>> = {
+    obstacle: input("mesh-obstacle"), cloth: input("mesh-cloth") };
   private mesh: MeshFile | null = null;
   private answer: ((use: Use | null) => void) | null = null;
 
@@ -24,8 +25,8 @@ export class MeshDialog {
     this.length.addEventListener("input", () => this.showSize());
     element("mesh-form", HTMLFormElement).addEventListener("submit", (event) => {
       event.preventDefault(); // the page's policy allows no form to be sent
-      if (this.fault() === null) this.close({ role: this.roles.cloth.checked ? "cloth" : "obstacle", length: Number(this.length.value) });
-      else this.length.focus();
+      if (this.fault() !== null) return this.length.focus();
+      this.close({ role: this.roles.cloth.checked ? "cloth" : "obstacle", length: Number(this.length.value) });
     });
     button("mesh-cancel").addEventListener("click", () => this.close(null));
     this.dialog.addEventListener("cancel", () => this.close(null)); // Escape
@@ -62,7 +63,8 @@ export class MeshDialog {
   private fault(): string | null {
     const length = Number(this.length.value);
     if (this.length.value !== "" && length >= LENGTH.least && length <= LENGTH.most) return null;
-    return `The length is ${this.length.value === "" ? "missing" : `${length} m`}; it must be from ${LENGTH.least} to ${LENGTH.most} m.`;
+    const given = this.length.value === "" ? "missing" : `${length} m`;
+    return `The length is ${given}; it must be from ${LENGTH.least} to ${LENGTH.most} m.`;
   }
 
   private showSize(): void {

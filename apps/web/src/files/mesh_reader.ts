@@ -8,8 +8,8 @@ type Read<Kind extends Request["kind"]> = Extract<Answer, { kind: Kind }>;
 export function readApart<Kind extends Request["kind"]>(what: string, request: Request & { kind: Kind }): Promise<Read<Kind>> {
   const worker = new Worker(new URL("./mesh_worker.ts", import.meta.url), { type: "module" });
   return new Promise<Read<Kind>>((resolve, reject) => {
-    const timer = setTimeout(() =>
-      reject(new Error(`${what} was given up: reading it took longer than the limit of ${MOST_SECONDS} s.`)), MOST_SECONDS * 1000);
+    const timer = setTimeout(() => reject(new Error(
+      `${what} was given up: reading it took longer than the limit of ${MOST_SECONDS} s.`)), MOST_SECONDS * 1000);
     worker.addEventListener("message", ({ data }: MessageEvent<Answer>) => {
       clearTimeout(timer);
       if (data.kind === "failed") reject(new Error(data.sentence));

@@ -4,7 +4,8 @@ import { select } from "../elements.js";
 import type { Notice } from "../notice.js";
 import { sentence, type Player } from "../player.js";
 import { fetchModel, keepOwnScene, OWN, ownScene, type Choice, type OwnScene } from "../scenes.js";
-import { count, megabytes, MOST_BYTES, MOST_CLOTH_NODES, MOST_OBSTACLE_TRIANGLES, MOST_SCENE_BYTES, MOST_SCENE_NODES } from "./limits.js";
+import { checkLimit, MOST_BYTES, MOST_CLOTH_NODES, MOST_OBSTACLE_TRIANGLES, MOST_SCENE_BYTES,
+  MOST_SCENE_NODES } from "./limits.js";
 import { MeshDialog } from "./mesh_dialog.js";
 import { readApart } from "./mesh_reader.js";
 import { sceneOfJson, sceneOfMesh } from "./own_scene.js";
@@ -38,13 +39,12 @@ export class FileOpener {
   /** Null: not to be shown; `late`: others were chosen meanwhile. */
   private async sceneOf(files: readonly File[], late: () => boolean): Promise<OwnScene | null> {
     const bytes = files.reduce((sum, { size }) => sum + size, 0);
-    const names = files.length === 1 ? files[0]!.name : `These ${files.length} files`;
-    if (bytes > MOST_BYTES)
-      throw new Error(`${names}: ${megabytes(bytes)} are more than the limit of ${megabytes(MOST_BYTES)}.`);
+    checkLimit(files.length === 1 ? files[0]!.name : `These ${files.length} files`, bytes, MOST_BYTES);
     const [scene, another] = files.filter(isScene);
     if (another) throw new Error(`Open one scene at a time: ${scene!.name} and ${another.name} are two.`);
     if (scene) return this.readScene(scene, files.filter((file) => file !== scene), late);
-    if (files.length > 1) throw new Error(`Open one mesh at a time, or a scene with the meshes that it names: these are ${files.length} meshes.`);
+    if (files.length > 1)
+      throw new Error(`Open one mesh at a time, or a scene with the meshes that it names: these are ${files.length} meshes.`);
     return this.readMesh(files[0]!, late);
   }
 
@@ -53,15 +53,14 @@ export class FileOpener {
     const { mesh } = await readApart(file.name, { kind: "mesh", file });
     if (late()) return null;
     this.notice.wait(null);
-    if (mesh.vertices > MOST_CLOTH_NODES && mesh.triangles > MOST_OBSTACLE_TRIANGLES)
-      throw new Error(`${file.name}: ${count(mesh.triangles)} triangles are more than the limit of ${count(MOST_OBSTACLE_TRIANGLES)}.`);
+    if (mesh.vertices > MOST_CLOTH_NODES) checkLimit(file.name, mesh.triangles, MOST_OBSTACLE_TRIANGLES, "triangles");
     const use = await this.dialog.ask(file.name, mesh);
     return use && sceneOfMesh(file.name, mesh, use.role, use.length);
   }
 
-  private async readScene(file: File, others: readonly File[], late: () => boolean): Promise<OwnScene | null> {
-    if (file.size > MOST_SCENE_BYTES)
-      throw new Error(`${file.name}: ${megabytes(file.size)} are more than a scene's limit of ${megabytes(MOST_SCENE_BYTES)}.`);
+  private async readScene(file: File, others: readonly File[], late: () => boolean):
+    Promise<OwnScene | null> {
+    checkLimit(file.name, file.size, MOST_SCENE_BYTES);
     this.notice.wait(`Reading ${file.name} …`);
     const text = await file.text();
     const files: Record<string, File> = {};
@@ -70,15 +69,14 @@ export class FileOpener {
       const brought = others.find((other) => [name, `${name}.ply`].map(bare).includes(bare(other.name)));
       if (brought) files[name] = brought;
       else models[name] = await fetchModel(name).catch(() => {
-        throw new Error(`${file.name} names the mesh ${name}, which is neither part of this page nor among the files: open it along with the scene.`);
+        throw new Error(`${file.name} names the mesh ${name}, which is neither part of this page nor among the files: ` +
+          "open it along with the scene.");
       });
     }
     const { size, meshes } = await readApart(file.name, { kind: "scene", scene: text, files, models });
     if (late()) return null;
-    if (size.nodes > MOST_SCENE_NODES)
-      throw new Error(`${file.name}: ${count(size.nodes)} nodes are more than the limit of ${count(MOST_SCENE_NODES)}.`);
-    if (size.obstacleTriangles > MOST_OBSTACLE_TRIANGLES)
-      throw new Error(`${file.name}: ${count(size.obstacleTriangles)} triangles of obstacles are more than the limit of ${count(MOST_OBSTACLE_TRIANGLES)}.`);
+    checkLimit(file.name, size.nodes, MOST_SCENE_NODES, "nodes");
+    checkLimit(file.name, size.obstacleTriangles, MOST_OBSTACLE_TRIANGLES, "triangles of obstacles");
     this.notice.wait(null);
     return sceneOfJson(file.name, text, meshes);
   }

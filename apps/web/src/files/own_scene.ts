@@ -47,7 +47,8 @@ function overObstacle(title: string, mesh: MeshFile, length: number): object {
       damping: dampingOf(length, (DENSITY * width * width) / (GRID * GRID)),
     }],
     colliders: [{ kind: "mesh", mesh: MESH, transform: placed(mesh, scale, 0) }, FLOOR],
-    camera: { eye: point(1.35 * length, height + 0.45 * length, 2.1 * length), target: point(0, 0.42 * height, 0), fov_degrees: 38 },
+    camera: {
+      eye: point(1.35 * length, height + 0.45 * length, 2.1 * length), target: point(0, 0.42 * height, 0), fov_degrees: 38 },
   };
 }
 
@@ -68,7 +69,9 @@ function asCloth(title: string, mesh: MeshFile, length: number): object {
       node_mass: number(nodeMass), stiffness: stiffnessOf(length), friction: 0.4, damping: dampingOf(length, nodeMass),
     }],
     colliders: [{ kind: "sphere", center: point(0, radius, 0), radius: number(radius) }, FLOOR],
-    camera: { eye: point(0.44 * distance, 0.5 * top + 0.25 * distance, 0.86 * distance), target: point(0, 0.5 * top, 0), fov_degrees: 38 },
+    camera: {
+      eye: point(0.44 * distance, 0.5 * top + 0.25 * distance, 0.86 * distance), target: point(0, 0.5 * top, 0),
+      fov_degrees: 38 },
   };
 }
 
