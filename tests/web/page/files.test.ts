@@ -326,6 +326,12 @@ test("a video is recorded, started and stopped by hand, and plays", async () => 
   await until("it can be recorded again", () => page.getByRole("button", { name: "Record a video" }).isVisible());
 });
 
+test("a recording that is stopped at once still has a picture", async () => {
+  await page.getByRole("button", { name: "Record a video" }).click();
+  const { bytes } = await saved(() => page.getByRole("button", { name: "Stop:" }).click());
+  expect((await played(bytes, "video/webm")).bright).toBeGreaterThan(60);
+});
+
 test("a recording ends by itself when the longest time is over", async () => {
   await page.getByRole("button", { name: "Record a video" }).click();
   await play(page, 4);
