@@ -301,10 +301,14 @@ async function played(bytes: Buffer, type: string):
       video.currentTime = 1e6; // a recording does not state its duration before its end is known
       await sought; // at its last picture
       const context = new OffscreenCanvas(video.videoWidth, video.videoHeight).getContext("2d")!;
-      context.drawImage(video, 0, 0);
-      const { data } = context.getImageData(0, 0, video.videoWidth, video.videoHeight);
-      return { width: video.videoWidth, height: video.videoHeight, seconds: video.currentTime,
-        bright: data.reduce((most, value, i) => (i % 4 < 3 ? Math.max(most, value) : most), 0) };
+      let bright = 0; // of 255; the picture may come a little after the event
+      for (let tries = 0; bright === 0 && tries < 60; tries++) {
+        await new Promise((wake) => setTimeout(wake, 50));
+        context.drawImage(video, 0, 0);
+        const { data } = context.getImageData(0, 0, video.videoWidth, video.videoHeight);
+        bright = data.reduce((most, value, i) => (i % 4 < 3 ? Math.max(most, value) : most), 0);
+      }
+      return { width: video.videoWidth, height: video.videoHeight, seconds: video.currentTime, bright };
     }, [bytes.toString("base64"), type] as const);
   } finally {
     await other.close();
