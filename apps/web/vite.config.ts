@@ -28,6 +28,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 700, // kB: three.js, which only /compare loads
     rollupOptions: { input: { main: `${import.meta.dirname}/index.html`, compare: `${import.meta.dirname}/compare/index.html` } },
   },
+  worker: { format: "es" }, // as the page: the core finds its file beside the module
   server: { headers: headers("'self' 'unsafe-inline'") }, // Vite hands styles over inline while developing
   preview: { headers: headers("'self'") },
 });

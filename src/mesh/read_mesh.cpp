@@ -1,6 +1,7 @@
 #include "mesh/read_mesh.hpp"
 
 #include "base/file.hpp"
+#include "mesh/glb.hpp"
 #include "mesh/gzip.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/off.hpp"
@@ -17,8 +18,8 @@ Reader find_reader(std::string_view path) {
   static constexpr struct {
     std::string_view end;
     Reader reader;
-  } kReaders[] = {
-      {".obj", read_obj}, {".off", read_off}, {".stl", read_stl}, {".ply", read_ply}, {".ply.gz", read_ply}};
+  } kReaders[] = {{".obj", read_obj}, {".off", read_off},    {".stl", read_stl},
+                  {".ply", read_ply}, {".ply.gz", read_ply}, {".glb", read_glb}};
   for (const auto& row : kReaders)
     if (path.size() > row.end.size() && same_word(path.substr(path.size() - row.end.size()), row.end))
       return row.reader;
@@ -27,7 +28,8 @@ Reader find_reader(std::string_view path) {
 
 Result<TriangleMesh> read(std::span<const std::byte> bytes, const std::string& name) {
   const Reader reader = find_reader(name);
-  if (reader == nullptr) return input_error("The name does not end in .obj, .off, .stl, .ply or .ply.gz.");
+  if (reader == nullptr)
+    return input_error("The name does not end in .glb, .obj, .off, .stl, .ply or .ply.gz.");
   return reader(bytes);
 }
 

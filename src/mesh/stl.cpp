@@ -1,10 +1,10 @@
 #include "mesh/stl.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "mesh/little_endian.hpp"
+#include "mesh/merge.hpp"
 #include "mesh/text_cursor.hpp"
 
 namespace weft::mesh {
@@ -13,39 +13,12 @@ namespace {
 constexpr std::uint64_t kHeaderSize = 84;    // 80 of text, 4 of the count
 constexpr std::uint64_t kTriangleSize = 50;  // normal, three corners, two bytes of attributes
 
-using Key = std::array<std::uint32_t, 3>;  // the bits of a corner
-
-struct Corner {
-  Key key;
-  std::uint32_t index;
-};
-
-// Sorted and not hashed: a file made to collide would cost a hash table quadratic time.
-TriangleMesh merge_corners(const std::vector<Vec3f>& points) {
-  std::vector<Corner> corners(points.size());
-  for (std::uint32_t i = 0; i < corners.size(); ++i) {
-    std::memcpy(corners[i].key.data(), &points[i], sizeof(Key));
-    corners[i].index = i;
-  }
-  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-    return a.key != b.key ? a.key < b.key : a.index < b.index;
-  });
-  std::vector<std::uint32_t> first(points.size());  // corner -> the first corner with the same bits
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    first[corners[i].index] =
-        i > 0 && corners[i].key == corners[i - 1].key ? first[corners[i - 1].index] : corners[i].index;
-
+TriangleMesh merged(std::vector<Vec3f> points) {
   TriangleMesh mesh;
   mesh.triangles.resize(points.size() / 3);
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    std::uint32_t& vertex = mesh.triangles[i / 3][i % 3];
-    if (first[i] != i) {
-      vertex = mesh.triangles[first[i] / 3][first[i] % 3];
-    } else {
-      vertex = static_cast<std::uint32_t>(mesh.positions.size());
-      mesh.positions.push_back(points[i]);
-    }
-  }
+  for (std::uint32_t i = 0; i < points.size(); ++i) mesh.triangles[i / 3][i % 3] = i;
+  mesh.positions = std::move(points);
+  merge_vertices(mesh);
   return mesh;
 }
 
@@ -61,7 +34,7 @@ Result<TriangleMesh> read_binary(std::span<const std::byte> bytes, std::size_t c
     }
     points[i] = without_negative_zero(points[i]);
   }
-  TriangleMesh mesh = merge_corners(points);
+  TriangleMesh mesh = merged(std::move(points));
   WEFT_CHECK(check_mesh(mesh));
   return mesh;
 }
@@ -107,7 +80,7 @@ Result<TriangleMesh> read_text(std::span<const std::byte> bytes) {
     cursor.next_line();
     word = cursor.next();
   } while (!word.empty());
-  TriangleMesh mesh = merge_corners(points);
+  TriangleMesh mesh = merged(std::move(points));
   WEFT_CHECK(check_mesh(mesh));
   return mesh;
 }

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "base/json.hpp"
 #include "base/result.hpp"
-#include "scene/json.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::scene {

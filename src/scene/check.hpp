@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "base/json.hpp"
 #include "base/result.hpp"
 #include "scene/format.hpp"
-#include "scene/json.hpp"
 
 namespace weft::scene {
 

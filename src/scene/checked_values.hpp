@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/json.hpp"
+#include "base/json.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::scene {

@@ -40,9 +40,9 @@ Result<Copies> copies_of(const Json& json, const std::string& file, const std::s
           number_text(kMaxCoordinate).c_str());
   // Each copy has pins and paths of its own: a file that is small must not become a scene that is huge.
   const std::uint64_t values = copies.count * value_count(json);
-  if (copies.count > 1 && values > kMaxValues)
+  if (copies.count > 1 && values > kMaxJsonValues)
     return input_error("%s: %s.copies written out would be %llu values, more than the limit of %zu.",
-                       file.c_str(), path.c_str(), static_cast<unsigned long long>(values), kMaxValues);
+                       file.c_str(), path.c_str(), static_cast<unsigned long long>(values), kMaxJsonValues);
   return copies;
 }
 

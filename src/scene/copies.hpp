@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "base/json.hpp"
 #include "base/result.hpp"
-#include "scene/json.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::scene {
@@ -17,7 +17,7 @@ struct Copies {
 
 /// What the checked `json` of a cloth at `path` says of its copies; without a word of them it stands once.
 /// Errors  Input: a cloth with grabs; a last copy whose translation is out of range; copies that written out
-///         would have over kMaxValues values.
+///         would have over kMaxJsonValues values.
 Result<Copies> copies_of(const Json& json, const std::string& file, const std::string& path);
 
 /// The cloth `shift` further on [m]: its sheet, the places that select its nodes, the centres of its

@@ -1,6 +1,6 @@
 #include "scene/difference.hpp"
 
-#include "scene/json.hpp"
+#include "base/json.hpp"
 
 namespace weft::scene {
 namespace {

@@ -21,7 +21,7 @@ Result<Scene> parse_scene(std::string_view text, const std::string& file,
 }
 
 Result<Scene> load_scene(const std::string& path, std::span<const Override> overrides) {
-  WEFT_TRY(bytes, read_file(path, kMaxFileBytes));
+  WEFT_TRY(bytes, read_file(path, kMaxJsonBytes));
   return parse_scene({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path, overrides);
 }
 

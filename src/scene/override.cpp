@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "scene/json.hpp"
+#include "base/json.hpp"
 
 namespace weft::scene {
 namespace {
@@ -61,8 +61,8 @@ Result<Json*> step(Json& json, const std::string& part, const std::string& path)
 
 Result<void> set(const Override& change, Json& scene) {
   const std::vector<std::string> parts = split(change.key);
-  if (parts.size() > kMaxNesting)
-    return input_error("the key has %zu parts, more than the limit of %zu.", parts.size(), kMaxNesting);
+  if (parts.size() > kMaxJsonNesting)
+    return input_error("the key has %zu parts, more than the limit of %zu.", parts.size(), kMaxJsonNesting);
   if (std::any_of(parts.begin(), parts.end(), [](const std::string& part) { return part.empty(); }))
     return input_error("a part of the key is empty.");
   WEFT_TRY(value, parse_value(change.value));

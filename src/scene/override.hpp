@@ -6,9 +6,11 @@
 
 #include "base/result.hpp"
 
-namespace weft::scene {
-
+namespace weft {
 struct Json;
+}
+
+namespace weft::scene {
 
 /// Sets the value at a dotted key. Objects on the way are made where they are missing; list entries are not.
 struct Override {

@@ -1,8 +1,8 @@
 #include "sim/assets.hpp"
 
+#include "base/json.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/read_mesh.hpp"
-#include "scene/json.hpp"
 #include "scene/load.hpp"
 
 namespace weft::sim {
@@ -22,7 +22,7 @@ Result<mesh::TriangleMesh> load_placed(const MeshReader& read, const std::string
 /// A keyframe of an object that has all its triangles still.
 Result<mesh::TriangleMesh> load_keyframe(const MeshReader& read, const scene::ColliderMesh& collider,
                                          std::size_t number, const mesh::TriangleMesh& object) {
-  const std::string where = scene::path_of_index(collider.where + ".keyframes", number);
+  const std::string where = path_of_index(collider.where + ".keyframes", number);
   const std::string& name = collider.keyframes[number].mesh;
   WEFT_TRY(placed, load_placed(read, name, collider.transform, where));
   if (placed.positions.size() != object.positions.size())
@@ -81,7 +81,7 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read) {
     } else if (const auto* box = std::get_if<scene::ColliderBox>(&scene.colliders[c])) {
       WEFT_CHECK(add_object(assets, c,
                             mesh::transformed(mesh::make_box(box->size), 1, box->rotate, box->center), {},
-                            scene.file + ": " + scene::path_of_index("colliders", c) + ", a box,"));
+                            scene.file + ": " + path_of_index("colliders", c) + ", a box,"));
     }
   }
   return assets;

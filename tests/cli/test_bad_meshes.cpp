@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "mesh/glb.hpp"
 #include "mesh/mesh_files.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
@@ -44,8 +45,8 @@ std::vector<BadMesh> bad_meshes() {
       write_obj(cube()).substr(0, write_obj(cube()).find("f ") + 3);  // an OBJ has no counts
   return {
       // Of no kind.
-      {"a.txt", "hello", "does not end in .obj"},
-      {"a.obj.gz", gzip(points), "does not end in .obj"},
+      {"a.txt", "hello", "does not end in .glb"},
+      {"a.obj.gz", gzip(points), "does not end in .glb"},
       {"none.obj", "", "The mesh has no triangles"},
       {"noise.ply", repeated("\xff\x00\x7f\n", 5000), "not with ply"},
       // OBJ.
@@ -103,6 +104,13 @@ std::vector<BadMesh> bad_meshes() {
        "incorrect data check"},
       {"header.ply.gz", "\x1f\x8b", "The gzip data end at byte 2"},
       {"many.ply.gz", repeated(gzip(""), 10'000), "not with ply"},
+      // GLB.
+      {"half.glb", half(text_of(write_glb(cube()))), "bytes, but the file has"},
+      {"noise.glb", repeated("\xff\x00\x7f\n", 5000), "not with the 0x46546c67 of a GLB file"},
+      {"past.glb", replaced(text_of(write_glb(cube())), "\"count\":8,", "\"count\":9,"),
+       "accessors[0].count is 9; it must be a whole number from 0 to 8"},
+      {"elsewhere.glb", replaced(text_of(write_glb(cube())), "\"byteLength\":336", "\"uri\":\"a.bi\"    "),
+       "buffers[0].uri names data outside of the file"},
       // STL.
       {"short.stl", std::string(83, 'x'), "where \"solid\" is due"},
       {"none.stl", std::string(84, '\0'), "The mesh has no triangles"},

@@ -102,6 +102,39 @@ std::string binary_stl(const TriangleMesh& mesh, std::string_view header) {
   return text;
 }
 
+std::string glb_file(std::string json, std::string binary) {
+  const auto word = [](std::size_t value) {
+    return ply_value(PlyFormat::BinaryLittle, PlyType::Uint32, static_cast<double>(value));
+  };
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  binary.resize((binary.size() + 3) / 4 * 4, '\0');
+  return "glTF" + word(2) + word(12 + 8 + json.size() + 8 + binary.size()) + word(json.size()) + "JSON" +
+         json + word(binary.size()) + std::string("BIN\0", 4) + binary;
+}
+
+std::string elaborate_glb() {
+  std::string binary;
+  for (const Vec3f& p : cube().positions) {
+    for (int axis = 0; axis < 3; ++axis) binary += bits_of(2 * p[axis]);
+    binary += "abcd";  // a colour, as it were
+  }
+  for (const Triangle& t : cube().triangles)
+    for (const auto vertex : t) binary += static_cast<char>(vertex);
+  return glb_file(
+      R"({"asset": {"version": "2.0", "generator": "a test"}, "scene": 1, "extensionsUsed": ["KHR_x"],
+    "extensionsRequired": ["KHR_materials_unlit"],
+    "scenes": [{"name": "empty"}, {"nodes": [2]}],
+    "nodes": [{"mesh": 0, "scale": [0.5, 0.5, 0.5]}, {"camera": 0},
+              {"children": [1, 0], "translation": [0, 0, 0], "rotation": [0, 0, 0, 1]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 1, "COLOR_0": 2}, "indices": 0, "mode": 4}]}],
+    "accessors": [{"bufferView": 1, "componentType": 5121, "count": 36, "type": "SCALAR"},
+                  {"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 128, "byteStride": 16},
+                    {"buffer": 0, "byteOffset": 128, "byteLength": 36}],
+    "buffers": [{"byteLength": 164}]})",
+      binary);
+}
+
 std::string text_off(const TriangleMesh& mesh) {
   std::string text =
       "OFF\n" + std::to_string(mesh.positions.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";

@@ -28,9 +28,14 @@ bool same_bits(const TriangleMesh& a, const TriangleMesh& b);
 std::string gzip(std::string_view text);
 std::string text_stl(const TriangleMesh& mesh);
 std::string binary_stl(const TriangleMesh& mesh, std::string_view header = "a cube");
+/// A GLB container of this JSON and these bytes, each padded.
+std::string glb_file(std::string json, std::string binary);
 std::string text_off(const TriangleMesh& mesh);
 /// A value as a PLY file of this format has it, with a space after it in a text file.
 std::string ply_value(PlyFormat format, PlyType type, double value);
+/// A cube in GLB as other programs write it: interleaved, indices of a byte, in a tree of nodes, and with
+/// things that no mesh needs.
+std::string elaborate_glb();
 /// A PLY file with elements and properties that no mesh needs, in a random order.
 std::string elaborate_ply(PlyFormat format, const TriangleMesh& mesh, std::uint32_t seed);
 

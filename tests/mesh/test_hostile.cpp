@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "allocation_meter.hpp"
+#include "mesh/glb.hpp"
 #include "mesh/gzip.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/off.hpp"
@@ -236,9 +237,138 @@ std::string check_hostile(const Hostile& hostile) {
     return "has the message " + message;
   for (const char c : message)
     if (c < ' ' || c > '~') return "has a character in its message that does not print";
-  if (peak > kMaxGrowth * hostile.bytes.size() + kMaxConstant)
+  // JSON takes more room than its text, and a file may use a mesh many times; both have their limits.
+  const std::size_t growth = hostile.reader == read_glb ? 2 * kMaxGlbGrowth : kMaxGrowth;
+  if (peak > growth * hostile.bytes.size() + kMaxConstant)
     return "allocates " + std::to_string(peak) + " for " + std::to_string(hostile.bytes.size()) + " bytes";
   return {};
+}
+
+// A GLB file of a triangle, with one place of its JSON replaced.
+std::string glb_with(std::string_view from, std::string_view to) {
+  const std::string json =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0},{"mesh":0}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
+      R"({"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],)"
+      R"("buffers":[{"byteLength":42}]})";
+  std::string binary(36, '\0');
+  binary[4 * 3 + 2] = static_cast<char>(0x80), binary[4 * 3 + 3] = 0x3f;  // (1, 0, 0)
+  binary[4 * 7 + 2] = static_cast<char>(0x80), binary[4 * 7 + 3] = 0x3f;  // (0, 1, 0)
+  return glb_file(from.empty() ? json : replaced(json, from, to), binary + std::string("\0\0\1\0\2\0", 6));
+}
+
+std::vector<Hostile> hostile_glb() {
+  const std::string good = glb_with("", "");
+  const std::size_t binary = good.size() - 44;
+  const std::string nan = std::string("\0\0\xc0\x7f", 4);
+  const auto row = [](const char* name, std::string_view from, std::string_view to) {
+    return Hostile{name, read_glb, glb_with(from, to)};
+  };
+  const auto json_only = [](const std::string& json) {
+    return "glTF" + std::string("\2\0\0\0", 4) +
+           ply_value(PlyFormat::BinaryLittle, PlyType::Uint32, static_cast<double>(20 + json.size())) +
+           ply_value(PlyFormat::BinaryLittle, PlyType::Uint32, static_cast<double>(json.size())) + "JSON" +
+           json;
+  };
+  std::string chain;  // nodes, each the child of the one before
+  for (int i = 1; i < 20'000; ++i) chain += R"({"children":[)" + std::to_string(i) + "]},";
+  return {
+      {"empty", read_glb, ""},
+      {"a header alone", read_glb, std::string("glTF\2\0\0\0\14\0\0\0", 12)},
+      {"text", read_glb, R"({"asset":{"version":"2.0"}, "scenes": []})"},
+      {"version 1", read_glb, good.substr(0, 4) + "\1" + good.substr(5)},
+      {"one byte less than stated", read_glb, good.substr(0, good.size() - 1)},
+      {"one byte more than stated", read_glb, good + "x"},
+      {"a chunk of 4 GiB", read_glb, good.substr(0, 12) + "\xff\xff\xff\xff" + good.substr(16)},
+      {"a binary chunk of 4 GiB", read_glb,
+       good.substr(0, binary - 8) + "\xff\xff\xff\xff" + good.substr(binary - 4)},
+      {"a binary chunk of four bytes more", read_glb,
+       good.substr(0, binary - 8) + std::string("\x30\0\0\0", 4) + good.substr(binary - 4)},
+      {"the first chunk is not JSON", read_glb, good.substr(0, 16) + "BIN!" + good.substr(20)},
+      {"JSON of nothing", read_glb, json_only("")},
+      {"JSON of zeros", read_glb, json_only(std::string(1000, '\0'))},
+      {"JSON of bytes that are no text", read_glb, json_only("{\"\xff\xfe\x80\": 1}    ")},
+      {"JSON that is deep", read_glb, json_only(repeated("[", 100'000))},
+      {"JSON with a key twice", read_glb, json_only("{\"\xc3\xa4\":1,\"\xc3\xa4\":1}")},
+      {"two million values", read_glb, json_only("[0" + repeated(",0", 2'000'000) + "]")},
+      {"a list", read_glb, json_only("[]  ")},
+      row("no version", R"({"version":"2.0"})", "{}"),
+      row("version 3", R"("2.0")", R"("3.0")"),
+      row("a required extension", R"("scene":0)",
+          R"("extensionsRequired":["KHR_draco_mesh_compression"],"scene":0)"),
+      row("a required extension that is no text", R"("scene":0)", R"("extensionsRequired":[7],"scene":0)"),
+      row("no scene", R"("scenes":[{"nodes":[0]}])", R"("scenes":[])"),
+      row("scene 1 of 1", R"("scene":0)", R"("scene":1)"),
+      row("scene -1", R"("scene":0)", R"("scene":-1)"),
+      row("a scene without nodes", R"({"nodes":[0]})", "{}"),
+      row("node 9", R"({"nodes":[0]})", R"({"nodes":[9]})"),
+      row("node 0.5", R"({"nodes":[0]})", R"({"nodes":[0.5]})"),
+      row("node 1e300", R"({"nodes":[0]})", R"({"nodes":[1e300]})"),
+      row("node \"0\"", R"({"nodes":[0]})", R"({"nodes":["0"]})"),
+      row("a node twice", R"({"nodes":[0]})", R"({"nodes":[0,0]})"),
+      row("a node that is its own child", R"({"mesh":0},)", R"({"mesh":0,"children":[0]},)"),
+      row("a ring of nodes", R"({"mesh":0},{"mesh":0})", R"({"mesh":0,"children":[1]},{"children":[0]})"),
+      row("a chain of 20,000 nodes to none", R"([{"mesh":0},{"mesh":0}])",
+          "[" + chain + "{\"children\":[20000]}]"),
+      row("a node that is no object", R"([{"mesh":0},{"mesh":0}])", "[3]"),
+      row("mesh 1 of 1", R"({"mesh":0},)", R"({"mesh":1},)"),
+      row("a rotation of zero", R"({"mesh":0},)", R"({"mesh":0,"rotation":[0,0,0,0]},)"),
+      row("a scale of two numbers", R"({"mesh":0},)", R"({"mesh":0,"scale":[1,1]},)"),
+      row("a scale of words", R"({"mesh":0},)", R"({"mesh":0,"scale":["a","b","c"]},)"),
+      row("a scale beyond float", R"({"mesh":0},)", R"({"mesh":0,"scale":[1e300,1,1]},)"),
+      row("a translation beyond float", R"({"mesh":0},)", R"({"mesh":0,"translation":[0,-1e39,0]},)"),
+      row("a matrix with perspective", R"({"mesh":0},)",
+          R"({"mesh":0,"matrix":[1,0,0,1,0,1,0,0,0,0,1,0,0,0,0,1]},)"),
+      row("points", R"("indices":1)", R"("indices":1,"mode":0)"),
+      row("mode 7", R"("indices":1)", R"("indices":1,"mode":7)"),
+      row("no attributes", R"("attributes":{"POSITION":0},)", ""),
+      row("no positions", R"({"POSITION":0})", R"({"NORMAL":0})"),
+      row("accessor 2 of 2", R"({"POSITION":0})", R"({"POSITION":2})"),
+      row("indices of floats", R"("indices":1)", R"("indices":0)"),
+      row("positions of shorts", R"({"POSITION":0})", R"({"POSITION":1})"),
+      row("signed indices", "5123", "5122"),
+      row("doubles", "5126", "5130"),
+      row("positions of two numbers", "VEC3", "VEC2"),
+      row("a sparse accessor", R"("type":"VEC3")", R"("type":"VEC3","sparse":{"count":1})"),
+      row("an accessor without a view", R"("bufferView":0,)", ""),
+      row("view 2 of 2", R"("bufferView":0)", R"("bufferView":2)"),
+      row("a count of 4", R"("count":3,"type":"VEC3")", R"("count":4,"type":"VEC3")"),
+      row("a count of 2^53", R"("count":3,"type":"SCALAR")", R"("count":9007199254740992,"type":"SCALAR")"),
+      row("a count of 1e300", R"("count":3,"type":"VEC3")", R"("count":1e300,"type":"VEC3")"),
+      row("a count of -3", R"("count":3,"type":"VEC3")", R"("count":-3,"type":"VEC3")"),
+      row("a count of 2.5", R"("count":3,"type":"VEC3")", R"("count":2.5,"type":"VEC3")"),
+      row("two corners", R"("count":3,"type":"SCALAR")", R"("count":2,"type":"SCALAR")"),
+      row("a vertex that is not there", R"("count":3,"type":"VEC3")", R"("count":2,"type":"VEC3")"),
+      row("an offset past the view", R"("count":3,"type":"VEC3")",
+          R"("byteOffset":37,"count":3,"type":"VEC3")"),
+      row("an offset that leaves two", R"("count":3,"type":"VEC3")",
+          R"("byteOffset":4,"count":3,"type":"VEC3")"),
+      row("a stride of 4", R"("byteLength":36)", R"("byteLength":36,"byteStride":4)"),
+      row("a stride of 16", R"("byteLength":36)", R"("byteLength":36,"byteStride":16)"),
+      row("a stride of 2^32", R"("byteLength":36)", R"("byteLength":36,"byteStride":4294967296)"),
+      row("a view past the buffer", R"("byteLength":6}],)", R"("byteLength":7}],)"),
+      row("a view that begins past it", R"("byteOffset":36)", R"("byteOffset":4294967295)"),
+      row("a buffer longer than the chunk", R"({"byteLength":42})", R"({"byteLength":45})"),
+      row("a buffer elsewhere", R"({"byteLength":42})", R"({"byteLength":42,"uri":"a.bin"})"),
+      row("a buffer in the JSON", R"({"byteLength":42})", R"({"byteLength":42,"uri":"data:,abc"})"),
+      row("buffer 1 of 1", R"("buffer":0,)", R"("buffer":1,)"),
+      {"nan", read_glb, good.substr(0, binary) + nan + good.substr(binary + 4)},
+      {"a mesh that 2,000 nodes use", read_glb,
+       [] {
+         std::string numbers = "0", nodes = R"({"mesh":0})";
+         for (int i = 1; i < 2000; ++i) numbers += "," + std::to_string(i), nodes += R"(,{"mesh":0})";
+         std::string file = replaced(
+             replaced(glb_with("", "").substr(20, 100'000), R"("nodes":[0])", "\"nodes\":[" + numbers + "]"),
+             R"([{"mesh":0},{"mesh":0}])", "[" + nodes + "]");
+         const std::string list = R"({"attributes":{"POSITION":0},"indices":1})";
+         std::string many = list;
+         for (int i = 1; i < 2000; ++i) many += "," + list;
+         file = replaced(file.substr(0, file.rfind('}') + 1), list, many);
+         return glb_file(file, glb_with("", "").substr(glb_with("", "").size() - 44));
+       }()},
+  };
 }
 
 void check_all(const std::vector<Hostile>& table, std::size_t least_count) {
@@ -288,7 +418,8 @@ std::string check_any(Reader reader, const std::string& bytes) {
   const AllocationMeter meter;
   const auto result = reader(bytes_of(bytes));
   const std::size_t peak = meter.peak();
-  const std::size_t unpacked = is_gzip(bytes_of(bytes)) ? kMaxGzipRatio * bytes.size() : bytes.size();
+  const bool may_grow = is_gzip(bytes_of(bytes)) || reader == read_glb;
+  const std::size_t unpacked = may_grow ? kMaxGzipRatio * bytes.size() : bytes.size();
   if (peak > (kMaxGrowth + 1) * unpacked + kMaxConstant) return "allocates " + std::to_string(peak);
   if (result) return check_mesh(*result) ? "" : "a bad mesh passes";
   if (result.error().kind != ErrorKind::Input || result.error().message.empty())
@@ -327,6 +458,11 @@ TEST_CASE("hostile PLY files are input errors, and cost no more memory than they
   check_all(hostile_ply(), 45);
 }
 
+TEST_CASE("hostile GLB files are input errors, and cost no more memory than they may grow") {
+  CHECK(read_glb(bytes_of(glb_with("", ""))));
+  check_all(hostile_glb(), 60);
+}
+
 TEST_CASE("large good files cost no more memory than they are large either") {
   const std::string polygons = "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + std::string("f") + repeated(" 1 2 3", 500'000);
   const std::string bytes = ply_header("binary_little_endian", "1", "1", "uint uchar") +
@@ -362,6 +498,22 @@ TEST_CASE("mutated files of every format are read or refused, never worse") {
     CHECK(check_any(read_ply, gzip(mutated(binary, random))) == "");
     CHECK(check_any(read_ply, mutated(gzip(binary), random)) == "");
   }
+  const std::string glb = elaborate_glb(), json = glb.substr(20, glb.find("BIN") - 24),
+                    data = glb.substr(glb.size() - 164);
+  int accepted = 0;
+  for (int i = 0; i < 5000;
+       ++i) {  // inside the container, and the container itself, which states its lengths
+    const std::string inside =
+        glb_file(i % 3 == 0 ? json : mutated(json, random), i % 3 == 1 ? data : mutated(data, random));
+    for (const std::string& bytes : {inside, mutated(i % 2 == 0 ? glb : inside, random)})
+      if (const std::string problem = check_any(read_glb, bytes); !problem.empty()) {
+        INFO("mutation " << i << " of GLB");
+        FAIL(problem);
+      }
+    accepted += read_glb(bytes_of(inside)) ? 1 : 0;
+  }
+  CHECK(accepted > 500);
+  CHECK(accepted < 4500);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  MESSAGE("22,000 mutations in " << wall.count() << " s");
+  MESSAGE("32,000 mutations in " << wall.count() << " s");
 }

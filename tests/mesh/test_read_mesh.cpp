@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "base/file.hpp"
+#include "mesh/glb.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
 #include "mesh/read_mesh.hpp"
@@ -17,6 +18,8 @@ TEST_CASE("a mesh is read by the end of its name, in capitals or not") {
                                                        {"A.OBJ", write_obj(cube())},
                                                        {"a.ply", ply},
                                                        {"a.ply.gz", gzip(ply)},
+                                                       {"a.glb", text_of(write_glb(cube()))},
+                                                       {"b.GLB", elaborate_glb()},
                                                        {"b.Ply.Gz", gzip(ply)},
                                                        {"b.ply", elaborate_ply(PlyFormat::Text, cube(), 1)},
                                                        {"a.off", text_off(cube())},

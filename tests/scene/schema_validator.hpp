@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scene/json.hpp"
+#include "base/json.hpp"
 
 namespace weft::scene {
 

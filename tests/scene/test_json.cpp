@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "base/file.hpp"
-#include "scene/json.hpp"
+#include "base/json.hpp"
 #include "scene/load.hpp"
 #include "scene/nearest.hpp"
 #include "temporary_folder.hpp"

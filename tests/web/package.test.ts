@@ -2,7 +2,7 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
-import { catalog, createWorld, meshNames, schemaOf, WeftError, type World, type WorldOptions } from "weft";
+import { catalog, checkScene, createWorld, meshNames, readMesh, schemaOf, WeftError, type World, type WorldOptions } from "weft";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { gpu } from "./node_gpu.ts";
 
@@ -271,6 +271,25 @@ describe("a world", () => {
     expect(obj.match(/^v /gm)).toHaveLength(144);
     expect(obj.match(/^f /gm)).toHaveLength(242);
     expect(new TextDecoder().decode((await world.exportMesh("ply")).slice(0, 3))).toBe("ply");
+    expect(new TextDecoder().decode((await world.exportMesh("glb")).slice(0, 4))).toBe("glTF");
+    expect((await failure(world.exportMesh("stl" as "obj"))).message).toBe("The format stl is not known; there are obj, ply and glb.");
+  });
+
+  it("reads a mesh file without a world, and gives its size and the mesh as PLY", async () => {
+    const obj = new TextEncoder().encode("v 0 0 0\nv 2 0 0\nv 0 3 0\nv 9 9 9\nv 1 0 0\nf 1 2 3\nf 1 5 2\n"); // one triangle is a line
+    const whole = await readMesh("a.obj", obj);
+    expect([whole.vertices, whole.triangles, whole.dropped, whole.area, whole.low, whole.high]).toEqual([5, 2, 0, 3, [0, 0, 0], [9, 9, 9]]);
+    const cleaned = await readMesh("a.obj", obj, { cleaned: true });
+    expect([cleaned.vertices, cleaned.triangles, cleaned.dropped, cleaned.area, cleaned.high]).toEqual([3, 1, 1, 3, [2, 3, 0]]);
+    expect(await readMesh("a.ply", cleaned.ply)).toEqual({ ...cleaned, dropped: 0 });
+    expect((await failure(readMesh("a.glb", obj))).message)
+      .toBe("While reading mesh a.glb: The file begins with 0x20302076, not with the 0x46546c67 of a GLB file.");
+  });
+
+  it("checks a scene without a world, and gives its size", async () => {
+    const models = { sphere: readFileSync(join(ROOT, "models/sphere.ply")) };
+    expect(await checkScene(scene("pull-sphere"), models)).toEqual({ nodes: 10_000, obstacleTriangles: 760 });
+    expect((await failure(checkScene(scene("pull-sphere")))).message).toContain("sphere was not handed over");
   });
 
   it("says what is wrong with a scene, by kind and in a sentence", async () => {

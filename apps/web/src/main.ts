@@ -6,6 +6,7 @@ import { Pins } from "./controls/pins.js";
 import { Theme } from "./controls/theme.js";
 import { element } from "./elements.js";
 import { showFallback } from "./fallback.js";
+import { Files } from "./files/files.js";
 import { adapterLimits } from "./memory.js";
 import { Notice } from "./notice.js";
 import { Player, type PlayerEvents } from "./player.js";
@@ -84,6 +85,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const pointer = new Pointer(canvas, player, pins);
   const panel = new Panel({ catalog: offers, limits, player, pins, theme, say, open: (wanted) => void show(player, wanted),
     link: () => linkTo(player.noteCamera()) });
+  new Files(player, notice, canvas, (state) => show(player, state));
   followSize(canvas, async (width, height) => {
     await player.resize(width, height);
     pins.draw();

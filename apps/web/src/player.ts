@@ -63,6 +63,7 @@ export class Player {
   get shownView(): View { return this.state_.view; }
   /** What is shown; while another scene loads, what was shown before. */
   get state(): PageState { return this.state_; }
+  /** What the world holds. */
   get loaded(): LoadedScene | null { return this.scene; }
 
   /** Shows a scene; where it cannot be opened, the one before. Rejects only the first time, when there is nothing to show. */
@@ -100,22 +101,37 @@ export class Player {
     this.open_?.pause();
     if (this.open_) await this.open_.load(scene.json, options);
     else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.state_.view }));
+    const { substeps } = this.open_!.info;
+    if (substeps > scene.mostSubsteps)
+      throw new Error(`${scene.title} needs ${substeps} steps a frame, more than the page's limit of ${scene.mostSubsteps}.`);
     await this.settle(scene, scene.state);
   }
 
   /** The world holds this scene now. */
-  private async settle(scene: LoadedScene, state: PageState): Promise<void> {
+  private async settle(scene: LoadedScene, asked: PageState): Promise<void> {
     const world = this.open_!;
     await this.fitCamera(world);
     this.home = await this.cameraOf(world);
-    if (state.camera) world.camera = state.camera;
-    if (world.view !== state.view) await world.setView(state.view);
+    if (asked.camera) world.camera = asked.camera;
+    const state = { ...asked, view: await this.viewFor(world, asked.view) };
     this.scene = scene;
     this.state_ = state;
     this.events.viewed(state.view);
     this.events.opened(scene, world.info);
     this.events.changed(state);
     this.follow();
+  }
+
+  /** The view that is asked for; where the scene has nothing to show in it, the world's. */
+  private async viewFor(world: World, view: View): Promise<View> {
+    if (world.view === view) return view;
+    try {
+      await world.setView(view);
+    } catch (reason) {
+      if (!(reason instanceof WeftError && reason.kind === "input")) throw reason;
+      this.events.said(sentence(reason));
+    }
+    return world.view;
   }
 
   private change(state: PageState): void {

@@ -1,6 +1,7 @@
 // The scenes that the page offers, and their files. Vite gives every file that is there an address on the page's own
 // origin, in the build and while developing; what is not there is not offered.
-import { meshNames, schemaOf, type Schema } from "weft";
+import { meshNames, schemaOf, type Bytes, type Schema } from "weft";
+import { MOST_SUBSTEPS } from "./files/limits.js";
 import type { PageState } from "./state/page_state.js";
 
 const SCENE_FILES = import.meta.glob<string>("../../../scenes/*.json", { query: "?url", import: "default", eager: true });
@@ -51,7 +52,7 @@ export interface LoadedScene {
   readonly title: string;
   readonly description: string;
   readonly json: string;
-  readonly meshes: Record<string, ArrayBuffer>;
+  readonly meshes: Record<string, Bytes>;
   /** The first cloth's grid: the scene's own, what the page takes where nothing is asked for, and what is taken. */
   readonly grid: { readonly own: Grid; readonly usual: number; readonly taken: Grid } | null;
   /** How often the first cloth stands. */
@@ -59,11 +60,25 @@ export interface LoadedScene {
   /** Of its meshes. */
   readonly obstacleTriangles: number;
   readonly set: Record<string, unknown>;
+  /** Of a frame; a scene that needs more is not shown. */
+  readonly mostSubsteps: number;
   /** What the scene's file says of a key, or else the format. */
   own(key: string): unknown;
   /** The same, with what the page has changed. */
   now(key: string): unknown;
 }
+
+/** A scene that the visitor has brought; the page keeps the last. */
+export interface OwnScene {
+  readonly title: string;
+  readonly json: string;
+  readonly meshes: Readonly<Record<string, Bytes>>;
+}
+export const OWN = "own"; // its name in a page's state
+let own: OwnScene | null = null;
+
+export const ownScene = (): OwnScene | null => own;
+export function keepOwnScene(scene: OwnScene | null): void { own = scene; }
 
 function fileOf(files: Record<string, string>, name: string): string | undefined {
   return Object.entries(files).find(([path]) => path.replace(/^.*\/|\.\w+$/g, "") === name)?.[1];
@@ -81,6 +96,11 @@ async function fetched(address: string | undefined, what: string): Promise<Respo
   return answer;
 }
 
+/** A mesh of the page's own. */
+export async function fetchModel(name: string): Promise<ArrayBuffer> {
+  return (await fetched(fileOf(MODEL_FILES, name), `The model ${name}`)).arrayBuffer();
+}
+
 interface SceneFile {
   readonly title?: string;
   readonly description?: string;
@@ -88,23 +108,24 @@ interface SceneFile {
 }
 
 export async function fetchScene(state: PageState, schema: Schema): Promise<LoadedScene> {
-  const json = await (await fetched(fileOf(SCENE_FILES, state.scene), `The scene ${state.scene}`)).text();
-  const models = meshNames(json).map(async (name) =>
-    [name, await (await fetched(fileOf(MODEL_FILES, name), `The model ${name}`)).arrayBuffer()] as const);
+  const brought = state.scene === OWN ? own : null;
+  const json = brought?.json ?? await (await fetched(fileOf(SCENE_FILES, state.scene), `The scene ${state.scene}`)).text();
+  const models = meshNames(json).map(async (name) => [name, brought?.meshes[name] ?? await fetchModel(name)] as const);
   const meshes = Object.fromEntries(await Promise.all(models));
   const file = JSON.parse(json) as SceneFile;
   const entry = SCENES.find(({ name }) => name === state.scene);
-  const own = (key: string): unknown => valueAt(file, key) ?? fallbackOf(schema, key);
+  const valueOf = (key: string): unknown => valueAt(file, key) ?? fallbackOf(schema, key);
   const ownGrid = file.cloths?.[0]?.grid ?? null;
   const usual = entry?.nodes ?? (ownGrid ? Math.max(...ownGrid) : 0);
   return restated({
-    state, json, own,
+    state, json, own: valueOf,
     grid: ownGrid && { own: ownGrid, usual, taken: gridOf(ownGrid, state.nodes ?? usual) },
-    title: entry?.title ?? state.scene,
+    title: brought?.title ?? entry?.title ?? state.scene,
     description: file.description ?? "",
     meshes,
     obstacleTriangles: Object.values(meshes).reduce((sum, mesh) => sum + trianglesOf(mesh), 0),
     copies: file.cloths?.[0]?.copies?.count ?? 1,
+    mostSubsteps: brought ? MOST_SUBSTEPS : Infinity,
   }, state);
 }
 
@@ -122,7 +143,7 @@ export function gridOf(own: Grid, nodes: number): Grid {
 }
 
 /** What a PLY file's header says of its faces. */
-function trianglesOf(mesh: ArrayBuffer): number {
+function trianglesOf(mesh: Bytes): number {
   const header = new TextDecoder("latin1").decode(mesh.slice(0, 1024));
   return Number(/^element face (\d+)/m.exec(header)?.[1] ?? 0);
 }

@@ -31,8 +31,11 @@ EMSCRIPTEN_KEEPALIVE void weft_catalog() {
     const weft::Vec3f color = weft::render::map_color(static_cast<float>(i) / (kShades - 1));
     json["colors"].push_back({color.x, color.y, color.z});
   }
-  const weft::render::Settings settings;
-  json["ranges"]["stretch"] = {settings.lowest_stretch, settings.highest_stretch};
+  for (std::size_t i = 0; i < weft::render::kViewCount; ++i) {
+    const auto view = static_cast<weft::scene::View>(i);
+    if (const auto field = weft::render::field_of(view))
+      json["ranges"][weft::scene::name_of(view)] = {field->range.lowest, field->range.highest};
+  }
   json["mostGrabs"] = weft::scene::kMaxGrabs;
   weft::web::message = json.dump();
 }

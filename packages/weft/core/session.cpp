@@ -4,15 +4,13 @@
 
 #include "bench/kernel_times.hpp"
 #include "inputs.hpp"
+#include "mesh/glb.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
 #include "scene/load.hpp"
 
 namespace weft::web {
 namespace {
-
-/// Measured at 256² to 1024² nodes: a world takes 176, and while its shape is exported, 351.
-constexpr std::uint64_t kHostBytesPerNode = 360;
 
 constexpr std::uint32_t kTimedFrames = 9;  // the median of so many
 
@@ -54,7 +52,7 @@ Result<void> Session::build(const std::string& text, const std::string& changes)
   text_ = text;
   WEFT_TRY(parsed, parse_changes(changes));
   changes_ = std::move(parsed);
-  WEFT_TRY(inputs, read_inputs(text_, changes_, kHostBytesPerNode));
+  WEFT_TRY(inputs, read_inputs(text_, changes_, kWorldBytesPerNode));
   WEFT_CHECK(device_->status());
   WEFT_TRY(world, sim::World::create(*device_, std::move(inputs.scene), inputs.assets));
   world_ = std::move(world);
@@ -133,12 +131,14 @@ Result<void> Session::export_mesh(const std::string& format) {
   shape.triangles = world_->model().host.triangles;
   if (format == "ply") {
     exported_ = mesh::write_ply(shape);
+  } else if (format == "glb") {
+    exported_ = mesh::write_glb(shape);
   } else if (format == "obj") {
     const std::string text = mesh::write_obj(shape);
     const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
     exported_.assign(bytes.begin(), bytes.end());
   } else {
-    return input_error("The format %s is not known; there are obj and ply.", format.c_str());
+    return input_error("The format %s is not known; there are obj, ply and glb.", format.c_str());
   }
   return {};
 }

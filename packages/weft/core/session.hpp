@@ -38,7 +38,7 @@ class Session {
   /// The state as it is, kept until the next call.
   Result<void> take_snapshot();
   const sim::Snapshot& snapshot() const { return snapshot_; }
-  /// The bytes of a file of the present shape: "obj" or "ply".
+  /// The bytes of a file of the present shape: "obj", "ply" or "glb".
   Result<void> export_mesh(const std::string& format);
   const std::vector<std::byte>& exported() const { return exported_; }
 

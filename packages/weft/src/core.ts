@@ -142,16 +142,19 @@ export class Core {
 
   /** Hands over mesh files by the name that scenes give them, packed or not. In a turn. */
   async addMeshes(meshes: Readonly<Record<string, Bytes>>): Promise<void> {
-    for (const [name, packed] of Object.entries(meshes)) {
-      const bytes = await unpacked(packed);
-      const at = this.module._malloc(Math.max(bytes.length, 1));
-      if (at === 0) throw new WeftError("out-of-memory", `The module has no room for ${bytes.length} bytes.`);
-      this.module.HEAPU8.set(bytes, at >>> 0);
-      try {
-        this.check("add_mesh", name, at, bytes.length);
-      } finally {
-        if (!this.dead) this.module._free(at);
-      }
+    for (const [name, packed] of Object.entries(meshes))
+      this.withBytes(await unpacked(packed), (at, size) => this.check("add_mesh", name, at, size));
+  }
+
+  /** Calls `use` with the address of a copy of the bytes in the module's memory, which is there for this call only. */
+  withBytes(bytes: Uint8Array, use: (at: number, size: number) => void): void {
+    const at = this.module._malloc(Math.max(bytes.length, 1));
+    if (at === 0) throw new WeftError("out-of-memory", `The module has no room for ${bytes.length} bytes.`);
+    this.module.HEAPU8.set(bytes, at >>> 0);
+    try {
+      use(at, bytes.length);
+    } finally {
+      if (!this.dead) this.module._free(at);
     }
   }
 

@@ -1,6 +1,7 @@
 // weft: real-time cloth on WebGPU. README.md has an example.
 export { catalog, schemaOf, type Catalog, type Schema } from "./catalog.js";
 export { WeftError } from "./error.js";
+export { checkScene, readMesh, type MeshFile, type SceneSize } from "./files.js";
 export type { ErrorKind } from "./gpu_tables.js";
 export { createReference, Reference, type ReferenceInfo, type ReferenceOptions } from "./reference.js";
 export { meshNames, type Bytes, type Scene } from "./scene.js";

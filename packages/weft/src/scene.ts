@@ -4,7 +4,7 @@
 /** A scene as JSON text or as the object it stands for (docs/scene.md). */
 export type Scene = string | { format: string; [key: string]: unknown };
 
-/** The bytes of a mesh file: .ply, .obj, .stl or .off, packed with gzip or not. */
+/** The bytes of a mesh file: .ply, .obj, .stl, .off or .glb, packed with gzip or not. */
 export type Bytes = ArrayBuffer | Uint8Array;
 
 /** The meshes that a scene names, each once: what `meshes` must hold. */

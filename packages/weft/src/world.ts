@@ -225,6 +225,12 @@ export class World {
     this.changed();
   }
 
+  /** Draws in the next tick, whether anything has changed or not. */
+  redraw(): void {
+    this.loaded();
+    this.changed();
+  }
+
   // Read
 
   async snapshot(): Promise<Snapshot> {
@@ -256,7 +262,7 @@ export class World {
   }
 
   /** The cloths' shape as a file. */
-  async exportMesh(format: "obj" | "ply"): Promise<Uint8Array<ArrayBuffer>> {
+  async exportMesh(format: "obj" | "ply" | "glb"): Promise<Uint8Array<ArrayBuffer>> {
     this.loaded();
     return this.core.sleep("export", [format], () => {
       const at = this.core.call("exported") >>> 0;

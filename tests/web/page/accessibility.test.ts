@@ -57,7 +57,7 @@ test("the help takes the focus, keeps it, and gives it back", async () => {
   expect(await focused()).toBe("step");
   await page.getByRole("button", { name: "Help" }).click();
   const keys = await page.locator("#help kbd").allTextContents();
-  expect(keys).toEqual(expect.arrayContaining(["Space", ".", "R", "P", "U", "1 to 4", "X", "F", "T", "?"]));
+  expect(keys).toEqual(expect.arrayContaining(["Space", ".", "R", "P", "U", "1 to 6", "X", "F", "T", "?"]));
   await page.getByRole("button", { name: "Close the help" }).click();
   expect(await focused()).toBe("help-open");
 });

@@ -7,6 +7,7 @@ import type { Player } from "../player.js";
 const LEGENDS: Readonly<Partial<Record<string, { readonly title: string; readonly unit: string }>>> = {
   stretch: { title: "Length over rest length", unit: "" },
   velocity: { title: "Speed", unit: "m/s" },
+  contacts: { title: "Contacts of a node", unit: "" },
 };
 
 const titleOf = (view: string): string => view[0]!.toUpperCase() + view.slice(1);

@@ -8,11 +8,11 @@
 
 #include "base/result.hpp"
 
-namespace weft::scene {
+namespace weft {
 
-inline constexpr std::size_t kMaxFileBytes = std::size_t{16} << 20U;
-inline constexpr std::size_t kMaxNesting = 64;
-inline constexpr std::size_t kMaxValues = std::size_t{1} << 20U;  // some 100 MB of Json
+inline constexpr std::size_t kMaxJsonBytes = std::size_t{16} << 20U;
+inline constexpr std::size_t kMaxJsonNesting = 64;
+inline constexpr std::size_t kMaxJsonValues = std::size_t{1} << 20U;  // some 100 MB of Json
 
 struct Json {
   enum class Kind { Null, Boolean, Number, Text, List, Object };
@@ -45,4 +45,4 @@ std::string number_text(double number);
 std::string path_of_key(const std::string& path, std::string_view key);
 std::string path_of_index(const std::string& path, std::size_t index);
 
-}  // namespace weft::scene
+}  // namespace weft

@@ -1,4 +1,4 @@
-#include "scene/json.hpp"
+#include "base/json.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-namespace weft::scene {
+namespace weft {
 namespace {
 
 /// Line and column, both from 1, of the character that ends at `offset`.
@@ -91,9 +91,9 @@ class Receiver {
   }
   bool scalar(Json value) { return place(std::move(value)) != nullptr; }
   bool open(Json::Kind kind) {
-    if (open_.size() == kMaxNesting)
+    if (open_.size() == kMaxJsonNesting)
       return fail(
-          input_error("%s: nesting is deeper than the limit of %zu levels.", file_.c_str(), kMaxNesting));
+          input_error("%s: nesting is deeper than the limit of %zu levels.", file_.c_str(), kMaxJsonNesting));
     Json json;
     json.kind = kind;
     Json* opened = place(std::move(json));
@@ -101,8 +101,8 @@ class Receiver {
     return opened != nullptr;
   }
   Json* place(Json value) {
-    if (++value_count_ > kMaxValues) {
-      fail(input_error("%s: there are more values than the limit of %zu.", file_.c_str(), kMaxValues));
+    if (++value_count_ > kMaxJsonValues) {
+      fail(input_error("%s: there are more values than the limit of %zu.", file_.c_str(), kMaxJsonValues));
       return nullptr;
     }
     if (open_.empty()) return &(root_ = std::move(value));
@@ -143,9 +143,9 @@ Json& Json::add(const std::string& name, Json value) {
 }
 
 Result<Json> parse_json(std::string_view text, const std::string& file) {
-  if (text.size() > kMaxFileBytes)
+  if (text.size() > kMaxJsonBytes)
     return input_error("%s: %zu bytes are more than the limit of %zu.", file.c_str(), text.size(),
-                       kMaxFileBytes);
+                       kMaxJsonBytes);
   Receiver receiver(text, file);
   const bool parsed = nlohmann::json::sax_parse(text.begin(), text.end(), &receiver);
   return receiver.finish(parsed);
@@ -207,4 +207,4 @@ std::string path_of_index(const std::string& path, std::size_t index) {
   return path + "[" + std::to_string(index) + "]";
 }
 
-}  // namespace weft::scene
+}  // namespace weft

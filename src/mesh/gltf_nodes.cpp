@@ -1,0 +1,115 @@
+#include "mesh/gltf_nodes.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "mesh/gltf_values.hpp"
+
+namespace weft::mesh {
+namespace {
+
+constexpr std::uint64_t kMostIndex = 0xFFFFFFFF;
+
+struct Waiting {
+  std::uint64_t node;
+  Affine parent;
+};
+
+Affine composed(const Affine& outer, const Affine& inner) {
+  return {outer.direction(inner.x), outer.direction(inner.y), outer.direction(inner.z),
+          outer.point(inner.origin)};
+}
+
+Result<Affine> from_matrix(const std::vector<double>& m, const std::string& path) {
+  if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
+    return input_error("%s.matrix has the last row %g %g %g %g; it must be 0 0 0 1.", path.c_str(), m[3],
+                       m[7], m[11], m[15]);
+  return Affine{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
+}
+
+// Translation times rotation times scale; what is empty was not given.
+Result<Affine> from_parts(const std::vector<double>& t, const std::vector<double>& q,
+                          const std::vector<double>& s, const std::string& path) {
+  Affine result;
+  if (!q.empty()) {
+    const Vec3d axis{q[0], q[1], q[2]};
+    const double norm = dot(axis, axis) + q[3] * q[3];
+    if (!(norm > 0.0))
+      return input_error("%s.rotation is [%g, %g, %g, %g]; it must be a quaternion of length 1.",
+                         path.c_str(), q[0], q[1], q[2], q[3]);
+    for (Vec3d* column : {&result.x, &result.y, &result.z}) {  // q v q⁻¹, multiplied out
+      const Vec3d turn = (2.0 / norm) * cross(axis, *column);
+      *column = *column + q[3] * turn + cross(axis, turn);
+    }
+  }
+  if (!s.empty()) {
+    result.x *= s[0];
+    result.y *= s[1];
+    result.z *= s[2];
+  }
+  if (!t.empty()) result.origin = {t[0], t[1], t[2]};
+  return result;
+}
+
+Result<Affine> transform_of(const Json& node, const std::string& path) {
+  WEFT_TRY(matrix, numbers(node, path, "matrix", 16));
+  if (!matrix.empty()) return from_matrix(matrix, path);
+  WEFT_TRY(translation, numbers(node, path, "translation", 3));
+  WEFT_TRY(rotation, numbers(node, path, "rotation", 4));
+  WEFT_TRY(scale, numbers(node, path, "scale", 3));
+  return from_parts(translation, rotation, scale, path);
+}
+
+// Puts the nodes of a list on the stack, the first on top.
+Result<void> push(std::vector<Waiting>& stack, const Json& owner, const std::string& path, const char* name,
+                  const Affine& parent) {
+  WEFT_TRY(list, entries(owner, path, name));
+  for (std::size_t i = list->size(); i-- > 0;) {
+    const Json& index = (*list)[i];
+    if (index.kind != Json::Kind::Number || !(index.number >= 0.0 && index.number <= kMostIndex) ||
+        index.number != std::floor(index.number))
+      return input_error("%s is %s; it must be the number of a node.",
+                         path_of_index(path_of_key(path, name), i).c_str(), describe(index).c_str());
+    stack.push_back({static_cast<std::uint64_t>(index.number), parent});
+  }
+  return {};
+}
+
+Result<const Json*> default_scene(const Json& document, std::string& path) {
+  WEFT_TRY(index, whole_number(document, "", "scene", kMostIndex, 0));
+  WEFT_TRY(scene, entry(document, "scenes", index, "scene"));
+  path = path_of_index("scenes", static_cast<std::size_t>(index));
+  return scene;
+}
+
+}  // namespace
+
+Result<std::vector<PlacedMesh>> placed_meshes(const Json& document) {
+  std::string path;
+  WEFT_TRY(scene, default_scene(document, path));
+  std::vector<Waiting> stack;
+  WEFT_CHECK(push(stack, *scene, path, "nodes", {}));
+  WEFT_TRY(nodes, entries(document, "", "nodes"));
+  std::vector<bool> reached(nodes->size(), false);
+  std::vector<PlacedMesh> result;
+  while (!stack.empty()) {  // no recursion: a file can be as deep as it is long
+    const Waiting here = stack.back();
+    stack.pop_back();
+    WEFT_TRY(node, entry(document, "nodes", here.node, "A node of " + path));
+    if (reached[static_cast<std::size_t>(here.node)])
+      return input_error("nodes[%llu] is reached twice; the nodes of a scene are trees.",
+                         static_cast<unsigned long long>(here.node));
+    reached[static_cast<std::size_t>(here.node)] = true;
+    const std::string name = path_of_index("nodes", static_cast<std::size_t>(here.node));
+    WEFT_TRY(local, transform_of(*node, name));
+    const Affine placement = composed(here.parent, local);
+    if (node->find("mesh") != nullptr) {
+      WEFT_TRY(mesh, whole_number(*node, name, "mesh", kMostIndex));
+      result.push_back({here.node, mesh, placement});
+    }
+    WEFT_CHECK(push(stack, *node, name, "children", placement));
+  }
+  return result;
+}
+
+}  // namespace weft::mesh
