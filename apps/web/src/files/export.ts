@@ -7,8 +7,8 @@ export type Shape = keyof typeof TYPES;
 export const SHAPES = Object.keys(TYPES) as Shape[];
 
 /** The name of a file: the scene and the frame, as breeze-00120.obj. */
-export function fileName({ choice, title }: LoadedScene, frame: number, end: string): string {
-  const name = choice.name === OWN ? title.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "").toLowerCase() : choice.name;
+export function fileName({ state, title }: LoadedScene, frame: number, end: string): string {
+  const name = state.scene === OWN ? title.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "").toLowerCase() : state.scene;
   return `${name || OWN}-${String(frame).padStart(5, "0")}.${end}`;
 }
 
