@@ -169,8 +169,15 @@ void Renderer::write_frame() {
   scene_.frame.write(*device_, {&params, 1});
 }
 
+bool Renderer::shows_sun() const {
+  const auto& groups = scene_.objects.groups;
+  const bool objects =
+      std::any_of(groups.begin(), groups.end(), [](const auto& g) { return g.index_count > 0; });
+  return settings_.view == View::Textured || objects || !scene_.planes.empty();
+}
+
 void Renderer::record(gpu::CommandList& list, std::uint32_t parity, gpu::Id target) const {
-  scene_.shadow_map.record(list, parity);
+  if (shows_sun()) scene_.shadow_map.record(list, parity);
   gpu::RenderPass pass(list, {color_.view(), target, depth_.view(), {0, 0, 0, 1}, false}, "picture");
   passes_[static_cast<std::size_t>(settings_.view)]->record(pass, parity);
 }

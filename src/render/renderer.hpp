@@ -63,6 +63,8 @@ class Renderer {
 
   Result<void> create_scene(const Inputs& inputs);
   void write_frame();
+  /// Whether anything drawn takes shadows: cloth does in one view only, obstacles and floors in all.
+  bool shows_sun() const;
 
   gpu::Device* device_ = nullptr;
   Settings settings_;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "picture/image_ring.hpp"
 #include "render/picture.hpp"
 #include "render/sheet.hpp"
@@ -99,6 +101,31 @@ TEST_CASE("a view that is changed shows what a renderer of that view draws, and 
     CHECK(renderer.view() == view);
     CHECK(drawn.fixture.device().allocated_bytes() == bytes);  // no view has buffers of its own
     CHECK(drawn.draw(renderer, settings).rgba == drawn.draw(drawn.renderer(settings), settings).rgba);
+  }
+}
+
+TEST_CASE("the shadow map is drawn where something takes shadows, and only there") {
+  Drawn drawn;
+  const auto passes = [&](const Inputs& inputs, View view) {
+    Settings settings = small();
+    settings.view = view;
+    const auto renderer = value_of(Renderer::create(drawn.fixture.device(), settings, inputs));
+    gpu::CommandList list;
+    renderer.record(list, 0, 1);
+    return std::count_if(list.commands().begin(), list.commands().end(), [](const gpu::Command& command) {
+      return command.kind == gpu::CommandKind::BeginRender;
+    });
+  };
+  Inputs alone, over_floor;
+  alone.cloth = over_floor.cloth = drawn.inputs().cloth;
+  over_floor.planes = drawn.inputs().planes;
+  REQUIRE(!over_floor.planes.empty());
+  CHECK(passes(drawn.inputs(), View::Stretch) == 2);  // over a sphere too
+  CHECK(passes(over_floor, View::Normals) == 2);
+  CHECK(passes(alone, View::Textured) == 2);
+  for (const View view : {View::Wireframe, View::Normals, View::Stretch, View::Velocity}) {
+    CAPTURE(name_of(view));
+    CHECK(passes(alone, view) == 1);
   }
 }
 
