@@ -11,14 +11,12 @@ import { dirname, join } from "node:path";
 import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import type { CompareHandle } from "../../apps/web/compare/main.ts";
+import { SOFTWARE_FLAGS } from "./flags.ts";
 import { serveFiles } from "./serve.ts";
 
 declare const window: { readonly compare: CompareHandle }; // in the functions that the page runs
 
 const ROOT = join(import.meta.dirname, "../..");
-/** SwiftShader for WebGPU, its canvas and WebGL at once. */
-const SOFTWARE_FLAGS = "--enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --enable-features=Vulkan --use-vulkan=swiftshader " +
-  "--use-angle=swiftshader --enable-unsafe-swiftshader";
 const PASSED_ON = ["paths", "sizes", "most", "budget"] as const; // to the page, which checks them
 
 const { values: asked } = parseArgs({ options: { quick: { type: "boolean", default: false },

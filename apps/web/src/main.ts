@@ -125,6 +125,7 @@ async function start(): Promise<World> {
     sentence = notice.text; // why it could not be opened as the address asks
     await show(player, plain(asked.scene, asked.view));
   }
+  sentence ??= notice.text || null; // what the scene cannot show
   if (document.body.classList.contains("without-gpu")) throw new Error("There is no WebGPU device.");
   const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
   if (!still) player.play(true);

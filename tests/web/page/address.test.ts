@@ -53,6 +53,14 @@ test("what is changed stands in the address, and the copied link opens the same"
   expect(await page.locator("#formulation").inputValue()).toBe("spring_centric");
 });
 
+test("a view that the scene has nothing to show in is said, and another is shown", async () => {
+  const page = await open("?v=1&scene=hanging&nodes=16&view=contacts");
+  expect(await notice(page)).toBe("View contacts shows the pairs of contact method proximity, and this scene has none.");
+  expect((await state(page)).view).toBe("textured");
+  expect(await page.evaluate(() => window.weft.world!.view)).toBe("textured");
+  expect(await page.locator("#views input:checked").inputValue()).toBe("textured");
+});
+
 test("the readings are copied as JSON, with what was loaded and how it went", async () => {
   const page = await open("?scene=hanging&nodes=16");
   await page.evaluate(() => window.weft.world!.step(4));
