@@ -171,6 +171,15 @@ def compare(rows):
         yield ""
 
 
+def page(rows):
+    """Of bench/web/page.ts."""
+    yield "| address | nodes | steps a frame | first moving frame [ms] | real time | frames a second | page's thread, a frame [ms] |"
+    yield "|---|---:|---:|---:|---:|---:|---:|"
+    for row in rows:
+        yield (f"| `{row['query']}` | {row['nodes']:,} | {row['substeps']:,} | {row['first_frame_ms']:,.0f} | {number(row['real_time_factor'])} × | "
+               f"{row['frames_per_second']:.1f} | {row['host_ms']:.2f} |")
+
+
 def embree(rows):
     yield "| query | nodes | object triangles | pairs, equal | their hash | weft, ms | Embree's tree, ms | Embree's query, ms | Embree's faster way | weft over Embree |"
     yield "|---|---:|---:|---:|---|---:|---:|---:|---|---:|"
@@ -183,7 +192,7 @@ def embree(rows):
 
 
 TABLES = {"hanging": hanging, "pull": pull, "hosts": hosts, "embree": embree, "contact self": contact_self,
-          "contact objects": contact_objects, "contact kernels": contact_kernels, "contact growth": contact_growth, "compare": compare}
+          "contact objects": contact_objects, "contact kernels": contact_kernels, "contact growth": contact_growth, "compare": compare, "page": page}
 
 
 def table(match):

@@ -71,7 +71,7 @@ task_bench() {
 
 task_test() {
   local labels=(-L short)
-  if [ "${1:-}" = --long ]; then labels=(); shift; fi
+  if [ "${1:-}" = --long ]; then labels=(); export WEFT_LONG=1; shift; fi
   # shellcheck disable=SC2086
   setup_packages $TEST_PACKAGES
   task_build

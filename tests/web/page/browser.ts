@@ -10,6 +10,9 @@ import type { PageHandle } from "../../../apps/web/src/main.js";
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
 const WEB = join(import.meta.dirname, "../../../apps/web");
+/** Whether all is to be seen, however long it takes: ./dev test --long. */
+export const LONG = process.env["WEFT_LONG"] === "1";
+
 export interface Site {
   readonly address: string;
   close(): Promise<void>;

@@ -2,12 +2,12 @@ import { readdirSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { brightness, expectClean, opened, picture, ready, until, visit, type Visit } from "./browser.js";
+import { brightness, expectClean, LONG, opened, picture, ready, until, visit, type Visit } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
-const SWITCHES = 50;
+const SWITCHES = LONG ? 200 : 50;
 const FRAMES = 3;
 
 const here = opened();
@@ -45,6 +45,23 @@ test.for(SCENES)("%s loads, is drawn and moves", async (name) => {
     return mean > 40 && deviation > 6; // of 255: neither black nor one colour
   });
   expect((await page.locator("#description").textContent())!.length).toBeGreaterThan(20);
+});
+
+/** What stands over the canvas is little; the rest of it is neither black nor one colour. */
+test.runIf(LONG).for(SCENES)("long: %s is drawn in every window and theme", async (name) => {
+  for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]] as const)
+    for (const colorScheme of ["light", "dark"] as const) {
+      const other = await visit(here.browser, `${here.site.address}?scene=${name}&nodes=${name === "stack" ? 6 : 16}`,
+        { viewport: { width, height }, colorScheme, reducedMotion: "reduce" });
+      await ready(other.page);
+      await other.page.evaluate(async (frames) => void (await window.weft.world!.step(frames)), FRAMES);
+      await until(`${name} is on the screen of ${width} × ${height}, ${colorScheme}`, async () => {
+        const { mean, deviation } = brightness(await picture(other.page));
+        return mean > 40 && deviation > 6;
+      }, 60_000);
+      expectClean(other, here.site);
+      await other.page.context().close();
+    }
 });
 
 test(`${SWITCHES} scene switches leave no elements, listeners or pins behind on the page`, async () => {
