@@ -1,7 +1,7 @@
 // The page /compare, headless: the paper's hanging cloth on WebGPU, WebGL 2 and the processor, in one browser.
 //   node bench/web/compare.ts [--quick] [--json FILE] [--paths weft-node,cpu] [--sizes 64,128] [--most NODES] [--budget MS]
 // It needs Node 24, node_modules/playwright-core, apps/web/dist (./dev bench web builds it) and a Chromium, nothing else.
-// CHROMIUM names another browser; WEBGPU_FLAGS, separated by spaces, replace the flags of the software adapters below.
+// CHROMIUM names another browser; WEBGPU_FLAGS, separated by spaces, replace the flags of the software adapters.
 //
 // On a machine with an NVIDIA GPU and its Vulkan driver, from the folder of the repository:
 //   CHROMIUM=/path/to/chromium WEBGPU_FLAGS="--enable-unsafe-webgpu --enable-features=Vulkan --use-angle=vulkan \
@@ -9,9 +9,8 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { parseArgs } from "node:util";
-import { chromium } from "playwright-core";
 import type { CompareHandle } from "../../apps/web/compare/main.ts";
-import { SOFTWARE_FLAGS } from "./flags.ts";
+import { launchOwn, WEBGL_TOO_FLAGS } from "../../tests/web/chromium.ts";
 import { serveFiles } from "./serve.ts";
 
 declare const window: { readonly compare: CompareHandle }; // in the functions that the page runs
@@ -26,10 +25,7 @@ const address = new URLSearchParams(asked.quick ? { most: "16384", budget: "500"
 for (const key of PASSED_ON) if (asked[key] !== undefined) address.set(key, asked[key]);
 
 const site = await serveFiles(join(ROOT, "apps/web/dist"));
-const browser = await chromium.launch({
-  executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-  args: ["--headless=new", "--no-sandbox", ...(process.env["WEBGPU_FLAGS"] ?? SOFTWARE_FLAGS).split(/\s+/).filter(Boolean)],
-});
+const browser = await launchOwn(WEBGL_TOO_FLAGS);
 let failed = false;
 try {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });

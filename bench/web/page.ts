@@ -4,9 +4,9 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { parseArgs } from "node:util";
-import { chromium, type Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import type { PageHandle } from "../../apps/web/src/main.ts";
-import { SOFTWARE_FLAGS } from "./flags.ts";
+import { launchOwn, WEBGL_TOO_FLAGS } from "../../tests/web/chromium.ts";
 import { serveFiles } from "./serve.ts";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
@@ -61,10 +61,7 @@ async function measure(page: Page, site: string, query: string): Promise<Row> {
 }
 
 const site = await serveFiles(join(ROOT, "apps/web/dist"));
-const browser = await chromium.launch({
-  executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-  args: ["--headless=new", "--no-sandbox", ...(process.env["WEBGPU_FLAGS"] ?? SOFTWARE_FLAGS).split(/\s+/).filter(Boolean)],
-});
+const browser = await launchOwn(WEBGL_TOO_FLAGS);
 const rows: Row[] = [];
 let failed = false;
 for (const [index, query] of queries.entries()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <iterator>
 #include <optional>
 
 #include "gpu/device.hpp"
@@ -10,11 +11,12 @@
 #include "render/inputs.hpp"
 #include "render/moving_objects.hpp"
 #include "render/view_passes.hpp"
+#include "scene/names.hpp"
 
 namespace weft::render {
 
 using scene::View;
-inline constexpr std::size_t kViewCount = 6;
+inline constexpr std::size_t kViewCount = std::size(scene::kViewNames);
 
 struct Settings {
   std::uint32_t width = 1280, height = 720;  // [pixel]

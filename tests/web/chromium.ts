@@ -18,6 +18,15 @@ const PACKAGE = "/packages/weft/build/index.js";
 export const SOFTWARE_FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan",
   "--use-vulkan=swiftshader", "--use-angle=vulkan"];
 
+/** WebGL 2 too: ANGLE on SwiftShader of its own, beside Vulkan's for WebGPU and its canvas. */
+export const WEBGL_TOO_FLAGS = [...SOFTWARE_FLAGS.filter((flag) => !flag.startsWith("--use-angle")), "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader"];
+
+/** A machine's own browser and GPU: CHROMIUM names the one, WEBGPU_FLAGS, separated by spaces, stand for `flags`. */
+export function launchOwn(flags: readonly string[]): Promise<Browser> {
+  return launch(process.env["WEBGPU_FLAGS"]?.split(/\s+/).filter(Boolean) ?? flags, process.env["CHROMIUM"]);
+}
+
 export function launch(flags: readonly string[], executablePath = "/usr/bin/chromium"): Promise<Browser> {
   return chromium.launch({ executablePath, args: ["--headless=new", "--no-sandbox", ...flags] });
 }

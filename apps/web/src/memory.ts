@@ -21,7 +21,7 @@ export interface Limits {
 }
 
 const MODULE_MOST = 2 ** 31; // Emscripten's own limit
-const MODULE_NODE = 360; // packages/weft/core/session.cpp
+const MODULE_NODE = 360; // kWorldBytesPerNode of packages/weft/core/inputs.hpp
 
 /** What the adapter gives at most; the module's limit is the same everywhere. */
 export async function adapterLimits(): Promise<Limits> {
@@ -33,7 +33,7 @@ export async function adapterLimits(): Promise<Limits> {
 // to info.gpuBytes within 10 %.
 const NODE = { all: 193, spring_centric: 131, proximity: 150, pushes: 17 };
 const OBSTACLE = { drawn: 29, proximity: 85, pushes: 71 };
-// The lists of World::first_room (src/sim/world.cpp): pairs and candidates. They grow where they are short.
+// The lists of first_room (src/sim/world.cpp): pairs and candidates. They grow where they are short.
 const LISTS = [{ least: 32_768, triangle: 2, entry: 112 }, { least: 131_072, triangle: 12, entry: 8 }] as const;
 const PAIR = 96; // of an entry, what lies in one buffer
 

@@ -1,6 +1,7 @@
 import { Core } from "./core.js";
 import { WeftError } from "./error.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
+import { schedule, unschedule } from "./ticks.js";
 import { VIEWS, type Camera, type Events, type MemoryUse, type PassTime, type Pick, type Point, type SceneOptions, type Snapshot,
   type Statistics, type StepOptions, type View, type WorldInfo, type WorldOptions } from "./world_types.js";
 
@@ -383,16 +384,6 @@ export class World {
     }
     for (const listener of this.listeners.error) listener(error);
   }
-}
-
-function schedule(callback: (now: number) => void): number {
-  if (typeof requestAnimationFrame === "function") return requestAnimationFrame(callback);
-  return setTimeout(() => callback(performance.now()), 1) as unknown as number;
-}
-
-function unschedule(timer: number): void {
-  if (typeof cancelAnimationFrame === "function") cancelAnimationFrame(timer);
-  else clearTimeout(timer);
 }
 
 function known(view: View): View {

@@ -10,12 +10,12 @@ import { restPositions, sheetOf, springCount } from "../../../apps/web/compare/s
 import { springLists } from "../../../apps/web/compare/spring_lists.ts";
 import { difference, expectClean, picture } from "../page/browser.ts";
 import { ROOT } from "../chromium.ts";
-import { compared, opened } from "./compare.ts";
+import { compared, openedWithBoth } from "./compare.ts";
 
 declare const window: { readonly compare: CompareHandle }; // in the functions that the page runs
 
 const scene = readFileSync(join(ROOT, "scenes/hanging-paper.json"), "utf8");
-const here = opened();
+const here = openedWithBoth();
 
 const WIDTH = 300; // m
 /**

@@ -7,9 +7,9 @@ import { expect, test } from "vitest";
 import type { Report } from "../../../apps/web/compare/report.js";
 import { launch, ROOT } from "../chromium.ts";
 import { expectClean, until } from "../page/browser.ts";
-import { compared, opened } from "./compare.ts";
+import { compared, openedWithBoth } from "./compare.ts";
 
-const here = opened();
+const here = openedWithBoth();
 const button = (page: Page, name: string) => page.getByRole("button", { name, exact: true });
 
 async function finished(page: Page): Promise<void> {

@@ -29,11 +29,11 @@ export async function serve(): Promise<Site> {
 }
 
 /** The site and a browser with WebGPU for all tests of a file. */
-export function opened(): { readonly site: Site; readonly browser: Browser } {
+export function opened(flags: readonly string[] = SOFTWARE_FLAGS): { readonly site: Site; readonly browser: Browser } {
   const here = {} as { site: Site; browser: Browser };
   beforeAll(async () => {
     here.site = await serve();
-    here.browser = await launch(SOFTWARE_FLAGS);
+    here.browser = await launch(flags);
   });
   afterAll(async () => {
     await here.browser.close();
