@@ -61,11 +61,9 @@ fn other_face(candidate : vec2u) -> Face {
   return Face(points[ids.x].xyz, points[ids.y].xyz, points[ids.z].xyz, reach, ids | vec3u(kColliderPoint), owned);
 }
 
-fn largest_of(v : vec3f) -> f32 { return max(max(v.x, v.y), v.z); }
-
 fn corner_near(p : vec3f, reach : f32, id : u32, face : Face, thickness : f32) -> bool {
   if (any(face.ids == vec3u(id))) { return false; }
-  let radius = thickness + reach + largest_of(face.reach);
+  let radius = thickness + reach + largest(face.reach);
   let near = closest_on_triangle(p, face.a, face.b, face.c);
   return dot(near.apart, near.apart) < radius * radius;
 }
@@ -118,7 +116,7 @@ fn near_shape(a : Face, kind : u32, point : u32) -> u32 {
     return a.owned & (bit(0u, dot(a.a - p.xyz, n) < reach.x) | bit(1u, dot(a.b - p.xyz, n) < reach.y) |
                       bit(2u, dot(a.c - p.xyz, n) < reach.z));
   }
-  let radius = p.w + largest_of(reach);
+  let radius = p.w + largest(reach);
   let nearest = closest_on_triangle(p.xyz, a.a, a.b, a.c);
   var hits = bit(3u, dot(nearest.apart, nearest.apart) < radius * radius);
   if (kind == kNearSphere) { return hits; }
