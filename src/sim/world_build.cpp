@@ -112,7 +112,7 @@ Result<void> World::build_contact(const ContactRoom& room) {
     collision_ = std::move(collision);
   }
   WEFT_TRY(solver, make_solver(scene_.solver, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
-                                               options_.workgroup_size}));
+                                               options_.workgroup_size, options_.two_steps}));
   solver_ = std::move(solver);
   constants_ = solver_->constants();
   return {};
