@@ -1,15 +1,17 @@
 #pragma once
 
-#include "common.hpp"
+#include <string>
+
+#include "bench/selection.hpp"
 
 namespace weft::cli {
 
 struct BenchOptions {
-  std::string name;  // hanging, pull
+  std::string name;  // of the experiment
   std::string json;  // file; empty: none
   std::string adapter;
-  bool quick = false;
   bool unchecked = false;
+  bench::Selection selection;
 };
 
 /// Measures and prints a table; writes JSON where asked. The exit code.
