@@ -11,6 +11,7 @@
 #include "bench/pull.hpp"
 #include "bench_rows.hpp"
 #include "common.hpp"
+#include "memory.hpp"
 #include "scene/nearest.hpp"
 
 namespace weft::cli {
@@ -63,6 +64,17 @@ Result<void> check_selection(const BenchOptions& options) {
   return check_names("--objects", selection.objects, bench::pull_objects());
 }
 
+Result<bench::Budget> budget_of(const BenchOptions& options) {
+  bench::Budget budget;
+  if (options.memory) {
+    budget.bytes = static_cast<std::uint64_t>(*options.memory * (1U << 30U));
+    return budget;
+  }
+  WEFT_TRY(available, available_memory());
+  budget.bytes = available / 2;
+  return budget;
+}
+
 Result<void> run_bench(const BenchOptions& options) {
   WEFT_CHECK(check_selection(options));
   gpu::DeviceOptions device_options;
@@ -74,6 +86,12 @@ Result<void> run_bench(const BenchOptions& options) {
               options.unchecked ? ", kernels unchecked" : "");
   Results results(*device, options);
   const auto add = [&](const auto& row) { return results.add(row); };
+  if (options.name == "copy") return bench::run_copy(*device, options.selection.quick, add);
+  if (options.name == "largest") {
+    WEFT_TRY(budget, budget_of(options));
+    device.reset();  // it makes its own
+    return bench::run_largest(device_options, options.selection, budget, add);
+  }
   const std::filesystem::path root = std::filesystem::path(models_folder()).parent_path();
   const bench::Folders folders{(root / "scenes").string(), models_folder()};
   if (!device->has_timestamps()) std::printf("No times by kernel: this adapter has no timestamps.\n");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "bench/selection.hpp"
@@ -12,6 +13,7 @@ struct BenchOptions {
   std::string adapter;
   bool unchecked = false;
   bench::Selection selection;
+  std::optional<double> memory;  // GiB that `largest` may use; none: half of what is available
 };
 
 /// Measures and prints a table; writes JSON where asked. The exit code.

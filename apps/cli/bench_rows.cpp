@@ -135,4 +135,56 @@ nlohmann::ordered_json json_of(const bench::ContactRow& row) {
   return json;
 }
 
+namespace {
+
+/// Read and written bytes both count.
+double gigabytes_per_second(const bench::CopyRow& row) {
+  return 2e-6 * static_cast<double>(row.bytes) / row.time.median;
+}
+
+}  // namespace
+
+void print(const bench::CopyRow& row) {
+  if (row.bytes > 0)
+    std::printf("copy of %.0f MiB: %.1f GB/s, read and written bytes both counted\n",
+                static_cast<double>(row.bytes) / (1U << 20U), gigabytes_per_second(row));
+  else
+    std::printf("dispatch in order: %.2f us\n", 1000 * row.time.median);
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json json_of(const bench::CopyRow& row) {
+  nlohmann::ordered_json json = {{"what", row.what}};
+  if (row.bytes > 0) {
+    json["bytes"] = row.bytes;
+    json["gb_per_s"] = gigabytes_per_second(row);
+  } else {
+    json["us"] = 1000 * row.time.median;
+  }
+  json["ms"] = json_of(row.time);
+  return json;
+}
+
+void print(const bench::LargestRow& row) {
+  std::printf("%-7s limits, %-22s: %s%u x %u = %llu nodes, %.2f GiB on the GPU", row.limits.c_str(),
+              row.variant.c_str(), row.skipped.empty() ? "" : "about ", row.side, row.side,
+              static_cast<unsigned long long>(row.nodes), static_cast<double>(row.gpu_bytes) / (1U << 30U));
+  if (row.skipped.empty())
+    std::printf(", %.4f ms a step; the next: %s\n", row.step.median, row.limited_by.c_str());
+  else
+    std::printf(" for a %s; not run: %s\n", row.limited_by.c_str(), row.skipped.c_str());
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json json_of(const bench::LargestRow& row) {
+  nlohmann::ordered_json json = {
+      {"limits", row.limits}, {"variant", row.variant},       {"side", row.side},
+      {"nodes", row.nodes},   {"limited_by", row.limited_by}, {"gpu_bytes", row.gpu_bytes}};
+  if (row.skipped.empty())
+    json["ms_per_step"] = json_of(row.step);
+  else
+    json["skipped"] = row.skipped;
+  return json;
+}
+
 }  // namespace weft::cli

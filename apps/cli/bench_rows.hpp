@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/contact.hpp"
+#include "bench/copy.hpp"
+#include "bench/largest.hpp"
 #include "bench/row.hpp"
 
 namespace weft::cli {
@@ -17,5 +19,11 @@ nlohmann::ordered_json json_of(const bench::Row& row);
 void print_contact_head();
 void print(const bench::ContactRow& row);
 nlohmann::ordered_json json_of(const bench::ContactRow& row);
+
+void print(const bench::CopyRow& row);
+nlohmann::ordered_json json_of(const bench::CopyRow& row);
+
+void print(const bench::LargestRow& row);
+nlohmann::ordered_json json_of(const bench::LargestRow& row);
 
 }  // namespace weft::cli

@@ -70,7 +70,8 @@ int main(int argc, char** argv) {
       "schema", "Example: weft schema > weft-scene.schema.json\n\nPrint the JSON Schema of scenes.");
 
   BenchOptions bench_options;
-  CLI::App* bench_command = add_bench_command(app, bench_options);
+  CompareOptions compare_options;
+  const BenchCommand bench_command = add_bench_command(app, bench_options, compare_options);
 
   std::string shell;
   CLI::App* completion_command = app.add_subcommand(
@@ -92,7 +93,8 @@ int main(int argc, char** argv) {
   if (*check_command) code = check(check_options);
   if (*adapters_command) code = list_adapters();
   if (*schema_command) code = print_schema();
-  if (*bench_command) code = bench(bench_options);
+  if (*bench_command.bench)
+    code = *bench_command.compare ? compare_results(compare_options) : bench(bench_options);
   if (*completion_command) code = print_completion(shell);
   return finish_output(code);
 }

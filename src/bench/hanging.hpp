@@ -1,15 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <span>
 
+#include "bench/hanging_sheet.hpp"
 #include "bench/row.hpp"
 #include "bench/selection.hpp"
 
 namespace weft::bench {
-
-/// What a selection may ask for: "grid", "mesh", "springs".
-std::span<const std::string_view> hanging_variants();
 
 /// The paper's first experiment: a sheet of 2 m by 2 m pinned at two corners, in three formulations over
 /// grids of 64² to 2048² nodes (`quick`: to 128²), or of the sides selected. Each row goes to `done` as it is
