@@ -66,6 +66,7 @@ Result<void> check_selection(const BenchOptions& options) {
 
 Result<bench::Budget> budget_of(const BenchOptions& options) {
   bench::Budget budget;
+  budget.seconds = options.seconds;
   if (options.memory) {
     budget.bytes = static_cast<std::uint64_t>(*options.memory * (1U << 30U));
     return budget;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "bench/largest.hpp"
 #include "bench/selection.hpp"
 
 namespace weft::cli {
@@ -13,7 +14,8 @@ struct BenchOptions {
   std::string adapter;
   bool unchecked = false;
   bench::Selection selection;
-  std::optional<double> memory;  // GiB that `largest` may use; none: half of what is available
+  std::optional<double> memory;              // GiB that `largest` may use; none: half of what is available
+  double seconds = bench::Budget().seconds;  // that `largest` may take to build a world
 };
 
 /// Measures and prints a table; writes JSON where asked. The exit code.

@@ -75,6 +75,9 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
   largest->add_option("--memory", options.memory, "Memory to use at most; else half of what is available")
       ->type_name("GIB")
       ->check(CLI::PositiveNumber);
+  largest->add_option("--seconds", options.seconds, "Time to build a sheet at most, else 60")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
   return {bench, add_compare(*bench, compare)};
 }
 

@@ -23,7 +23,7 @@ struct LargestRow {
 /// What may be spent on seeing whether a size fits.
 struct Budget {
   std::uint64_t bytes = 0;  // of host memory; on a software adapter the GPU's are the host's
-  double seconds = 300;     // to build a world
+  double seconds = 60;      // to build a world
 };
 
 /// Finds it by making worlds, then runs it. `limits` is the row's.

@@ -114,7 +114,7 @@ TEST_CASE("what is no file of results is refused with the reason") {
         Bad{R"({"format": "weft-bench/1"})", "no object \"experiments\""},
         Bad{R"({"format": "weft-bench/1", "experiments": {"pull": {}}})", "no list of rows for \"pull\""},
         Bad{R"({"format": "weft-bench/1", "experiments": {"pull": 3}})", "no list of rows for \"pull\""},
-        Bad{R"({"bench": "pull", "rows": [3]})", "the number 3"},
+        Bad{R"({"bench": "pull", "rows": [3]})", "has 3 among the rows of \"pull\""},
         Bad{R"({"bench": "pull", "rows": [{"nodes": 9}, {"nodes": 9}]})", "two rows"}}) {
     CAPTURE(bad.text);
     const auto read = files.read(bad.text);
