@@ -72,7 +72,7 @@ Result<bench::Budget> budget_of(const BenchOptions& options) {
     return budget;
   }
   WEFT_TRY(available, available_memory());
-  budget.bytes = available / 2;
+  budget.bytes = available / 4;
   return budget;
 }
 

@@ -14,7 +14,7 @@ struct BenchOptions {
   std::string adapter;
   bool unchecked = false;
   bench::Selection selection;
-  std::optional<double> memory;              // GiB that `largest` may use; none: half of what is available
+  std::optional<double> memory;  // GiB that `largest` may use; none: a quarter of what is available
   double seconds = bench::Budget().seconds;  // that `largest` may take to build a world
 };
 

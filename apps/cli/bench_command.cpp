@@ -72,7 +72,8 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
   add_names(*pull, "--objects", options.selection.objects, "sphere, armadillo, dragon");
   add_sides(*hanging, options);
   add_sides(*pull, options);
-  largest->add_option("--memory", options.memory, "Memory to use at most; else half of what is available")
+  largest
+      ->add_option("--memory", options.memory, "Memory to use at most; else a quarter of what is available")
       ->type_name("GIB")
       ->check(CLI::PositiveNumber);
   largest->add_option("--seconds", options.seconds, "Time to build a sheet at most, else 60")

@@ -10,8 +10,12 @@ namespace {
 
 constexpr std::uint32_t kFirstSide = 32;
 constexpr std::uint32_t kBeyond = 65536;  // its nodes have no u32 numbers
-constexpr std::uint32_t kSteps = 4;       // of a submit
 constexpr double kMargin = 0.5;           // of the largest stable step
+
+bool is_software(const gpu::Device& device) { return device.adapter().type == "CPU"; }
+
+/// Of a submit: enough that a submit's own time is small beside them, on a GPU.
+std::uint32_t steps_of(const gpu::Device& device) { return is_software(device) ? 2 : 64; }
 
 /// On the host for each node while a world is built. Seen from 256² to 600² nodes, less the bytes of the GPU:
 /// 820 on a grid, 760 with springs, 1050 on a mesh, most of them for the springs of its highest frequency.
@@ -56,15 +60,15 @@ class Trials {
  private:
   Result<std::unique_ptr<sim::World>> build(std::uint32_t side, double step) {
     WEFT_TRY(sheet, make_hanging_sheet(side, formulation_));
-    sheet.scene.time.substeps = kSteps;
-    sheet.scene.time.frame = kSteps * step;
+    const std::uint32_t steps = steps_of(device_);
+    sheet.scene.time.substeps = steps;
+    sheet.scene.time.frame = steps * step;
     return sim::World::create(device_, std::move(sheet.scene), sheet.assets);
   }
 
   /// What the budget lacks for so many nodes; empty if nothing.
   std::string too_much(double nodes) const {
-    const bool shared = device_.adapter().type == "CPU";
-    const double bytes = nodes * (kHostBytes + (shared ? gpu_bytes_per_node_ : 0));
+    const double bytes = nodes * (kHostBytes + (is_software(device_) ? gpu_bytes_per_node_ : 0));
     const double seconds = nodes * seconds_per_node_;
     char why[160] = "";
     if (bytes > static_cast<double>(budget_.bytes))
