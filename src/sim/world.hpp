@@ -53,6 +53,10 @@ struct Snapshot {
   std::string hash() const;
 };
 
+/// Refuses more nodes than a buffer of positions can hold, before gigabytes of them are built on the host.
+/// Errors  Limit.
+Result<void> check_node_count(std::uint64_t nodes, const gpu::Device& device);
+
 /// A running scene: owns the state, orders collision and solver, keeps time. The device must outlive it.
 class World {
  public:
