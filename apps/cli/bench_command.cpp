@@ -67,7 +67,7 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
                                      "Find the largest sheet that fits, and run it.");
   for (CLI::App* sized : {hanging, pull, contact, copy}) add_quick(*sized, options);
   for (CLI::App* sheet : {hanging, largest})
-    add_names(*sheet, "--only", options.selection.only, "grid, mesh, springs");
+    add_names(*sheet, "--only", options.selection.only, "grid, mesh, springs, blocks");
   add_names(*pull, "--only", options.selection.only, "none, bvh, proximity, proximity_self, paper");
   add_names(*pull, "--objects", options.selection.objects, "sphere, armadillo, dragon");
   add_sides(*hanging, options);

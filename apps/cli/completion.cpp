@@ -18,7 +18,7 @@ constexpr const char* kBash = R"(_weft() {
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
     --only) case "${COMP_WORDS[2]}" in
         pull) COMPREPLY=($(compgen -W "none bvh proximity proximity_self paper" -- "$word")) ;;
-        *) COMPREPLY=($(compgen -W "grid mesh springs" -- "$word")) ;;
+        *) COMPREPLY=($(compgen -W "grid mesh springs blocks" -- "$word")) ;;
       esac; return ;;
   esac
   case "$command" in
@@ -51,7 +51,7 @@ set -l experiments hanging pull contact copy largest compare
 complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" -a "$experiments"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull contact copy" -l quick
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull" -l sides -x
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging largest" -l only -x -a "grid mesh springs"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging largest" -l only -x -a "grid mesh springs blocks"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" -l only -x -a "none bvh proximity proximity_self paper"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" -l objects -x -a "sphere armadillo dragon"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l memory -x

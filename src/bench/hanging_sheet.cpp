@@ -5,7 +5,7 @@
 namespace weft::bench {
 namespace {
 
-constexpr std::string_view kShortNames[] = {"grid", "mesh", "springs"};
+constexpr std::string_view kShortNames[] = {"grid", "mesh", "springs", "blocks"};
 
 }  // namespace
 
@@ -18,9 +18,11 @@ const char* name_of(Formulation formulation) {
     case Formulation::Mesh:
       return "node_centric, any mesh";
     case Formulation::SpringCentric:
+      return "spring_centric";
+    case Formulation::SpringBlocks:
       break;
   }
-  return "spring_centric";
+  return "spring_blocks";
 }
 
 Result<Experiment> make_hanging_sheet(std::uint32_t side, Formulation formulation) {
@@ -30,7 +32,8 @@ Result<Experiment> make_hanging_sheet(std::uint32_t side, Formulation formulatio
       formulation == Formulation::Mesh
           ? R"("mesh": "sheet.obj", "pins": [{"nodes": [0, )" + std::to_string(side - 1) + "]}]"
           : R"("grid": [)" + count + ", " + count + R"(], "size": [2, 2], "pins": ["top_left", "top_right"])";
-  const std::string forces = formulation == Formulation::SpringCentric ? "spring_centric" : "node_centric";
+  const bool by_node = formulation == Formulation::Grid || formulation == Formulation::Mesh;
+  const std::string forces = by_node ? "node_centric" : name_of(formulation);
   WEFT_TRY(scene, scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "none"},
     "solver": {"kind": "mass_spring", "forces": ")" +
                                          forces + R"("}, "cloths": [{)" + shape +

@@ -8,12 +8,12 @@
 namespace weft::bench {
 
 /// How the forces of a sheet are found.
-enum class Formulation { Grid, Mesh, SpringCentric };
+enum class Formulation { Grid, Mesh, SpringCentric, SpringBlocks };
 inline constexpr Formulation kFormulations[] = {Formulation::Grid, Formulation::Mesh,
-                                                Formulation::SpringCentric};
+                                                Formulation::SpringCentric, Formulation::SpringBlocks};
 /// As results name them.
 const char* name_of(Formulation formulation);
-/// As a selection names them, in the order of kFormulations: "grid", "mesh", "springs".
+/// As a selection names them, in the order of kFormulations: "grid", "mesh", "springs", "blocks".
 std::span<const std::string_view> hanging_variants();
 
 /// A scene, and what it would read from files.

@@ -35,7 +35,7 @@ Result<SearchCost> time_search(sim::World& world, const Effort& effort);
 struct KernelTime {
   std::string kernel;  // "find_candidates"
   std::string per;     // "search", "step" or "frame"
-  std::uint32_t dispatches = 0;
+  double dispatches = 0;    // a half where one is for two steps
   double milliseconds = 0;
 };
 
