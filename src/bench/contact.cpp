@@ -124,9 +124,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
 /// What cannot be run here, or did not stay finite, is a row that says so.
 Result<void> report(Result<ContactRow> measured, ContactRow begun, const Done& done) {
   if (measured) return done(*measured);
-  const ErrorKind kind = measured.error().kind;
-  if (kind != ErrorKind::Limit && kind != ErrorKind::OutOfMemory && kind != ErrorKind::Diverged)
-    return measured.error();
+  if (!skips_row(measured.error())) return measured.error();
   begun.skipped = measured.error().message;
   return done(begun);
 }

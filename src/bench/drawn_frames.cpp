@@ -40,7 +40,8 @@ Result<Drawing> make_drawing(const sim::World& world) {
 
 Result<Timing> time_drawn_frames(gpu::Device& device, scene::Scene scene, const sim::Assets& assets,
                                  const sim::Snapshot* start, double budget_ms, std::uint32_t least) {
-  WEFT_CHECK(fix_step(scene, assets, 1));
+  scene.time.frame /= *scene.time.substeps;
+  scene.time.substeps = 1;
   WEFT_TRY(world, sim::World::create(device, std::move(scene), assets));
   if (start != nullptr) world->restore(*start);
   WEFT_TRY(drawing, make_drawing(*world));

@@ -8,7 +8,6 @@ namespace {
 Result<Row> measure(gpu::Device& device, Row row, Formulation formulation, bool quick) {
   WEFT_CHECK(sim::check_node_count(static_cast<std::uint64_t>(row.side) * row.side, device));
   WEFT_TRY(experiment, make_hanging_sheet(row.side, formulation));
-  const scene::Scene any_step = experiment.scene;
   const std::uint32_t steps = quick ? 16 : 256;
   WEFT_TRY(substeps, fix_step(experiment.scene, experiment.assets, steps));
   {
@@ -22,7 +21,8 @@ Result<Row> measure(gpu::Device& device, Row row, Formulation formulation, bool 
     WEFT_CHECK(time_row(row, *world, quick ? 300 : 500, 5));
     row.gpu_bytes = device.allocated_bytes() - before;
   }
-  WEFT_TRY(frame, time_drawn_frames(device, any_step, experiment.assets, nullptr, quick ? 100 : 500, 5));
+  WEFT_TRY(frame,
+           time_drawn_frames(device, experiment.scene, experiment.assets, nullptr, quick ? 100 : 500, 5));
   row.paper_frame = frame;
   return row;
 }

@@ -34,6 +34,11 @@ Result<Timing> time_repeats(double budget_ms, std::uint32_t least, double parts,
   return timing_of(std::move(times));
 }
 
+bool skips_row(const Error& error) {
+  return error.kind == ErrorKind::Limit || error.kind == ErrorKind::OutOfMemory ||
+         error.kind == ErrorKind::Diverged;
+}
+
 Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames) {
   return time_repeats(budget_ms, least_frames, world.substeps(), [&]() -> Result<void> {
     WEFT_CHECK(world.advance_frame());

@@ -22,6 +22,9 @@ Timing timing_of(std::vector<double> milliseconds);
 Result<Timing> time_repeats(double budget_ms, std::uint32_t least, double parts,
                             const std::function<Result<void>()>& work);
 
+/// Whether an error leaves out a row only: what is too large for the adapter, or did not stay finite.
+bool skips_row(const Error& error);
+
 /// Runs frames, drained after each, until `budget_ms` are spent; at least `least_frames`.
 Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames);
 

@@ -85,9 +85,9 @@ Result<Row> measure(gpu::Device& device, const Case& c, Setting& setting, const 
   scene.contact.method = variant.method;
   scene.contact.self = variant.self;
   const bool brute_force = variant.method == scene::ContactMethod::Paper;
+  scene::Scene stepped = scene;
+  WEFT_TRY(substeps, fix_step(stepped, setting.assets, kCountedSteps));
   {
-    scene::Scene at_60_hz = scene;
-    WEFT_TRY(substeps, fix_step(at_60_hz, setting.assets, kCountedSteps));
     WEFT_TRY(counted, start_world(device, scene, setting.assets, setting.start, kCountedSteps));
     WEFT_TRY(snapshot, counted->snapshot());
     describe(row, *counted, substeps);
@@ -105,7 +105,7 @@ Result<Row> measure(gpu::Device& device, const Case& c, Setting& setting, const 
     row.gpu_bytes = device.allocated_bytes() - before;
   }
   WEFT_TRY(frame,
-           time_drawn_frames(device, scene, setting.assets, &setting.start, c.quick ? 100 : 300, least));
+           time_drawn_frames(device, stepped, setting.assets, &setting.start, c.quick ? 100 : 300, least));
   row.paper_frame = frame;
   return row;
 }

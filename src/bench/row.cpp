@@ -9,9 +9,7 @@ Row skipped_row(Row begun, const std::string& why) {
 }
 
 Result<Row> or_skipped(Result<Row> measured, const Row& begun) {
-  if (measured) return measured;
-  const ErrorKind kind = measured.error().kind;
-  if (kind != ErrorKind::Limit && kind != ErrorKind::OutOfMemory) return measured;
+  if (measured || !skips_row(measured.error())) return measured;
   return skipped_row(begun, measured.error().message);
 }
 

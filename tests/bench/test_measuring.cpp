@@ -116,6 +116,7 @@ TEST_CASE("frames with pictures are counted and leave no buffer behind") {
   GpuFixture fixture;
   auto sheet = bench::make_hanging_sheet(8, bench::Formulation::Grid);
   REQUIRE(sheet);
+  REQUIRE(bench::fix_step(sheet->scene, sheet->assets, 4));
   const auto time = bench::time_drawn_frames(fixture.device(), sheet->scene, sheet->assets, nullptr, 0, 3);
   REQUIRE_MESSAGE(time, (time ? "" : time.error().message));
   CHECK(time->samples == 3);
