@@ -280,7 +280,7 @@ Result<void> World::release(std::uint32_t node) { return grabs_->release(node); 
 Result<void> World::change(const scene::Scene& scene) {
   if (const auto key = scene::fixed_difference(scene_, scene))
     return input_error("%s cannot change while the cloth moves; load the scene anew.", key->c_str());
-  StepLimit limit = with_drag(scene_.solver, limit_, scene.drag);
+  StepLimit limit = with_drag(choice_.kind, limit_, scene.drag);
   // A step that a scene chose beyond its own limit is its affair; only a new drag is judged.
   if (scene.drag != scene_.drag && limit.largest_step > 0 && step() > limit.largest_step)
     return make_error(ErrorKind::Limit,

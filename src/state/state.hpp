@@ -20,10 +20,10 @@ struct State {
   gpu::Buffer<Vec4f> motions;             // 3 rows for each moved group and substep: x, y, z of R·rest + t
   gpu::Buffer<std::uint32_t> statistics;  // sizeof(Statistics) / 4
 
-  /// The rest state, at rest.
+  /// The start, at rest.
   /// Errors  Limit, OutOfMemory.
   static Result<State> create(gpu::Device& device, const HostModel& model, std::uint32_t substeps);
-  /// Writes the rest state at rest into both buffers.
+  /// Writes the start, at rest, into both buffers.
   void reset(gpu::Device& device, const HostModel& model) const;
 };
 
