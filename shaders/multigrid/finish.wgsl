@@ -6,7 +6,7 @@
 //                                                                               elements       unit
 @group(0) @binding(0) var<uniform>             step         : StepParams;
 @group(0) @binding(1) var<uniform>             grid         : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels       : LevelPair;
+@group(0) @binding(2) var<uniform>             levels       : array<Level, 2>;
 @group(0) @binding(3) var<storage, read>       place        : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
 @group(0) @binding(4) var<storage, read>       vectors      : array<vec4f>;   // multigrid/level.wgsl
 @group(0) @binding(5) var<storage, read>       position_in  : array<vec4f>;   // vertex_count   m (w: inverse mass, 1/kg)
@@ -28,7 +28,7 @@ fn finish(@builtin(global_invocation_id) id : vec3u) {
     velocity_out[node] = vec4f((held_at.xyz - now.xyz) / step.dt, 1.0);
     return;
   }
-  let level = levels.fine;
+  let level = levels[0];
   let j = index / grid.nx;
   let left = vectors[vector_at(level, kResidual, index)].xyz - fine_product(level, index - j * grid.nx, j, index);
   let d = vectors[vector_at(level, kDirection, index)].xyz;

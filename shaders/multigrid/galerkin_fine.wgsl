@@ -3,14 +3,14 @@
 // exact where both that they span are stretched alike. Source: docs/solvers/multigrid.md, equation 10.
 #include "shared/index.wgsl"
 #include "multigrid/bending_diagonal.wgsl"
-#include "multigrid/coarse_block.wgsl"
 #include "multigrid/spring_grid.wgsl"
+#include "multigrid/store_blocks.wgsl"
 #include "multigrid/store_inverse.wgsl"
 #include "multigrid/transfer.wgsl"
 //                                                                            elements       unit
 @group(0) @binding(0) var<uniform>             step      : StepParams;
 @group(0) @binding(1) var<uniform>             grid      : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels    : LevelPair;
+@group(0) @binding(2) var<uniform>             levels    : array<Level, 2>;
 @group(0) @binding(3) var<storage, read>       place     : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
 @group(0) @binding(4) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
 @group(0) @binding(5) var<storage, read_write> operators : array<vec4f>;   // multigrid/coarse_block.wgsl
@@ -22,8 +22,8 @@ var<private> rate : f32;  // 1/s
 struct Taps { right : vec4f, left : f32, at : vec4f }
 
 fn taps_at(i : i32, j : i32, coarse_i : i32, coarse_j : i32) -> Taps {
-  let fine = levels.fine;
-  let coarse = levels.coarse;
+  let fine = levels[0];
+  let coarse = levels[1];
   let at = place[u32(j) * fine.nx + u32(i)];
   if (at.w == 0.0) { return Taps(vec4f(0.0), 0.0, at); }
   let nx = i32(fine.nx);
@@ -63,7 +63,7 @@ fn add_structural(a : Taps, b : Taps, rest_length : f32, at : i32, side : i32, w
 
 @compute @workgroup_size(kWorkgroupSize)
 fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
-  let coarse = levels.coarse;
+  let coarse = levels[1];
   let node = flat_index(id);
   if (node >= coarse.nx * coarse.ny) { return; }
   let coarse_j = node / coarse.nx;
@@ -75,7 +75,7 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
   let center_i = i32(center_of(coarse_i, grid.nx, coarse.nx));
   let center_j = i32(center_of(coarse_j, grid.ny, coarse.ny));
   rate = 1.0 / formula_of(step.step_ratio).he;
-  for (var block = 0u; block < kBlocks; block++) { blocks[block] = zero_matrix(); }
+  for (var block = 0u; block < 5u; block++) { blocks[block] = zero_matrix(); }
   for (var y = max(center_j - 2, 0); y <= min(center_j + 2, ny - 1); y++) {
     let row_weight = line_weight(grid, u32(y), grid.ny);
     for (var x = max(center_i - 2, 0); x <= min(center_i + 2, nx - 1); x++) {

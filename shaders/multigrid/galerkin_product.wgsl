@@ -2,6 +2,7 @@
 // and `operators`. Source: docs/solvers/multigrid.md, equation 10.
 #include "multigrid/bending_diagonal.wgsl"
 #include "multigrid/coarse_block.wgsl"
+#include "multigrid/store_blocks.wgsl"
 #include "multigrid/store_inverse.wgsl"
 #include "multigrid/transfer.wgsl"
 var<private> blocks : array<Symmetric, 5>;

@@ -8,7 +8,7 @@
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepParams;
 @group(0) @binding(1) var<uniform>             grid        : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels      : LevelPair;
+@group(0) @binding(2) var<uniform>             levels      : array<Level, 2>;
 @group(0) @binding(3) var<storage, read>       place       : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
 @group(0) @binding(4) var<storage, read_write> vectors     : array<vec4f>;   // multigrid/level.wgsl
 var<private> here : vec3f;
@@ -22,13 +22,13 @@ fn operand(level : Level, node : u32) -> vec3f { return place[node].xyz + vector
 fn pull(neighbour : u32, rest_length : f32, stiffness : f32, damping : f32) -> vec3f {
   let span = place[neighbour].xyz - here;
   let block = spring_block(span, rest_length, stiffness, 0.0);
-  let span_step = vectors[vector_at(levels.fine, kFirst, neighbour)].xyz - start;
+  let span_step = vectors[vector_at(levels[0], kFirst, neighbour)].xyz - start;
   let tension = stiffness * (length(span) - rest_length);
   var force = tension * block.direction + block_times(block, span_step);
   diagonal = sum_of(diagonal, sum_of(outer(block.direction, block.along + damping * rate), identity(block.across)));
   if (damping > 0.0) {  // along the spring as it will be: along its direction now, of first order in the step
     let later = span + span_step;
-    let change = vectors[vector_at(levels.fine, kSecond, neighbour)].xyz - start_velocity;
+    let change = vectors[vector_at(levels[0], kSecond, neighbour)].xyz - start_velocity;
     let square = max(dot(later, later), kShortest * kShortest);
     force += (damping * dot(later, change) / square) * later;
   }
@@ -39,7 +39,7 @@ fn pull(neighbour : u32, rest_length : f32, stiffness : f32, damping : f32) -> v
 fn gradient(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= grid.nx * grid.ny) { return; }
-  let level = levels.fine;
+  let level = levels[0];
   let own = place[node];
   if (own.w == 0.0) {
     store_inverse(level, node, zero_matrix());

@@ -13,10 +13,7 @@ struct Level {  // mirror: src/solver/multigrid/level.hpp
   padding_b : u32,
   padding_c : u32,
 }
-struct LevelPair {  // mirror: src/solver/multigrid/level.hpp
-  fine : Level,
-  coarse : Level,
-}
+// A kernel's uniform `levels` has the level that it works on, and the next coarser one.
 
 // Vectors of a level, node after node, one after the other.
 const kResidual = 0u;   // N; of the finest level: first what the inertia leaves

@@ -7,7 +7,7 @@
 //                                                                                  elements       unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
 @group(0) @binding(1) var<uniform>             grid            : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels          : LevelPair;
+@group(0) @binding(2) var<uniform>             levels          : array<Level, 2>;
 @group(0) @binding(3) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: inverse mass, 1/kg)
 @group(0) @binding(4) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: 1 where the state before it is that of the step before)
 @group(0) @binding(5) var<storage, read>       position_before : array<vec4f>;   // vertex_count   m
@@ -24,9 +24,9 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   let node = grid.first_vertex + index;
   let now = NodeState(position_in[node], velocity_in[node]);
   let inverse_mass = now.position.w;
-  let residual_at = vector_at(levels.fine, kResidual, index);
-  let start_at = vector_at(levels.fine, kFirst, index);
-  let start_velocity_at = vector_at(levels.fine, kSecond, index);
+  let residual_at = vector_at(levels[0], kResidual, index);
+  let start_at = vector_at(levels[0], kFirst, index);
+  let start_velocity_at = vector_at(levels[0], kSecond, index);
   if (inverse_mass == 0.0 || is_grabbed(node)) {
     var after : NodeState;
     if (inverse_mass == 0.0) { after = integrate_held(now, rest[node]); } else { after = integrate_grabbed(node, now); }

@@ -144,7 +144,8 @@ Result<void> World::submit_frame(const gpu::CommandList* draw) {
   double speed = 0;
   for (const ContactMover& mover : movers_)
     speed = std::max(speed, largest_speed(mover, now, now + scene_.time.frame));
-  steps_.write(device_, state_.steps, *grabs_, {now, substeps, speed});
+  const double ratio = frame_ == 0 ? 1 : step_ratio(substeps_of(frame_ - 1), substeps);
+  steps_.write(device_, state_.steps, *grabs_, {now, substeps, speed, ratio});
   write_motions(substeps);
   if (proximity_) proximity_->write_places(device_, scene_, now, scene_.time.frame / substeps, substeps);
   const std::array<const gpu::CommandList*, 3> lists = {&frame_commands(parity_, substeps), &free.commands,
@@ -311,12 +312,15 @@ Result<Snapshot> World::snapshot() {
 }
 
 void World::restore(const Snapshot& snapshot) {
+  std::vector<Vec4f> velocity = snapshot.velocity;
+  for (Vec4f& v : velocity) v.w = 0;  // what the step before it was is not in the snapshot
   state_.position[parity_].write(device_, snapshot.position);
-  state_.velocity[parity_].write(device_, snapshot.velocity);
-  last_good_->renew(device_, snapshot.position, snapshot.velocity, 0);
+  state_.velocity[parity_].write(device_, velocity);
+  last_good_->renew(device_, snapshot.position, velocity, 0);
 }
 
-void World::set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity) {
+void World::set_node(std::uint32_t node, const Vec4f& position, const Vec4f& given_velocity) {
+  const Vec4f velocity = Vec4f::from(given_velocity.xyz(), 0);
   state_.position[parity_].write(device_, std::span(&position, 1), node);
   state_.velocity[parity_].write(device_, std::span(&velocity, 1), node);
   last_good_->renew(device_, std::span(&position, 1), std::span(&velocity, 1), node);

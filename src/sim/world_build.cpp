@@ -72,7 +72,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_CHECK(build_contact(options.contact_room ? *options.contact_room : first_room(model_)));
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);
-  WEFT_TRY(last_good, LastGood::create(device_, state_));
+  WEFT_TRY(last_good, LastGood::create(device_, state_, solver_->reads_step_before()));
   last_good_ = std::move(last_good);
   for (Report& report : reports_) {
     WEFT_TRY(readback, gpu::Readback::create(device_, sizeof(Statistics), "frame report"));

@@ -31,6 +31,9 @@ class Solver {
   /// Answers the contacts found at the predicted positions.
   virtual void record_solve(gpu::ComputePass& pass) const = 0;
   virtual SolverConstants constants() const = 0;
+  /// Whether record_predict also reads position[1 - parity] and velocity[1 - parity] as the substep before
+  /// has left them, for nodes whose velocity's w is 1.
+  virtual bool reads_step_before() const { return false; }
 };
 
 /// What a solver is made of. `contacts` is null where the scene has none.

@@ -25,6 +25,7 @@
 #include "scene/scene.hpp"
 #include "solver/mass_spring/advance_grid.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
+#include "solver/multigrid/level.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
@@ -77,7 +78,7 @@ Json step_params() {
               M(grab_speed),     M(wind),        M(wind_wave_a),  M(wind_wave_b),
               M(gust_a),         M(gust_b),      M(grab_node),    M(grab_target),
               M(self_thickness), M(least_reach), M(most_reach),   M(contact_damping),
-              M(detect),         M(padding),     M(point_count),  M(first_place)});
+              M(detect),         M(step_ratio),  M(point_count),  M(first_place)});
 }
 Json spring() {
   using T = Spring;
@@ -93,6 +94,17 @@ Json grid_params_row() {
   using T = GridParams;
   return row("GridParams", "mass_spring/advance_grid.wgsl", sizeof(T), kExact,
              {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(rest_length), M(damping)});
+}
+Json spring_grid_row() {
+  using T = SpringGrid;
+  return row("SpringGrid", "multigrid/spring_grid.wgsl", sizeof(T), kExact,
+             {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(rest_length), M(damping)});
+}
+Json multigrid_level() {
+  using T = MultigridLevel;
+  return row("Level", "multigrid/level.wgsl", sizeof(T), kExact,
+             {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(bend_end_i),
+              M(bend_end_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
 }
 Json vertex_range() {
   using T = VertexRange;
@@ -186,10 +198,11 @@ Json statistic(const char* name, std::size_t offset) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_params(), spring(), neighbour(), grid_params_row(), vertex_range(),
-                      surface_params(), object_triangle(), tree_node(), pair_range(), analytic_collider(),
-                      contact(), search_params(), tree_params(), colliders(), collider_place(), frame(),
-                      weave(), plane()});
+  return Json::array({step_params(),     spring(),          neighbour(),    grid_params_row(),
+                      spring_grid_row(), multigrid_level(), vertex_range(), surface_params(),
+                      object_triangle(), tree_node(),       pair_range(),   analytic_collider(),
+                      contact(),         search_params(),   tree_params(),  colliders(),
+                      collider_place(),  frame(),           weave(),        plane()});
 }
 
 Json shared_constants() {

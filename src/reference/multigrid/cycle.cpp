@@ -41,7 +41,7 @@ Hierarchy::Hierarchy(GridOperator fine, const GridOperator& source) {
   for (const GridOperator& level : levels_) inverse_.push_back(level.inverse_diagonal());
 }
 
-Field Hierarchy::cycle(std::size_t level, const Field& r) const {
+Field Hierarchy::cycle_from(std::size_t level, const Field& r) const {
   const GridOperator& matrix = levels_[level];
   Field x(r.size());
   const bool last = level + 1 == levels_.size();
@@ -54,7 +54,7 @@ Field Hierarchy::cycle(std::size_t level, const Field& r) const {
     smooth(matrix, inverse_[level], r, x, kSmoothLow, kSmoothDegree);
     return x;
   }
-  const Field coarse = cycle(level + 1, restricted(residual(matrix, r, x), matrix));
+  const Field coarse = cycle_from(level + 1, restricted(residual(matrix, r, x), matrix));
   const Field correction = prolonged(coarse, matrix);
   for (std::size_t a = 0; a < x.size(); ++a) x[a] += correction[a];
   smooth(matrix, inverse_[level], r, x, kSmoothLow, kSmoothDegree);

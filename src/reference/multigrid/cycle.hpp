@@ -21,12 +21,12 @@ class Hierarchy {
   Hierarchy(GridOperator fine, const GridOperator& source);
 
   /// One V-cycle for A x = r from x = 0.
-  Field cycle(const Field& r) const { return cycle(0, r); }
+  Field cycle(const Field& r) const { return cycle_from(0, r); }
+  /// The part of it on one level and all coarser ones.
+  Field cycle_from(std::size_t level, const Field& r) const;
   const std::vector<GridOperator>& levels() const { return levels_; }
 
  private:
-  Field cycle(std::size_t level, const Field& r) const;
-
   std::vector<GridOperator> levels_;
   std::vector<std::vector<Sym3>> inverse_;
 };

@@ -66,6 +66,12 @@ ImplicitStepper::ImplicitStepper(const HostModel& model)
   forget();
 }
 
+void ImplicitStepper::remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity) {
+  position_before_ = std::move(position);
+  velocity_before_ = std::move(velocity);
+  known_.assign(position_before_.size(), true);
+}
+
 void ImplicitStepper::forget() { known_.assign(position_before_.size(), false); }
 
 LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places,
@@ -186,9 +192,7 @@ void ImplicitStepper::advance(MassSpringSystem& system, const std::vector<Vec3d>
       velocity[node] = step.start_velocity[a] + (step.matrix.held[a] ? Vec3d{} : dz[a] / formula.he);
     }
   }
-  position_before_ = system.position;
-  velocity_before_ = system.velocity;
-  known_.assign(known_.size(), true);
+  remember(system.position, system.velocity);
   system.position = std::move(position);
   system.velocity = std::move(velocity);
   system.time += dt;

@@ -33,6 +33,8 @@ class ImplicitStepper {
 
   /// One step. `places` has where kinematic nodes are at its end. `ratio` is that of dt to the step before.
   void advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio = 1);
+  /// The state a step before the one that is advanced next.
+  void remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity);
   /// The next step is backward Euler: the state is not one that advance has left.
   void forget();
   /// Likewise for one node.

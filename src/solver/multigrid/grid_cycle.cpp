@@ -38,9 +38,9 @@ Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cl
     if (l >= tail_) continue;
     Own own;
     own.count = levels_[l].node_count();
-    MultigridLevelPair pair{levels_[l], {}};
-    if (l + 1 < levels_.size()) pair.coarse = levels_[l + 1];
-    own.coarse_count = pair.coarse.node_count();
+    std::array<MultigridLevel, 2> pair = {levels_[l]};
+    if (l + 1 < levels_.size()) pair[1] = levels_[l + 1];
+    own.coarse_count = pair[1].node_count();
     WEFT_TRY(levels, uniform(device, pair, "multigrid levels"));
     own.levels = std::move(levels);
     own_.push_back(std::move(own));

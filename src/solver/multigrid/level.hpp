@@ -21,12 +21,6 @@ struct MultigridLevel {
 };
 static_assert(sizeof(MultigridLevel) == 48);
 
-/// Mirror of LevelPair in the same file.
-struct MultigridLevelPair {
-  MultigridLevel fine, coarse;
-};
-static_assert(sizeof(MultigridLevelPair) == 96);
-
 /// Vectors that each level has, and parts of a coarse level's matrix, one vec4f a node each.
 inline constexpr std::uint32_t kMultigridVectors = 6, kMultigridParts = 8;
 

@@ -20,6 +20,7 @@ class SolverMultigrid : public Solver {
   void record_predict(gpu::ComputePass& pass) const override;
   void record_solve(gpu::ComputePass& pass) const override;
   SolverConstants constants() const override { return {}; }
+  bool reads_step_before() const override { return true; }
 
  private:
   MultigridKernels kernels_;

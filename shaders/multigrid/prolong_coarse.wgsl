@@ -2,12 +2,12 @@
 #include "shared/index.wgsl"
 #include "multigrid/coarse_steps.wgsl"
 //                                                                            elements
-@group(0) @binding(0) var<uniform>             levels    : LevelPair;
+@group(0) @binding(0) var<uniform>             levels    : array<Level, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
 @group(0) @binding(2) var<storage, read>       operators : array<vec4f>;   // multigrid/coarse_block.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
-fn prolong(@builtin(global_invocation_id) id : vec3u) {
+fn prolong_coarse(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node < levels.fine.nx * levels.fine.ny) { prolong_node(levels.fine, levels.coarse, node); }
+  if (node < levels[0].nx * levels[0].ny) { prolong_node(levels[0], levels[1], node); }
 }
