@@ -109,7 +109,7 @@ Json grid_params_row() {
   using T = GridParams;
   return row("GridParams", "mass_spring/grid_springs.wgsl", sizeof(T), kUniform,
              {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(damping), M(rest_length),
-              M(tile_width), M(tiles_x)});
+              M(bending), M(tile_width), M(tiles_x)});
 }
 Json mesh_params() {
   using T = MeshParams;

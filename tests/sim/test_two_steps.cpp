@@ -11,7 +11,7 @@ scene::Scene sheet(std::uint32_t nx, std::uint32_t ny, std::uint32_t substeps, c
     "time": {"frame": 0.002, "substeps": )" +
           std::to_string(substeps) + R"(}, "cloths": [{"grid": [)" + std::to_string(nx) + ", " +
           std::to_string(ny) + R"(], "size": [1, 0.7], "density": 0.3, "damping": 0.005, "pins": ["top_left"],
-    "stiffness": {"structural": 400, "shear": 150, "bend": 15})" +
+    "stiffness": {"structural": 400, "shear": 150, "bend": 15, "bending": 1e-4})" +
           more + "}",
       "sheet.json");
   REQUIRE_OK(scene);

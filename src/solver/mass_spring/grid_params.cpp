@@ -29,6 +29,8 @@ GridParams grid_params(const ClothModel& cloth, std::uint32_t workgroup_size) {
   }
   params.rest_length = {static_cast<float>(di), static_cast<float>(dj),
                         static_cast<float>(std::sqrt(di * di + dj * dj)), 0};
+  const auto bending = bending_stiffness(cloth);
+  params.bending = {static_cast<float>(bending[0]), static_cast<float>(bending[1])};
   const std::uint32_t narrow = std::min(32U, workgroup_size), wide = std::min(64U, workgroup_size);
   params.tile_width = tiles_of(grid.nx, wide) * wide > tiles_of(grid.nx, narrow) * narrow ? narrow : wide;
   params.tiles_x = tiles_of(grid.nx, params.tile_width);
@@ -36,7 +38,9 @@ GridParams grid_params(const ClothModel& cloth, std::uint32_t workgroup_size) {
 }
 
 std::vector<gpu::Constant> grid_constants(const ClothModel& cloth) {
-  return {{"kDamped", cloth.damping > 0 ? 1.0 : 0.0}, {"kBend", cloth.stiffness.bend > 0 ? 1.0 : 0.0}};
+  return {{"kDamped", cloth.damping > 0 ? 1.0 : 0.0},
+          {"kBend", cloth.stiffness.bend > 0 ? 1.0 : 0.0},
+          {"kBending", cloth.stiffness.bending > 0 ? 1.0 : 0.0}};
 }
 
 }  // namespace weft

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -15,10 +16,10 @@ struct GridParams {
   Vec4f stiffness;    // structural, shear, bend [N/m]
   Vec4f damping;      // the same; 0 where the stiffness is 0 [N·s/m]
   Vec4f rest_length;  // structural along i, along j, shear [m]
+  std::array<float, 2> bending = {};  // along i, along j [N/m]
   std::uint32_t tile_width = 0, tiles_x = 0;
-  std::uint32_t padding[2] = {};
 };
-static_assert(sizeof(GridParams) == 80 && offsetof(GridParams, tile_width) == 64);
+static_assert(sizeof(GridParams) == 80 && offsetof(GridParams, tile_width) == 72);
 
 /// For workgroups of `workgroup_size` nodes: of 64 or 32 along i, what leaves fewer of them without a node.
 GridParams grid_params(const ClothModel& cloth, std::uint32_t workgroup_size);
