@@ -1,0 +1,44 @@
+"""The browser's part: the page /compare in Chromium, by bench/web/compare.ts."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+
+from .progress import say
+from .store import ROOT
+
+
+def missing():
+    """Why it cannot be measured here, or None."""
+    node = shutil.which("node", path=f"{ROOT}/.setup/bin:{os.environ.get('PATH', '')}")
+    if not node:
+        return "no Node"
+    if not shutil.which(os.environ.get("CHROMIUM", "chromium")):
+        return "no Chromium"
+    for needed in ("apps/web/dist/compare/index.html", "node_modules/playwright-core/package.json"):
+        if not (ROOT / needed).exists():
+            return f"no {needed}; ./dev bench paper --only chromium makes it"
+    return None
+
+
+def run(machine, quick, most_side):
+    reason = missing()
+    if reason:
+        say(f"the browser's part is not measured: {reason}")
+        return False
+    options = ["--quick"] if quick else ["--most", str(most_side**2)]
+    with tempfile.TemporaryDirectory() as folder:
+        answer = pathlib.Path(folder) / "compare.json"
+        environment = dict(os.environ, PATH=f"{ROOT}/.setup/bin:{os.environ.get('PATH', '')}")
+        say("the page /compare in Chromium")
+        done = subprocess.run(["node", "bench/web/compare.ts", *options, "--json", str(answer)], cwd=ROOT, env=environment,
+                              stdout=subprocess.DEVNULL, check=False)
+        if done.returncode != 0 or not answer.exists():
+            say(f"bench/web/compare.ts ended with exit code {done.returncode}; what it measured is not kept")
+            return False
+        report = json.loads(answer.read_text())
+    machine.data["experiments"]["chromium"] = {"command": " ".join(["node bench/web/compare.ts", *options]), **report}
+    machine.save()
+    return True

@@ -1,0 +1,102 @@
+"""The pictures and videos of the experiments: drawn by `weft run`, made small by ffmpeg.
+
+What is drawn goes to OUT/media/MACHINE/NAME-VIEW/, whole frames; what the report shows, and the repository keeps, is packed
+from it into RESULTS/media/MACHINE/. A machine without ffmpeg only draws.
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+
+from .progress import say
+
+PICTURE_BYTES, VIDEO_BYTES = 80_000, 400_000
+VIEWS = ("wireframe", "textured")
+MOMENTS = ("early", "middle", "late")
+FRAMES = {"hanging": (120, {"late": 119}), "pull": (66, {"early": 14, "middle": 38, "late": 65})}  # the pull begins at frame 15
+
+
+def shots(quick, side):
+    """name, its scene, frames to simulate, moments to keep."""
+    objects = ("sphere", "armadillo") if quick else ("sphere", "armadillo", "dragon")
+    frames, moments = FRAMES["hanging"]
+    yield "hanging", "scenes/hanging.json", frames // 3 if quick else frames, {"late": 39} if quick else moments
+    for name in objects:
+        yield f"pull-{name}", f"scenes/pull-{name}.json", *FRAMES["pull"]
+
+
+def draw(machine, binary, binary_hash, out, quick, side, adapter=None, fresh=False):
+    """Draws what is not drawn yet by this binary at this size."""
+    rows = {(row["name"], row["view"]): row for row in machine.rows("pictures")}
+    for name, scene, frames, moments in shots(quick, side):
+        for view in VIEWS:
+            folder = out / "media" / machine.name / f"{name}-{view}"
+            options = ["--set", f"cloths.0.grid=[{side},{side}]", "--set", f"render.view={view}", "--set", "render.size=[800,600]",
+                       "--frames", str(frames)]
+            command = " ".join(["weft run", scene, *options])
+            row = rows.get((name, view), {})
+            if not fresh and row.get("binary") == binary_hash and row.get("command") == command and row.get("files"):
+                continue
+            say(f"drawing {name}, {view}, {side}² nodes, {frames} frames")
+            call = [str(binary), "run", scene, *options, "--out", str(folder), "--json"] + (["--adapter", adapter] if adapter else [])
+            done = subprocess.run(call, capture_output=True, text=True, check=False)
+            if done.returncode != 0:
+                raise RuntimeError(f"{command}: {done.stderr.strip()}")
+            summary = json.loads(done.stdout)
+            row = {"name": name, "view": view, "side": side, "nodes": summary["nodes"], "moments": moments, "files": {},
+                   "state_hash": summary["state_hash"], "max_stretch": summary["max_stretch"], "command": command, "scene": scene,
+                   "binary": binary_hash}
+            machine.add("pictures", {"command": "./dev bench paper --only pictures", "adapter": summary["adapter"]}, [row])
+            if shutil.which("ffmpeg"):  # each as it comes, so that a run that is cut off leaves what it has
+                pack_row(machine, row, out)
+
+
+def pack(machine, out):
+    """Makes small files of everything that lies drawn under `out`."""
+    if not shutil.which("ffmpeg"):
+        say("no ffmpeg here: pictures are drawn, and packed where it is by --only pack")
+        return
+    for row in machine.rows("pictures"):
+        if (out / "media" / machine.name / f"{row['name']}-{row['view']}").is_dir():
+            pack_row(machine, row, out)
+
+
+def pack_row(machine, row, out):
+    source = out / "media" / machine.name / f"{row['name']}-{row['view']}"
+    target = machine.path.parent / "media" / machine.name
+    target.mkdir(parents=True, exist_ok=True)
+    files = {}
+    for moment, frame in row["moments"].items():
+        picture = source / f"frame_{frame:05d}.png"
+        if picture.exists():
+            files[moment] = f"{row['name']}-{row['view']}-{moment}.jpg"
+            shrink(["-i", str(picture)], ["-frames:v", "1", "-vf", "scale=560:-2"], target / files[moment],
+                   PICTURE_BYTES, [["-q:v", str(q)] for q in (3, 5, 8, 12, 18, 25)])
+    if row["name"].startswith("pull-") and row["view"] == "textured" and (source / "frame_00000.png").exists():
+        files["video"] = f"{row['name']}.mp4"
+        shrink(["-framerate", "30", "-i", str(source / "frame_%05d.png")],
+               ["-vf", "scale=480:-2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"], target / files["video"],
+               VIDEO_BYTES, [["-crf", str(q)] for q in (26, 30, 34, 38, 42)])
+    if files:
+        row["files"] = files
+        machine.save()
+
+
+def shrink(given, how, target, most, qualities):
+    """The best quality that stays within `most` bytes."""
+    temporary = target.with_name("tmp-" + target.name)
+    for quality in qualities:
+        subprocess.run(["ffmpeg", "-v", "error", "-y", *given, *how, *quality, "-map_metadata", "-1", "-bitexact", str(temporary)],
+                       check=True, stdin=subprocess.DEVNULL)
+        if temporary.stat().st_size <= most:
+            break
+    else:
+        temporary.unlink()
+        raise RuntimeError(f"{target.name} does not fit in {most} bytes.")
+    temporary.replace(target)
+
+
+def file_of(machine, name):
+    """A packed file, or None where it has not been kept."""
+    path = pathlib.Path(machine.path).parent / "media" / machine.name / name
+    return path if path.exists() else None
