@@ -1,6 +1,7 @@
 """The tables of docs/performance.md that are not of the paper's experiments: contact by itself, hosts, the page, Embree."""
 from .fits import power_law
-from .table import Table, left, number, right
+from .table import Table, left, right
+from .wording import number
 
 
 def hosts(results):

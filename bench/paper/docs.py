@@ -11,27 +11,16 @@ import jinja2
 from . import contact_tables, experiment_tables, facts, plots
 from .store import RESULTS, ROOT, write_whole
 from .svg import drawing
-from .table import number
+from .wording import number, rounded, span
 
 TEMPLATES = ROOT / "bench/paper/templates"
 README_BLOCK = re.compile(r"(<!-- results (\w+) -->).*?(<!-- end -->)", re.S)
 
 
-def digits(value, count=2):
-    """With this many digits that count, never as a power of ten."""
-    text = f"{value:.{count}g}"
-    return f"{float(text):,.0f}" if float(text) >= 1000 else format(float(text), "f").rstrip("0").rstrip(".") if "e" in text else text
-
-
-def span(pair, count=2):
-    low, high = (digits(value, count) for value in pair)
-    return low if low == high else f"{low} to {high}"
-
-
 def environment(folder):
     made = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), undefined=jinja2.StrictUndefined, trim_blocks=True,
                               lstrip_blocks=True, keep_trailing_newline=True)
-    made.filters |= {"digits": digits, "span": span, "number": number, "commas": lambda value: f"{value:,.0f}",
+    made.filters |= {"digits": rounded, "span": span, "number": number, "commas": lambda value: f"{value:,.0f}",
                      "percent": lambda value: f"{100 * value:.0f} %"}
 
     def stored(name):

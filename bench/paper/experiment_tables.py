@@ -1,5 +1,6 @@
 """The tables of the paper's experiments: hanging, pull, copy, the largest sheet, the browser, published figures."""
-from .table import Table, built, left, megabytes, number, right
+from .table import NOT_MEASURED, Table, built, left, right
+from .wording import megabytes, number
 
 PATHS = {"weft-node": "weft, by node", "weft-spring": "weft, by spring", "three-webgpu": "three.js, WebGPU",
          "webgl2": "WebGL 2 shaders", "cpu": "CPU, JavaScript"}
@@ -53,7 +54,7 @@ def hanging(rows):
     return with_skips(rows, [
         ("nodes", "right", lambda row: f"{row['nodes']:,}"), ("variant", "left", lambda row: row["variant"]), *run_columns(),
         ("dispatches", "right", lambda row: f"{row['dispatches_per_step']:g}"),
-        ("GB/s of state", "right", lambda row: f"{row['bytes_per_step'] / step_ms(row) * 1e-6:,.0f}"),
+        ("GB/s of state", "right", lambda row: number(row["bytes_per_step"] / step_ms(row) * 1e-6)),
         ("state hash", "left", lambda row: f"`{row['state_hash']}`")], 2)
 
 
@@ -95,7 +96,7 @@ def largest(rows):
         ms = ms["median"] if isinstance(ms, dict) else ms
         time = f"{ms:.4f}" if ms is not None else f"not run: {row.get('skipped', 'no reason given')}"
         lines.append([row["limits"], row["variant"], f"{row['side']:,}²", f"{row['nodes']:,}", str(row["limited_by"]),
-                      megabytes(row.get("gpu_bytes")) or "not measured", time])
+                      megabytes(row.get("gpu_bytes")) or NOT_MEASURED, time])
     return Table(left("limits", "variant") + right("side", "nodes") + left("limited by") + right("MB on the GPU", "ms a step"), lines)
 
 
@@ -129,13 +130,14 @@ def published(figures, hanging_rows, pull_rows):
     for figure in figures["frames"]:
         rows, variants = ((hanging_rows, ["spring_centric", "node_centric, grid"]) if figure["object"] == "none"
                           else (pull_rows, ["paper", "bvh", "proximity"]))
+        head = [figure["experiment"], f"{figure['nodes']:,}", figure["said"]]
         for variant in variants:
             row = nearest(rows, figure["object"], variant, figure["nodes"])
-            fps = (paper_fps(row) or "not measured") if row else "not measured"
-            steps = f"{1000 / step_ms(row):,.0f}" if row else "not measured"
-            real = f"{number(row['real_time_factor'])} ×" if row else "not measured"
-            lines.append([figure["experiment"], f"{figure['nodes']:,}", figure["said"], variant, fps, steps, real,
-                          f"`{row['state_hash']}`" if row else ""])
+            if row:
+                lines.append([*head, variant, paper_fps(row) or NOT_MEASURED, number(1000 / step_ms(row)), f"{number(row['real_time_factor'])} ×",
+                              f"`{row['state_hash']}`"])
+        if lines[-1:] == [] or lines[-1][:3] != head:
+            lines.append([*head, "this size has not been measured on this machine"])
     return Table(left("experiment") + right("nodes") + left("the paper says", "weft") +
                  right("weft, paper's fps", "weft, steps a second", "weft, real time") + left("state hash"), lines)
 
@@ -147,7 +149,7 @@ def authors_code(figures, hanging_rows, pull_rows):
         rows, variants = ((hanging_rows, ["spring_centric", "node_centric, grid"]) if figure["object"] == "none"
                           else (pull_rows, ["paper", "bvh"]))
         ours = [nearest(rows, figure["object"], variant, figure["nodes"]) for variant in variants]
-        cells = [f"{step_ms(row):.4f} ({figure['ms_per_step'] / step_ms(row):,.1f} ×)" if row else "not measured" for row in ours]
+        cells = [f"{step_ms(row):.4f} ({figure['ms_per_step'] / step_ms(row):,.1f} ×)" if row else NOT_MEASURED for row in ours]
         lines.append([figure["experiment"], f"{figure['nodes']:,}", f"{figure['ms_per_step']:g}", figure["stretch"], *cells])
     return Table(left("experiment") + right("nodes", "authors' shaders, ms a step", "their largest stretch",
                                             "weft spring by spring, or paper: ms a step", "weft by node, or bvh: ms a step"), lines)

@@ -41,8 +41,8 @@ def gpu_memory():
 
 def libraries(binary):
     found = {"weft": output_of(str(binary), "--version").removeprefix("weft ")}
-    found["wgpu-native, of the wheel wgpu"] = field(ROOT / "scripts/setup.sh", r"wheel wgpu==([\d.]+)")
-    found["Dawn, of the npm package webgpu"] = npm("webgpu")
+    found["wheel wgpu (wgpu-native)"] = field(ROOT / "scripts/setup.sh", r"wheel wgpu==([\d.]+)")
+    found["npm webgpu (Dawn)"] = npm("webgpu")
     found["three.js"] = npm("three")
     found["Python"] = platform.python_version()
     return {name: version for name, version in found.items() if version}

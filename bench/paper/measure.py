@@ -68,20 +68,20 @@ def run(machine, cases, binary, adapter=None, fresh=False):
         before = too_slow_before(case, machine.rows("pull")) if case.brute_force else None
         head = {"command": f"./dev bench paper --only {case.experiment}"}
         began = time.monotonic()
-        try:
-            if before:
-                rows = [skip(case, before)]
-            else:
+        if before:
+            rows = [skip(case, before)]
+        else:
+            try:
                 answer = ask(binary, case, adapter)
-                check_adapter(machine, case.experiment, answer)
-                head |= {key: answer[key] for key in ("adapter", "driver", "unchecked") if key in answer}
-                rows = [with_side(row) for row in answer["rows"]]
-        except Failed as failure:
-            say(str(failure))
-            if failure.code in STOPS_ALL:
-                raise
-            failures += 1
-            continue
+            except Failed as failure:
+                if failure.code in STOPS_ALL:
+                    raise
+                say(str(failure))
+                failures += 1
+                continue
+            check_adapter(machine, case.experiment, answer)
+            head |= {key: answer[key] for key in ("adapter", "driver", "unchecked") if key in answer}
+            rows = [with_side(row) for row in answer["rows"]]
         seconds = time.monotonic() - began
         if not before:
             clock.add(case.weight, seconds)

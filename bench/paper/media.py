@@ -31,7 +31,7 @@ def draw(machine, binary, binary_hash, out, quick, side, adapter=None, fresh=Fal
     for name, scene, frames, moments in shots(quick, side):
         for view in VIEWS:
             folder = out / "media" / machine.name / f"{name}-{view}"
-            options = ["--set", f"cloths.0.grid=[{side},{side}]", "--set", f"render.view={view}", "--set", "render.size=[800,600]",
+            options = ["--set", f"cloths.0.grid=[{side},{side}]", "--set", f"render.view={view}", "--set", "render.size=[960,540]",
                        "--frames", str(frames)]
             command = " ".join(["weft run", scene, *options])
             row = rows.get((name, view), {})
@@ -70,12 +70,12 @@ def pack_row(machine, row, out):
         picture = source / f"frame_{frame:05d}.png"
         if picture.exists():
             files[moment] = f"{row['name']}-{row['view']}-{moment}.jpg"
-            shrink(["-i", str(picture)], ["-frames:v", "1", "-vf", "scale=560:-2"], target / files[moment],
+            shrink(["-i", str(picture)], ["-frames:v", "1", "-vf", "scale=640:-2"], target / files[moment],
                    PICTURE_BYTES, [["-q:v", str(q)] for q in (3, 5, 8, 12, 18, 25)])
     if row["name"].startswith("pull-") and row["view"] == "textured" and (source / "frame_00000.png").exists():
         files["video"] = f"{row['name']}.mp4"
         shrink(["-framerate", "30", "-i", str(source / "frame_%05d.png")],
-               ["-vf", "scale=480:-2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"], target / files["video"],
+               ["-vf", "scale=640:-2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"], target / files["video"],
                VIDEO_BYTES, [["-crf", str(q)] for q in (26, 30, 34, 38, 42)])
     if files:
         row["files"] = files
@@ -98,5 +98,7 @@ def shrink(given, how, target, most, qualities):
 
 def file_of(machine, name):
     """A packed file, or None where it has not been kept."""
+    if name is None:
+        return None
     path = pathlib.Path(machine.path).parent / "media" / machine.name / name
     return path if path.exists() else None

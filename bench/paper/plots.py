@@ -1,6 +1,6 @@
 """What is plotted of the results."""
 from .contact_tables import contact_ms, growth_groups, search_ms, share
-from .experiment_tables import PATHS, step_ms
+from .experiment_tables import PATHS, contact_costs, step_ms
 from .fits import base_and_slope, power_law
 from .svg import Line, Plot, bars, drawing
 
@@ -129,6 +129,39 @@ def readme_cost(machine, figures):
     names = {"three-webgpu": "three.js on WebGPU, in Chromium", "webgl2": "WebGL 2 shaders, in Chromium"}
     lines += [Line(names[path], points, 3 + k, 1) for k, (path, points, _) in enumerate(browser_lines(machine, "ms_per_step", names))]
     return Plot("A step of the hanging sheet", "nodes of the sheet", "a step [ms]", lines + authors_lines(machine, figures, "none"), width=720)
+
+
+def bandwidth(machine):
+    """What a step reaches of the copy's bandwidth."""
+    lines = lines_of(machine.measured("hanging"), MODES, lambda row: row["bytes_per_step"] / step_ms(row) * 1e-6)
+    if not lines:
+        return None
+    if copy_speed(machine):
+        low, high = over(lines)
+        lines.append(Line("a copy on this card", [(low, copy_speed(machine)), (high, copy_speed(machine))], 7, 1, True))
+    return Plot("Hanging: bandwidth reached", "nodes of the sheet", "state read and written [GB/s]", lines)
+
+
+def contact_over_triangles(machine):
+    """At the size at which most objects were measured."""
+    rows = machine.measured("pull")
+    nodes = max((row["nodes"] for row in rows), key=lambda n: (sum(row["nodes"] == n for row in rows), n), default=0)
+    lines = []
+    for k, (variant, label) in enumerate(METHODS.items()):
+        points = sorted((row["object_triangles"], ms) for row, ms in contact_costs(rows, variant) if row["nodes"] == nodes and ms > 0)
+        if variant != "none" and len(points) > 1:
+            lines.append(Line(fitted(label, points), points, k))
+    return Plot(f"Pull: cost of contact over the object's triangles, {nodes:,} nodes", "triangles of the object", "contact of a step [ms]", lines) if lines else None
+
+
+def contact_over_contacts(machine):
+    rows = machine.measured("pull")
+    lines = []
+    for k, variant in enumerate(("proximity", "proximity_self")):
+        points = sorted((row["contacts"], ms) for row, ms in contact_costs(rows, variant) if row["contacts"] > 0 and ms > 0)
+        if len(points) > 1:
+            lines.append(Line(METHODS[variant], points, 2 + k, joined=False))
+    return Plot("Pull: cost of contact over contacts, all objects and sizes", "contacts of two steps", "contact of a step [ms]", lines) if lines else None
 
 
 def two_parts(rows):

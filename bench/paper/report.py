@@ -43,7 +43,7 @@ class Report:
         if plot is None:
             return ""
         name = f"plot-{self.figures + 1}"
-        scroll = f'<div class="scroll" role="region" tabindex="0" aria-label="{html.escape(plot.title)}">{drawing(name, [plot])}</div>'
+        scroll = f'<div class="scroll" role="group" tabindex="0" aria-label="{html.escape(plot.title)}">{drawing(name, [plot])}</div>'
         return self.figure(scroll, f"{html.escape(plot.title)}. {caption}", source, "plot")
 
 
@@ -75,16 +75,16 @@ def hardware(report, all_machines, figures):
     gib = lambda size: f"{size / 2**30:,.1f} GiB"
     paper = figures["machine"]
     lines = [["GPU", *(value(m, "gpu") for m in all_machines), paper["gpu"]],
-             ["kind, interface", *(f"{value(m, 'gpu_type')}, {value(m, 'backend')}" for m in all_machines), "not in our notes of the paper"],
-             ["driver", *(value(m, "driver") for m in all_machines), "not in our notes of the paper"],
-             ["GPU memory", *(value(m, "gpu_memory_bytes", gib) for m in all_machines), "not in our notes of the paper"],
+             ["kind, interface", *(f"{value(m, 'gpu_type')}, {value(m, 'backend')}" for m in all_machines), "not known"],
+             ["driver", *(value(m, "driver") for m in all_machines), "not known"],
+             ["GPU memory", *(value(m, "gpu_memory_bytes", gib) for m in all_machines), "not known"],
              ["CPU", *(value(m, "cpu") for m in all_machines), paper["cpu"]],
-             ["threads", *(value(m, "threads") for m in all_machines), "not in our notes of the paper"],
-             ["memory", *(value(m, "memory_bytes", gib) for m in all_machines), "not in our notes of the paper"],
-             ["system", *(value(m, "system") for m in all_machines), "not in our notes of the paper"],
+             ["threads", *(value(m, "threads") for m in all_machines), "not known"],
+             ["memory", *(value(m, "memory_bytes", gib) for m in all_machines), "not known"],
+             ["system", *(value(m, "system") for m in all_machines), "not known"],
              ["browser", *(value(m, "browser") for m in all_machines), paper["browser"]],
              ["libraries", *(", ".join(f"{name} {version}" for name, version in m.hardware.get("libraries", {}).items()) or "not recorded"
-                             for m in all_machines), "not in our notes of the paper"]]
+                             for m in all_machines), "not known"]]
     table = Table(left("", *(m.name for m in all_machines), "the paper"), lines)
     table.columns[0] = ("part", "left")
     return report.table(table, "Hardware, as each machine says of itself, beside the paper's.", report.source("./dev bench paper --only hardware"))
@@ -117,7 +117,7 @@ def hanging(report, machine, figures):
         source = report.source(browser["command"], f"scenes/{browser['scene']}.json")
         adapter = html.escape(f"{browser['adapter']}; WebGL: {browser['hardware'].get('webgl2', 'none')}")
         for table, what in zip(tables.compare(browser), ("a step, without drawing", "a frame: one step and its picture at 960 × 540")):
-            parts.append(report.table(table, f"In Chromium ({adapter}): {what}. No state hash: only weft's paths have one.", source))
+            parts.append(report.table(table, f"In Chromium ({adapter}): {what}. The page takes no state hashes.", source))
         parts.append(report.plot(plots.hanging_browser(machine, "ms_per_step", "In Chromium: a step", "a step [ms]"),
                                  "weft beside three.js, WebGL 2 shaders and the processor.", source))
         parts.append(report.plot(plots.hanging_browser(machine, "ms_per_frame", "In Chromium: a frame", "a frame [ms]", 1000 / 60),
@@ -148,38 +148,46 @@ def pull(report, machine, figures):
                                                            f"Pull over the {name}: a frame as the paper counts it"),
                                  "One detection, one step, normals and a picture of 1280 × 720.", source))
         parts.append(report.plot(plots.pull_real_time(machine, name), "Above the line the sheet runs in real time.", source))
-        parts.append(pictures(report, machine, f"pull-{name}"))
     if any(row.get("kernels") for row in rows):
         parts.append(report.table(tables.kernels(rows), "Time per kernel of the largest sheets, each in a pass of its own.", source_of(report, machine, "pull")))
+    parts.append(pictures(report, machine, "pull"))
     return "\n".join(filter(None, parts))
 
 
-def pictures(report, machine, name):
-    """The paper's layout: columns early, middle, late; a row a view."""
-    rows = [row for row in machine.rows("pictures") if row["name"] == name and row["files"]]
+def picture_cells(machine, rows):
+    """The stored pictures of these runs, in order: a row of the figure each."""
+    for row in rows:
+        for moment in media.MOMENTS:
+            path = media.file_of(machine, row["files"].get(moment))
+            if path:
+                text = f"{row['name']}, {row['view']}, frame {row['moments'][moment] + 1}"
+                yield f'<div><img src="{data_address(path)}" width="640" height="360" alt="{text}"><p>{text}</p></div>'
+
+
+def gallery(report, machine, rows, columns, caption):
+    cells = "".join(picture_cells(machine, rows))
+    commands = "; ".join(f"<code>{html.escape(row['command'])}</code>, state hash <code>{row['state_hash']}</code>" for row in rows)
+    return report.figure(f'<div class="pictures" style="--columns:{columns}">{cells}</div>',
+                         f"{caption} {rows[0]['nodes']:,} nodes.", f'<span class="source">Source: {commands}.</span>', "gallery")
+
+
+def pictures(report, machine, experiment):
+    """The paper's layout: a row an object, columns early, middle and late; in both views, and a video of each pull."""
+    rows = [row for row in machine.rows("pictures") if row["name"].startswith(experiment) and row["files"]]
     if not rows:
-        return f"<p>No pictures of {name} have been made on this machine.</p>"
-    parts, cells = [], []
-    for row in rows:
-        shown = [(moment, media.file_of(machine, row["files"][moment])) for moment in media.MOMENTS if moment in row["files"]]
-        cells += [f'<div><img src="{data_address(path)}" width="560" height="420" alt="{html.escape(name)}, {row["view"]}, {moment}">'
-                  f"<p>{row['view']}, frame {row['moments'][moment] + 1}</p></div>" for moment, path in shown if path]
-    columns = max(len(row["moments"]) for row in rows)
-    if len(rows) > 1 and columns == 1:
-        columns = len(rows)
-    hashes = sorted({row["state_hash"] for row in rows})
-    commands = report.source(rows[0]["command"], rows[0]["scene"], ", ".join(f"<code>{one}</code>" for one in hashes))
-    moments = "early, middle and late" if name.startswith("pull") else "at the end"
-    parts.append(report.figure(f'<div class="pictures" style="--columns:{columns}">{"".join(cells)}</div>',
-                               f"{name}, {rows[0]['nodes']:,} nodes, {moments}, with the largest stretch of the run {rows[0]['max_stretch']:.3f}; "
-                               "each view by its own run of the same command, to the same state.", commands, "gallery"))
-    for row in rows:
-        video = media.file_of(machine, row["files"]["video"]) if "video" in row["files"] else None
-        if video:
-            parts.append(report.figure(f'<video controls muted playsinline width="480" height="360" src="{data_address(video)}" '
-                                       f'aria-label="{name}, the whole run"></video>',
-                                       f"{name}, {row['nodes']:,} nodes: the whole run, at half speed.",
-                                       report.source(row["command"], row["scene"], f"<code>{row['state_hash']}</code>"), "video"))
+        return "<p>No pictures of this experiment have been made on this machine.</p>"
+    if experiment == "hanging":
+        return gallery(report, machine, rows, len(rows), "The hanging sheet at the end of its run.")
+    rows.sort(key=lambda row: OBJECTS.index(row["name"].removeprefix("pull-")))
+    parts = [gallery(report, machine, [row for row in rows if row["view"] == view], len(media.MOMENTS),
+                     f"The pulls, {view}: a row an object; early, middle and late.") for view in media.VIEWS]
+    videos = [row for row in rows if media.file_of(machine, row["files"].get("video"))]
+    for row in videos:
+        poster = media.file_of(machine, row["files"].get("middle"))
+        video = (f'<video controls muted playsinline preload="none" width="640" height="360" poster="{data_address(poster)}" '
+                 f'src="{data_address(media.file_of(machine, row["files"]["video"]))}" aria-label="{row["name"]}, the whole run"></video>')
+        parts.append(report.figure(video, f"{row['name']}, {row['nodes']:,} nodes: the whole run at half speed.",
+                                   report.source(row["command"], row["scene"], f"<code>{row['state_hash']}</code>"), "video"))
     return "\n".join(parts)
 
 

@@ -1,9 +1,9 @@
 """The section on how cost grows, and on how far a step is from what the card can do."""
 from . import plots
 from .experiment_tables import contact_costs, step_ms
-
 from .fits import crossing, power_law
-from .table import NOT_MEASURED, Table, left, number, right
+from .table import NOT_MEASURED, Table, left, right
+from .wording import number, rounded
 
 ENOUGH = 3  # points that an exponent is fitted to
 
@@ -56,7 +56,7 @@ def launch_and_bandwidth(machine):
         launch, speed, equal = fit
         largest = max(rows, key=lambda row: row["nodes"])
         reached = largest["bytes_per_step"] / step_ms(largest) * 1e-6
-        lines.append([variant, f"{1000 * launch:.3g}", f"{1000 * dispatch * rows[0]['dispatches_per_step']:.3g}" if dispatch else NOT_MEASURED,
+        lines.append([variant, number(1000 * launch), number(1000 * dispatch * rows[0]["dispatches_per_step"]) if dispatch else NOT_MEASURED,
                       number(speed), f"{equal:,.0f}", f"{largest['nodes']:,}", number(reached), number(copy) if copy else NOT_MEASURED,
                       f"{100 * reached / copy:.0f} %" if copy else NOT_MEASURED])
     columns = left("variant") + right("launch, fitted [µs]", "its empty dispatches [µs]", "bandwidth, fitted [GB/s of state]", "equal at nodes", "largest: nodes",
@@ -86,7 +86,7 @@ def nodes_at(points, level):
     if found is None:
         return f"fewer than {min(points)[0]:,}"
     nodes, beyond = found
-    return f"{nodes:,.0f} or more" if beyond else f"about {float(f'{nodes:.2g}'):,.0f}"
+    return f"{nodes:,.0f} or more" if beyond else f"about {rounded(nodes)}"
 
 
 def section(report, machine, _):
@@ -98,4 +98,7 @@ def section(report, machine, _):
                           (largest_at, "The largest sheet at 60 frames a second and in real time, between the measured sizes on logarithmic axes.")):
         table = make(machine)
         parts.append(report.table(table, caption, source) if table else f"<p>Not measured on this machine: {caption[0].lower()}{caption[1:]}</p>")
-    return "\n".join(parts)
+    parts += [report.plot(plots.bandwidth(machine), "Position and velocity, read and written once.", source),
+              report.plot(plots.contact_over_triangles(machine), "What a step takes more than the same step without contact.", source),
+              report.plot(plots.contact_over_contacts(machine), "Each point is an object at a size.", source)]
+    return "\n".join(filter(None, parts))

@@ -35,6 +35,7 @@ class Line:
     colour: int
     dash: int = 0
     guide: bool = False
+    joined: bool = True
 
 
 @dataclasses.dataclass
@@ -87,7 +88,11 @@ def tick_text(value):
         return f"{value / 1e6:g}M"
     if value >= 1e4:
         return f"{value / 1e3:g}K"
-    return f"{value:,.0f}" if value >= 1 else f"{value:.10f}".rstrip("0")
+    if value < 0.0009:
+        mantissa, exponent = f"{value:e}".split("e-")
+        power = "10⁻" + "".join("⁰¹²³⁴⁵⁶⁷⁸⁹"[int(digit)] for digit in str(int(exponent)))
+        return power if float(mantissa) == 1 else f"{float(mantissa):g}·{power}"
+    return f"{value:,.0f}" if value >= 1 else f"{value:.3f}".rstrip("0")
 
 
 def marker(k, x, y, colour):
@@ -132,10 +137,12 @@ def body(plot):
         dash = f";stroke-dasharray:{DASHES[line.dash]}" if line.dash else ""
         style = f"stroke:var(--s{line.colour}){dash}"
         path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in places)
-        yield f'<path class="{"guide" if line.guide else "line"}" d="{path}" style="{style}"/>'
+        if line.joined:
+            yield f'<path class="{"guide" if line.guide else "line"}" d="{path}" style="{style}"/>'
         column, row = k % plot.legend_columns, k // plot.legend_columns
         x, y = left - 46 + column * (plot.width - 20) / plot.legend_columns, plot.height + 14 + 22 * row
-        yield f'<path class="line" d="M{x:.1f} {y:.1f}h26" style="{style}"/>'
+        if line.joined:
+            yield f'<path class="line" d="M{x:.1f} {y:.1f}h26" style="{style}"/>'
         if not line.guide:
             yield "".join(marker(markers, *place, line.colour) for place in [*places, (x + 13, y)])
             markers += 1

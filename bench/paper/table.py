@@ -19,7 +19,7 @@ class Table:
 
     def html(self, caption, name):
         """The caption is HTML; `name` makes the ids of the page."""
-        yield f'<div class="scroll" role="region" tabindex="0" aria-labelledby="{name}"><table><caption id="{name}">{caption}</caption><thead><tr>'
+        yield f'<div class="scroll" role="group" tabindex="0" aria-labelledby="{name}"><table><caption id="{name}"><span class="words">{caption}</span></caption><thead><tr>'
         yield "".join(f'<th scope="col" class="{side}">{cell_html(title)}</th>' for title, side in self.columns)
         yield "</tr></thead><tbody>"
         for row in self.rows:
@@ -53,12 +53,3 @@ def built(items, columns):
     table = Table([column[:2] for column, one in zip(columns, seen) if one],
                   [[NOT_MEASURED if text is None else text for text, one in zip(row, seen) if one] for row in texts])
     return table, [column[0] for column, one in zip(columns, seen) if not one]
-
-
-def number(value, digits=3):
-    """Without exponents as far as 1e-4, and with commas from a thousand on."""
-    return f"{value:.{digits}g}" if value < 1000 else f"{value:,.0f}"
-
-
-def megabytes(value):
-    return None if value is None else f"{value / 1e6:,.1f}" if value < 1e8 else f"{value / 1e6:,.0f}"
