@@ -50,7 +50,7 @@ def measure_all(given, machine, found):
         well = measure.run(machine, plan, given.weft, given.adapter, given.fresh)
     if "chromium" in given.parts:
         asked = given.only is not None  # without it, a machine that has no browser is measured all the same
-        well = (browser.run(machine, given.quick, most_side) or not asked) and well
+        well = (browser.run(machine, given.quick, most_side, given.fresh) or not asked) and well
     if "pictures" in given.parts:
         side = 64 if software else 256
         media.draw(machine, given.weft, measure.hash_of(given.weft), given.out, given.quick, side, given.adapter, given.fresh)

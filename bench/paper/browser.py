@@ -1,4 +1,5 @@
 """The browser's part: the page /compare in Chromium, by bench/web/compare.ts."""
+import hashlib
 import json
 import os
 import pathlib
@@ -23,12 +24,26 @@ def missing():
     return None
 
 
-def run(machine, quick, most_side):
+def hash_of_page():
+    """Which page measured."""
+    whole = hashlib.sha256()
+    for path in sorted((ROOT / "apps/web/dist").rglob("*")):
+        if path.is_file():
+            whole.update(path.read_bytes())
+    return "sha256:" + whole.hexdigest()[:16]
+
+
+def run(machine, quick, most_side, fresh=False):
+    """Whether it is measured: now, or by the same page before."""
     reason = missing()
     if reason:
         say(f"the browser's part is not measured: {reason}")
         return False
     options = ["--quick"] if quick else ["--most", str(most_side**2)]
+    head = {"command": " ".join(["node bench/web/compare.ts", *options]), "page": hash_of_page()}
+    if not fresh and head.items() <= machine.experiment("chromium").items():
+        say(f"the page /compare: stored in {machine.path}")
+        return True
     with tempfile.TemporaryDirectory() as folder:
         answer = pathlib.Path(folder) / "compare.json"
         environment = dict(os.environ, PATH=f"{ROOT}/.setup/bin:{os.environ.get('PATH', '')}")
@@ -39,6 +54,6 @@ def run(machine, quick, most_side):
             say(f"bench/web/compare.ts ended with exit code {done.returncode}; what it measured is not kept")
             return False
         report = json.loads(answer.read_text())
-    machine.data["experiments"]["chromium"] = {"command": " ".join(["node bench/web/compare.ts", *options]), **report}
+    machine.data["experiments"]["chromium"] = {**head, **report}
     machine.save()
     return True

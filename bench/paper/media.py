@@ -7,8 +7,10 @@ import json
 import pathlib
 import shutil
 import subprocess
+import time
 
-from .progress import say
+from .progress import TimeLeft, in_words, say
+from .store import ROOT
 
 PICTURE_BYTES, VIDEO_BYTES = 80_000, 400_000
 VIEWS = ("wireframe", "textured")
@@ -16,7 +18,7 @@ MOMENTS = ("early", "middle", "late")
 FRAMES = {"hanging": (120, {"late": 119}), "pull": (66, {"early": 14, "middle": 38, "late": 65})}  # the pull begins at frame 15
 
 
-def shots(quick, side):
+def shots(quick):
     """name, its scene, frames to simulate, moments to keep."""
     objects = ("sphere", "armadillo") if quick else ("sphere", "armadillo", "dragon")
     frames, moments = FRAMES["hanging"]
@@ -27,28 +29,36 @@ def shots(quick, side):
 
 def draw(machine, binary, binary_hash, out, quick, side, adapter=None, fresh=False):
     """Draws what is not drawn yet by this binary at this size."""
-    rows = {(row["name"], row["view"]): row for row in machine.rows("pictures")}
-    for name, scene, frames, moments in shots(quick, side):
+    stored = {(row["name"], row["view"]): row for row in machine.rows("pictures")}
+    waiting, clock = [], TimeLeft()
+    for name, scene, frames, moments in shots(quick):
         for view in VIEWS:
-            folder = out / "media" / machine.name / f"{name}-{view}"
             options = ["--set", f"cloths.0.grid=[{side},{side}]", "--set", f"render.view={view}", "--set", "render.size=[960,540]",
                        "--frames", str(frames)]
-            command = " ".join(["weft run", scene, *options])
-            row = rows.get((name, view), {})
-            if not fresh and row.get("binary") == binary_hash and row.get("command") == command and row.get("files"):
-                continue
-            say(f"drawing {name}, {view}, {side}² nodes, {frames} frames")
-            call = [str(binary), "run", scene, *options, "--out", str(folder), "--json"] + (["--adapter", adapter] if adapter else [])
-            done = subprocess.run(call, capture_output=True, text=True, check=False)
-            if done.returncode != 0:
-                raise RuntimeError(f"{command}: {done.stderr.strip()}")
-            summary = json.loads(done.stdout)
-            row = {"name": name, "view": view, "side": side, "nodes": summary["nodes"], "moments": moments, "files": {},
-                   "state_hash": summary["state_hash"], "max_stretch": summary["max_stretch"], "command": command, "scene": scene,
-                   "binary": binary_hash}
-            machine.add("pictures", {"command": "./dev bench paper --only pictures", "adapter": summary["adapter"]}, [row])
-            if shutil.which("ffmpeg"):  # each as it comes, so that a run that is cut off leaves what it has
-                pack_row(machine, row, out)
+            row = {"name": name, "view": view, "side": side, "moments": moments, "files": {}, "scene": scene,
+                   "command": " ".join(["weft run", scene, *options]), "binary": binary_hash}
+            before = stored.get((name, view), {})
+            drawn = before.get("files") or (out / "media" / machine.name / f"{name}-{view}").is_dir()
+            if fresh or not drawn or (before.get("binary"), before.get("command")) != (binary_hash, row["command"]):
+                waiting.append((row, frames, options))
+    for k, (row, frames, options) in enumerate(waiting):
+        say(f"[{k + 1}/{len(waiting)}] {row['command']}: {in_words(clock.left(weight for _, weight, _ in waiting[k:]))}")
+        began = time.monotonic()
+        summary = run(binary, row, options, out / "media" / machine.name / f"{row['name']}-{row['view']}", adapter)
+        row |= {key: summary[key] for key in ("nodes", "state_hash", "max_stretch", "crossings") if key in summary}
+        machine.add("pictures", {"command": "./dev bench paper --only pictures", "adapter": summary["adapter"]}, [row])
+        if shutil.which("ffmpeg"):  # each as it comes, so that a run that is cut off leaves what it has
+            pack_row(machine, row, out)
+        clock.add(frames, time.monotonic() - began)
+
+
+def run(binary, row, options, folder, adapter):
+    """The summary of `weft run`, whose pictures lie in `folder` then."""
+    call = [str(binary), "run", str(ROOT / row["scene"]), *options, "--out", str(folder), "--json"]
+    done = subprocess.run(call + (["--adapter", adapter] if adapter else []), capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"{row['command']}: {done.stderr.strip()}")
+    return json.loads(done.stdout)
 
 
 def pack(machine, out):

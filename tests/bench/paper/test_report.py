@@ -95,7 +95,10 @@ class Report(unittest.TestCase):
         drawn = re.findall(r"<svg.*?</svg>", self.html, re.S) + [text for name, text in generate().items() if name.endswith(".svg")]
         for one in drawn:
             labels = [node for node in ElementTree.fromstring(one).iter() if node.get("class") in ("x-label", "y-label")]
-            self.assertTrue(labels)
+            kinds = [label.get("class") for label in labels]
+            self.assertIn("x-label", kinds)
+            if "<rect" not in one:  # bars have names on the other side
+                self.assertEqual(kinds.count("y-label"), kinds.count("x-label"))
             for label in labels:
                 self.assertRegex(label.text, UNIT)
 
