@@ -15,31 +15,33 @@ from .store import ROOT
 PICTURE_BYTES, VIDEO_BYTES = 80_000, 400_000
 VIEWS = ("wireframe", "textured")
 MOMENTS = ("early", "middle", "late")
-FRAMES = {"hanging": (120, {"late": 119}), "pull": (66, {"early": 14, "middle": 38, "late": 65})}  # the pull begins at frame 15
+SIDES = {"quick": 40, "software": 64, "gpu": 256}  # nodes a side
 
 
 def shots(quick):
-    """name, its scene, frames to simulate, moments to keep."""
-    objects = ("sphere", "armadillo") if quick else ("sphere", "armadillo", "dragon")
-    frames, moments = FRAMES["hanging"]
-    yield "hanging", "scenes/hanging.json", frames // 3 if quick else frames, {"late": 39} if quick else moments
-    for name in objects:
-        yield f"pull-{name}", f"scenes/pull-{name}.json", *FRAMES["pull"]
+    """name, its scene, frames to simulate, moments to keep. The pull begins after frame 15."""
+    frames = 40 if quick else 120
+    yield "hanging", "scenes/hanging.json", frames, {"late": frames - 1}
+    frames, middle = (45, 28) if quick else (66, 38)
+    for name in ("sphere", "armadillo") if quick else ("sphere", "armadillo", "dragon"):
+        yield f"pull-{name}", f"scenes/pull-{name}.json", frames, {"early": 14, "middle": middle, "late": frames - 1}
 
 
-def draw(machine, binary, binary_hash, out, quick, side, adapter=None, fresh=False):
-    """Draws what is not drawn yet by this binary at this size."""
+def draw(machine, binary, binary_hash, out, quick, software, adapter=None, fresh=False):
+    """Draws what is not drawn yet by this binary; larger sheets stand for those of a quick run."""
+    side, size = SIDES["quick" if quick else "software" if software else "gpu"], "640,360" if quick else "960,540"
     stored = {(row["name"], row["view"]): row for row in machine.rows("pictures")}
     waiting, clock = [], TimeLeft()
     for name, scene, frames, moments in shots(quick):
         for view in VIEWS:
-            options = ["--set", f"cloths.0.grid=[{side},{side}]", "--set", f"render.view={view}", "--set", "render.size=[960,540]",
+            options = ["--set", f"cloths.0.grid=[{side},{side}]", "--set", f"render.view={view}", "--set", f"render.size=[{size}]",
                        "--frames", str(frames)]
             row = {"name": name, "view": view, "side": side, "moments": moments, "files": {}, "scene": scene,
                    "command": " ".join(["weft run", scene, *options]), "binary": binary_hash}
             before = stored.get((name, view), {})
             drawn = before.get("files") or (out / "media" / machine.name / f"{name}-{view}").is_dir()
-            if fresh or not drawn or (before.get("binary"), before.get("command")) != (binary_hash, row["command"]):
+            same = before.get("command") == row["command"] or before.get("side", 0) > side
+            if fresh or not drawn or not same or before["binary"] != binary_hash:
                 waiting.append((row, frames, options))
     for k, (row, frames, options) in enumerate(waiting):
         say(f"[{k + 1}/{len(waiting)}] {row['command']}: {in_words(clock.left(weight for _, weight, _ in waiting[k:]))}")

@@ -46,6 +46,11 @@ class Report:
         scroll = f'<div class="scroll" role="group" tabindex="0" aria-label="{html.escape(plot.title)}">{drawing(name, [plot])}</div>'
         return self.figure(scroll, f"{html.escape(plot.title)}. {caption}", source, "plot")
 
+    @staticmethod
+    def side_by_side(*row):
+        there = "".join(filter(None, row))
+        return f'<div class="plots">{there}</div>' if there else ""
+
 
 def data_address(path):
     kind = {".jpg": "image/jpeg", ".mp4": "video/mp4"}[path.suffix]
@@ -90,6 +95,14 @@ def hardware(report, all_machines, figures):
     return report.table(table, "Hardware, as each machine says of itself, beside the paper's.", report.source("./dev bench paper --only hardware"))
 
 
+def kernels(report, machine, rows, source):
+    if not any(row.get("kernels") for row in rows):
+        return "<p>Times of kernels have not been measured on this machine.</p>"
+    software = (" A software driver's timestamps say when work was handed over; compare their sum with ms a step before using them."
+                if machine.hardware.get("gpu_type") == "CPU" else "")
+    return report.table(tables.kernels(rows), f"Time per kernel of the largest sheets, each dispatch in a pass of its own between two timestamps.{software}", source)
+
+
 def hanging(report, machine, figures):
     """One machine's part of the section."""
     parts = []
@@ -100,11 +113,11 @@ def hanging(report, machine, figures):
         source = source_of(report, machine, "hanging", number)
         parts.append(report.table(table, "Hanging: a sheet pinned at two corners, natively." + not_measured(missing),
                                   source_of(report, machine, "hanging")))
-        parts.append(report.plot(plots.hanging_cost(machine, figures), "The exponent is fitted to the upper half of the sizes.", source))
-        parts.append(report.plot(plots.frames_of_the_paper(machine.measured("hanging"), plots.MODES, "Hanging: a frame as the paper counts it"),
-                                 "One step, normals and a picture of 1280 × 720, the queue drained after each frame.", source))
-        if any(row.get("kernels") for row in rows):
-            parts.append(report.table(tables.kernels(rows), "Time per kernel, each in a pass of its own.", source))
+        parts.append(report.side_by_side(
+            report.plot(plots.hanging_cost(machine, figures), "The exponent is fitted to the upper half of the sizes.", source),
+            report.plot(plots.frames_of_the_paper(machine.measured("hanging"), plots.MODES, "Hanging: a frame as the paper counts it"),
+                        "One step, normals and a picture of 1280 × 720, the queue drained after each frame.", source)))
+        parts.append(kernels(report, machine, rows, source))
     else:
         parts.append("<p>The native sheet has not been measured on this machine.</p>")
     if machine.rows("largest"):
@@ -118,10 +131,11 @@ def hanging(report, machine, figures):
         adapter = html.escape(f"{browser['adapter']}; WebGL: {browser['hardware'].get('webgl2', 'none')}")
         for table, what in zip(tables.compare(browser), ("a step, without drawing", "a frame: one step and its picture at 960 × 540")):
             parts.append(report.table(table, f"In Chromium ({adapter}): {what}. The page takes no state hashes.", source))
-        parts.append(report.plot(plots.hanging_browser(machine, "ms_per_step", "In Chromium: a step", "a step [ms]"),
-                                 "weft beside three.js, WebGL 2 shaders and the processor.", source))
-        parts.append(report.plot(plots.hanging_browser(machine, "ms_per_frame", "In Chromium: a frame", "a frame [ms]", 1000 / 60),
-                                 "One step and its picture, not held back by a display.", source))
+        parts.append(report.side_by_side(
+            report.plot(plots.hanging_browser(machine, "ms_per_step", "In Chromium: a step", "a step [ms]"),
+                        "weft beside three.js, WebGL 2 shaders and the processor.", source),
+            report.plot(plots.hanging_browser(machine, "ms_per_frame", "In Chromium: a frame", "a frame [ms]", 1000 / 60),
+                        "One step and its picture, not held back by a display.", source)))
     else:
         parts.append("<p>The page <code>/compare</code> has not been run in a browser on this machine.</p>")
     parts.append(pictures(report, machine, "hanging"))
@@ -143,13 +157,13 @@ def pull(report, machine, figures):
         parts.append(report.table(table, f"Pull over the {name} ({same[0].get('object_triangles', 0):,} triangles). The paper's fps (one detection, one step and "
                                   "one picture a frame) stand beside simulated real time." + not_measured(missing), source_of(report, machine, "pull")))
         source = source_of(report, machine, "pull", number)
-        parts.append(report.plot(plots.pull_cost(machine, figures, name), "<i>bvh</i> and <i>paper</i> end in the same bits.", source))
-        parts.append(report.plot(plots.frames_of_the_paper([row for row in same if "skipped" not in row], plots.METHODS,
-                                                           f"Pull over the {name}: a frame as the paper counts it"),
-                                 "One detection, one step, normals and a picture of 1280 × 720.", source))
-        parts.append(report.plot(plots.pull_real_time(machine, name), "Above the line the sheet runs in real time.", source))
-    if any(row.get("kernels") for row in rows):
-        parts.append(report.table(tables.kernels(rows), "Time per kernel of the largest sheets, each in a pass of its own.", source_of(report, machine, "pull")))
+        parts.append(report.side_by_side(
+            report.plot(plots.pull_cost(machine, figures, name), "<i>bvh</i> and <i>paper</i> end in the same bits.", source),
+            report.plot(plots.frames_of_the_paper([row for row in same if "skipped" not in row], plots.METHODS,
+                                                  f"Pull over the {name}: a frame as the paper counts it"),
+                        "One detection, one step, normals and a picture of 1280 × 720.", source),
+            report.plot(plots.pull_real_time(machine, name), "Above the line the sheet runs in real time.", source)))
+    parts.append(kernels(report, machine, rows, source_of(report, machine, "pull")))
     parts.append(pictures(report, machine, "pull"))
     return "\n".join(filter(None, parts))
 

@@ -98,7 +98,8 @@ def section(report, machine, _):
                           (largest_at, "The largest sheet at 60 frames a second and in real time, between the measured sizes on logarithmic axes.")):
         table = make(machine)
         parts.append(report.table(table, caption, source) if table else f"<p>Not measured on this machine: {caption[0].lower()}{caption[1:]}</p>")
-    parts += [report.plot(plots.bandwidth(machine), "Position and velocity, read and written once.", source),
-              report.plot(plots.contact_over_triangles(machine), "What a step takes more than the same step without contact.", source),
-              report.plot(plots.contact_over_contacts(machine), "Each point is an object at a size.", source)]
+    parts.append(report.side_by_side(
+        report.plot(plots.bandwidth(machine), "Position and velocity, read and written once.", source),
+        report.plot(plots.contact_over_triangles(machine), "What a step takes more than the same step without contact.", source),
+        report.plot(plots.contact_over_contacts(machine), "Each point is an object at a size.", source)))
     return "\n".join(filter(None, parts))

@@ -3,6 +3,7 @@ import html
 import re
 
 NOT_MEASURED = "not measured"
+SHORT = 20  # rows: such a table is not divided on paper
 
 
 class Table:
@@ -19,7 +20,8 @@ class Table:
 
     def html(self, caption, name):
         """The caption is HTML; `name` makes the ids of the page."""
-        yield f'<div class="scroll" role="group" tabindex="0" aria-labelledby="{name}"><table><caption id="{name}"><span class="words">{caption}</span></caption><thead><tr>'
+        short = ' class="short"' if len(self.rows) <= SHORT else ""
+        yield f'<div class="scroll" role="group" tabindex="0" aria-labelledby="{name}"><table{short}><caption id="{name}"><span class="words">{caption}</span></caption><thead><tr>'
         yield "".join(f'<th scope="col" class="{side}">{cell_html(title)}</th>' for title, side in self.columns)
         yield "</tr></thead><tbody>"
         for row in self.rows:
