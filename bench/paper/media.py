@@ -60,7 +60,16 @@ def run(binary, row, options, folder, adapter):
     done = subprocess.run(call + (["--adapter", adapter] if adapter else []), capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{row['command']}: {done.stderr.strip()}")
+    if not has_video(row):  # a machine whose pictures must travel has less to carry
+        kept = {f"frame_{frame:05d}.png" for frame in row["moments"].values()}
+        for picture in folder.glob("frame_*.png"):
+            if picture.name not in kept:
+                picture.unlink()
     return json.loads(done.stdout)
+
+
+def has_video(row):
+    return row["name"].startswith("pull-") and row["view"] == "textured"
 
 
 def pack(machine, out):
@@ -84,7 +93,7 @@ def pack_row(machine, row, out):
             files[moment] = f"{row['name']}-{row['view']}-{moment}.jpg"
             shrink(["-i", str(picture)], ["-frames:v", "1", "-vf", "scale=640:-2"], target / files[moment],
                    PICTURE_BYTES, [["-q:v", str(q)] for q in (3, 5, 8, 12, 18, 25)])
-    if row["name"].startswith("pull-") and row["view"] == "textured" and (source / "frame_00000.png").exists():
+    if has_video(row) and (source / "frame_00000.png").exists():
         files["video"] = f"{row['name']}.mp4"
         shrink(["-framerate", "30", "-i", str(source / "frame_%05d.png")],
                ["-vf", "scale=640:-2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"], target / files["video"],
