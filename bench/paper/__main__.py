@@ -52,7 +52,7 @@ def measure_all(given, machine, found):
         asked = given.only is not None  # without it, a machine that has no browser is measured all the same
         well = (browser.run(machine, given.quick, most_side, given.fresh) or not asked) and well
     if "pictures" in given.parts:
-        media.draw(machine, given.weft, measure.hash_of(given.weft), given.out, given.quick, software, given.adapter, given.fresh)
+        media.draw(machine, given.weft, given.out, given.quick, software, given.adapter, given.fresh)
     return well
 
 

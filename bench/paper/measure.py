@@ -27,6 +27,11 @@ def hash_of(binary):
     return "sha256:" + hashlib.sha256(pathlib.Path(binary).read_bytes()).hexdigest()[:16]
 
 
+def check_same(binary, binary_hash):
+    if hash_of(binary) != binary_hash:
+        raise Failed(1, f"{binary} was built anew while it was being measured; the same command measures again by the new one.")
+
+
 def scene_of(experiment, row):
     return SCENES.get(experiment, "no scene").format(object=row.get("object", ""))
 
@@ -79,6 +84,7 @@ def run(machine, cases, binary, adapter=None, fresh=False):
                 say(str(failure))
                 failures += 1
                 continue
+            check_same(binary, binary_hash)
             check_adapter(machine, case.experiment, answer)
             head |= {key: answer[key] for key in ("adapter", "driver", "unchecked") if key in answer}
             rows = [with_side(row) for row in answer["rows"]]

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import time
 
+from .measure import check_same, hash_of
 from .progress import TimeLeft, in_words, say
 from .store import ROOT
 
@@ -27,9 +28,10 @@ def shots(quick):
         yield f"pull-{name}", f"scenes/pull-{name}.json", frames, {"early": 14, "middle": middle, "late": frames - 1}
 
 
-def draw(machine, binary, binary_hash, out, quick, software, adapter=None, fresh=False):
+def draw(machine, binary, out, quick, software, adapter=None, fresh=False):
     """Draws what is not drawn yet by this binary; larger sheets stand for those of a quick run."""
     side, size = SIDES["quick" if quick else "software" if software else "gpu"], "640,360" if quick else "960,540"
+    binary_hash = hash_of(binary)
     stored = {(row["name"], row["view"]): row for row in machine.rows("pictures")}
     waiting, clock = [], TimeLeft()
     for name, scene, frames, moments in shots(quick):
@@ -47,6 +49,7 @@ def draw(machine, binary, binary_hash, out, quick, software, adapter=None, fresh
         say(f"[{k + 1}/{len(waiting)}] {row['command']}: {in_words(clock.left(weight for _, weight, _ in waiting[k:]))}")
         began = time.monotonic()
         summary = run(binary, row, options, out / "media" / machine.name / f"{row['name']}-{row['view']}", adapter)
+        check_same(binary, binary_hash)
         row |= {key: summary[key] for key in ("nodes", "state_hash", "max_stretch", "crossings") if key in summary}
         machine.add("pictures", {"command": "./dev bench paper --only pictures", "adapter": summary["adapter"]}, [row])
         if shutil.which("ffmpeg"):  # each as it comes, so that a run that is cut off leaves what it has

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Answers as `weft` does, at once. FAKE_LOG: where each call of bench is written down; FAKE_DO: "NUMBER WHAT", what the call
-of this number does instead: "interrupt" its caller, "kill" it, or exit with a code."""
+of this number does instead: "interrupt" its caller, "kill" it, "rebuild" itself and answer, or exit with a code."""
 import json
 import os
 import pathlib
@@ -49,8 +49,12 @@ def main():
             os.kill(os.getppid(), signal.SIGINT if what == "interrupt" else signal.SIGKILL)
             time.sleep(0.2)
             return 130
-        print("weft: The adapter is asleep.\nweft: more", file=sys.stderr)
-        return int(what)
+        if what == "rebuild":
+            with open(__file__, "a") as file:
+                file.write("# built anew\n")
+        else:
+            print("weft: The adapter is asleep.\nweft: more", file=sys.stderr)
+            return int(what)
     results = {"bench": sys.argv[2], "adapter": os.environ.get("FAKE_ADAPTER", "Loom 3000"), "driver": "1", "unchecked": False}
     pathlib.Path(value("--json")).write_text(json.dumps({**results, "rows": answer(sys.argv[2])}))
     return 0

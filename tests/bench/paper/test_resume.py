@@ -103,6 +103,12 @@ class Resume(unittest.TestCase):
         code, said, calls = self.run_bench("--most", "128", do="1 4")
         self.assertEqual((code, len(calls)), (4, 1), said)
 
+    def test_a_binary_that_is_built_anew_meanwhile_is_not_measured_as_one(self):
+        code, said, calls = self.run_bench("--most", "128", do="3 rebuild")
+        self.assertEqual((code, len(calls)), (1, 3))
+        self.assertIn("was built anew while", said)
+        self.assertEqual([row["side"] for row in self.rows("hanging")], [64, 64])
+
     def test_rows_of_two_adapters_do_not_meet_in_one_file(self):
         self.run_bench("--most", "64")
         code, said, _ = self.run_bench("--most", "100", FAKE_ADAPTER="Spinning Jenny")
