@@ -23,7 +23,7 @@ def options():
     parser.add_argument("--fresh", action="store_true", help="measure again what this binary has measured before")
     parser.add_argument("--machine", metavar="NAME", help="the file of results (default: the adapter's name and the number of threads)")
     parser.add_argument("--adapter", metavar="NAME", help="of weft bench: the GPU whose name contains NAME")
-    parser.add_argument("--most", metavar="SIDE", type=int, help=f"largest sheet, in nodes a side (default: 800; {SOFTWARE_SIDE} on software)")
+    parser.add_argument("--most", metavar="SIDE", type=int, help=f"largest sheet, in nodes a side (default: {cases.LARGE_SIDE}; {SOFTWARE_SIDE} on software)")
     parser.add_argument("--weft", metavar="PATH", type=pathlib.Path, default=ROOT / "build/weft", help="the binary (default: build/weft)")
     parser.add_argument("--results", metavar="DIR", type=pathlib.Path, default=RESULTS, help="default: bench/results")
     parser.add_argument("--out", metavar="DIR", type=pathlib.Path, default=ROOT / "report", help="default: report")
@@ -40,7 +40,7 @@ def options():
 def measure_all(given, machine, found):
     """Whether all that was asked for could be measured."""
     software = found["gpu_type"] == "CPU"
-    most_side = given.most or (SOFTWARE_SIDE if software else max(cases.SIDES))
+    most_side = given.most or (SOFTWARE_SIDE if software else cases.LARGE_SIDE)
     well = True
     if "hardware" in given.parts or not machine.hardware:
         machine.data["hardware"] = found

@@ -2,6 +2,7 @@
 import dataclasses
 
 SIDES = (64, 100, 128, 200, 256, 400, 512, 800)
+LARGE_SIDE = 2048  # hanging only, to see the bandwidth
 TRIANGLES = {"sphere": 760, "armadillo": 52_000, "dragon": 99_784}
 CONTACT = "none,bvh,proximity,proximity_self"
 SLOWEST_STEP_MS = 10_000  # under 0.1 frames a second; brute force is not asked for larger sizes of that object
@@ -28,7 +29,7 @@ def plan(experiments, quick, most_side):
     if "copy" in experiments:
         cases.append(Case("copy", ("copy", *hurry), 2))
     if "hanging" in experiments:
-        for side in (64, 100) if quick else SIDES:
+        for side in (64, 100) if quick else (*SIDES, LARGE_SIDE):
             if side <= most_side:
                 cases.append(Case("hanging", ("hanging", "--sides", str(side), *hurry), 4 + side**2 / 5000, "none", side))
     if "pull" in experiments:

@@ -6,11 +6,6 @@ PATHS = {"weft-node": "weft, by node", "weft-spring": "weft, by spring", "three-
          "webgl2": "WebGL 2 shaders", "cpu": "CPU, JavaScript"}
 
 
-def only_measured(cell):
-    """A cell for rows that were skipped too."""
-    return lambda row: "" if "skipped" in row else cell(row)
-
-
 def step_ms(row):
     return row["ms_per_step"]["median"]
 

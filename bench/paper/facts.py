@@ -2,7 +2,6 @@
 import json
 import math
 
-from .contact_tables import contact_ms
 from .experiment_tables import step_ms
 from .plots import copy_speed
 from .store import RESULTS, Machine
@@ -96,6 +95,3 @@ def embree_ratios(results):
     rows = results["rows"]
     return (summary([row["ratio"] for row in rows if not row["object_triangles"]]),
             summary([row["ratio"] for row in rows if row["object_triangles"]]))
-
-
-__all__ = ["Facts", "Missing", "contact_ms", "embree_ratios", "one", "step_ms", "unchecked"]

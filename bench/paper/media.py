@@ -38,7 +38,7 @@ def draw(machine, binary, out, quick, software, adapter=None, fresh=False):
         for view in VIEWS:
             options = ["--set", f"cloths.0.grid=[{side},{side}]", "--set", f"render.view={view}", "--set", f"render.size=[{size}]",
                        "--frames", str(frames)]
-            row = {"name": name, "view": view, "side": side, "moments": moments, "files": {}, "scene": scene,
+            row = {"name": name, "view": view, "side": side, "frames": frames, "moments": moments, "files": {}, "scene": scene,
                    "command": " ".join(["weft run", scene, *options]), "binary": binary_hash}
             before = stored.get((name, view), {})
             drawn = before.get("files") or (out / "media" / machine.name / f"{name}-{view}").is_dir()

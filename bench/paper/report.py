@@ -65,7 +65,9 @@ def source_of(report, machine, experiment, table_number=None):
     rows = machine.rows(experiment)
     scenes = list(dict.fromkeys(row["scene"] for row in rows if row.get("scene")))
     scene = scenes[0] if len(scenes) == 1 else "scenes/pull-OBJECT.json, grid set to each size" if scenes else None
-    return report.source(machine.experiment(experiment)["command"], scene, hashes_in(table_number) if table_number else None)
+    builds = len({row.get("binary") for row in rows})
+    return (report.source(machine.experiment(experiment)["command"], scene, hashes_in(table_number) if table_number else None) +
+            (f'<span class="source">Its rows are of {builds} builds of weft.</span>' if builds > 1 else ""))
 
 
 def not_measured(missing):

@@ -2,11 +2,12 @@
 import html.parser
 import pathlib
 import re
+import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from bench.paper import plots, report, svg
+from bench.paper import media, plots, report, svg
 from bench.paper.docs import generate
 from bench.paper.store import RESULTS, Machine, machines
 from bench.paper.table import Table, built, left, right
@@ -19,7 +20,7 @@ class Page(html.parser.HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.elements, self.ids, self.headings, self.text = [], [], [], []
+        self.elements, self.ids, self.headings = [], [], []
         self.feed(text)
 
     def handle_starttag(self, tag, attrs):
@@ -29,9 +30,6 @@ class Page(html.parser.HTMLParser):
             self.ids.append(attrs["id"])
         if re.fullmatch("h[1-6]", tag):
             self.headings.append(int(tag[1]))
-
-    def handle_data(self, data):
-        self.text.append(data)
 
     def of(self, *tags):
         return [attrs for tag, attrs in self.elements if tag in tags]
@@ -122,6 +120,41 @@ class Report(unittest.TestCase):
         for said in ("The native sheet has not been measured", "The pulls have not been measured", "not recorded", "No pictures"):
             self.assertIn(said, text)
         self.assertNotIn("<svg", text)
+
+
+class Media(unittest.TestCase):
+    def test_stored_pictures_are_small_and_each_belongs_to_a_row(self):
+        whole = 0
+        for machine in machines():
+            folder = RESULTS / "media" / machine.name
+            named = {name for row in machine.rows("pictures") for name in row["files"].values()}
+            self.assertEqual(named, {path.name for path in folder.glob("*")})
+            for path in folder.glob("*"):
+                self.assertLessEqual(path.stat().st_size, media.VIDEO_BYTES if path.suffix == ".mp4" else media.PICTURE_BYTES, path)
+                whole += path.stat().st_size
+        self.assertLess(whole, 6_000_000)  # 3 MB a machine
+
+    def test_a_picture_is_made_as_small_as_it_must_be_and_no_smaller(self):
+        with tempfile.TemporaryDirectory() as folder:
+            noise, small = pathlib.Path(folder) / "noise.png", pathlib.Path(folder) / "small.jpg"
+            subprocess.run(["ffmpeg", "-v", "error", "-f", "lavfi", "-i", "nullsrc=s=320x180,geq=lum='random(1)*255':cb=128:cr=128", "-frames:v", "1",
+                            str(noise)], check=True)
+            sizes = []
+            for most in (10_000_000, 20_000):
+                media.shrink(["-i", str(noise)], ["-frames:v", "1"], small, most, [["-q:v", str(q)] for q in (3, 8, 25)])
+                sizes.append(small.stat().st_size)
+            self.assertGreater(sizes[0], 20_000)
+            self.assertLessEqual(sizes[1], 20_000)
+            with self.assertRaisesRegex(RuntimeError, "does not fit in 100 bytes"):
+                media.shrink(["-i", str(noise)], ["-frames:v", "1"], small, 100, [["-q:v", "25"]])
+
+    def test_both_views_of_a_picture_show_the_same_state(self):
+        for machine in machines():
+            hashes = {}
+            for row in machine.rows("pictures"):
+                hashes.setdefault((row["name"], row["frames"]), set()).add(row["state_hash"])
+            for name, found in hashes.items():
+                self.assertEqual(len(found), 1, f"{machine.name}, {name}")
 
 
 class Parts(unittest.TestCase):
