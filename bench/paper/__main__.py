@@ -24,6 +24,7 @@ def options():
     parser.add_argument("--machine", metavar="NAME", help="the file of results (default: the adapter's name and the number of threads)")
     parser.add_argument("--adapter", metavar="NAME", help="of weft bench: the GPU whose name contains NAME")
     parser.add_argument("--most", metavar="SIDE", type=int, help=f"largest sheet, in nodes a side (default: {cases.LARGE_SIDE}; {SOFTWARE_SIDE} on software)")
+    parser.add_argument("--remark", metavar="TEXT", help="what a reader of this machine's results should know, such as what else ran on it")
     parser.add_argument("--weft", metavar="PATH", type=pathlib.Path, default=ROOT / "build/weft", help="the binary (default: build/weft)")
     parser.add_argument("--results", metavar="DIR", type=pathlib.Path, default=RESULTS, help="default: bench/results")
     parser.add_argument("--out", metavar="DIR", type=pathlib.Path, default=ROOT / "report", help="default: report")
@@ -43,8 +44,10 @@ def measure_all(given, machine, found):
     most_side = given.most or (SOFTWARE_SIDE if software else cases.LARGE_SIDE)
     well = True
     if "hardware" in given.parts or not machine.hardware:
-        machine.data["hardware"] = found
-        machine.save()
+        machine.data["hardware"] = found | {key: value for key, value in machine.hardware.items() if key == "remark"}
+    if given.remark is not None:
+        machine.hardware["remark"] = given.remark
+    machine.save()
     plan = cases.plan(given.parts, given.quick, most_side)
     if plan:
         well = measure.run(machine, plan, given.weft, given.adapter, given.fresh)

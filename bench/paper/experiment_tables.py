@@ -1,6 +1,6 @@
 """The tables of the paper's experiments: hanging, pull, copy, the largest sheet, the browser, published figures."""
 from .table import NOT_MEASURED, Table, built, left, right
-from .wording import megabytes, number
+from .wording import megabytes, milliseconds, number
 
 PATHS = {"weft-node": "weft, by node", "weft-spring": "weft, by spring", "three-webgpu": "three.js, WebGPU",
          "webgl2": "WebGL 2 shaders", "cpu": "CPU, JavaScript"}
@@ -13,7 +13,7 @@ def step_ms(row):
 def noise(row):
     """The middle 90 % of the submits."""
     spread = row["ms_per_step"].get("spread")
-    return f"{spread['p05']:.4f} to {spread['p95']:.4f}" if spread else None
+    return f"{milliseconds(spread['p05'])} to {milliseconds(spread['p95'])}" if spread else None
 
 
 def paper_fps(row):
@@ -27,7 +27,7 @@ def maybe(key, text="{:,}"):
 
 def run_columns():
     """What hanging and pull have in common; the paper's fps and the simulated real time stand side by side."""
-    return [("ms a step", "right", lambda row: f"{step_ms(row):.4f}"),
+    return [("ms a step", "right", lambda row: milliseconds(step_ms(row))),
             ("5 to 95 % of submits [ms]", "right", noise),
             ("substeps at 60 Hz", "right", lambda row: f"{row['substeps']:,}"),
             ("paper's fps", "right", paper_fps),
@@ -58,16 +58,17 @@ def pull(rows):
 
     def contact(row):
         base = free.get((row["object"], row["nodes"]))
-        return "" if row["variant"] == "none" or base is None else f"{step_ms(row) - base:.4f}"
+        return "" if row["variant"] == "none" or base is None else milliseconds(step_ms(row) - base)
 
     columns = run_columns()
     columns.insert(2, ("of it contact", "right", contact))
+    objects = [("object", "left", lambda row: row["object"])] if len({row["object"] for row in rows}) > 1 else []
     return with_skips(rows, [
-        ("object", "left", lambda row: row["object"]), ("nodes", "right", lambda row: f"{row['nodes']:,}"),
+        *objects, ("nodes", "right", lambda row: f"{row['nodes']:,}"),
         ("contact", "left", lambda row: row["variant"]), *columns,
         ("hits in 2 steps", "right", maybe("contacts")), ("crossings", "right", maybe("crossings")),
         ("largest stretch", "right", maybe("max_stretch", "{:.3f}")),
-        ("state hash after them", "left", lambda row: f"`{row['state_hash']}`")], 3)
+        ("state hash after them", "left", lambda row: f"`{row['state_hash']}`")], len(objects) + 2)
 
 
 def kernels(rows):
@@ -144,7 +145,7 @@ def authors_code(figures, hanging_rows, pull_rows):
         rows, variants = ((hanging_rows, ["spring_centric", "node_centric, grid"]) if figure["object"] == "none"
                           else (pull_rows, ["paper", "bvh"]))
         ours = [nearest(rows, figure["object"], variant, figure["nodes"]) for variant in variants]
-        cells = [f"{step_ms(row):.4f} ({figure['ms_per_step'] / step_ms(row):,.1f} ×)" if row else NOT_MEASURED for row in ours]
+        cells = [f"{milliseconds(step_ms(row))} ({figure['ms_per_step'] / step_ms(row):,.1f} ×)" if row else NOT_MEASURED for row in ours]
         lines.append([figure["experiment"], f"{figure['nodes']:,}", f"{figure['ms_per_step']:g}", figure["stretch"], *cells])
     return Table(left("experiment") + right("nodes", "authors' shaders, ms a step", "their largest stretch",
                                             "weft spring by spring, or paper: ms a step", "weft by node, or bvh: ms a step"), lines)

@@ -125,7 +125,7 @@ def frames_of_the_paper(rows, names, title):
 
 def readme_cost(machine, figures):
     """README's: native by formulation, the browser's baselines and the authors' code, all on one card."""
-    lines = lines_of(machine.measured("hanging"), MODES)
+    lines = lines_of(machine.measured("hanging"), {variant: f"weft, {label}" for variant, label in MODES.items()})
     names = {"three-webgpu": "three.js on WebGPU, in Chromium", "webgl2": "WebGL 2 shaders, in Chromium"}
     lines += [Line(names[path], points, 3 + k, 1) for k, (path, points, _) in enumerate(browser_lines(machine, "ms_per_step", names))]
     return Plot("A step of the hanging sheet", "nodes of the sheet", "a step [ms]", lines + authors_lines(machine, figures, "none"), width=720)

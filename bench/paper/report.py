@@ -66,8 +66,10 @@ def source_of(report, machine, experiment, table_number=None):
     scenes = list(dict.fromkeys(row["scene"] for row in rows if row.get("scene")))
     scene = scenes[0] if len(scenes) == 1 else "scenes/pull-OBJECT.json, grid set to each size" if scenes else None
     builds = len({row.get("binary") for row in rows})
+    quick = sum(row["command"].endswith(" --quick") for row in rows)
+    remarks = [f"The rows are of {builds} builds of weft."] * (builds > 1) + [f"{quick} rows are by <code>--quick</code>."] * (quick > 0)
     return (report.source(machine.experiment(experiment)["command"], scene, hashes_in(table_number) if table_number else None) +
-            (f'<span class="source">Its rows are of {builds} builds of weft.</span>' if builds > 1 else ""))
+            (f'<span class="source">{" ".join(remarks)}</span>' if remarks else ""))
 
 
 def not_measured(missing):
@@ -90,6 +92,7 @@ def hardware(report, all_machines, figures):
              ["memory", *(value(m, "memory_bytes", gib) for m in all_machines), "not known"],
              ["system", *(value(m, "system") for m in all_machines), "not known"],
              ["browser", *(value(m, "browser") for m in all_machines), paper["browser"]],
+             ["remark", *(m.hardware.get("remark") or "none" for m in all_machines), ""],
              ["libraries", *(", ".join(f"{name} {version}" for name, version in m.hardware.get("libraries", {}).items()) or "not recorded"
                              for m in all_machines), "not known"]]
     table = Table(left("", *(m.name for m in all_machines), "the paper"), lines)

@@ -58,7 +58,7 @@ def launch_and_bandwidth(machine):
         reached = largest["bytes_per_step"] / step_ms(largest) * 1e-6
         lines.append([variant, number(1000 * launch), number(1000 * dispatch * rows[0]["dispatches_per_step"]) if dispatch else NOT_MEASURED,
                       number(speed), f"{equal:,.0f}", f"{largest['nodes']:,}", number(reached), number(copy) if copy else NOT_MEASURED,
-                      f"{100 * reached / copy:.0f} %" if copy else NOT_MEASURED])
+                      f"{number(100 * reached / copy, 2)} %" if copy else NOT_MEASURED])
     columns = left("variant") + right("launch, fitted [µs]", "its empty dispatches [µs]", "bandwidth, fitted [GB/s of state]", "equal at nodes", "largest: nodes",
                                       "its GB/s of state", "the card's copy [GB/s]", "of the copy")
     return Table(columns, lines) if lines else None

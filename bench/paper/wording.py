@@ -6,6 +6,11 @@ def number(value, digits=3):
     return f"{value:.{digits}g}" if value < 1000 else f"{value:,.0f}"
 
 
+def milliseconds(value):
+    """Times from a dispatch's microseconds to brute force's seconds, in one column."""
+    return f"{value:.4f}" if value < 100 else f"{value:,.1f}"
+
+
 def rounded(value, digits=2):
     """For sentences: as many digits as count, and no power of ten."""
     text = f"{float(f'{value:.{digits}g}'):,.10f}"

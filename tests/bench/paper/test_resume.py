@@ -47,6 +47,11 @@ class Resume(unittest.TestCase):
         self.assertEqual(self.stored()["format"], "weft-bench/1")
         self.assertIn("left", said)
 
+    def test_a_remark_stays_with_the_machine(self):
+        self.run_bench("--most", "64", "--remark", "a loom ran beside it")
+        self.run_bench("--most", "100", only="hardware,hanging")
+        self.assertEqual(self.stored()["hardware"]["remark"], "a loom ran beside it")
+
     def test_nothing_is_measured_twice(self):
         self.run_bench("--most", "100")
         code, said, calls = self.run_bench("--most", "100")
