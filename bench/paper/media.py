@@ -43,7 +43,7 @@ def draw(machine, binary, out, quick, software, adapter=None, fresh=False):
             before = stored.get((name, view), {})
             drawn = before.get("files") or (out / "media" / machine.name / f"{name}-{view}").is_dir()
             same = before.get("command") == row["command"] or before.get("side", 0) > side
-            if fresh or not drawn or not same or before["binary"] != binary_hash:
+            if fresh or not drawn or not same or before.get("binary") != binary_hash:
                 waiting.append((row, frames, options))
     for k, (row, frames, options) in enumerate(waiting):
         say(f"[{k + 1}/{len(waiting)}] {row['command']}: {in_words(clock.left(weight for _, weight, _ in waiting[k:]))}")
