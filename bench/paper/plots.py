@@ -4,7 +4,7 @@ from .experiment_tables import PATHS, contact_costs, step_ms
 from .fits import base_and_slope, power_law
 from .svg import Line, Plot, bars, drawing
 
-MODES = {"node_centric, grid": "by node, grid", "node_centric, any mesh": "by node, any mesh", "spring_centric": "spring by spring"}
+MODES = {"node_centric, grid": "by node, grid", "node_centric, any mesh": "by node, any mesh", "spring_centric": "spring by spring", "spring_blocks": "spring by spring, in blocks"}
 METHODS = {"none": "no contact", "bvh": "bvh", "proximity": "proximity", "proximity_self": "proximity, itself too", "paper": "paper, brute force"}
 
 
@@ -127,7 +127,7 @@ def readme_cost(machine, figures):
     """README's: native by formulation, the browser's baselines and the authors' code, all on one card."""
     lines = lines_of(machine.measured("hanging"), {variant: f"weft, {label}" for variant, label in MODES.items()})
     names = {"three-webgpu": "three.js on WebGPU, in Chromium", "webgl2": "WebGL 2 shaders, in Chromium"}
-    lines += [Line(names[path], points, 3 + k, 1) for k, (path, points, _) in enumerate(browser_lines(machine, "ms_per_step", names))]
+    lines += [Line(names[path], points, (4, 6)[k], 1) for k, (path, points, _) in enumerate(browser_lines(machine, "ms_per_step", names))]
     return Plot("A step of the hanging sheet", "nodes of the sheet", "a step [ms]", lines + authors_lines(machine, figures, "none"), width=720)
 
 

@@ -68,7 +68,8 @@ class Machine:
         self.save()
 
 
-VARIANTS = ["none", "bvh", "proximity", "proximity_self", "paper", "node_centric, grid", "node_centric, any mesh", "spring_centric"]
+VARIANTS = ["none", "bvh", "proximity", "proximity_self", "paper", "node_centric, grid", "node_centric, any mesh", "spring_centric",
+            "spring_blocks"]
 OBJECTS = ["sphere", "armadillo", "dragon"]
 
 

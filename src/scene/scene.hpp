@@ -208,7 +208,7 @@ struct Time {
 };
 
 enum class SolverKind { MassSpring };
-enum class Forces { NodeCentric, SpringCentric };
+enum class Forces { NodeCentric, SpringCentric, SpringBlocks };
 struct Solver {
   SolverKind kind = SolverKind::MassSpring;
   Forces forces = Forces::NodeCentric;

@@ -113,7 +113,8 @@ TEST_CASE("a corner that the scene holds closes in on its target at 20 /s, and f
   double factor = 1;
   for (int frame = 1; frame <= 30; ++frame) {
     advance(simulation, 1);
-    for (int s = 0; s < 10; ++s) factor *= 1 - 20.0 / 600;  // 20 /s, as long as that is below the bound of 10 m/s
+    for (int s = 0; s < 10; ++s)
+      factor *= 1 - 20.0 / 600;  // 20 /s, as long as that is below the bound of 10 m/s
     const Vec3d expected = target + factor * (start - target);
     CHECK(length(simulation.positions()[corner] - expected) < 1e-12);
   }

@@ -21,7 +21,7 @@ class Quick(unittest.TestCase):
             page = (folder / "report/index.html").read_text()
         rows = {name: experiment["rows"] for name, experiment in stored["experiments"].items()}
         self.assertEqual({(row["variant"], row["side"]) for row in rows["hanging"]},
-                         {(variant, side) for variant in ("node_centric, grid", "node_centric, any mesh", "spring_centric") for side in (64, 100)})
+                         {(variant, side) for variant in ("node_centric, grid", "node_centric, any mesh", "spring_centric", "spring_blocks") for side in (64, 100)})
         pulls = {(row["object"], row["variant"], row["side"]): row for row in rows["pull"]}
         for thing in ("sphere", "armadillo"):
             self.assertEqual({variant for name, variant, side in pulls if (name, side) == (thing, 64)}, {"none", "bvh", "proximity", "proximity_self"})
