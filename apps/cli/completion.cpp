@@ -12,7 +12,7 @@ constexpr const char* kBash = R"(_weft() {
   fi
   case "$previous" in
     --out) COMPREPLY=($(compgen -d -- "$word")); return ;;
-    --solver) COMPREPLY=($(compgen -W "mass_spring" -- "$word")); return ;;
+    --solver) COMPREPLY=($(compgen -W "mass_spring multigrid auto" -- "$word")); return ;;
     --json) [ "$command" = bench ] && [ "${COMP_WORDS[2]}" != compare ] && { COMPREPLY=($(compgen -f -- "$word")); return; } ;;
     --set|--frames|--adapter|--sides|--memory|--seconds) return ;;
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
@@ -42,7 +42,7 @@ complete -o filenames -F _weft weft
 constexpr const char* kFish = R"(complete -c weft -f
 complete -c weft -n __fish_use_subcommand -a "run check adapters schema bench completion"
 complete -c weft -n "__fish_seen_subcommand_from run check" -F -l set -x -d "KEY=JSON"
-complete -c weft -n "__fish_seen_subcommand_from run check" -l solver -x -a mass_spring
+complete -c weft -n "__fish_seen_subcommand_from run check" -l solver -x -a 'mass_spring multigrid auto'
 complete -c weft -n "__fish_seen_subcommand_from run" -l frames -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l out -r
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l adapter -x

@@ -15,8 +15,12 @@ double real_time_factor(const Summary& summary, double simulated) {
   return spent > 0 ? simulated / (spent / 1000) : 0;
 }
 
-std::string solver_name(const scene::Solver& solver) {
-  return std::string(scene::name_of(solver.kind)) + " (" + scene::name_of(solver.forces) + ")";
+std::string solver_name(const sim::World& world) {
+  const SolverChoice& choice = world.solver_choice();
+  std::string name = scene::name_of(choice.kind);
+  if (choice.kind == scene::SolverKind::MassSpring)
+    name += std::string(" (") + scene::name_of(world.scene().solver.forces) + ")";
+  return choice.reason.empty() ? name : name + ", chosen since " + choice.reason;
 }
 
 template <class... Values>
@@ -36,8 +40,10 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   nlohmann::ordered_json json;
   json["scene"] = summary.scene;
   json["end"] = summary.end;
-  json["solver"] = scene::name_of(world.scene().solver.kind);
-  json["forces"] = scene::name_of(world.scene().solver.forces);
+  json["solver"] = scene::name_of(world.solver_choice().kind);
+  if (!world.solver_choice().reason.empty()) json["solver_reason"] = world.solver_choice().reason;
+  if (world.solver_choice().kind == scene::SolverKind::MassSpring)
+    json["forces"] = scene::name_of(world.scene().solver.forces);
   json["contact_method"] = scene::name_of(world.scene().contact.method);
   json["adapter"] = world.device().adapter().name;
   json["nodes"] = world.model().vertex_count();
@@ -79,10 +85,13 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   line(text, "  adapter     %s", world.device().adapter().name.c_str());
   line(text, "  cloth       %u nodes, %u triangles, %zu springs", world.model().vertex_count(),
        world.model().triangle_count(), world.spring_count());
-  line(text, "  solver      %s, %u substeps a frame", solver_name(world.scene().solver).c_str(),
-       world.substeps());
-  line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)", 1e3 * world.step(),
-       1e3 * world.step_limit().largest_step, world.step_limit().highest_frequency);
+  line(text, "  solver      %s; %u substeps a frame", solver_name(world).c_str(), world.substeps());
+  if (world.solver_choice().kind == scene::SolverKind::Multigrid) {
+    line(text, "  step        %.4g ms; stable at any length", 1e3 * world.step());
+  } else {
+    line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)", 1e3 * world.step(),
+         1e3 * world.step_limit().largest_step, world.step_limit().highest_frequency);
+  }
   line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
   line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", frame.median,
        frame.least, real_time_factor(summary, simulated));

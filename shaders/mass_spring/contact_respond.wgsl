@@ -119,7 +119,8 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let reach = found.w;
   let start = previous[vertex];
   let inverse_mass = start.w;
-  var x = position[vertex].xyz;
+  let unhindered = position[vertex].xyz;
+  var x = unhindered;
   var v = predicted[vertex].xyz;
   if (inverse_mass > 0.0) {
     if (acted_on) {
@@ -186,7 +187,9 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     }
     position[vertex] = vec4f(x, inverse_mass);
   }
-  velocity[vertex] = vec4f(v, 0.0);
+  // A blow is no part of the motion that an implicit solver goes on from: Solver::reads_step_before.
+  let untouched = all(v == predicted[vertex].xyz) && all(x == unhindered);
+  velocity[vertex] = vec4f(v, select(0.0, predicted[vertex].w, untouched));
   let gone = length(x - found.xyz);
   if (gone + kReachMargin * kDetectInterval * length(x - start.xyz) > reach) { atomicStore(&statistics[kStatDetect], 1u); }
 }

@@ -32,7 +32,7 @@ struct StepParams {
   most_reach : f32,        // m: a fast one, unless that is too little until the next detection
   contact_damping : f32,   // ζ of equation (3) of docs/contact.md
   detect : u32,            // kDetectIfDue or kDetectAlways; 0: not in this substep
-  padding : u32,
+  step_ratio : f32,        // this substep's length by that of the one before; 0: an implicit solver begins anew
   point_count : u32,       // of colliders
   first_place : u32,       // where this substep's block of `places` begins
 }

@@ -49,8 +49,9 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
 Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
   scene.time.frame = 1.0 / 60;
-  const StepLimit limit = find_step_limit(scene, model);
-  WEFT_TRY(substeps, choose_substeps(scene, limit));
+  scene.time.substeps.reset();
+  const scene::SolverKind kind = choose_solver(scene, model).kind;
+  WEFT_TRY(substeps, substeps_of(scene, kind, find_step_limit(kind, scene, model)));
   scene.time.frame = steps * (1.0 / 60) / substeps;
   scene.time.substeps = steps;
   return substeps;

@@ -12,35 +12,44 @@ bool is_finite(const Vec4f& v) {
 
 }  // namespace
 
-Result<LastGood> LastGood::create(gpu::Device& device, const State& state) {
+Result<LastGood> LastGood::create(gpu::Device& device, const State& state, bool with_step_before) {
   LastGood made;
   WEFT_TRY(guard, gpu::Kernel::create(device, "element/guard.wgsl"));
   made.guard_ = std::move(guard);
   WEFT_TRY(keep, gpu::Kernel::create(device, "element/keep_last_good.wgsl"));
   made.keep_ = std::move(keep);
-  WEFT_TRY(position, gpu::Buffer<Vec4f>::create(device, state.position[0].size(), "last good position"));
-  made.position_ = std::move(position);
-  WEFT_TRY(velocity, gpu::Buffer<Vec4f>::create(device, state.velocity[0].size(), "last good velocity"));
-  made.velocity_ = std::move(velocity);
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(guard_group,
-             made.guard_.bind({state.position[parity], state.velocity[parity], state.statistics}));
-    made.guard_groups_[parity] = std::move(guard_group);
-    WEFT_TRY(keep_group, made.keep_.bind({state.position[parity], state.velocity[parity], made.position_,
-                                          made.velocity_, state.statistics}));
-    made.keep_groups_[parity] = std::move(keep_group);
+    WEFT_TRY(group, made.guard_.bind({state.position[parity], state.velocity[parity], state.statistics}));
+    made.guard_groups_[parity] = std::move(group);
+  }
+  for (std::size_t age = 0; age < (with_step_before ? 2 : 1); ++age) {
+    Kept kept;
+    WEFT_TRY(position, gpu::Buffer<Vec4f>::create(device, state.position[0].size(), "last good position"));
+    kept.position = std::move(position);
+    WEFT_TRY(velocity, gpu::Buffer<Vec4f>::create(device, state.velocity[0].size(), "last good velocity"));
+    kept.velocity = std::move(velocity);
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+      const std::size_t at = (parity + age) & 1U;
+      WEFT_TRY(group, made.keep_.bind({state.position[at], state.velocity[at], kept.position, kept.velocity,
+                                       state.statistics}));
+      kept.groups[parity] = std::move(group);
+    }
+    made.kept_.push_back(std::move(kept));
   }
   return made;
 }
 
 void LastGood::record(gpu::ComputePass& pass) const {
-  guard_.dispatch(pass, guard_groups_[pass.parity()], position_.size());
-  keep_.dispatch(pass, keep_groups_[pass.parity()], position_.size());
+  guard_.dispatch(pass, guard_groups_[pass.parity()], kept_[0].position.size());
+  for (const Kept& kept : kept_) keep_.dispatch(pass, kept.groups[pass.parity()], kept.position.size());
 }
 
 void LastGood::record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const {
-  list.copy(position_.source(), state.position[parity].source());
-  list.copy(velocity_.source(), state.velocity[parity].source());
+  for (std::size_t age = 0; age < kept_.size(); ++age) {
+    const std::size_t at = (parity + age) & 1U;
+    list.copy(kept_[age].position.source(), state.position[at].source());
+    list.copy(kept_[age].velocity.source(), state.velocity[at].source());
+  }
 }
 
 void LastGood::renew(gpu::Device& device, std::span<const Vec4f> position, std::span<const Vec4f> velocity,
@@ -48,8 +57,8 @@ void LastGood::renew(gpu::Device& device, std::span<const Vec4f> position, std::
   if (!std::all_of(position.begin(), position.end(), is_finite) ||
       !std::all_of(velocity.begin(), velocity.end(), is_finite))
     return;
-  position_.write(device, position, first);
-  velocity_.write(device, velocity, first);
+  kept_[0].position.write(device, position, first);
+  kept_[0].velocity.write(device, velocity, first);
 }
 
 }  // namespace weft

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
@@ -9,11 +10,11 @@
 namespace weft {
 
 /// Keeps the state of the last frame in which all was finite, and freezes the state there once a frame is
-/// not. Reads   position[parity], velocity[parity]. Writes  the same once frozen; statistics.nonfinite,
-/// statistics.frozen. Errors  Shader, Limit, OutOfMemory.
+/// not; for solvers that read it, also that of the substep before. Reads   position, velocity. Writes  the
+/// same once frozen; statistics.nonfinite, statistics.frozen. Errors  Shader, Limit, OutOfMemory.
 class LastGood {
  public:
-  static Result<LastGood> create(gpu::Device& device, const State& state);
+  static Result<LastGood> create(gpu::Device& device, const State& state, bool with_step_before);
   void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
   /// Makes what is kept the state of this parity.
   void record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const;
@@ -22,9 +23,15 @@ class LastGood {
              std::size_t first) const;
 
  private:
+  /// A state that is kept: the last one, or that of the substep before it.
+  struct Kept {
+    gpu::Buffer<Vec4f> position, velocity;
+    std::array<gpu::BindGroup, 2> groups;  // by the parity of the last one
+  };
+
   gpu::Kernel guard_, keep_;
-  gpu::Buffer<Vec4f> position_, velocity_;
-  std::array<gpu::BindGroup, 2> guard_groups_, keep_groups_;
+  std::array<gpu::BindGroup, 2> guard_groups_;
+  std::vector<Kept> kept_;  // the last, then, if it is wanted, the one before
 };
 
 }  // namespace weft

@@ -11,7 +11,7 @@ namespace {
 
 /// A cloth before it is appended to the model.
 struct PlacedCloth {
-  std::vector<Vec3d> positions;  // [m]
+  std::vector<Vec3d> positions, starts;  // [m]
   std::vector<mesh::Triangle> triangles;
   std::vector<std::array<float, 2>> uv;  // [m]
   std::vector<double> areas;             // [m²]
@@ -20,6 +20,7 @@ struct PlacedCloth {
 PlacedCloth place_grid(const scene::Cloth& cloth, const mesh::Grid& grid) {
   PlacedCloth placed;
   placed.positions = scene::grid_positions(*cloth.grid, cloth.transform);
+  placed.starts = scene::grid_start_positions(*cloth.grid, cloth.transform);
   placed.triangles = mesh::grid_triangles(grid);
   placed.areas = mesh::vertex_areas(grid);
   for (std::uint32_t j = 0; j < grid.ny; ++j)
@@ -43,6 +44,7 @@ PlacedCloth place_mesh(const mesh::TriangleMesh& mesh) {
     placed.uv.push_back({p[thin == 0 ? 1 : 0] - box.low[thin == 0 ? 1 : 0],
                          p[thin == 2 ? 1 : 2] - box.low[thin == 2 ? 1 : 2]});
   }
+  placed.starts = placed.positions;
   return placed;
 }
 
@@ -56,6 +58,7 @@ void append(HostModel& model, const scene::Cloth& cloth, const PlacedCloth& plac
   part.damping = cloth.damping;
   part.color = cloth.color;
   model.rest_position.insert(model.rest_position.end(), placed.positions.begin(), placed.positions.end());
+  model.start_position.insert(model.start_position.end(), placed.starts.begin(), placed.starts.end());
   model.uv.insert(model.uv.end(), placed.uv.begin(), placed.uv.end());
   model.motion.resize(model.vertex_count(), 0);
   for (const double area : placed.areas)
@@ -122,6 +125,8 @@ Result<HostModel> build_model(const scene::Scene& scene,
     }
     WEFT_CHECK(append_grabs(model, cloth, selection, first));
   }
+  for (std::size_t node = 0; node < model.vertex_count(); ++node)  // what is held stays in the sheet's plane
+    if (model.kinematic(node)) model.start_position[node] = model.rest_position[node];
   return model;
 }
 

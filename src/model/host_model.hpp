@@ -48,6 +48,7 @@ struct NodeGrab {
 struct HostModel {
   std::vector<ClothModel> cloths;
   std::vector<Vec3d> rest_position;      // in the world [m]
+  std::vector<Vec3d> start_position;     // where nodes begin: there, but for the bump of a grid [m]
   std::vector<std::array<float, 2>> uv;  // place on the sheet [m], for the weave
   std::vector<double> mass;              // [kg]
   std::vector<std::uint32_t> motion;     // 0: free; 1: pinned; 1 + k: moved by motions[k - 1]

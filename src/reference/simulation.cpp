@@ -7,6 +7,7 @@
 #include "base/state_hash.hpp"
 #include "model/grab_speed.hpp"
 #include "model/max_push.hpp"
+#include "model/solver_choice.hpp"
 #include "model/spectrum.hpp"
 #include "reference/collision/analytic.hpp"
 #include "reference/collision/response.hpp"
@@ -32,13 +33,14 @@ Result<Simulation> Simulation::create(const scene::Scene& scene,
                                       const std::vector<std::vector<mesh::TriangleMesh>>& keyframes) {
   WEFT_TRY(model, build_model(scene, cloth_meshes));
   Simulation made(scene, std::move(model));
-  made.limit_ = mass_spring_step_limit(made.model_, scene.drag);
-  if (scene.time.substeps) {
-    made.substeps_ = *scene.time.substeps;
+  const scene::SolverKind kind = choose_solver(scene, made.model_).kind;
+  if (kind == scene::SolverKind::Multigrid) {
+    made.implicit_.emplace(made.model_);
   } else {
-    WEFT_TRY(chosen, choose_substeps(scene, made.limit_));
-    made.substeps_ = chosen;
+    made.limit_ = mass_spring_step_limit(made.model_, scene.drag);
   }
+  WEFT_TRY(substeps, weft::substeps_of(scene, kind, made.limit_));
+  made.substeps_ = substeps;
   MassSpringSystem& system = made.system_;
   for (std::size_t node = 0; node < made.model_.vertex_count(); ++node)
     system.inverse_mass.push_back(made.model_.inverse_mass(node));
@@ -93,6 +95,7 @@ Result<void> Simulation::advance_frame() {
     count *= contact_step_factor(movers_, scene_.contact.thickness, time(), time() + scene_.time.frame,
                                  scene_.time.frame / count);
   for (std::uint32_t s = 0; s < count; ++s) substep(s, count);
+  cut_before_ = count;
   if (!finite()) {
     system_.position = position;
     system_.velocity = velocity;
@@ -105,10 +108,11 @@ Result<void> Simulation::advance_frame() {
 }
 
 void Simulation::reset() {
-  system_.position = model_.rest_position;
+  system_.position = model_.start_position;
   system_.velocity.assign(model_.vertex_count(), {});
   frame_ = 0;
   contacts_ = 0;
+  if (implicit_) implicit_->forget();
 }
 
 void Simulation::substep(std::uint32_t number, std::uint32_t count) {
@@ -118,14 +122,34 @@ void Simulation::substep(std::uint32_t number, std::uint32_t count) {
   system_.time = before * dt;  // of the wind
   // As sim::FrameSteps counts time, to the bit: which substep is the first of a grab hangs on it.
   set_grabs(time() + number * dt + dt);
-  advance(system_, dt);
-  follow_motions(previous, (before + 1) * dt, dt);
+  if (implicit_) {
+    const double ratio = number == 0 ? step_ratio(cut_before_, count) : 1;
+    implicit_->advance(system_, places_at((before + 1) * dt, previous), dt, ratio);
+  } else {
+    advance(system_, dt);
+    follow_motions(previous, (before + 1) * dt, dt);
+  }
+  const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   if (!proximity_) {
     answer_contacts(previous);
   } else if (finite()) {
     contacts_ += proximity_->answer({previous, system_.inverse_mass, system_.position, system_.velocity},
                                     before * dt, dt);
   }
+  if (!implicit_) return;
+  for (std::size_t node = 0; node < position.size(); ++node)  // a blow is no part of a smooth motion
+    if (system_.position[node] != position[node] || system_.velocity[node] != velocity[node])
+      implicit_->forget(node);
+}
+
+std::vector<Vec3d> Simulation::places_at(double time, const std::vector<Vec3d>& previous) const {
+  std::vector<scene::RigidTransform> transforms;
+  for (const scene::Motion& motion : model_.motions) transforms.push_back(scene::motion_at(motion, time));
+  std::vector<Vec3d> places = previous;
+  for (std::size_t node = 0; node < previous.size(); ++node)
+    if (model_.motion[node] > 1)
+      places[node] = transforms[model_.motion[node] - 2](model_.rest_position[node]);
+  return places;
 }
 
 void Simulation::set_grabs(double time) {
@@ -136,12 +160,11 @@ void Simulation::set_grabs(double time) {
 }
 
 void Simulation::follow_motions(const std::vector<Vec3d>& previous, double time, double dt) {
-  std::vector<scene::RigidTransform> transforms;
-  for (const scene::Motion& motion : model_.motions) transforms.push_back(scene::motion_at(motion, time));
+  const std::vector<Vec3d> places = places_at(time, previous);
   for (std::size_t node = 0; node < previous.size(); ++node) {
     if (model_.motion[node] < 2) continue;  // free or pinned
-    system_.position[node] = transforms[model_.motion[node] - 2](model_.rest_position[node]);
-    system_.velocity[node] = (system_.position[node] - previous[node]) / dt;
+    system_.position[node] = places[node];
+    system_.velocity[node] = (places[node] - previous[node]) / dt;
   }
 }
 

@@ -14,6 +14,7 @@
 #include "reference/collision/pushes.hpp"
 #include "reference/contact/proximity.hpp"
 #include "reference/mass_spring.hpp"
+#include "reference/multigrid/implicit_step.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::reference {
@@ -65,6 +66,8 @@ class Simulation {
   void substep(std::uint32_t number, std::uint32_t count);
   /// Who is held by the scene in the substep that ends at `time` [s], and where they are pulled.
   void set_grabs(double time);
+  /// Where kinematic nodes are at `time` [s]; of all others the place that they had.
+  std::vector<Vec3d> places_at(double time, const std::vector<Vec3d>& previous) const;
   /// Takes the nodes that follow a motion to where they are at `time` [s].
   void follow_motions(const std::vector<Vec3d>& previous, double time, double dt);
   void answer_contacts(const std::vector<Vec3d>& previous);
@@ -74,7 +77,9 @@ class Simulation {
   HostModel model_;
   MassSpringSystem system_;
   StepLimit limit_;
+  std::optional<ImplicitStepper> implicit_;  // of the multigrid solver
   std::uint32_t substeps_ = 1, frame_ = 0;
+  std::uint32_t cut_before_ = 1;  // into how many substeps the frame before was
 
   mesh::TriangleMesh object_;  // all objects as one, in their order: what a pair's numbers mean
   std::optional<ObjectTriangles> object_triangles_;

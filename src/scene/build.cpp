@@ -44,6 +44,7 @@ class Builder {
       }
     }
     WEFT_CHECK(check_grabs(scene.cloths));
+    WEFT_CHECK(check_solver(scene));
     for (const Json& one : at(json, "colliders").values) {
       const std::string path = path_of_index("colliders", scene.colliders.size());
       WEFT_TRY(built, build_collider(one, scene.contact.method, file_, path));
@@ -94,8 +95,12 @@ class Builder {
     cloth.mesh = text(json, "mesh");
     if (const Json* grid = json.find("grid")) {
       const std::vector<Json>& size = at(json, "size").values;
-      cloth.grid = GridShape{whole(grid->values[0]), whole(grid->values[1]), size[0].number, size[1].number,
-                             word<Plane>(at(json, "plane"), kPlaneNames)};
+      cloth.grid = GridShape{whole(grid->values[0]),
+                             whole(grid->values[1]),
+                             size[0].number,
+                             size[1].number,
+                             word<Plane>(at(json, "plane"), kPlaneNames),
+                             number(json, "bump")};
       grid_nodes_ += std::uint64_t{copies} * cloth.grid->nx * cloth.grid->ny;
       if (grid_nodes_ > kMaxGridNodes)
         return wrong(path + ".grid", "brings the grids to " + std::to_string(grid_nodes_) +
@@ -105,8 +110,8 @@ class Builder {
     cloth.density = maybe_number(json, "density");
     cloth.node_mass = maybe_number(json, "node_mass");
     const Json& stiffness = at(json, "stiffness");
-    cloth.stiffness = {number(stiffness, "structural"), number(stiffness, "shear"),
-                       number(stiffness, "bend")};
+    cloth.stiffness = {number(stiffness, "structural"), number(stiffness, "shear"), number(stiffness, "bend"),
+                       number(stiffness, "bending")};
     cloth.damping = number(json, "damping");
     cloth.friction = number(json, "friction");
     WEFT_TRY(pins, selectors(at(json, "pins"), path + ".pins", cloth));
@@ -188,6 +193,22 @@ class Builder {
       grab.path.push_back({time, vector(point, "point")});
     }
     return grab;
+  }
+
+  /// Multigrid needs the rows and columns of a grid; the springs of the other solver know no curvature.
+  Result<void> check_solver(const Scene& scene) const {
+    for (const Cloth& cloth : scene.cloths) {
+      const std::string path = path_of_index("cloths", cloth.entry);
+      const std::string kind = in_quotes(name_of(scene.solver.kind));
+      if (scene.solver.kind == SolverKind::Multigrid && !cloth.grid)
+        return wrong(path, "is a mesh; solver.kind " + kind + " moves grids only");
+      if (cloth.stiffness.bending == 0) continue;
+      const std::string bending = "is " + number_text(cloth.stiffness.bending) + " N·m; ";
+      if (scene.solver.kind == SolverKind::MassSpring)
+        return wrong(path + ".stiffness.bending", bending + "solver.kind " + kind + " has bend springs only");
+      if (!cloth.grid) return wrong(path + ".stiffness.bending", bending + "a mesh has bend springs only");
+    }
+    return {};
   }
 
   /// No more grabs at any time than there are places. Their number can only grow where one starts.

@@ -9,7 +9,8 @@ const char* grid_difference(const std::optional<GridShape>& a, const std::option
   if (!a && !b) return nullptr;
   if (!a || !b || a->nx != b->nx || a->ny != b->ny) return "grid";
   if (a->width != b->width || a->height != b->height) return "size";
-  return a->plane == b->plane ? nullptr : "plane";
+  if (a->plane != b->plane) return "plane";
+  return a->bump == b->bump ? nullptr : "bump";
 }
 
 const char* cloth_difference(const Cloth& a, const Cloth& b) {

@@ -82,7 +82,7 @@ constexpr Key kMassSpringKeys[] = {
     {"forces", &kForces, "Gather over each node's springs, or scatter from each spring by atomic adds",
      "\"node_centric\""},
 };
-constexpr Variant kSolverVariants[] = {{"mass_spring", kMassSpringKeys}};
+constexpr Variant kSolverVariants[] = {{"mass_spring", kMassSpringKeys}, {"multigrid", {}}, {"auto", {}}};
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 
 // contact
@@ -202,6 +202,8 @@ constexpr Type kPlane{.kind = Kind::Choice, .choices = kPlaneNames};
 constexpr Type kDensity{.kind = Kind::Number, .least = 1e-6, .most = 1e6, .unit = "kg/m²"};
 constexpr Type kNodeMass{.kind = Kind::Number, .least = 1e-12, .most = 1e6, .unit = "kg"};
 constexpr Type kSpringStiffness{.kind = Kind::Number, .most = 1e12, .unit = "N/m"};
+constexpr Type kBending{.kind = Kind::Number, .most = 1e6, .unit = "N·m"};
+constexpr Type kBump{.kind = Kind::Number, .least = -kFar, .most = kFar, .unit = "m"};
 constexpr Type kDamping{.kind = Kind::Number, .most = 1e9, .unit = "N·s/m"};
 constexpr Type kColor{.kind = Kind::Numbers, .most = 1, .count_least = 3};
 constexpr Type kCopyCount{.kind = Kind::Number, .least = 1, .most = 1000, .whole = true};
@@ -214,6 +216,8 @@ constexpr Key kStiffnessKeys[] = {
     {"structural", &kSpringStiffness, "Springs along the threads, or along the edges of a mesh", "5000"},
     {"shear", &kSpringStiffness, "Springs along the diagonals", "2000"},
     {"bend", &kSpringStiffness, "Springs over two cells, or over an edge of a mesh", "500"},
+    {"bending", &kBending, "Resistance of a grid to curvature, beside the bend springs; needs multigrid",
+     "0"},
 };
 constexpr Type kStiffness{.kind = Kind::Object, .keys = kStiffnessKeys};
 constexpr Key kClothKeys[] = {
@@ -221,6 +225,7 @@ constexpr Key kClothKeys[] = {
     {"grid", &kGrid, "Nodes along i and j; all grids together have at most 67108864"},
     {"size", &kSize, "Width along i and height along j of a grid"},
     {"plane", &kPlane, "A grid hangs (\"xy\": j runs down) or lies flat (\"xz\": j runs along +z)", "\"xy\""},
+    {"bump", &kBump, "How far the middle of a grid stands out along its normal at the start", "0"},
     {"mesh", &kMeshName, "Name of a model, or path of an OBJ or PLY file relative to the scene"},
     {"transform", &kTransform, "From the sheet centred on the origin, or the mesh, to the world", "{}"},
     {"density", &kDensity, "Mass per rest area"},
@@ -237,7 +242,7 @@ constexpr Key kClothKeys[] = {
 constexpr const char* kShapeWays[] = {"grid", "mesh"};
 constexpr const char* kMassWays[] = {"density", "node_mass"};
 constexpr OneOf kClothOneOf[] = {{kShapeWays}, {kMassWays}};
-constexpr Needs kClothNeeds[] = {{"grid", "size"}, {"size", "grid"}, {"plane", "grid"}};
+constexpr Needs kClothNeeds[] = {{"grid", "size"}, {"size", "grid"}, {"plane", "grid"}, {"bump", "grid"}};
 constexpr Type kCloth{
     .kind = Kind::Object, .name = "cloth", .keys = kClothKeys, .one_of = kClothOneOf, .needs = kClothNeeds};
 constexpr const Type* kClothItem[] = {&kCloth};

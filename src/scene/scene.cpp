@@ -11,18 +11,33 @@ Vec3d transformed(const Transform& transform, const Vec3d& point) {
   return scaled + transform.rotate[3] * turn + cross(q, turn) + transform.translate;
 }
 
-std::vector<Vec3d> grid_positions(const GridShape& grid, const Transform& transform) {
+namespace {
+
+double hill(double s) { return 16 * s * s * (1 - s) * (1 - s); }
+
+std::vector<Vec3d> grid_points(const GridShape& grid, const Transform& transform, double bump) {
   std::vector<Vec3d> positions;
   positions.reserve(static_cast<std::size_t>(grid.nx) * grid.ny);
   for (std::uint32_t j = 0; j < grid.ny; ++j) {
     for (std::uint32_t i = 0; i < grid.nx; ++i) {
-      const double along = grid.width * (static_cast<double>(i) / (grid.nx - 1) - 0.5);
-      const double down = grid.height * (static_cast<double>(j) / (grid.ny - 1) - 0.5);
-      const Vec3d point = grid.plane == Plane::Xy ? Vec3d{along, -down, 0} : Vec3d{along, 0, down};
+      const double s = static_cast<double>(i) / (grid.nx - 1), t = static_cast<double>(j) / (grid.ny - 1);
+      const double along = grid.width * (s - 0.5), down = grid.height * (t - 0.5);
+      const double out = bump == 0 ? 0 : bump * hill(s) * hill(t);
+      const Vec3d point = grid.plane == Plane::Xy ? Vec3d{along, -down, out} : Vec3d{along, out, down};
       positions.push_back(transformed(transform, point));
     }
   }
   return positions;
+}
+
+}  // namespace
+
+std::vector<Vec3d> grid_positions(const GridShape& grid, const Transform& transform) {
+  return grid_points(grid, transform, 0);
+}
+
+std::vector<Vec3d> grid_start_positions(const GridShape& grid, const Transform& transform) {
+  return grid_points(grid, transform, grid.bump);
 }
 
 const std::optional<double>& friction_of(const Collider& collider) {

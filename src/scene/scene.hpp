@@ -109,11 +109,13 @@ struct GridShape {
   std::uint32_t nx = 0, ny = 0;  // nodes
   double width = 0, height = 0;  // along i and along j [m]
   Plane plane = Plane::Xy;
+  double bump = 0;  // how far the middle stands out at the start [m]
 };
 
-/// Spring stiffness [N/m].
+/// Of springs [N/m].
 struct Stiffness {
   double structural = 5000, shear = 2000, bend = 500;
+  double bending = 0;  // of the sheet itself, quadratic [N·m]
   bool operator==(const Stiffness&) const = default;
 };
 
@@ -207,7 +209,11 @@ struct Time {
   std::uint32_t frames = 90;
 };
 
-enum class SolverKind { MassSpring };
+enum class SolverKind {
+  MassSpring,
+  Multigrid,
+  Auto,  ///< which of them is cheaper for this scene
+};
 enum class Forces { NodeCentric, SpringCentric, SpringBlocks };
 struct Solver {
   SolverKind kind = SolverKind::MassSpring;
@@ -255,6 +261,9 @@ Vec3d transformed(const Transform& transform, const Vec3d& point);
 
 /// The rest positions of a grid in the world [m], row by row: node j * nx + i.
 std::vector<Vec3d> grid_positions(const GridShape& grid, const Transform& transform);
+/// Where its free nodes are at the start: the same, but for its bump, a hill of 16 s² (1-s)² 16 t² (1-t)²
+/// times its height along the sheet's normal, s and t from 0 to 1 along the sides.
+std::vector<Vec3d> grid_start_positions(const GridShape& grid, const Transform& transform);
 
 /// The JSON word for a value.
 const char* name_of(GridPart part);

@@ -28,13 +28,15 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
 void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
                        const Frame& frame) {
   const bool held = grabs.any(frame.time, frame.time + frame_);
-  const bool same = frame.substeps == substeps_ && frame.collider_speed == collider_speed_;
+  const bool same = frame.substeps == substeps_ && frame.collider_speed == collider_speed_ &&
+                    frame.step_ratio == step_ratio_;
   if (!changed_ && !wind_.varies() && !held && !held_ && same) return;
   const double step = frame_ / frame.substeps;
   for (std::uint32_t s = 0; s < frame.substeps; ++s) {
     StepParams& params = steps_[s];
     const double now = frame.time + s * step;  // the substep's forces are those at its start
     params.dt = static_cast<float>(step);
+    params.step_ratio = s == 0 ? static_cast<float>(frame.step_ratio) : 1.0F;
     params.acceleration.w = static_cast<float>(frame.collider_speed * step);
     set_wind(params, wind_, {turns(0, now), turns(1, now)});
     grabs.set(params, now + step);  // a follower, as a motion, goes to where the target is at the end
@@ -44,6 +46,7 @@ void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps
   held_ = held;
   substeps_ = frame.substeps;
   collider_speed_ = frame.collider_speed;
+  step_ratio_ = frame.step_ratio;
 }
 
 void FrameSteps::rewind() {

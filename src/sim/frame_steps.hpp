@@ -27,6 +27,7 @@ class FrameSteps {
     double time = 0;
     std::uint32_t substeps = 1;
     double collider_speed = 0;  // the largest in it [m/s]
+    double step_ratio = 1;      // of its first step to the one before
   };
   void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
              const Frame& frame);
@@ -46,6 +47,7 @@ class FrameSteps {
   bool changed_ = true;
   std::uint32_t substeps_ = 0;
   double collider_speed_ = 0;
+  double step_ratio_ = 1;
   bool held_ = false;  // in the frame that was written last
 };
 

@@ -150,7 +150,8 @@ Result<void> World::submit_frame(const gpu::CommandList* draw) {
   double speed = 0;
   for (const ContactMover& mover : movers_)
     speed = std::max(speed, largest_speed(mover, now, now + scene_.time.frame));
-  steps_.write(device_, state_.steps, *grabs_, {now, substeps, speed});
+  const double ratio = frame_ == 0 ? 1 : step_ratio(substeps_of(frame_ - 1), substeps);
+  steps_.write(device_, state_.steps, *grabs_, {now, substeps, speed, ratio});
   write_motions(substeps);
   if (proximity_) proximity_->write_places(device_, scene_, now, scene_.time.frame / substeps, substeps);
   const std::array<const gpu::CommandList*, 3> lists = {&frame_commands(parity_, substeps), &free.commands,
@@ -286,7 +287,7 @@ Result<void> World::release(std::uint32_t node) { return grabs_->release(node); 
 Result<void> World::change(const scene::Scene& scene) {
   if (const auto key = scene::fixed_difference(scene_, scene))
     return input_error("%s cannot change while the cloth moves; load the scene anew.", key->c_str());
-  StepLimit limit = with_drag(scene_.solver, limit_, scene.drag);
+  StepLimit limit = with_drag(choice_.kind, limit_, scene.drag);
   // A step that a scene chose beyond its own limit is its affair; only a new drag is judged.
   if (scene.drag != scene_.drag && limit.largest_step > 0 && step() > limit.largest_step)
     return make_error(ErrorKind::Limit,
@@ -317,12 +318,15 @@ Result<Snapshot> World::snapshot() {
 }
 
 void World::restore(const Snapshot& snapshot) {
+  std::vector<Vec4f> velocity = snapshot.velocity;
+  for (Vec4f& v : velocity) v.w = 0;  // what the step before it was is not in the snapshot
   state_.position[parity_].write(device_, snapshot.position);
-  state_.velocity[parity_].write(device_, snapshot.velocity);
-  last_good_->renew(device_, snapshot.position, snapshot.velocity, 0);
+  state_.velocity[parity_].write(device_, velocity);
+  last_good_->renew(device_, snapshot.position, velocity, 0);
 }
 
-void World::set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity) {
+void World::set_node(std::uint32_t node, const Vec4f& position, const Vec4f& given_velocity) {
+  const Vec4f velocity = Vec4f::from(given_velocity.xyz(), 0);
   state_.position[parity_].write(device_, std::span(&position, 1), node);
   state_.velocity[parity_].write(device_, std::span(&velocity, 1), node);
   last_good_->renew(device_, std::span(&position, 1), std::span(&velocity, 1), node);

@@ -14,6 +14,7 @@
 #include "element/surface.hpp"
 #include "gpu/readback.hpp"
 #include "model/contact_steps.hpp"
+#include "model/solver_choice.hpp"
 #include "sim/assets.hpp"
 #include "sim/frame_steps.hpp"
 #include "sim/grabs.hpp"
@@ -108,6 +109,8 @@ class World {
   const Assets& assets() const { return assets_; }
   const Totals& totals() const { return totals_; }
   const StepLimit& step_limit() const { return limit_; }
+  /// The solver that moves the cloth, and why where the scene leaves that open.
+  const SolverChoice& solver_choice() const { return choice_; }
   const SolverConstants& solver_constants() const { return constants_; }
   std::uint32_t substeps() const { return substeps_; }
   double step() const { return scene_.time.frame / substeps_; }  // [s]
@@ -172,6 +175,7 @@ class World {
   std::unique_ptr<Solver> solver_;
   std::optional<Surface> surface_;
   std::optional<LastGood> last_good_;
+  SolverChoice choice_;
   StepLimit limit_;
   SolverConstants constants_;
   std::uint32_t substeps_ = 1, most_substeps_ = 1, parity_ = 0;

@@ -52,13 +52,10 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   assets_ = assets;
   WEFT_TRY(host, build_model(scene_, assets.cloths));
   spring_count_ = count_springs(host);
-  limit_ = find_step_limit(scene_, host);
-  if (scene_.time.substeps) {
-    substeps_ = *scene_.time.substeps;
-  } else {
-    WEFT_TRY(chosen, choose_substeps(scene_, limit_));
-    substeps_ = chosen;
-  }
+  choice_ = choose_solver(scene_, host);
+  limit_ = find_step_limit(choice_.kind, scene_, host);
+  WEFT_TRY(substeps, weft::substeps_of(scene_, choice_.kind, limit_));
+  substeps_ = substeps;
   WEFT_TRY(model, Model::create(device_, std::move(host)));
   model_ = std::move(model);
   if (scene_.contact.method == scene::ContactMethod::Proximity)
@@ -72,7 +69,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_CHECK(build_contact(options.contact_room ? *options.contact_room : first_room(model_)));
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);
-  WEFT_TRY(last_good, LastGood::create(device_, state_));
+  WEFT_TRY(last_good, LastGood::create(device_, state_, solver_->reads_step_before()));
   last_good_ = std::move(last_good);
   for (Report& report : reports_) {
     WEFT_TRY(readback, gpu::Readback::create(device_, sizeof(Statistics), "frame report"));
@@ -108,8 +105,10 @@ Result<void> World::build_contact(const ContactRoom& room) {
                                                      collision_setup(scene_, assets_, options_)));
     collision_ = std::move(collision);
   }
-  WEFT_TRY(solver, make_solver(scene_.solver, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
-                                               options_.workgroup_size, options_.two_steps}));
+  scene::Solver settings = scene_.solver;
+  settings.kind = choice_.kind;
+  WEFT_TRY(solver, make_solver(settings, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
+                                          options_.workgroup_size, options_.two_steps}));
   solver_ = std::move(solver);
   constants_ = solver_->constants();
   return {};

@@ -2,6 +2,7 @@
 
 #include "model/spectrum.hpp"
 #include "solver/mass_spring/solver_mass_spring.hpp"
+#include "solver/multigrid/solver_multigrid.hpp"
 
 namespace weft {
 
@@ -9,23 +10,21 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
   switch (settings.kind) {
     case scene::SolverKind::MassSpring:
       return SolverMassSpring::create(settings, inputs);
+    case scene::SolverKind::Multigrid:
+      return SolverMultigrid::create(inputs);
+    case scene::SolverKind::Auto:
+      break;
   }
-  return make_error(ErrorKind::Input, "Solver kind %s is not known.", scene::name_of(settings.kind));
+  return make_error(ErrorKind::Input, "Solver kind %s cannot be made.", scene::name_of(settings.kind));
 }
 
-StepLimit find_step_limit(const scene::Scene& scene, const HostModel& model) {
-  switch (scene.solver.kind) {
-    case scene::SolverKind::MassSpring:
-      return mass_spring_step_limit(model, scene.drag);
-  }
-  return StepLimit{};
+StepLimit find_step_limit(scene::SolverKind kind, const scene::Scene& scene, const HostModel& model) {
+  if (kind == scene::SolverKind::MassSpring) return mass_spring_step_limit(model, scene.drag);
+  return {};  // implicit steps are stable at any length
 }
 
-StepLimit with_drag(const scene::Solver& settings, const StepLimit& limit, double drag) {
-  switch (settings.kind) {
-    case scene::SolverKind::MassSpring:
-      return least_step_limit(limit.cloths, drag);
-  }
+StepLimit with_drag(scene::SolverKind kind, const StepLimit& limit, double drag) {
+  if (kind == scene::SolverKind::MassSpring) return least_step_limit(limit.cloths, drag);
   return limit;
 }
 

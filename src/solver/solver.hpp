@@ -37,6 +37,9 @@ class Solver {
   /// velocity[1 - parity], after both, to the same bits as one after the other.
   virtual void record_two(gpu::ComputePass&) const {}
   virtual SolverConstants constants() const = 0;
+  /// Whether record_predict also reads position[1 - parity] and velocity[1 - parity] as the substep before
+  /// has left them, for nodes whose velocity's w is 1.
+  virtual bool reads_step_before() const { return false; }
 };
 
 /// What a solver is made of. `contacts` is null where the scene has none.

@@ -5,10 +5,10 @@
 namespace weft {
 namespace {
 
-std::vector<Vec4f> rest_positions(const HostModel& model) {
+std::vector<Vec4f> start_positions(const HostModel& model) {
   std::vector<Vec4f> positions(model.vertex_count());
   for (std::size_t i = 0; i < positions.size(); ++i)
-    positions[i] = Vec4f::from(model.rest_position[i].to<float>(), static_cast<float>(model.inverse_mass(i)));
+    positions[i] = Vec4f::from(model.start_position[i].to<float>(), static_cast<float>(model.inverse_mass(i)));
   return positions;
 }
 
@@ -36,7 +36,7 @@ Result<State> State::create(gpu::Device& device, const HostModel& model, std::ui
 }
 
 void State::reset(gpu::Device& device, const HostModel& model) const {
-  const std::vector<Vec4f> positions = rest_positions(model);
+  const std::vector<Vec4f> positions = start_positions(model);
   const std::vector<Vec4f> zeros(model.vertex_count());
   for (std::size_t parity = 0; parity < 2; ++parity) {
     position[parity].write(device, positions);

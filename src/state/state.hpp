@@ -15,15 +15,15 @@ namespace weft {
 /// thereby is the previous state, and writes [1 - p].
 struct State {
   std::array<gpu::Buffer<Vec4f>, 2> position;  // vertex_count, m; w: inverse mass, 1/kg (0: kinematic)
-  std::array<gpu::Buffer<Vec4f>, 2> velocity;  // vertex_count, m/s; w: unused
+  std::array<gpu::Buffer<Vec4f>, 2> velocity;  // vertex_count, m/s; w: Solver::reads_step_before
   gpu::Buffer<StepParams> steps;               // a block for each substep of a frame
   gpu::Buffer<Vec4f> motions;             // 3 rows for each moved group and substep: x, y, z of R·rest + t
   gpu::Buffer<std::uint32_t> statistics;  // sizeof(Statistics) / 4
 
-  /// The rest state, at rest.
+  /// The start, at rest.
   /// Errors  Limit, OutOfMemory.
   static Result<State> create(gpu::Device& device, const HostModel& model, std::uint32_t substeps);
-  /// Writes the rest state at rest into both buffers.
+  /// Writes the start, at rest, into both buffers.
   void reset(gpu::Device& device, const HostModel& model) const;
 };
 

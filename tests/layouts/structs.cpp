@@ -27,6 +27,7 @@
 #include "scene/scene.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
 #include "solver/mass_spring/grid_params.hpp"
+#include "solver/multigrid/level.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
@@ -79,7 +80,7 @@ Json step_params() {
               M(grab_speed),     M(wind),        M(wind_wave_a),  M(wind_wave_b),
               M(gust_a),         M(gust_b),      M(grab_node),    M(grab_target),
               M(self_thickness), M(least_reach), M(most_reach),   M(contact_damping),
-              M(detect),         M(padding),     M(point_count),  M(first_place)});
+              M(detect),         M(step_ratio),  M(point_count),  M(first_place)});
 }
 Json spring() {
   using T = PackedSpring;
@@ -114,6 +115,17 @@ Json mesh_params() {
   using T = MeshParams;
   return row("MeshParams", "mass_spring/advance_mesh.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(kinds)});
+}
+Json spring_grid_row() {
+  using T = SpringGrid;
+  return row("SpringGrid", "multigrid/spring_grid.wgsl", sizeof(T), kExact,
+             {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(rest_length), M(damping)});
+}
+Json multigrid_level() {
+  using T = MultigridLevel;
+  return row("Level", "multigrid/level.wgsl", sizeof(T), kExact,
+             {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(bend_end_i),
+              M(bend_end_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
 }
 Json surface_params() {
   using T = SurfaceParams;
@@ -204,11 +216,11 @@ Json statistic(const char* name, std::size_t offset) {
 
 Json struct_layouts() {
   return Json::array(
-      {step_params(), spring(),          spring_kind(),       spring_block(),   block_spring(),
-       neighbour(),   grid_params_row(), mesh_params(),       surface_params(), object_triangle(),
-       tree_node(),   pair_range(),      analytic_collider(), contact(),        search_params(),
-       tree_params(), colliders(),       collider_place(),    frame(),          weave(),
-       plane()});
+      {step_params(),     spring(),          spring_kind(), spring_block(),   block_spring(),
+       neighbour(),       grid_params_row(), mesh_params(), surface_params(), object_triangle(),
+       spring_grid_row(), multigrid_level(), tree_node(),   pair_range(),     analytic_collider(),
+       contact(),         search_params(),   tree_params(), colliders(),      collider_place(),
+       frame(),           weave(),           plane()});
 }
 
 Json shared_constants() {

@@ -80,6 +80,7 @@ TEST_CASE("a default-made Scene has the same defaults as one that is read") {
   CHECK(Cloth{}.stiffness.structural == read.cloths[0].stiffness.structural);
   CHECK(Cloth{}.stiffness.shear == read.cloths[0].stiffness.shear);
   CHECK(Cloth{}.stiffness.bend == read.cloths[0].stiffness.bend);
+  CHECK(Cloth{}.stiffness.bending == read.cloths[0].stiffness.bending);
   CHECK(Cloth{}.damping == read.cloths[0].damping);
   CHECK(Cloth{}.friction == read.cloths[0].friction);
   CHECK(Camera{}.fov_degrees == 35);
@@ -91,7 +92,7 @@ TEST_CASE("every key arrives where it belongs") {
     "drag": 0.5, "wind": {"velocity": [7, 8, 9], "gusts": 0.25, "wavelength": 3}, "time": {"frame": 0.02, "substeps": 12, "frames": 7},
     "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "contact": {"method": "proximity", "thickness": 0.01, "self": false, "restitution": 0.5},
     "cloths": [
-      {"name": "flag", "grid": [5, 3], "size": [4, 2], "plane": "xz", "node_mass": 0.1, "damping": 2, "friction": 0.7,
+      {"name": "flag", "grid": [5, 3], "size": [4, 2], "plane": "xz", "bump": 0.02, "node_mass": 0.1, "damping": 2, "friction": 0.7,
        "transform": {"scale": 2, "rotate": [0, 0, 0.6, 0.8], "translate": [1, 2, 3]},
        "stiffness": {"structural": 1, "shear": 2, "bend": 3}, "color": [0.1, 0.2, 0.3],
        "pins": ["top_left", {"box": {"min": [0, 1, 2], "max": [3, 4, 5]}}, {"nodes": [7, 8]},
@@ -147,6 +148,7 @@ TEST_CASE("every key arrives where it belongs") {
   CHECK(flag.grid->width == 4);
   CHECK(flag.grid->height == 2);
   CHECK(flag.grid->plane == Plane::Xz);
+  CHECK(flag.grid->bump == 0.02);
   CHECK(flag.node_mass == 0.1);
   CHECK_FALSE(flag.density);
   CHECK(flag.damping == 2);
@@ -255,7 +257,10 @@ TEST_CASE("the word of each enumerator is the one that the scene says") {
     CHECK(std::string(name_of(
               parsed(scene_with("\"solver\": {\"forces\": \"" + std::string(word) + "\"}")).solver.forces)) ==
           word);
-  CHECK(std::string(name_of(SolverKind::MassSpring)) == "mass_spring");
+  for (const char* word : {"mass_spring", "multigrid", "auto"})
+    CHECK(std::string(name_of(
+              parsed(scene_with("\"solver\": {\"kind\": \"" + std::string(word) + "\"}")).solver.kind)) ==
+          word);
   CHECK(std::string(name_of(Plane::Xz)) == "xz");
   CHECK(std::string(name_of(GridPart::Edges)) == "edges");
 }

@@ -46,6 +46,7 @@ TEST_CASE("a difference in anything else is found and named by its key") {
   for (const auto& [key, value] :
        {std::pair{"time.frame", "0.01"},
         {"time.substeps", "8"},
+        {"solver.kind", "auto"},
         {"solver.forces", "spring_centric"},
         {"contact.method", "none"},
         {"contact.thickness", "0.1"},
@@ -55,6 +56,7 @@ TEST_CASE("a difference in anything else is found and named by its key") {
         {"cloths[1].grid", "[5, 3]"},
         {"cloths[1].size", "[3, 1]"},
         {"cloths[1].plane", "xz"},
+        {"cloths[1].bump", "0.1"},
         {"cloths[1].transform", R"({"scale": 2})"},
         {"cloths[1].density", "0.3"},
         {"cloths[0].stiffness", R"({"bend": 1})"},

@@ -22,7 +22,7 @@ constexpr double kNodeMass = 0.25 * 0.02 * 0.02;  // [kg]
 StepLimit limit_of(const scene::Scene& scene) {
   auto model = build_model(scene, std::vector<mesh::TriangleMesh>(scene.cloths.size()));
   REQUIRE_OK(model);
-  return find_step_limit(scene, *model);
+  return find_step_limit(scene.solver.kind, scene, *model);
 }
 
 double largest_speed(SolverRig& rig) {

@@ -1,0 +1,66 @@
+// The V-cycle on the coarsest levels. One workgroup does all, a barrier for what would else be a dispatch. It finds the residual of the
+// first of them and the first step of smoothing there, and leaves the solution. Source: docs/solvers/multigrid.md, equations 7 and 8.
+#include "shared/index.wgsl"
+#include "multigrid/coarse_steps.wgsl"
+//                                                                            elements
+@group(0) @binding(0) var<storage, read>       tail      : array<Level>;   // the first of them, and all coarser ones
+@group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
+@group(0) @binding(2) var<storage, read>       operators : array<vec4f>;   // multigrid/coarse_block.wgsl
+
+// The coarsest level has nothing below it that could take the low eigenvalues: more steps, for a wider range.
+const kBottomLow = kHigh / 30.0;
+const kBottomSteps = 10u;
+
+fn node_count(level : Level) -> u32 { return level.nx * level.ny; }
+
+// Steps 2 to kBottomSteps of Chebyshev's polynomial. The first one, restriction's, was for another range: it is made good by the ratio.
+fn solve_bottom(level : Level, local : u32) {
+  let middle = (kHigh + kBottomLow) / 2.0;
+  let half = (kHigh - kBottomLow) / 2.0;
+  let sigma = middle / half;
+  for (var node = local; node < node_count(level); node += kWorkgroupSize) {
+    let d = vectors[vector_at(level, kDirection, node)].xyz / (middle * kBegin);
+    vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
+    vectors[vector_at(level, kFirst, node)] = vec4f(d, 0.0);
+  }
+  storageBarrier();
+  var rho = 1.0 / sigma;
+  for (var step = 1u; step < kBottomSteps; step++) {
+    let next = 1.0 / (2.0 * sigma - rho);
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) {
+      let left = left_of(level, kFirst, no_level(), node);
+      let d = next * rho * vectors[vector_at(level, kDirection, node)].xyz + (2.0 * next / half) * times(inverse_at(level, node), left);
+      vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
+    }
+    storageBarrier();
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) {
+      let x = vectors[vector_at(level, kFirst, node)].xyz + vectors[vector_at(level, kDirection, node)].xyz;
+      vectors[vector_at(level, kFirst, node)] = vec4f(x, 0.0);
+    }
+    storageBarrier();
+    rho = next;
+  }
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn cycle_tail(@builtin(local_invocation_index) local : u32) {
+  let last = arrayLength(&tail) - 1u;
+  for (var l = 0u; l < last; l++) {
+    let level = tail[l];
+    let coarse = tail[l + 1u];
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) { smooth_node(level, kDirection, kFirst, kKeep, kTake, node); }
+    storageBarrier();
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) { residual_node(level, node); }
+    storageBarrier();
+    for (var node = local; node < node_count(coarse); node += kWorkgroupSize) { restrict_node(level, coarse, node); }
+    storageBarrier();
+  }
+  solve_bottom(tail[last], local);
+  for (var above = 0u; above < last; above++) {
+    let level = tail[last - 1u - above];
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) { prolong_node(level, tail[last - above], node); }
+    storageBarrier();
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) { smooth_node(level, kSecond, kFirst, kKeep, kTake, node); }
+    storageBarrier();
+  }
+}

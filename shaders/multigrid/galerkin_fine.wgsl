@@ -1,0 +1,99 @@
+// The matrix of the first coarse level, Pᵀ A P of masses and springs, and the inverse of its diagonal. One invocation per coarse node: it
+// gathers the springs about its nine fine nodes. Bend springs count as structural ones that are stiffer by twice their stiffness each:
+// exact where both that they span are stretched alike. Source: docs/solvers/multigrid.md, equation 10.
+#include "shared/index.wgsl"
+#include "multigrid/bending_diagonal.wgsl"
+#include "multigrid/spring_grid.wgsl"
+#include "multigrid/store_blocks.wgsl"
+#include "multigrid/store_inverse.wgsl"
+#include "multigrid/transfer.wgsl"
+//                                                                            elements       unit
+@group(0) @binding(0) var<uniform>             step      : StepParams;
+@group(0) @binding(1) var<uniform>             grid      : SpringGrid;
+@group(0) @binding(2) var<uniform>             levels    : array<Level, 2>;
+@group(0) @binding(3) var<storage, read>       place     : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
+@group(0) @binding(4) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
+@group(0) @binding(5) var<storage, read_write> operators : array<vec4f>;   // multigrid/coarse_block.wgsl
+var<private> blocks : array<Symmetric, 5>;
+var<private> rate : f32;  // 1/s
+
+// What a fine node takes from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w), and to the left
+// of that.
+struct Taps { right : vec4f, left : f32, at : vec4f }
+
+fn taps_at(i : i32, j : i32, coarse_i : i32, coarse_j : i32) -> Taps {
+  let fine = levels[0];
+  let coarse = levels[1];
+  let at = place[u32(j) * fine.nx + u32(i)];
+  if (at.w == 0.0) { return Taps(vec4f(0.0), 0.0, at); }
+  let nx = i32(fine.nx);
+  let ny = i32(fine.ny);
+  let mx = i32(coarse.nx);
+  let my = i32(coarse.ny);
+  let here = tap(i, coarse_i, nx, mx);
+  let right = tap(i, coarse_i + 1, nx, mx);
+  let row = tap(j, coarse_j, ny, my);
+  let below = tap(j, coarse_j + 1, ny, my);
+  return Taps(vec4f(here * row, right * row, here * below, right * below), tap(i, coarse_i - 1, nx, mx) * below, at);
+}
+
+fn add(block : Symmetric, own : f32, right : vec4f, left : f32) {
+  let part = scaled(own, block);
+  blocks[0] = sum_of(blocks[0], scaled(right.x, part));
+  blocks[1] = sum_of(blocks[1], scaled(right.y, part));
+  blocks[2] = sum_of(blocks[2], scaled(right.z, part));
+  blocks[3] = sum_of(blocks[3], scaled(right.w, part));
+  blocks[4] = sum_of(blocks[4], scaled(left, part));
+}
+
+fn add_spring(a : Taps, b : Taps, rest_length : f32, stiffness : f32, damping : f32) {
+  let right = b.right - a.right;
+  if (right.x == 0.0 || stiffness == 0.0) { return; }
+  let s = spring_block(b.at.xyz - a.at.xyz, rest_length, stiffness, rate * damping);
+  add(sum_of(outer(s.direction, s.along), identity(s.across)), right.x, right, b.left - a.left);
+}
+
+// A structural spring from node `at` of a line to the next, with the bend springs above it.
+fn add_structural(a : Taps, b : Taps, rest_length : f32, at : i32, side : i32, weight : f32) {
+  let above = 2.0 * weight * (select(0.0, 1.0, at > 0) + select(0.0, 1.0, at + 2 < side));
+  let bend = grid.stiffness.z;
+  let damping = select(0.0, weight, grid.stiffness.x > 0.0) + select(0.0, above, bend > 0.0);
+  add_spring(a, b, rest_length, weight * grid.stiffness.x + above * bend, damping * grid.damping);
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
+  let coarse = levels[1];
+  let node = flat_index(id);
+  if (node >= coarse.nx * coarse.ny) { return; }
+  let coarse_j = node / coarse.nx;
+  let coarse_i = node - coarse_j * coarse.nx;
+  let i = i32(coarse_i);
+  let j = i32(coarse_j);
+  let nx = i32(grid.nx);
+  let ny = i32(grid.ny);
+  let center_i = i32(center_of(coarse_i, grid.nx, coarse.nx));
+  let center_j = i32(center_of(coarse_j, grid.ny, coarse.ny));
+  rate = 1.0 / formula_of(step.step_ratio).he;
+  for (var block = 0u; block < 5u; block++) { blocks[block] = zero_matrix(); }
+  for (var y = max(center_j - 2, 0); y <= min(center_j + 2, ny - 1); y++) {
+    let row_weight = line_weight(grid, u32(y), grid.ny);
+    for (var x = max(center_i - 2, 0); x <= min(center_i + 2, nx - 1); x++) {
+      let a = taps_at(x, y, i, j);
+      add(identity(a.at.w), a.right.x, a.right, a.left);
+      let column_weight = line_weight(grid, u32(x), grid.nx);
+      let down = y + 1 < ny;
+      if (x + 1 < nx) {
+        let b = taps_at(x + 1, y, i, j);
+        add_structural(a, b, grid.rest_length.x, x, nx, row_weight);
+        if (down) { add_spring(a, taps_at(x + 1, y + 1, i, j), grid.rest_length.z, grid.stiffness.y, grid.damping); }
+      }
+      if (down) {
+        add_structural(a, taps_at(x, y + 1, i, j), grid.rest_length.y, y, ny, column_weight);
+        if (x > 0) { add_spring(a, taps_at(x - 1, y + 1, i, j), grid.rest_length.z, grid.stiffness.y, grid.damping); }
+      }
+    }
+  }
+  store_blocks(coarse, node, blocks);
+  store_inverse(coarse, node, inverse(sum_of(blocks[0], identity(bending_diagonal(coarse, coarse_i, coarse_j)))));
+}

@@ -1,0 +1,30 @@
+// Adds the coarser level's correction on the finest level, x + P e, and takes the first step of smoothing from there. One invocation per
+// node; the corrections of neighbours are made anew. Source: docs/solvers/multigrid.md, equations 7 and 8.
+#include "shared/index.wgsl"
+#include "multigrid/chebyshev.wgsl"
+#include "multigrid/correction.wgsl"
+#include "multigrid/fine_operator.wgsl"
+//                                                                          elements       unit
+@group(0) @binding(0) var<uniform>             step    : StepParams;
+@group(0) @binding(1) var<uniform>             grid    : SpringGrid;
+@group(0) @binding(2) var<uniform>             levels  : array<Level, 2>;
+@group(0) @binding(3) var<storage, read>       place   : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
+@group(0) @binding(4) var<storage, read_write> vectors : array<vec4f>;   // multigrid/level.wgsl
+
+fn operand(level : Level, node : u32) -> vec3f {
+  if (place[node].w == 0.0) { return vec3f(0.0); }
+  let j = node / level.nx;
+  return vectors[vector_at(level, kFirst, node)].xyz + correction(level, levels[1], node - j * level.nx, j);
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn prolong_fine(@builtin(global_invocation_id) id : vec3u) {
+  let node = flat_index(id);
+  if (node >= grid.nx * grid.ny) { return; }
+  let level = levels[0];
+  let j = node / grid.nx;
+  let left = vectors[vector_at(level, kResidual, node)].xyz - fine_product(level, node - j * grid.nx, j, node);
+  let d = kBegin * times(inverse_at(level, node), left);
+  vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
+  vectors[vector_at(level, kSecond, node)] = vec4f(operand(level, node) + d, 0.0);
+}

@@ -1,0 +1,201 @@
+#include "reference/multigrid/implicit_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::reference {
+namespace {
+
+constexpr double kMinLength = 1e-9;  // m; a shorter spring has no direction
+
+struct Link {
+  std::uint32_t a = 0, b = 0;  // of the cloth
+  int di = 0, dj = 0;
+  SpringLink spring;
+};
+
+Link link_of(const SpringLink& spring, std::uint32_t first, std::uint32_t nx) {
+  Link link{spring.node_a - first, spring.node_b - first, 0, 0, spring};
+  link.di = static_cast<int>(link.b % nx) - static_cast<int>(link.a % nx);
+  link.dj = static_cast<int>(link.b / nx) - static_cast<int>(link.a / nx);
+  return link;
+}
+
+bool is_far(const Link& link) { return std::abs(link.di) > 1 || link.dj > 1; }
+
+/// k [(1 - b) n nᵀ + b I] + c/he n nᵀ with b = max(0, 1 - l0/l): the spring's Hessian where it is stretched,
+/// and where it is pressed without what would make it indefinite.
+Sym3 spring_block(const Vec3d& span, double rest_length, double stiffness, double damping) {
+  const double len = length(span);
+  if (len < kMinLength) return {};
+  const double b = std::max(0.0, 1 - rest_length / len);
+  return Sym3::outer(span / len, stiffness * (1 - b) + damping) + Sym3::identity(stiffness * b);
+}
+
+std::size_t place_of(const Link& link) { return link.dj == 0 ? 1 : link.di < 0 ? 4 : link.di == 0 ? 2 : 3; }
+
+void add_near(GridOperator& matrix, const Link& link, const Sym3& block) {
+  matrix.rows[link.a][0] += block;
+  matrix.rows[link.b][0] += block;
+  if (!matrix.held[link.a] && !matrix.held[link.b]) matrix.rows[link.a][place_of(link)] += -1.0 * block;
+}
+
+const Follower* follower(const MassSpringSystem& system, std::size_t node) {
+  for (const Follower& held : system.grabs)
+    if (held.node == node) return &held;
+  return nullptr;
+}
+
+}  // namespace
+
+GridBending bending_of(const ClothModel& cloth) {
+  const double di = cloth.grid->width / (cloth.grid->nx - 1), dj = cloth.grid->height / (cloth.grid->ny - 1);
+  const double b = cloth.stiffness.bending;
+  return {b * dj / (di * di * di), b * di / (dj * dj * dj), true, true,
+          cloth.weights == mesh::BoundaryWeights::Uniform};
+}
+
+StepFormula step_formula(double dt, double ratio) {
+  return {dt * (1 + ratio) / (1 + 2 * ratio), ratio * ratio / (1 + 2 * ratio)};
+}
+
+ImplicitStepper::ImplicitStepper(const HostModel& model)
+    : position_before_(model.vertex_count()), velocity_before_(model.vertex_count()) {
+  for (const ClothModel& cloth : model.cloths)
+    cloths_.push_back({cloth.first_vertex, cloth.grid->nx, cloth.grid->ny, bending_of(cloth)});
+  forget();
+}
+
+void ImplicitStepper::remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity) {
+  position_before_ = std::move(position);
+  velocity_before_ = std::move(velocity);
+  known_.assign(position_before_.size(), true);
+}
+
+void ImplicitStepper::forget() { known_.assign(position_before_.size(), false); }
+
+LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places,
+                                      double dt, double ratio, std::size_t c) const {
+  const Cloth& cloth = cloths_[c];
+  const std::size_t count = std::size_t{cloth.nx} * cloth.ny;
+  LinearStep step;
+  step.place.resize(count);
+  step.start.resize(count);
+  step.start_velocity.resize(count);
+  step.residual.resize(count);
+  step.matrix.nx = cloth.nx;
+  step.matrix.ny = cloth.ny;
+  step.matrix.rows.resize(count);
+  step.matrix.held.assign(count, false);
+  step.matrix.bending = cloth.bending;
+  for (std::size_t a = 0; a < count; ++a) {
+    const std::size_t node = cloth.first + a;
+    const Vec3d x = system.position[node], v = system.velocity[node];
+    step.place[a] = x;
+    if (system.inverse_mass[node] == 0) {
+      step.place[a] = places[node];
+    } else if (const Follower* held = follower(system, node)) {
+      Vec3d velocity = system.grab_rate * (held->target - x);
+      const double speed = length(velocity);
+      if (speed > system.grab_speed) velocity *= system.grab_speed / speed;
+      step.place[a] = x + dt * velocity;
+    } else {
+      const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
+      const double he = formula.he, mass = 1 / system.inverse_mass[node];
+      const Vec3d s = known_[node] ? formula.c * (x - position_before_[node]) : Vec3d{};
+      const Vec3d base_velocity = known_[node] ? v + formula.c * (v - velocity_before_[node]) : v;
+      const Vec3d pull = system.acceleration + system.drag * wind_at(system.wind, x, system.time);
+      step.start[a] = dt * v;
+      step.start_velocity[a] = (step.start[a] - s) / he;
+      step.residual[a] = mass * ((base_velocity - step.start_velocity[a]) / he + pull -
+                                 system.drag * step.start_velocity[a]);
+      step.matrix.rows[a][0] += Sym3::identity(mass * (1 / (he * he) + system.drag / he));
+      continue;
+    }
+    step.matrix.held[a] = true;
+    step.start_velocity[a] = (step.place[a] - x) / dt;
+  }
+  step.source = step.matrix;
+  std::vector<Link> links;
+  for (const SpringLink& spring : system.springs)
+    if (spring.node_a >= cloth.first && spring.node_a < cloth.first + count)
+      links.push_back(link_of(spring, cloth.first, cloth.nx));
+  // A bend spring adds to a structural one below it twice its own stiffness: exact where both that it spans
+  // are stretched alike.
+  std::vector<std::array<double, 2>> below_i(count), below_j(count);  // stiffness, damping
+  for (const Link& link : links)
+    if (is_far(link)) {
+      auto& below = link.dj == 0 ? below_i : below_j;
+      for (const std::uint32_t node : {link.a, (link.a + link.b) / 2}) {
+        below[node][0] += 2 * link.spring.stiffness;
+        below[node][1] += 2 * link.spring.damping;
+      }
+    }
+  const double rate = 1 / step_formula(dt, ratio).he;
+  for (const Link& link : links) {
+    const SpringLink& s = link.spring;
+    const Vec3d span = step.place[link.b] - step.place[link.a];
+    const double len = length(span);
+    if (len < kMinLength) continue;
+    const Vec3d n = span / len, step_of_span = step.start[link.b] - step.start[link.a];
+    const Sym3 elastic = spring_block(span, s.rest_length, s.stiffness, 0);
+    // Damping acts along the spring as it will be: along n it would be of first order in the step.
+    const Vec3d later = span + step_of_span;
+    const Vec3d damping = Sym3::outer(later / std::max(length(later), kMinLength), s.damping) *
+                          (step.start_velocity[link.b] - step.start_velocity[link.a]);
+    const Vec3d force = s.stiffness * (len - s.rest_length) * n + damping + elastic * step_of_span;
+    step.residual[link.a] += force;
+    step.residual[link.b] -= force;
+    const Sym3 block = elastic + Sym3::outer(n, s.damping * rate);
+    if (is_far(link)) {
+      step.matrix.far.push_back({link.a, link.b, block});
+      continue;
+    }
+    add_near(step.matrix, link, block);
+    double more = 0, more_damping = 0;
+    if (link.di == 0 || link.dj == 0) {
+      more = (link.dj == 0 ? below_i : below_j)[link.a][0];
+      more_damping = (link.dj == 0 ? below_i : below_j)[link.a][1];
+    }
+    add_near(step.source, link,
+             spring_block(span, s.rest_length, s.stiffness + more, (s.damping + more_damping) * rate));
+  }
+  GridOperator bending = step.matrix;  // its force is linear: that at place + start
+  bending.rows.assign(count, {});
+  bending.far.clear();
+  Field moved = step.place;
+  for (std::size_t a = 0; a < count; ++a) moved[a] += step.start[a];
+  const Field curve = bending.apply(moved);
+  for (std::size_t a = 0; a < count; ++a)
+    step.residual[a] = step.matrix.held[a] ? Vec3d{} : step.residual[a] - curve[a];
+  return step;
+}
+
+void ImplicitStepper::advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
+                              double ratio) {
+  std::vector<Vec3d> position = system.position, velocity = system.velocity;
+  for (std::size_t c = 0; c < cloths_.size(); ++c) {
+    const LinearStep step = linearise(system, places, dt, ratio, c);
+    const Hierarchy hierarchy(step.matrix, step.source);
+    Field dz(step.place.size()), left = step.residual;
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+      const Field more = hierarchy.cycle(left);
+      for (std::size_t a = 0; a < dz.size(); ++a) dz[a] += more[a];
+      if (cycle + 1 == cycles) break;
+      const Field done = step.matrix.apply(dz);
+      for (std::size_t a = 0; a < dz.size(); ++a) left[a] = step.residual[a] - done[a];
+    }
+    for (std::size_t a = 0; a < dz.size(); ++a) {
+      const std::size_t node = cloths_[c].first + a;
+      const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
+      position[node] = step.place[a] + step.start[a] + dz[a];
+      velocity[node] = step.start_velocity[a] + (step.matrix.held[a] ? Vec3d{} : dz[a] / formula.he);
+    }
+  }
+  remember(system.position, system.velocity);
+  system.position = std::move(position);
+  system.velocity = std::move(velocity);
+  system.time += dt;
+}
+
+}  // namespace weft::reference

@@ -1,0 +1,64 @@
+// The oracle of the multigrid solver: its substep as plain loops in double. Source:
+// docs/solvers/multigrid.md.
+#pragma once
+
+#include <vector>
+
+#include "model/host_model.hpp"
+#include "reference/mass_spring.hpp"
+#include "reference/multigrid/cycle.hpp"
+
+namespace weft::reference {
+
+/// The linear system of a substep, for one grid: A dz = r, where the nodes have come to place + start + dz.
+struct LinearStep {
+  Field place, start, start_velocity;  // [m], [m], [m/s]
+  Field residual;                      // [N]
+  GridOperator matrix;                 // [N/m]
+  GridOperator source;                 // of the coarser levels: with bend springs as structural ones
+};
+
+/// What of BDF2 depends on the step and the one before it: x' = x + s + he v', with s = c (x - x before).
+struct StepFormula {
+  double he = 0;  // [s]
+  double c = 0;
+};
+/// `ratio` is that of the step to the one before it; 0: there is none, backward Euler.
+StepFormula step_formula(double dt, double ratio);
+
+/// Steps the grids of a model by BDF2, linearised at the start of the step.
+class ImplicitStepper {
+ public:
+  explicit ImplicitStepper(const HostModel& model);
+
+  /// One step. `places` has where kinematic nodes are at its end. `ratio` is that of dt to the step before.
+  void advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio = 1);
+  /// The state a step before the one that is advanced next.
+  void remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity);
+  /// The next step is backward Euler: the state is not one that advance has left.
+  void forget();
+  /// Likewise for one node.
+  void forget(std::size_t node) { known_[node] = false; }
+
+  /// The linear system of cloth c that advance would solve.
+  LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
+                       double ratio, std::size_t c) const;
+
+  int cycles = 1;  // V-cycles a step
+
+ private:
+  struct Cloth {
+    std::uint32_t first = 0, nx = 0, ny = 0;
+    GridBending bending;
+  };
+
+  std::vector<Cloth> cloths_;
+  std::vector<Vec3d> position_before_, velocity_before_;
+  std::vector<bool> known_;  // whether they are those of the step before
+};
+
+/// The bending of a grid cloth, in its springs' unit: (B / a²) of a square cell, B dj / di³ along i of
+/// others.
+GridBending bending_of(const ClothModel& cloth);
+
+}  // namespace weft::reference

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/multigrid/kernels.hpp"
+#include "solver/multigrid/level.hpp"
+#include "solver/predicted.hpp"
+#include "state/state.hpp"
+
+namespace weft {
+
+/// One implicit substep of a grid cloth: the linear system, one V-cycle, the new state.
+/// Reads   steps, motions; position and velocity of both parities, of which [1 - parity] are those of a step
+///         before; rest_position.
+/// Writes  position[1 - parity] [m], predicted[parity] [m/s] of the cloth's vertices.
+/// Errors  Shader, Limit, OutOfMemory.
+class GridCycle {
+ public:
+  static Result<GridCycle> create(gpu::Device& device, const MultigridKernels& kernels, const Model& model,
+                                  const State& state, const Predicted& predicted, const ClothModel& cloth);
+
+  void record(gpu::ComputePass& pass, const MultigridKernels& kernels) const;
+  // Its parts, in their order.
+  void record_system(gpu::ComputePass& pass, const MultigridKernels& kernels) const;
+  void record_matrices(gpu::ComputePass& pass, const MultigridKernels& kernels) const;
+  void record_down(gpu::ComputePass& pass, const MultigridKernels& kernels) const;
+  void record_up(gpu::ComputePass& pass, const MultigridKernels& kernels) const;
+
+  // What they leave on the GPU, for tests.
+  const std::vector<MultigridLevel>& levels() const { return levels_; }
+  const gpu::Buffer<Vec4f>& place() const { return place_; }
+  const gpu::Buffer<Vec4f>& vectors() const { return vectors_; }
+  const gpu::Buffer<Vec4f>& operators() const { return operators_; }
+
+ private:
+  /// A level that has dispatches of its own, with the next coarser one.
+  struct Own {
+    gpu::RawBuffer levels;
+    std::uint32_t count = 0, coarse_count = 0;  // nodes
+    gpu::BindGroup galerkin, restrict_residual, smooth_down, residual, prolong, smooth_up;
+  };
+
+  Result<void> create_buffers(gpu::Device& device, const ClothModel& cloth);
+  Result<void> create_fine(const MultigridKernels& kernels, const Model& model, const State& state,
+                           const Predicted& predicted);
+  Result<void> create_coarse(const MultigridKernels& kernels);
+
+  std::vector<MultigridLevel> levels_;
+  std::size_t tail_ = 0;  // the first of the levels that one workgroup does
+  gpu::RawBuffer grid_, tail_levels_;
+  gpu::Buffer<Vec4f> place_, vectors_, operators_;
+  std::array<gpu::BindGroup, 2> predict_, finish_;  // by parity
+  gpu::BindGroup gradient_, galerkin_fine_, smooth_fine_, residual_fine_, prolong_fine_;
+  gpu::BindGroup coarsen_tail_, cycle_tail_;
+  std::vector<Own> own_;  // levels 0 to tail_ - 1
+};
+
+}  // namespace weft

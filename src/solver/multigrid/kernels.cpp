@@ -1,0 +1,50 @@
+#include "solver/multigrid/kernels.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace weft {
+namespace {
+
+// Vectors of a level, as in shaders/multigrid/level.wgsl.
+constexpr double kDirection = 3, kFirst = 4, kSecond = 5;
+
+}  // namespace
+
+Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, std::uint32_t workgroup_size) {
+  MultigridKernels made;
+  const std::uint32_t one_group =
+      std::min(gpu::kDefaultWorkgroupSize, device.limits().max_invocations_per_workgroup);
+  struct Wanted {
+    gpu::Kernel MultigridKernels::*kernel;
+    const char* name;
+    std::uint32_t size;
+    std::vector<gpu::Constant> constants = {};
+  };
+  using K = MultigridKernels;
+  const Wanted all[] = {
+      {&K::predict, "predict", workgroup_size},
+      {&K::gradient, "gradient", workgroup_size},
+      {&K::galerkin_fine, "galerkin_fine", workgroup_size},
+      {&K::galerkin, "galerkin", workgroup_size},
+      {&K::coarsen_tail, "coarsen_tail", one_group},
+      {&K::smooth_fine, "smooth_fine", workgroup_size},
+      {&K::residual_fine, "residual_fine", workgroup_size},
+      {&K::prolong_fine, "prolong_fine", workgroup_size},
+      {&K::finish, "finish", workgroup_size},
+      {&K::smooth_down, "smooth_coarse", workgroup_size, {{"kFrom", kDirection}, {"kTo", kFirst}}},
+      {&K::residual, "residual_coarse", workgroup_size},
+      {&K::prolong, "prolong_coarse", workgroup_size},
+      {&K::smooth_up, "smooth_coarse", workgroup_size, {{"kFrom", kSecond}, {"kTo", kFirst}}},
+      {&K::restrict_residual, "restrict_residual", workgroup_size},
+      {&K::cycle_tail, "cycle_tail", one_group},
+  };
+  for (const Wanted& wanted : all) {
+    const std::string path = std::string("multigrid/") + wanted.name + ".wgsl";
+    WEFT_TRY(kernel, gpu::Kernel::create(device, path, wanted.constants, wanted.size));
+    made.*wanted.kernel = std::move(kernel);
+  }
+  return made;
+}
+
+}  // namespace weft

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "model/host_model.hpp"
+
+namespace weft {
+
+/// Mirror of shaders/multigrid/level.wgsl: a level of a cloth's hierarchy, and its place in the buffers.
+struct MultigridLevel {
+  std::uint32_t nx = 0, ny = 0;                        // nodes; 0: there is no such level
+  std::uint32_t first_vector = 0, first_operator = 0;  // [vec4f]
+  float bending_i = 0, bending_j = 0;                  // [N/m]
+  std::uint32_t bend_end_i = 0, bend_end_j = 0;        // second differences are taken about nodes 1 to this
+  float rim = 0;                                       // part of the bending that boundary lines have
+  std::uint32_t padding_a = 0, padding_b = 0, padding_c = 0;
+
+  std::uint32_t node_count() const { return nx * ny; }
+};
+static_assert(sizeof(MultigridLevel) == 48);
+
+/// Vectors that each level has, and parts of a coarse level's matrix, one vec4f a node each.
+inline constexpr std::uint32_t kMultigridVectors = 6, kMultigridParts = 8;
+
+/// The levels of a grid cloth, the finest first; vectors of all stand in one buffer, as do the matrices of
+/// all but the finest.
+std::vector<MultigridLevel> multigrid_levels(const ClothModel& cloth);
+
+/// Mirror of shaders/multigrid/spring_grid.wgsl.
+struct SpringGrid {
+  std::uint32_t first_vertex = 0, nx = 0, ny = 0;
+  std::uint32_t uniform_weights = 0;
+  Vec4f stiffness;    // structural, shear, bend [N/m]
+  Vec4f rest_length;  // structural along i, along j, shear [m]
+  float damping = 0;  // [N·s/m]
+  float padding[3] = {};
+};
+static_assert(sizeof(SpringGrid) == 64 && offsetof(SpringGrid, damping) == 48);
+
+SpringGrid spring_grid(const ClothModel& cloth);
+
+}  // namespace weft

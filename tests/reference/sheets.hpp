@@ -1,0 +1,97 @@
+// Sheets for the tests of the multigrid reference: flat, wrinkled, random, of any size.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/random.hpp"
+#include "reference/multigrid/implicit_step.hpp"
+#include "scene/load.hpp"
+
+namespace weft {
+
+struct Sheet {
+  HostModel model;
+  reference::MassSpringSystem system;
+  reference::ImplicitStepper stepper;
+
+  /// A scene's `cloths`, and what else it says.
+  explicit Sheet(const std::string& members) : model(model_of(members)), stepper(model) {
+    system.position = model.start_position;
+    system.velocity.resize(model.vertex_count());
+    for (std::size_t node = 0; node < model.vertex_count(); ++node)
+      system.inverse_mass.push_back(model.inverse_mass(node));
+    for (const Spring& s : build_springs(model))
+      system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
+                                static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
+    system.acceleration = {0, -9.81, 0};
+  }
+
+  /// The linear system of the next step, 1/480 s long unless it is said.
+  reference::LinearStep linearise(double dt = 1.0 / 480, double ratio = 1) const {
+    return stepper.linearise(system, system.position, dt, ratio, 0);
+  }
+  void advance(double dt, int steps) {
+    for (int s = 0; s < steps; ++s) stepper.advance(system, system.position, dt);
+  }
+  double mass(std::size_t node) const { return 1 / system.inverse_mass[node]; }
+
+  /// Folds and small wrinkles out of the plane of a flat sheet of this size [m], and speeds.
+  void wrinkle(double size, double amplitude) {
+    Random random(7);
+    double phase[6];
+    for (double& p : phase) p = random.uniform(0, 6.28);
+    for (std::size_t node = 0; node < system.position.size(); ++node) {
+      if (system.inverse_mass[node] == 0) continue;
+      Vec3d& x = system.position[node];
+      const double s = 6.28 * x.x / size, t = 6.28 * x.z / size;
+      x.y += amplitude * (std::sin(3 * s + phase[0]) + 0.3 * std::sin(11 * s + 4 * t + phase[1]) +
+                          0.15 * std::sin(5 * s - 23 * t + phase[2]));
+      system.velocity[node] = {0.3 * std::sin(2 * t + phase[3]), -1 + 0.5 * std::sin(4 * s + phase[4]),
+                               0.3 * std::sin(7 * s + t + phase[5])};
+    }
+  }
+  /// Moves free nodes by up to `amount` [m] a side, and gives them up to `speed` [m/s].
+  void perturb(std::uint64_t seed, double amount, double speed) {
+    Random random(seed);
+    const auto draw = [&](double size) {
+      const double x = random.uniform(-size, size), y = random.uniform(-size, size);
+      return Vec3d{x, y, random.uniform(-size, size)};
+    };
+    for (std::size_t node = 0; node < system.position.size(); ++node) {
+      const Vec3d move = draw(amount), push = draw(speed);
+      if (system.inverse_mass[node] == 0) continue;
+      system.position[node] += move;
+      system.velocity[node] += push;
+    }
+  }
+
+ private:
+  static HostModel model_of(const std::string& members) {
+    const auto scene = scene::parse_scene(
+        R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, )" + members + "}", "test.json");
+    REQUIRE_MESSAGE(scene, scene.error().message);
+    auto made = build_model(*scene, std::vector<mesh::TriangleMesh>(scene->cloths.size()));
+    REQUIRE_MESSAGE(made, made.error().message);
+    return std::move(*made);
+  }
+};
+
+/// The study's sheet: 2 m by 2 m, 2000 N/m, held by two clips of 5 cm.
+inline std::string study_sheet(std::uint32_t nx, std::uint32_t ny, const std::string& more = "") {
+  return R"("cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
+         R"(], "size": [2, 2], "plane": "xz", "bump": 0.001, "density": 0.15, "damping": 0,
+            "stiffness": {"structural": 1500, "shear": 750, "bend": 0, "bending": 1e-5},
+            "pins": [{"near": {"point": [-1, 0, -1], "radius": 0.05}}, {"near": {"point": [1, 0, -1], "radius": 0.05}}])" +
+         more + "}]";
+}
+
+inline double norm(const reference::Field& field) {
+  double sum = 0;
+  for (const Vec3d& v : field) sum += dot(v, v);
+  return std::sqrt(sum);
+}
+
+}  // namespace weft

@@ -1,0 +1,298 @@
+// The linear system of the multigrid solver and its V-cycle, against Eigen's direct solution.
+#include <Eigen/Sparse>
+
+#include "sheets.hpp"
+
+using namespace weft;
+using namespace weft::reference;
+
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+void add_block(Entries& entries, std::size_t a, std::size_t b, const Eigen::Matrix3d& block) {
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c)
+      entries.emplace_back(3 * static_cast<int>(a) + r, 3 * static_cast<int>(b) + c, block(r, c));
+}
+
+Matrix matrix_from(const Entries& entries, std::size_t rows, std::size_t columns) {
+  Matrix matrix(3 * static_cast<int>(rows), 3 * static_cast<int>(columns));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::Vector3d eigen(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+Eigen::VectorXd eigen(const Field& field) {
+  Eigen::VectorXd all(3 * static_cast<int>(field.size()));
+  for (std::size_t a = 0; a < field.size(); ++a) all.segment<3>(3 * static_cast<int>(a)) = eigen(field[a]);
+  return all;
+}
+
+/// The matrix of a step, spring by spring from the sheet itself: mass, springs as they are stretched,
+/// bending. `galerkin`: what coarser levels are made of instead, without bending, bend springs as structural
+/// ones.
+Matrix explicit_matrix(const Sheet& sheet, double he, bool galerkin) {
+  const auto& system = sheet.system;
+  const mesh::Grid grid = *sheet.model.cloths[0].grid;
+  const std::size_t count = system.position.size();
+  Entries entries;
+  const auto held = [&](std::size_t node) { return system.inverse_mass[node] == 0; };
+  const auto add_line = [&](const std::vector<std::pair<std::size_t, double>>& line,
+                            const Eigen::Matrix3d& block) {
+    for (const auto& [a, wa] : line)
+      for (const auto& [b, wb] : line)
+        if (!held(a) && !held(b)) add_block(entries, a, b, wa * wb * block);
+  };
+  for (std::size_t a = 0; a < count; ++a)
+    if (!held(a)) {
+      const double mass = sheet.mass(a) * (1 / (he * he) + system.drag / he);
+      add_block(entries, a, a, mass * Eigen::Matrix3d::Identity());
+    }
+  const auto spring = [&](std::size_t a, std::size_t b, double l0, double k, double c) {
+    const Eigen::Vector3d span = eigen(system.position[b] - system.position[a]);
+    const Eigen::Vector3d n = span.normalized();
+    const double stretched = std::max(0.0, 1 - l0 / span.norm());
+    add_line({{a, -1.0}, {b, 1.0}}, (k * (1 - stretched) + c / he) * n * n.transpose() +
+                                        k * stretched * Eigen::Matrix3d::Identity());
+  };
+  for (const SpringLink& s : system.springs) {
+    const std::size_t apart = s.node_b - s.node_a;
+    const bool far = apart == 2 || apart == 2 * std::size_t{grid.nx};
+    if (!far || !galerkin) {
+      spring(s.node_a, s.node_b, s.rest_length, s.stiffness, s.damping);
+    } else {
+      const std::size_t middle = s.node_a + apart / 2;
+      spring(s.node_a, middle, s.rest_length / 2, 2 * s.stiffness, 2 * s.damping);
+      spring(middle, s.node_b, s.rest_length / 2, 2 * s.stiffness, 2 * s.damping);
+    }
+  }
+  const double b = sheet.model.cloths[0].stiffness.bending;
+  const double di = grid.width / (grid.nx - 1), dj = grid.height / (grid.ny - 1);
+  for (std::uint32_t j = 0; j < grid.ny && !galerkin; ++j)
+    for (std::uint32_t i = 0; i < grid.nx; ++i) {
+      const std::size_t a = j * grid.nx + i;
+      const double row = j == 0 || j + 1 == grid.ny ? 0.5 : 1, column = i == 0 || i + 1 == grid.nx ? 0.5 : 1;
+      if (i > 0 && i + 1 < grid.nx)
+        add_line({{a - 1, 1}, {a, -2}, {a + 1, 1}},
+                 row * b * dj / (di * di * di) * Eigen::Matrix3d::Identity());
+      if (j > 0 && j + 1 < grid.ny)
+        add_line({{a - grid.nx, 1}, {a, -2}, {a + grid.nx, 1}},
+                 column * b * di / (dj * dj * dj) * Eigen::Matrix3d::Identity());
+    }
+  return matrix_from(entries, count, count);
+}
+
+/// The same numbers out of a GridOperator, without its bending.
+Matrix stencil_matrix(const GridOperator& grid) {
+  Entries entries;
+  const auto dense = [](const Sym3& s) {
+    Eigen::Matrix3d block;
+    block << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
+    return block;
+  };
+  for (std::uint32_t j = 0; j < grid.ny; ++j)
+    for (std::uint32_t i = 0; i < grid.nx; ++i) {
+      const std::uint32_t a = j * grid.nx + i;
+      if (grid.held[a]) continue;
+      const int di[] = {0, 1, 0, 1, -1}, dj[] = {0, 0, 1, 1, 1};
+      for (int p = 0; p < 5; ++p) {
+        const int ib = static_cast<int>(i) + di[p], jb = static_cast<int>(j) + dj[p];
+        if (ib < 0 || ib >= static_cast<int>(grid.nx) || jb >= static_cast<int>(grid.ny)) continue;
+        const auto b = static_cast<std::uint32_t>(jb) * grid.nx + static_cast<std::uint32_t>(ib);
+        if (grid.held[b]) continue;
+        add_block(entries, a, b, dense(grid.rows[a][static_cast<std::size_t>(p)]));
+        if (p > 0) add_block(entries, b, a, dense(grid.rows[a][static_cast<std::size_t>(p)]));
+      }
+    }
+  return matrix_from(entries, grid.size(), grid.size());
+}
+
+/// P of one level, bilinear by hand: the coarse nodes' places along a side, and hat functions between them.
+Matrix prolongation(std::uint32_t nx, std::uint32_t ny, const std::vector<bool>& held) {
+  const auto hat = [](std::uint32_t fine, std::uint32_t coarse, std::uint32_t n) {
+    if (n <= 5) return fine == coarse ? 1.0 : 0.0;
+    const double last = n - 1, at = fine;
+    const auto place = [&](double c) { return std::min(2 * c, last); };
+    const double mine = place(coarse);
+    if (at == mine) return 1.0;
+    if (at < mine) return coarse > 0 && at > place(coarse - 1.0) ? 0.5 : 0.0;
+    return at < place(coarse + 1.0) ? 0.5 : 0.0;
+  };
+  const std::uint32_t cx = nx > 5 ? nx / 2 + 1 : nx, cy = ny > 5 ? ny / 2 + 1 : ny;
+  Entries entries;
+  for (std::uint32_t a = 0; a < nx * ny; ++a)
+    for (std::uint32_t c = 0; c < cx * cy; ++c) {
+      const double weight = hat(a % nx, c % cx, nx) * hat(a / nx, c / cx, ny);
+      if (weight > 0 && !held[a]) add_block(entries, a, c, weight * Eigen::Matrix3d::Identity());
+    }
+  return matrix_from(entries, std::size_t{nx} * ny, std::size_t{cx} * cy);
+}
+
+double difference(const Matrix& a, const Matrix& b) { return (a - b).norm() / b.norm(); }
+
+std::string any_sheet(std::uint32_t nx, std::uint32_t ny, const std::string& pins) {
+  return R"("cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
+         R"(], "size": [2, 1.5], "plane": "xz", "density": 0.2, "damping": 0.25,
+            "stiffness": {"structural": 5000, "shear": 2000, "bend": 500, "bending": 1e-3}, "pins": )" +
+         pins + "}]";
+}
+
+}  // namespace
+
+TEST_CASE("the matrix of a step is mass, springs and bending, added up one by one") {
+  for (const auto& [nx, ny] : {std::pair{9U, 12U}, {2U, 2U}, {3U, 7U}, {17U, 4U}}) {
+    CAPTURE(nx);
+    Sheet sheet(any_sheet(nx, ny, R"(["top_left"])"));
+    sheet.system.drag = 0.7;
+    sheet.perturb(nx, 0.1, 2);
+    const double he = 2.0 / 3 / 480;
+    // No node has been stepped yet, so that mass is backward Euler's; damping goes by the step.
+    sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+    const LinearStep second = sheet.linearise();
+    const Matrix expected = explicit_matrix(sheet, he, false);
+    Random random(3);
+    Field x(second.matrix.size());
+    for (std::size_t a = 0; a < x.size(); ++a)
+      if (!second.matrix.held[a])
+        x[a] = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const Eigen::VectorXd product = expected * eigen(x);
+    CHECK((eigen(second.matrix.apply(x)) - product).norm() <
+          1e-6 * product.norm());  // f32 stiffness and length
+  }
+}
+
+TEST_CASE("coarse matrices are Pᵀ A P of mass and springs, for sides of any length") {
+  for (const auto& [nx, ny] : {std::pair{17U, 17U}, {16U, 23U}, {11U, 6U}, {14U, 3U}, {9U, 2U}}) {
+    CAPTURE(nx);
+    CAPTURE(ny);
+    Sheet sheet(any_sheet(nx, ny, R"(["top_left", {"nodes": [4, 12]}])"));
+    sheet.perturb(ny, 0.05, 2);
+    sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+    const LinearStep step = sheet.linearise();
+    const Hierarchy hierarchy(step.matrix, step.source);
+    Matrix expected = explicit_matrix(sheet, 2.0 / 3 / 480, true);
+    CHECK(difference(stencil_matrix(step.source), expected) < 1e-6);
+    REQUIRE(hierarchy.levels().size() > 1);
+    for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
+      const GridOperator& fine = hierarchy.levels()[l - 1];
+      const Matrix p = prolongation(fine.nx, fine.ny, fine.held);
+      expected = Matrix(p.transpose() * expected * p);
+      CHECK(difference(stencil_matrix(hierarchy.levels()[l]), expected) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("prolongation is bilinear, and restriction its transpose") {
+  for (const auto& [nx, ny] : {std::pair{8U, 13U}, {5U, 9U}, {33U, 2U}}) {
+    GridOperator fine;
+    fine.nx = nx;
+    fine.ny = ny;
+    fine.rows.resize(std::size_t{nx} * ny);
+    fine.held.assign(fine.rows.size(), false);
+    fine.held[3] = true;
+    const Matrix p = prolongation(nx, ny, fine.held);
+    Random random(nx);
+    Field coarse(std::size_t{coarser_side(nx)} * coarser_side(ny)), r(fine.size());
+    for (Vec3d& v : coarse) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    for (Vec3d& v : r) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    CHECK((eigen(prolonged(coarse, fine)) - p * eigen(coarse)).norm() < 1e-14);
+    CHECK((eigen(restricted(r, fine)) - p.transpose() * eigen(r)).norm() < 1e-14);
+  }
+}
+
+TEST_CASE("the residual at rest is minus the energy's gradient, and its sum is the weight") {
+  Sheet sheet(any_sheet(7, 9, "[]"));
+  sheet.system.acceleration = {};
+  sheet.perturb(5, 0.03, 0);
+  const auto& springs = sheet.system.springs;
+  const mesh::Grid grid = *sheet.model.cloths[0].grid;
+  const GridBending bending = bending_of(sheet.model.cloths[0]);
+  const auto energy = [&](const std::vector<Vec3d>& x) {
+    double sum = 0;
+    for (const SpringLink& s : springs)
+      sum += 0.5 * s.stiffness * std::pow(length(x[s.node_b] - x[s.node_a]) - s.rest_length, 2);
+    for (std::uint32_t j = 0; j < grid.ny; ++j)
+      for (std::uint32_t i = 0; i < grid.nx; ++i) {
+        const std::size_t a = j * grid.nx + i;
+        const auto term = [&](std::size_t step, double k) {
+          const Vec3d curve = x[a - step] - 2.0 * x[a] + x[a + step];
+          sum += 0.5 * k * dot(curve, curve);
+        };
+        if (i > 0 && i + 1 < grid.nx) term(1, bending.along_i * (j == 0 || j + 1 == grid.ny ? 0.5 : 1));
+        if (j > 0 && j + 1 < grid.ny) term(grid.nx, bending.along_j * (i == 0 || i + 1 == grid.nx ? 0.5 : 1));
+      }
+    return sum;
+  };
+  const LinearStep step = sheet.linearise();
+  Vec3d total;
+  double largest = 0;
+  for (const Vec3d& r : step.residual) largest = std::max(largest, length(r));
+  for (std::size_t a = 0; a < step.residual.size(); ++a) {
+    total += step.residual[a];
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<Vec3d> x = sheet.system.position;
+      const double h = 1e-6;
+      x[a][axis] += h;
+      const double up = energy(x);
+      x[a][axis] -= 2 * h;
+      const double slope = (up - energy(x)) / (2 * h);
+      CHECK(std::abs(step.residual[a][axis] + slope) < 1e-6 * largest);
+    }
+  }
+  CHECK(length(total) < 1e-12 * largest);
+}
+
+TEST_CASE(
+    "V-cycles solve the system that Eigen solves, flat sheets at 0.3 a cycle and wrinkled ones at 0.75") {
+  struct Case {
+    std::uint32_t nx, ny;
+    double wrinkles;  // [m]
+    double bound;
+  };
+  for (const Case& c : {Case{17, 17, 0, 0.3},
+                        {65, 65, 0, 0.3},
+                        {129, 129, 0, 0.3},
+                        {100, 77, 0, 0.3},
+                        {17, 17, 0.02, 0.75},
+                        {33, 33, 0.02, 0.75},
+                        {65, 65, 0.02, 0.75},
+                        {129, 129, 0.02, 0.75},
+                        {100, 77, 0.02, 0.75},
+                        {128, 128, 0.02, 0.75}}) {
+    Sheet sheet(study_sheet(c.nx, c.ny));
+    if (c.wrinkles > 0) sheet.wrinkle(2, c.wrinkles);
+    sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+    const LinearStep step = sheet.linearise();
+    const Hierarchy hierarchy(step.matrix, step.source);
+    Field x(step.residual.size()), left = step.residual;
+    const double first = norm(left);
+    double before = first, worst = 0, last = 0;
+    int cycles = 0;
+    while (norm(left) > 1e-9 * first && cycles < 60) {
+      const Field more = hierarchy.cycle(left);
+      for (std::size_t a = 0; a < x.size(); ++a) x[a] += more[a];
+      const Field done = step.matrix.apply(x);
+      for (std::size_t a = 0; a < x.size(); ++a) left[a] = step.residual[a] - done[a];
+      last = norm(left) / before;
+      worst = std::max(worst, last);
+      before = norm(left);
+      ++cycles;
+    }
+    const double mean = std::pow(norm(left) / first, 1.0 / cycles);
+    MESSAGE(c.nx << " x " << c.ny << ", wrinkles " << c.wrinkles << " m: " << mean << " a cycle, at worst "
+                 << worst << ", at last " << last);
+    CHECK(mean < c.bound);
+    if (c.nx > 70) continue;  // the direct solution of larger ones takes long
+    Entries held;             // their rows are empty
+    for (std::size_t a = 0; a < step.matrix.size(); ++a)
+      if (step.matrix.held[a]) add_block(held, a, a, Eigen::Matrix3d::Identity());
+    const Matrix matrix =
+        explicit_matrix(sheet, 2.0 / 3 / 480, false) + matrix_from(held, x.size(), x.size());
+    const Eigen::SimplicialLLT<Matrix> factors(matrix);
+    const Eigen::VectorXd exact = factors.solve(eigen(step.residual));
+    CHECK((eigen(x) - exact).norm() < 1e-5 * exact.norm());
+  }
+}

@@ -1,0 +1,152 @@
+// One grid's implicit substep on the GPU beside the reference's, from the same state.
+#pragma once
+
+#include "reference/multigrid/implicit_step.hpp"
+#include "solver/multigrid/grid_cycle.hpp"
+#include "solver_rig.hpp"
+
+namespace weft {
+
+class MultigridRig {
+ public:
+  MultigridRig(gpu::Device& device, const std::string& members, double dt = 1.0 / 480,
+               std::uint32_t workgroup_size = 64)
+      : device_(device), scene_(scene_of(R"("solver": {"kind": "multigrid"}, )" + members)), dt_(dt) {
+    auto host = build_model(scene_, std::vector<mesh::TriangleMesh>(scene_.cloths.size()));
+    REQUIRE_OK(host);
+    auto model = Model::create(device, std::move(*host));
+    REQUIRE_OK(model);
+    model_ = std::move(*model);
+    auto state = State::create(device, model_.host, 1);
+    REQUIRE_OK(state);
+    state_ = std::move(*state);
+    auto kernels = MultigridKernels::create(device, workgroup_size);
+    REQUIRE_OK(kernels);
+    kernels_ = std::move(*kernels);
+    auto cycle = GridCycle::create(device, kernels_, model_, state_,
+                                   {&state_.velocity[1], &state_.velocity[0]}, model_.host.cloths[0]);
+    REQUIRE_OK(cycle);
+    cycle_ = std::move(*cycle);
+    params_.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
+    params_.dt = static_cast<float>(dt);
+    params_.drag = static_cast<float>(scene_.drag);
+    params_.vertex_count = model_.vertex_count();
+    state_.steps.write(device, std::span(&params_, 1));
+  }
+
+  /// A state, and the one a step before it; free nodes are moved by up to `amount` [m] and go at `speed`
+  /// [m/s].
+  void perturb(std::uint64_t seed, double amount, double speed) {
+    Random random(seed);
+    std::vector<Vec4f> x = download(state_.position[0]), v(x.size()), x_before = x, v_before(x.size());
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      if (x[n].w == 0) continue;
+      const auto draw = [&](double size) {
+        const double a = random.uniform(-size, size), b = random.uniform(-size, size);
+        return Vec3d{a, b, random.uniform(-size, size)};
+      };
+      const Vec3d place = x[n].xyz().to<double>() + draw(amount), velocity = draw(speed),
+                  change = draw(0.1 * speed);
+      x[n] = Vec4f::from(place.to<float>(), x[n].w);
+      v[n] = Vec4f::from(velocity.to<float>(), n % 7 == 3 ? 0.0F : 1.0F);  // some nodes begin anew
+      x_before[n] = Vec4f::from((place - dt_ * (velocity - 0.5 * change)).to<float>(), x[n].w);
+      v_before[n] = Vec4f::from((velocity - change).to<float>(), 1);
+    }
+    set(x, v, x_before, v_before);
+  }
+  void set(const std::vector<Vec4f>& x, const std::vector<Vec4f>& v, const std::vector<Vec4f>& x_before,
+           const std::vector<Vec4f>& v_before) {
+    state_.position[0].write(device_, x);
+    state_.velocity[0].write(device_, v);
+    state_.position[1].write(device_, x_before);
+    state_.velocity[1].write(device_, v_before);
+    system_ = {};
+    std::vector<Vec3d> before, velocity_before;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      system_.position.push_back(x[n].xyz().to<double>());
+      system_.velocity.push_back(v[n].xyz().to<double>());
+      system_.inverse_mass.push_back(static_cast<double>(x[n].w));
+      before.push_back(x_before[n].xyz().to<double>());
+      velocity_before.push_back(v_before[n].xyz().to<double>());
+    }
+    for (const Spring& s : build_springs(model_.host))
+      system_.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
+                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
+    system_.acceleration = scene_.gravity + scene_.external_force;
+    system_.drag = scene_.drag;
+    stepper_.emplace(model_.host);
+    stepper_->remember(before, velocity_before);
+    for (std::size_t n = 0; n < v.size(); ++n)
+      if (v[n].w == 0) stepper_->forget(n);
+  }
+  void hold(std::uint32_t node, const Vec3d& target) {
+    params_.grab_rate = 20;
+    params_.grab_speed = 10;
+    params_.grab_node[0] = node;
+    params_.grab_target[0] = Vec4f::from(target.to<float>(), 0);
+    state_.steps.write(device_, std::span(&params_, 1));
+    system_.grabs = {{node, target}};
+    system_.grab_rate = 20;
+    system_.grab_speed = 10;
+  }
+  void set_ratio(double ratio) {
+    ratio_ = ratio;
+    params_.step_ratio = static_cast<float>(ratio);
+    state_.steps.write(device_, std::span(&params_, 1));
+  }
+
+  /// Runs parts of the substep of parity 0.
+  template <class Record>
+  void run(const Record& record) {
+    gpu::CommandList list;
+    {
+      gpu::ComputePass pass(list, "multigrid");
+      record(pass);
+    }
+    const auto submitted = device_.submit(list);
+    REQUIRE_OK(submitted);
+  }
+  /// One of the vectors of a level, as shaders/multigrid/level.wgsl numbers them.
+  std::vector<Vec4f> vector(std::size_t level, std::uint32_t number) {
+    const MultigridLevel& l = cycle_.levels()[level];
+    const std::vector<Vec4f> all = download(cycle_.vectors());
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(l.first_vector + number * l.node_count());
+    return {begin, begin + static_cast<std::ptrdiff_t>(l.node_count())};
+  }
+  template <class T>
+  std::vector<T> download(const gpu::Buffer<T>& buffer) {
+    auto values = gpu::download(device_, buffer);
+    REQUIRE_OK(values);
+    return std::move(*values);
+  }
+
+  reference::LinearStep linearise() const {
+    return stepper_->linearise(system_, system_.position, dt_, ratio_, 0);
+  }
+  /// The reference's state after one step.
+  reference::MassSpringSystem advanced() {
+    reference::MassSpringSystem system = system_;
+    stepper_->advance(system, system.position, dt_, ratio_);
+    return system;
+  }
+
+  const GridCycle& cycle() const { return cycle_; }
+  const MultigridKernels& kernels() const { return kernels_; }
+  const State& state() const { return state_; }
+  const Model& model() const { return model_; }
+  const reference::MassSpringSystem& system() const { return system_; }
+
+ private:
+  gpu::Device& device_;
+  scene::Scene scene_;
+  double dt_, ratio_ = 1;
+  StepParams params_;
+  Model model_;
+  State state_;
+  MultigridKernels kernels_;
+  GridCycle cycle_;
+  reference::MassSpringSystem system_;
+  std::optional<reference::ImplicitStepper> stepper_;
+};
+
+}  // namespace weft

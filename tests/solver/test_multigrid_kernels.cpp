@@ -1,0 +1,235 @@
+// The kernels of the multigrid solver against the reference, on random states of any size.
+#include <algorithm>
+
+#include "gpu/gpu_fixture.hpp"
+#include "multigrid_rig.hpp"
+
+using namespace weft;
+using reference::Field;
+using reference::GridOperator;
+using reference::Sym3;
+
+namespace {
+
+// Numbers of vectors, as in shaders/multigrid/level.wgsl.
+constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFirst = 4;
+
+std::string cloth(std::uint32_t nx, std::uint32_t ny, const std::string& more) {
+  return R"("drag": 0.4, "cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
+         R"(], "size": [2, 1.5], "plane": "xz", )" + more + "}]";
+}
+const std::string kPlain =
+    R"("density": 0.2, "pins": ["top_left", {"nodes": [3]}])";  // with the default stiffness
+const std::string kBending =
+    R"("density": 0.1, "damping": 0, "pins": ["left"], "stiffness": {"structural": 800, "shear": 100, "bend": 0, "bending": 0.01})";
+const std::string kNodeMass =
+    R"("node_mass": 0.002, "damping": 2, "stiffness": {"structural": 0, "shear": 900, "bend": 300, "bending": 1e-3})";
+
+Field field(const std::vector<Vec4f>& values) {
+  Field made;
+  for (const Vec4f& v : values) made.push_back(v.xyz().to<double>());
+  return made;
+}
+
+double largest(const Field& values) {
+  double most = 0;
+  for (const Vec3d& v : values) most = std::max(most, length(v));
+  return most;
+}
+
+/// The largest difference, as a part of the largest value.
+double difference(const Field& a, const Field& b) {
+  REQUIRE(a.size() == b.size());
+  double most = 0;
+  for (std::size_t n = 0; n < a.size(); ++n) most = std::max(most, length(a[n] - b[n]));
+  return most / largest(b);
+}
+
+Sym3 sym3(const Vec4f& a, float b, float c) {
+  const auto d = [](float x) { return static_cast<double>(x); };
+  return {d(a.x), d(c), d(b), d(a.y), d(a.w), d(a.z)};
+}
+
+/// What a matrix of one level does to a random vector, block by block as kernels have stored it.
+Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
+  const MultigridLevel& level = rig.cycle().levels()[l];
+  const std::vector<Vec4f> all = rig.download(rig.cycle().operators());
+  GridOperator stored;
+  stored.nx = level.nx;
+  stored.ny = level.ny;
+  stored.rows.resize(level.node_count());
+  stored.held.assign(level.node_count(), false);
+  const auto part = [&](std::uint32_t p, std::uint32_t n) {
+    return all[level.first_operator + p * level.node_count() + n];
+  };
+  for (std::uint32_t n = 0; n < level.node_count(); ++n)
+    for (std::uint32_t b = 0; b < 5; ++b) {
+      const Vec4f rest = part(5 + b / 2, n);
+      stored.rows[n][b] = b % 2 == 0 ? sym3(part(b, n), rest.x, rest.y) : sym3(part(b, n), rest.z, rest.w);
+    }
+  return stored.apply(x);
+}
+
+Field random_field(std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  Field made(count);
+  for (Vec3d& v : made) {
+    const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
+    v = {a, b, random.uniform(-1, 1)};
+  }
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("the residual, the diagonal and the first step of smoothing equal the reference's") {
+  GpuFixture fixture;
+  struct Case {
+    std::uint32_t nx, ny;
+    std::string cloth;
+    double amount, speed, ratio;
+  };
+  for (const Case& c : {Case{17, 23, kPlain, 0.02, 1, 1},
+                        {9, 2, kPlain, 0.5, 20, 0.25},
+                        {2, 2, kBending, 0.01, 1, 1},
+                        {3, 31, kBending, 0.2, 5, 2},
+                        {40, 13, kNodeMass, 0.01, 1, 1},
+                        {12, 7, kNodeMass, 1, 100, 0}}) {
+    CAPTURE(c.nx);
+    CAPTURE(c.cloth);
+    MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth));
+    rig.perturb(c.nx, c.amount, c.speed);
+    rig.set_ratio(c.ratio);
+    if (c.nx > 9) rig.hold(10, {0.1, 0.2, 0.3});
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record_system(pass, rig.kernels()); });
+    const reference::LinearStep expected = rig.linearise();
+    CHECK(difference(field(rig.vector(0, kResidual)), expected.residual) < 2e-5);
+    // By what D⁻¹ does to a vector with D in it: both may be far apart where a block is nearly singular.
+    const std::vector<Sym3> inverse = expected.matrix.inverse_diagonal();
+    const std::vector<Vec4f> a = rig.vector(0, kInverse), b = rig.vector(0, kInverse + 1);
+    Field found, wanted, steps;
+    const Field some = random_field(inverse.size(), 5);
+    for (std::size_t n = 0; n < inverse.size(); ++n) {
+      found.push_back(sym3(a[n], b[n].x, b[n].y) * some[n]);
+      wanted.push_back(inverse[n] * some[n]);
+      steps.push_back(2 / (reference::kSmoothHigh + reference::kSmoothLow) *
+                      (inverse[n] * expected.residual[n]));
+    }
+    CHECK(difference(found, wanted) < 2e-3);
+    CHECK(difference(field(rig.vector(0, kDirection)), steps) < 2e-3);
+  }
+}
+
+TEST_CASE("the matrices of coarse levels equal the reference's") {
+  GpuFixture fixture;
+  struct Case {
+    std::uint32_t nx, ny;
+    std::string cloth;
+  };
+  for (const Case& c : {Case{34, 21, kPlain}, {7, 50, kBending}, {100, 80, kNodeMass}, {128, 3, kPlain}}) {
+    CAPTURE(c.nx);
+    CAPTURE(c.cloth);
+    MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth));
+    rig.perturb(c.ny, 0.01, 1);
+    rig.run([&](gpu::ComputePass& pass) {
+      rig.cycle().record_system(pass, rig.kernels());
+      rig.cycle().record_matrices(pass, rig.kernels());
+    });
+    const reference::LinearStep step = rig.linearise();
+    const reference::Hierarchy hierarchy(step.matrix, step.source);
+    REQUIRE(hierarchy.levels().size() == rig.cycle().levels().size());
+    for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
+      CAPTURE(l);
+      GridOperator plain = hierarchy.levels()[l];
+      const Field x = random_field(plain.size(), l);
+      const std::vector<Sym3> inverse = plain.inverse_diagonal();
+      plain.bending = {};
+      CHECK(difference(stored_product(rig, l, x), plain.apply(x)) < 1e-5);
+      const std::vector<Vec4f> a = rig.vector(l, kInverse), b = rig.vector(l, kInverse + 1);
+      Field found, wanted;
+      for (std::size_t n = 0; n < inverse.size(); ++n) {
+        found.push_back(sym3(a[n], b[n].x, b[n].y) * x[n]);
+        wanted.push_back(inverse[n] * x[n]);
+      }
+      CHECK(difference(found, wanted) < 2e-3);
+    }
+  }
+}
+
+TEST_CASE("smoothing, restriction and the cycle of the coarsest levels equal the reference's") {
+  GpuFixture fixture;
+  for (const auto& [nx, ny, material] :
+       {std::tuple{100U, 81U, kPlain}, {40U, 23U, kBending}, {128U, 67U, kNodeMass}}) {
+    CAPTURE(nx);
+    MultigridRig rig(fixture.device(), cloth(nx, ny, material));
+    rig.perturb(nx, 0.005, 1);
+    rig.run([&](gpu::ComputePass& pass) {
+      rig.cycle().record_system(pass, rig.kernels());
+      rig.cycle().record_matrices(pass, rig.kernels());
+      rig.cycle().record_down(pass, rig.kernels());
+    });
+    const reference::LinearStep step = rig.linearise();
+    const reference::Hierarchy hierarchy(step.matrix, step.source);
+    std::size_t tail = 1;
+    while (hierarchy.levels()[tail].size() > 1024) ++tail;
+    for (std::size_t l = 0; l < tail; ++l) {  // each from the task that the kernels gave it
+      CAPTURE(l);
+      const GridOperator& matrix = hierarchy.levels()[l];
+      const Field r = field(rig.vector(l, kResidual));
+      Field x(r.size());
+      reference::smooth(matrix, matrix.inverse_diagonal(), r, x, reference::kSmoothLow,
+                        reference::kSmoothDegree);
+      CHECK(difference(field(rig.vector(l, kFirst)), x) < 1e-3);
+      Field left = matrix.apply(field(rig.vector(l, kFirst)));
+      for (std::size_t n = 0; n < left.size(); ++n) left[n] = r[n] - left[n];
+      CHECK(difference(field(rig.vector(l + 1, kResidual)), restricted(left, matrix)) < 1e-3);
+    }
+    const Field below = hierarchy.cycle_from(tail, field(rig.vector(tail, kResidual)));
+    CHECK(difference(field(rig.vector(tail, kFirst)), below) < 1e-3);
+  }
+}
+
+TEST_CASE("a whole implicit substep equals the reference's, on sheets flat and crumpled") {
+  GpuFixture fixture;
+  struct Case {
+    std::uint32_t nx, ny;
+    std::string cloth;
+    double amount, speed;
+  };
+  for (const Case& c : {Case{64, 64, kPlain, 1e-3, 1},
+                        {100, 80, kBending, 0.01, 1},
+                        {5, 4, kPlain, 0.1, 3},
+                        {2, 2, kNodeMass, 0.1, 3},
+                        {33, 2, kPlain, 0.05, 3},
+                        {129, 70, kNodeMass, 0.05, 5}}) {
+    CAPTURE(c.nx);
+    CAPTURE(c.cloth);
+    MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth));
+    rig.perturb(c.nx, c.amount, c.speed);
+    if (c.nx > 9) rig.hold(c.nx + 5, {0.1, 0.2, 0.3});
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+    const reference::MassSpringSystem expected = rig.advanced();
+    const Field x = field(rig.download(rig.state().position[1])),
+                v = field(rig.download(rig.state().velocity[1]));
+    Field way, wanted;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      way.push_back(x[n] - rig.system().position[n]);
+      wanted.push_back(expected.position[n] - rig.system().position[n]);
+    }
+    CHECK(difference(way, wanted) < 1e-3);
+    CHECK(difference(v, expected.velocity) < 1e-3);
+    for (const Vec4f& one : rig.download(rig.state().velocity[1])) CHECK(one.w == 1);
+  }
+}
+
+TEST_CASE("an implicit substep has the same bits for every workgroup, and on every run") {
+  GpuFixture fixture;
+  std::vector<std::vector<Vec4f>> positions;
+  for (const std::uint32_t size : {64U, 64U, 128U, 256U}) {
+    MultigridRig rig(fixture.device(), cloth(71, 60, kPlain), 1.0 / 480, size);
+    rig.perturb(4, 0.01, 2);
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+    positions.push_back(rig.download(rig.state().position[1]));
+    CHECK(same_bits(positions.back(), positions.front()));
+  }
+}
