@@ -8,7 +8,6 @@
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "bench/hanging.hpp"
-#include "bench/pull.hpp"
 #include "bench_rows.hpp"
 #include "common.hpp"
 #include "memory.hpp"
@@ -58,9 +57,10 @@ Result<void> check_names(const char* option, const std::vector<std::string>& giv
 
 Result<void> check_selection(const BenchOptions& options) {
   const bench::Selection& selection = options.selection;
-  const bool pulls = options.name == "pull";
-  WEFT_CHECK(
-      check_names("--only", selection.only, pulls ? bench::pull_variants() : bench::hanging_variants()));
+  WEFT_CHECK(check_names("--only", selection.only,
+                         options.name == "pull"        ? bench::pull_variants()
+                         : options.name == "multigrid" ? bench::multigrid_variants()
+                                                       : bench::hanging_variants()));
   return check_names("--objects", selection.objects, bench::pull_objects());
 }
 
@@ -99,6 +99,10 @@ Result<void> run_bench(const BenchOptions& options) {
   if (options.name == "contact") {
     print_contact_head();
     return bench::run_contact(*device, options.selection.quick, folders.scenes, add);
+  }
+  if (options.name == "multigrid") {
+    print_multigrid_head();
+    return bench::run_multigrid(*device, options.selection, folders, add);
   }
   print_head();
   if (options.name == "hanging") return bench::run_hanging(*device, options.selection, add);

@@ -16,11 +16,12 @@ void print_kernels(const std::vector<bench::KernelTime>& kernels, const char* pe
   if (!line.empty()) std::printf("  ms a %s:%s\n", per, line.c_str());
 }
 
+}  // namespace
+
 void print_kernels(const std::vector<bench::KernelTime>& kernels) {
   for (const char* per : {"search", "step", "frame"}) print_kernels(kernels, per);
 }
 
-/// Adds `kernels`, where the adapter has timestamps.
 void add_kernels(nlohmann::ordered_json& json, const std::vector<bench::KernelTime>& kernels) {
   for (const bench::KernelTime& kernel : kernels)
     json["kernels"].push_back({{"kernel", kernel.kernel},
@@ -28,8 +29,6 @@ void add_kernels(nlohmann::ordered_json& json, const std::vector<bench::KernelTi
                                {"dispatches", kernel.dispatches},
                                {"ms", kernel.milliseconds}});
 }
-
-}  // namespace
 
 nlohmann::ordered_json json_of(const bench::Timing& timing) {
   return {{"median", timing.median},

@@ -6,11 +6,17 @@
 #include "bench/contact.hpp"
 #include "bench/copy.hpp"
 #include "bench/largest.hpp"
+#include "bench/multigrid.hpp"
 #include "bench/row.hpp"
 
 namespace weft::cli {
 
 nlohmann::ordered_json json_of(const bench::Timing& timing);
+
+/// The kernels of each part of a frame on a line of its own.
+void print_kernels(const std::vector<bench::KernelTime>& kernels);
+/// Adds `kernels`, where the adapter has timestamps.
+void add_kernels(nlohmann::ordered_json& json, const std::vector<bench::KernelTime>& kernels);
 
 void print_head();
 void print(const bench::Row& row);
@@ -22,6 +28,10 @@ nlohmann::ordered_json json_of(const bench::ContactRow& row);
 
 void print(const bench::CopyRow& row);
 nlohmann::ordered_json json_of(const bench::CopyRow& row);
+
+void print_multigrid_head();
+void print(const bench::MultigridRow& row);
+nlohmann::ordered_json json_of(const bench::MultigridRow& row);
 
 void print(const bench::LargestRow& row);
 nlohmann::ordered_json json_of(const bench::LargestRow& row);

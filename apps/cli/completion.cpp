@@ -18,6 +18,7 @@ constexpr const char* kBash = R"(_weft() {
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
     --only) case "${COMP_WORDS[2]}" in
         pull) COMPREPLY=($(compgen -W "none bvh proximity proximity_self paper" -- "$word")) ;;
+        multigrid) COMPREPLY=($(compgen -W "multigrid multigrid4 multigrid16 explicit null drape" -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "grid mesh springs blocks" -- "$word")) ;;
       esac; return ;;
   esac
@@ -28,10 +29,11 @@ constexpr const char* kBash = R"(_weft() {
       case "${COMP_WORDS[2]}" in
         hanging) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
         pull) COMPREPLY=($(compgen -W "$measure --quick --sides --only --objects" -- "$word")) ;;
+        multigrid) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
         contact|copy) COMPREPLY=($(compgen -W "$measure --quick" -- "$word")) ;;
         largest) COMPREPLY=($(compgen -W "$measure --only --memory --seconds" -- "$word")) ;;
         compare) COMPREPLY=($(compgen -W "--json --fail --help" -f -- "$word")) ;;
-        *) COMPREPLY=($(compgen -W "hanging pull contact copy largest compare --help" -- "$word")) ;;
+        *) COMPREPLY=($(compgen -W "hanging pull contact multigrid copy largest compare --help" -- "$word")) ;;
       esac ;;
     completion) COMPREPLY=($(compgen -W "bash zsh fish" -- "$word")) ;;
   esac
@@ -47,12 +49,13 @@ complete -c weft -n "__fish_seen_subcommand_from run" -l frames -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l out -r
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
-set -l experiments hanging pull contact copy largest compare
+set -l experiments hanging pull contact multigrid copy largest compare
 complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" -a "$experiments"
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull contact copy" -l quick
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull" -l sides -x
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull contact multigrid copy" -l quick
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull multigrid" -l sides -x
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging largest" -l only -x -a "grid mesh springs blocks"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" -l only -x -a "none bvh proximity proximity_self paper"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from multigrid" -l only -x -a "multigrid multigrid4 multigrid16 explicit null drape"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" -l objects -x -a "sphere armadillo dragon"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l memory -x
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l seconds -x

@@ -46,12 +46,16 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
   });
 }
 
-Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps) {
+Result<std::uint32_t> count_substeps(const scene::Scene& scene, const sim::Assets& assets) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
+  const scene::SolverKind kind = choose_solver(scene, model).kind;
+  return substeps_of(scene, kind, find_step_limit(kind, scene, model));
+}
+
+Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps) {
   scene.time.frame = 1.0 / 60;
   scene.time.substeps.reset();
-  const scene::SolverKind kind = choose_solver(scene, model).kind;
-  WEFT_TRY(substeps, substeps_of(scene, kind, find_step_limit(kind, scene, model)));
+  WEFT_TRY(substeps, count_substeps(scene, assets));
   scene.time.frame = steps * (1.0 / 60) / substeps;
   scene.time.substeps = steps;
   return substeps;

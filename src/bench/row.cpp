@@ -13,16 +13,19 @@ Result<Row> or_skipped(Result<Row> measured, const Row& begun) {
   return skipped_row(begun, measured.error().message);
 }
 
+double dispatches_per_step(sim::World& world) {
+  constexpr double kFramePasses = 3;  // guard, keep, surface: once a frame, for one cloth
+  return (static_cast<double>(world.frame_commands(0, world.substeps()).dispatch_count()) - kFramePasses) /
+         world.substeps();
+}
+
 void describe(Row& row, sim::World& world, std::uint32_t substeps) {
   row.nodes = world.model().vertex_count();
   row.springs = world.spring_count();
   for (const mesh::TriangleMesh& object : world.assets().objects)
     row.object_triangles += object.triangles.size();
   row.substeps = substeps;
-  constexpr double kFramePasses = 3;  // guard, keep, surface: once a frame, for one cloth
-  row.dispatches_per_step =
-      (static_cast<double>(world.frame_commands(0, world.substeps()).dispatch_count()) - kFramePasses) /
-      world.substeps();
+  row.dispatches_per_step = dispatches_per_step(world);
   row.bytes_per_step =
       4.0 * sizeof(Vec4f) * static_cast<double>(row.nodes);  // position and velocity, in and out
 }

@@ -39,6 +39,9 @@ Row skipped_row(Row begun, const std::string& why);
 /// on.
 Result<Row> or_skipped(Result<Row> measured, const Row& begun);
 
+/// Of a frame, in a step: searches included, which are recorded in some of them.
+double dispatches_per_step(sim::World& world);
+
 /// Adds what stands in every row: sizes, dispatches, bytes.
 void describe(Row& row, sim::World& world, std::uint32_t substeps);
 

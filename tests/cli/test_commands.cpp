@@ -18,7 +18,7 @@ const std::vector<std::string> kCommands = {"run", "check", "adapters", "schema"
 std::vector<std::vector<std::string>> every_command() {
   std::vector<std::vector<std::string>> all;
   for (const std::string& command : kCommands) all.push_back({command});
-  for (const char* experiment : {"hanging", "pull", "contact", "copy", "largest", "compare"})
+  for (const char* experiment : {"hanging", "pull", "contact", "multigrid", "copy", "largest", "compare"})
     all.push_back({"bench", experiment});
   return all;
 }
@@ -224,6 +224,8 @@ TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
                                                        {"bench", "hanging", "--sides", "64,x"},
                                                        {"bench", "pull", "--only", "grid"},
                                                        {"bench", "pull", "--objects", "sphere,cube"},
+                                                       {"bench", "multigrid", "--only", "implicit"},
+                                                       {"bench", "multigrid", "--objects", "sphere"},
                                                        {"bench", "copy", "--sides", "64"},
                                                        {"bench", "largest", "--memory", "0"},
                                                        {"bench", "compare", scene},

@@ -1,0 +1,228 @@
+#include "bench/multigrid.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "scene/load.hpp"
+
+namespace weft::bench {
+namespace {
+
+using Done = std::function<Result<void>(const MultigridRow&)>;
+
+constexpr std::string_view kNames[] = {"multigrid", "multigrid4", "multigrid16", "explicit", "null", "drape"};
+constexpr std::uint32_t kNullSides[] = {32, 64, 128, 256, 512};
+constexpr std::uint32_t kDrapeSubsteps = 8;
+
+/// An implicit variant: its substeps, and whether it is run unasked.
+struct Implicit {
+  std::string_view name;
+  std::uint32_t substeps;
+  bool unasked;
+};
+constexpr Implicit kImplicits[] = {
+    {"multigrid4", 4, false}, {"multigrid", 8, true}, {"multigrid16", 16, false}};
+
+bool asked(const Selection& selection, std::string_view name, bool unasked) {
+  return selection.only.empty() ? unasked : selection.has_variant(name);
+}
+
+/// Frames after which states are compared: 0.25, 0.5 and 1 s.
+std::vector<std::uint32_t> stops_of(const Selection& selection) {
+  return selection.quick ? std::vector<std::uint32_t>{15} : std::vector<std::uint32_t>{15, 30, 60};
+}
+
+/// Where scenes come from.
+struct Source {
+  const Selection& selection;
+  const Folders& folders;
+
+  Result<scene::Scene> load(const std::string& name, std::span<const scene::Override> changes = {}) const {
+    return scene::load_scene(folders.scenes + "/" + name + ".json", changes);
+  }
+};
+
+/// A grid of so many nodes a side and its solver; `substeps` is a number or "auto".
+std::vector<scene::Override> solved_by(std::uint32_t side, const char* kind, const std::string& substeps) {
+  const std::string count = std::to_string(side);
+  return {{"cloths.0.grid", "[" + count + "," + count + "]"},
+          scene::override_solver(kind),
+          {"time.substeps", substeps}};
+}
+
+MultigridRow begin_row(const std::string& object, const std::string& variant, std::uint32_t side) {
+  MultigridRow row;
+  row.object = object;
+  row.variant = variant;
+  row.side = side;
+  row.nodes = row.simulated_nodes = static_cast<std::uint64_t>(side) * side;
+  return row;
+}
+
+/// What a solver or the adapter refuses is a row that says so.
+Result<void> report(Result<MultigridRow> measured, MultigridRow begun, const Done& done) {
+  if (measured) return done(*measured);
+  if (!skips_row(measured.error()) && measured.error().kind != ErrorKind::Input) return measured.error();
+  begun.skipped = measured.error().message;
+  return done(begun);
+}
+
+/// A run of the sheet, and its states at the times that are compared.
+struct SheetRun {
+  HostModel model;
+  TimedRun run;
+  std::vector<SheetShape> shapes;
+  std::string state_hash;
+};
+
+Result<SheetRun> run_sheet(gpu::Device& device, const scene::Scene& scene,
+                           const std::vector<std::uint32_t>& stops) {
+  const sim::Assets assets{{{}}};  // a grid comes from no file
+  SheetRun made;
+  WEFT_TRY(model, build_model(scene, assets.cloths));
+  made.model = std::move(model);
+  WEFT_TRY(run, run_timed(device, scene, assets, stops));
+  made.run = std::move(run);
+  for (std::size_t k = 0; k < stops.size(); ++k)
+    made.shapes.push_back(shape_of(made.model, made.run.states[k], stops[k] * scene.time.frame));
+  made.state_hash = made.run.states.back().hash();
+  made.run.states.clear();  // the shapes have what is needed of them
+  return made;
+}
+
+/// Runs the sheet; explicit runs once, since they are rows, and null lines of larger sheets.
+class SheetBench {
+ public:
+  SheetBench(gpu::Device& device, const Source& source, const Done& done)
+      : device_(device), source_(source), done_(done), stops_(stops_of(source.selection)) {}
+
+  Result<void> run(std::uint32_t side) {
+    const Result<SheetRun> reference = run_reference(side);
+    for (const Implicit& variant : kImplicits) {
+      if (!asked(source_.selection, variant.name, variant.unasked)) continue;
+      const std::string substeps = std::to_string(variant.substeps);
+      const MultigridRow begun = begin_row("sheet", "multigrid " + substeps, side);
+      WEFT_CHECK(report(measure_implicit(begun, reference, substeps), begun, done_));
+    }
+    if (asked(source_.selection, "explicit", true)) {
+      const MultigridRow begun = begin_row("sheet", "explicit", side);
+      WEFT_CHECK(report(measure_explicit(begun, reference, side), begun, done_));
+    }
+    if (!asked(source_.selection, "null", true)) return {};
+    for (const std::uint32_t coarse : kNullSides) {
+      if (coarse >= side) break;
+      MultigridRow begun = begin_row("sheet", "null " + std::to_string(coarse), side);
+      begun.simulated_nodes = static_cast<std::uint64_t>(coarse) * coarse;
+      WEFT_CHECK(report(measure_explicit(begun, reference, coarse), begun, done_));
+    }
+    return {};
+  }
+
+ private:
+  Result<SheetRun> run_new(const std::vector<scene::Override>& changes) {
+    WEFT_TRY(scene, source_.load("sheet", changes));
+    return run_sheet(device_, scene, stops_);
+  }
+
+  Result<const SheetRun*> run_explicit(std::uint32_t side) {
+    if (const auto found = explicit_.find(side); found != explicit_.end()) return &found->second;
+    WEFT_TRY(made, run_new(solved_by(side, "mass_spring", "\"auto\"")));
+    return &explicit_.emplace(side, std::move(made)).first->second;
+  }
+
+  /// Explicit steps of half the length that "auto" chooses.
+  Result<SheetRun> run_reference(std::uint32_t side) {
+    WEFT_CHECK(sim::check_node_count(static_cast<std::uint64_t>(side) * side, device_));
+    WEFT_TRY(scene, source_.load("sheet", solved_by(side, "mass_spring", "\"auto\"")));
+    WEFT_TRY(substeps, count_substeps(scene, {{{}}}));
+    return run_new(solved_by(side, "mass_spring", std::to_string(2 * substeps)));
+  }
+
+  Result<MultigridRow> measure_implicit(MultigridRow row, const Result<SheetRun>& reference,
+                                        const std::string& substeps) {
+    if (!reference) return reference.error();
+    WEFT_TRY(made, run_new(solved_by(row.side, "multigrid", substeps)));
+    return filled(std::move(row), *reference, made, made.shapes);
+  }
+
+  Result<MultigridRow> measure_explicit(MultigridRow row, const Result<SheetRun>& reference,
+                                        std::uint32_t side) {
+    if (!reference) return reference.error();
+    WEFT_TRY(made, run_explicit(side));
+    if (side == row.side) return filled(std::move(row), *reference, *made, made->shapes);
+    std::vector<SheetShape> drawn;
+    for (const SheetShape& shape : made->shapes)
+      drawn.push_back(upsampled(made->model, shape, reference->model));
+    return filled(std::move(row), *reference, *made, drawn);
+  }
+
+  static MultigridRow filled(MultigridRow row, const SheetRun& reference, const SheetRun& made,
+                             const std::vector<SheetShape>& drawn) {
+    row.run = made.run;
+    row.state_hash = made.state_hash;
+    row.reference_substeps = reference.run.substeps;
+    row.errors = sheet_errors(reference.model, drawn, reference.shapes);
+    return row;
+  }
+
+  gpu::Device& device_;
+  const Source& source_;
+  const Done& done_;
+  std::vector<std::uint32_t> stops_;
+  std::map<std::uint32_t, SheetRun> explicit_;  // by side
+};
+
+Result<MultigridRow> measure_drape(gpu::Device& device, const Source& source, const sim::Assets& assets,
+                                   MultigridRow row) {
+  WEFT_CHECK(sim::check_node_count(row.nodes, device));
+  WEFT_TRY(scene, source.load("drape-" + row.object,
+                              solved_by(row.side, "multigrid", std::to_string(kDrapeSubsteps))));
+  const std::uint32_t frames = source.selection.quick ? stops_of(source.selection).back() : scene.time.frames;
+  WEFT_TRY(run, run_timed(device, scene, assets, std::vector{frames}));
+  row.run = std::move(run);
+  row.state_hash = row.run.states.back().hash();
+  const sim::Totals& totals = row.run.totals;
+  row.contact = {totals.contacts, totals.crossings, totals.crossings_left,
+                 static_cast<double>(totals.max_stretch), totals.repeated_frames};
+  return row;
+}
+
+Result<void> run_drapes(gpu::Device& device, const Source& source, std::vector<std::uint32_t> sides,
+                        const Done& done) {
+  if (sides.empty() && source.selection.quick) sides = {32};
+  if (sides.empty()) sides = {256, 800};
+  for (const char* object : {"armadillo", "dragon"}) {
+    const std::string name = std::string("drape-") + object;
+    WEFT_TRY(scene, source.load(name));
+    WEFT_TRY(assets, sim::load_assets(scene, source.folders.models));
+    for (const std::uint32_t side : sides) {
+      const MultigridRow begun = begin_row(object, "multigrid " + std::to_string(kDrapeSubsteps), side);
+      WEFT_CHECK(report(measure_drape(device, source, assets, begun), begun, done));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::span<const std::string_view> multigrid_variants() { return kNames; }
+
+Result<void> run_multigrid(gpu::Device& device, const Selection& selection, const Folders& folders,
+                           const Done& done) {
+  std::vector<std::uint32_t> sides = selection.sides;
+  if (sides.empty() && selection.quick) sides = {32, 64};
+  if (sides.empty()) sides = {64, 128, 256, 512, 800};
+  const Source source{selection, folders};
+  const bool hangs = std::any_of(std::begin(kNames), std::end(kNames), [&](std::string_view name) {
+    return name != "drape" && asked(selection, name, true);
+  });
+  SheetBench sheets(device, source, done);
+  WEFT_TRY(sheet, source.load("sheet"));  // a missing file is no skipped row
+  if (hangs)
+    for (const std::uint32_t side : sides) WEFT_CHECK(sheets.run(side));
+  if (asked(selection, "drape", !selection.quick))
+    WEFT_CHECK(run_drapes(device, source, selection.sides, done));
+  return {};
+}
+
+}  // namespace weft::bench
