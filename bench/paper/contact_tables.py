@@ -1,4 +1,4 @@
-"""The tables of docs/performance.md that are not of the paper's experiments: contact by itself, hosts, the page, Embree."""
+"""The tables of docs/performance.md that are not of the paper's experiments: contact by itself, hosts, the page, Embree, Newton."""
 from .fits import power_law
 from .table import Table, left, right
 from .wording import number
@@ -14,6 +14,16 @@ def hosts(results):
         assert len(hashes) == 1, f"{nodes} nodes end in different bits: {hashes}"
         lines.append([f"{nodes:,}", *(f"{at[name]['ms_per_step']['median']:.4f}" for name in names), f"`{hashes.pop()}`"])
     return Table(right("nodes", *(f"{name}, ms a step" for name in names)) + left("state hash, all three"), lines)
+
+
+def newton(results):
+    def cell(row, key):
+        if row.get("failed"):
+            return "fails"
+        return f"{'≤ ' if row.get('upper_bound') else ''}{row[key]:g}" if key in row else "–"
+
+    lines = [[row["experiment"], f"{row['nodes']:,}", row["solver"], results["settings"][row["solver"]], cell(row, "ms"), cell(row, "ms_self")] for row in results["rows"]]
+    return Table(left("scene") + right("nodes") + left("solver", "settings") + right("ms a frame", "with self-collision"), lines)
 
 
 def share(part):
