@@ -37,8 +37,8 @@ fn taps_at(i : i32, j : i32, coarse_i : i32, coarse_j : i32) -> Taps {
   return Taps(vec4f(here * row, right * row, here * below, right * below), tap(i, coarse_i - 1, nx, mx) * below, at);
 }
 
-fn add(block : Symmetric, own : f32, right : vec4f, left : f32) {
-  let part = scaled(own, block);
+fn add(matrix : Symmetric, own : f32, right : vec4f, left : f32) {
+  let part = scaled(own, matrix);
   blocks[0] = sum_of(blocks[0], scaled(right.x, part));
   blocks[1] = sum_of(blocks[1], scaled(right.y, part));
   blocks[2] = sum_of(blocks[2], scaled(right.z, part));
@@ -75,7 +75,7 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
   let center_i = i32(center_of(coarse_i, grid.nx, coarse.nx));
   let center_j = i32(center_of(coarse_j, grid.ny, coarse.ny));
   rate = 1.0 / formula_of(step.step_ratio).he;
-  for (var block = 0u; block < 5u; block++) { blocks[block] = zero_matrix(); }
+  for (var k = 0u; k < 5u; k++) { blocks[k] = zero_matrix(); }
   for (var y = max(center_j - 2, 0); y <= min(center_j + 2, ny - 1); y++) {
     let row_weight = line_weight(grid, u32(y), grid.ny);
     for (var x = max(center_i - 2, 0); x <= min(center_i + 2, nx - 1); x++) {
