@@ -170,10 +170,18 @@ TEST_CASE("implicit: a ball flies into a sheet and not through it") {
 TEST_CASE("implicit: a sheet slides down an incline and passes through nothing") {
   check_implicit("incline", 15);
 }
-TEST_CASE("long: implicit: the hard scenes of contact, longer") {
+TEST_CASE("long: implicit: a sheet falls on the armadillo and passes through nothing") {
   check_implicit("drape-armadillo", 60);
+}
+TEST_CASE("long: implicit: a sheet falls on the dragon and passes through nothing") {
   check_implicit("drape-dragon", 60);
+}
+TEST_CASE("long: implicit: a sheet is wrung into a rope and passes nowhere through itself") {
   check_implicit("twist", 200);
+}
+TEST_CASE("long: implicit: a sheet gets to the neck of the funnel and passes through nothing") {
   check_implicit("funnel", 100);
+}
+TEST_CASE("long: implicit: a flag folds on itself in a storm and passes nowhere through itself") {
   check_implicit("flag", 150);
 }
