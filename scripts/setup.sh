@@ -7,7 +7,8 @@ fail() { say "$*"; exit 1; }
 BUILD_PACKAGES="g++ cmake ninja-build python3 python3-pip ca-certificates ccache ffmpeg libvulkan1 mesa-vulkan-drivers
   nlohmann-json3-dev libcli11-dev libstb-dev libxxhash-dev zlib1g-dev libmeshoptimizer-dev doctest-dev"
 WEB_PACKAGES="emscripten"
-TEST_PACKAGES="chromium libtinyobjloader-dev libeigen3-dev"
+REPORT_PACKAGES="python3-jinja2"
+TEST_PACKAGES="chromium libtinyobjloader-dev libeigen3-dev $REPORT_PACKAGES"
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else command -v sudo >/dev/null || fail "Packages are missing and there is no sudo: apt-get install$missing"; sudo "$@"; fi; }
 

@@ -48,8 +48,33 @@ task_web() {
   exec npx --no vite preview apps/web --host 127.0.0.1 --port "$port" --strictPort
 }
 
+# Debian's Python, for which setup_packages installs.
+paper() { /usr/bin/python3 -m bench.paper "$@"; }
+
+# Measuring needs the binary; only the report needs jinja2, and only the browser's part the page and a browser, which are
+# built where they are asked for by name, or where a browser is there already.
+bench_paper() {
+  # shellcheck disable=SC2086
+  setup_packages $REPORT_PACKAGES
+  case " $* " in *" --help "* | *" -h "* | *" --stored "* | *" --only report "*) paper "$@"; return ;; esac
+  task_build
+  local browser=
+  case " $* " in
+    *" --only "*chromium*) setup_packages chromium; browser=1 ;;
+    *" --only "* | *" --quick "*) ;;
+    *) if command -v "${CHROMIUM:-chromium}" >/dev/null; then browser=1; fi ;;
+  esac
+  [ -z "$browser" ] || build_web
+  paper "$@"
+}
+
 # Only the comparison with Embree needs Embree; it runs both on the processor. `web` needs the page and a browser.
 task_bench() {
+  if [ "${1:-}" = paper ]; then
+    shift
+    bench_paper "$@"
+    return
+  fi
   if [ "${1:-}" = web ]; then
     shift
     [ -n "${CHROMIUM:-}" ] || setup_packages chromium

@@ -1,13 +1,18 @@
 #include "bench.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "base/json.hpp"
 #include "bench/hanging.hpp"
 #include "bench/pull.hpp"
 #include "bench_rows.hpp"
+#include "common.hpp"
+#include "memory.hpp"
+#include "scene/nearest.hpp"
 
 namespace weft::cli {
 namespace {
@@ -36,25 +41,68 @@ class Results {
   nlohmann::ordered_json json_;
 };
 
+/// Refuses a name that an option has and its experiment does not know. Errors  Usage.
+Result<void> check_names(const char* option, const std::vector<std::string>& given,
+                         std::span<const std::string_view> known) {
+  std::string all;
+  for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
+  for (const std::string& name : given) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string near(scene::nearest(name, known));
+    return make_error(ErrorKind::Usage, "%s does not know %s%s; there are: %s.", option,
+                      in_quotes(name).c_str(),
+                      near.empty() ? "" : (", did you mean " + in_quotes(near) + "?").c_str(), all.c_str());
+  }
+  return {};
+}
+
+Result<void> check_selection(const BenchOptions& options) {
+  const bench::Selection& selection = options.selection;
+  const bool pulls = options.name == "pull";
+  WEFT_CHECK(
+      check_names("--only", selection.only, pulls ? bench::pull_variants() : bench::hanging_variants()));
+  return check_names("--objects", selection.objects, bench::pull_objects());
+}
+
+Result<bench::Budget> budget_of(const BenchOptions& options) {
+  bench::Budget budget;
+  budget.seconds = options.seconds;
+  if (options.memory) {
+    budget.bytes = static_cast<std::uint64_t>(*options.memory * (1U << 30U));
+    return budget;
+  }
+  WEFT_TRY(available, available_memory());
+  budget.bytes = available / 4;
+  return budget;
+}
+
 Result<void> run_bench(const BenchOptions& options) {
+  WEFT_CHECK(check_selection(options));
   gpu::DeviceOptions device_options;
   device_options.adapter = options.adapter;
   device_options.unchecked = options.unchecked;
-  device_options.timestamps = options.name == "contact";
+  device_options.timestamps = true;
   WEFT_TRY(device, gpu::Device::create(device_options));
   std::printf("%s, %s%s\n", device->adapter().name.c_str(), device->adapter().driver.c_str(),
               options.unchecked ? ", kernels unchecked" : "");
   Results results(*device, options);
   const auto add = [&](const auto& row) { return results.add(row); };
+  if (options.name == "copy") return bench::run_copy(*device, options.selection.quick, add);
+  if (options.name == "largest") {
+    WEFT_TRY(budget, budget_of(options));
+    device.reset();  // it makes its own
+    return bench::run_largest(device_options, options.selection, budget, add);
+  }
   const std::filesystem::path root = std::filesystem::path(models_folder()).parent_path();
   const bench::Folders folders{(root / "scenes").string(), models_folder()};
+  if (!device->has_timestamps()) std::printf("No times by kernel: this adapter has no timestamps.\n");
   if (options.name == "contact") {
-    print_contact_head(device->has_timestamps());
-    return bench::run_contact(*device, options.quick, folders.scenes, add);
+    print_contact_head();
+    return bench::run_contact(*device, options.selection.quick, folders.scenes, add);
   }
   print_head();
-  if (options.name == "hanging") return bench::run_hanging(*device, options.quick, add);
-  return bench::run_pull(*device, options.quick, folders, add);
+  if (options.name == "hanging") return bench::run_hanging(*device, options.selection, add);
+  return bench::run_pull(*device, options.selection, folders, add);
 }
 
 }  // namespace

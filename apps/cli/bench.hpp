@@ -1,15 +1,21 @@
 #pragma once
 
-#include "common.hpp"
+#include <optional>
+#include <string>
+
+#include "bench/largest.hpp"
+#include "bench/selection.hpp"
 
 namespace weft::cli {
 
 struct BenchOptions {
-  std::string name;  // hanging, pull
+  std::string name;  // of the experiment
   std::string json;  // file; empty: none
   std::string adapter;
-  bool quick = false;
   bool unchecked = false;
+  bench::Selection selection;
+  std::optional<double> memory;  // GiB that `largest` may use; none: a quarter of what is available
+  double seconds = bench::Budget().seconds;  // that `largest` may take to build a world
 };
 
 /// Measures and prints a table; writes JSON where asked. The exit code.

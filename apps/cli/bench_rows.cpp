@@ -5,14 +5,10 @@
 namespace weft::cli {
 namespace {
 
-nlohmann::ordered_json json_of(const bench::Timing& timing) {
-  return {{"median", timing.median}, {"min", timing.least}};
-}
-
 /// The kernels of a part of a frame on one line.
-void print_kernels(const bench::ContactRow& row, const char* per) {
+void print_kernels(const std::vector<bench::KernelTime>& kernels, const char* per) {
   std::string line;
-  for (const bench::KernelTime& kernel : row.kernels) {
+  for (const bench::KernelTime& kernel : kernels) {
     char text[64];
     std::snprintf(text, sizeof text, " %s %.4f", kernel.kernel.c_str(), kernel.milliseconds);
     if (kernel.per == per) line += text;
@@ -20,29 +16,52 @@ void print_kernels(const bench::ContactRow& row, const char* per) {
   if (!line.empty()) std::printf("  ms a %s:%s\n", per, line.c_str());
 }
 
+void print_kernels(const std::vector<bench::KernelTime>& kernels) {
+  for (const char* per : {"search", "step", "frame"}) print_kernels(kernels, per);
+}
+
+/// Adds `kernels`, where the adapter has timestamps.
+void add_kernels(nlohmann::ordered_json& json, const std::vector<bench::KernelTime>& kernels) {
+  for (const bench::KernelTime& kernel : kernels)
+    json["kernels"].push_back({{"kernel", kernel.kernel},
+                               {"per", kernel.per},
+                               {"dispatches", kernel.dispatches},
+                               {"ms", kernel.milliseconds}});
+}
+
 }  // namespace
 
+nlohmann::ordered_json json_of(const bench::Timing& timing) {
+  return {{"median", timing.median},
+          {"min", timing.least},
+          {"spread", {{"p05", timing.low}, {"p95", timing.high}}},
+          {"samples", timing.samples}};
+}
+
 void print_head() {
-  std::printf("%-10s %-22s %9s %9s %9s %8s %5s %9s %9s %10s  %s\n", "object", "variant", "nodes", "ms/step",
-              "least", "substeps", "disp.", "GB/s", "real time", "contacts", "state hash");
+  std::printf("%-10s %-22s %9s %9s %9s %8s %5s %9s %9s %9s %10s  %s\n", "object", "variant", "nodes",
+              "ms/step", "least", "substeps", "disp.", "GB/s", "real time", "frames/s", "contacts",
+              "state hash");
 }
 
 void print(const bench::Row& row) {
+  std::printf("%-10s %-22s %9llu ", row.object.c_str(), row.variant.c_str(),
+              static_cast<unsigned long long>(row.nodes));
   if (!row.skipped.empty()) {
-    std::printf("%-10s %-22s %9llu  skipped: %s\n", row.object.c_str(), row.variant.c_str(),
-                static_cast<unsigned long long>(row.nodes), row.skipped.c_str());
-    return;
+    std::printf(" skipped: %s\n", row.skipped.c_str());
+  } else {
+    std::printf("%9.4f %9.4f %8u %5.1f %9.1f %9.3g %9.4g %10llu  %s\n", row.step.median, row.step.least,
+                row.substeps, row.dispatches_per_step, row.bytes_per_step / row.step.median * 1e-6,
+                row.real_time_factor, 1000 / row.paper_frame.median,
+                static_cast<unsigned long long>(row.contacts), row.state_hash.c_str());
+    print_kernels(row.kernels);
   }
-  std::printf("%-10s %-22s %9llu %9.4f %9.4f %8u %5.1f %9.1f %9.3g %10llu  %s\n", row.object.c_str(),
-              row.variant.c_str(), static_cast<unsigned long long>(row.nodes), row.ms_per_step,
-              row.ms_per_step_min, row.substeps, row.dispatches_per_step,
-              row.bytes_per_step / row.ms_per_step * 1e-6, row.real_time_factor,
-              static_cast<unsigned long long>(row.contacts), row.state_hash.c_str());
   std::fflush(stdout);
 }
 
 nlohmann::ordered_json json_of(const bench::Row& row) {
-  nlohmann::ordered_json json = {{"object", row.object}, {"variant", row.variant}, {"nodes", row.nodes}};
+  nlohmann::ordered_json json = {
+      {"object", row.object}, {"variant", row.variant}, {"side", row.side}, {"nodes", row.nodes}};
   if (!row.skipped.empty()) {
     json["skipped"] = row.skipped;
     return json;
@@ -51,16 +70,22 @@ nlohmann::ordered_json json_of(const bench::Row& row) {
   json["object_triangles"] = row.object_triangles;
   json["substeps"] = row.substeps;
   json["dispatches_per_step"] = row.dispatches_per_step;
-  json["ms_per_step"] = {{"median", row.ms_per_step}, {"min", row.ms_per_step_min}};
+  json["ms_per_step"] = json_of(row.step);
   json["real_time_factor"] = row.real_time_factor;
   json["bytes_per_step"] = row.bytes_per_step;
+  json["gpu_bytes"] = row.gpu_bytes;
+  json["paper_frame"] = {{"ms", json_of(row.paper_frame)}, {"fps", 1000 / row.paper_frame.median}};
   json["contacts"] = row.contacts;
+  if (row.outcome) {
+    json["crossings"] = row.outcome->crossings;
+    json["max_stretch"] = row.outcome->max_stretch;
+  }
   json["state_hash"] = row.state_hash;
+  add_kernels(json, row.kernels);
   return json;
 }
 
-void print_contact_head(bool has_timestamps) {
-  if (!has_timestamps) std::printf("No times by kernel: this adapter has no timestamps.\n");
+void print_contact_head() {
   std::printf("%-9s %5s %-14s %8s %9s %9s %9s %9s %9s %8s %5s %9s %9s %9s %5s  %s\n", "pose", "part",
               "method", "nodes", "object", "ms/search", "ms/step", "contact", "a frame", "substeps", "disp.",
               "contacts", "pairs", "candid.", "cross", "state hash");
@@ -77,8 +102,7 @@ void print(const bench::ContactRow& row) {
                 row.step.median, row.step.median - row.free_step.median, row.searches_per_frame, row.substeps,
                 row.dispatches_per_step, static_cast<Count>(row.contacts), row.pairs, row.candidates,
                 row.crossings, row.state_hash.c_str());
-    if (!row.kernels.empty())
-      for (const char* per : {"search", "step", "frame"}) print_kernels(row, per);
+    print_kernels(row.kernels);
   }
   std::fflush(stdout);
 }
@@ -107,11 +131,59 @@ nlohmann::ordered_json json_of(const bench::ContactRow& row) {
   json["candidates"] = row.candidates;
   json["crossings"] = row.crossings;
   json["state_hash"] = row.state_hash;
-  for (const bench::KernelTime& kernel : row.kernels)
-    json["kernels"].push_back({{"kernel", kernel.kernel},
-                               {"per", kernel.per},
-                               {"dispatches", kernel.dispatches},
-                               {"ms", kernel.milliseconds}});
+  add_kernels(json, row.kernels);
+  return json;
+}
+
+namespace {
+
+/// Read and written bytes both count.
+double gigabytes_per_second(const bench::CopyRow& row) {
+  return 2e-6 * static_cast<double>(row.bytes) / row.time.median;
+}
+
+}  // namespace
+
+void print(const bench::CopyRow& row) {
+  if (row.bytes > 0)
+    std::printf("copy of %.0f MiB: %.1f GB/s, read and written bytes both counted\n",
+                static_cast<double>(row.bytes) / (1U << 20U), gigabytes_per_second(row));
+  else
+    std::printf("dispatch in order: %.2f us\n", 1000 * row.time.median);
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json json_of(const bench::CopyRow& row) {
+  nlohmann::ordered_json json = {{"what", row.what}};
+  if (row.bytes > 0) {
+    json["bytes"] = row.bytes;
+    json["gb_per_s"] = gigabytes_per_second(row);
+  } else {
+    json["us"] = 1000 * row.time.median;
+  }
+  json["ms"] = json_of(row.time);
+  return json;
+}
+
+void print(const bench::LargestRow& row) {
+  std::printf("%-7s limits, %-22s: %s%u x %u = %llu nodes, %.2f GiB on the GPU", row.limits.c_str(),
+              row.variant.c_str(), row.skipped.empty() ? "" : "about ", row.side, row.side,
+              static_cast<unsigned long long>(row.nodes), static_cast<double>(row.gpu_bytes) / (1U << 30U));
+  if (row.skipped.empty())
+    std::printf(", %.4f ms a step; the next: %s\n", row.step.median, row.limited_by.c_str());
+  else
+    std::printf(" for a %s; not run: %s\n", row.limited_by.c_str(), row.skipped.c_str());
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json json_of(const bench::LargestRow& row) {
+  nlohmann::ordered_json json = {
+      {"limits", row.limits}, {"variant", row.variant},       {"side", row.side},
+      {"nodes", row.nodes},   {"limited_by", row.limited_by}, {"gpu_bytes", row.gpu_bytes}};
+  if (row.skipped.empty())
+    json["ms_per_step"] = json_of(row.step);
+  else
+    json["skipped"] = row.skipped;
   return json;
 }
 

@@ -4,16 +4,26 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/contact.hpp"
-#include "bench/measure.hpp"
+#include "bench/copy.hpp"
+#include "bench/largest.hpp"
+#include "bench/row.hpp"
 
 namespace weft::cli {
+
+nlohmann::ordered_json json_of(const bench::Timing& timing);
 
 void print_head();
 void print(const bench::Row& row);
 nlohmann::ordered_json json_of(const bench::Row& row);
 
-void print_contact_head(bool has_timestamps);
+void print_contact_head();
 void print(const bench::ContactRow& row);
 nlohmann::ordered_json json_of(const bench::ContactRow& row);
+
+void print(const bench::CopyRow& row);
+nlohmann::ordered_json json_of(const bench::CopyRow& row);
+
+void print(const bench::LargestRow& row);
+nlohmann::ordered_json json_of(const bench::LargestRow& row);
 
 }  // namespace weft::cli

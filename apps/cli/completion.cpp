@@ -13,13 +13,26 @@ constexpr const char* kBash = R"(_weft() {
   case "$previous" in
     --out) COMPREPLY=($(compgen -d -- "$word")); return ;;
     --solver) COMPREPLY=($(compgen -W "mass_spring multigrid auto" -- "$word")); return ;;
-    --json) [ "$command" = bench ] && { COMPREPLY=($(compgen -f -- "$word")); return; } ;;
-    --set|--frames|--adapter) return ;;
+    --json) [ "$command" = bench ] && [ "${COMP_WORDS[2]}" != compare ] && { COMPREPLY=($(compgen -f -- "$word")); return; } ;;
+    --set|--frames|--adapter|--sides|--memory|--seconds) return ;;
+    --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
+    --only) case "${COMP_WORDS[2]}" in
+        pull) COMPREPLY=($(compgen -W "none bvh proximity proximity_self paper" -- "$word")) ;;
+        *) COMPREPLY=($(compgen -W "grid mesh springs blocks" -- "$word")) ;;
+      esac; return ;;
   esac
   case "$command" in
     run) COMPREPLY=($(compgen -W "--set --solver --frames --out --adapter --json --help" -f -- "$word")) ;;
     check) COMPREPLY=($(compgen -W "--set --solver --help" -f -- "$word")) ;;
-    bench) COMPREPLY=($(compgen -W "hanging pull --quick --json --adapter --unchecked --help" -- "$word")) ;;
+    bench) local measure="--json --adapter --unchecked --help"
+      case "${COMP_WORDS[2]}" in
+        hanging) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
+        pull) COMPREPLY=($(compgen -W "$measure --quick --sides --only --objects" -- "$word")) ;;
+        contact|copy) COMPREPLY=($(compgen -W "$measure --quick" -- "$word")) ;;
+        largest) COMPREPLY=($(compgen -W "$measure --only --memory --seconds" -- "$word")) ;;
+        compare) COMPREPLY=($(compgen -W "--json --fail --help" -f -- "$word")) ;;
+        *) COMPREPLY=($(compgen -W "hanging pull contact copy largest compare --help" -- "$word")) ;;
+      esac ;;
     completion) COMPREPLY=($(compgen -W "bash zsh fish" -- "$word")) ;;
   esac
 }
@@ -34,9 +47,17 @@ complete -c weft -n "__fish_seen_subcommand_from run" -l frames -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l out -r
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
-complete -c weft -n "__fish_seen_subcommand_from bench" -a "hanging pull"
-complete -c weft -n "__fish_seen_subcommand_from bench" -l quick
-complete -c weft -n "__fish_seen_subcommand_from bench" -l unchecked
+set -l experiments hanging pull contact copy largest compare
+complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" -a "$experiments"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull contact copy" -l quick
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull" -l sides -x
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging largest" -l only -x -a "grid mesh springs blocks"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" -l only -x -a "none bvh proximity proximity_self paper"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" -l objects -x -a "sphere armadillo dragon"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l memory -x
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l seconds -x
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from compare" -F -l fail
+complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from compare" -l unchecked
 complete -c weft -n "__fish_seen_subcommand_from completion" -a "bash zsh fish"
 )";
 

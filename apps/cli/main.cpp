@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "bench.hpp"
+#include "bench_command.hpp"
 #include "completion.hpp"
 #include "inspect.hpp"
 #include "run.hpp"
@@ -70,21 +70,8 @@ int main(int argc, char** argv) {
       "schema", "Example: weft schema > weft-scene.schema.json\n\nPrint the JSON Schema of scenes.");
 
   BenchOptions bench_options;
-  CLI::App* bench_command =
-      app.add_subcommand("bench",
-                         "Example: weft bench hanging --quick --json results.json\n\nMeasure: hanging (both "
-                         "formulations over sizes), pull (contact methods over objects and sizes), contact "
-                         "(searches and kernels over poses, sizes and objects).");
-  bench_command->add_option("NAME", bench_options.name, "hanging, pull or contact")
-      ->required()
-      ->check(CLI::IsMember({"hanging", "pull", "contact"}));
-  bench_command->add_flag("--quick", bench_options.quick, "Small sizes only, for machines without a GPU");
-  bench_command->add_option("--json", bench_options.json, "Write the results to this file too")
-      ->type_name("FILE");
-  bench_command->add_option("--adapter", bench_options.adapter, "Use the GPU whose name contains this")
-      ->type_name("NAME");
-  bench_command->add_flag("--unchecked", bench_options.unchecked,
-                          "Compile kernels without run-time checks (native only)");
+  CompareOptions compare_options;
+  const BenchCommand bench_command = add_bench_command(app, bench_options, compare_options);
 
   std::string shell;
   CLI::App* completion_command = app.add_subcommand(
@@ -106,7 +93,8 @@ int main(int argc, char** argv) {
   if (*check_command) code = check(check_options);
   if (*adapters_command) code = list_adapters();
   if (*schema_command) code = print_schema();
-  if (*bench_command) code = bench(bench_options);
+  if (*bench_command.bench)
+    code = *bench_command.compare ? compare_results(compare_options) : bench(bench_options);
   if (*completion_command) code = print_completion(shell);
   return finish_output(code);
 }

@@ -1,22 +1,18 @@
 #include "summary.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "bench_rows.hpp"
+
 namespace weft::cli {
 namespace {
 
-struct Times {
-  double median = 0, least = 0, sum = 0;  // [ms]
-};
-
-Times times_of(std::vector<double> milliseconds) {
-  if (milliseconds.empty()) return {};
-  std::sort(milliseconds.begin(), milliseconds.end());
-  return {milliseconds[milliseconds.size() / 2], milliseconds.front(),
-          std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0)};
+/// Simulated seconds per second of simulation; 0 without frames.
+double real_time_factor(const Summary& summary, double simulated) {
+  const double spent = std::accumulate(summary.frame_ms.begin(), summary.frame_ms.end(), 0.0);  // ms
+  return spent > 0 ? simulated / (spent / 1000) : 0;
 }
 
 std::string solver_name(const sim::World& world) {
@@ -38,7 +34,7 @@ void line(std::string& text, const char* format, Values... values) {
 }  // namespace
 
 std::string summary_json(const Summary& summary, const sim::World& world) {
-  const Times times = times_of(summary.frame_ms);
+  const bench::Timing frame = bench::timing_of(summary.frame_ms);
   const sim::Totals& totals = world.totals();
   const double simulated = totals.frames * world.scene().time.frame;
   nlohmann::ordered_json json;
@@ -59,8 +55,8 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["stable_step_s"] = world.step_limit().largest_step;
   json["simulated_s"] = simulated;
   json["wall_s"] = summary.wall_s;
-  json["ms_per_frame"] = {{"median", times.median}, {"min", times.least}};
-  json["real_time_factor"] = times.sum > 0 ? simulated / (times.sum / 1000) : 0;
+  json["ms_per_frame"] = json_of(frame);
+  json["real_time_factor"] = real_time_factor(summary, simulated);
   json["state_hash"] = summary.state_hash;
   json["max_stretch"] = totals.max_stretch;
   json["nonfinite"] = totals.nonfinite;
@@ -81,7 +77,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
 }
 
 std::string summary_text(const Summary& summary, const sim::World& world) {
-  const Times times = times_of(summary.frame_ms);
+  const bench::Timing frame = bench::timing_of(summary.frame_ms);
   const sim::Totals& totals = world.totals();
   const double simulated = totals.frames * world.scene().time.frame;
   std::string text;
@@ -97,8 +93,8 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
          1e3 * world.step_limit().largest_step, world.step_limit().highest_frequency);
   }
   line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
-  line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", times.median,
-       times.least, times.sum > 0 ? simulated / (times.sum / 1000) : 0);
+  line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", frame.median,
+       frame.least, real_time_factor(summary, simulated));
   line(text, "  contact     %s: %llu hits, overflow %llu", scene::name_of(world.scene().contact.method),
        static_cast<unsigned long long>(totals.contacts),
        static_cast<unsigned long long>(totals.contact_overflow));

@@ -5,7 +5,8 @@
 //
 // On a machine with an NVIDIA GPU and its Vulkan driver, from the folder of the repository:
 //   CHROMIUM=/path/to/chromium WEBGPU_FLAGS="--enable-unsafe-webgpu --enable-features=Vulkan --use-angle=vulkan \
-//     --ignore-gpu-blocklist" node bench/web/compare.ts --json bench/results/h100_compare.json
+//     --ignore-gpu-blocklist" python3 -m bench.paper --machine h100 --only chromium
+// which runs this and stores what it measured in bench/results/h100.json.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { parseArgs } from "node:util";

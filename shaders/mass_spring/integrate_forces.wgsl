@@ -8,7 +8,7 @@
 @group(0) @binding(2) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count      m/s
 @group(0) @binding(3) var<storage, read>       rest         : array<vec4f>;   // vertex_count      m (w: motion)
 @group(0) @binding(4) var<storage, read>       motions      : array<vec4f>;   // 3 * motions * substeps
-@group(0) @binding(5) var<storage, read_write> force        : array<i32>;     // 3 * vertex_count  N * step.force_scale
+@group(0) @binding(5) var<storage, read_write> force        : array<i32>;     // 3 * vertex_count  N * step.force_scale: all x, all y, all z
 @group(0) @binding(6) var<storage, read_write> position_out : array<vec4f>;   // vertex_count      m
 @group(0) @binding(7) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count      m/s
 
@@ -16,10 +16,11 @@
 fn integrate_forces(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= step.vertex_count) { return; }
-  let sum = vec3f(f32(force[3u * node]), f32(force[3u * node + 1u]), f32(force[3u * node + 2u]));
-  force[3u * node] = 0;
-  force[3u * node + 1u] = 0;
-  force[3u * node + 2u] = 0;
+  let n = step.vertex_count;
+  let sum = vec3f(f32(force[node]), f32(force[n + node]), f32(force[2u * n + node]));
+  force[node] = 0;
+  force[n + node] = 0;
+  force[2u * n + node] = 0;
   let before = NodeState(position_in[node], velocity_in[node]);
   var after : NodeState;
   if (before.position.w == 0.0) {

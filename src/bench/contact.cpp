@@ -36,7 +36,8 @@ Result<Setting> make_setting(gpu::Device& device, scene::Scene scene, sim::Asset
   made.model = std::move(model);
   scene::Scene free = made.scene;
   free.contact.method = scene::ContactMethod::None;
-  WEFT_TRY(world, sim::World::create(device, std::move(free), made.assets));
+  // One substep at a time, as with contact: the difference is what contact costs.
+  WEFT_TRY(world, sim::World::create(device, std::move(free), made.assets, {.two_steps = false}));
   WEFT_TRY(timing, time_steps(*world, effort.budget_ms, effort.least_submits));
   made.free_step = timing;
   return made;
@@ -123,9 +124,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
 /// What cannot be run here, or did not stay finite, is a row that says so.
 Result<void> report(Result<ContactRow> measured, ContactRow begun, const Done& done) {
   if (measured) return done(*measured);
-  const ErrorKind kind = measured.error().kind;
-  if (kind != ErrorKind::Limit && kind != ErrorKind::OutOfMemory && kind != ErrorKind::Diverged)
-    return measured.error();
+  if (!skips_row(measured.error())) return measured.error();
   begun.skipped = measured.error().message;
   return done(begun);
 }

@@ -46,6 +46,14 @@ Parts parts_of(sim::World& world) {
                             : parts.end)
         .push_back(command);
   }
+  if (parts.second.empty()) {  // both in one, which two more substeps repeat
+    const std::size_t both = world.frame_commands(world.parity(), 4).dispatch_count() -
+                             world.frame_commands(world.parity(), 2).dispatch_count();
+    const auto split = parts.first.begin() + static_cast<std::ptrdiff_t>(both);
+    parts.end.assign(split, parts.first.end());
+    parts.first.erase(split, parts.first.end());
+    parts.first.swap(parts.second);
+  }
   return parts;
 }
 

@@ -33,9 +33,9 @@ Result<SearchCost> time_search(sim::World& world, const Effort& effort);
 
 /// What the dispatches of a kernel took together.
 struct KernelTime {
-  std::string kernel;  // "find_candidates"
-  std::string per;     // "search", "step" or "frame"
-  std::uint32_t dispatches = 0;
+  std::string kernel;     // "find_candidates"
+  std::string per;        // "search", "step" or "frame"
+  double dispatches = 0;  // a half where one is for two steps
   double milliseconds = 0;
 };
 

@@ -2,10 +2,22 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "solver/registry.hpp"
 
 namespace weft::bench {
+
+Timing timing_of(std::vector<double> milliseconds) {
+  if (milliseconds.empty()) return {};
+  std::sort(milliseconds.begin(), milliseconds.end());
+  const std::size_t count = milliseconds.size();
+  const auto at = [&](double part) {
+    return milliseconds[static_cast<std::size_t>(std::lround(part * static_cast<double>(count - 1)))];
+  };
+  return {milliseconds[count / 2], milliseconds.front(), at(0.05), at(0.95),
+          static_cast<std::uint32_t>(count)};
+}
 
 Result<Timing> time_repeats(double budget_ms, std::uint32_t least, double parts,
                             const std::function<Result<void>()>& work) {
@@ -19,8 +31,12 @@ Result<Timing> time_repeats(double budget_ms, std::uint32_t least, double parts,
     spent += milliseconds;
     times.push_back(milliseconds / parts);
   }
-  std::sort(times.begin(), times.end());
-  return Timing{times[times.size() / 2], times.front()};
+  return timing_of(std::move(times));
+}
+
+bool skips_row(const Error& error) {
+  return error.kind == ErrorKind::Limit || error.kind == ErrorKind::OutOfMemory ||
+         error.kind == ErrorKind::Diverged;
 }
 
 Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames) {
@@ -39,22 +55,6 @@ Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, s
   scene.time.frame = steps * (1.0 / 60) / substeps;
   scene.time.substeps = steps;
   return substeps;
-}
-
-Row describe(sim::World& world, std::uint32_t substeps) {
-  Row row;
-  row.nodes = world.model().vertex_count();
-  row.springs = world.spring_count();
-  for (const mesh::TriangleMesh& object : world.assets().objects)
-    row.object_triangles += object.triangles.size();
-  row.substeps = substeps;
-  constexpr double kFramePasses = 3;  // guard, keep, surface: once a frame, for one cloth
-  row.dispatches_per_step =
-      (static_cast<double>(world.frame_commands(0, world.substeps()).dispatch_count()) - kFramePasses) /
-      world.substeps();
-  row.bytes_per_step =
-      4.0 * sizeof(Vec4f) * static_cast<double>(row.nodes);  // position and velocity, in and out
-  return row;
 }
 
 }  // namespace weft::bench

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
-#include "bench/measure.hpp"
+#include "bench/row.hpp"
+#include "bench/selection.hpp"
 
 namespace weft::bench {
 
@@ -11,11 +13,17 @@ struct Folders {
   std::string scenes, models;
 };
 
-/// The paper's second experiment: the pull scenes over three objects, with contact `none`, `bvh` and `paper`,
-/// over grids of 64² to 800² nodes (`quick`: 32² and 64² over the sphere and the armadillo). All methods are
-/// timed from the same state, 0.4 s into the scene (`quick`: 0.05 s). Brute force is left out from the first
-/// size whose step takes over 2 s. Errors  Input: a scene or model is missing. DeviceLost, Shader.
-Result<void> run_pull(gpu::Device& device, bool quick, const Folders& folders,
+/// What a selection may ask for: "none", "bvh", "proximity", "proximity_self", "paper".
+std::span<const std::string_view> pull_variants();
+/// "sphere", "armadillo", "dragon".
+std::span<const std::string_view> pull_objects();
+
+/// The paper's second experiment: the pull scenes over three objects, with and without contact, over grids
+/// of 64² to 800² nodes (`quick`: 32² and 64² over the sphere and the armadillo), or what is selected. All
+/// methods are timed from the same state, 0.4 s into the scene (`quick`: 0.05 s). Brute force is left out
+/// from the first size whose step takes over 2 s. Errors  Input: a scene or model is missing. DeviceLost,
+/// Shader; what is too large for the adapter is a skipped row.
+Result<void> run_pull(gpu::Device& device, const Selection& selection, const Folders& folders,
                       const std::function<Result<void>(const Row&)>& done);
 
 }  // namespace weft::bench

@@ -3,25 +3,33 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/host_model.hpp"
+#include "element/spring_kinds.hpp"
 
 namespace weft {
 
+inline constexpr std::uint32_t kNeighbourKinds = 16;  // these three: shaders/shared/neighbour.wgsl
+inline constexpr std::uint32_t kNeighbourNodeBits = 28;
+inline constexpr std::uint32_t kSlice = 32;
+
 /// One spring as one of its nodes sees it. Mirror: shaders/shared/neighbour.wgsl.
 struct Neighbour {
-  std::uint32_t node = 0;
+  std::uint32_t node_and_kind = 0;
   float rest_length = 0;  // [m]
-  float stiffness = 0;    // [N/m]
-  float damping = 0;      // [N·s/m]
 };
-static_assert(sizeof(Neighbour) == 16);
+static_assert(sizeof(Neighbour) == 8);
 
-/// The springs of nodes first … first + count - 1: node first + i has entries[offsets[i]] up to
-/// entries[offsets[i + 1]], in the order of the springs.
+/// The springs of nodes first … first + count - 1 in slices of kSlice nodes: entry k of node first + i is
+/// entries[slices[i / kSlice] + k * kSlice + i % kSlice], in the order of the springs. Nodes with fewer
+/// springs than the slice's most have a spring to themselves of length 0, which pulls nowhere.
 struct Neighbours {
-  std::vector<std::uint32_t> offsets;
+  std::vector<std::uint32_t> slices;  // one more than there are slices
   std::vector<Neighbour> entries;
+  std::vector<SpringKind> kinds;  // at most kNeighbourKinds
 };
-Neighbours build_neighbours(const std::vector<Spring>& springs, std::uint32_t first, std::uint32_t count);
+
+/// The springs of one cloth, which has at most six kinds. Errors  Limit: more than 2^28 nodes in the scene,
+/// or more than 2^32 entries.
+Result<Neighbours> build_neighbours(const std::vector<Spring>& springs, std::uint32_t first,
+                                    std::uint32_t count);
 
 }  // namespace weft

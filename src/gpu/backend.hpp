@@ -12,9 +12,10 @@
 namespace weft::gpu {
 
 struct DeviceOptions {
-  std::string adapter;      ///< part of the adapter's name, any case; empty: the fastest kind there is
-  bool timestamps = false;  ///< ask for timestamp queries
-  bool unchecked = false;   ///< native only: kernels without the run-time checks of bounds and loops
+  std::string adapter;          ///< part of the adapter's name, any case; empty: the fastest kind there is
+  bool timestamps = false;      ///< ask for timestamp queries
+  bool default_limits = false;  ///< native only: WebGPU's default limits instead of all that the adapter has
+  bool unchecked = false;       ///< native only: kernels without the run-time checks of bounds and loops
 };
 
 namespace backend {

@@ -14,8 +14,8 @@ enum class CommandKind : std::uint8_t {
   BeginCompute,  // args[0]: label; args[1], args[2]: begin and end timestamp, or kNoTimestamp; ids[0]: query
                  // set
   EndCompute,
-  Dispatch,  // ids: pipeline, bind group; args: x, y, z, offset of the step's uniform block, has such a
-             // block; sizes[0]: label, the kernel's
+  Dispatch,        // ids: pipeline, bind group; args: x, y, z, offset of the step's uniform block, has such a
+                   // block; sizes[0]: label, the kernel's
   CopyBuffer,      // ids: source, target; sizes: source offset, target offset, bytes
   ClearBuffer,     // ids: buffer; sizes: offset, bytes
   ResolveQueries,  // ids: query set, buffer; args: count

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/result.hpp"
@@ -40,9 +42,15 @@ class Device {
 
   void write(const BindingSource& target, std::span<const std::byte> bytes);
   std::uint64_t allocated_bytes() const { return allocated_bytes_; }
+  /// The bytes of the largest buffer that was made since this was last asked.
+  std::uint64_t take_largest_buffer() { return std::exchange(largest_buffer_, 0); }
 
   backend::Context& context() { return *context_; }
-  void count_allocation(std::int64_t bytes) { allocated_bytes_ += static_cast<std::uint64_t>(bytes); }
+  /// Bytes taken, or given back.
+  void count_allocation(std::int64_t bytes) {
+    allocated_bytes_ += static_cast<std::uint64_t>(bytes);
+    if (bytes > 0) largest_buffer_ = std::max(largest_buffer_, static_cast<std::uint64_t>(bytes));
+  }
 
  private:
   explicit Device(backend::Opened opened);
@@ -51,7 +59,7 @@ class Device {
   AdapterInfo adapter_;
   Limits limits_;
   bool timestamps_ = false;
-  std::uint64_t allocated_bytes_ = 0;
+  std::uint64_t allocated_bytes_ = 0, largest_buffer_ = 0;
 };
 
 }  // namespace weft::gpu

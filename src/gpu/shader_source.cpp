@@ -50,9 +50,11 @@ std::string between(const std::string& line, char open, char close, std::size_t 
   return inner;
 }
 
+constexpr char kTwoSteps[] = "array<StepParams,2>";
+
 Result<BindingKind> binding_kind(const std::string& address_space, const std::string& type) {
   if (address_space == "uniform")
-    return type == "StepParams" ? BindingKind::StepUniform : BindingKind::Uniform;
+    return type == "StepParams" || type == kTwoSteps ? BindingKind::StepUniform : BindingKind::Uniform;
   if (address_space == "storage" || address_space == "storage,read") return BindingKind::StorageRead;
   if (address_space == "storage,read_write") return BindingKind::StorageReadWrite;
   if (type.rfind("texture_depth_2d", 0) == 0) return BindingKind::DepthTexture;
@@ -84,6 +86,7 @@ Result<std::vector<BindingLayout>> parse_bindings(const std::string& text) {
     const std::string type = between(line.substr(colon) + ";", ':', ';');
     WEFT_TRY(kind, binding_kind(space, type));
     binding.kind = kind;
+    binding.steps = type == kTwoSteps ? 2 : 1;
     bindings.push_back(std::move(binding));
   }
   std::sort(bindings.begin(), bindings.end(),

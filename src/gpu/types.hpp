@@ -66,7 +66,8 @@ enum class TextureFormat : std::uint8_t { None, Rgba8UnormSrgb, Bgra8UnormSrgb, 
 /// What a binding of a shader is; read from its WGSL.
 enum class BindingKind : std::uint8_t {
   Uniform,
-  StepUniform,  // a uniform of type StepParams: one block a substep, chosen by the dispatch
+  StepUniform,  // a uniform of type StepParams, or an array of two: one block a substep, chosen by the
+                // dispatch
   StorageRead,
   StorageReadWrite,
   Texture,
@@ -79,6 +80,7 @@ struct BindingLayout {
   std::uint32_t binding = 0;
   BindingKind kind = BindingKind::Uniform;
   std::string name;
+  std::uint32_t steps = 1;  // of a StepUniform: blocks that the kernel sees
 };
 
 /// What stands behind a binding: a buffer (range), a texture view or a sampler.

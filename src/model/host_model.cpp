@@ -158,6 +158,32 @@ std::vector<Spring> build_springs(const HostModel& model, const ClothModel& clot
   return built;
 }
 
+std::array<double, 2> bending_stiffness(const ClothModel& cloth) {
+  if (!cloth.grid) return {};
+  const double di = cloth.grid->width / (cloth.grid->nx - 1), dj = cloth.grid->height / (cloth.grid->ny - 1);
+  const double bending = cloth.stiffness.bending;
+  return {bending * dj / (di * di * di), bending * di / (dj * dj * dj)};
+}
+
+std::vector<BendTriple> build_bending(const ClothModel& cloth) {
+  std::vector<BendTriple> triples;
+  const auto [along_i, along_j] = bending_stiffness(cloth);
+  if (!(along_i > 0)) return triples;
+  const std::uint32_t nx = cloth.grid->nx, ny = cloth.grid->ny, first = cloth.first_vertex;
+  const double rim = cloth.weights == mesh::BoundaryWeights::Uniform ? 1 : 0.5;
+  for (std::uint32_t j = 0; j < ny; ++j)
+    for (std::uint32_t i = 1; i + 1 < nx; ++i) {
+      const std::uint32_t node = first + j * nx + i;
+      triples.push_back({node - 1, node, node + 1, (j == 0 || j + 1 == ny ? rim : 1) * along_i});
+    }
+  for (std::uint32_t i = 0; i < nx; ++i)
+    for (std::uint32_t j = 1; j + 1 < ny; ++j) {
+      const std::uint32_t node = first + j * nx + i;
+      triples.push_back({node - nx, node, node + nx, (i == 0 || i + 1 == nx ? rim : 1) * along_j});
+    }
+  return triples;
+}
+
 std::vector<Spring> build_springs(const HostModel& model) {
   std::vector<Spring> all;
   for (const ClothModel& cloth : model.cloths) {

@@ -26,6 +26,12 @@ struct Spring {
 };
 static_assert(sizeof(Spring) == 20);
 
+/// Three nodes of a grid in a row: resistance to bending has the energy k/2 |x_a - 2 x_b + x_c|².
+struct BendTriple {
+  std::uint32_t node_a = 0, node_b = 0, node_c = 0;
+  double stiffness = 0;  // k [N/m]
+};
+
 /// The part of the model that one cloth of the scene became.
 struct ClothModel {
   std::uint32_t first_vertex = 0, vertex_count = 0;
@@ -71,5 +77,11 @@ Result<HostModel> build_model(const scene::Scene& scene, const std::vector<mesh:
 std::vector<Spring> build_springs(const HostModel& model, const ClothModel& cloth);
 /// The springs of all cloths.
 std::vector<Spring> build_springs(const HostModel& model);
+
+/// The stiffness of a grid cloth's triples along i and along j: B dj / di³ and B di / dj³ [N/m], where B is
+/// stiffness.bending [N·m]. Triples along the boundary count as its springs do.
+std::array<double, 2> bending_stiffness(const ClothModel& cloth);
+/// The triples of one cloth, row by row, then column by column; none without stiffness.bending.
+std::vector<BendTriple> build_bending(const ClothModel& cloth);
 
 }  // namespace weft

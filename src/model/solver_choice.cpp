@@ -10,9 +10,6 @@ SolverChoice choose_solver(const scene::Scene& scene, const HostModel& model) {
   const auto is_mesh = [](const ClothModel& cloth) { return !cloth.grid; };
   if (std::any_of(model.cloths.begin(), model.cloths.end(), is_mesh))
     return {Kind::MassSpring, "a cloth is a mesh, and multigrid moves grids only"};
-  const auto bends = [](const ClothModel& cloth) { return cloth.stiffness.bending > 0; };
-  if (std::any_of(model.cloths.begin(), model.cloths.end(), bends))
-    return {Kind::Multigrid, "only multigrid has stiffness.bending"};
   const std::string nodes = std::to_string(model.vertex_count()) + " nodes are ";
   const std::string bound = std::to_string(kMultigridNodes) + ", from which on multigrid is cheaper";
   if (model.vertex_count() < kMultigridNodes) return {Kind::MassSpring, nodes + "fewer than the " + bound};

@@ -1,6 +1,7 @@
 #include "model/spectrum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,6 +34,30 @@ std::vector<Row> rows_of(const SpringNetwork& network, float Spring::*strength) 
   return rows;
 }
 
+/// A triple's share of A, the same along each axis: r r^T with r = √k (e_a / √m_a - 2 e_b / √m_b + e_c /
+/// √m_c).
+struct TripleRow {
+  std::array<std::uint32_t, 3> nodes;
+  std::array<double, 3> parts;
+};
+
+std::vector<TripleRow> triple_rows_of(const SpringNetwork& network) {
+  std::vector<TripleRow> rows;
+  for (const BendTriple& triple : network.bending) {
+    TripleRow row{{triple.node_a, triple.node_b, triple.node_c}, {1, -2, 1}};
+    for (std::size_t k = 0; k < 3; ++k)
+      row.parts[k] *= std::sqrt(triple.stiffness * static_cast<double>(network.position[row.nodes[k]].w));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// A symmetric matrix as a sum of such shares.
+struct Shares {
+  std::vector<Row> rows;
+  std::vector<TripleRow> triples;
+};
+
 double norm_of(const std::vector<Vec3d>& x) {
   double squares = 0;
   for (const Vec3d& v : x) squares += dot(v, v);
@@ -62,17 +87,22 @@ double largest_of_tridiagonal(const std::vector<double>& diagonal, const std::ve
 }
 
 /// y = A x.
-void apply(const std::vector<Row>& rows, const std::vector<Vec3d>& x, std::vector<Vec3d>& y) {
+void apply(const Shares& shares, const std::vector<Vec3d>& x, std::vector<Vec3d>& y) {
   std::fill(y.begin(), y.end(), Vec3d{});
-  for (const Row& row : rows) {
+  for (const TripleRow& row : shares.triples) {
+    Vec3d along;
+    for (std::size_t k = 0; k < 3; ++k) along += row.parts[k] * x[row.nodes[k]];
+    for (std::size_t k = 0; k < 3; ++k) y[row.nodes[k]] += row.parts[k] * along;
+  }
+  for (const Row& row : shares.rows) {
     const double along = dot(row.part_b, x[row.node_b]) - dot(row.part_a, x[row.node_a]);
     y[row.node_b] += along * row.part_b;
     y[row.node_a] -= along * row.part_a;
   }
 }
 
-double largest_eigenvalue(const std::vector<Row>& rows, std::size_t count) {
-  if (rows.empty()) return 0;
+double largest_eigenvalue(const Shares& shares, std::size_t count) {
+  if (shares.rows.empty() && shares.triples.empty()) return 0;
   Random random(1);
   std::vector<Vec3d> x(count), before(count), y(count);
   for (Vec3d& v : x)
@@ -81,7 +111,7 @@ double largest_eigenvalue(const std::vector<Row>& rows, std::size_t count) {
   for (Vec3d& v : x) v = v / start;
   std::vector<double> diagonal, beside, estimates;
   while (diagonal.size() < std::min(kMostSteps, 3 * count)) {
-    apply(rows, x, y);
+    apply(shares, x, y);
     double along = 0;
     for (std::size_t n = 0; n < count; ++n) along += dot(x[n], y[n]);
     diagonal.push_back(along);
@@ -105,8 +135,8 @@ double largest_eigenvalue(const std::vector<Row>& rows, std::size_t count) {
 
 NetworkSpectrum find_spectrum(const SpringNetwork& network) {
   const std::size_t count = network.position.size();
-  return {largest_eigenvalue(rows_of(network, &Spring::stiffness), count),
-          largest_eigenvalue(rows_of(network, &Spring::damping), count)};
+  return {largest_eigenvalue({rows_of(network, &Spring::stiffness), triple_rows_of(network)}, count),
+          largest_eigenvalue({rows_of(network, &Spring::damping), {}}, count)};
 }
 
 StepLimit mass_spring_step_limit(const HostModel& model, double drag) {

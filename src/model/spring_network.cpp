@@ -50,6 +50,7 @@ SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth) {
     }
   }
   network.springs = build_springs(part_model, part);
+  network.bending = build_bending(part);
   return network;
 }
 

@@ -10,6 +10,7 @@ namespace weft {
 struct SpringNetwork {
   std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
   std::vector<Spring> springs;  // nodes count from 0
+  std::vector<BendTriple> bending;
 };
 
 /// The part of a cloth that decides its highest frequency: a mesh whole; of a grid at most 64 x 64 nodes with

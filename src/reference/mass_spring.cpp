@@ -11,6 +11,11 @@ const Follower* follower(const MassSpringSystem& system, std::size_t node) {
   return nullptr;
 }
 
+Vec3d curvature_of(const MassSpringSystem& system, const BendLink& triple) {
+  return (system.position[triple.node_a] - system.position[triple.node_b]) +
+         (system.position[triple.node_c] - system.position[triple.node_b]);
+}
+
 }  // namespace
 
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
@@ -24,6 +29,12 @@ std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
     const Vec3d force = (spring.stiffness * (len - spring.rest_length) + spring.damping * rate) * direction;
     forces[spring.node_a] += force;
     forces[spring.node_b] -= force;
+  }
+  for (const BendLink& triple : system.bending) {
+    const Vec3d force = triple.stiffness * curvature_of(system, triple);
+    forces[triple.node_a] -= force;
+    forces[triple.node_b] += 2 * force;
+    forces[triple.node_c] -= force;
   }
   return forces;
 }
@@ -72,6 +83,10 @@ double energy(const MassSpringSystem& system) {
     const double elongation =
         length(system.position[spring.node_b] - system.position[spring.node_a]) - spring.rest_length;
     sum += 0.5 * spring.stiffness * elongation * elongation;
+  }
+  for (const BendLink& triple : system.bending) {
+    const Vec3d curvature = curvature_of(system, triple);
+    sum += 0.5 * triple.stiffness * dot(curvature, curvature);
   }
   return sum;
 }

@@ -16,6 +16,12 @@ struct SpringLink {
   double damping = 0;      // [N·s/m]
 };
 
+/// Three nodes in a row that resist bending: k/2 |x_a - 2 x_b + x_c|².
+struct BendLink {
+  std::uint32_t node_a = 0, node_b = 0, node_c = 0;
+  double stiffness = 0;  // [N/m]
+};
+
 /// A node that is pulled to a point.
 struct Follower {
   std::uint32_t node = 0;
@@ -27,6 +33,7 @@ struct MassSpringSystem {
   std::vector<Vec3d> position, velocity;  // [m], [m/s]
   std::vector<double> inverse_mass;       // [1/kg]
   std::vector<SpringLink> springs;
+  std::vector<BendLink> bending;
   Vec3d acceleration;  // gravity and external force [m/s²]
   double drag = 0;     // [1/s]
   scene::WindField wind;
@@ -36,7 +43,7 @@ struct MassSpringSystem {
   double grab_speed = 0;  // [m/s]
 };
 
-/// The force of every node's springs [N].
+/// The force of every node's springs and of its resistance to bending [N].
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
 
 /// The wind at a place and time [m/s].

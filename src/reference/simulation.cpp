@@ -16,6 +16,14 @@
 namespace weft::reference {
 namespace {
 
+std::vector<BendLink> bending_of(const HostModel& model) {
+  std::vector<BendLink> links;
+  for (const ClothModel& cloth : model.cloths)
+    for (const BendTriple& t : build_bending(cloth))
+      links.push_back({t.node_a, t.node_b, t.node_c, static_cast<double>(static_cast<float>(t.stiffness))});
+  return links;
+}
+
 /// The springs with the very numbers that the kernels get: f32, here widened.
 std::vector<SpringLink> links_of(const HostModel& model) {
   std::vector<SpringLink> links;
@@ -45,6 +53,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene,
   for (std::size_t node = 0; node < made.model_.vertex_count(); ++node)
     system.inverse_mass.push_back(made.model_.inverse_mass(node));
   system.springs = links_of(made.model_);
+  system.bending = bending_of(made.model_);
   system.acceleration = scene.gravity + scene.external_force;
   system.drag = scene.drag;
   system.wind = scene::wind_field(scene.wind);

@@ -43,9 +43,7 @@ class Simulation {
   /// XXH3-64 of the bits of position, then velocity (three doubles a node), as 16 hexadecimal digits.
   std::string hash() const;
   /// Kinetic, elastic and gravitational [J].
-  double energy() const {
-    return reference::energy(system_) + (implicit_ ? implicit_->bending_energy(system_.position) : 0);
-  }
+  double energy() const { return reference::energy(system_); }
 
   const scene::Scene& scene() const { return scene_; }
   std::uint32_t frame() const { return frame_; }

@@ -195,17 +195,18 @@ class Builder {
     return grab;
   }
 
-  /// Multigrid needs the rows and columns of a grid; the springs of the other solver know no curvature.
+  /// Multigrid and bending need the rows and columns of a grid; sums by springs have springs only.
   Result<void> check_solver(const Scene& scene) const {
     for (const Cloth& cloth : scene.cloths) {
       const std::string path = path_of_index("cloths", cloth.entry);
-      const std::string kind = in_quotes(name_of(scene.solver.kind));
       if (scene.solver.kind == SolverKind::Multigrid && !cloth.grid)
-        return wrong(path, "is a mesh; solver.kind " + kind + " moves grids only");
+        return wrong(path, "is a mesh; solver.kind \"multigrid\" moves grids only");
       if (cloth.stiffness.bending == 0) continue;
       const std::string bending = "is " + number_text(cloth.stiffness.bending) + " N·m; ";
-      if (scene.solver.kind == SolverKind::MassSpring)
-        return wrong(path + ".stiffness.bending", bending + "solver.kind " + kind + " has bend springs only");
+      if (scene.solver.kind == SolverKind::MassSpring && scene.solver.forces != Forces::NodeCentric)
+        return wrong(
+            path + ".stiffness.bending",
+            bending + "solver.forces " + in_quotes(name_of(scene.solver.forces)) + " has springs only");
       if (!cloth.grid) return wrong(path + ".stiffness.bending", bending + "a mesh has bend springs only");
     }
     return {};

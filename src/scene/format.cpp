@@ -216,8 +216,7 @@ constexpr Key kStiffnessKeys[] = {
     {"structural", &kSpringStiffness, "Springs along the threads, or along the edges of a mesh", "5000"},
     {"shear", &kSpringStiffness, "Springs along the diagonals", "2000"},
     {"bend", &kSpringStiffness, "Springs over two cells, or over an edge of a mesh", "500"},
-    {"bending", &kBending, "Resistance of a grid to curvature, beside the bend springs; needs multigrid",
-     "0"},
+    {"bending", &kBending, "Resistance of a grid to curvature, beside the bend springs", "0"},
 };
 constexpr Type kStiffness{.kind = Kind::Object, .keys = kStiffnessKeys};
 constexpr Key kClothKeys[] = {

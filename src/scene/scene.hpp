@@ -214,7 +214,7 @@ enum class SolverKind {
   Multigrid,
   Auto,  ///< which of them is cheaper for this scene
 };
-enum class Forces { NodeCentric, SpringCentric };
+enum class Forces { NodeCentric, SpringCentric, SpringBlocks };
 struct Solver {
   SolverKind kind = SolverKind::MassSpring;
   Forces forces = Forces::NodeCentric;

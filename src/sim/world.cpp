@@ -102,14 +102,20 @@ std::uint32_t World::substeps_of(std::uint32_t frame) const {
 void World::record_frame(gpu::CommandList& list, std::uint32_t parity, std::uint32_t substeps) const {
   list.clear(state_.statistics.range(0, kStatisticsPerFrameBytes));
   gpu::ComputePass pass(list, "frame");
-  for (std::uint32_t s = 0; s < substeps; ++s) {
-    pass.set_step(s, (parity + s) & 1U);
+  for (std::uint32_t s = 0, turns = 0; s < substeps; ++turns) {
+    pass.set_step(s, (parity + turns) & 1U);
+    if (solver_->takes_two() && s + 1 < substeps) {
+      solver_->record_two(pass);
+      s += 2;
+      continue;
+    }
     solver_->record_predict(pass);
     if (collision_) collision_->record(pass);
     if (proximity_) proximity_->record(pass);
     solver_->record_solve(pass);
+    ++s;
   }
-  pass.set_step(0, (parity + substeps) & 1U);
+  pass.set_step(0, (parity + turns_of(substeps)) & 1U);
   last_good_->record(pass);
   surface_->record(pass);
   if (counter_) counter_->record(pass);
@@ -155,7 +161,7 @@ Result<void> World::submit_frame(const gpu::CommandList* draw) {
   free.parity = parity_;
   free.attempt = attempt_;
   free.readback.start();
-  parity_ = (parity_ + substeps) & 1U;
+  parity_ = (parity_ + turns_of(substeps)) & 1U;
   ++frame_;
   return {};
 }
@@ -190,7 +196,7 @@ Result<void> World::repeat_from(const Report& report, const Statistics& short_of
 
 std::uint32_t World::parity_after_frames(std::uint32_t count) const {
   std::uint32_t parity = parity_;
-  for (std::uint32_t frame = frame_; frame < frame_ + count; ++frame) parity += substeps_of(frame);
+  for (std::uint32_t frame = frame_; frame < frame_ + count; ++frame) parity += turns_of(substeps_of(frame));
   return parity & 1U;
 }
 

@@ -26,6 +26,7 @@ namespace weft::sim {
 struct WorldOptions {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   std::optional<ContactRoom> contact_room;  // of proximity contact at first; none: by the number of triangles
+  std::optional<bool> two_steps;            // at once, where the solver can; none: where that is quicker
 };
 
 /// What the frames so far have reported.
@@ -53,6 +54,10 @@ struct Snapshot {
   std::string hash() const;
 };
 
+/// Refuses more nodes than a buffer of positions can hold, before gigabytes of them are built on the host.
+/// Errors  Limit.
+Result<void> check_node_count(std::uint64_t nodes, const gpu::Device& device);
+
 /// A running scene: owns the state, orders collision and solver, keeps time. The device must outlive it.
 class World {
  public:
@@ -68,7 +73,8 @@ class World {
   /// Takes the reports that have arrived. Errors as advance_frame.
   Result<void> poll();
   bool has_room() const;
-  /// Waits until all frames have reported. Errors as advance_frame; Diverged for as long as the state is frozen.
+  /// Waits until all frames have reported. Errors as advance_frame; Diverged for as long as the state is
+  /// frozen.
   Result<void> finish();
   /// Holds a free node, numbered through all cloths, and pulls it to `target` [m]: from the next frame on, by
   /// a part of the way in each substep, no faster than grab_speed(). Its springs and contacts go on. Errors
@@ -142,6 +148,10 @@ class World {
   /// Substeps of a frame: more than substeps() where something is moved fast (docs/contact.md).
   std::uint32_t substeps_of(std::uint32_t frame) const;
   std::uint32_t parity_after_frames(std::uint32_t count) const;
+  /// How often the state changes buffers in so many substeps.
+  std::uint32_t turns_of(std::uint32_t substeps) const {
+    return solver_->takes_two() ? (substeps + 1) / 2 : substeps;
+  }
   /// What follows from the rest state, before the first frame.
   Result<void> submit_rest();
   /// What all substeps have in common.

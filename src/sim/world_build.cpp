@@ -30,10 +30,14 @@ collision::CollisionSetup collision_setup(const scene::Scene& scene, const Asset
   return setup;
 }
 
-/// Refuses what no buffer of positions can hold before gigabytes of it are built on the host.
-/// Errors  Limit.
-Result<void> check_size(const scene::Scene& scene, const Assets& assets, const gpu::Device& device) {
-  const std::uint64_t nodes = node_count(scene, assets);
+/// What the lists have room for at first; World makes them longer when they are short.
+ContactRoom first_room(const Model& model) {
+  return {std::max(32768U, 2 * model.triangle_count()), std::max(131072U, 12 * model.triangle_count())};
+}
+
+}  // namespace
+
+Result<void> check_node_count(std::uint64_t nodes, const gpu::Device& device) {
   const std::uint64_t bytes = nodes * sizeof(Vec4f), limit = device.limits().max_storage_binding_size;
   if (bytes <= limit) return {};
   return make_error(ErrorKind::Limit,
@@ -43,15 +47,8 @@ Result<void> check_size(const scene::Scene& scene, const Assets& assets, const g
                     static_cast<unsigned long long>(limit));
 }
 
-/// What the lists have room for at first; World makes them longer when they are short.
-ContactRoom first_room(const Model& model) {
-  return {std::max(32768U, 2 * model.triangle_count()), std::max(131072U, 12 * model.triangle_count())};
-}
-
-}  // namespace
-
 Result<void> World::build(const Assets& assets, const WorldOptions& options) {
-  WEFT_CHECK(check_size(scene_, assets, device_));
+  WEFT_CHECK(check_node_count(node_count(scene_, assets), device_));
   assets_ = assets;
   WEFT_TRY(host, build_model(scene_, assets.cloths));
   spring_count_ = count_springs(host);
@@ -111,7 +108,7 @@ Result<void> World::build_contact(const ContactRoom& room) {
   scene::Solver settings = scene_.solver;
   settings.kind = choice_.kind;
   WEFT_TRY(solver, make_solver(settings, {device_, model_, state_, contacts_ ? &*contacts_ : nullptr,
-                                          options_.workgroup_size}));
+                                          options_.workgroup_size, options_.two_steps}));
   solver_ = std::move(solver);
   constants_ = solver_->constants();
   return {};

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "base/result.hpp"
 #include "gpu/kernel.hpp"
@@ -30,6 +31,11 @@ class Solver {
   virtual void record_predict(gpu::ComputePass& pass) const = 0;
   /// Answers the contacts found at the predicted positions.
   virtual void record_solve(gpu::ComputePass& pass) const = 0;
+  /// Whether record_two may stand for two substeps: only without contacts, which come between them.
+  virtual bool takes_two() const { return false; }
+  /// This substep and the next: reads position[parity], velocity[parity]; writes position[1 - parity],
+  /// velocity[1 - parity], after both, to the same bits as one after the other.
+  virtual void record_two(gpu::ComputePass&) const {}
   virtual SolverConstants constants() const = 0;
   /// Whether record_predict also reads position[1 - parity] and velocity[1 - parity] as the substep before
   /// has left them, for nodes whose velocity's w is 1.
@@ -43,6 +49,7 @@ struct SolverInputs {
   const State& state;
   const Contacts* contacts = nullptr;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+  std::optional<bool> two_steps = {};  // at once, where the solver can; none: where that is quicker
 
   Predicted predicted() const {
     if (contacts != nullptr && contacts->pairs)

@@ -21,6 +21,37 @@ nlohmann::json bench_contact(const TemporaryFolder& folder, const std::string& n
   return results;
 }
 
+/// The rows that `weft bench` with these arguments stores.
+nlohmann::json bench_rows(std::vector<std::string> arguments) {
+  const TemporaryFolder folder;
+  arguments.insert(arguments.begin(), "bench");
+  arguments.insert(arguments.end(), {"--json", folder.path("rows.json")});
+  Child child(weft_command(arguments), on_lavapipe({}));
+  const Ended ended = child.wait(kLimit);
+  REQUIRE_MESSAGE(ended.code == 0, ended.err);
+  CHECK(ended.err == "");
+  return json_of(read_text(folder.path("rows.json"))).at("rows");
+}
+
+void check_times(const nlohmann::json& times) {
+  CHECK(times.at("samples") >= 1);
+  CHECK(times.at("min") > 0);
+  CHECK(times.at("min") <= times.at("spread").at("p05"));
+  CHECK(times.at("spread").at("p05") <= times.at("median"));
+  CHECK(times.at("median") <= times.at("spread").at("p95"));
+}
+
+/// What all rows of `hanging` and `pull` have.
+void check_row(const nlohmann::json& row) {
+  CHECK(row.at("nodes") == row.at("side").get<int>() * row.at("side").get<int>());
+  check_times(row.at("ms_per_step"));
+  const auto& frame = row.at("paper_frame");
+  check_times(frame.at("ms"));
+  CHECK(frame.at("fps").get<double>() == doctest::Approx(1000 / frame.at("ms").at("median").get<double>()));
+  CHECK(row.at("gpu_bytes") >= 64 * row.at("nodes").get<int>());  // position and velocity, twice
+  CHECK(row.at("state_hash").get<std::string>().size() == 16);
+}
+
 /// Of each part of a frame the kernels that were timed.
 std::string kernels_of(const nlohmann::json& row, const std::string& per) {
   std::string names;
@@ -65,4 +96,121 @@ TEST_CASE("bench contact gives the same rows and the same bits in two runs, and 
   CHECK(rows ==
         "flat proximity_self, folded proximity_self, crumpled proximity_self, draped bvh, draped proximity, "
         "draped proximity_self, ");
+}
+
+TEST_CASE("bench hanging measures the sides and formulations that are asked for") {
+  const nlohmann::json rows = bench_rows({"hanging", "--quick", "--sides", "9,16", "--only", "springs,grid"});
+  std::string names;
+  for (const auto& row : rows) {
+    names += row.at("variant").get<std::string>() + " " + std::to_string(row.at("side").get<int>()) + "; ";
+    check_row(row);
+    CHECK(!row.contains("crossings"));
+    CHECK(kernels_of(row, "search") == "");
+    CHECK(kernels_of(row, "frame") == "guard keep_last_good surface ");
+  }
+  CHECK(names == "node_centric, grid 9; spring_centric 9; node_centric, grid 16; spring_centric 16; ");
+  CHECK(kernels_of(rows[0], "step") == "advance_grid ");
+}
+
+TEST_CASE("bench pull measures the object and methods that are asked for, and what they leave of the cloth") {
+  const nlohmann::json rows = bench_rows(
+      {"pull", "--quick", "--sides", "16", "--objects", "sphere", "--only", "proximity,paper"});
+  std::string names;
+  for (const auto& row : rows) {
+    names += row.at("object").get<std::string>() + " " + row.at("variant").get<std::string>() + "; ";
+    check_row(row);
+    CHECK(row.at("crossings") == 0);  // 0.05 s after the sheet begins to fall
+    CHECK(row.at("max_stretch") > 1);
+    CHECK(row.at("max_stretch") < 1.1);
+    CHECK((kernels_of(row, "search") == "") == (row.at("variant") != "proximity"));
+  }
+  CHECK(names == "sphere proximity; sphere paper; ");
+}
+
+TEST_CASE("what is too large for the adapter is a skipped row with the limit, before anything is built") {
+  for (const char* name : {"hanging", "pull"}) {
+    const nlohmann::json rows = bench_rows(
+        {name, "--quick", "--sides", "60000", "--only", std::string(name) == "pull" ? "bvh" : "mesh"});
+    REQUIRE(!rows.empty());
+    for (const auto& row : rows) {
+      CHECK(row.at("side") == 60000);
+      CHECK(row.at("nodes") == 3600000000);
+      CHECK(row.at("skipped").get<std::string>().find("maxStorageBufferBindingSize") != std::string::npos);
+      CHECK(!row.contains("ms_per_step"));
+    }
+  }
+}
+
+TEST_CASE("bench copy gives the bandwidth of a copy and the time of a dispatch") {
+  const nlohmann::json rows = bench_rows({"copy", "--quick"});
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].at("what") == "copy");
+  CHECK(rows[0].at("bytes") == 16 << 20);
+  check_times(rows[0].at("ms"));
+  CHECK(rows[0].at("gb_per_s").get<double>() ==
+        doctest::Approx(2 * (16 << 20) * 1e-6 / rows[0].at("ms").at("median").get<double>()));
+  CHECK(rows[1].at("what") == "dispatch");
+  CHECK(rows[1].at("us").get<double>() ==
+        doctest::Approx(1000 * rows[1].at("ms").at("median").get<double>()));
+}
+
+TEST_CASE("bench largest says in both kinds of limits what it would have taken to run the largest sheet") {
+  const nlohmann::json rows = bench_rows({"largest", "--only", "springs", "--memory", "0.02"});
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].at("limits") == "default");
+  CHECK(rows[1].at("limits") == "adapter");
+  CHECK(rows[0].at("limited_by") == "maxStorageBufferBindingSize of 134217728");  // WebGPU's default
+  for (const auto& row : rows) {
+    CHECK(row.at("variant") == "spring_centric");
+    CHECK(row.at("nodes") == row.at("side").get<int>() * row.at("side").get<int>());
+    CHECK(row.at("gpu_bytes") > 64 * row.at("nodes").get<int>());
+    CHECK(row.at("skipped").get<std::string>().find("more than the 0.02 allowed") != std::string::npos);
+  }
+  const int side = rows[0].at("side");  // 20 bytes a spring, some six springs a node
+  CHECK(side > 1000);
+  CHECK(side <= 1058);
+}
+
+TEST_CASE(
+    "bench compare prints ratios, verdicts and what only one file has, and fails only where it is told to") {
+  const TemporaryFolder folder;
+  const auto file = [&](const std::string& name, const std::string& factor, const std::string& more) {
+    return put(folder, name,
+               R"({"bench": "hanging", "adapter": "card )" + name +
+                   R"(", "rows": [{"object": "none", "nodes": 9,
+                  "state_hash": ")" +
+                   name + R"(", "ms_per_step": {"median": )" + factor + R"(.1, "samples": 9,
+                  "spread": {"p05": )" +
+                   factor + R"(.0, "p95": )" + factor + R"(.2}}}, {"nodes": )" + more + "}]}");
+  };
+  const std::string a = file("a", "1", "16"), b = file("b", "2", "25");
+  const Ended table = run_without_driver({"bench", "compare", a, b});
+  CHECK(table.code == 0);
+  CHECK(table.err == "");
+  for (const char* words : {"none, nodes 9", "1.909  slower; other bits: a, b",
+                            "only before: hanging: nodes 16", "only after: hanging: nodes 25",
+                            "adapters differ: \"card a\" and \"card b\"", "1 rows: 1 slower, 0 faster"})
+    CHECK_MESSAGE(table.out.find(words) != std::string::npos, words);
+  CHECK(run_without_driver({"bench", "compare", a, b, "--fail"}).code == 1);
+  CHECK(run_without_driver({"bench", "compare", b, a, "--fail"}).code == 0);
+  const nlohmann::json json = json_of(run_without_driver({"bench", "compare", b, a, "--json"}).out);
+  CHECK(json.at("pairs").at(0).at("verdict") == "faster");
+  CHECK(json.at("pairs").at(0).at("ratio").get<double>() == doctest::Approx(1.1 / 2.1));
+  CHECK(json.at("pairs").at(0).at("other_bits") == true);
+  CHECK(json.at("only_after").at(0).at("row") == "nodes 16");
+  for (const std::string& foreign :
+       {put(folder, "c", "{}"), put(folder, "d", "no"), folder.path("missing")}) {
+    const Ended ended = run_without_driver({"bench", "compare", a, foreign});
+    CHECK(ended.code == 3);
+    CHECK(ended.out == "");
+    CHECK(check_message(ended.err) == "");
+  }
+}
+
+TEST_CASE("a name that bench does not know is answered with the nearest and all that there are") {
+  const Ended ended = run_without_driver({"bench", "pull", "--only", "bvh,proximty"});
+  CHECK(ended.code == 2);
+  CHECK(ended.err ==
+        "weft: --only does not know \"proximty\", did you mean \"proximity\"?; there are: none, bvh, "
+        "proximity, proximity_self, paper.\n");
 }

@@ -14,6 +14,20 @@ namespace {
 
 const std::vector<std::string> kCommands = {"run", "check", "adapters", "schema", "bench", "completion"};
 
+/// All commands, also those of `bench`, each as its words.
+std::vector<std::vector<std::string>> every_command() {
+  std::vector<std::vector<std::string>> all;
+  for (const std::string& command : kCommands) all.push_back({command});
+  for (const char* experiment : {"hanging", "pull", "contact", "copy", "largest", "compare"})
+    all.push_back({"bench", experiment});
+  return all;
+}
+
+std::vector<std::string> help_of(std::vector<std::string> command) {
+  command.emplace_back("--help");
+  return command;
+}
+
 /// The words of small letters that follow "--" in a text.
 std::set<std::string> options_in(const std::string& text) {
   std::set<std::string> options;
@@ -136,7 +150,7 @@ TEST_CASE("schema prints a JSON Schema that knows the keys of a scene") {
 
 TEST_CASE("the help of every command begins with an example") {
   std::vector<std::vector<std::string>> calls = {{"--help"}};
-  for (const std::string& command : kCommands) calls.push_back({command, "--help"});
+  for (const auto& command : every_command()) calls.push_back(help_of(command));
   for (const auto& arguments : calls) {
     const Ended ended = run_without_driver(arguments);
     CAPTURE(arguments[0]);
@@ -144,7 +158,9 @@ TEST_CASE("the help of every command begins with an example") {
     CHECK(ended.err == "");
     CHECK(ended.out.rfind("Example: ", 0) == 0);
     CHECK(ended.out.substr(0, ended.out.find('\n')).find("weft ") != std::string::npos);
-    if (arguments.size() == 2) CHECK(ended.out.find("weft " + arguments[0]) != std::string::npos);
+    std::string command = "weft";
+    for (std::size_t k = 0; k + 1 < arguments.size(); ++k) command += " " + arguments[k];
+    CHECK(ended.out.find(command) != std::string::npos);
     CHECK(ended.out.find("--fault") == std::string::npos);
   }
   CHECK(run_without_driver({"--version"}).out.rfind("weft 0.", 0) == 0);
@@ -162,11 +178,11 @@ TEST_CASE("completion prints scripts that shells accept and that know every comm
                                 : shell == "zsh" && has_program("zsh") ? "zsh"
                                                                        : "bash";
     if (has_program(checker)) CHECK(call({"/usr/bin/env", checker, "-n", script}).code == 0);
-    for (const std::string& command : kCommands) {
-      CHECK(ended.out.find(command) != std::string::npos);
-      for (const std::string& option : options_in(run_without_driver({command, "--help"}).out)) {
+    for (const auto& command : every_command()) {
+      CHECK(ended.out.find(command.back()) != std::string::npos);
+      for (const std::string& option : options_in(run_without_driver(help_of(command)).out)) {
         if (shell == "fish" && option == "help") continue;
-        INFO(command << " --" << option);
+        INFO(command.back() << " --" << option);
         CHECK(ended.out.find((shell == "fish" ? "-l " : "--") + option) != std::string::npos);
       }
     }
@@ -174,6 +190,9 @@ TEST_CASE("completion prints scripts that shells accept and that know every comm
   const std::string words =
       "source " + folder.path("weft.bash") + "; COMP_WORDS=(weft run --f); COMP_CWORD=2; _weft; ";
   CHECK(call({"/bin/bash", "-c", words + "echo ${COMPREPLY[@]}"}).out == "--frames\n");
+  const std::string only = "source " + folder.path("weft.bash") +
+                           "; COMP_WORDS=(weft bench pull --only prox); COMP_CWORD=4; _weft; ";
+  CHECK(call({"/bin/bash", "-c", only + "echo ${COMPREPLY[@]}"}).out == "proximity proximity_self\n");
 }
 
 TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
@@ -198,6 +217,16 @@ TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
                                                        {"check", scene, "--frames", "1"},
                                                        {"bench"},
                                                        {"bench", "nosuch"},
+                                                       {"bench", "hanging", "--only", "nosuch"},
+                                                       {"bench", "hanging", "--only", "bvh"},
+                                                       {"bench", "hanging", "--objects", "sphere"},
+                                                       {"bench", "hanging", "--sides", "1"},
+                                                       {"bench", "hanging", "--sides", "64,x"},
+                                                       {"bench", "pull", "--only", "grid"},
+                                                       {"bench", "pull", "--objects", "sphere,cube"},
+                                                       {"bench", "copy", "--sides", "64"},
+                                                       {"bench", "largest", "--memory", "0"},
+                                                       {"bench", "compare", scene},
                                                        {"completion"},
                                                        {"completion", "cmd"},
                                                        {"run", scene, "--no\nsuch"}};

@@ -74,6 +74,20 @@ TEST_CASE("a buffer over a limit is refused by its name and both numbers") {
   CHECK(Buffer<float>::create(device, 250, "position"));
 }
 
+TEST_CASE("a device can be asked for WebGPU's default limits, whatever the adapter has") {
+  const auto device = Device::create({.default_limits = true});
+  REQUIRE(device);
+  const Limits& limits = (*device)->limits();
+  CHECK(limits.max_buffer_size == 256ULL << 20U);  // the table of WebGPU, "Limits"
+  CHECK(limits.max_storage_binding_size == 128ULL << 20U);
+  CHECK(limits.max_storage_buffers_per_stage == 8);
+  CHECK(limits.max_invocations_per_workgroup == 256);
+  CHECK(limits.max_workgroups_per_dimension == 65535);
+  CHECK(limits.max_texture_size == 8192);
+  GpuFixture fixture;
+  CHECK(fixture.device().limits().max_texture_size > limits.max_texture_size);  // else the rest says nothing
+}
+
 TEST_CASE("the bytes of buffers are counted while they live") {
   GpuFixture fixture;
   Device& device = fixture.device();
@@ -83,6 +97,9 @@ TEST_CASE("the bytes of buffers are counted while they live") {
     CHECK(device.allocated_bytes() == 560);
     *a = std::move(*Buffer<float>::create(device, 1, "c"));
     CHECK(device.allocated_bytes() == 164);
+    CHECK(device.take_largest_buffer() == 400);
+    CHECK(Buffer<float>::create(device, 3, "d"));
+    CHECK(device.take_largest_buffer() == 12);  // since it was last asked
   }
   CHECK(device.allocated_bytes() == 0);
 }

@@ -13,6 +13,8 @@
 #include "collision/pairs_paper.hpp"
 #include "collision/tree_refit.hpp"
 #include "element/neighbours.hpp"
+#include "element/packed_springs.hpp"
+#include "element/spring_blocks.hpp"
 #include "element/surface.hpp"
 #include "gpu/kernel.hpp"
 #include "model/contact_law.hpp"
@@ -23,8 +25,8 @@
 #include "render/frame_params.hpp"
 #include "scene/grab.hpp"
 #include "scene/scene.hpp"
-#include "solver/mass_spring/advance_grid.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
+#include "solver/mass_spring/grid_params.hpp"
 #include "solver/multigrid/level.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
@@ -81,19 +83,38 @@ Json step_params() {
               M(detect),         M(step_ratio),  M(point_count),  M(first_place)});
 }
 Json spring() {
-  using T = Spring;
+  using T = PackedSpring;
   return row("Spring", "shared/mass_spring.wgsl", sizeof(T), kExact,
-             {M(node_a), M(node_b), M(rest_length), M(stiffness), M(damping)});
+             {M(node_a), M(node_b_and_kind), M(rest_length)});
+}
+Json spring_kind() {
+  using T = SpringKind;
+  return row("SpringKind", "shared/mass_spring.wgsl", sizeof(T), kExact, {M(stiffness), M(damping)});
+}
+Json spring_block() {
+  using T = SpringBlock;
+  return row("SpringBlock", "mass_spring/spring_block_forces.wgsl", sizeof(T), kExact,
+             {M(first_node), M(node_count), M(first_spring), M(spring_count)});
+}
+Json block_spring() {
+  using T = BlockSpring;
+  return row("BlockSpring", "mass_spring/spring_block_forces.wgsl", sizeof(T), kExact,
+             {M(nodes_and_kind), M(rest_length)});
 }
 Json neighbour() {
   using T = Neighbour;
-  return row("Neighbour", "shared/neighbour.wgsl", sizeof(T), kExact,
-             {M(node), M(rest_length), M(stiffness), M(damping)});
+  return row("Neighbour", "shared/neighbour.wgsl", sizeof(T), kExact, {M(node_and_kind), M(rest_length)});
 }
 Json grid_params_row() {
   using T = GridParams;
-  return row("GridParams", "mass_spring/advance_grid.wgsl", sizeof(T), kExact,
-             {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(rest_length), M(damping)});
+  return row("GridParams", "mass_spring/grid_springs.wgsl", sizeof(T), kUniform,
+             {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(damping), M(rest_length),
+              M(bending), M(tile_width), M(tiles_x)});
+}
+Json mesh_params() {
+  using T = MeshParams;
+  return row("MeshParams", "mass_spring/advance_mesh.wgsl", sizeof(T), kUniform,
+             {M(first), M(count), M(kinds)});
 }
 Json spring_grid_row() {
   using T = SpringGrid;
@@ -105,10 +126,6 @@ Json multigrid_level() {
   return row("Level", "multigrid/level.wgsl", sizeof(T), kExact,
              {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(bend_end_i),
               M(bend_end_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
-}
-Json vertex_range() {
-  using T = VertexRange;
-  return row("VertexRange", "mass_spring/advance_mesh.wgsl", sizeof(T), kUniform, {M(first), M(count)});
 }
 Json surface_params() {
   using T = SurfaceParams;
@@ -198,11 +215,12 @@ Json statistic(const char* name, std::size_t offset) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_params(),     spring(),          neighbour(),    grid_params_row(),
-                      spring_grid_row(), multigrid_level(), vertex_range(), surface_params(),
-                      object_triangle(), tree_node(),       pair_range(),   analytic_collider(),
-                      contact(),         search_params(),   tree_params(),  colliders(),
-                      collider_place(),  frame(),           weave(),        plane()});
+  return Json::array(
+      {step_params(),     spring(),          spring_kind(), spring_block(),   block_spring(),
+       neighbour(),       grid_params_row(), mesh_params(), surface_params(), object_triangle(),
+       spring_grid_row(), multigrid_level(), tree_node(),   pair_range(),     analytic_collider(),
+       contact(),         search_params(),   tree_params(), colliders(),      collider_place(),
+       frame(),           weave(),           plane()});
 }
 
 Json shared_constants() {

@@ -72,6 +72,14 @@ TEST_CASE("the highest frequency of lattices is found within 0.5 %, an edge mode
   }
 }
 
+TEST_CASE("bending alone has omega² = 32 B / (a² m), where every second node of rows and columns is lifted") {
+  const HostModel model = lattice(40, 50, R"({"structural": 0, "shear": 0, "bend": 0, "bending": 1e-3})");
+  const double expected = 32 * 1e-3 / (0.02 * 0.02 * kNodeMass);
+  const double found = mass_spring_step_limit(model, 0).highest_frequency;
+  CHECK(found * found ==
+        doctest::Approx(expected).epsilon(0.01));  // (π / 2 n)² of a finite lattice, n = 40: 0.3 %
+}
+
 TEST_CASE("the largest eigenvalue of random networks is that of a long power iteration") {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     Random random(seed);

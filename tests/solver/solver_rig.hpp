@@ -118,6 +118,9 @@ class SolverRig {
       system.inverse_mass.push_back(static_cast<double>(x.w));
     }
     for (const Vec4f& v : velocities()) system.velocity.push_back(v.xyz().to<double>());
+    for (const ClothModel& cloth : model_.host.cloths)
+      for (const BendTriple& t : build_bending(cloth))
+        system.bending.push_back({t.node_a, t.node_b, t.node_c, t.stiffness});
     for (const Spring& s : build_springs(model_.host))
       system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});

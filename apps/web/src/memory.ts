@@ -31,7 +31,7 @@ export async function adapterLimits(): Promise<Limits> {
 
 // Bytes a node, and a triangle of an obstacle, measured at 32² to 256² nodes; tests/web/page/memory.test.ts holds the sum
 // to info.gpuBytes within 10 %.
-const NODE = { all: 193, spring_centric: 131, multigrid: 222, proximity: 150, pushes: 17 };
+const NODE = { all: 193, spring_centric: 84, spring_blocks: 67, multigrid: 222, proximity: 150, pushes: 17 };
 const OBSTACLE = { drawn: 29, proximity: 85, pushes: 71 };
 // The lists of first_room (src/sim/world.cpp): pairs and candidates. They grow where they are short.
 const LISTS = [{ least: 32_768, triangle: 2, entry: 112 }, { least: 131_072, triangle: 12, entry: 8 }] as const;
@@ -44,7 +44,9 @@ export function demand(nodes: number, scene: LoadedScene): Demand {
   const [proximity, pushes] = [method === "proximity", method === "bvh" || method === "paper"];
   const entries = LISTS.map(({ least, triangle }) => Math.max(least, 2 * nodes * triangle)) as [number, number];
   const multigrid = scene.now(SOLVER) === "multigrid";
-  const node = NODE.all + (multigrid ? NODE.multigrid : 0) + (scene.now(FORMULATION) === "spring_centric" ? NODE.spring_centric : 0) +
+  const formulation = scene.now(FORMULATION);
+  const springs = formulation === "spring_centric" || formulation === "spring_blocks" ? NODE[formulation] : 0;
+  const node = NODE.all + (multigrid ? NODE.multigrid : springs) +
     (proximity ? NODE.proximity : pushes ? NODE.pushes : 0);
   const obstacle = OBSTACLE.drawn + (proximity ? OBSTACLE.proximity : pushes ? OBSTACLE.pushes : 0);
   const lists = proximity ? entries[0] * LISTS[0].entry + entries[1] * LISTS[1].entry : 0;

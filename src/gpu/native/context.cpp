@@ -111,7 +111,7 @@ Result<WGPUAdapter> choose(const std::vector<WGPUAdapter>& adapters, const std::
 Result<void> open_device(Opened& opened, const DeviceOptions& options) {
   Context& context = *opened.context;
   WGPULimits limits = WGPU_LIMITS_INIT;
-  wgpuAdapterGetLimits(context.adapter, &limits);  // weft asks for all that the adapter has
+  wgpuAdapterGetLimits(context.adapter, &limits);
   opened.timestamps =
       options.timestamps && wgpuAdapterHasFeature(context.adapter, WGPUFeatureName_TimestampQuery) != 0;
   const WGPUFeatureName timestamp_query = WGPUFeatureName_TimestampQuery;
@@ -119,7 +119,7 @@ Result<void> open_device(Opened& opened, const DeviceOptions& options) {
   WGPUDeviceDescriptor descriptor = WGPU_DEVICE_DESCRIPTOR_INIT;
   const std::string label = "weft";
   descriptor.label = view(label);
-  descriptor.requiredLimits = &limits;
+  descriptor.requiredLimits = options.default_limits ? nullptr : &limits;
   descriptor.requiredFeatures = &timestamp_query;
   descriptor.requiredFeatureCount = opened.timestamps ? 1 : 0;
   descriptor.deviceLostCallbackInfo.mode = WGPUCallbackMode_AllowSpontaneous;
@@ -139,6 +139,7 @@ Result<void> open_device(Opened& opened, const DeviceOptions& options) {
     return make_error(ErrorKind::Failure, "Adapter %s gives no device: %s.", opened.adapter.name.c_str(),
                       reason.c_str());
   context.queue = wgpuDeviceGetQueue(context.device);
+  wgpuDeviceGetLimits(context.device, &limits);
 
   opened.limits.max_buffer_size = limits.maxBufferSize;
   opened.limits.max_storage_binding_size = limits.maxStorageBufferBindingSize;

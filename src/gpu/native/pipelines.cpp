@@ -122,7 +122,8 @@ Result<Id> create_bind_group(Context& context, Id layout, std::span<const Bindin
     if (source.kind == ObjectKind::Buffer) {
       entry.buffer = handle<WGPUBuffer>(source.id);
       entry.offset = source.offset;
-      entry.size = bindings[i].kind == BindingKind::StepUniform ? kStepStride : source.size;
+      entry.size =
+          bindings[i].kind == BindingKind::StepUniform ? bindings[i].steps * kStepStride : source.size;
     } else if (source.kind == ObjectKind::TextureView) {
       entry.textureView = handle<WGPUTextureView>(source.id);
     } else {

@@ -66,7 +66,8 @@ Result<Id> create_bind_group(Context& context, Id layout, std::span<const Bindin
                              std::span<const BindingSource> sources, const std::string& label) {
   std::vector<web::GroupEntry> entries;
   for (std::size_t i = 0; i < bindings.size(); ++i) {
-    const std::uint64_t size = bindings[i].kind == BindingKind::StepUniform ? kStepStride : sources[i].size;
+    const std::uint64_t size =
+        bindings[i].kind == BindingKind::StepUniform ? bindings[i].steps * kStepStride : sources[i].size;
     entries.push_back({bindings[i].binding, static_cast<std::uint32_t>(sources[i].kind),
                        handle(sources[i].id), 0, static_cast<double>(sources[i].offset),
                        static_cast<double>(size)});

@@ -171,25 +171,6 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   return step;
 }
 
-double ImplicitStepper::bending_energy(const std::vector<Vec3d>& position) const {
-  double sum = 0;
-  for (const Cloth& cloth : cloths_) {
-    GridOperator grid;
-    grid.nx = cloth.nx;
-    grid.ny = cloth.ny;
-    grid.bending = cloth.bending;
-    for (const bool along_i : {true, false}) {
-      const std::uint32_t step = along_i ? 1 : cloth.nx;
-      for_each_bend(grid, along_i, [&](std::uint32_t m, double stiffness) {
-        const Vec3d* x = &position[cloth.first + m];
-        const Vec3d curve = *(x - step) - 2.0 * *x + *(x + step);
-        sum += 0.5 * stiffness * dot(curve, curve);
-      });
-    }
-  }
-  return sum;
-}
-
 void ImplicitStepper::advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
                               double ratio) {
   std::vector<Vec3d> position = system.position, velocity = system.velocity;

@@ -44,9 +44,6 @@ class ImplicitStepper {
   LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
                        double ratio, std::size_t c) const;
 
-  /// What bends grids, which springs do not know [J].
-  double bending_energy(const std::vector<Vec3d>& position) const;
-
   int cycles = 1;  // V-cycles a step
 
  private:

@@ -14,32 +14,16 @@ namespace weft {
 /// Shader, OutOfMemory.
 class AdvanceGrid {
  public:
-  static Result<AdvanceGrid> create(gpu::Device& device, const gpu::Kernel& kernel, const Model& model,
-                                    const State& state, const Predicted& predicted, const ClothModel& cloth);
-  static Result<gpu::Kernel> kernel(gpu::Device& device, std::uint32_t workgroup_size) {
-    return gpu::Kernel::create(device, "mass_spring/advance_grid.wgsl", {}, workgroup_size);
-  }
-  void record(gpu::ComputePass& pass, const gpu::Kernel& kernel) const {
-    kernel.dispatch(pass, groups_[pass.parity()], count_);
-  }
+  static Result<AdvanceGrid> create(gpu::Device& device, const Model& model, const State& state,
+                                    const Predicted& predicted, const ClothModel& cloth,
+                                    std::uint32_t workgroup_size);
+  void record(gpu::ComputePass& pass) const { kernel_.dispatch(pass, groups_[pass.parity()], count_); }
 
  private:
+  gpu::Kernel kernel_;
   gpu::RawBuffer params_;
   std::array<gpu::BindGroup, 2> groups_;
-  std::uint32_t count_ = 0;
+  std::uint64_t count_ = 0;  // invocations, whole workgroups
 };
-
-/// Mirror of GridParams in shaders/mass_spring/advance_grid.wgsl.
-struct GridParams {
-  std::uint32_t first_vertex = 0, nx = 0, ny = 0;
-  std::uint32_t uniform_weights = 0;
-  Vec4f stiffness;    // structural, shear, bend [N/m]
-  Vec4f rest_length;  // structural along i, along j, shear [m]
-  float damping = 0;  // [N·s/m]
-  float padding[3] = {};
-};
-static_assert(sizeof(GridParams) == 64 && offsetof(GridParams, damping) == 48);
-
-GridParams grid_params(const ClothModel& cloth);
 
 }  // namespace weft

@@ -4,14 +4,32 @@
 
 namespace weft {
 
+namespace {
+
+// Most nodes for which two substeps at once are quicker than two dispatches, on an H100: docs/decisions.md.
+constexpr std::uint32_t kMostForTwo = 160000;
+
+/// Whether a dispatch costs more than what two substeps at once compute more.
+bool two_pay(const SolverInputs& inputs) {
+  if (inputs.state.steps.size() < 2) return false;  // no frame has two
+  if (inputs.two_steps) return *inputs.two_steps;
+  return inputs.device.adapter().type != "CPU" && inputs.model.vertex_count() <= kMostForTwo;
+}
+
+}  // namespace
+
 void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
   if (spring_centric_) {
-    spring_centric_->spring_forces.record(pass);     // Algorithm 1
+    if (spring_centric_->spring_forces) spring_centric_->spring_forces->record(pass);  // Algorithm 1
+    if (spring_centric_->spring_block_forces) spring_centric_->spring_block_forces->record(pass);
     spring_centric_->integrate_forces.record(pass);  // gravity enters here, so it needs no buffer
-    return;
   }
-  for (const AdvanceGrid& cloth : node_centric_->grids) cloth.record(pass, node_centric_->grid_kernel);
-  for (const AdvanceMesh& cloth : node_centric_->meshes) cloth.record(pass, node_centric_->mesh_kernel);
+  for (const AdvanceGrid& cloth : grids_) cloth.record(pass);
+  for (const AdvanceMesh& cloth : meshes_) cloth.record(pass);
+}
+
+void SolverMassSpring::record_two(gpu::ComputePass& pass) const {
+  for (const AdvanceGridTwice& cloth : twice_) cloth.record(pass);
 }
 
 void SolverMassSpring::record_solve(gpu::ComputePass& pass) const {
@@ -19,19 +37,24 @@ void SolverMassSpring::record_solve(gpu::ComputePass& pass) const {
   if (contact_respond_) contact_respond_->record(pass);    // docs/contact.md
 }
 
-Result<void> SolverMassSpring::create_spring_centric(const SolverInputs& inputs) {
+Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settings,
+                                                     const SolverInputs& inputs) {
   SpringCentric made;
   const std::vector<Spring> springs = build_springs(inputs.model.host);
   const ForceFixedPoint fixed_point = force_fixed_point(springs, inputs.model.vertex_count());
   constants_ = {static_cast<std::uint32_t>(springs.size()), fixed_point.scale, fixed_point.limit};
-  WEFT_TRY(spring_buffer, gpu::Buffer<Spring>::create_from(inputs.device, springs, "springs"));
-  made.springs = std::move(spring_buffer);
   WEFT_TRY(force,
            gpu::Buffer<std::int32_t>::create(inputs.device, 3UL * inputs.model.vertex_count(), "force"));
   made.force = std::move(force);
-  WEFT_TRY(forces, SpringForces::create(inputs.device, inputs.state, made.springs, made.force,
-                                        inputs.workgroup_size));
-  made.spring_forces = std::move(forces);
+  if (settings.forces == scene::Forces::SpringBlocks) {
+    WEFT_TRY(forces, SpringBlockForces::create(inputs.device, inputs.model, inputs.state, springs, made.force,
+                                               inputs.workgroup_size));
+    made.spring_block_forces = std::move(forces);
+  } else {
+    WEFT_TRY(forces,
+             SpringForces::create(inputs.device, inputs.state, springs, made.force, inputs.workgroup_size));
+    made.spring_forces = std::move(forces);
+  }
   WEFT_TRY(integrate, IntegrateForces::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
                                               made.force, inputs.workgroup_size));
   made.integrate_forces = std::move(integrate);
@@ -40,39 +63,34 @@ Result<void> SolverMassSpring::create_spring_centric(const SolverInputs& inputs)
 }
 
 Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
-  NodeCentric made;
   const auto& cloths = inputs.model.host.cloths;
-  const auto is_grid = [](const ClothModel& cloth) { return cloth.grid.has_value(); };
-  if (std::any_of(cloths.begin(), cloths.end(), is_grid)) {
-    WEFT_TRY(kernel, AdvanceGrid::kernel(inputs.device, inputs.workgroup_size));
-    made.grid_kernel = std::move(kernel);
-  }
-  if (!std::all_of(cloths.begin(), cloths.end(), is_grid)) {
-    WEFT_TRY(kernel, AdvanceMesh::kernel(inputs.device, inputs.workgroup_size));
-    made.mesh_kernel = std::move(kernel);
-  }
+  const bool two = inputs.contacts == nullptr && two_pay(inputs) &&
+                   std::all_of(cloths.begin(), cloths.end(),
+                               [](const ClothModel& cloth) { return cloth.grid.has_value(); });
   for (const ClothModel& cloth : cloths) {
-    if (is_grid(cloth)) {
-      WEFT_TRY(advance, AdvanceGrid::create(inputs.device, made.grid_kernel, inputs.model, inputs.state,
-                                            inputs.predicted(), cloth));
-      made.grids.push_back(std::move(advance));
-    } else {
-      WEFT_TRY(advance, AdvanceMesh::create(inputs.device, made.mesh_kernel, inputs.model, inputs.state,
-                                            inputs.predicted(), cloth));
-      made.meshes.push_back(std::move(advance));
+    if (!cloth.grid) {
+      WEFT_TRY(advance, AdvanceMesh::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
+                                            cloth, inputs.workgroup_size));
+      meshes_.push_back(std::move(advance));
+      continue;
     }
+    WEFT_TRY(advance, AdvanceGrid::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
+                                          cloth, inputs.workgroup_size));
+    grids_.push_back(std::move(advance));
+    if (!two) continue;
+    WEFT_TRY(twice, AdvanceGridTwice::create(inputs.device, inputs.model, inputs.state, cloth));
+    twice_.push_back(std::move(twice));
   }
-  node_centric_ = std::move(made);
   return {};
 }
 
 Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& settings,
                                                          const SolverInputs& inputs) {
   auto made = std::make_unique<SolverMassSpring>();
-  if (settings.forces == scene::Forces::SpringCentric) {
-    WEFT_CHECK(made->create_spring_centric(inputs));
-  } else {
+  if (settings.forces == scene::Forces::NodeCentric) {
     WEFT_CHECK(made->create_node_centric(inputs));
+  } else {
+    WEFT_CHECK(made->create_spring_centric(settings, inputs));
   }
   if (inputs.contacts != nullptr && inputs.contacts->pairs) {
     WEFT_TRY(respond, ContactRespond::create(inputs.device, inputs.state, *inputs.contacts->pairs,

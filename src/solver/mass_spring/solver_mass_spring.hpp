@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "solver/mass_spring/advance_grid.hpp"
+#include "solver/mass_spring/advance_grid_twice.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
 #include "solver/mass_spring/contact_respond.hpp"
 #include "solver/mass_spring/contact_response.hpp"
 #include "solver/mass_spring/fixed_point.hpp"
 #include "solver/mass_spring/integrate_forces.hpp"
+#include "solver/mass_spring/spring_block_forces.hpp"
 #include "solver/mass_spring/spring_forces.hpp"
 #include "solver/solver.hpp"
 
@@ -23,29 +25,28 @@ class SolverMassSpring : public Solver {
 
   void record_predict(gpu::ComputePass& pass) const override;
   void record_solve(gpu::ComputePass& pass) const override;
+  bool takes_two() const override { return !twice_.empty(); }
+  void record_two(gpu::ComputePass& pass) const override;
   SolverConstants constants() const override { return constants_; }
 
  private:
-  /// Algorithm 1: one invocation a spring.
+  /// Algorithm 1: fixed-point sums of springs, each by itself or in blocks.
   struct SpringCentric {
-    gpu::Buffer<Spring> springs;
     gpu::Buffer<std::int32_t> force;  // 3 * vertex_count
-    SpringForces spring_forces;
+    std::optional<SpringForces> spring_forces;
+    std::optional<SpringBlockForces> spring_block_forces;
     IntegrateForces integrate_forces;
   };
-  /// One invocation a node; a dispatch for each cloth.
-  struct NodeCentric {
-    gpu::Kernel grid_kernel, mesh_kernel;
-    std::vector<AdvanceGrid> grids;
-    std::vector<AdvanceMesh> meshes;
-  };
 
-  Result<void> create_spring_centric(const SolverInputs& inputs);
+  Result<void> create_spring_centric(const scene::Solver& settings, const SolverInputs& inputs);
   Result<void> create_node_centric(const SolverInputs& inputs);
 
   SolverConstants constants_;
   std::optional<SpringCentric> spring_centric_;
-  std::optional<NodeCentric> node_centric_;
+  // One invocation a node; a dispatch for each cloth.
+  std::vector<AdvanceGrid> grids_;
+  std::vector<AdvanceGridTwice> twice_;
+  std::vector<AdvanceMesh> meshes_;
   std::optional<ContactResponse> contact_response_;  // to pushes
   std::optional<ContactRespond> contact_respond_;    // to pairs
 };

@@ -9,8 +9,7 @@ namespace weft {
 
 std::vector<MultigridLevel> multigrid_levels(const ClothModel& cloth) {
   const mesh::Grid& grid = *cloth.grid;
-  const double di = grid.width / (grid.nx - 1), dj = grid.height / (grid.ny - 1);
-  const double bending = cloth.stiffness.bending;
+  const auto [along_i, along_j] = bending_stiffness(cloth);
   const auto end = [](std::uint32_t side, bool even) {
     return side - std::min(side, even ? 1U : 2U);  // without the inner node of a shorter last interval
   };
@@ -22,8 +21,8 @@ std::vector<MultigridLevel> multigrid_levels(const ClothModel& cloth) {
     level.ny = shape.ny;
     level.first_vector = vectors;
     level.first_operator = operators;
-    level.bending_i = static_cast<float>(bending * dj / (di * di * di) * shape.bending_i);
-    level.bending_j = static_cast<float>(bending * di / (dj * dj * dj) * shape.bending_j);
+    level.bending_i = static_cast<float>(along_i * shape.bending_i);
+    level.bending_j = static_cast<float>(along_j * shape.bending_j);
     level.bend_end_i = end(shape.nx, shape.even_i);
     level.bend_end_j = end(shape.ny, shape.even_j);
     level.rim = cloth.weights == mesh::BoundaryWeights::Uniform ? 1.0F : 0.5F;

@@ -116,7 +116,7 @@ test("a value past the core's limits is refused in one sentence, and the field s
 
 test("formulation and contact method are the core's, by its names, and change what is loaded", async () => {
   const options = (id: string) => page.locator(`#${id} option`).evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value));
-  expect(await options("formulation")).toEqual(["node_centric", "spring_centric"]);
+  expect(await options("formulation")).toEqual(["node_centric", "spring_centric", "spring_blocks"]);
   expect(await options("contact")).toEqual(["none", "paper", "bvh", "proximity"]);
   const nodewise = (await info()).gpuBytes;
   await page.locator("#formulation").selectOption("spring_centric");

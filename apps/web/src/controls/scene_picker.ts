@@ -11,7 +11,7 @@ const RESOLUTIONS = [32, 64, 100, 128, 200, 256, 400, 512, 800, 1024, 1600, 2048
 
 /** What the schema's words are called here; one that is not, by itself. */
 const NAMES: Readonly<Record<string, string>> = {
-  node_centric: "Node-centric (gather)", spring_centric: "Spring-centric (scatter)",
+  node_centric: "Node-centric (gather)", spring_centric: "Spring-centric (scatter)", spring_blocks: "Spring blocks (scatter, summed in groups)",
   none: "None", proximity: "Proximity", bvh: "BVH (the paper's pairs, by a tree)", paper: "Paper (all pairs)" };
 
 /** What a contact method costs or leaves out. */

@@ -1,0 +1,57 @@
+#include "bench/drawn_frames.hpp"
+
+#include <array>
+
+#include "gpu/texture.hpp"
+#include "render/renderer.hpp"
+#include "render/scene_inputs.hpp"
+
+namespace weft::bench {
+namespace {
+
+/// A renderer, the texture it draws into, and its commands for each parity of the state.
+struct Drawing {
+  render::Renderer renderer;
+  gpu::Texture target;
+  std::array<gpu::CommandList, 2> lists;
+};
+
+Result<Drawing> make_drawing(const sim::World& world) {
+  render::Settings settings;  // 1280 x 720, textured
+  settings.camera = world.scene().camera;
+  settings.bounds = render::scene_bounds(world.model().host, world.scene(), world.assets().objects);
+  const render::Inputs inputs = render::inputs_of(
+      world.model(), world.state(), {world.surface().normal(), world.surface().stretch(), nullptr},
+      world.scene(), world.assets().objects, world.assets().keyframes);
+  Drawing made;
+  WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs));
+  made.renderer = std::move(renderer);
+  WEFT_TRY(target, gpu::Texture::create(
+                       world.device(),
+                       {settings.width, settings.height, 1, settings.color_format, gpu::kRenderTarget},
+                       "drawn frame"));
+  made.target = std::move(target);
+  for (std::uint32_t parity = 0; parity < 2; ++parity)
+    made.renderer.record(made.lists[parity], parity, made.target.view());
+  return made;
+}
+
+}  // namespace
+
+Result<Timing> time_drawn_frames(gpu::Device& device, scene::Scene scene, const sim::Assets& assets,
+                                 const sim::Snapshot* start, double budget_ms, std::uint32_t least) {
+  scene.time.frame /= *scene.time.substeps;
+  scene.time.substeps = 1;
+  WEFT_TRY(world, sim::World::create(device, std::move(scene), assets));
+  if (start != nullptr) world->restore(*start);
+  WEFT_TRY(drawing, make_drawing(*world));
+  const auto draw_frame = [&]() -> Result<void> {
+    drawing.renderer.set_time(world->time());
+    WEFT_CHECK(world->advance_frame(&drawing.lists[world->parity_after()]));
+    return world->finish();
+  };
+  WEFT_CHECK(draw_frame());  // lists that are too short at first are longer after it
+  return time_repeats(budget_ms, least, 1, draw_frame);
+}
+
+}  // namespace weft::bench

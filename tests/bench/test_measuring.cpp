@@ -1,0 +1,140 @@
+// What `weft bench` measures, on small sizes: counts and sizes, never times.
+#include <doctest/doctest.h>
+
+#include "bench/copy.hpp"
+#include "bench/crossing_count.hpp"
+#include "bench/drawn_frames.hpp"
+#include "bench/largest.hpp"
+#include "gpu/gpu_fixture.hpp"
+#include "scene/load.hpp"
+
+using namespace weft;
+
+namespace {
+
+/// Lowers what a binding may hold.
+void limit_bindings(gpu::Device& device, std::uint64_t bytes) {
+  gpu::Limits limits = device.limits();
+  limits.max_storage_binding_size = bytes;
+  device.lower_limits(limits);
+}
+
+bool makes_world(gpu::Device& device, std::uint32_t side, bench::Formulation formulation) {
+  auto sheet = bench::make_hanging_sheet(side, formulation);
+  REQUIRE(sheet);
+  return static_cast<bool>(sim::World::create(device, sheet->scene, sheet->assets));
+}
+
+}  // namespace
+
+TEST_CASE("the largest sheet within a limit runs, and the next larger one is refused by that limit") {
+  for (const bench::Formulation formulation : bench::kFormulations) {
+    GpuFixture fixture;
+    limit_bindings(fixture.device(), 500000);
+    const auto row = bench::measure_largest(fixture.device(), formulation, "adapter", {1ULL << 30U, 60});
+    REQUIRE_MESSAGE(row, (row ? "" : row.error().message));
+    CAPTURE(row->variant);
+    CAPTURE(row->side);
+    CHECK(row->skipped.empty());
+    CHECK(row->step.median > 0);
+    CHECK(row->nodes == static_cast<std::uint64_t>(row->side) * row->side);
+    CHECK(row->gpu_bytes > 4 * sizeof(Vec4f) * row->nodes);
+    CHECK(row->limited_by.find("maxStorageBufferBindingSize of 500000") != std::string::npos);
+    CHECK(makes_world(fixture.device(), row->side, formulation));
+    CHECK(!makes_world(fixture.device(), row->side + 1, formulation));
+  }
+}
+
+TEST_CASE(
+    "the largest sheet is worked out, not run, where memory or time do not suffice, and both numbers say "
+    "so") {
+  GpuFixture fixture;
+  const auto full =
+      bench::measure_largest(fixture.device(), bench::Formulation::Grid, "adapter", {20ULL << 20U, 60});
+  REQUIRE(full);
+  CHECK(full->skipped.find("GiB of memory, more than the 0.02 allowed") != std::string::npos);
+  CHECK(full->step.samples == 0);
+  CHECK(full->nodes * sizeof(Vec4f) <= fixture.device().limits().max_storage_binding_size);
+  CHECK(full->nodes * 48 > fixture.device().limits().max_storage_binding_size);
+  const auto slow =
+      bench::measure_largest(fixture.device(), bench::Formulation::Grid, "adapter", {1ULL << 40U, 0.0001});
+  REQUIRE(slow);
+  CHECK(slow->skipped.find("s to build, more than the 0.0001 allowed") != std::string::npos);
+}
+
+TEST_CASE("copies and dispatches in order are measured in a buffer that the adapter allows") {
+  GpuFixture fixture;
+  gpu::Limits limits = fixture.device().limits();
+  limits.max_buffer_size = 1000003;
+  fixture.device().lower_limits(limits);
+  std::vector<bench::CopyRow> rows;
+  REQUIRE(bench::run_copy(fixture.device(), true, [&](const bench::CopyRow& row) {
+    rows.push_back(row);
+    return Result<void>();
+  }));
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].what == "copy");
+  CHECK(rows[0].bytes == 1000000);
+  CHECK(rows[1].what == "dispatch");
+  for (const bench::CopyRow& row : rows) CHECK(row.time.median > 0);
+}
+
+TEST_CASE("crossings are counted in the state as it is, through an object and through the cloth itself") {
+  GpuFixture fixture;
+  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+    "contact": {"method": "bvh", "thickness": 0.003}, "cloths": [{"grid": [9, 9], "size": [1, 1], "plane": "xz",
+    "density": 0.3, "damping": 0.01, "stiffness": {"structural": 300, "shear": 40, "bend": 1}}],
+    "colliders": [{"kind": "mesh", "mesh": "m", "transform": {"translate": [0, -1, 0]}}]})",
+                                        "test");
+  REQUIRE_MESSAGE(scene, (scene ? "" : scene.error().message));
+  mesh::TriangleMesh spike;  // a thin upright triangle, far below the sheet
+  spike.positions = {{-0.03F, -0.3F, 0.02F}, {0.04F, -0.3F, 0.02F}, {0.01F, 0.4F, 0.01F}};
+  spike.triangles = {{0, 1, 2}};
+  const auto assets =
+      sim::load_assets(*scene, [&](const std::string&) { return Result<mesh::TriangleMesh>(spike); });
+  REQUIRE_MESSAGE(assets, (assets ? "" : assets.error().message));
+  auto count = bench::CrossingCount::create(fixture.device(), *scene, *assets);
+  REQUIRE_MESSAGE(count, (count ? "" : count.error().message));
+  const auto world = sim::World::create(fixture.device(), *scene, *assets);
+  REQUIRE(world);
+  auto state = (*world)->snapshot();
+  REQUIRE(state);
+  CHECK(*count->of(*state) == 0);
+  sim::Snapshot pierced = *state;  // lowered onto the spike, two of whose edges then pass through the sheet
+  for (Vec4f& node : pierced.position) node.y = -1.0F;
+  const auto through = count->of(pierced);
+  REQUIRE(through);
+  CHECK(*through >= 2);
+  sim::Snapshot folded = *state;  // the edge of two nodes at a corner goes through the sheet's middle
+  folded.position[0] = {0.02F, -0.2F, 0.03F, folded.position[0].w};
+  folded.position[1] = {0.02F, 0.2F, 0.03F, folded.position[1].w};
+  CHECK(*count->of(folded) > 0);
+  CHECK(*count->of(*state) == 0);
+}
+
+TEST_CASE("frames with pictures are counted and leave no buffer behind") {
+  GpuFixture fixture;
+  auto sheet = bench::make_hanging_sheet(8, bench::Formulation::Grid);
+  REQUIRE(sheet);
+  REQUIRE(bench::fix_step(sheet->scene, sheet->assets, 4));
+  const auto time = bench::time_drawn_frames(fixture.device(), sheet->scene, sheet->assets, nullptr, 0, 3);
+  REQUIRE_MESSAGE(time, (time ? "" : time.error().message));
+  CHECK(time->samples == 3);
+  CHECK(time->least > 0);
+  CHECK(fixture.device().allocated_bytes() == 0);
+}
+
+TEST_CASE("the noise of times is what 5 and 95 of 100 of them are") {
+  std::vector<double> times;
+  for (int k = 100; k >= 0; --k) times.push_back(k);
+  const bench::Timing timing = bench::timing_of(times);
+  CHECK(timing.least == 0);
+  CHECK(timing.low == 5);
+  CHECK(timing.median == 50);
+  CHECK(timing.high == 95);
+  CHECK(timing.samples == 101);
+  const bench::Timing one = bench::timing_of({3});
+  CHECK(one.low == 3);
+  CHECK(one.high == 3);
+  CHECK(bench::timing_of({}).samples == 0);
+}
