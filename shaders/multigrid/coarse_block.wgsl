@@ -4,8 +4,8 @@
 #include "multigrid/symmetric.wgsl"
 const kBlocks = 5u;
 
-fn block_at(level : Level, node : u32, block : u32) -> Symmetric {
-  let a = operators[operator_at(level, block, node)];
-  let b = operators[operator_at(level, kBlocks + block / 2u, node)];
-  return Symmetric(a.xyz, vec3f(a.w, select(b.xy, b.zw, (block & 1u) == 1u)));
+fn block_at(level : Level, node : u32, number : u32) -> Symmetric {
+  let a = operators[operator_at(level, number, node)];
+  let b = operators[operator_at(level, kBlocks + number / 2u, node)];
+  return Symmetric(a.xyz, vec3f(a.w, select(b.xy, b.zw, (number & 1u) == 1u)));
 }

@@ -2,8 +2,8 @@
 #include "multigrid/bending.wgsl"
 #include "multigrid/coarse_block.wgsl"
 
-fn coupled(level : Level, owner : u32, block : u32, other : u32) -> vec3f {
-  return times(block_at(level, owner, block), operand(level, other));
+fn coupled(level : Level, owner : u32, number : u32, other : u32) -> vec3f {
+  return times(block_at(level, owner, number), operand(level, other));
 }
 
 fn coarse_product(level : Level, i : u32, j : u32, node : u32) -> vec3f {

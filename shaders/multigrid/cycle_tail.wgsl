@@ -13,7 +13,8 @@ const kBottomSteps = 10u;
 
 fn node_count(level : Level) -> u32 { return level.nx * level.ny; }
 
-// Steps 2 to kBottomSteps of Chebyshev's polynomial. The first one, restriction's, was for another range: it is made good by the ratio.
+// The first step of Chebyshev's polynomial, restriction's, was for another range: it is made good by the ratio. The others go to and fro
+// between the two solutions; their number is odd, so that the last one is kFirst.
 fn solve_bottom(level : Level, local : u32) {
   let middle = (kHigh + kBottomLow) / 2.0;
   let half = (kHigh - kBottomLow) / 2.0;
@@ -21,24 +22,23 @@ fn solve_bottom(level : Level, local : u32) {
   for (var node = local; node < node_count(level); node += kWorkgroupSize) {
     let d = vectors[vector_at(level, kDirection, node)].xyz / (middle * kBegin);
     vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
-    vectors[vector_at(level, kFirst, node)] = vec4f(d, 0.0);
+    vectors[vector_at(level, kSecond, node)] = vec4f(d, 0.0);
   }
   storageBarrier();
   var rho = 1.0 / sigma;
+  var now = kSecond;
   for (var step = 1u; step < kBottomSteps; step++) {
     let next = 1.0 / (2.0 * sigma - rho);
+    let then = kFirst + kSecond - now;
     for (var node = local; node < node_count(level); node += kWorkgroupSize) {
-      let left = left_of(level, kFirst, no_level(), node);
+      let left = left_of(level, now, no_level(), node);
       let d = next * rho * vectors[vector_at(level, kDirection, node)].xyz + (2.0 * next / half) * times(inverse_at(level, node), left);
       vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
-    }
-    storageBarrier();
-    for (var node = local; node < node_count(level); node += kWorkgroupSize) {
-      let x = vectors[vector_at(level, kFirst, node)].xyz + vectors[vector_at(level, kDirection, node)].xyz;
-      vectors[vector_at(level, kFirst, node)] = vec4f(x, 0.0);
+      vectors[vector_at(level, then, node)] = vec4f(operand(level, node) + d, 0.0);
     }
     storageBarrier();
     rho = next;
+    now = then;
   }
 }
 

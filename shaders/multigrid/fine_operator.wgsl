@@ -8,8 +8,8 @@ var<private> rate : f32;     // 1/s: what a displacement is as a velocity
 var<private> finest : Level;
 
 fn pull(neighbour : u32, rest_length : f32, stiffness : f32, damping : f32) -> vec3f {
-  let block = spring_block(place[neighbour].xyz - here, rest_length, stiffness, rate * damping);
-  return block_times(block, value - operand(finest, neighbour));
+  let hessian = spring_block(place[neighbour].xyz - here, rest_length, stiffness, rate * damping);
+  return block_times(hessian, value - operand(finest, neighbour));
 }
 
 fn fine_product(level : Level, i : u32, j : u32, node : u32) -> vec3f {

@@ -17,28 +17,28 @@
 var<private> blocks : array<Symmetric, 5>;
 var<private> rate : f32;  // 1/s
 
+// What a place along a side takes from coarse node I (x), from I + 1 (y) and from I - 1 (z).
+fn line_taps(at : i32, center : i32, coarse : i32, n : i32, m : i32, regular : bool) -> vec3f {
+  if (regular) {  // the same, where no end of the side is near
+    let o = 0.5 * f32(at - center);
+    return max(vec3f(0.0), 1.0 - abs(vec3f(o, o - 1.0, o + 1.0)));
+  }
+  return vec3f(tap(at, coarse, n, m), tap(at, coarse + 1, n, m), tap(at, coarse - 1, n, m));
+}
+fn is_regular(center : i32, n : i32, m : i32) -> bool { return n != m && center > 3 && center + 4 < n; }
+
 // What a fine node takes from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w), and to the left
 // of that.
 struct Taps { right : vec4f, left : f32, at : vec4f }
 
-fn taps_at(i : i32, j : i32, coarse_i : i32, coarse_j : i32) -> Taps {
-  let fine = levels[0];
-  let coarse = levels[1];
-  let at = place[u32(j) * fine.nx + u32(i)];
+fn taps_at(x : i32, y : i32, column : vec3f, row : vec3f) -> Taps {
+  let at = place[u32(y) * grid.nx + u32(x)];
   if (at.w == 0.0) { return Taps(vec4f(0.0), 0.0, at); }
-  let nx = i32(fine.nx);
-  let ny = i32(fine.ny);
-  let mx = i32(coarse.nx);
-  let my = i32(coarse.ny);
-  let here = tap(i, coarse_i, nx, mx);
-  let right = tap(i, coarse_i + 1, nx, mx);
-  let row = tap(j, coarse_j, ny, my);
-  let below = tap(j, coarse_j + 1, ny, my);
-  return Taps(vec4f(here * row, right * row, here * below, right * below), tap(i, coarse_i - 1, nx, mx) * below, at);
+  return Taps(vec4f(column.xy * row.x, column.xy * row.y), column.z * row.y, at);
 }
 
-fn add(block : Symmetric, own : f32, right : vec4f, left : f32) {
-  let part = scaled(own, block);
+fn add(matrix : Symmetric, own : f32, right : vec4f, left : f32) {
+  let part = scaled(own, matrix);
   blocks[0] = sum_of(blocks[0], scaled(right.x, part));
   blocks[1] = sum_of(blocks[1], scaled(right.y, part));
   blocks[2] = sum_of(blocks[2], scaled(right.z, part));
@@ -72,25 +72,45 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
   let j = i32(coarse_j);
   let nx = i32(grid.nx);
   let ny = i32(grid.ny);
+  let mx = i32(coarse.nx);
+  let my = i32(coarse.ny);
   let center_i = i32(center_of(coarse_i, grid.nx, coarse.nx));
   let center_j = i32(center_of(coarse_j, grid.ny, coarse.ny));
+  let regular_i = is_regular(center_i, nx, mx);
+  let regular_j = is_regular(center_j, ny, my);
   rate = 1.0 / formula_of(step.step_ratio).he;
-  for (var block = 0u; block < 5u; block++) { blocks[block] = zero_matrix(); }
+  for (var k = 0u; k < 5u; k++) { blocks[k] = zero_matrix(); }
+  let left = max(center_i - 2, 0);
   for (var y = max(center_j - 2, 0); y <= min(center_j + 2, ny - 1); y++) {
     let row_weight = line_weight(grid, u32(y), grid.ny);
-    for (var x = max(center_i - 2, 0); x <= min(center_i + 2, nx - 1); x++) {
-      let a = taps_at(x, y, i, j);
+    let down = y + 1 < ny;
+    let row = line_taps(y, center_j, j, ny, my, regular_j);
+    let below_row = line_taps(y + 1, center_j, j, ny, my, regular_j);
+    // A window of four nodes goes along the row: a and b in it, and those below.
+    var b = taps_at(left, y, line_taps(left, center_i, i, nx, mx, regular_i), row);
+    var below_a = b;
+    var below_b = b;
+    if (down) {
+      below_b = taps_at(left, y + 1, line_taps(left, center_i, i, nx, mx, regular_i), below_row);
+      if (left > 0) { below_a = taps_at(left - 1, y + 1, line_taps(left - 1, center_i, i, nx, mx, regular_i), below_row); }
+    }
+    for (var x = left; x <= min(center_i + 2, nx - 1); x++) {
+      let a = b;
+      let before = below_a;
+      below_a = below_b;
       add(identity(a.at.w), a.right.x, a.right, a.left);
-      let column_weight = line_weight(grid, u32(x), grid.nx);
-      let down = y + 1 < ny;
       if (x + 1 < nx) {
-        let b = taps_at(x + 1, y, i, j);
+        let column = line_taps(x + 1, center_i, i, nx, mx, regular_i);
+        b = taps_at(x + 1, y, column, row);
         add_structural(a, b, grid.rest_length.x, x, nx, row_weight);
-        if (down) { add_spring(a, taps_at(x + 1, y + 1, i, j), grid.rest_length.z, grid.stiffness.y, grid.damping); }
+        if (down) {
+          below_b = taps_at(x + 1, y + 1, column, below_row);
+          add_spring(a, below_b, grid.rest_length.z, grid.stiffness.y, grid.damping);
+        }
       }
       if (down) {
-        add_structural(a, taps_at(x, y + 1, i, j), grid.rest_length.y, y, ny, column_weight);
-        if (x > 0) { add_spring(a, taps_at(x - 1, y + 1, i, j), grid.rest_length.z, grid.stiffness.y, grid.damping); }
+        add_structural(a, below_a, grid.rest_length.y, y, ny, line_weight(grid, u32(x), grid.nx));
+        if (x > 0) { add_spring(a, before, grid.rest_length.z, grid.stiffness.y, grid.damping); }
       }
     }
   }

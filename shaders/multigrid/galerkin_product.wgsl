@@ -29,7 +29,7 @@ fn coarsen(fine : Level, coarse : Level, node : u32) {
   let my = i32(coarse.ny);
   let center_i = i32(center_of(i, fine.nx, coarse.nx));
   let center_j = i32(center_of(j, fine.ny, coarse.ny));
-  for (var block = 0u; block < kBlocks; block++) { blocks[block] = zero_matrix(); }
+  for (var k = 0u; k < kBlocks; k++) { blocks[k] = zero_matrix(); }
   for (var y = max(center_j - 1, 0); y <= min(center_j + 1, ny - 1); y++) {
     for (var x = max(center_i - 1, 0); x <= min(center_i + 1, nx - 1); x++) {
       let own = tap(x, coarse_i, nx, mx) * tap(y, coarse_j, ny, my);

@@ -21,11 +21,11 @@ fn operand(level : Level, node : u32) -> vec3f { return place[node].xyz + vector
 
 fn pull(neighbour : u32, rest_length : f32, stiffness : f32, damping : f32) -> vec3f {
   let span = place[neighbour].xyz - here;
-  let block = spring_block(span, rest_length, stiffness, 0.0);
+  let hessian = spring_block(span, rest_length, stiffness, 0.0);
   let span_step = vectors[vector_at(levels[0], kFirst, neighbour)].xyz - start;
   let tension = stiffness * (length(span) - rest_length);
-  var force = tension * block.direction + block_times(block, span_step);
-  diagonal = sum_of(diagonal, sum_of(outer(block.direction, block.along + damping * rate), identity(block.across)));
+  var force = tension * hessian.direction + block_times(hessian, span_step);
+  diagonal = sum_of(diagonal, sum_of(outer(hessian.direction, hessian.along + damping * rate), identity(hessian.across)));
   if (damping > 0.0) {  // along the spring as it will be: along its direction now, of first order in the step
     let later = span + span_step;
     let change = vectors[vector_at(levels[0], kSecond, neighbour)].xyz - start_velocity;

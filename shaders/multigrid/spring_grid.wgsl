@@ -30,8 +30,8 @@ fn spring_block(span : vec3f, rest_length : f32, stiffness : f32, damping : f32)
   let b = max(0.0, 1.0 - rest_length / len);
   return SpringBlock(span / len, stiffness * (1.0 - b) + damping, stiffness * b);
 }
-fn block_times(block : SpringBlock, v : vec3f) -> vec3f {
-  return block.along * dot(block.direction, v) * block.direction + block.across * v;
+fn block_times(hessian : SpringBlock, v : vec3f) -> vec3f {
+  return hessian.along * dot(hessian.direction, v) * hessian.direction + hessian.across * v;
 }
 
 // Part of a spring's stiffness where it runs along a boundary line, which has cloth on one side only.

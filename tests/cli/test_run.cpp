@@ -180,6 +180,21 @@ TEST_CASE("--set changes a value, in order, and --solver replaces the whole solv
   CHECK(changed.at("contact_method") == "none");
 }
 
+TEST_CASE("auto says which solver it took and why, and multigrid needs no stable step") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const auto chosen = run_json(scene, {"--frames", "1", "--solver", "auto"});
+  CHECK(chosen.at("solver") == "mass_spring");
+  CHECK(chosen.at("solver_reason") ==
+        "30 nodes are fewer than the 100000, from which on multigrid is cheaper");
+  const auto implicit = run_json(scene, {"--frames", "1", "--solver", "multigrid"});
+  CHECK(implicit.at("solver") == "multigrid");
+  CHECK_FALSE(implicit.contains("forces"));
+  CHECK_FALSE(implicit.contains("solver_reason"));
+  const Ended told = run_weft({"run", scene, "--frames", "1", "--solver", "auto"});
+  CHECK(told.out.find("chosen since 30 nodes are fewer than") != std::string::npos);
+}
+
 TEST_CASE("run takes relative paths from where it is run, and its lines for people say what was written") {
   const TemporaryFolder folder;
   put(folder, "a.json", tiny_scene());

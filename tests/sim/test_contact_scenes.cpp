@@ -76,10 +76,15 @@ std::string check_run(gpu::Device& device, const scene::Scene& scene, std::uint3
   return hash;
 }
 
-void check_once(const std::string& name, std::uint32_t frames) {
+void check_once(const std::string& name, std::uint32_t frames, const Overrides& overrides = {}) {
   CAPTURE(name);
   GpuFixture fixture;
-  check_run(fixture.device(), shipped_scene(name, with_grid({})), frames, true);
+  check_run(fixture.device(), shipped_scene(name, with_grid(overrides)), frames, true);
+}
+
+void check_implicit(const std::string& name, std::uint32_t frames, Overrides overrides = {}) {
+  overrides.push_back(scene::override_solver("multigrid"));
+  check_once(name, frames, overrides);
 }
 
 void check_twice(const std::string& name, std::uint32_t frames, const Overrides& overrides = {}) {
@@ -145,3 +150,38 @@ TEST_CASE("a ball flies into a sheet and not through it, twice the same") {
   check_twice("shot", 16, {{"colliders.0.motion.start", "0"}, {"colliders.0.center", "[0.08, 0, -0.6]"}});
 }
 TEST_CASE("a sheet on an incline stays, twice the same") { check_twice("incline", 15); }
+
+TEST_CASE("implicit: a sheet falls on the sphere and passes through nothing") {
+  check_implicit("drape-sphere", 40);
+}
+TEST_CASE("implicit: a sheet begins to twist and passes nowhere through itself") {
+  check_implicit("twist", 20);
+}
+TEST_CASE("implicit: sheets drop on each other and pass through nothing") {
+  check_implicit("stack", 25, {{"cloths.0.copies.count", "3"}});
+}
+TEST_CASE("implicit: a sheet falls into the funnel and passes through nothing") {
+  check_implicit("funnel", 30);
+}
+TEST_CASE("implicit: a flag in a storm passes nowhere through itself") { check_implicit("flag", 40); }
+TEST_CASE("implicit: a ball flies into a sheet and not through it") {
+  check_implicit("shot", 16, {{"colliders.0.motion.start", "0"}, {"colliders.0.center", "[0.08, 0, -0.6]"}});
+}
+TEST_CASE("implicit: a sheet slides down an incline and passes through nothing") {
+  check_implicit("incline", 15);
+}
+TEST_CASE("long: implicit: a sheet falls on the armadillo and passes through nothing") {
+  check_implicit("drape-armadillo", 60);
+}
+TEST_CASE("long: implicit: a sheet falls on the dragon and passes through nothing") {
+  check_implicit("drape-dragon", 60);
+}
+TEST_CASE("long: implicit: a sheet is wrung into a rope and passes nowhere through itself") {
+  check_implicit("twist", 200);
+}
+TEST_CASE("long: implicit: a sheet gets to the neck of the funnel and passes through nothing") {
+  check_implicit("funnel", 100);
+}
+TEST_CASE("long: implicit: a flag folds on itself in a storm and passes nowhere through itself") {
+  check_implicit("flag", 150);
+}

@@ -11,8 +11,7 @@ using reference::Sym3;
 
 namespace {
 
-// Numbers of vectors, as in shaders/multigrid/level.wgsl.
-constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFirst = 4;
+using namespace weft::multigrid;
 
 std::string cloth(std::uint32_t nx, std::uint32_t ny, const std::string& more) {
   return R"("drag": 0.4, "cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +

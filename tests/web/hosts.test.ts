@@ -15,6 +15,7 @@ const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "a
   { name: "pull over the sphere, proximity", scene: "pull-sphere", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
   { name: "pull over the armadillo, bvh", scene: "pull-armadillo", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
   { name: "breeze", scene: "breeze", frames: 5, set: { "cloths.0.grid": [33, 24], "time.substeps": 20, "cloths.0.stiffness": { structural: 100, shear: 40, bend: 5 } } },
+  { name: "sheet, multigrid", scene: "sheet", frames: 3, set: { "cloths.0.grid": [60, 43] } },
   { name: "hanging with its own choice of substeps", scene: "hanging", frames: 1, set: { "cloths.0.grid": [24, 24] } },
 ];
 

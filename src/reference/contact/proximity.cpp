@@ -205,7 +205,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   for (std::size_t i = 0; i < nodes.position.size(); ++i) {
     if (nodes.inverse_mass[i] == 0) continue;
     nodes.velocity[i] += response.change[i];
-    nodes.position[i] = nodes.previous[i] + dt * nodes.velocity[i];
+    nodes.position[i] += dt * response.change[i];
   }
   std::vector<SidePlane> planes;
   for (const FeaturePair& pair : pairs) add_planes(pair, sides_of(pair), nodes, dt, planes);

@@ -33,8 +33,8 @@ Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cl
   std::size_t vectors = 0, operators = 0;
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const std::size_t count = levels_[l].node_count();
-    vectors += kMultigridVectors * count;
-    if (l > 0) operators += kMultigridParts * count;
+    vectors += multigrid::kVectors * count;
+    if (l > 0) operators += multigrid::kOperatorParts * count;
     if (l >= tail_) continue;
     Own own;
     own.count = levels_[l].node_count();

@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "solver/multigrid/level.hpp"
+
 namespace weft {
-namespace {
-
-// Vectors of a level, as in shaders/multigrid/level.wgsl.
-constexpr double kDirection = 3, kFirst = 4, kSecond = 5;
-
-}  // namespace
-
 Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, std::uint32_t workgroup_size) {
   MultigridKernels made;
   const std::uint32_t one_group =
@@ -32,10 +27,16 @@ Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, std::uint
       {&K::residual_fine, "residual_fine", workgroup_size},
       {&K::prolong_fine, "prolong_fine", workgroup_size},
       {&K::finish, "finish", workgroup_size},
-      {&K::smooth_down, "smooth_coarse", workgroup_size, {{"kFrom", kDirection}, {"kTo", kFirst}}},
+      {&K::smooth_down,
+       "smooth_coarse",
+       workgroup_size,
+       {{"kFrom", multigrid::kDirection}, {"kTo", multigrid::kFirst}}},
       {&K::residual, "residual_coarse", workgroup_size},
       {&K::prolong, "prolong_coarse", workgroup_size},
-      {&K::smooth_up, "smooth_coarse", workgroup_size, {{"kFrom", kSecond}, {"kTo", kFirst}}},
+      {&K::smooth_up,
+       "smooth_coarse",
+       workgroup_size,
+       {{"kFrom", multigrid::kSecond}, {"kTo", multigrid::kFirst}}},
       {&K::restrict_residual, "restrict_residual", workgroup_size},
       {&K::cycle_tail, "cycle_tail", one_group},
   };

@@ -26,8 +26,8 @@ std::vector<MultigridLevel> multigrid_levels(const ClothModel& cloth) {
     level.bend_end_i = end(shape.nx, shape.even_i);
     level.bend_end_j = end(shape.ny, shape.even_j);
     level.rim = cloth.weights == mesh::BoundaryWeights::Uniform ? 1.0F : 0.5F;
-    vectors += kMultigridVectors * level.node_count();
-    if (!levels.empty()) operators += kMultigridParts * level.node_count();
+    vectors += multigrid::kVectors * level.node_count();
+    if (!levels.empty()) operators += multigrid::kOperatorParts * level.node_count();
     levels.push_back(level);
   }
   return levels;

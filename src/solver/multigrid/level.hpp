@@ -21,8 +21,15 @@ struct MultigridLevel {
 };
 static_assert(sizeof(MultigridLevel) == 48);
 
-/// Vectors that each level has, and parts of a coarse level's matrix, one vec4f a node each.
-inline constexpr std::uint32_t kMultigridVectors = 6, kMultigridParts = 8;
+namespace multigrid {
+
+/// Vectors that each level has, one vec4f a node each: shaders/multigrid/level.wgsl.
+inline constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFirst = 4, kSecond = 5;
+inline constexpr std::uint32_t kVectors = 6;
+/// Parts of a coarse level's matrix, likewise: coarse_block.wgsl.
+inline constexpr std::uint32_t kOperatorParts = 8;
+
+}  // namespace multigrid
 
 /// The levels of a grid cloth, the finest first; vectors of all stand in one buffer, as do the matrices of
 /// all but the finest.

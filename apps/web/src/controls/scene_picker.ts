@@ -5,7 +5,7 @@ import { demand, demandOf, inBytes, tooLarge, type Limits } from "../memory.js";
 import { gridOf, SCENE_GROUPS, type LoadedScene } from "../scenes.js";
 import { choicesOf } from "../state/limits.js";
 import { plain, withKey, type PageState } from "../state/page_state.js";
-import { CONTACT_METHOD, FORMULATION, SUBSTEPS } from "../state/parameters.js";
+import { CONTACT_METHOD, FORMULATION, SOLVER, SUBSTEPS } from "../state/parameters.js";
 
 const RESOLUTIONS = [32, 64, 100, 128, 200, 256, 400, 512, 800, 1024, 1600, 2048] as const;
 
@@ -53,6 +53,7 @@ export class ScenePicker {
   opened(scene: LoadedScene, info: WorldInfo): void {
     this.scene.value = scene.state.scene;
     for (const [list, key] of this.methods) list.value = String(scene.now(key));
+    select("formulation").parentElement!.hidden = scene.now(SOLVER) !== "mass_spring";
     this.fillResolutions(scene);
     element("description", HTMLParagraphElement).textContent = scene.description;
     const method = String(scene.now(CONTACT_METHOD));

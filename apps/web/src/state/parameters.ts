@@ -13,7 +13,8 @@ export interface Group {
   readonly parameters: readonly Parameter[];
 }
 
-export const FORMULATION = "solver.forces";
+export const SOLVER = "solver.kind";
+export const FORMULATION = "solver.forces"; // of the explicit solver
 export const CONTACT_METHOD = "contact.method";
 export const GRAVITY = "gravity";
 export const WIND = "wind.velocity";

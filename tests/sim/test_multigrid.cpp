@@ -1,0 +1,223 @@
+// The multigrid solver in a world: the reference's frames, bits, contact, what begins anew, survival.
+#include <algorithm>
+#include <cmath>
+
+#include "contact_rig.hpp"
+#include "reference/simulation.hpp"
+
+using namespace weft;
+
+namespace {
+
+scene::Scene sheet(const std::string& members, const std::string& cloth = "",
+                   const std::string& grid = "[33, 25]") {
+  auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"},
+      "contact": {"method": "none"}, )" +
+          members + R"("cloths": [{"grid": )" + grid + R"(, "size": [2, 1.5], )" +
+          (cloth.empty() ? R"("density": 0.2, "pins": ["top_left", "top_right"])" : cloth) + "}]}",
+      "sheet.json");
+  REQUIRE_OK(scene);
+  return std::move(*scene);
+}
+
+/// Two sheets that fall on a sphere and a floor, in an odd number of substeps.
+scene::Scene falling() {
+  return contact_scene(R"("solver": {"kind": "multigrid"}, "time": {"substeps": 9},
+    "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
+                       lying_cloth(9, "[0, 0.22, 0]") + "," + lying_cloth(8, "[0.03, 0.24, 0.02]") + R"(],
+    "colliders": [{"kind": "sphere", "center": [0.01, 0.1, 0.02], "radius": 0.1},
+                  {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])");
+}
+constexpr std::uint32_t kFalling = 12;  // frames
+
+std::string fallen(gpu::Device& device, const sim::WorldOptions& options = {}) {
+  auto world = world_of(device, falling(), options);
+  advance(*world, kFalling);
+  CHECK(world->totals().contacts > 500);
+  return hash_of(*world);
+}
+
+/// RMS |a - b| / RMS |b - start|.
+double relative_error(const sim::Snapshot& a, const std::vector<Vec3d>& b, const std::vector<Vec3d>& start) {
+  double error = 0, way = 0;
+  for (std::size_t n = 0; n < b.size(); ++n) {
+    const Vec3d apart = a.position[n].xyz().to<double>() - b[n], went = b[n] - start[n];
+    error += dot(apart, apart);
+    way += dot(went, went);
+  }
+  return std::sqrt(error / way);
+}
+
+void check_survival(const std::string& stiffness, const std::string& density, const std::string& motion,
+                    std::uint32_t frames) {
+  CAPTURE(stiffness);
+  CAPTURE(density);
+  GpuFixture fixture;
+  auto world = world_of(fixture.device(),
+                        sheet("", R"("density": )" + density + R"(, "damping": 0.01, "stiffness": {)" +
+                                      stiffness + "}, " + motion));
+  advance(*world, frames);  // a node that is not finite ends it
+  const auto snapshot = world->snapshot();
+  REQUIRE_OK(snapshot);
+  for (const Vec4f& x : snapshot->position) CHECK(length(x.xyz()) < 5);
+  for (const Vec4f& v : snapshot->velocity) CHECK(length(v.xyz()) < 60);
+}
+
+const std::string kUsual = R"("structural": 5000, "shear": 2000, "bend": 500)";
+const std::string kPins = R"("pins": ["top_left", "top_right"])";
+const std::string kJump =
+    R"("motions": [{"nodes": "top", "kind": "path", "points": [[0.1, [0, 0, 0]], [0.1167, [1, 0, 0]], [0.5, [1, 0, 0]], [0.5167, [0, 0.5, -0.5]]]}])";
+
+void check_stiff(std::uint32_t frames) {
+  check_survival(R"("structural": 5e5, "shear": 2e5, "bend": 5e4)", "0.2", kPins, frames);
+}
+void check_light(std::uint32_t frames) { check_survival(kUsual, "0.002", kPins, frames); }
+void check_jumps(std::uint32_t frames) { check_survival(kUsual, "0.2", kJump, frames); }
+void check_soft_shear(std::uint32_t frames) {
+  check_survival(R"("structural": 5000, "shear": 500, "bend": 0, "bending": 1e-4)", "0.2", kPins, frames);
+}
+constexpr std::uint32_t kFrames = 63, kManyFrames = 1250;  // of 8 steps: 500, and 10,000
+
+}  // namespace
+
+TEST_CASE("frames of the implicit sheet are the reference's, with wind, a motion and a hand") {
+  GpuFixture fixture;
+  const scene::Scene scene = sheet(
+      R"("drag": 0.5, "wind": {"velocity": [1, 0, 2], "gusts": 0.5},)",
+      R"("density": 0.2, "pins": ["top_left"], "motions": [{"nodes": "top_right", "kind": "line", "direction": [-1, 0, 0], "speed": 0.5}],
+         "grabs": [{"node": "bottom_left", "start": 0.05, "end": 0.15, "path": [{"time": 0, "point": [0, 0.5, 1]}]}])");
+  auto world = world_of(fixture.device(), scene);
+  auto exact = reference::Simulation::create(scene, world->assets().cloths, world->assets().objects);
+  REQUIRE_OK(exact);
+  CHECK(exact->substeps() == world->substeps());
+  CHECK(world->substeps() == 8);
+  const std::vector<Vec3d> start = exact->positions();
+  double worst = 0;
+  for (int frame = 0; frame < 15; ++frame) {
+    advance(*world, 1);
+    REQUIRE(exact->advance_frame());
+    const auto snapshot = world->snapshot();
+    REQUIRE_OK(snapshot);
+    worst = std::max(worst, relative_error(*snapshot, exact->positions(), start));
+  }
+  MESSAGE("at most " << worst << " of the way apart");
+  CHECK(worst < 1e-3);
+}
+
+TEST_CASE("an implicit world has the same bits on every run, for each workgroup size, and after a reset") {
+  GpuFixture fixture;
+  const scene::Scene scene = sheet(R"("time": {"substeps": 7},)", "", "[50, 41]");
+  std::string hash;
+  for (const std::uint32_t size : {256U, 64U, 128U, 256U}) {
+    auto world = world_of(fixture.device(), scene, {.workgroup_size = size});
+    advance(*world, 5);
+    if (hash.empty()) hash = hash_of(*world);
+    CHECK(hash_of(*world) == hash);
+    if (size != 128) continue;
+    REQUIRE(world->reset());
+    advance(*world, 5);
+    CHECK(hash_of(*world) == hash);
+  }
+}
+
+TEST_CASE(
+    "implicit cloth in contact has the same bits twice, and where lists must grow and frames are run again") {
+  GpuFixture fixture;
+  const std::string hash = fallen(fixture.device());
+  CHECK(fallen(fixture.device(), {.workgroup_size = 64}) == hash);
+  for (const ContactRoom& room : {ContactRoom{8, 100000}, {100000, 8}}) {
+    auto world = world_of(fixture.device(), falling(), {.contact_room = room});
+    advance(*world, kFalling);
+    CHECK(world->totals().repeated_frames > 0);
+    CHECK(hash_of(*world) == hash);
+  }
+}
+
+TEST_CASE("a state that is put in goes on by itself, whatever was there a step before") {
+  GpuFixture fixture;
+  const scene::Scene scene = sheet("");
+  auto swung = world_of(fixture.device(), scene), fresh = world_of(fixture.device(), scene);
+  advance(*swung, 4);
+  const auto middle = swung->snapshot();
+  REQUIRE_OK(middle);
+  advance(*swung, 8);
+  swung->restore(*middle);
+  fresh->restore(*middle);
+  advance(*swung, 2);
+  advance(*fresh, 2);
+  CHECK(hash_of(*swung) == hash_of(*fresh));
+  // One node that is put elsewhere at rest has no speed from how it came there.
+  const scene::Scene loose =
+      sheet(R"("gravity": [0, 0, 0], "time": {"substeps": 1},)",
+            R"("density": 0.2, "stiffness": {"structural": 0, "shear": 0, "bend": 0})", "[3, 3]");
+  auto world = world_of(fixture.device(), loose);
+  advance(*world, 2);
+  const Vec4f place{0.5F, 0.25F, 3, 1 / (0.2F * 0.75F)};
+  world->set_node(4, place, {0, 0, 0, 1});
+  advance(*world, 2);
+  const auto after = world->snapshot();
+  REQUIRE_OK(after);
+  CHECK(length(after->position[4].xyz() - place.xyz()) < 1e-6F);
+}
+
+TEST_CASE("cloth that a floor has stopped does not bounce by what it did before") {
+  GpuFixture fixture;
+  auto world = world_of(
+      fixture.device(),
+      contact_scene(R"("solver": {"kind": "multigrid"}, "contact": {"method": "proximity", "thickness": 0.01},
+      "cloths": [)" +
+                    lying_cloth(9, "[0, 0.1, 0]") + R"(],
+      "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])"));
+  float highest = -10;
+  for (int frame = 0; frame < 40; ++frame) {
+    advance(*world, 1);
+    const auto snapshot = world->snapshot();
+    REQUIRE_OK(snapshot);
+    if (frame < 12) continue;  // it falls 0.09 m in 0.135 s
+    for (const Vec4f& x : snapshot->position) highest = std::max(highest, x.y);
+    for (const Vec4f& x : snapshot->position) CHECK(x.y > 0.005F);
+  }
+  CHECK(highest < 0.0115F);  // at 1.4 m/s a third of it would be 11 mm higher
+}
+
+TEST_CASE("a frame that is cut finer goes on as the others, in the reference too") {
+  GpuFixture fixture;
+  const scene::Scene scene = contact_scene(R"("solver": {"kind": "multigrid"}, "drag": 0.3,
+      "contact": {"method": "proximity", "thickness": 0.004}, "cloths": [)" +
+                                           lying_cloth(12, "[0, 0.5, 0]") + R"(],
+      "colliders": [{"kind": "sphere", "center": [3, 0, 0], "radius": 0.1, "motion": {"kind": "line",
+        "direction": [1, 0, 0], "speed": 3, "distance": 0.1, "start": 0.05}}])");
+  auto world = world_of(fixture.device(), scene);
+  auto exact = reference::Simulation::create(scene, world->assets().cloths, world->assets().objects);
+  REQUIRE_OK(exact);
+  const std::vector<Vec3d> start = exact->positions();
+  advance(*world, 12);
+  for (int frame = 0; frame < 12; ++frame) REQUIRE(exact->advance_frame());
+  const auto snapshot = world->snapshot();
+  REQUIRE_OK(snapshot);
+  CHECK(relative_error(*snapshot, exact->positions(), start) < 1e-4);
+  // Without contact the whole sheet falls as a stone: the exact fall under drag, whatever the steps.
+  const double t = 0.2, d = 0.3, fall = 9.81 / d * (t - (1 - std::exp(-d * t)) / d);
+  for (const Vec4f& x : snapshot->position)
+    CHECK(0.5 - static_cast<double>(x.y) == doctest::Approx(fall).epsilon(5e-3));
+}
+
+TEST_CASE("implicit sheets survive stiffness, lightness, soft shear and violent pins for 500 steps") {
+  check_stiff(kFrames);
+  check_light(kFrames);
+  check_jumps(kFrames);
+  check_soft_shear(kFrames);
+}
+TEST_CASE("long: an implicit sheet survives 10,000 steps with 100 times the stiffness") {
+  check_stiff(kManyFrames);
+}
+TEST_CASE("long: an implicit sheet survives 10,000 steps with 0.01 of the density") {
+  check_light(kManyFrames);
+}
+TEST_CASE("long: an implicit sheet survives 10,000 steps after pins that go a metre in a frame") {
+  check_jumps(kManyFrames);
+}
+TEST_CASE("long: an implicit sheet survives 10,000 steps with shear a tenth of its threads") {
+  check_soft_shear(kManyFrames);
+}
