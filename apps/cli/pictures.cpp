@@ -27,6 +27,7 @@ Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world, const std:
   settings.height = wanted.height;
   settings.view = wanted.view;
   settings.camera = world.scene().camera;
+  settings.subdivide = wanted.subdivide;
   settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
   const render::Inputs inputs =
       render::inputs_of(world.model(), world.state(),
