@@ -30,12 +30,12 @@ Result<void> check_size(const gpu::Device& device, const ClothDraw& coarse, std:
   const std::uint64_t bytes = std::max(vertices * sizeof(Vec4f), triangles * sizeof(mesh::Triangle));
   for (const auto& [name, limit] : names)
     if (bytes > limit)
-      return make_error(
-          ErrorKind::Limit,
-          "A cloth with render.subdivide %u has %llu vertices and needs a buffer of %llu bytes, more "
-          "than this adapter's %s of %llu.",
-          level, static_cast<unsigned long long>(vertices), static_cast<unsigned long long>(bytes), name,
-          static_cast<unsigned long long>(limit));
+      return make_error(ErrorKind::Limit,
+                        "With render.subdivide %u the cloth has %llu vertices, and its largest buffer needs "
+                        "%llu bytes, more "
+                        "than this adapter's %s of %llu.",
+                        level, static_cast<unsigned long long>(vertices),
+                        static_cast<unsigned long long>(bytes), name, static_cast<unsigned long long>(limit));
   return {};
 }
 

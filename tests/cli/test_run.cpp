@@ -39,7 +39,9 @@ TEST_CASE("run leaves pictures, the final mesh, the summary and a video, and pri
   CHECK(png.substr(0, 24) == std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x40\0\0\0\x30", 24));
 }
 
-TEST_CASE("a run with subdivide moves as one without, and its final mesh has the finer vertices through the nodes") {
+TEST_CASE(
+    "a run with subdivide moves as one without, and its final mesh has the finer vertices through the "
+    "nodes") {
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", tiny_scene());
   const auto run_of = [&](const char* level, const std::string& out) {
