@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/file.hpp"
 #include "render/scene_inputs.hpp"
 
 namespace weft::cli {
@@ -27,6 +28,7 @@ Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world, const std:
   settings.height = wanted.height;
   settings.view = wanted.view;
   settings.camera = world.scene().camera;
+  settings.subdivide = wanted.subdivide;
   settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
   const render::Inputs inputs =
       render::inputs_of(world.model(), world.state(),
@@ -34,6 +36,7 @@ Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world, const std:
                         world.scene(), objects, world.assets().keyframes);
   WEFT_TRY(offscreen, picture::Offscreen::create(world.device(), settings, inputs));
   made->offscreen_ = std::move(offscreen);
+  WEFT_CHECK(make_folder(folder));  // only now: what is refused leaves no folder behind
   WEFT_CHECK(world.count_contacts(wanted.view == scene::View::Contacts));
   WEFT_TRY(video, picture::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height,
                                                1 / world.scene().time.frame));

@@ -13,6 +13,7 @@ namespace weft::cli {
 /// The frames of a run as PNG files and, where ffmpeg is, as a video.
 class Pictures {
  public:
+  /// Makes the folder, unless something is refused.
   /// Errors  Shader, Limit, OutOfMemory; Failure where the folder cannot be written.
   static Result<std::unique_ptr<Pictures>> create(sim::World& world, const std::string& folder);
 

@@ -7,6 +7,7 @@
 
 #include "base/file.hpp"
 #include "mesh/obj.hpp"
+#include "model/drawn_mesh.hpp"
 #include "pictures.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
@@ -53,9 +54,8 @@ Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& o
 
 Result<void> write_results(sim::World& world, const sim::Snapshot& snapshot, const Summary& summary,
                            const std::string& folder) {
-  mesh::TriangleMesh final_mesh;
-  for (const Vec4f& position : snapshot.position) final_mesh.positions.push_back(position.xyz());
-  final_mesh.triangles = world.model().host.triangles;
+  const mesh::TriangleMesh final_mesh =
+      drawn_mesh(world.model().host, snapshot.position, world.scene().render.subdivide);
   WEFT_CHECK(write_file(folder + "/final.obj", mesh::write_obj(final_mesh)));
   return write_file(folder + "/summary.json", summary_json(summary, world));
 }
@@ -96,7 +96,6 @@ Result<void> run_scene(const RunOptions& options) {
   say_if_unstable(*world);
   std::unique_ptr<Pictures> pictures;
   if (!options.out.empty()) {
-    WEFT_CHECK(make_folder(options.out));  // only now: what is refused leaves no folder behind
     WEFT_TRY(made, Pictures::create(*world, options.out));
     pictures = std::move(made);
     if (!pictures->can_video()) say("There is no ffmpeg on PATH, so there will be no run.mp4.");

@@ -19,6 +19,7 @@ struct Drawing {
 Result<Drawing> make_drawing(const sim::World& world) {
   render::Settings settings;  // 1280 x 720, textured
   settings.camera = world.scene().camera;
+  settings.subdivide = world.scene().render.subdivide;
   settings.bounds = render::scene_bounds(world.model().host, world.scene(), world.assets().objects);
   const render::Inputs inputs = render::inputs_of(
       world.model(), world.state(), {world.surface().normal(), world.surface().stretch(), nullptr},

@@ -7,16 +7,24 @@
 #include <vector>
 
 #include "gpu/buffer.hpp"
+#include "mesh/grid.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::render {
+
+/// A cloth that is a grid: what can be drawn finer.
+struct ClothGrid {
+  mesh::Grid shape;
+  std::uint32_t first_vertex = 0;
+};
 
 /// The triangles of one cloth, and how it looks.
 struct ClothRange {
   std::uint32_t first_triangle = 0, triangle_count = 0;
   std::optional<Vec3d> color;  // sRGB in [0, 1]; none: the next of a palette
   double sheet_size = 1;  // the longer side of the sheet in uv [m]: the check repeats a few times over it
+  std::optional<ClothGrid> grid{};  // only where a picture subdivides
 };
 
 /// All cloths of a state. The buffers must outlive the renderer.

@@ -95,10 +95,16 @@ Result<Renderer> Renderer::create(gpu::Device& device, const Settings& settings,
 }
 
 Result<void> Renderer::create_scene(const Inputs& inputs) {
-  scene_.cloth = inputs.cloth;
+  given_ = inputs.cloth;
+  scene_.cloth = given_;
+  if (settings_.subdivide > 0) {
+    WEFT_TRY(fine, FineCloth::create(*device_, given_, settings_.subdivide));
+    fine_ = std::move(fine);
+    scene_.cloth = fine_->draw();
+  }
   WEFT_TRY(frame, gpu::Buffer<FrameParams>::create(*device_, 1, "frame", gpu::kUniform | gpu::kCopyTarget));
   scene_.frame = std::move(frame);
-  WEFT_TRY(weaves, create_weaves(*device_, inputs.cloth.ranges));
+  WEFT_TRY(weaves, create_weaves(*device_, scene_.cloth.ranges));
   scene_.weaves = std::move(weaves);
   const std::vector<PlaneParams> squares = planes_of(inputs, settings_);
   WEFT_TRY(planes, create_planes(*device_, squares));
@@ -110,7 +116,7 @@ Result<void> Renderer::create_scene(const Inputs& inputs) {
   scene_.objects = std::move(objects);
   moving_objects_ = MovingObjects(std::move(mesh.moving));
   set_time(0);
-  WEFT_TRY(shadow_map, ShadowMap::create(*device_, scene_.frame, inputs.cloth, scene_.objects));
+  WEFT_TRY(shadow_map, ShadowMap::create(*device_, scene_.frame, scene_.cloth, scene_.objects));
   scene_.shadow_map = std::move(shadow_map);
   return {};
 }
@@ -133,7 +139,11 @@ Result<void> Renderer::resize(std::uint32_t width, std::uint32_t height) {
 Result<void> Renderer::set_view(View view) {
   auto& passes = passes_[static_cast<std::size_t>(view)];
   if (!passes) {
-    WEFT_CHECK(check_view(scene_.cloth, view));
+    WEFT_CHECK(check_view(given_, view));
+    if (fine_) {
+      WEFT_CHECK(fine_->add_field(*device_, view));
+      scene_.cloth = fine_->draw();
+    }
     WEFT_TRY(made, ViewPasses::create(*device_, {view, settings_.color_format}, scene_));
     passes = std::move(made);
   }
@@ -177,6 +187,7 @@ bool Renderer::shows_sun() const {
 }
 
 void Renderer::record(gpu::CommandList& list, std::uint32_t parity, gpu::Id target) const {
+  if (fine_) fine_->record(list, parity, settings_.view);
   if (shows_sun()) scene_.shadow_map.record(list, parity);
   gpu::RenderPass pass(list, {color_.view(), target, depth_.view(), {0, 0, 0, 1}, false}, "picture");
   passes_[static_cast<std::size_t>(settings_.view)]->record(pass, parity);

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <iterator>
+#include <memory>
 #include <optional>
 
 #include "gpu/device.hpp"
 #include "gpu/texture.hpp"
 #include "render/camera.hpp"
 #include "render/field.hpp"
+#include "render/fine_cloth.hpp"
 #include "render/inputs.hpp"
 #include "render/moving_objects.hpp"
 #include "render/view_passes.hpp"
@@ -26,6 +28,7 @@ struct Settings {
   std::optional<Camera> camera;   // none: frame_camera(bounds)
   std::optional<Vec3d> to_light;  // direction; none: default_light(camera)
   std::optional<Range> range;     // of the colour map; none: that of the view's field
+  std::uint32_t subdivide = 0;    // how often each cell of the cloths, all grids then, is halved
   bool ground_shadow = false;     // a soft shadow below all, where the scene has no plane
 };
 
@@ -33,8 +36,9 @@ struct Settings {
 class Renderer {
  public:
   /// Reads   inputs.cloth: buffers that outlive the renderer; obstacles are copied.
-  /// Errors  Shape: buffers disagree in size, or the view lacks one. Limit: the picture is larger than the
-  ///         adapter can make. OutOfMemory.
+  /// Errors  Shape: buffers disagree in size, the view lacks one, or what is subdivided is not a grid. Limit:
+  /// the
+  ///         picture or the subdivided cloth is larger than the adapter can make. OutOfMemory.
   static Result<Renderer> create(gpu::Device& device, const Settings& settings, const Inputs& inputs);
 
   /// Records all passes. `parity` chooses the position buffer; `target` is the view of a texture of the size
@@ -71,6 +75,8 @@ class Renderer {
   gpu::Device* device_ = nullptr;
   Settings settings_;
   gpu::Texture color_, depth_;
+  ClothDraw given_;                  // as the state has it
+  std::unique_ptr<FineCloth> fine_;  // none: what is given is drawn
   DrawnScene scene_;
   MovingObjects moving_objects_;
   std::vector<MovingPlane> moving_planes_;

@@ -41,7 +41,9 @@ Inputs inputs_of(const Model& model, const State& state, const VertexBuffers& bu
       const auto& uv = model.host.uv[cloth.first_vertex + v];
       size = std::max({size, static_cast<double>(uv[0]), static_cast<double>(uv[1])});
     }
-    inputs.cloth.ranges.push_back({cloth.first_triangle, cloth.triangle_count, cloth.color, size});
+    ClothRange range{cloth.first_triangle, cloth.triangle_count, cloth.color, size};
+    if (cloth.grid) range.grid = ClothGrid{*cloth.grid, cloth.first_vertex};
+    inputs.cloth.ranges.push_back(range);
   }
   std::size_t object = 0;
   for (const scene::Collider& collider : scene.colliders) {

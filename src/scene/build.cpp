@@ -59,6 +59,13 @@ class Builder {
     scene.render.view = word<View>(at(render, "view"), kViewNames);
     scene.render.width = whole(at(render, "size").values[0]);
     scene.render.height = whole(at(render, "size").values[1]);
+    scene.render.subdivide = whole(at(render, "subdivide"));
+    if (scene.render.subdivide > 0)
+      for (const Cloth& cloth : scene.cloths)
+        if (!cloth.grid)
+          return wrong("render.subdivide", "is " + std::to_string(scene.render.subdivide) + ", and " +
+                                               path_of_index("cloths", cloth.entry) +
+                                               " is a mesh; only grids are drawn finer");
     return scene;
   }
 

@@ -46,6 +46,7 @@ std::optional<std::string> fixed_difference(const Scene& running, const Scene& w
   if (running.colliders.size() != wanted.colliders.size()) return "colliders";
   for (std::size_t c = 0; c < running.colliders.size(); ++c)
     if (!(running.colliders[c] == wanted.colliders[c])) return path_of_index("colliders", c);
+  if (running.render.subdivide != wanted.render.subdivide) return "render.subdivide";
   return std::nullopt;
 }
 

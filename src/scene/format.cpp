@@ -311,9 +311,12 @@ constexpr Type kCamera{.kind = Kind::Object, .keys = kCameraKeys};
 constexpr Type kView{.kind = Kind::Choice, .choices = kViewNames};
 constexpr Type kPicture{
     .kind = Kind::Numbers, .least = 16, .most = 16384, .whole = true, .unit = "pixels", .count_least = 2};
+constexpr Type kSubdivide{.kind = Kind::Number, .most = 4, .whole = true};
 constexpr Key kRenderKeys[] = {
     {"view", &kView, "What is drawn", "\"textured\""},
     {"size", &kPicture, "Width and height of the picture", "[1280, 720]"},
+    {"subdivide", &kSubdivide, "How often each cell of the drawn and exported cloth is halved; grids only",
+     "0"},
 };
 constexpr Type kRender{.kind = Kind::Object, .keys = kRenderKeys};
 

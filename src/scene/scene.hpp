@@ -238,6 +238,7 @@ enum class View { Textured, Wireframe, Normals, Stretch, Velocity, Contacts };
 struct Render {
   View view = View::Textured;
   std::uint32_t width = 1280, height = 720;  // [pixel]
+  std::uint32_t subdivide = 0;               // how often each cell of the drawn cloth is halved; grids only
 };
 
 struct Scene {

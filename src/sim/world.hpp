@@ -86,8 +86,9 @@ class World {
   Result<void> release(std::uint32_t node);
 
   /// Takes over gravity, external force, drag and wind of a scene that is this one otherwise, from the next
-  /// frame on; and its title, description, time.frames, camera and render. The step stays as it is. Errors
-  /// Input: something else differs (scene::fixed_difference). Limit: the drag makes the step unstable.
+  /// frame on; and its title, description, time.frames, camera, render.view and render.size. The step stays
+  /// as it is. Errors  Input: something else differs (scene::fixed_difference). Limit: the drag makes the
+  /// step unstable.
   Result<void> change(const scene::Scene& scene);
 
   /// Back to the rest state at time 0; what grab() holds is let go.

@@ -74,7 +74,13 @@ TEST_CASE("what the adapter cannot hold is refused with the limit and both numbe
                                "--set", "cloths.0.motions=[" + motions + "]", "--out", folder.path("out")});
   CHECK(many.code == 4);
   CHECK(gives_both_numbers(many.err));
-  for (const Ended& ended : {grid, many}) {
+  // A drawn mesh of 3185 x 3185 vertices, through 200 x 200 nodes that do fit.
+  const Ended fine =
+      run_weft({"run", scene, "--frames", "0", "--set", "time.substeps=auto", "--set",
+                "cloths.0.grid=[200,200]", "--set", "render.subdivide=4", "--out", folder.path("out")});
+  CHECK(fine.code == 4);
+  CHECK(gives_both_numbers(fine.err));
+  for (const Ended& ended : {grid, many, fine}) {
     CHECK(ended.out == "");
     CHECK(check_message(ended.err) == "");
   }

@@ -39,6 +39,29 @@ TEST_CASE("run leaves pictures, the final mesh, the summary and a video, and pri
   CHECK(png.substr(0, 24) == std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x40\0\0\0\x30", 24));
 }
 
+TEST_CASE(
+    "a run with subdivide moves as one without, and its final mesh has the finer vertices through the "
+    "nodes") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const auto run_of = [&](const char* level, const std::string& out) {
+    const Ended ended =
+        run_weft({"run", scene, "--set", std::string("render.subdivide=") + level, "--out", out, "--json"});
+    REQUIRE_MESSAGE(ended.code == 0, ended.err);
+    return json_of(ended.out).at("state_hash");
+  };
+  const std::string coarse_out = folder.path("coarse"), fine_out = folder.path("fine");
+  CHECK(run_of("0", coarse_out) == run_of("2", fine_out));
+  CHECK(read_text(coarse_out + "/frame_00002.png") != read_text(fine_out + "/frame_00002.png"));
+  const mesh::TriangleMesh coarse = read_obj_file(coarse_out + "/final.obj");
+  const mesh::TriangleMesh fine = read_obj_file(fine_out + "/final.obj");
+  REQUIRE(fine.positions.size() == 21 * 17);  // cells of 6 x 5 nodes, each halved twice
+  CHECK(fine.triangles.size() == 2 * 20 * 16);
+  for (std::size_t j = 0; j < 5; ++j)
+    for (std::size_t i = 0; i < 6; ++i)
+      CHECK(fine.positions[4 * j * 21 + 4 * i] == coarse.positions[j * 6 + i]);
+}
+
 TEST_CASE("the summary has every documented member, with the values that follow from the scene") {
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", tiny_scene());

@@ -21,6 +21,7 @@
 #include "model/host_model.hpp"
 #include "model/sheet_rim.hpp"
 #include "render/cloth_surface.hpp"
+#include "render/fine_cloth.hpp"
 #include "render/floor.hpp"
 #include "render/frame_params.hpp"
 #include "scene/grab.hpp"
@@ -132,6 +133,11 @@ Json surface_params() {
   return row("SurfaceParams", "element/surface.wgsl", sizeof(T), kUniform,
              {M(first_vertex), M(vertex_count), M(row)});
 }
+Json fine_grid() {
+  using T = render::FineGridParams;
+  return row("FineGrid", "render/fine_grid.wgsl", sizeof(T), kUniform,
+             {M(first_node), M(first_vertex), M(nx), M(ny), M(level)});
+}
 Json object_triangle() {
   using T = collision::ObjectTriangle;
   return row("ObjectTriangle", "collision/contact_pair.wgsl", sizeof(T), kExact, {M(a), M(b), M(c)});
@@ -220,7 +226,7 @@ Json struct_layouts() {
        neighbour(),       grid_params_row(), mesh_params(), surface_params(), object_triangle(),
        spring_grid_row(), multigrid_level(), tree_node(),   pair_range(),     analytic_collider(),
        contact(),         search_params(),   tree_params(), colliders(),      collider_place(),
-       frame(),           weave(),           plane()});
+       frame(),           weave(),           plane(),       fine_grid()});
 }
 
 Json shared_constants() {

@@ -31,8 +31,9 @@ struct Sheet {
   gpu::Buffer<std::uint32_t> triangles;
   mesh::TriangleMesh mesh;
 
-  Sheet(gpu::Device& device, std::uint32_t count, const Shape& shape, double size = 1,
-        const Shape& next_shape = {}) {
+  Sheet(gpu::Device& device, std::uint32_t count_, const Shape& shape, double size = 1,
+        const Shape& next_shape = {})
+      : count(count_) {
     mesh = mesh_of(count, shape);
     std::vector<std::array<float, 2>> places;
     std::vector<float> lengths;
@@ -71,11 +72,13 @@ struct Sheet {
     cloth.velocity = {&velocity, &velocity};
     cloth.contacts = &stretch;
     cloth.triangles = &triangles;
-    cloth.ranges = {{0, static_cast<std::uint32_t>(mesh.triangles.size()), std::nullopt, sheet_size}};
+    cloth.ranges = {{0, static_cast<std::uint32_t>(mesh.triangles.size()), std::nullopt, sheet_size,
+                     render::ClothGrid{{count, count, sheet_size, sheet_size}, 0}}};
     return cloth;
   }
 
   double sheet_size = 1;
+  std::uint32_t count = 0;  // of nodes a side
 
  private:
   static mesh::TriangleMesh mesh_of(std::uint32_t count, const Shape& shape) {

@@ -104,6 +104,24 @@ TEST_CASE("a view that is changed shows what a renderer of that view draws, and 
   }
 }
 
+TEST_CASE("a view of a subdivided cloth that is chosen later draws what it draws from the start") {
+  Drawn drawn;
+  Settings settings = small();
+  settings.subdivide = 2;
+  auto renderer = drawn.renderer(settings);
+  for (const View view :
+       {View::Wireframe, View::Stretch, View::Velocity, View::Contacts, View::Stretch, View::Textured}) {
+    settings.view = view;
+    REQUIRE(renderer.set_view(view));
+    CAPTURE(name_of(view));
+    const Image image = drawn.draw(renderer, settings);
+    CHECK(image.rgba == drawn.draw(drawn.renderer(settings), settings).rgba);
+    Settings coarse = settings;
+    coarse.subdivide = 0;
+    CHECK(difference(image, drawn.draw(drawn.renderer(coarse), coarse)) > 100);
+  }
+}
+
 TEST_CASE("the shadow map is drawn where something takes shadows, and only there") {
   Drawn drawn;
   const auto passes = [&](const Inputs& inputs, View view) {

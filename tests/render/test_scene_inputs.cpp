@@ -19,6 +19,7 @@ HostModel two_triangles() {
   model.cloths[0].triangle_count = model.cloths[1].triangle_count = model.cloths[1].first_triangle = 1;
   model.cloths[1].color = Vec3d{0.1, 0.2, 0.3};
   model.rest_position = {{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}, {0, 0, 1}, {1, 0, 1}, {0, 0.5, 1}};
+  model.start_position = model.rest_position;
   model.uv = {{0, 0}, {1, 0}, {0, 0.5F}, {0, 0}, {1, 0}, {0, 1.5F}};
   model.mass.assign(6, 0.1);
   model.motion = {0, 0, 0, 2, 2, 2};

@@ -41,6 +41,7 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(scene.render.view == View::Textured);
   CHECK(scene.render.width == 1280);
   CHECK(scene.render.height == 720);
+  CHECK(scene.render.subdivide == 0);
 
   const Cloth& cloth = scene.cloths.at(0);
   CHECK(cloth.name.empty());

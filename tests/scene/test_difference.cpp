@@ -2,6 +2,7 @@
 
 #include "scene/difference.hpp"
 #include "scene/load.hpp"
+#include "texts.hpp"
 
 using namespace weft;
 using namespace weft::scene;
@@ -79,4 +80,13 @@ TEST_CASE("a difference in anything else is found and named by its key") {
   CHECK(difference("cloths[0].pins[0].nodes", "[2]") == "cloths[0].pins");
   CHECK(difference("cloths[0].copies", R"({"count": 2, "offset": [0, 0, 1]})") == "cloths");
   CHECK(difference("cloths[0].copies", R"({"count": 1, "offset": [0, 0, 1]})") == "none");
+}
+
+TEST_CASE("a scene that is drawn coarser or finer is another: what it is drawn from is made at the start") {
+  const Override change[] = {{"render.subdivide", "2"}};
+  const auto running = parse_scene(minimal_scene(), "a.json"),
+             wanted = parse_scene(minimal_scene(), "a.json", change);
+  REQUIRE(running);
+  REQUIRE(wanted);
+  CHECK(fixed_difference(*running, *wanted) == "render.subdivide");
 }

@@ -114,6 +114,10 @@ std::vector<Hostile> hostile_scenes() {
       {scene_with(R"("render": {"size": [1280, 15]})"),
        "render.size[1] is 15; it must be from 16 to 16384 pixels"},
       {scene_with(R"("render": {"size": [1280.5, 720]})"), "render.size[0] is 1280.5, not a whole number"},
+      {scene_with(R"("render": {"subdivide": 5})"), "render.subdivide is 5; it must be from 0 to 4"},
+      {scene_with(R"("render": {"subdivide": 1.5})"), "render.subdivide is 1.5, not a whole number"},
+      {R"({"format": "weft-scene/1", "render": {"subdivide": 2}, "cloths": [{"mesh": "a.obj", "density": 1}]})",
+       "render.subdivide is 2, and cloths[0] is a mesh; only grids are drawn finer", false},
       {scene_with(R"("render": {"sise": [1280, 720]})"), R"(render.sise is not known; did you mean "size"?)"},
       // grabs
       {cloth_with(R"("grabs": [{"node": "top_left"}])"),

@@ -7,6 +7,7 @@
 #include "mesh/glb.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
+#include "model/drawn_mesh.hpp"
 #include "scene/load.hpp"
 
 namespace weft::web {
@@ -126,9 +127,8 @@ Result<void> Session::take_snapshot() {
 
 Result<void> Session::export_mesh(const std::string& format) {
   WEFT_CHECK(take_snapshot());
-  mesh::TriangleMesh shape;
-  for (const Vec4f& position : snapshot_.position) shape.positions.push_back(position.xyz());
-  shape.triangles = world_->model().host.triangles;
+  const mesh::TriangleMesh shape =
+      drawn_mesh(world_->model().host, snapshot_.position, world_->scene().render.subdivide);
   if (format == "ply") {
     exported_ = mesh::write_ply(shape);
   } else if (format == "glb") {

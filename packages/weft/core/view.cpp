@@ -14,6 +14,7 @@ Result<View> View::create(const sim::World& world, const Canvas& canvas, scene::
   settings.view = view;
   settings.color_format = canvas.format;
   settings.camera = world.scene().camera;
+  settings.subdivide = world.scene().render.subdivide;
   settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
   const render::Inputs inputs =
       render::inputs_of(world.model(), world.state(),

@@ -53,6 +53,18 @@ test("what is changed stands in the address, and the copied link opens the same"
   expect(await page.locator("#formulation").inputValue()).toBe("spring_centric");
 });
 
+test("an address draws and exports the cloth finer than it is simulated", async () => {
+  const page = await open("?v=1&scene=hanging&nodes=16&render.subdivide=2");
+  expect((await state(page)).set).toEqual({ "render.subdivide": 2 });
+  const [nodes, vertices] = await page.evaluate(async () => {
+    const world = window.weft.world!;
+    const text = new TextDecoder().decode(await world.exportMesh("obj"));
+    return [world.info.nodes, text.match(/^v /gm)!.length];
+  });
+  expect(nodes).toBe(256);
+  expect(vertices).toBe(61 * 61); // 15 cells a side, each halved twice
+});
+
 test("a view that the scene has nothing to show in is said, and another is shown", async () => {
   const page = await open("?v=1&scene=hanging&nodes=16&view=contacts");
   expect(await notice(page)).toBe("View contacts shows the pairs of contact method proximity, and this scene has none.");

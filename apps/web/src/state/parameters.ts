@@ -21,6 +21,7 @@ export const WIND = "wind.velocity";
 export const GUSTS = "wind.gusts";
 export const SUBSTEPS = "time.substeps";
 export const DRAG = "drag";
+export const SUBDIVIDE = "render.subdivide"; // in the address alone
 const [DENSITY, NODE_MASS] = ["cloths.0.density", "cloths.0.node_mass"] as const;
 
 export const GROUPS: readonly Group[] = [
@@ -49,7 +50,7 @@ export const GROUPS: readonly Group[] = [
 
 /** All keys that the page changes. */
 export const KEYS: readonly string[] =
-  [FORMULATION, CONTACT_METHOD, ...GROUPS.flatMap(({ parameters }) => parameters.map(({ key }) => key))];
+  [FORMULATION, CONTACT_METHOD, SUBDIVIDE, ...GROUPS.flatMap(({ parameters }) => parameters.map(({ key }) => key))];
 
 const LIVE = new Set(GROUPS.filter(({ live }) => live).flatMap(({ parameters }) => parameters.map(({ key }) => key)));
 export const isLive = (key: string): boolean => LIVE.has(key);
