@@ -20,12 +20,18 @@ Result<Timing> time_list(gpu::Device& device, const gpu::CommandList& list, std:
 Result<CopyRow> measure_copy(gpu::Device& device, bool quick) {
   const std::uint64_t mebibytes = quick ? 16 : 256;
   const std::uint32_t copies = quick ? 4 : 64;
-  const std::uint64_t bytes = std::min(mebibytes << 20U, device.limits().max_buffer_size / 4 * 4);
-  WEFT_TRY(a, gpu::RawBuffer::create(device, bytes, gpu::kCopySource | gpu::kCopyTarget, "copy a"));
-  WEFT_TRY(b, gpu::RawBuffer::create(device, bytes, gpu::kCopySource | gpu::kCopyTarget, "copy b"));
+  const std::uint64_t bytes = std::min(mebibytes << 20U, device.limits().max_storage_binding_size / 16 * 16);
+  const std::size_t count = bytes / sizeof(Vec4f);
+  WEFT_TRY(a, gpu::Buffer<Vec4f>::create(device, count, "copy a"));
+  WEFT_TRY(b, gpu::Buffer<Vec4f>::create(device, count, "copy b"));
+  WEFT_TRY(kernel, gpu::Kernel::create(device, "bench/copy.wgsl"));
+  WEFT_TRY(there, kernel.bind({a, b}));
+  WEFT_TRY(back, kernel.bind({b, a}));
   gpu::CommandList list;
-  for (std::uint32_t k = 0; k < copies; ++k)
-    k % 2 == 0 ? list.copy(a.source(), b.source()) : list.copy(b.source(), a.source());
+  {
+    gpu::ComputePass pass(list, "copies to and fro");
+    for (std::uint32_t k = 0; k < copies; ++k) kernel.dispatch(pass, k % 2 == 0 ? there : back, count);
+  }
   WEFT_TRY(time, time_list(device, list, copies, quick));
   return CopyRow{"copy", bytes, time};
 }

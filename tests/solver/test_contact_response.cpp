@@ -16,6 +16,7 @@ TEST_CASE(
   const std::uint32_t count = 1000;
   HostModel host;
   host.rest_position.resize(count);
+  host.start_position.resize(count);
   host.mass.assign(count, 1.0);
   host.motion.assign(count, 0);
   auto state = State::create(device, host, 1);

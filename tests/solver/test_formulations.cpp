@@ -231,6 +231,7 @@ TEST_CASE("spring-centric forces of any cloth sum to exactly zero") {
     const auto count = 2 + random.below(400);
     HostModel host;
     host.rest_position.resize(count);
+    host.start_position.resize(count);
     host.mass.assign(count, 1.0);
     host.motion.assign(count, 0);
     auto state = State::create(device, host, 1);
@@ -309,6 +310,7 @@ TEST_CASE("a force buffer of the wrong size is a shape error with both sizes") {
   GpuFixture fixture;
   HostModel host;
   host.rest_position.resize(8);
+  host.start_position.resize(8);
   host.mass.assign(8, 1.0);
   host.motion.assign(8, 0);
   auto state = State::create(fixture.device(), host, 1);
