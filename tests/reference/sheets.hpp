@@ -79,8 +79,8 @@ struct Sheet {
   }
 };
 
-/// The study's sheet: 2 m by 2 m, 2000 N/m, held by two clips of 5 cm.
-inline std::string study_sheet(std::uint32_t nx, std::uint32_t ny, const std::string& more = "") {
+/// A thin fabric: 2 m by 2 m, 2000 N/m, held by two clips of 5 cm.
+inline std::string thin_sheet(std::uint32_t nx, std::uint32_t ny, const std::string& more = "") {
   return R"("cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
          R"(], "size": [2, 2], "plane": "xz", "bump": 0.001, "density": 0.15, "damping": 0,
             "stiffness": {"structural": 1500, "shear": 750, "bend": 0, "bending": 1e-5},

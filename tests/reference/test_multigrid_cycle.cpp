@@ -293,7 +293,7 @@ TEST_CASE(
                         {129, 129, 0.02, 0.75},
                         {100, 77, 0.02, 0.75},
                         {128, 128, 0.02, 0.75}}) {
-    Sheet sheet(study_sheet(c.nx, c.ny));
+    Sheet sheet(thin_sheet(c.nx, c.ny));
     if (c.wrinkles > 0) sheet.wrinkle(2, c.wrinkles);
     sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
     const LinearStep step = sheet.linearise();
@@ -320,7 +320,7 @@ TEST_CASE(
     const std::string soft =
         R"("cloths": [{"grid": [65, 65], "size": [2, 2], "plane": "xz", "density": 0.15, "damping": 0,
         "stiffness": {"structural": 2000, "shear": 200, "bend": 0, "bending": 1e-5}, "pins": ["top_left", "top_right"]}])";
-    Sheet sheet(obstacles ? study_sheet(65, 65) : soft);
+    Sheet sheet(obstacles ? thin_sheet(65, 65) : soft);
     sheet.wrinkle(2, 0.02);
     sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
     LinearStep step = sheet.linearise();

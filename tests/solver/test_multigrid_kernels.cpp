@@ -170,7 +170,7 @@ TEST_CASE("smoothing, restriction and the cycle of the coarsest levels equal the
     const reference::LinearStep step = rig.linearise();
     const reference::Hierarchy hierarchy(step.matrix, step.source);
     std::size_t tail = 1;
-    while (hierarchy.levels()[tail].size() > 1024) ++tail;
+    while (hierarchy.levels()[tail].size() > kTailNodes) ++tail;
     for (std::size_t l = 0; l < tail; ++l) {  // each from the task that the kernels gave it
       CAPTURE(l);
       const GridOperator& matrix = hierarchy.levels()[l];

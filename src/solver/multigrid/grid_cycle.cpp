@@ -5,9 +5,6 @@
 namespace weft {
 namespace {
 
-/// What one workgroup does faster than dispatches would begin: levels of 26 x 26 nodes and less.
-constexpr std::uint32_t kTailNodes = 1024;
-
 template <class T>
 Result<gpu::Buffer<T>> uniform(gpu::Device& device, const T& value, const char* label) {
   return gpu::Buffer<T>::create_from(device, std::span(&value, 1), label, gpu::kUniform | gpu::kCopyTarget);
@@ -20,7 +17,7 @@ Result<GridCycle> GridCycle::create(gpu::Device& device, const MultigridKernels&
   GridCycle made;
   made.levels_ = multigrid_levels(cloth);
   made.tail_ = 1;
-  while (made.tail_ < made.levels_.size() && made.levels_[made.tail_].node_count() > kTailNodes) ++made.tail_;
+  while (made.tail_ < made.levels_.size() && made.levels_[made.tail_].node_count() > multigrid::kTailNodes) ++made.tail_;
   WEFT_CHECK(made.create_buffers(device, cloth));
   WEFT_CHECK(made.create_fine(kernels, model, state, predicted));
   WEFT_CHECK(made.create_coarse(kernels));

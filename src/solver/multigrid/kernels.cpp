@@ -6,6 +6,7 @@
 #include "solver/multigrid/level.hpp"
 
 namespace weft {
+
 Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, std::uint32_t workgroup_size) {
   MultigridKernels made;
   const std::uint32_t one_group =

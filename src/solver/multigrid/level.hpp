@@ -28,6 +28,8 @@ inline constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFir
 inline constexpr std::uint32_t kVectors = 6;
 /// Parts of a coarse level's matrix, likewise: coarse_block.wgsl.
 inline constexpr std::uint32_t kOperatorParts = 8;
+/// Levels of no more nodes are done by one workgroup: they take less than it takes to begin a dispatch.
+inline constexpr std::uint32_t kTailNodes = 33 * 33;
 
 }  // namespace multigrid
 
