@@ -53,14 +53,14 @@ fn add_force(node : u32, f : vec3i) {
 fn spring_block_forces(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local : u32) {
   let index = flat_group(group);
   if (index >= arrayLength(&blocks)) { return; }
-  let block = blocks[index];
-  for (var k = local; k < block.node_count; k += kWorkgroupSize) {
-    let node = nodes[block.first_node + k];
+  let chunk = blocks[index];
+  for (var k = local; k < chunk.node_count; k += kWorkgroupSize) {
+    let node = nodes[chunk.first_node + k];
     put(k, position[node].xyz, velocity[node].xyz);
   }
   workgroupBarrier();
-  for (var k = local; k < block.spring_count; k += kWorkgroupSize) {
-    let s = springs[block.first_spring + k];
+  for (var k = local; k < chunk.spring_count; k += kWorkgroupSize) {
+    let s = springs[chunk.first_spring + k];
     let a = s.nodes_and_kind & ((1u << kPlaceBits) - 1u);
     let b = (s.nodes_and_kind >> kPlaceBits) & ((1u << kPlaceBits) - 1u);
     let kind = kinds[s.nodes_and_kind >> (2u * kPlaceBits)];
@@ -69,8 +69,8 @@ fn spring_block_forces(@builtin(workgroup_id) group : vec3u, @builtin(local_invo
     add_force(b, -f);
   }
   workgroupBarrier();
-  for (var k = local; k < block.node_count; k += kWorkgroupSize) {
-    let node = nodes[block.first_node + k];
+  for (var k = local; k < chunk.node_count; k += kWorkgroupSize) {
+    let node = nodes[chunk.first_node + k];
     atomicAdd(&force[node], atomicLoad(&sum[k]));
     atomicAdd(&force[step.vertex_count + node], atomicLoad(&sum[kBlockNodes + k]));
     atomicAdd(&force[2u * step.vertex_count + node], atomicLoad(&sum[2u * kBlockNodes + k]));
