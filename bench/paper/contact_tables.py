@@ -26,6 +26,31 @@ def newton(results):
     return Table(left("scene") + right("nodes") + left("solver", "settings") + right("ms a frame", "with self-collision"), lines)
 
 
+def implicit(results):
+    """The study's sheet: time and error of the implicit solver, of explicit steps, and of coarser sheets drawn finely."""
+    lines = []
+    for row in results["rows"]:
+        if row["object"] != "sheet" or "skipped" in row:
+            continue
+        errors = [[f"{100 * error['position']:.2f}" for error in row["error"]], [f"{error['normal_degrees']:.1f}" for error in row["error"]]]
+        stretch = [f"{100 * (error['edge_stretch'] / error['edge_stretch_reference'] - 1):+.0f}" for error in row["error"]]
+        lines.append([f"{row['nodes']:,}", row["variant"], f"{row['substeps']:,}", f"{row['ms_per_frame']['median']:.2f}", f"{number(row['real_time_factor'])} ×",
+                      *(" / ".join(cells) for cells in (*errors, stretch)), f"`{row['state_hash']}`"])
+    return Table(right("nodes") + left("variant") + right("substeps", "ms a frame", "real time", "position error, %", "normals, °", "side stretch, %") +
+                 left("state hash"), lines)
+
+
+def implicit_drapes(results):
+    lines = []
+    for row in results["rows"]:
+        if row["object"] == "sheet":
+            continue
+        start = [row["object"], f"{row['side'] ** 2:,}", row["variant"]]
+        lines.append(start + ([f"skipped: {row['skipped']}"] if "skipped" in row else [
+            f"{row['ms_per_frame']['median']:.1f}", f"{number(row['real_time_factor'])} ×", f"{row['crossings']}", f"{row['max_stretch']:.2f}", f"`{row['state_hash']}`"]))
+    return Table(left("object") + right("nodes") + left("variant") + right("ms a frame", "real time", "crossings", "largest stretch") + left("state hash"), lines)
+
+
 def share(part):
     """Of a sheet, that is folded."""
     return "" if part == 1 else f", {part:g} of it"

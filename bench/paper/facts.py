@@ -6,7 +6,7 @@ from .experiment_tables import step_ms
 from .plots import copy_speed
 from .store import RESULTS, Machine
 
-MODES = {"grid": "node_centric, grid", "mesh": "node_centric, any mesh", "springs": "spring_centric"}
+MODES = {"grid": "node_centric, grid", "mesh": "node_centric, any mesh", "springs": "spring_centric", "blocks": "spring_blocks"}
 
 
 class Missing(Exception):
@@ -82,10 +82,9 @@ class Facts:
         return one(figures["own_code"]["rows"], object=thing, nodes=nodes)["ms_per_step"]
 
 
-def unchecked(stored, rows, mode):
-    """Kernels without run-time checks over those with them: least and most over the sizes."""
-    ratios = [step_ms(row) / step_ms(one(rows, variant=MODES[mode], nodes=row["nodes"])) for row in stored if row["variant"] == MODES[mode]]
-    return min(ratios), max(ratios)
+def sheet(results, side, variant):
+    """A row of `weft bench multigrid` on the study's sheet."""
+    return one(results["rows"], object="sheet", side=side, variant=variant)
 
 
 def embree_ratios(results):

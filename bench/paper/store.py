@@ -9,7 +9,7 @@ RESULTS = ROOT / "bench/results"
 FORMAT = "weft-bench/1"
 # What tells the rows of an experiment apart; everything else in a row was measured.
 IDENTITY = {"hanging": ("variant", "side"), "pull": ("object", "variant", "side"), "copy": ("what",),
-            "largest": ("limits", "variant"), "pictures": ("name", "view")}
+            "largest": ("limits", "variant"), "multigrid": ("object", "variant", "side"), "pictures": ("name", "view")}
 
 
 class Unreadable(Exception):
