@@ -89,8 +89,8 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   if (world.solver_choice().kind == scene::SolverKind::Multigrid) {
     line(text, "  step        %.4g ms; stable at any length", 1e3 * world.step());
   } else {
-    line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)", 1e3 * world.step(),
-         1e3 * world.step_limit().largest_step, world.step_limit().highest_frequency);
+    line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)",
+         1e3 * world.step(), 1e3 * world.step_limit().largest_step, world.step_limit().highest_frequency);
   }
   line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
   line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", frame.median,

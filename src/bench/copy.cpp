@@ -20,7 +20,9 @@ Result<Timing> time_list(gpu::Device& device, const gpu::CommandList& list, std:
 Result<CopyRow> measure_copy(gpu::Device& device, bool quick) {
   const std::uint64_t mebibytes = quick ? 16 : 256;
   const std::uint32_t copies = quick ? 4 : 64;
-  const std::uint64_t bytes = std::min(mebibytes << 20U, device.limits().max_storage_binding_size / 16 * 16);
+  const std::uint64_t most =
+      std::min(device.limits().max_buffer_size, device.limits().max_storage_binding_size) / 16 * 16;
+  const std::uint64_t bytes = std::min(mebibytes << 20U, most);
   const std::size_t count = bytes / sizeof(Vec4f);
   WEFT_TRY(a, gpu::Buffer<Vec4f>::create(device, count, "copy a"));
   WEFT_TRY(b, gpu::Buffer<Vec4f>::create(device, count, "copy b"));

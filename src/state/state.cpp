@@ -8,7 +8,8 @@ namespace {
 std::vector<Vec4f> start_positions(const HostModel& model) {
   std::vector<Vec4f> positions(model.vertex_count());
   for (std::size_t i = 0; i < positions.size(); ++i)
-    positions[i] = Vec4f::from(model.start_position[i].to<float>(), static_cast<float>(model.inverse_mass(i)));
+    positions[i] =
+        Vec4f::from(model.start_position[i].to<float>(), static_cast<float>(model.inverse_mass(i)));
   return positions;
 }
 

@@ -245,9 +245,9 @@ TEST_CASE("bench largest says in both kinds of limits what it would have taken t
     CHECK(row.at("gpu_bytes") > 64 * row.at("nodes").get<int>());
     CHECK(row.at("skipped").get<std::string>().find("more than the 0.02 allowed") != std::string::npos);
   }
-  const int side = rows[0].at("side");  // 20 bytes a spring, some six springs a node
-  CHECK(side > 1000);
-  CHECK(side <= 1058);
+  const int side = rows[0].at("side");  // 12 bytes a spring, some six springs a node
+  CHECK(side > 1300);
+  CHECK(side <= 1366);
 }
 
 TEST_CASE(

@@ -61,6 +61,7 @@ struct Found {
 inline HostModel host_model(const Pose& pose) {
   HostModel host;
   for (const Vec4f& p : pose.previous) host.rest_position.push_back(p.xyz().to<double>());
+  host.start_position = host.rest_position;
   host.uv.resize(pose.previous.size());
   host.mass.assign(pose.previous.size(), 1);
   host.motion.assign(pose.previous.size(), 0);

@@ -148,6 +148,7 @@ class SearchRun {
       host.rest_position.push_back(p.to<double>());
       host.uv.push_back({p.x, p.z});
     }
+    host.start_position = host.rest_position;
     if (!setup_.uv.empty()) host.uv = setup_.uv;
     host.mass.assign(vertices, 1);
     host.motion.assign(vertices, 0);

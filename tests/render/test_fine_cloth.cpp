@@ -205,7 +205,8 @@ TEST_CASE("a flat sheet looks the same however often its cells are halved, in ev
     CAPTURE(std::string(name_of(view)));
     const Image once = picture_of(fixture.device(), sheet, view, 0);
     CHECK(color_count(once) > 20);
-    CHECK(difference(once, picture_of(fixture.device(), sheet, view, 3), 6) <= 10);  // of 32,000 pixels
+    CHECK(difference(once, picture_of(fixture.device(), sheet, view, 3), 6) <=
+          32);  // of 32,000 pixels: samples on the outline
   }
 }
 

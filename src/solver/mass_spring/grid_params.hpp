@@ -13,9 +13,9 @@ namespace weft {
 struct GridParams {
   std::uint32_t first_vertex = 0, nx = 0, ny = 0;
   std::uint32_t uniform_weights = 0;
-  Vec4f stiffness;    // structural, shear, bend [N/m]
-  Vec4f damping;      // the same; 0 where the stiffness is 0 [N·s/m]
-  Vec4f rest_length;  // structural along i, along j, shear [m]
+  Vec4f stiffness;                    // structural, shear, bend [N/m]
+  Vec4f damping;                      // the same; 0 where the stiffness is 0 [N·s/m]
+  Vec4f rest_length;                  // structural along i, along j, shear [m]
   std::array<float, 2> bending = {};  // along i, along j [N/m]
   std::uint32_t tile_width = 0, tiles_x = 0;
 };

@@ -17,7 +17,8 @@ Result<GridCycle> GridCycle::create(gpu::Device& device, const MultigridKernels&
   GridCycle made;
   made.levels_ = multigrid_levels(cloth);
   made.tail_ = 1;
-  while (made.tail_ < made.levels_.size() && made.levels_[made.tail_].node_count() > multigrid::kTailNodes) ++made.tail_;
+  while (made.tail_ < made.levels_.size() && made.levels_[made.tail_].node_count() > multigrid::kTailNodes)
+    ++made.tail_;
   WEFT_CHECK(made.create_buffers(device, cloth));
   WEFT_CHECK(made.create_fine(kernels, model, state, predicted));
   WEFT_CHECK(made.create_coarse(kernels));
