@@ -10,7 +10,7 @@ from . import browser, cases, hardware, measure, media
 from .progress import say
 from .store import RESULTS, ROOT, Machine, Unreadable
 
-PARTS = ("hardware", "copy", "hanging", "pull", "largest", "chromium", "pictures", "pack", "report")
+PARTS = ("hardware", "copy", "hanging", "pull", "multigrid", "largest", "chromium", "pictures", "pack", "report")
 SOFTWARE_SIDE = 128  # of the largest sheet that a software adapter is asked for without --most
 
 

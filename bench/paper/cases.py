@@ -42,6 +42,13 @@ def plan(experiments, quick, most_side):
                 if side == 32 or not quick:
                     pairs = side**2 * TRIANGLES[name] / 1e8
                     cases.append(Case("pull", (*which, "--only", "paper", *hurry), 4 + side**2 / 800 + pairs, name, side, True))
+    if "multigrid" in experiments:
+        for side in (32,) if quick else (64, 128, 256, 512, 800):
+            if side <= most_side:
+                cases.append(Case("multigrid", ("multigrid", "--sides", str(side), "--only", "multigrid,explicit,null", *hurry), 10 + side**2 / 5000, "sheet", side))
+        for side in () if quick else (256, 800):
+            if side <= most_side:
+                cases.append(Case("multigrid", ("multigrid", "--sides", str(side), "--only", "drape"), 20 + side**2 / 2000, "", side))
     if "largest" in experiments and not quick:
         cases.append(Case("largest", ("largest",), 60))
     return cases

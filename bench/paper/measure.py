@@ -11,7 +11,7 @@ from .progress import TimeLeft, in_words, say
 from .store import with_side
 
 STOPS_ALL = {2, 4, 5, 130}  # usage, no adapter, device lost, interrupted: the next case would end alike
-SCENES = {"hanging": "2 m × 2 m, pinned at two corners (src/bench/hanging.cpp)", "pull": "scenes/pull-{object}.json"}
+SCENES = {"hanging": "2 m × 2 m, pinned at two corners (src/bench/hanging.cpp)", "pull": "scenes/pull-{object}.json", "multigrid": "scenes/{sheet_or_drape}.json"}
 
 
 class Failed(Exception):
@@ -33,7 +33,8 @@ def check_same(binary, binary_hash):
 
 
 def scene_of(experiment, row):
-    return SCENES.get(experiment, "no scene").format(object=row.get("object", ""))
+    thing = row.get("object", "")
+    return SCENES.get(experiment, "no scene").format(object=thing, sheet_or_drape="sheet" if thing == "sheet" else f"drape-{thing}")
 
 
 def ask(binary, case, adapter=None):

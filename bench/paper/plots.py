@@ -114,6 +114,34 @@ def pull_real_time(machine, object_name):
     return Plot(f"Pull over the {object_name}: simulated seconds a second", "nodes of the sheet", "simulated over wall time [s/s]", lines)
 
 
+def frame_of_sheet(row):
+    return row["ms_per_frame"]["median"]
+
+
+def implicit_cost(machine):
+    """Of the study's sheet: a frame by the implicit solver and by explicit steps."""
+    rows = [row for row in machine.measured("multigrid") if row["object"] == "sheet"]
+    lines = lines_of(rows, {"multigrid 8": "implicit, 8 substeps", "explicit": "explicit, as many as are stable"}, frame_of_sheet)
+    if not lines:
+        return None
+    low, high = over(lines)
+    lines.append(Line("real time at 60 frames a second", [(low, 1000 / 60), (high, 1000 / 60)], 7, 1, True))
+    return Plot("Implicit and explicit: a frame of a sixtieth of a second", "nodes of the sheet", "a frame [ms]", lines)
+
+
+def implicit_detail(machine):
+    """Of the largest sheet: how far normals are off after half a second, over what a frame takes."""
+    rows = [row for row in machine.measured("multigrid") if row["object"] == "sheet" and len(row["error"]) > 1]
+    if not rows:
+        return None
+    side = max(row["side"] for row in rows)
+    point = lambda row: (frame_of_sheet(row), row["error"][1]["normal_degrees"])
+    groups = {"implicit": "multigrid", "explicit": "explicit", "null lines": "null"}
+    lines = [Line(label, sorted(point(row) for row in rows if row["side"] == side and row["variant"].startswith(start)), k)
+             for k, (label, start) in enumerate(groups.items())]
+    return Plot(f"Detail of the sheet of {side**2:,} nodes", "a frame [ms]", "normals after half a second, off by [degrees]", [line for line in lines if line.points])
+
+
 def frames_of_the_paper(rows, names, title):
     lines = lines_of(rows, names, frame_ms)
     if not lines:
