@@ -1,4 +1,5 @@
-"""The tables of docs/performance.md that are not of the paper's experiments: contact by itself, hosts, the page, Embree, Newton."""
+"""The tables of docs/performance.md that are not of the paper's experiments: contact by itself, the implicit solver, hosts, the page, Embree,
+Newton."""
 from .fits import power_law
 from .table import Table, left, right
 from .wording import number

@@ -32,10 +32,7 @@ void SolverMassSpring::record_two(gpu::ComputePass& pass) const {
   for (const AdvanceGridTwice& cloth : twice_) cloth.record(pass);
 }
 
-void SolverMassSpring::record_solve(gpu::ComputePass& pass) const {
-  if (contact_response_) contact_response_->record(pass);  // Algorithm 2
-  if (contact_respond_) contact_respond_->record(pass);    // docs/contact.md
-}
+void SolverMassSpring::record_solve(gpu::ComputePass& pass) const { contact_answer_.record(pass); }
 
 Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settings,
                                                      const SolverInputs& inputs) {
@@ -92,15 +89,8 @@ Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& se
   } else {
     WEFT_CHECK(made->create_spring_centric(settings, inputs));
   }
-  if (inputs.contacts != nullptr && inputs.contacts->pairs) {
-    WEFT_TRY(respond, ContactRespond::create(inputs.device, inputs.state, *inputs.contacts->pairs,
-                                             inputs.workgroup_size));
-    made->contact_respond_ = std::move(respond);
-  } else if (inputs.contacts != nullptr) {
-    WEFT_TRY(response,
-             ContactResponse::create(inputs.device, inputs.state, *inputs.contacts, inputs.workgroup_size));
-    made->contact_response_ = std::move(response);
-  }
+  WEFT_TRY(answer, ContactAnswer::create(inputs));
+  made->contact_answer_ = std::move(answer);
   return std::unique_ptr<Solver>(std::move(made));
 }
 

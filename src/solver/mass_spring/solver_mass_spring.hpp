@@ -3,11 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "solver/contact_answer.hpp"
 #include "solver/mass_spring/advance_grid.hpp"
 #include "solver/mass_spring/advance_grid_twice.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
-#include "solver/mass_spring/contact_respond.hpp"
-#include "solver/mass_spring/contact_response.hpp"
 #include "solver/mass_spring/fixed_point.hpp"
 #include "solver/mass_spring/integrate_forces.hpp"
 #include "solver/mass_spring/spring_block_forces.hpp"
@@ -47,8 +46,7 @@ class SolverMassSpring : public Solver {
   std::vector<AdvanceGrid> grids_;
   std::vector<AdvanceGridTwice> twice_;
   std::vector<AdvanceMesh> meshes_;
-  std::optional<ContactResponse> contact_response_;  // to pushes
-  std::optional<ContactRespond> contact_respond_;    // to pairs
+  ContactAnswer contact_answer_;
 };
 
 }  // namespace weft

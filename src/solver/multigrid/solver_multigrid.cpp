@@ -6,10 +6,7 @@ void SolverMultigrid::record_predict(gpu::ComputePass& pass) const {
   for (const GridCycle& cloth : cloths_) cloth.record(pass, kernels_);
 }
 
-void SolverMultigrid::record_solve(gpu::ComputePass& pass) const {
-  if (contact_response_) contact_response_->record(pass);
-  if (contact_respond_) contact_respond_->record(pass);
-}
+void SolverMultigrid::record_solve(gpu::ComputePass& pass) const { contact_answer_.record(pass); }
 
 Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs) {
   auto made = std::make_unique<SolverMultigrid>();
@@ -20,15 +17,8 @@ Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inpu
                                       inputs.predicted(), cloth));
     made->cloths_.push_back(std::move(cycle));
   }
-  if (inputs.contacts != nullptr && inputs.contacts->pairs) {
-    WEFT_TRY(respond, ContactRespond::create(inputs.device, inputs.state, *inputs.contacts->pairs,
-                                             inputs.workgroup_size));
-    made->contact_respond_ = std::move(respond);
-  } else if (inputs.contacts != nullptr) {
-    WEFT_TRY(response,
-             ContactResponse::create(inputs.device, inputs.state, *inputs.contacts, inputs.workgroup_size));
-    made->contact_response_ = std::move(response);
-  }
+  WEFT_TRY(answer, ContactAnswer::create(inputs));
+  made->contact_answer_ = std::move(answer);
   return std::unique_ptr<Solver>(std::move(made));
 }
 

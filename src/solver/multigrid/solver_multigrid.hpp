@@ -1,10 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "solver/mass_spring/contact_respond.hpp"
-#include "solver/mass_spring/contact_response.hpp"
+#include "solver/contact_answer.hpp"
 #include "solver/multigrid/grid_cycle.hpp"
 #include "solver/solver.hpp"
 
@@ -25,8 +23,7 @@ class SolverMultigrid : public Solver {
  private:
   MultigridKernels kernels_;
   std::vector<GridCycle> cloths_;
-  std::optional<ContactResponse> contact_response_;  // to pushes
-  std::optional<ContactRespond> contact_respond_;    // to pairs
+  ContactAnswer contact_answer_;
 };
 
 }  // namespace weft

@@ -1,0 +1,25 @@
+#include "solver/contact_answer.hpp"
+
+namespace weft {
+
+Result<ContactAnswer> ContactAnswer::create(const SolverInputs& inputs) {
+  ContactAnswer made;
+  if (inputs.contacts == nullptr) return made;
+  if (inputs.contacts->pairs) {
+    WEFT_TRY(respond, ContactRespond::create(inputs.device, inputs.state, *inputs.contacts->pairs,
+                                             inputs.workgroup_size));
+    made.respond_ = std::move(respond);
+    return made;
+  }
+  WEFT_TRY(response,
+           ContactResponse::create(inputs.device, inputs.state, *inputs.contacts, inputs.workgroup_size));
+  made.response_ = std::move(response);
+  return made;
+}
+
+void ContactAnswer::record(gpu::ComputePass& pass) const {
+  if (response_) response_->record(pass);
+  if (respond_) respond_->record(pass);
+}
+
+}  // namespace weft

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "solver/mass_spring/contact_respond.hpp"
+#include "solver/mass_spring/contact_response.hpp"
+#include "solver/solver.hpp"
+
+namespace weft {
+
+/// What a solver does about the contacts found at its predicted positions: the mean of pushes (Algorithm 2)
+/// or impulses between pairs (docs/contact.md), by what the scene's contact method finds; nothing without
+/// contact.
+class ContactAnswer {
+ public:
+  /// Errors  Shader, OutOfMemory.
+  static Result<ContactAnswer> create(const SolverInputs& inputs);
+  void record(gpu::ComputePass& pass) const;
+
+ private:
+  std::optional<ContactResponse> response_;  // to pushes
+  std::optional<ContactRespond> respond_;    // to pairs
+};
+
+}  // namespace weft
