@@ -4,8 +4,8 @@
 #include "shared/step.wgsl"
 #include "shared/contact.wgsl"
 #include "shared/statistics.wgsl"
-#include "contact/closest.wgsl"
 #include "contact/crossing.wgsl"
+#include "contact/measure.wgsl"
 #include "contact/planes.wgsl"
 //                                                                                     elements              unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
@@ -22,35 +22,7 @@ const kTouch = 0.01;  // of the thickness: what is nearer has no side of its own
 var<workgroup> listed : u32;
 var<workgroup> crossings : u32;  // that the last search has found
 
-fn start_of(id : u32) -> vec4f {
-  if (is_collider(id)) { return points[id & kIdBits]; }
-  return previous[id & kIdBits];
-}
-fn end_of(id : u32) -> vec4f { return points[step.point_count + (id & kIdBits)]; }
-
-struct Relative {
-  velocity : vec3f,  // what cloth brings to u, m/s
-  surface : vec3f,   // what the collider brings, m/s
-}
-
-fn relative_velocity(ids : vec4u, w : vec4f, n : vec3f, radius : f32) -> Relative {
-  var r = Relative(vec3f(0.0), vec3f(0.0));
-  for (var role = 0u; role < role_count(ids); role++) {
-    let id = ids[role];
-    if (is_collider(id)) {
-      r.surface += w[role] * ((end_of(id).xyz - start_of(id).xyz) / step.dt);
-    } else {
-      r.velocity += w[role] * predicted[id & kIdBits].xyz;
-    }
-  }
-  if (radius > 0.0) {  // the surface of a ball that turns: its spin is the point after its centre
-    let on_a = is_collider(ids.x);
-    let id = select(ids.z, ids.x, on_a) & kIdBits;
-    let arm = select(radius, -radius, on_a) * n;
-    r.surface += select(-1.0, 1.0, on_a) * cross(points[id + 1u].xyz, arm);
-  }
-  return r;
-}
+fn velocity_of(vertex : u32) -> vec3f { return predicted[vertex].xyz; }
 
 // Whether roles from `first` to before `end` are a collider's or held by the scene.
 fn is_solid(ids : vec4u, first : u32, end : u32) -> bool {
@@ -86,6 +58,11 @@ fn tangles_of(ids : vec4u, first : u32, end : u32) -> u32 {
   return marks & ~kCursorBits;
 }
 
+// Whether the collider of the pair, if it has one, is a closed mesh.
+fn is_of_closed_mesh(ids : vec4u) -> bool {
+  return min(min(start_of(ids.x).w, start_of(ids.y).w), start_of(ids.z).w) < 0.0;
+}
+
 // Whether both features are of what passes through each other, so that either may be on its wrong side.
 fn is_tangled(ids : vec4u, is_self : bool) -> bool {
   if (is_plane_pair(ids)) { return false; }
@@ -110,75 +87,49 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     let ids = contacts[pair].ids;
     let is_self = is_self_pair(ids);
-    let p0 = start_of(ids.x);
-    let p1 = start_of(ids.y);
-    var near : Closest;
-    var n : vec3f;
-    var gap : f32;
-    var place_a : f32;  // n·p_A
-    var radius = 0.0;
+    var measured : Measured;
     var friction = contacts[pair].surface.w;
     var untangles = false;
     if (is_crossing(ids)) {
+      let p = start_of(ids.x).xyz;
       let q = start_of(contacts[pair].other_end).xyz;
+      let p1 = start_of(ids.y).xyz;
       let p2 = start_of(ids.z).xyz;
       let p3 = start_of(ids.w).xyz;
-      let at = crossing_place(p0.xyz, q, p1.xyz, p2, p3);
-      near.inside = crosses(p0.xyz, q, p1.xyz, p2, p3);
-      near.s = at.x;
-      near.t = at.y;
-      n = contacts[pair].normal.xyz;
-      gap = contacts[pair].normal.w;
+      let at = crossing_place(p, q, p1, p2, p3);
+      measured = Measured(at.x, at.y, crosses(p, q, p1, p2, p3), contacts[pair].normal.xyz, contacts[pair].normal.w, 0.0, 0.0);
       untangles = true;
-    } else if (is_plane_pair(ids)) {
-      n = points[(ids.y & kIdBits) + 1u].xyz;
-      gap = dot(n, p0.xyz - p1.xyz);
-      place_a = dot(n, p0.xyz);
-      near.inside = true;
-      near.s = 0.0;
-      near.t = 0.0;
     } else {
-      let p2 = start_of(ids.z);
-      let p3 = start_of(ids.w);
-      if (is_edge_pair(ids)) {
-        near = closest_on_edges(p0.xyz, p1.xyz, p2.xyz, p3.xyz);
-        if (is_collider(ids.z)) { radius = max(p2.w, 0.0); }
-        place_a = 0.0;
-      } else {
-        near = closest_on_triangle(p0.xyz, p1.xyz, p2.xyz, p3.xyz);
-        if (is_collider(ids.x)) { radius = max(p0.w, 0.0); }
-      }
-      let distance = length(near.apart);
-      n = select(vec3f(0.0, 1.0, 0.0), near.apart / distance, distance > 0.0);
-      gap = distance - radius;
-      place_a = dot(n, p0.xyz);
-      if (is_edge_pair(ids)) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }
-      let touches = distance < kTouch * step.thickness && min(min(p0.w, p1.w), p2.w) < 0.0;  // a closed mesh
-      if (touches || (tangled && radius == 0.0 && is_tangled(ids, is_self))) {
+      measured = measure(ids);
+      let distance = measured.gap + measured.radius;
+      let touches = !is_plane_pair(ids) && distance < kTouch * step.thickness && is_of_closed_mesh(ids);
+      if (touches || (tangled && measured.radius == 0.0 && is_tangled(ids, is_self))) {
         // Of a closed mesh the outside is known. All else is left to what crosses.
-        let normal = cross(p2.xyz - p1.xyz, p3.xyz - p1.xyz);
+        let p1 = start_of(ids.y);
+        let normal = cross(start_of(ids.z).xyz - p1.xyz, start_of(ids.w).xyz - p1.xyz);
         let size = length(normal);
         let from_face = !is_self && !is_edge_pair(ids) && p1.w < 0.0 && is_collider(ids.y) && size > 0.0;
-        let outside = dot(near.apart, normal) >= 0.0 && !touches;
-        let over = near.s > 0.0 && near.t > 0.0 && near.s + near.t < 1.0;
+        let outside = dot(measured.normal, normal) >= 0.0 && !touches;
+        let over = measured.s > 0.0 && measured.t > 0.0 && measured.s + measured.t < 1.0;
         if (from_face && !outside && (over || touches)) {
-          near.inside = distance < step.thickness;
-          n = normal / size;
-          gap = -1.0;
+          measured.counts = distance < step.thickness;
+          measured.normal = normal / size;
+          measured.gap = -1.0;
           untangles = true;
         } else if (!from_face || !outside) {
-          near.inside = false;
-          gap = 0.0;
+          measured.counts = false;
+          measured.gap = 0.0;
         }
       }
     }
-    let w = weights_of(ids, near.s, near.t);
-    let r = relative_velocity(ids, w, n, radius);
+    let n = measured.normal;
+    let gap = measured.gap;
+    let w = weights_of(ids, measured.s, measured.t);
+    let r = relative_velocity(ids, w, measured);
     let thickness = select(step.thickness, step.self_thickness, is_self);
     let speed = dot(n, r.velocity + r.surface);
-    let counts = near.inside || radius > 0.0;
     let is_near = gap + min(step.dt * speed, 0.0) < kTouching * thickness;
-    let acts = counts && is_near;
+    let acts = measured.counts && is_near;
     let urgency = urgency_of(gap + min(step.dt * speed, 0.0), thickness);
     let first_b = roles_of_a(ids);
     let end_b = role_count(ids);
@@ -188,18 +139,15 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       solid = kUntangles;
     } else if (is_solid(ids, first_b, end_b)) {
       solid = 2u;
-      reach = reach_of(ids, first_b, end_b, 1.0, n, radius);
+      reach = reach_of(ids, first_b, end_b, 1.0, n, measured.radius);
     } else if (is_solid(ids, 0u, first_b)) {
       solid = 1u;
-      reach = reach_of(ids, 0u, first_b, -1.0, n, radius);
+      reach = reach_of(ids, 0u, first_b, -1.0, n, measured.radius);
     }
-    if (!is_self) {
-      let own = max(max(own_friction(ids.x), own_friction(ids.z)), own_friction(ids.y));
-      if (own >= 0.0) { friction = own; }
-    }
+    if (!is_self) { friction = friction_of(ids, friction); }
     var contact = contacts[pair];
     contact.normal = vec4f(n, gap);
-    contact.place = vec4f(near.s, near.t, place_a, reach);
+    contact.place = vec4f(measured.s, measured.t, measured.place_a, reach);
     contact.surface = vec4f(r.surface, friction);
     contact.urgency = select(0.0, f32(urgency), acts);
     contact.solid = solid;
@@ -232,10 +180,4 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     atomicAdd(&statistics[kStatHits], hits);
     atomicAdd(&statistics[kStatHitHash], hash);
   }
-}
-
-// A collider's friction stands with its points at the end of the substep; negative: it has none of its own.
-fn own_friction(id : u32) -> f32 {
-  if (!is_collider(id)) { return -1.0; }
-  return end_of(id).w;
 }

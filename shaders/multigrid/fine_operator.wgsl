@@ -1,6 +1,7 @@
 // A x on the finest level, where A is not stored: each spring's block is made anew from where its nodes are. The including kernel binds
-// `step`, `grid` and `place`, and has the field, operand(level, node).
+// `step`, `grid`, `place` and `holds`, and has the field, operand(level, node).
 #include "multigrid/bending.wgsl"
+#include "multigrid/hold.wgsl"
 #include "multigrid/springs_of_node.wgsl"
 var<private> here : vec3f;   // of the node whose springs are summed
 var<private> value : vec3f;
@@ -18,5 +19,7 @@ fn fine_product(level : Level, i : u32, j : u32, node : u32) -> vec3f {
   value = operand(level, node);
   rate = 1.0 / formula_of(step.step_ratio).he;
   finest = level;
-  return own.w * value + sum_of_springs(grid, i, j, node) + bending_product(level, i, j, node);
+  let product = own.w * value + sum_of_springs(grid, i, j, node) + bending_product(level, i, j, node);
+  if (!kHolds) { return product; }
+  return product + hold_product(node, value);
 }

@@ -3,6 +3,7 @@
 // exact where both that they span are stretched alike. Source: docs/solvers/multigrid.md, equation 10.
 #include "shared/index.wgsl"
 #include "multigrid/bending_diagonal.wgsl"
+#include "multigrid/hold.wgsl"
 #include "multigrid/spring_grid.wgsl"
 #include "multigrid/store_blocks.wgsl"
 #include "multigrid/store_inverse.wgsl"
@@ -12,8 +13,9 @@
 @group(0) @binding(1) var<uniform>             grid      : SpringGrid;
 @group(0) @binding(2) var<uniform>             levels    : array<Level, 2>;
 @group(0) @binding(3) var<storage, read>       place     : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
-@group(0) @binding(4) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
-@group(0) @binding(5) var<storage, read_write> operators : array<vec4f>;   // multigrid/coarse_block.wgsl
+@group(0) @binding(4) var<storage, read>       holds     : array<vec4f>;   // multigrid/hold.wgsl
+@group(0) @binding(5) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
+@group(0) @binding(6) var<storage, read_write> operators : array<vec4f>;   // multigrid/coarse_block.wgsl
 var<private> blocks : array<Symmetric, 5>;
 var<private> rate : f32;  // 1/s
 
@@ -98,7 +100,9 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
       let a = b;
       let before = below_a;
       below_a = below_b;
-      add(identity(a.at.w), a.right.x, a.right, a.left);
+      var own = identity(a.at.w);
+      if (kHolds) { own = sum_of(own, hold_block(u32(y) * grid.nx + u32(x))); }
+      add(own, a.right.x, a.right, a.left);
       if (x + 1 < nx) {
         let column = line_taps(x + 1, center_i, i, nx, mx, regular_i);
         b = taps_at(x + 1, y, column, row);

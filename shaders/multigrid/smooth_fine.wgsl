@@ -8,7 +8,8 @@
 @group(0) @binding(1) var<uniform>             grid    : SpringGrid;
 @group(0) @binding(2) var<uniform>             levels  : array<Level, 2>;
 @group(0) @binding(3) var<storage, read>       place   : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
-@group(0) @binding(4) var<storage, read_write> vectors : array<vec4f>;   // multigrid/level.wgsl
+@group(0) @binding(4) var<storage, read>       holds   : array<vec4f>;   // multigrid/hold.wgsl
+@group(0) @binding(5) var<storage, read_write> vectors : array<vec4f>;   // multigrid/level.wgsl
 
 fn operand(level : Level, node : u32) -> vec3f { return vectors[vector_at(level, kDirection, node)].xyz; }
 

@@ -3,7 +3,7 @@
 const kMaxGrabs = 4u;
 const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
 const kDetectAlways = 2u;
-const kDetectInterval = 4.0;  // substeps from one that may to the next; kDetectInterval in src/state/step_params.hpp
+override kDetectInterval : f32 = 4.0;  // substeps from one that may to the next: search_interval in src/model/contact_steps.hpp
 const kReachMargin = 1.25;    // what is on its way may speed up until then
 
 struct StepParams {

@@ -119,7 +119,9 @@ Result<void> PairSearch::create_find(gpu::Device& device, const State& state, co
   using Candidate = std::array<std::uint32_t, 2>;
   WEFT_TRY(candidates, gpu::Buffer<Candidate>::create(device, pairs.room.candidates, "contact candidates"));
   candidates_ = std::move(candidates);
-  WEFT_TRY(begin, gpu::Kernel::create(device, "contact/detect_begin.wgsl", {}, setup.workgroup_size));
+  WEFT_TRY(begin, gpu::Kernel::create(device, "contact/detect_begin.wgsl",
+                                      {{"kDetectInterval", static_cast<double>(setup.interval)}},
+                                      setup.workgroup_size));
   detect_begin_ = std::move(begin);
   WEFT_TRY(broad, gpu::Kernel::create(device, "contact/find_candidates.wgsl", {}, setup.workgroup_size));
   find_candidates_ = std::move(broad);

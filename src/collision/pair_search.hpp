@@ -27,6 +27,7 @@ struct SearchSetup {
   float thickness = 0, self_thickness = 0;  // [m]; the second 0: cloth does not meet cloth
   float flat_reach = 0;                     // [m]; ProximityLengths::most_reach
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+  std::uint32_t interval = 4;  // substeps from one that may search to the next
 };
 
 /// Finds and lists all pairs of features nearer than the thickness and how far both may go: broad phase,

@@ -29,13 +29,10 @@ Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::
         "contact.thickness is %g m; %g m from the origin proximity needs at least %.3g m, a hundred steps of "
         "f32.",
         thickness, farthest(model), 100 * rounding);
-  const double altitude = shortest_altitude(model);
   ProximityLengths lengths;
   lengths.thickness = thickness;
-  const double self_thickness = weft::self_thickness(model, thickness);
-  if (contact.self) lengths.self_thickness = self_thickness;
-  // Cloth that lies flat and still should list nothing of itself, so h_s + 2b stays below the altitude.
-  lengths.most_reach = 0.5 * (contact.self ? 0.95 * altitude - self_thickness : altitude);
+  if (contact.self) lengths.self_thickness = self_thickness(model, thickness);
+  lengths.most_reach = flat_reach(model, contact);
   lengths.least_reach = std::min(0.5 * thickness, lengths.most_reach);
   return lengths;
 }
@@ -43,8 +40,10 @@ Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::
 Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, const State& state,
                                     const ContactPairs& pairs, const scene::Scene& scene,
                                     const ColliderMeshes& meshes, std::uint32_t substeps,
-                                    std::uint32_t workgroup_size) {
+                                    std::uint32_t interval, std::uint32_t workgroup_size) {
   Proximity made;
+  made.interval_ = interval;
+  made.presses_ = pairs.presses.size() > 0;
   made.substeps_ = substeps;
   WEFT_TRY(lengths, proximity_lengths(model.host, scene.contact));
   made.lengths_ = lengths;
@@ -52,6 +51,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, con
   setup.thickness = static_cast<float>(lengths.thickness);
   setup.self_thickness = static_cast<float>(lengths.self_thickness);
   setup.flat_reach = static_cast<float>(lengths.most_reach);
+  setup.interval = interval;
   setup.workgroup_size = workgroup_size;
   WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
   made.search_ = std::move(search);
@@ -68,6 +68,15 @@ Result<void> Proximity::create_kernels(gpu::Device& device, const State& state, 
     WEFT_TRY(group, evaluate_.bind({state.steps, state.position[parity], pairs.predicted, search_.points(),
                                     pairs.contacts, pairs.entries, pairs.vertex_contacts, state.statistics}));
     evaluate_groups_[parity] = std::move(group);
+  }
+  if (presses_) {
+    WEFT_TRY(press, gpu::Kernel::create(device, "contact/press.wgsl", {}, workgroup_size));
+    press_ = std::move(press);
+    for (std::size_t parity = 0; parity < 2; ++parity) {
+      WEFT_TRY(group, press_.bind({state.steps, state.position[parity], state.velocity[parity],
+                                   search_.points(), pairs.contacts, state.statistics, pairs.presses}));
+      press_groups_[parity] = std::move(group);
+    }
   }
   const ColliderSet& colliders = search_.colliders();
   if (!colliders.moves) return {};
@@ -93,12 +102,16 @@ void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, dou
   places_.write(device, std::span(rows_).first((substeps + 1) * count));
 }
 
-void Proximity::record(gpu::ComputePass& pass) const {
+void Proximity::record_search(gpu::ComputePass& pass) const {
   const ColliderSet& colliders = search_.colliders();
   if (colliders.moves)
     move_points_.dispatch(pass, move_group_,
                           std::max<std::size_t>(colliders.point_count, 3 * colliders.list.size()));
-  if (pass.step() % kDetectInterval == 0) search_.record(pass);
+  if (pass.step() % interval_ == 0) search_.record(pass);
+  if (presses_) press_.dispatch_strided(pass, press_groups_[pass.parity()], pair_room_);
+}
+
+void Proximity::record_evaluate(gpu::ComputePass& pass) const {
   evaluate_.dispatch_strided(pass, evaluate_groups_[pass.parity()], pair_room_);
 }
 

@@ -51,4 +51,11 @@ double self_thickness(const HostModel& model, double thickness) {
   return std::min(thickness, 0.5 * shortest_altitude(model));
 }
 
+double flat_reach(const HostModel& model, const scene::Contact& contact) {
+  const double altitude = shortest_altitude(model);
+  if (!contact.self) return 0.5 * altitude;
+  return 0.5 *
+         (0.95 * altitude - self_thickness(model, contact.thickness));  // h_s + 2b is below the altitude
+}
+
 }  // namespace weft

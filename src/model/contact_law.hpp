@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "model/host_model.hpp"
+#include "scene/scene.hpp"
 
 namespace weft {
 
@@ -13,6 +14,9 @@ inline constexpr double kContactSpring = 0.25;
 inline constexpr double kContactWall = 0.25;
 /// What is no further away than this many thicknesses is in contact, whatever the rounding of its place.
 inline constexpr double kContactTouching = 1.001;
+/// A press says no more than this of how far a node has to go, in thicknesses, so that sums of integers hold:
+/// docs/solvers/multigrid.md, Contact.
+inline constexpr double kMostLack = 16;
 /// How near to the plane between two features a vertex may come, as a part of their distance.
 inline constexpr double kContactMargin = 0.05;
 /// The same as a part of the thickness, at least: where features are nearer, f32 does not know the plane well
@@ -45,5 +49,12 @@ double shortest_altitude(const HostModel& model);
 /// h_s: what cloth keeps from cloth [m]. No more than half the shortest altitude, since a vertex lies no
 /// nearer to a triangle of its own sheet.
 double self_thickness(const HostModel& model, double thickness);
+
+/// b₁: with no more reach than this, cloth that lies flat lists nothing of itself [m]. It is what a fast
+/// vertex may go until the next search, unless it needs more: up to kFastest times as much.
+double flat_reach(const HostModel& model, const scene::Contact& contact);
+inline constexpr double kFastest = 4;
+/// What is on its way may speed up until then by this.
+inline constexpr double kReachMargin = 1.25;
 
 }  // namespace weft

@@ -1,7 +1,10 @@
 #include "model/step_limit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "model/contact_law.hpp"
 
 namespace weft {
 
@@ -23,10 +26,19 @@ StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {
   return limit;
 }
 
+double contact_step(const scene::Scene& scene, const HostModel& model) {
+  const bool meets = scene.contact.self || !scene.colliders.empty();
+  if (scene.contact.method != scene::ContactMethod::Proximity || !meets) return 0;
+  const double step = kFastest * flat_reach(model, scene.contact) / (kReachMargin * kFallSpeed);
+  return std::max(step, kLeastContactStep);
+}
+
 Result<std::uint32_t> substeps_of(const scene::Scene& scene, scene::SolverKind kind, const StepLimit& limit) {
   if (scene.time.substeps) return *scene.time.substeps;
   if (kind != scene::SolverKind::Multigrid) return choose_substeps(scene, limit);
-  const double steps = scene.time.frame / kImplicitStep * (1 - 1e-12);  // an even number is not rounded up
+  double step = kImplicitStep;
+  if (limit.contact_step > 0) step = std::min(step, limit.contact_step);
+  const double steps = scene.time.frame / step * (1 - 1e-12);  // an even number is not rounded up
   return static_cast<std::uint32_t>(4 * std::ceil(steps / 4));
 }
 

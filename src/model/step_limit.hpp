@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "model/host_model.hpp"
 #include "scene/scene.hpp"
 
 namespace weft {
@@ -23,9 +24,10 @@ double largest_stable_step(double stiffness, double damping);
 
 /// What a step of a solver may be, and what decides it.
 struct StepLimit {
-  double highest_frequency = 0;         // of the spring network, undamped [rad/s]
-  double highest_damping = 0;           // largest damping rate [1/s]
-  double largest_step = 0;              // beyond which the integration is unstable [s]; 0: there is no limit
+  double highest_frequency = 0;  // of the spring network, undamped [rad/s]
+  double highest_damping = 0;    // largest damping rate [1/s]
+  double largest_step = 0;       // beyond which the integration is unstable [s]; 0: there is no limit
+  double contact_step = 0;       // in longer ones contact holds fast cloth back [s]; 0: there is no contact
   std::vector<NetworkSpectrum> cloths;  // in the order of the scene
 };
 
@@ -41,6 +43,15 @@ inline constexpr double kStepSafety = 0.7;
 /// The longest step that "auto" gives the implicit solver, which is stable at any: BDF2 at 1/480 s is within
 /// 1 to 3 % of the exact motion of a sheet of 2 m [s].
 inline constexpr double kImplicitStep = 1.0 / 480;
+
+/// The speed up to which "auto" gives the implicit solver steps in which contact holds no vertex back: that
+/// of cloth that has fallen by half a metre [m/s].
+inline constexpr double kFallSpeed = 3;
+/// However fine the mesh, "auto" makes no more of it than 128 substeps in a sixtieth [s].
+inline constexpr double kLeastContactStep = kImplicitStep / 16;
+/// A vertex at that speed comes no further in it than a search for pairs foresees [s]: docs/contact.md,
+/// Reach. 0 where the scene has no contact by proximity.
+double contact_step(const scene::Scene& scene, const HostModel& model);
 
 /// The substeps of a frame with this solver (not Auto): the scene's, or what its "auto" means.
 /// Errors  Limit: more than scenes allow.

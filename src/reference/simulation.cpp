@@ -44,6 +44,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene,
   const scene::SolverKind kind = choose_solver(scene, made.model_).kind;
   if (kind == scene::SolverKind::Multigrid) {
     made.implicit_.emplace(made.model_);
+    made.limit_.contact_step = contact_step(scene, made.model_);
   } else {
     made.limit_ = mass_spring_step_limit(made.model_, scene.drag);
   }
@@ -133,7 +134,10 @@ void Simulation::substep(std::uint32_t number, std::uint32_t count) {
   set_grabs(time() + number * dt + dt);
   if (implicit_) {
     const double ratio = number == 0 ? step_ratio(cut_before_, count) : 1;
-    implicit_->advance(system_, places_at((before + 1) * dt, previous), dt, ratio);
+    std::vector<Press> presses;
+    if (solves_with_obstacles(scene_, scene::SolverKind::Multigrid) && finite())
+      presses = proximity_->presses(previous, system_.velocity, before * dt, dt);
+    implicit_->advance(system_, places_at((before + 1) * dt, previous), dt, ratio, presses);
   } else {
     advance(system_, dt);
     follow_motions(previous, (before + 1) * dt, dt);

@@ -2,13 +2,13 @@
 
 namespace weft::sim {
 
-FrameSteps::FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::size_t motion_count,
-                       double frame)
+FrameSteps::FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::uint32_t interval,
+                       std::size_t motion_count, double frame)
     : steps_(most_substeps, base), frame_(frame) {
   for (std::uint32_t s = 0; s < most_substeps; ++s) {
     steps_[s].first_motion = s * 3 * static_cast<std::uint32_t>(motion_count);
     steps_[s].first_place = s * base.first_place;
-    steps_[s].detect = s == 0 ? Detect::Always : s % kDetectInterval == 0 ? Detect::IfDue : Detect::No;
+    steps_[s].detect = s == 0 ? Detect::Always : s % interval == 0 ? Detect::IfDue : Detect::No;
   }
 }
 

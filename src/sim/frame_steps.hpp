@@ -16,8 +16,10 @@ namespace weft::sim {
 class FrameSteps {
  public:
   FrameSteps() = default;
-  /// `frame` [s]; `base`: what all substeps have in common and no scene changes while it runs.
-  FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::size_t motion_count, double frame);
+  /// `frame` [s]; `base`: what all substeps have in common and no scene changes while it runs; pairs are
+  /// looked for in every so-manieth of them (search_interval).
+  FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::uint32_t interval,
+             std::size_t motion_count, double frame);
 
   /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
   /// where they are.

@@ -109,9 +109,10 @@ void World::record_frame(gpu::CommandList& list, std::uint32_t parity, std::uint
       s += 2;
       continue;
     }
+    if (proximity_) proximity_->record_search(pass);
     solver_->record_predict(pass);
     if (collision_) collision_->record(pass);
-    if (proximity_) proximity_->record(pass);
+    if (proximity_) proximity_->record_evaluate(pass);
     solver_->record_solve(pass);
     ++s;
   }

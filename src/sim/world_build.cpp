@@ -78,7 +78,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   }
   motion_rows_.resize(3 * model_.host.motions.size() * most_substeps_);
   grabs_.emplace(model_.host);
-  steps_ = FrameSteps(base_params(), most_substeps_, model_.host.motions.size(), scene_.time.frame);
+  steps_ = FrameSteps(base_params(), most_substeps_, search_interval(choice_.kind),
+                      model_.host.motions.size(), scene_.time.frame);
   steps_.set_air(scene_, 0);
   WEFT_CHECK(submit_rest());
   return device_.wait();  // in a browser, only now is it known whether all of this could be made
@@ -87,14 +88,15 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
 Result<void> World::build_contact(const ContactRoom& room) {
   const scene::ContactMethod method = scene_.contact.method;
   if (method == scene::ContactMethod::Proximity && (scene_.contact.self || !scene_.colliders.empty())) {
+    const bool presses = solves_with_obstacles(scene_, choice_.kind);
     proximity_.reset();  // frees what it holds before more is asked for
     contacts_.reset();
-    WEFT_TRY(contacts, Contacts::create_pairs(device_, model_.host, room));
+    WEFT_TRY(contacts, Contacts::create_pairs(device_, model_.host, room, presses));
     contacts_ = std::move(contacts);
-    WEFT_TRY(proximity,
-             collision::Proximity::create(device_, model_, state_, *contacts_->pairs, scene_,
-                                          {assets_.objects, assets_.object_colliders, assets_.keyframes},
-                                          most_substeps_, options_.workgroup_size));
+    WEFT_TRY(proximity, collision::Proximity::create(
+                            device_, model_, state_, *contacts_->pairs, scene_,
+                            {assets_.objects, assets_.object_colliders, assets_.keyframes}, most_substeps_,
+                            search_interval(choice_.kind), options_.workgroup_size));
     proximity_ = std::move(proximity);
     if (counter_) WEFT_CHECK(create_counter());
   } else if ((method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh) &&

@@ -1,13 +1,15 @@
 #include "solver/contact_answer.hpp"
 
+#include "model/contact_steps.hpp"
+
 namespace weft {
 
-Result<ContactAnswer> ContactAnswer::create(const SolverInputs& inputs) {
+Result<ContactAnswer> ContactAnswer::create(const SolverInputs& inputs, scene::SolverKind kind) {
   ContactAnswer made;
   if (inputs.contacts == nullptr) return made;
   if (inputs.contacts->pairs) {
     WEFT_TRY(respond, ContactRespond::create(inputs.device, inputs.state, *inputs.contacts->pairs,
-                                             inputs.workgroup_size));
+                                             search_interval(kind), inputs.workgroup_size));
     made.respond_ = std::move(respond);
     return made;
   }

@@ -14,7 +14,7 @@ namespace weft {
 class ContactAnswer {
  public:
   /// Errors  Shader, OutOfMemory.
-  static Result<ContactAnswer> create(const SolverInputs& inputs);
+  static Result<ContactAnswer> create(const SolverInputs& inputs, scene::SolverKind kind);
   void record(gpu::ComputePass& pass) const;
 
  private:

@@ -20,7 +20,9 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
 
 StepLimit find_step_limit(scene::SolverKind kind, const scene::Scene& scene, const HostModel& model) {
   if (kind == scene::SolverKind::MassSpring) return mass_spring_step_limit(model, scene.drag);
-  return {};  // implicit steps are stable at any length
+  StepLimit limit;  // implicit steps are stable at any length
+  limit.contact_step = contact_step(scene, model);
+  return limit;
 }
 
 StepLimit with_drag(scene::SolverKind kind, const StepLimit& limit, double drag) {

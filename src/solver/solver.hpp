@@ -51,6 +51,12 @@ struct SolverInputs {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   std::optional<bool> two_steps = {};  // at once, where the solver can; none: where that is quicker
 
+  /// What obstacles do to vertices, for a solver that solves with it; null: nothing.
+  const gpu::Buffer<std::int32_t>* presses() const {
+    if (contacts == nullptr || !contacts->pairs || contacts->pairs->presses.size() == 0) return nullptr;
+    return &contacts->pairs->presses;
+  }
+
   Predicted predicted() const {
     if (contacts != nullptr && contacts->pairs)
       return {&contacts->pairs->predicted, &contacts->pairs->predicted};

@@ -3,7 +3,7 @@
 namespace weft {
 
 Result<ContactPairs> ContactPairs::create(gpu::Device& device, const HostModel& model,
-                                          const ContactRoom& room) {
+                                          const ContactRoom& room, bool presses) {
   const std::size_t vertices = model.vertex_count();
   ContactPairs made;
   made.room = room;
@@ -15,6 +15,10 @@ Result<ContactPairs> ContactPairs::create(gpu::Device& device, const HostModel& 
   made.entries = std::move(entries);
   WEFT_TRY(words, gpu::Buffer<std::uint32_t>::create(device, kVertexWords * vertices, "vertex contacts"));
   made.vertex_contacts = std::move(words);
+  if (presses) {
+    WEFT_TRY(sums, gpu::Buffer<std::int32_t>::create(device, kPressWords * vertices, "presses"));
+    made.presses = std::move(sums);
+  }
   return made;
 }
 

@@ -28,6 +28,7 @@ static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offset
 inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000000U, kIdBits = 0x3fffffffU;
 inline constexpr std::uint32_t kCrossingFlag = 0x40000000U, kUntangles = 4;
 inline constexpr std::uint32_t kVertexWords = 8, kCursorWord = 4;  // of ContactPairs::vertex_contacts
+inline constexpr std::uint32_t kPressWords = 12;                   // of ContactPairs::presses
 inline constexpr std::uint32_t kCursorBits = 0x3fffffffU;  // of a vertex's kCursorWord; above: is it tangled
 
 /// What the lists of proximity contact have room for.
@@ -47,8 +48,13 @@ struct ContactPairs {
   gpu::Buffer<std::uint32_t> entries;          // 4 * room.pairs: shaders/shared/contact.wgsl
   gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count
 
+  /// What pairs with obstacles say of each vertex before a substep is solved
+  /// (shaders/contact/press_sums.wgsl); kPressWords * vertex_count, or none where the solver asks for none.
+  gpu::Buffer<std::int32_t> presses;
+
   /// Errors  Limit, OutOfMemory.
-  static Result<ContactPairs> create(gpu::Device& device, const HostModel& model, const ContactRoom& room);
+  static Result<ContactPairs> create(gpu::Device& device, const HostModel& model, const ContactRoom& room,
+                                     bool presses);
 };
 
 }  // namespace weft

@@ -52,10 +52,10 @@ Result<Contacts> Contacts::create_pushes(gpu::Device& device, const HostModel& m
   return contacts;
 }
 
-Result<Contacts> Contacts::create_pairs(gpu::Device& device, const HostModel& model,
-                                        const ContactRoom& room) {
+Result<Contacts> Contacts::create_pairs(gpu::Device& device, const HostModel& model, const ContactRoom& room,
+                                        bool presses) {
   Contacts contacts;
-  WEFT_TRY(pairs, ContactPairs::create(device, model, room));
+  WEFT_TRY(pairs, ContactPairs::create(device, model, room, presses));
   contacts.pairs = std::move(pairs);
   return contacts;
 }

@@ -36,7 +36,8 @@ struct Contacts {
   std::optional<ContactPairs> pairs;
 
   static Result<Contacts> create_pushes(gpu::Device& device, const HostModel& model);
-  static Result<Contacts> create_pairs(gpu::Device& device, const HostModel& model, const ContactRoom& room);
+  static Result<Contacts> create_pairs(gpu::Device& device, const HostModel& model, const ContactRoom& room,
+                                       bool presses);
 };
 
 }  // namespace weft

@@ -10,7 +10,6 @@
 
 namespace weft {
 
-inline constexpr std::uint32_t kDetectInterval = 4;  // substeps, as in shaders/shared/step.wgsl
 inline constexpr std::uint32_t kNoNode = 0xffffffffU;
 
 /// Whether a substep looks for pairs of features.

@@ -65,7 +65,7 @@ class SearchRun {
     auto state = State::create(device, model_.host, 1);
     REQUIRE(state);
     state_ = std::move(*state);
-    auto pairs = ContactPairs::create(device, model_.host, setup_.room);
+    auto pairs = ContactPairs::create(device, model_.host, setup_.room, false);
     REQUIRE(pairs);
     pairs_ = std::move(*pairs);
     create_search(workgroup_size);

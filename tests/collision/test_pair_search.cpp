@@ -86,7 +86,7 @@ TEST_CASE(
     run.place(shaped(setup.cloth.positions, shape));
     const SearchFound found = run.run();
     for (std::size_t v = 0; v < setup.speeds.size(); ++v) {
-      const float way = setup.speeds[v], soon = 1.25F * kDetectInterval * way;
+      const float way = setup.speeds[v], soon = 1.25F * 4 * way;
       const float expected = std::clamp(std::max(std::min(10 * way, most), soon), least, 4 * most);
       CHECK(found.reaches[v] == doctest::Approx(expected).epsilon(1e-6));
     }

@@ -9,8 +9,9 @@ namespace weft {
 
 class MultigridRig {
  public:
+  /// `presses`: whether obstacles may hold nodes.
   MultigridRig(gpu::Device& device, const std::string& members, double dt = 1.0 / 480,
-               std::uint32_t workgroup_size = 64)
+               std::uint32_t workgroup_size = 64, bool presses = false)
       : device_(device), scene_(scene_of(R"("solver": {"kind": "multigrid"}, )" + members)), dt_(dt) {
     auto host = build_model(scene_, std::vector<mesh::TriangleMesh>(scene_.cloths.size()));
     REQUIRE_OK(host);
@@ -20,11 +21,15 @@ class MultigridRig {
     auto state = State::create(device, model_.host, 1);
     REQUIRE_OK(state);
     state_ = std::move(*state);
-    auto kernels = MultigridKernels::create(device, workgroup_size);
+    auto kernels = MultigridKernels::create(device, presses, workgroup_size);
     REQUIRE_OK(kernels);
     kernels_ = std::move(*kernels);
-    auto cycle = GridCycle::create(device, kernels_, model_, state_,
-                                   {&state_.velocity[1], &state_.velocity[0]}, model_.host.cloths[0]);
+    auto sums = gpu::Buffer<std::int32_t>::create(device, kPressWords * model_.vertex_count(), "presses");
+    REQUIRE_OK(sums);
+    press_sums_ = std::move(*sums);
+    auto cycle =
+        GridCycle::create(device, kernels_, model_, state_, {&state_.velocity[1], &state_.velocity[0]},
+                          presses ? &press_sums_ : nullptr, model_.host.cloths[0]);
     REQUIRE_OK(cycle);
     cycle_ = std::move(*cycle);
     params_.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
@@ -89,6 +94,40 @@ class MultigridRig {
     system_.grab_rate = 20;
     system_.grab_speed = 10;
   }
+  /// Obstacles at every `every`-th node, in sums as the kernels keep them: some press, some do not, some
+  /// agree on no direction; with friction from none to much.
+  void press(std::uint64_t seed, std::uint32_t every) {
+    params_.thickness = 0.01F;
+    state_.steps.write(device_, std::span(&params_, 1));
+    Random random(seed);
+    const auto draw = [&] {
+      const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
+      return Vec3d{a, b, random.uniform(-1, 1)};
+    };
+    constexpr double kUnits = 1048576;  // of all sums: shaders/contact/press_sums.wgsl
+    const auto fixed = [](double value) { return static_cast<std::int32_t>(std::lround(value * kUnits)); };
+    std::vector<std::int32_t> words(press_sums_.size());
+    presses_.assign(model_.vertex_count(), {});
+    for (std::size_t n = 0; n < presses_.size(); n += every) {
+      const Vec3d normal = draw(), surface = 0.5 * draw();
+      const double lack = random.uniform(-0.2, 1), friction = 2 * random.uniform(0, 1);
+      std::int32_t* sums = &words[kPressWords * n];
+      sums[4] = fixed(random.uniform(0.1, 3));
+      const double weight = sums[4] / kUnits;
+      const auto put = [&](std::size_t word, double value) {
+        sums[word] = fixed(value);
+        return sums[word] / kUnits;
+      };
+      reference::Press& press = presses_[n];
+      press.weight = weight;
+      press.normal = {put(0, weight * normal.x), put(1, weight * normal.y), put(2, weight * normal.z)};
+      press.lack = put(3, weight * lack) * static_cast<double>(params_.thickness);
+      press.surface = {put(5, weight * surface.x), put(6, weight * surface.y), put(7, weight * surface.z)};
+      press.friction = put(8, weight * friction);
+    }
+    press_sums_.write(device_, words);
+  }
+  const gpu::Buffer<std::int32_t>& press_sums() const { return press_sums_; }
   void set_ratio(double ratio) {
     ratio_ = ratio;
     params_.step_ratio = static_cast<float>(ratio);
@@ -121,12 +160,12 @@ class MultigridRig {
   }
 
   reference::LinearStep linearise() const {
-    return stepper_->linearise(system_, system_.position, dt_, ratio_, 0);
+    return stepper_->linearise(system_, system_.position, dt_, ratio_, 0, presses_);
   }
   /// The reference's state after one step.
   reference::MassSpringSystem advanced() {
     reference::MassSpringSystem system = system_;
-    stepper_->advance(system, system.position, dt_, ratio_);
+    stepper_->advance(system, system.position, dt_, ratio_, presses_);
     return system;
   }
 
@@ -138,6 +177,8 @@ class MultigridRig {
 
  private:
   gpu::Device& device_;
+  gpu::Buffer<std::int32_t> press_sums_;
+  std::vector<reference::Press> presses_;
   scene::Scene scene_;
   double dt_, ratio_ = 1;
   StepParams params_;

@@ -172,6 +172,27 @@ void Proximity::add_planes(const FeaturePair& pair, const Sides& sides, const No
   }
 }
 
+std::vector<FeaturePair> Proximity::listed(double most, double travel, double obstacle_travel) {
+  const double self_reach = self_thickness_ > 0 ? self_thickness_ + 2 * most : 0;
+  const double slack = kSlackTravels * std::max(travel, obstacle_travel) + kSlackThickness * thickness_;
+  return list_.near(cloth_, object_, {self_reach, thickness_ + most + obstacle_travel}, slack);
+}
+
+std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity,
+                                      double begin, double dt) {
+  cloth_.positions.assign(position.begin(), position.end());
+  double travel = 0;
+  for (const Vec3d& v : velocity) travel = std::max(travel, dt * length(v));
+  const double most = travel + 0.5 * thickness_, obstacle_travel = move_obstacles(begin, dt);
+  std::vector<FeaturePair> pairs = listed(most, travel, obstacle_travel);
+  const std::vector<FeaturePair> with_planes =
+      plane_pairs(cloth_, start_.planes, thickness_ + most + obstacle_travel);
+  pairs.insert(pairs.end(), with_planes.begin(), with_planes.end());
+  std::vector<NearPair> near;
+  for (const FeaturePair& pair : pairs) near.push_back(near_pair(pair, sides_of(pair), dt));
+  return presses_of(near, velocity, dt);
+}
+
 std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   if (obstacles_.empty() && self_thickness_ == 0) return 0;
   cloth_.positions.assign(nodes.previous.begin(), nodes.previous.end());
@@ -181,10 +202,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   // An impulse may make a node faster than any was: this much more is listed for, and none goes further.
   const double most = travel + 0.5 * thickness_;
   const double obstacle_travel = move_obstacles(begin, dt);
-  const double self_reach = self_thickness_ > 0 ? self_thickness_ + 2 * most : 0;
-  const double object_reach = thickness_ + most + obstacle_travel;
-  const double slack = kSlackTravels * std::max(travel, obstacle_travel) + kSlackThickness * thickness_;
-  std::vector<FeaturePair> pairs = list_.near(cloth_, object_, {self_reach, object_reach}, slack);
+  std::vector<FeaturePair> pairs = listed(most, travel, obstacle_travel);
   const TangledSurfaces cloth{cloth_, cloth_facts_}, object{object_, object_facts_};
   // While nothing crosses, only what comes near could come to.
   if (list_.searches() != tangle_searched_ || tangle_.crossings > 0)
@@ -193,7 +211,8 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   std::vector<bool> untangles = release(tangle_, cloth, object, thickness_, pairs);
   pairs.insert(pairs.end(), tangle_.pairs.begin(), tangle_.pairs.end());
   untangles.resize(pairs.size(), true);
-  const std::vector<FeaturePair> with_planes = plane_pairs(cloth_, start_.planes, object_reach);
+  const std::vector<FeaturePair> with_planes =
+      plane_pairs(cloth_, start_.planes, thickness_ + most + obstacle_travel);
   pairs.insert(pairs.end(), with_planes.begin(), with_planes.end());
   untangles.resize(pairs.size(), false);
   std::vector<NearPair> near;

@@ -9,6 +9,7 @@
 #include "model/host_model.hpp"
 #include "reference/contact/near_list.hpp"
 #include "reference/contact/obstacles.hpp"
+#include "reference/contact/press.hpp"
 #include "reference/contact/respond.hpp"
 #include "reference/contact/truncate.hpp"
 #include "reference/contact/untangle.hpp"
@@ -31,6 +32,10 @@ class Proximity {
   /// Changes position and velocity of what touches in the substep from `begin`, of `dt` [s]. Returns how many
   /// pairs act.
   std::uint64_t answer(const Nodes& nodes, double begin, double dt);
+
+  /// What obstacles do to nodes in the substep from `begin`, of `dt` [s], before it is solved.
+  std::vector<Press> presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity, double begin,
+                             double dt);
 
   const Obstacles& obstacles() const { return obstacles_; }
   double self_thickness() const { return self_thickness_; }  // h_s [m]; 0: cloth does not meet cloth
@@ -62,6 +67,8 @@ class Proximity {
   NearPair near_pair(const FeaturePair& pair, const Sides& sides, double dt) const;
   void add_planes(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
                   std::vector<SidePlane>& planes) const;
+  /// Near pairs for nodes that go up to `most` [m] and obstacles that go `obstacle_travel` [m].
+  std::vector<FeaturePair> listed(double most, double travel, double obstacle_travel);
   /// Takes the obstacles to the substep's start and end. Returns how far the farthest of them goes [m].
   double move_obstacles(double begin, double dt);
 

@@ -8,13 +8,6 @@
 namespace weft::reference {
 namespace {
 
-/// u = Σ w v over both sides.
-Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity) {
-  Vec3d sum = pair.surface;
-  for (std::uint32_t k = 0; k < pair.node_count; ++k) sum += pair.weights[k] * velocity[pair.nodes[k]];
-  return sum;
-}
-
 double untangling_speed(double thickness, double dt) {
   return thickness * std::min(kUntanglePart / dt, kUntangleRate);
 }
@@ -62,6 +55,12 @@ Vec3d impulse(const NearPair& pair, const Vec3d& u, double mobility, const Conta
 }
 
 }  // namespace
+
+Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity) {
+  Vec3d sum = pair.surface;
+  for (std::uint32_t k = 0; k < pair.node_count; ++k) sum += pair.weights[k] * velocity[pair.nodes[k]];
+  return sum;
+}
 
 Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocity,
                  std::span<const double> inverse_mass, const ContactLaw& law) {

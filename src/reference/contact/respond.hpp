@@ -38,6 +38,9 @@ struct Response {
   std::vector<bool> acts;             // each pair, equation (1)
 };
 
+/// u = Σ w v over both sides [m/s].
+Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity);
+
 /// What the pairs do to velocities that the solver predicts. All are answered at once, from the same
 /// velocities; sums are taken in the order of the pairs.
 Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocity,

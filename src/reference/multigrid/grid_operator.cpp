@@ -36,7 +36,7 @@ Field GridOperator::apply(const Field& x) const {
   return y;
 }
 
-std::vector<Sym3> GridOperator::inverse_diagonal() const {
+std::vector<Sym3> GridOperator::diagonal() const {
   std::vector<Sym3> blocks(size());
   for (std::size_t a = 0; a < size(); ++a) blocks[a] = rows[a][0];
   for (const FarSpring& spring : far) {
@@ -51,6 +51,11 @@ std::vector<Sym3> GridOperator::inverse_diagonal() const {
       blocks[m + step] += Sym3::identity(stiffness);
     });
   }
+  return blocks;
+}
+
+std::vector<Sym3> GridOperator::inverse_diagonal() const {
+  std::vector<Sym3> blocks = diagonal();
   for (std::size_t a = 0; a < size(); ++a)
     blocks[a] = held[a] ? Sym3{} : inverse(blocks[a] + Sym3::identity(kDiagonalMargin * blocks[a].trace()));
   return blocks;

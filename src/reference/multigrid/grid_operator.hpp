@@ -40,6 +40,8 @@ struct GridOperator {
   std::size_t size() const { return rows.size(); }
   /// A x; x must be 0 where nodes are held.
   Field apply(const Field& x) const;
+  /// The diagonal's blocks, where nodes are held too.
+  std::vector<Sym3> diagonal() const;
   /// The inverses of the diagonal's blocks, 0 where nodes are held. Blocks are made a little larger than they
   /// are: f32 knows them to some 10⁻⁷ of their largest part, and their smallest must stay positive.
   std::vector<Sym3> inverse_diagonal() const;

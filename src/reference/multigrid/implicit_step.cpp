@@ -46,6 +46,35 @@ const Follower* follower(const MassSpringSystem& system, std::size_t node) {
   return nullptr;
 }
 
+/// Where a node would come nearer to obstacles than the thickness, or is there and pressed on, the matrix
+/// gets what holds it, and the residual the force to where it belongs.
+void hold_at_obstacles(LinearStep& step, std::span<const double> inertia, std::span<const Press> presses,
+                       double dt) {
+  const std::vector<Sym3> diagonal = step.matrix.diagonal();
+  for (std::size_t a = 0; a < presses.size(); ++a) {
+    const Press& press = presses[a];
+    const double size = length(press.normal);
+    if (press.weight == 0 || step.matrix.held[a] || size < kAgree * press.weight) continue;
+    const Vec3d n = press.normal / size, residual = step.residual[a];
+    const double lack = press.lack / press.weight, friction = press.friction / press.weight;
+    const double pressed = inertia[a] * lack - dot(residual, n);
+    if (!(pressed > 0)) continue;
+    const double stiffness = kHoldStiffness * std::min(press.weight, 1.0) * diagonal[a].trace();
+    const Vec3d slip = step.start[a] - dt / press.weight * press.surface, along = slip - dot(slip, n) * n;
+    const Vec3d needed = -inertia[a] * along - (residual - dot(residual, n) * n);
+    const double grip = length(needed);
+    const double most =
+        friction * pressed * stiffness / (stiffness + inertia[a]);  // what is held gives way a little
+    const bool sticks = grip <= most;
+    const Sym3 hold = sticks ? Sym3::identity(stiffness) : Sym3::outer(n, stiffness);
+    step.residual[a] += stiffness * lack * n;
+    step.residual[a] += sticks ? -stiffness * along : most / grip * needed;
+    step.matrix.rows[a][0] += hold;
+    step.source.rows[a][0] += hold;
+    step.pressed[a] = true;
+  }
+}
+
 }  // namespace
 
 GridBending bending_of(const ClothModel& cloth) {
@@ -75,7 +104,8 @@ void ImplicitStepper::remember(std::vector<Vec3d> position, std::vector<Vec3d> v
 void ImplicitStepper::forget() { known_.assign(position_before_.size(), false); }
 
 LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places,
-                                      double dt, double ratio, std::size_t c) const {
+                                      double dt, double ratio, std::size_t c,
+                                      std::span<const Press> presses) const {
   const Cloth& cloth = cloths_[c];
   const std::size_t count = std::size_t{cloth.nx} * cloth.ny;
   LinearStep step;
@@ -115,6 +145,8 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
     step.matrix.held[a] = true;
     step.start_velocity[a] = (step.place[a] - x) / dt;
   }
+  std::vector<double> inertia(count);
+  for (std::size_t a = 0; a < count; ++a) inertia[a] = step.matrix.rows[a][0].xx;
   step.source = step.matrix;
   std::vector<Link> links;
   for (const SpringLink& spring : system.springs)
@@ -168,14 +200,17 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   const Field curve = bending.apply(moved);
   for (std::size_t a = 0; a < count; ++a)
     step.residual[a] = step.matrix.held[a] ? Vec3d{} : step.residual[a] - curve[a];
+  step.pressed.assign(count, false);
+  if (!presses.empty()) hold_at_obstacles(step, inertia, presses.subspan(cloth.first, count), dt);
   return step;
 }
 
 void ImplicitStepper::advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
-                              double ratio) {
+                              double ratio, std::span<const Press> presses) {
   std::vector<Vec3d> position = system.position, velocity = system.velocity;
+  std::vector<std::size_t> stopped;
   for (std::size_t c = 0; c < cloths_.size(); ++c) {
-    const LinearStep step = linearise(system, places, dt, ratio, c);
+    const LinearStep step = linearise(system, places, dt, ratio, c, presses);
     const Hierarchy hierarchy(step.matrix, step.source);
     Field dz(step.place.size()), left = step.residual;
     for (int cycle = 0; cycle < cycles; ++cycle) {
@@ -190,9 +225,13 @@ void ImplicitStepper::advance(MassSpringSystem& system, const std::vector<Vec3d>
       const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
       position[node] = step.place[a] + step.start[a] + dz[a];
       velocity[node] = step.start_velocity[a] + (step.matrix.held[a] ? Vec3d{} : dz[a] / formula.he);
+      if (!step.pressed[a]) continue;  // what a blow has stopped has no history
+      velocity[node] = (step.start[a] + dz[a]) / dt;
+      stopped.push_back(node);
     }
   }
   remember(system.position, system.velocity);
+  for (const std::size_t node : stopped) forget(node);
   system.position = std::move(position);
   system.velocity = std::move(velocity);
   system.time += dt;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/host_model.hpp"
+#include "reference/contact/press.hpp"
 #include "reference/mass_spring.hpp"
 #include "reference/multigrid/cycle.hpp"
 
@@ -16,6 +17,7 @@ struct LinearStep {
   Field residual;                      // [N]
   GridOperator matrix;                 // [N/m]
   GridOperator source;                 // of the coarser levels: with bend springs as structural ones
+  std::vector<bool> pressed;           // nodes that an obstacle holds: in the matrix, and no history after it
 };
 
 /// What of BDF2 depends on the step and the one before it: x' = x + s + he v', with s = c (x - x before).
@@ -26,13 +28,19 @@ struct StepFormula {
 /// `ratio` is that of the step to the one before it; 0: there is none, backward Euler.
 StepFormula step_formula(double dt, double ratio);
 
+/// How stiffly an obstacle holds a node, in traces of the diagonal, and from what agreement of its pairs'
+/// normals on: docs/solvers/multigrid.md, Contact.
+inline constexpr double kHoldStiffness = 10, kAgree = 0.3;
+
 /// Steps the grids of a model by BDF2, linearised at the start of the step.
 class ImplicitStepper {
  public:
   explicit ImplicitStepper(const HostModel& model);
 
   /// One step. `places` has where kinematic nodes are at its end. `ratio` is that of dt to the step before.
-  void advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio = 1);
+  /// `presses` has what obstacles do to each node, or nothing.
+  void advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio = 1,
+               std::span<const Press> presses = {});
   /// The state a step before the one that is advanced next.
   void remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity);
   /// The next step is backward Euler: the state is not one that advance has left.
@@ -42,7 +50,7 @@ class ImplicitStepper {
 
   /// The linear system of cloth c that advance would solve.
   LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
-                       double ratio, std::size_t c) const;
+                       double ratio, std::size_t c, std::span<const Press> presses = {}) const;
 
   int cycles = 1;  // V-cycles a step
 

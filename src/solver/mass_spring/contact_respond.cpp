@@ -3,11 +3,14 @@
 namespace weft {
 
 Result<ContactRespond> ContactRespond::create(gpu::Device& device, const State& state,
-                                              const ContactPairs& pairs, std::uint32_t workgroup_size) {
+                                              const ContactPairs& pairs, std::uint32_t interval,
+                                              std::uint32_t workgroup_size) {
   ContactRespond made;
   WEFT_TRY(impulse, gpu::Kernel::create(device, "mass_spring/contact_impulse.wgsl", {}, workgroup_size));
   made.impulse_ = std::move(impulse);
-  WEFT_TRY(respond, gpu::Kernel::create(device, "mass_spring/contact_respond.wgsl", {}, workgroup_size));
+  WEFT_TRY(respond,
+           gpu::Kernel::create(device, "mass_spring/contact_respond.wgsl",
+                               {{"kDetectInterval", static_cast<double>(interval)}}, workgroup_size));
   made.respond_ = std::move(respond);
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(impulse_group, made.impulse_.bind({state.steps, state.position[parity], pairs.predicted,

@@ -14,7 +14,7 @@ namespace weft {
 class ContactRespond {
  public:
   static Result<ContactRespond> create(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                                       std::uint32_t workgroup_size);
+                                       std::uint32_t interval, std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const;
 
  private:

@@ -89,7 +89,7 @@ Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& se
   } else {
     WEFT_CHECK(made->create_spring_centric(settings, inputs));
   }
-  WEFT_TRY(answer, ContactAnswer::create(inputs));
+  WEFT_TRY(answer, ContactAnswer::create(inputs, scene::SolverKind::MassSpring));
   made->contact_answer_ = std::move(answer);
   return std::unique_ptr<Solver>(std::move(made));
 }

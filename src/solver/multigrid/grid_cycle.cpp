@@ -13,19 +13,20 @@ Result<gpu::Buffer<T>> uniform(gpu::Device& device, const T& value, const char* 
 }  // namespace
 
 Result<GridCycle> GridCycle::create(gpu::Device& device, const MultigridKernels& kernels, const Model& model,
-                                    const State& state, const Predicted& predicted, const ClothModel& cloth) {
+                                    const State& state, const Predicted& predicted,
+                                    const gpu::Buffer<std::int32_t>* presses, const ClothModel& cloth) {
   GridCycle made;
   made.levels_ = multigrid_levels(cloth);
   made.tail_ = 1;
   while (made.tail_ < made.levels_.size() && made.levels_[made.tail_].node_count() > multigrid::kTailNodes)
     ++made.tail_;
-  WEFT_CHECK(made.create_buffers(device, cloth));
-  WEFT_CHECK(made.create_fine(kernels, model, state, predicted));
+  WEFT_CHECK(made.create_buffers(device, cloth, presses != nullptr));
+  WEFT_CHECK(made.create_fine(kernels, model, state, predicted, presses));
   WEFT_CHECK(made.create_coarse(kernels));
   return made;
 }
 
-Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cloth) {
+Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cloth, bool holds) {
   WEFT_TRY(grid, uniform(device, spring_grid(cloth), "spring grid"));
   grid_ = std::move(grid);
   std::size_t vectors = 0, operators = 0;
@@ -48,6 +49,12 @@ Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cl
   tail_levels_ = std::move(tail);
   WEFT_TRY(place, gpu::Buffer<Vec4f>::create(device, levels_[0].node_count(), "multigrid place"));
   place_ = std::move(place);
+  // One element each where nothing holds: kernels bind what they do not read.
+  WEFT_TRY(hold_buffer,
+           gpu::Buffer<Vec4f>::create(device, holds ? levels_[0].node_count() : 1, "multigrid holds"));
+  holds_ = std::move(hold_buffer);
+  WEFT_TRY(none, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
+  no_presses_ = std::move(none);
   WEFT_TRY(vector_buffer, gpu::Buffer<Vec4f>::create(device, vectors, "multigrid vectors"));
   vectors_ = std::move(vector_buffer);
   WEFT_TRY(operator_buffer, gpu::Buffer<Vec4f>::create(device, operators, "multigrid operators"));
@@ -56,7 +63,7 @@ Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cl
 }
 
 Result<void> GridCycle::create_fine(const MultigridKernels& kernels, const Model& model, const State& state,
-                                    const Predicted& predicted) {
+                                    const Predicted& predicted, const gpu::Buffer<std::int32_t>* presses) {
   const gpu::RawBuffer& levels = own_[0].levels;
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(predict,
@@ -64,23 +71,26 @@ Result<void> GridCycle::create_fine(const MultigridKernels& kernels, const Model
                                    state.position[1 - parity], state.velocity[1 - parity],
                                    model.rest_position, state.motions, place_, vectors_}));
     predict_[parity] = std::move(predict);
-    WEFT_TRY(finish,
-             kernels.finish.bind({state.steps, grid_, levels, place_, vectors_, state.position[parity],
-                                  state.velocity[parity], state.position[1 - parity], *predicted[parity]}));
+    WEFT_TRY(finish, kernels.finish.bind({state.steps, grid_, levels, place_, holds_, vectors_,
+                                          state.position[parity], state.velocity[parity],
+                                          state.position[1 - parity], *predicted[parity]}));
     finish_[parity] = std::move(finish);
   }
   struct Wanted {
     gpu::BindGroup& group;
     const gpu::Kernel& kernel;
   };
-  for (const Wanted& wanted : {Wanted{gradient_, kernels.gradient},
-                               {smooth_fine_, kernels.smooth_fine},
+  for (const Wanted& wanted : {Wanted{smooth_fine_, kernels.smooth_fine},
                                {residual_fine_, kernels.residual_fine},
                                {prolong_fine_, kernels.prolong_fine}}) {
-    WEFT_TRY(group, wanted.kernel.bind({state.steps, grid_, levels, place_, vectors_}));
+    WEFT_TRY(group, wanted.kernel.bind({state.steps, grid_, levels, place_, holds_, vectors_}));
     wanted.group = std::move(group);
   }
-  WEFT_TRY(galerkin, kernels.galerkin_fine.bind({state.steps, grid_, levels, place_, vectors_, operators_}));
+  WEFT_TRY(gradient, kernels.gradient.bind({state.steps, grid_, levels, place_, holds_, vectors_,
+                                            presses != nullptr ? *presses : no_presses_}));
+  gradient_ = std::move(gradient);
+  WEFT_TRY(galerkin,
+           kernels.galerkin_fine.bind({state.steps, grid_, levels, place_, holds_, vectors_, operators_}));
   galerkin_fine_ = std::move(galerkin);
   return {};
 }

@@ -18,7 +18,8 @@ namespace weft {
 class GridCycle {
  public:
   static Result<GridCycle> create(gpu::Device& device, const MultigridKernels& kernels, const Model& model,
-                                  const State& state, const Predicted& predicted, const ClothModel& cloth);
+                                  const State& state, const Predicted& predicted,
+                                  const gpu::Buffer<std::int32_t>* presses, const ClothModel& cloth);
 
   void record(gpu::ComputePass& pass, const MultigridKernels& kernels) const;
   // Its parts, in their order.
@@ -41,15 +42,16 @@ class GridCycle {
     gpu::BindGroup galerkin, restrict_residual, smooth_down, residual, prolong, smooth_up;
   };
 
-  Result<void> create_buffers(gpu::Device& device, const ClothModel& cloth);
+  Result<void> create_buffers(gpu::Device& device, const ClothModel& cloth, bool holds);
   Result<void> create_fine(const MultigridKernels& kernels, const Model& model, const State& state,
-                           const Predicted& predicted);
+                           const Predicted& predicted, const gpu::Buffer<std::int32_t>* presses);
   Result<void> create_coarse(const MultigridKernels& kernels);
 
   std::vector<MultigridLevel> levels_;
   std::size_t tail_ = 0;  // the first of the levels that one workgroup does
   gpu::RawBuffer grid_, tail_levels_;
-  gpu::Buffer<Vec4f> place_, vectors_, operators_;
+  gpu::Buffer<std::int32_t> no_presses_;
+  gpu::Buffer<Vec4f> place_, holds_, vectors_, operators_;
   std::array<gpu::BindGroup, 2> predict_, finish_;  // by parity
   gpu::BindGroup gradient_, galerkin_fine_, smooth_fine_, residual_fine_, prolong_fine_;
   gpu::BindGroup coarsen_tail_, cycle_tail_;

@@ -7,7 +7,8 @@
 
 namespace weft {
 
-Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, std::uint32_t workgroup_size) {
+Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, bool holds,
+                                                  std::uint32_t workgroup_size) {
   MultigridKernels made;
   const std::uint32_t one_group =
       std::min(gpu::kDefaultWorkgroupSize, device.limits().max_invocations_per_workgroup);
@@ -17,17 +18,18 @@ Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, std::uint
     std::uint32_t size;
     std::vector<gpu::Constant> constants = {};
   };
+  const std::vector<gpu::Constant> hold = {{"kHolds", holds ? 1.0 : 0.0}};
   using K = MultigridKernels;
   const Wanted all[] = {
       {&K::predict, "predict", workgroup_size},
-      {&K::gradient, "gradient", workgroup_size},
-      {&K::galerkin_fine, "galerkin_fine", workgroup_size},
+      {&K::gradient, "gradient", workgroup_size, hold},
+      {&K::galerkin_fine, "galerkin_fine", workgroup_size, hold},
       {&K::galerkin, "galerkin", workgroup_size},
       {&K::coarsen_tail, "coarsen_tail", one_group},
-      {&K::smooth_fine, "smooth_fine", workgroup_size},
-      {&K::residual_fine, "residual_fine", workgroup_size},
-      {&K::prolong_fine, "prolong_fine", workgroup_size},
-      {&K::finish, "finish", workgroup_size},
+      {&K::smooth_fine, "smooth_fine", workgroup_size, hold},
+      {&K::residual_fine, "residual_fine", workgroup_size, hold},
+      {&K::prolong_fine, "prolong_fine", workgroup_size, hold},
+      {&K::finish, "finish", workgroup_size, hold},
       {&K::smooth_down,
        "smooth_coarse",
        workgroup_size,

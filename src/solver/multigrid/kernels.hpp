@@ -14,8 +14,8 @@ struct MultigridKernels {
   gpu::Kernel restrict_residual;                                 // from level to level
   gpu::Kernel cycle_tail;                                        // on the coarsest
 
-  /// Errors  Shader.
-  static Result<MultigridKernels> create(gpu::Device& device, std::uint32_t workgroup_size);
+  /// `holds`: whether contact may hold nodes at obstacles. Errors  Shader.
+  static Result<MultigridKernels> create(gpu::Device& device, bool holds, std::uint32_t workgroup_size);
 };
 
 }  // namespace weft
