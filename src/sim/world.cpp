@@ -178,15 +178,8 @@ Result<void> World::repeat_from(const Report& report, const Statistics& short_of
   frame_ = report.frame;
   ++attempt_;
   ++totals_.repeated_frames;
-  const auto longer = [](std::uint32_t room,
-                         std::uint32_t wanted) {  // half as much again, as the next frames may need more
-    return wanted <= room
-               ? room
-               : static_cast<std::uint32_t>(std::min<std::uint64_t>(wanted + wanted / 2ULL, 1U << 28U));
-  };
-  const ContactRoom& room = contacts_->pairs->room;
-  WEFT_CHECK(
-      build_contact({longer(room.pairs, short_of.pairs), longer(room.candidates, short_of.candidates)}));
+  WEFT_CHECK(build_contact(grown(contacts_->pairs->room, {short_of.pairs, short_of.candidates},
+                                 device_.limits().max_storage_binding_size)));
   frame_commands_.clear();
   const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
   state_.statistics.write(device_, zeros);

@@ -1,6 +1,20 @@
 #include "state/contact_pairs.hpp"
 
+#include <algorithm>
+
 namespace weft {
+
+ContactRoom grown(const ContactRoom& room, const ContactRoom& wanted, std::uint64_t most_bytes) {
+  constexpr std::uint64_t kMost = 1U << 28U;
+  const auto longer = [&](std::uint32_t has, std::uint32_t needs, std::uint64_t element_bytes) {
+    if (needs <= has) return has;
+    const std::uint64_t most = std::min(kMost, std::max<std::uint64_t>(most_bytes / element_bytes, needs));
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(needs + needs / 2ULL, most));
+  };
+  constexpr std::uint64_t kCandidateBytes = 8;
+  return {longer(room.pairs, wanted.pairs, sizeof(Contact)),
+          longer(room.candidates, wanted.candidates, kCandidateBytes)};
+}
 
 Result<ContactPairs> ContactPairs::create(gpu::Device& device, const HostModel& model,
                                           const ContactRoom& room, bool presses) {

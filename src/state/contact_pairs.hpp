@@ -37,6 +37,10 @@ struct ContactRoom {
   std::uint32_t candidates = 0;  // pairs of triangles that may hold some
 };
 
+/// Room for lists that were too short: half as much again as was wanted, since the next frames may need more,
+/// but no more than a binding of `most_bytes` may have where what is wanted fits in it.
+ContactRoom grown(const ContactRoom& room, const ContactRoom& wanted, std::uint64_t most_bytes);
+
 /// A pair is listed once, and entered once with each of its cloth vertices; a vertex's entries stand
 /// together. Neither pairs nor entries have an order that lasts from run to run, so sums over them are of
 /// integers.
