@@ -31,7 +31,8 @@ inline constexpr std::uint32_t kVectors = 6;
 using BlockPart = std::array<float, 2>;
 inline constexpr std::uint32_t kBlocks = 5, kBlockParts = 3;
 inline constexpr std::uint32_t kOperatorParts = kBlocks * kBlockParts;
-/// Levels of no more nodes are done by one workgroup: they take less than it takes to begin a dispatch.
+/// The cycle on levels of no more nodes is done by one workgroup: a step there takes less than it takes to
+/// begin a dispatch.
 inline constexpr std::uint32_t kTailNodes = 33 * 33;
 
 }  // namespace multigrid
