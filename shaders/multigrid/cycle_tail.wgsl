@@ -2,14 +2,20 @@
 // first of them and the first step of smoothing there, and leaves the solution. Source: docs/solvers/multigrid.md, equations 7 and 8.
 #include "shared/index.wgsl"
 #include "multigrid/coarse_steps.wgsl"
+#include "multigrid/correction.wgsl"
+#include "multigrid/restriction.wgsl"
 //                                                                            elements
 @group(0) @binding(0) var<storage, read>       tail      : array<Level>;   // the first of them, and all coarser ones
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
-@group(0) @binding(2) var<storage, read>       operators : array<vec4f>;   // multigrid/coarse_block.wgsl
+@group(0) @binding(2) var<storage, read>       operators : array<vec2f>;   // multigrid/coarse_block.wgsl
 
 // The coarsest level has nothing below it that could take the low eigenvalues: more steps, for a wider range.
 const kBottomLow = kHigh / 30.0;
 const kBottomSteps = 10u;
+
+var<private> operand_vector : u32;  // which solution a step goes on from
+
+fn operand(level : Level, node : u32) -> vec3f { return vectors[vector_at(level, operand_vector, node)].xyz; }
 
 fn node_count(level : Level) -> u32 { return level.nx * level.ny; }
 
@@ -30,8 +36,9 @@ fn solve_bottom(level : Level, local : u32) {
   for (var step = 1u; step < kBottomSteps; step++) {
     let next = 1.0 / (2.0 * sigma - rho);
     let then = kFirst + kSecond - now;
+    operand_vector = now;
     for (var node = local; node < node_count(level); node += kWorkgroupSize) {
-      let left = left_of(level, now, no_level(), node);
+      let left = left_of(level, node);
       let d = next * rho * vectors[vector_at(level, kDirection, node)].xyz + (2.0 * next / half) * times(inverse_at(level, node), left);
       vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
       vectors[vector_at(level, then, node)] = vec4f(operand(level, node) + d, 0.0);
@@ -48,8 +55,10 @@ fn cycle_tail(@builtin(local_invocation_index) local : u32) {
   for (var l = 0u; l < last; l++) {
     let level = tail[l];
     let coarse = tail[l + 1u];
-    for (var node = local; node < node_count(level); node += kWorkgroupSize) { smooth_node(level, kDirection, kFirst, kKeep, kTake, node); }
+    operand_vector = kDirection;
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) { smooth_node(level, kFirst, kKeep, kTake, node); }
     storageBarrier();
+    operand_vector = kFirst;
     for (var node = local; node < node_count(level); node += kWorkgroupSize) { residual_node(level, node); }
     storageBarrier();
     for (var node = local; node < node_count(coarse); node += kWorkgroupSize) { restrict_node(level, coarse, node); }
@@ -58,9 +67,13 @@ fn cycle_tail(@builtin(local_invocation_index) local : u32) {
   solve_bottom(tail[last], local);
   for (var above = 0u; above < last; above++) {
     let level = tail[last - 1u - above];
-    for (var node = local; node < node_count(level); node += kWorkgroupSize) { prolong_node(level, tail[last - above], node); }
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) { correct_node(level, tail[last - above], node); }
     storageBarrier();
-    for (var node = local; node < node_count(level); node += kWorkgroupSize) { smooth_node(level, kSecond, kFirst, kKeep, kTake, node); }
+    operand_vector = kFirst;
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) { prolong_node(level, node); }
+    storageBarrier();
+    operand_vector = kSecond;
+    for (var node = local; node < node_count(level); node += kWorkgroupSize) { smooth_node(level, kFirst, kKeep, kTake, node); }
     storageBarrier();
   }
 }

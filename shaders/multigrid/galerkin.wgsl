@@ -1,13 +1,14 @@
-// The matrix of a coarse level from that of the finer one. One invocation per coarse node. Source: docs/solvers/multigrid.md, equation 10.
+// The matrix of a coarse level from that of the finer one. One invocation per coarse node and block. Source: docs/solvers/multigrid.md, equation 10.
 #include "shared/index.wgsl"
 #include "multigrid/galerkin_product.wgsl"
 //                                                                            elements
 @group(0) @binding(0) var<uniform>             levels    : array<Level, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
-@group(0) @binding(2) var<storage, read_write> operators : array<vec4f>;   // multigrid/coarse_block.wgsl
+@group(0) @binding(2) var<storage, read_write> operators : array<vec2f>;   // multigrid/coarse_block.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
 fn galerkin(@builtin(global_invocation_id) id : vec3u) {
-  let node = flat_index(id);
-  if (node < levels[1].nx * levels[1].ny) { coarsen(levels[0], levels[1], node); }
+  let count = levels[1].nx * levels[1].ny;
+  let index = flat_index(id);
+  if (index < kBlocks * count) { coarsen(levels[0], levels[1], index % count, index / count); }
 }

@@ -5,7 +5,7 @@
 #include "multigrid/bending_diagonal.wgsl"
 #include "multigrid/hold.wgsl"
 #include "multigrid/spring_grid.wgsl"
-#include "multigrid/store_blocks.wgsl"
+#include "multigrid/store_block.wgsl"
 #include "multigrid/store_inverse.wgsl"
 #include "multigrid/transfer.wgsl"
 //                                                                            elements       unit
@@ -15,7 +15,7 @@
 @group(0) @binding(3) var<storage, read>       place     : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
 @group(0) @binding(4) var<storage, read>       holds     : array<vec4f>;   // multigrid/hold.wgsl
 @group(0) @binding(5) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
-@group(0) @binding(6) var<storage, read_write> operators : array<vec4f>;   // multigrid/coarse_block.wgsl
+@group(0) @binding(6) var<storage, read_write> operators : array<vec2f>;   // multigrid/coarse_block.wgsl
 var<private> blocks : array<Symmetric, 5>;
 var<private> rate : f32;  // 1/s
 
@@ -81,7 +81,7 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
   let regular_i = is_regular(center_i, nx, mx);
   let regular_j = is_regular(center_j, ny, my);
   rate = 1.0 / formula_of(step.step_ratio).he;
-  for (var k = 0u; k < 5u; k++) { blocks[k] = zero_matrix(); }
+  blocks = array<Symmetric, 5>();
   let left = max(center_i - 2, 0);
   for (var y = max(center_j - 2, 0); y <= min(center_j + 2, ny - 1); y++) {
     let row_weight = line_weight(grid, u32(y), grid.ny);
@@ -118,6 +118,10 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
       }
     }
   }
-  store_blocks(coarse, node, blocks);
+  store_block(coarse, node, 0u, blocks[0]);
+  store_block(coarse, node, 1u, blocks[1]);
+  store_block(coarse, node, 2u, blocks[2]);
+  store_block(coarse, node, 3u, blocks[3]);
+  store_block(coarse, node, 4u, blocks[4]);
   store_inverse(coarse, node, inverse(sum_of(blocks[0], identity(bending_diagonal(coarse, coarse_i, coarse_j)))));
 }

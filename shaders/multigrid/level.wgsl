@@ -3,7 +3,7 @@ struct Level {  // mirror: src/solver/multigrid/level.hpp
   nx : u32,
   ny : u32,              // nodes; 0: there is no such level
   first_vector : u32,    // in `vectors`, in vec4f
-  first_operator : u32,  // in `operators`, likewise
+  first_operator : u32,  // in `operators`, in vec2f
   bending_i : f32,       // N/m: resistance to second differences along i
   bending_j : f32,
   bend_end_i : u32,      // they are taken about nodes 1 to this, exclusive

@@ -1,8 +1,7 @@
-// Adds the coarser level's correction on the finest level, x + P e, and takes the first step of smoothing from there. One invocation per
-// node; the corrections of neighbours are made anew. Source: docs/solvers/multigrid.md, equations 7 and 8.
+// The first step of smoothing on the finest level after its correction. One invocation per node. Source: docs/solvers/multigrid.md,
+// equation 8.
 #include "shared/index.wgsl"
 #include "multigrid/chebyshev.wgsl"
-#include "multigrid/correction.wgsl"
 #include "multigrid/fine_operator.wgsl"
 //                                                                          elements       unit
 @group(0) @binding(0) var<uniform>             step    : StepParams;
@@ -13,9 +12,7 @@
 @group(0) @binding(5) var<storage, read_write> vectors : array<vec4f>;   // multigrid/level.wgsl
 
 fn operand(level : Level, node : u32) -> vec3f {
-  if (place[node].w == 0.0) { return vec3f(0.0); }
-  let j = node / level.nx;
-  return vectors[vector_at(level, kFirst, node)].xyz + correction(level, levels[1], node - j * level.nx, j);
+  return vectors[vector_at(level, kFirst, node)].xyz;
 }
 
 @compute @workgroup_size(kWorkgroupSize)

@@ -4,7 +4,9 @@
 //                                                                            elements
 @group(0) @binding(0) var<uniform>             levels    : array<Level, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
-@group(0) @binding(2) var<storage, read>       operators : array<vec4f>;   // multigrid/coarse_block.wgsl
+@group(0) @binding(2) var<storage, read>       operators : array<vec2f>;   // multigrid/coarse_block.wgsl
+
+fn operand(level : Level, node : u32) -> vec3f { return vectors[vector_at(level, kFirst, node)].xyz; }
 
 @compute @workgroup_size(kWorkgroupSize)
 fn residual_coarse(@builtin(global_invocation_id) id : vec3u) {

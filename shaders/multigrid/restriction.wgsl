@@ -8,14 +8,17 @@ fn restrict_node(fine : Level, coarse : Level, node : u32) {
   let i = node - j * coarse.nx;
   let center_i = center_of(i, fine.nx, coarse.nx);
   let center_j = center_of(j, fine.ny, coarse.ny);
+  let column = taps_about(i32(center_i), i32(i), i32(fine.nx), i32(coarse.nx));
+  let row = taps_about(i32(center_j), i32(j), i32(fine.ny), i32(coarse.ny));
+  let x = vec3u(max(center_i, 1u) - 1u, center_i, min(center_i + 1u, fine.nx - 1u));
+  let y = fine.nx * vec3u(max(center_j, 1u) - 1u, center_j, min(center_j + 1u, fine.ny - 1u));
   let left = vector_at(fine, kDirection, 0u);
-  var sum = vec3f(0.0);
-  for (var y = max(center_j, 1u) - 1u; y <= min(center_j + 1u, fine.ny - 1u); y++) {
-    let row = tap(i32(y), i32(j), i32(fine.ny), i32(coarse.ny));
-    for (var x = max(center_i, 1u) - 1u; x <= min(center_i + 1u, fine.nx - 1u); x++) {
-      sum += row * tap(i32(x), i32(i), i32(fine.nx), i32(coarse.nx)) * vectors[left + y * fine.nx + x].xyz;
-    }
-  }
+  let sum = row.x * restrict_row(left + y.x, x, column) + row.y * restrict_row(left + y.y, x, column) +
+            row.z * restrict_row(left + y.z, x, column);
   vectors[vector_at(coarse, kResidual, node)] = vec4f(sum, 0.0);
   vectors[vector_at(coarse, kDirection, node)] = vec4f(kBegin * times(inverse_at(coarse, node), sum), 0.0);
+}
+
+fn restrict_row(first : u32, x : vec3u, column : vec3f) -> vec3f {
+  return column.x * vectors[first + x.x].xyz + column.y * vectors[first + x.y].xyz + column.z * vectors[first + x.z].xyz;
 }

@@ -11,6 +11,12 @@ fn tap(fine : i32, coarse : i32, n : i32, m : i32) -> f32 {
   return select(0.0, 0.5, apart == 1 && (fine & 1) == 1 && fine + 1 != n);
 }
 
+// What fine nodes at `center` - 1, `center` and `center` + 1 take from it; 0 where there is no such node.
+fn taps_about(center : i32, coarse : i32, n : i32, m : i32) -> vec3f {
+  return vec3f(inside_tap(center - 1, coarse, n, m), inside_tap(center, coarse, n, m), inside_tap(center + 1, coarse, n, m));
+}
+fn inside_tap(fine : i32, coarse : i32, n : i32, m : i32) -> f32 { return select(0.0, tap(fine, coarse, n, m), fine >= 0 && fine < n); }
+
 // The fine node on which a coarse one lies.
 fn center_of(coarse : u32, n : u32, m : u32) -> u32 { return select(min(2u * coarse, n - 1u), coarse, n == m); }
 

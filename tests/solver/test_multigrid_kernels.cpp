@@ -44,6 +44,7 @@ double difference(const Field& a, const Field& b) {
   return most / largest(b);
 }
 
+/// xx, yy, zz, yz; xz, xy.
 Sym3 sym3(const Vec4f& a, float b, float c) {
   const auto d = [](float x) { return static_cast<double>(x); };
   return {d(a.x), d(c), d(b), d(a.y), d(a.w), d(a.z)};
@@ -52,7 +53,7 @@ Sym3 sym3(const Vec4f& a, float b, float c) {
 /// What a matrix of one level does to a random vector, block by block as kernels have stored it.
 Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
   const MultigridLevel& level = rig.cycle().levels()[l];
-  const std::vector<Vec4f> all = rig.download(rig.cycle().operators());
+  const std::vector<BlockPart> all = rig.download(rig.cycle().operators());
   GridOperator stored;
   stored.nx = level.nx;
   stored.ny = level.ny;
@@ -62,9 +63,10 @@ Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
     return all[level.first_operator + p * level.node_count() + n];
   };
   for (std::uint32_t n = 0; n < level.node_count(); ++n)
-    for (std::uint32_t b = 0; b < 5; ++b) {
-      const Vec4f rest = part(5 + b / 2, n);
-      stored.rows[n][b] = b % 2 == 0 ? sym3(part(b, n), rest.x, rest.y) : sym3(part(b, n), rest.z, rest.w);
+    for (std::uint32_t b = 0; b < kBlocks; ++b) {
+      const auto xx_yy = part(kBlockParts * b, n), zz_yz = part(kBlockParts * b + 1, n),
+                 xz_xy = part(kBlockParts * b + 2, n);
+      stored.rows[n][b] = sym3({xx_yy[0], xx_yy[1], zz_yz[0], zz_yz[1]}, xz_xy[0], xz_xy[1]);
     }
   return stored.apply(x);
 }

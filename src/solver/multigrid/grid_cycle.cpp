@@ -34,7 +34,7 @@ Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cl
     const std::size_t count = levels_[l].node_count();
     vectors += multigrid::kVectors * count;
     if (l > 0) operators += multigrid::kOperatorParts * count;
-    if (l >= tail_) continue;
+    if (l > 0 && l + 1 == levels_.size()) continue;
     Own own;
     own.count = levels_[l].node_count();
     std::array<MultigridLevel, 2> pair = {levels_[l]};
@@ -57,7 +57,8 @@ Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cl
   no_presses_ = std::move(none);
   WEFT_TRY(vector_buffer, gpu::Buffer<Vec4f>::create(device, vectors, "multigrid vectors"));
   vectors_ = std::move(vector_buffer);
-  WEFT_TRY(operator_buffer, gpu::Buffer<Vec4f>::create(device, operators, "multigrid operators"));
+  WEFT_TRY(operator_buffer,
+           gpu::Buffer<multigrid::BlockPart>::create(device, operators, "multigrid operators"));
   operators_ = std::move(operator_buffer);
   return {};
 }
@@ -92,19 +93,24 @@ Result<void> GridCycle::create_fine(const MultigridKernels& kernels, const Model
   WEFT_TRY(galerkin,
            kernels.galerkin_fine.bind({state.steps, grid_, levels, place_, holds_, vectors_, operators_}));
   galerkin_fine_ = std::move(galerkin);
+  WEFT_TRY(correct, kernels.correct_fine.bind({levels, place_, vectors_}));
+  correct_fine_ = std::move(correct);
   return {};
 }
 
 Result<void> GridCycle::create_coarse(const MultigridKernels& kernels) {
-  for (Own& own : own_) {
+  for (std::size_t l = 0; l < own_.size(); ++l) {
+    Own& own = own_[l];
+    WEFT_TRY(galerkin, kernels.galerkin.bind({own.levels, vectors_, operators_}));
+    own.galerkin = std::move(galerkin);
+    if (l >= tail_) continue;
     WEFT_TRY(restriction, kernels.restrict_residual.bind({own.levels, vectors_}));
     own.restrict_residual = std::move(restriction);
     struct Wanted {
       gpu::BindGroup& group;
       const gpu::Kernel& kernel;
     };
-    for (const Wanted& wanted : {Wanted{own.galerkin, kernels.galerkin},
-                                 {own.smooth_down, kernels.smooth_down},
+    for (const Wanted& wanted : {Wanted{own.smooth_down, kernels.smooth_down},
                                  {own.residual, kernels.residual},
                                  {own.prolong, kernels.prolong},
                                  {own.smooth_up, kernels.smooth_up}}) {
@@ -112,8 +118,6 @@ Result<void> GridCycle::create_coarse(const MultigridKernels& kernels) {
       wanted.group = std::move(group);
     }
   }
-  WEFT_TRY(coarsen, kernels.coarsen_tail.bind({tail_levels_, vectors_, operators_}));
-  coarsen_tail_ = std::move(coarsen);
   WEFT_TRY(cycle, kernels.cycle_tail.bind({tail_levels_, vectors_, operators_}));
   cycle_tail_ = std::move(cycle);
   return {};
@@ -128,8 +132,7 @@ void GridCycle::record_matrices(gpu::ComputePass& pass, const MultigridKernels& 
   if (levels_.size() == 1) return;
   kernels.galerkin_fine.dispatch(pass, galerkin_fine_, own_[0].coarse_count);
   for (std::size_t l = 1; l < own_.size(); ++l)
-    kernels.galerkin.dispatch(pass, own_[l].galerkin, own_[l].coarse_count);
-  if (tail_ + 1 < levels_.size()) kernels.coarsen_tail.dispatch_groups(pass, coarsen_tail_, 1);
+    kernels.galerkin.dispatch(pass, own_[l].galerkin, multigrid::kBlocks * own_[l].coarse_count);
 }
 
 void GridCycle::record_down(gpu::ComputePass& pass, const MultigridKernels& kernels) const {
@@ -137,7 +140,7 @@ void GridCycle::record_down(gpu::ComputePass& pass, const MultigridKernels& kern
   if (levels_.size() == 1) return;
   kernels.residual_fine.dispatch(pass, residual_fine_, own_[0].count);
   kernels.restrict_residual.dispatch(pass, own_[0].restrict_residual, own_[0].coarse_count);
-  for (std::size_t l = 1; l < own_.size(); ++l) {
+  for (std::size_t l = 1; l < tail_; ++l) {
     const Own& own = own_[l];
     kernels.smooth_down.dispatch(pass, own.smooth_down, own.count);
     kernels.residual.dispatch(pass, own.residual, own.count);
@@ -147,10 +150,11 @@ void GridCycle::record_down(gpu::ComputePass& pass, const MultigridKernels& kern
 }
 
 void GridCycle::record_up(gpu::ComputePass& pass, const MultigridKernels& kernels) const {
-  for (std::size_t l = own_.size() - 1; l > 0; --l) {
+  for (std::size_t l = tail_ - 1; l > 0; --l) {
     kernels.prolong.dispatch(pass, own_[l].prolong, own_[l].count);
     kernels.smooth_up.dispatch(pass, own_[l].smooth_up, own_[l].count);
   }
+  if (levels_.size() > 1) kernels.correct_fine.dispatch(pass, correct_fine_, own_[0].count);
   kernels.prolong_fine.dispatch(pass, prolong_fine_, own_[0].count);
   kernels.finish.dispatch(pass, finish_[pass.parity()], own_[0].count);
 }

@@ -32,10 +32,10 @@ class GridCycle {
   const std::vector<MultigridLevel>& levels() const { return levels_; }
   const gpu::Buffer<Vec4f>& place() const { return place_; }
   const gpu::Buffer<Vec4f>& vectors() const { return vectors_; }
-  const gpu::Buffer<Vec4f>& operators() const { return operators_; }
+  const gpu::Buffer<multigrid::BlockPart>& operators() const { return operators_; }
 
  private:
-  /// A level that has dispatches of its own, with the next coarser one.
+  /// A level, with the next coarser one, whose matrix it makes. From tail_ on that is all it does by itself.
   struct Own {
     gpu::RawBuffer levels;
     std::uint32_t count = 0, coarse_count = 0;  // nodes
@@ -51,11 +51,12 @@ class GridCycle {
   std::size_t tail_ = 0;  // the first of the levels that one workgroup does
   gpu::RawBuffer grid_, tail_levels_;
   gpu::Buffer<std::int32_t> no_presses_;
-  gpu::Buffer<Vec4f> place_, holds_, vectors_, operators_;
+  gpu::Buffer<Vec4f> place_, holds_, vectors_;
+  gpu::Buffer<multigrid::BlockPart> operators_;
   std::array<gpu::BindGroup, 2> predict_, finish_;  // by parity
-  gpu::BindGroup gradient_, galerkin_fine_, smooth_fine_, residual_fine_, prolong_fine_;
-  gpu::BindGroup coarsen_tail_, cycle_tail_;
-  std::vector<Own> own_;  // levels 0 to tail_ - 1
+  gpu::BindGroup gradient_, galerkin_fine_, smooth_fine_, residual_fine_, correct_fine_, prolong_fine_;
+  gpu::BindGroup cycle_tail_;
+  std::vector<Own> own_;  // all levels but the coarsest; at least one
 };
 
 }  // namespace weft

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,7 +12,7 @@ namespace weft {
 /// Mirror of shaders/multigrid/level.wgsl: a level of a cloth's hierarchy, and its place in the buffers.
 struct MultigridLevel {
   std::uint32_t nx = 0, ny = 0;                        // nodes; 0: there is no such level
-  std::uint32_t first_vector = 0, first_operator = 0;  // [vec4f]
+  std::uint32_t first_vector = 0, first_operator = 0;  // [vec4f], [vec2f]
   float bending_i = 0, bending_j = 0;                  // [N/m]
   std::uint32_t bend_end_i = 0, bend_end_j = 0;        // second differences are taken about nodes 1 to this
   float rim = 0;                                       // part of the bending that boundary lines have
@@ -26,9 +27,12 @@ namespace multigrid {
 /// Vectors that each level has, one vec4f a node each: shaders/multigrid/level.wgsl.
 inline constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFirst = 4, kSecond = 5;
 inline constexpr std::uint32_t kVectors = 6;
-/// Parts of a coarse level's matrix, likewise: coarse_block.wgsl.
-inline constexpr std::uint32_t kOperatorParts = 8;
-/// Levels of no more nodes are done by one workgroup: they take less than it takes to begin a dispatch.
+/// Parts of a coarse level's matrix, one vec2f a node each: coarse_block.wgsl.
+using BlockPart = std::array<float, 2>;
+inline constexpr std::uint32_t kBlocks = 5, kBlockParts = 3;
+inline constexpr std::uint32_t kOperatorParts = kBlocks * kBlockParts;
+/// The cycle on levels of no more nodes is done by one workgroup: a step there takes less than it takes to
+/// begin a dispatch.
 inline constexpr std::uint32_t kTailNodes = 33 * 33;
 
 }  // namespace multigrid
