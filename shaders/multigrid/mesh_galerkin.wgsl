@@ -19,7 +19,8 @@ fn mesh_galerkin(@builtin(global_invocation_id) id : vec3u) {
   let list = coarse.first_product + number;
   var sum = zero_matrix();
   for (var k = product_starts[list]; k < product_starts[list + 1u]; k++) {
-    sum = sum_of(sum, scaled(products[k].weight, block_of(levels[0], products[k].index)));
+    let product = products[k];
+    sum = sum_of(sum, scaled(product.weight, block_of(levels[0], product.index)));
   }
   store_block(coarse, number, sum);
   if (number < coarse.node_count) { store_inverse(coarse, number, inverse(sum)); }

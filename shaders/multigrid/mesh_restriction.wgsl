@@ -8,7 +8,8 @@ fn restrict_node(fine : Level, coarse : Level, node : u32) {
   let list = coarse.first_source + node;
   var sum = vec3f(0.0);
   for (var k = source_starts[list]; k < source_starts[list + 1u]; k++) {
-    sum += sources[k].weight * vectors[vector_at(fine, kDirection, sources[k].index)].xyz;
+    let source = sources[k];
+    sum += source.weight * vectors[vector_at(fine, kDirection, source.index)].xyz;
   }
   vectors[vector_at(coarse, kResidual, node)] = vec4f(sum, 0.0);
   vectors[vector_at(coarse, kDirection, node)] = vec4f(kBegin * times(inverse_at(coarse, node), sum), 0.0);

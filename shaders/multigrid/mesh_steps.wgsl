@@ -9,7 +9,8 @@ fn left_of(level : Level, x : u32, node : u32) -> vec3f {
   var sum = times(block_of(level, node), vectors[first + node].xyz);
   let list = level.first_row + node;
   for (var k = row_starts[list]; k < row_starts[list + 1u]; k++) {
-    sum += times(block_of(level, rows[k].block), vectors[first + rows[k].node].xyz);
+    let coupling = rows[k];
+    sum += times(block_of(level, coupling.block), vectors[first + coupling.node].xyz);
   }
   return vectors[vector_at(level, kResidual, node)].xyz - sum;
 }

@@ -90,6 +90,18 @@ inline mesh::TriangleMesh both(mesh::TriangleMesh a, const mesh::TriangleMesh& b
   return a;
 }
 
+/// Triangles that have nothing in common, in a row.
+inline mesh::TriangleMesh triangles_apart(std::uint32_t count) {
+  mesh::TriangleMesh mesh;
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const float x = 0.3F * static_cast<float>(t);
+    for (const Vec3f& corner : {Vec3f{x, 0, 0}, {x + 0.2F, 0, 0}, {x, 0, 0.2F}})
+      mesh.positions.push_back(corner);
+    mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return mesh;
+}
+
 /// The same mesh with its nodes numbered at random.
 inline mesh::TriangleMesh shuffled(const mesh::TriangleMesh& mesh, std::uint64_t seed = 1) {
   Random random(seed);

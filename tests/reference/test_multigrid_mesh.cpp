@@ -175,9 +175,9 @@ TEST_CASE(
       {"65 x 65", sheet(65), kClips, kThin, 0, 0.3},
       {"129 x 129", sheet(129), kClips, kThin, 0, 0.4},
       {"17 x 17", sheet(17), kClips, kThin, 0.02, 0.3},
-      {"33 x 33", sheet(33), kClips, kThin, 0.02, 0.4},
+      {"33 x 33", sheet(33), kClips, kThin, 0.02, 0.25},
       {"65 x 65", sheet(65), kClips, kThin, 0.02, 0.5},
-      {"129 x 129", sheet(129), kClips, kThin, 0.02, 0.6},
+      {"129 x 129", sheet(129), kClips, kThin, 0.02, 0.5},
       {"65 x 65, 5000 N/m", sheet(65), kClips, kUsual, 0.02, 0.6},
       {"65 x 65, numbered at random", shuffled(sheet(65)), kClips, kThin, 0.02, 0.6},
       {"65 x 65, thin triangles", jittered_sheet(65, 65, 2, 2, 0.45), kClips, kThin, 0.02, 0.6},
@@ -233,21 +233,29 @@ TEST_CASE("a mesh falls as with explicit steps, within 1.5 % after a quarter of 
   CHECK(error < 0.015);
 }
 
-TEST_CASE("a free tube keeps its momentum with solved systems, and falls as a stone") {
-  Sheet sheet(mesh_cloth("[]", kUsual), {tube(19, 14, 0.3, 1)});
-  sheet.perturb(3, 0.005, 1);
-  sheet.stepper.cycles = 40;
-  double mass = 0;
-  const auto momentum = [&] {
-    Vec3d sum;
-    mass = 0;
-    for (std::size_t n = 0; n < sheet.system.velocity.size(); ++n) {
-      sum += sheet.mass(n) * sheet.system.velocity[n];
-      mass += sheet.mass(n);
-    }
-    return sum;
-  };
-  const Vec3d before = momentum();
-  sheet.advance(1.0 / 480, 24);
-  CHECK(length(momentum() - before - Vec3d{0, -9.81 * 24 / 480 * mass, 0}) < 1e-8 * mass);
+TEST_CASE(
+    "free meshes keep their momentum with solved systems, and fall as stones; with one cycle what is lost is "
+    "told") {
+  for (const mesh::TriangleMesh& mesh : {jittered_sheet(19, 14, 2, 1.5), tube(19, 14, 0.3, 1)}) {
+    Sheet sheet(mesh_cloth("[]", kUsual), {mesh});
+    sheet.perturb(3, 0.005, 1);
+    double mass = 0;
+    for (std::size_t n = 0; n < sheet.system.velocity.size(); ++n) mass += sheet.mass(n);
+    const double fall = 9.81 * 24 / 480 * mass;  // what gravity gives in 24 steps [kg·m/s]
+    // The part of it by which the momentum is off.
+    const auto drift = [&](int cycles) {
+      sheet.stepper.cycles = cycles;
+      Vec3d change{0, fall, 0};
+      for (std::size_t n = 0; n < sheet.system.velocity.size(); ++n)
+        change -= sheet.mass(n) * sheet.system.velocity[n];
+      sheet.advance(1.0 / 480, 24);
+      for (std::size_t n = 0; n < sheet.system.velocity.size(); ++n)
+        change += sheet.mass(n) * sheet.system.velocity[n];
+      return length(change) / fall;
+    };
+    CHECK(drift(40) < 1e-8);
+    const double with_one = drift(1);  // what is left of the residual acts as a force on the whole
+    MESSAGE("with one cycle momentum drifts by " << with_one << " of the weight");
+    CHECK(with_one < 0.05);
+  }
 }

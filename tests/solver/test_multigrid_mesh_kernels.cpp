@@ -37,6 +37,7 @@ std::vector<Case> cases() {
       {"tube", tube(40, 21, 0.3, 1), kSoft, 0.01, 1, 2},
       {"sphere", sphere_skin(9, 0.5), kPlain, 0.1, 20, 0},
       {"two pieces", both(jittered_sheet(12, 9, 1, 1), tube(12, 7, 0.2, 0.5), {1, 0, 0}), kSoft, 0.02, 1, 1},
+      {"400 triangles apart", triangles_apart(400), kPlain, 0.02, 1, 1},
       {"a triangle", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, kFree, 0.1, 3, 1}};
 }
 

@@ -13,7 +13,8 @@ Result<MeshCycle> MeshCycle::create(gpu::Device& device, const MeshKernels& kern
   const MeshLists lists = mesh_lists(mesh_levels(model.host, cloth, springs));
   made.levels_ = lists.levels;
   made.tail_ = 1;
-  while (made.tail_ < made.levels_.size() && made.levels_[made.tail_].node_count > multigrid::kMeshTailNodes)
+  while (made.tail_ + 1 < made.levels_.size() &&  // the last one is of the tail, however large
+         made.levels_[made.tail_].node_count > multigrid::kMeshTailNodes)
     ++made.tail_;
   WEFT_CHECK(made.create_lists(device, lists, springs));
   WEFT_CHECK(made.create_buffers(device, lists, cloth, presses != nullptr));
