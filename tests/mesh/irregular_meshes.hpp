@@ -79,6 +79,30 @@ inline mesh::TriangleMesh sphere_skin(int n, double radius) {
   return mesh;
 }
 
+/// A sphere of n rings of 2 n nodes, and its poles, in each of which 2 n thin triangles meet.
+inline mesh::TriangleMesh rings(std::uint32_t n, double radius) {
+  const std::uint32_t around = 2 * n, south = 1 + (n - 1) * around;
+  mesh::TriangleMesh mesh;
+  mesh.positions.push_back(Vec3d{0, radius, 0}.to<float>());
+  for (std::uint32_t j = 1; j < n; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double down = 3.14159265358979 * j / n, angle = 3.14159265358979 * i / n;
+      const Vec3d x{std::sin(down) * std::cos(angle), std::cos(down), std::sin(down) * std::sin(angle)};
+      mesh.positions.push_back((radius * x).to<float>());
+    }
+  mesh.positions.push_back(Vec3d{0, -radius, 0}.to<float>());
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const std::uint32_t next = (i + 1) % around;
+    mesh.triangles.push_back({0, 1 + next, 1 + i});
+    for (std::uint32_t first = 1; first + around < south; first += around) {
+      mesh.triangles.push_back({first + i, first + next, first + around + i});
+      mesh.triangles.push_back({first + next, first + around + next, first + around + i});
+    }
+    mesh.triangles.push_back({south, south - around + i, south - around + next});
+  }
+  return mesh;
+}
+
 /// Both in one, with nothing between; the second moved.
 inline mesh::TriangleMesh both(mesh::TriangleMesh a, const mesh::TriangleMesh& b, const Vec3f& moved) {
   const auto first = static_cast<std::uint32_t>(a.positions.size());
