@@ -8,12 +8,12 @@ namespace weft::mesh {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
-using Lists = std::vector<std::vector<std::uint32_t>>;
+using NodeLists = std::vector<std::vector<std::uint32_t>>;
 
 /// For each node, the numbers of the edges or triangles that name it.
 template <class Item>
-Lists items_of(std::size_t node_count, const std::vector<Item>& items) {
-  Lists lists(node_count);
+NodeLists items_of(std::size_t node_count, const std::vector<Item>& items) {
+  NodeLists lists(node_count);
   for (std::uint32_t i = 0; i < items.size(); ++i)
     for (const std::uint32_t node : items[i]) lists[node].push_back(i);
   return lists;
@@ -36,7 +36,7 @@ std::vector<bool> boundary_edges(const Network& mesh) {
   return found;
 }
 
-std::vector<std::uint32_t> kept_nodes(const Network& mesh, const Lists& edges_of) {
+std::vector<std::uint32_t> kept_nodes(const Network& mesh, const NodeLists& edges_of) {
   const std::vector<bool> boundary = boundary_edges(mesh);
   const std::size_t count = mesh.positions.size();
   std::vector<bool> on_boundary(count, false), kept(count, false), blocked(count, false);
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> kept_nodes(const Network& mesh, const Lists& edges_of
 }
 
 /// The coarse node to whose region each fine node belongs.
-std::vector<std::uint32_t> regions(const Network& mesh, const Lists& edges_of,
+std::vector<std::uint32_t> regions(const Network& mesh, const NodeLists& edges_of,
                                    const std::vector<std::uint32_t>& kept) {
   std::vector<std::uint32_t> number(mesh.positions.size(), kNone);
   for (std::uint32_t k = 0; k < kept.size(); ++k) number[kept[k]] = k;
@@ -107,7 +107,8 @@ struct Place {
 
 Place place_on_edge(const Vec3d& x, const Vec3d& a, const Vec3d& b) {
   const Vec3d ab = b - a;
-  const double t = std::clamp(dot(x - a, ab) / dot(ab, ab), 0.0, 1.0);
+  const double square = dot(ab, ab);
+  const double t = square > 0 ? std::clamp(dot(x - a, ab) / square, 0.0, 1.0) : 0;
   return {length(x - a - t * ab), {1 - t, t, 0}};
 }
 
@@ -137,7 +138,7 @@ Place place_on_triangle(const Vec3d& x, const std::array<Vec3d, 3>& p) {
 /// Finds where fine nodes take their values from.
 class Interpolation {
  public:
-  Interpolation(const Network& fine, const Lists& edges_of, const Network& coarse,
+  Interpolation(const Network& fine, const NodeLists& edges_of, const Network& coarse,
                 const std::vector<std::uint32_t>& region)
       : fine_(fine),
         edges_of_(edges_of),
@@ -180,16 +181,16 @@ class Interpolation {
   const Vec3d& position(std::uint32_t coarse_node) const { return coarse_.positions[coarse_node]; }
 
   const Network& fine_;
-  const Lists& edges_of_;
+  const NodeLists& edges_of_;
   const Network& coarse_;
   const std::vector<std::uint32_t>& region_;
-  Lists coarse_edges_of_, coarse_triangles_of_;
+  NodeLists coarse_edges_of_, coarse_triangles_of_;
 };
 
 }  // namespace
 
 CoarseMesh coarsened(const Network& fine) {
-  const Lists edges_of = items_of(fine.positions.size(), fine.edges);
+  const NodeLists edges_of = items_of(fine.positions.size(), fine.edges);
   CoarseMesh made;
   made.of = kept_nodes(fine, edges_of);
   const std::vector<std::uint32_t> region = regions(fine, edges_of, made.of);

@@ -114,6 +114,12 @@ inline mesh::TriangleMesh both(mesh::TriangleMesh a, const mesh::TriangleMesh& b
   return a;
 }
 
+/// A mesh folded onto itself along x = 0: where it is symmetric, nodes lie on nodes.
+inline mesh::TriangleMesh folded(mesh::TriangleMesh mesh) {
+  for (Vec3f& x : mesh.positions) x.x = std::abs(x.x);
+  return mesh;
+}
+
 /// Triangles that have nothing in common, in a row.
 inline mesh::TriangleMesh triangles_apart(std::uint32_t count) {
   mesh::TriangleMesh mesh;

@@ -27,9 +27,13 @@ Vec3d value_at(const CoarseMesh& coarse, std::size_t node, const std::vector<Vec
 }
 
 std::vector<TriangleMesh> meshes() {
-  return {jittered_sheet(23, 17, 2, 1.5), shuffled(jittered_sheet(23, 17, 2, 1.5, 0.45)),
-          tube(24, 15, 0.3, 1),           sphere_skin(9, 0.5),
-          jittered_sheet(40, 2, 2, 0.05), both(jittered_sheet(6, 9, 1, 1), tube(9, 7, 0.2, 0.5), {1, 0, 0})};
+  return {jittered_sheet(23, 17, 2, 1.5),
+          shuffled(jittered_sheet(23, 17, 2, 1.5, 0.45)),
+          tube(24, 15, 0.3, 1),
+          sphere_skin(9, 0.5),
+          jittered_sheet(40, 2, 2, 0.05),
+          folded(jittered_sheet(21, 12, 2, 1, 0)),
+          both(jittered_sheet(6, 9, 1, 1), tube(9, 7, 0.2, 0.5), {1, 0, 0})};
 }
 
 }  // namespace
@@ -137,4 +141,22 @@ TEST_CASE("a strip one cell wide becomes a path, and pieces stay apart down to a
     network = coarse.network;
   }
   CHECK(piece == std::vector<int>{0, 1});
+}
+
+TEST_CASE("coarse nodes that lie on each other leave no weight undefined") {
+  // A path and a triangle, folded: nodes 0 and 2, 3 and 5 stay, and lie on each other.
+  Network network;
+  network.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {3, 0, 0}, {4, 0, 0}, {3, 0, 0}, {3, 1, 0}};
+  network.edges = {{0, 1}, {1, 2}, {3, 4}, {4, 5}, {4, 6}};
+  network.triangles = {};
+  const CoarseMesh coarse = coarsened(network);
+  CHECK(coarse.of == std::vector<std::uint32_t>{0, 2, 3, 5, 6});
+  for (const std::size_t node : {1U, 4U}) {
+    float sum = 0;
+    for (const Share& tap : coarse.taps[node]) {
+      CHECK(tap.weight >= 0);
+      sum += tap.weight;
+    }
+    CHECK(sum == 1);
+  }
 }

@@ -218,6 +218,7 @@ TEST_CASE(
       {"strip of 100 x 3, 2 cm wide", jittered_sheet(100, 3, 2, 0.02), kFirstNodes, kThin, 0, 0.85},
       {"strip of 400 x 2, 5 mm wide", jittered_sheet(400, 2, 2, 0.005), kFirstNodes, kThin, 0, 0.95},
       {"two pieces", both(sheet(33), tube(24, 20, 0.2, 0.8), {0, 1, 0}), kFirstNodes, kThin, 0, 0.4},
+      {"folded sheet", folded(jittered_sheet(41, 41, 2, 2, 0)), kFirstNodes, kThin, 0, 0.4},
       {"two triangles", jittered_sheet(2, 2, 2, 2), "[]", kThin, 0, 0.6},
       {"a triangle and a large sheet",
        both(sheet(33), {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {3, 0, 0}), kFirstNodes, kThin, 0,
