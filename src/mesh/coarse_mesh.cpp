@@ -102,7 +102,7 @@ Network network_of(const Network& fine, const std::vector<std::uint32_t>& kept,
 /// Where a point lies with respect to a triangle or an edge.
 struct Place {
   double distance = std::numeric_limits<double>::infinity();  // from the point to the nearest one of it [m]
-  std::array<double, 3> weights{};  // which that one, or the foot of the point outside, is of the corners
+  std::array<double, 3> weights{};                            // of the corners, whose sum that one is
 };
 
 Place place_on_edge(const Vec3d& x, const Vec3d& a, const Vec3d& b) {
