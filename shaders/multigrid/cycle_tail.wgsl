@@ -1,6 +1,7 @@
 // The V-cycle on the coarsest levels. One workgroup does all, a barrier for what would else be a dispatch. It finds the residual of the
 // first of them and the first step of smoothing there, and leaves the solution. Source: docs/solvers/multigrid.md, equations 7 and 8.
 #include "shared/index.wgsl"
+#include "multigrid/bottom.wgsl"
 #include "multigrid/coarse_steps.wgsl"
 #include "multigrid/correction.wgsl"
 #include "multigrid/restriction.wgsl"
@@ -8,10 +9,6 @@
 @group(0) @binding(0) var<storage, read>       tail      : array<Level>;   // the first of them, and all coarser ones
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;   // multigrid/level.wgsl
 @group(0) @binding(2) var<storage, read>       operators : array<vec2f>;   // multigrid/coarse_block.wgsl
-
-// The coarsest level has nothing below it that could take the low eigenvalues: more steps, for a wider range.
-const kBottomLow = kHigh / 30.0;
-const kBottomSteps = 10u;
 
 var<private> operand_vector : u32;  // which solution a step goes on from
 

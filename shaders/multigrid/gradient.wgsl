@@ -3,8 +3,8 @@
 #include "shared/index.wgsl"
 #include "multigrid/bending.wgsl"
 #include "multigrid/chebyshev.wgsl"
-#include "multigrid/hold.wgsl"
-#include "contact/press_sums.wgsl"
+#include "multigrid/hold_at_obstacles.wgsl"
+#include "multigrid/spring_pull.wgsl"
 #include "multigrid/springs_of_node.wgsl"
 #include "multigrid/store_inverse.wgsl"
 //                                                                              elements       unit
@@ -19,69 +19,17 @@ var<private> here : vec3f;
 var<private> start : vec3f;
 var<private> start_velocity : vec3f;
 var<private> rate : f32;            // 1/s
-const kHoldStiffness = 10.0;  // of the trace of the diagonal
-const kAgree = 0.3;           // of the normals: with less there is no one direction to hold it along
 var<private> diagonal : Symmetric;
 
 fn operand(level : Level, node : u32) -> vec3f { return place[node].xyz + vectors[vector_at(level, kFirst, node)].xyz; }
 
 fn pull(neighbour : u32, rest_length : f32, stiffness : f32, damping : f32) -> vec3f {
-  let span = place[neighbour].xyz - here;
-  let hessian = spring_block(span, rest_length, stiffness, 0.0);
   let span_step = vectors[vector_at(levels[0], kFirst, neighbour)].xyz - start;
-  let tension = stiffness * (length(span) - rest_length);
-  var force = tension * hessian.direction + block_times(hessian, span_step);
-  diagonal = sum_of(diagonal, sum_of(outer(hessian.direction, hessian.along + damping * rate), identity(hessian.across)));
-  if (damping > 0.0) {  // along the spring as it will be: along its direction now, of first order in the step
-    let later = span + span_step;
-    let change = vectors[vector_at(levels[0], kSecond, neighbour)].xyz - start_velocity;
-    let square = max(dot(later, later), kShortest * kShortest);
-    force += (damping * dot(later, change) / square) * later;
-  }
-  return force;
-}
-
-// Takes what `press` has found of the node, for this substep alone.
-fn free_of_obstacles(node : u32) {
-  for (var word = 0u; word < kPressWords; word++) { presses[kPressWords * (grid.first_vertex + node) + word] = 0; }
-  holds[node] = vec4f(0.0);
-}
-
-fn press_vector(word : u32) -> vec3f { return vec3f(f32(presses[word]), f32(presses[word + 1u]), f32(presses[word + 2u])) / kPressUnits; }
-
-// Where the node would come nearer to obstacles than the thickness, or is there and pressed on: what holds it, in `holds` and the diagonal,
-// and the force to where it belongs.
-fn hold_at_obstacles(node : u32, inertia : f32, residual : vec3f) -> vec3f {
-  let word = kPressWords * (grid.first_vertex + node);
-  if (presses[word + kPressWeight] == 0) {
-    holds[node] = vec4f(0.0);
-    return vec3f(0.0);
-  }
-  let weight = f32(presses[word + kPressWeight]) / kPressUnits;
-  let sum = press_vector(word + kPressNormal);
-  let lack = f32(presses[word + kPressLack]) / (kLackUnits * weight) * step.thickness;
-  let surface = press_vector(word + kPressSurface) / weight;
-  let friction = f32(presses[word + kPressFriction]) / (kPressUnits * weight);
-  free_of_obstacles(node);
-  let size = length(sum);
-  if (size < kAgree * weight) { return vec3f(0.0); }
-  let n = sum / size;
-  let pressed = inertia * lack - dot(residual, n);  // what it takes to hold it there
-  if (pressed <= 0.0) { return vec3f(0.0); }
-  let stiffness = kHoldStiffness * min(weight, 1.0) * (diagonal.diagonal.x + diagonal.diagonal.y + diagonal.diagonal.z);
-  let most = friction * pressed * stiffness / (stiffness + inertia);  // what is held gives way a little
-  let slip = start - step.dt * surface;
-  let along = slip - dot(slip, n) * n;
-  let needed = -inertia * along - (residual - dot(residual, n) * n);
-  let grip = length(needed);
-  if (grip <= most) {
-    holds[node] = vec4f(vec3f(0.0), stiffness);
-    diagonal = sum_of(diagonal, identity(stiffness));
-    return stiffness * (lack * n - along);
-  }
-  holds[node] = vec4f(sqrt(stiffness) * n, 0.0);
-  diagonal = sum_of(diagonal, outer(n, stiffness));
-  return stiffness * lack * n + (most / grip) * needed;
+  var rate_of_span = vec3f(0.0);
+  if (damping > 0.0) { rate_of_span = vectors[vector_at(levels[0], kSecond, neighbour)].xyz - start_velocity; }
+  let pulled = pull_of(place[neighbour].xyz - here, span_step, rate_of_span, rest_length, stiffness, damping, rate);
+  diagonal = sum_of(diagonal, sum_of(outer(pulled.block.direction, pulled.block.along), identity(pulled.block.across)));
+  return pulled.force;
 }
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -93,7 +41,7 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   if (own.w == 0.0) {
     store_inverse(level, node, zero_matrix());
     vectors[vector_at(level, kDirection, node)] = vec4f(0.0);
-    if (kHolds) { free_of_obstacles(node); }
+    if (kHolds) { free_of_obstacles(node, grid.first_vertex); }
     return;
   }
   let j = node / grid.nx;
@@ -105,7 +53,11 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   diagonal = identity(own.w + bending_diagonal(level, i, j));
   let residual_at = vector_at(level, kResidual, node);
   var residual = vectors[residual_at].xyz + sum_of_springs(grid, i, j, node) - bending_product(level, i, j, node);
-  if (kHolds) { residual += hold_at_obstacles(node, own.w, residual); }
+  if (kHolds) {
+    let hold = hold_at_obstacles(node, grid.first_vertex, own.w, residual, start, diagonal);
+    residual += hold.force;
+    diagonal = sum_of(diagonal, hold.block);
+  }
   let inverted = inverse(diagonal);
   vectors[residual_at] = vec4f(residual, 0.0);
   store_inverse(level, node, inverted);

@@ -1,4 +1,5 @@
 // A level of a cloth's hierarchy, and its place in the buffers `vectors` and `operators`. Source: docs/solvers/multigrid.md.
+#include "multigrid/vectors.wgsl"
 struct Level {  // mirror: src/solver/multigrid/level.hpp
   nx : u32,
   ny : u32,              // nodes; 0: there is no such level
@@ -14,14 +15,6 @@ struct Level {  // mirror: src/solver/multigrid/level.hpp
   padding_c : u32,
 }
 // A kernel's uniform `levels` has the level that it works on, and the next coarser one.
-
-// Vectors of a level, node after node, one after the other.
-const kResidual = 0u;   // N; of the finest level: first what the inertia leaves
-const kInverse = 1u;    // m/N: inverse of the diagonal's block: xx, yy, zz, yz; in the next: xz, xy
-const kDirection = 3u;  // m: the last step of smoothing; between: the residual that is handed down, N
-const kFirst = 4u;      // m: the solution; of the finest level: first the step's start
-const kSecond = 5u;     // m: the solution; of the finest level: first the start's velocity, m/s
-const kVectors = 6u;
 
 fn vector_at(level : Level, vector : u32, node : u32) -> u32 { return level.first_vector + vector * (level.nx * level.ny) + node; }
 fn operator_at(level : Level, part : u32, node : u32) -> u32 { return level.first_operator + part * (level.nx * level.ny) + node; }

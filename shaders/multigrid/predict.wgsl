@@ -2,31 +2,31 @@
 // invocation per node of a cloth. Source: docs/solvers/multigrid.md, equations 1 to 4.
 #include "shared/index.wgsl"
 #include "shared/integrate.wgsl"
-#include "multigrid/level.wgsl"
-#include "multigrid/spring_grid.wgsl"
+#include "multigrid/cloth_nodes.wgsl"
+#include "multigrid/spring_block.wgsl"
+#include "multigrid/vectors.wgsl"
 //                                                                                  elements       unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
-@group(0) @binding(1) var<uniform>             grid            : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels          : array<Level, 2>;
-@group(0) @binding(3) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: inverse mass, 1/kg)
-@group(0) @binding(4) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: 1 where the state before it is that of the step before)
-@group(0) @binding(5) var<storage, read>       position_before : array<vec4f>;   // vertex_count   m
-@group(0) @binding(6) var<storage, read>       velocity_before : array<vec4f>;   // vertex_count   m/s
-@group(0) @binding(7) var<storage, read>       rest            : array<vec4f>;   // vertex_count   m (w: motion)
-@group(0) @binding(8) var<storage, read>       motions         : array<vec4f>;   // 3 * motions * substeps
-@group(0) @binding(9) var<storage, read_write> place           : array<vec4f>;   // nx * ny        m (w: what inertia resists with, N/m; 0: held)
-@group(0) @binding(10) var<storage, read_write> vectors        : array<vec4f>;   // multigrid/level.wgsl
+@group(0) @binding(1) var<uniform>             nodes           : ClothNodes;
+@group(0) @binding(2) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: inverse mass, 1/kg)
+@group(0) @binding(3) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: 1 where the state before it is that of the step before)
+@group(0) @binding(4) var<storage, read>       position_before : array<vec4f>;   // vertex_count   m
+@group(0) @binding(5) var<storage, read>       velocity_before : array<vec4f>;   // vertex_count   m/s
+@group(0) @binding(6) var<storage, read>       rest            : array<vec4f>;   // vertex_count   m (w: motion)
+@group(0) @binding(7) var<storage, read>       motions         : array<vec4f>;   // 3 * motions * substeps
+@group(0) @binding(8) var<storage, read_write> place           : array<vec4f>;   // count          m (w: what inertia resists with, N/m; 0: held)
+@group(0) @binding(9) var<storage, read_write> vectors         : array<vec4f>;   // multigrid/vectors.wgsl: of the finest level
 
 @compute @workgroup_size(kWorkgroupSize)
 fn predict(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
-  if (index >= grid.nx * grid.ny) { return; }
-  let node = grid.first_vertex + index;
+  if (index >= nodes.count) { return; }
+  let node = nodes.first_vertex + index;
   let now = NodeState(position_in[node], velocity_in[node]);
   let inverse_mass = now.position.w;
-  let residual_at = vector_at(levels[0], kResidual, index);
-  let start_at = vector_at(levels[0], kFirst, index);
-  let start_velocity_at = vector_at(levels[0], kSecond, index);
+  let residual_at = kResidual * nodes.count + index;
+  let start_at = kFirst * nodes.count + index;
+  let start_velocity_at = kSecond * nodes.count + index;
   if (inverse_mass == 0.0 || is_grabbed(node)) {
     var after : NodeState;
     if (inverse_mass == 0.0) { after = integrate_held(now, rest[node]); } else { after = integrate_grabbed(node, now); }

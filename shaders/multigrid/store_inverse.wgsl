@@ -1,5 +1,4 @@
-// Keeps the inverse of a diagonal block for smoothing. The including kernel binds `vectors`.
-#include "multigrid/level.wgsl"
+// Keeps the inverse of a diagonal block for smoothing. The including kernel binds `vectors` and has the Level.
 #include "multigrid/symmetric.wgsl"
 
 fn store_inverse(level : Level, node : u32, inverted : Symmetric) {

@@ -202,12 +202,10 @@ class Builder {
     return grab;
   }
 
-  /// Multigrid and bending need the rows and columns of a grid; sums by springs have springs only.
+  /// Bending needs the rows and columns of a grid; sums by springs have springs only.
   Result<void> check_solver(const Scene& scene) const {
     for (const Cloth& cloth : scene.cloths) {
       const std::string path = path_of_index("cloths", cloth.entry);
-      if (scene.solver.kind == SolverKind::Multigrid && !cloth.grid)
-        return wrong(path, "is a mesh; solver.kind \"multigrid\" moves grids only");
       if (cloth.stiffness.bending == 0) continue;
       const std::string bending = "is " + number_text(cloth.stiffness.bending) + " N·m; ";
       if (scene.solver.kind == SolverKind::MassSpring && scene.solver.forces != Forces::NodeCentric)

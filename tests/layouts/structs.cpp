@@ -28,7 +28,9 @@
 #include "scene/scene.hpp"
 #include "solver/mass_spring/advance_mesh.hpp"
 #include "solver/mass_spring/grid_params.hpp"
+#include "solver/multigrid/cloth_nodes.hpp"
 #include "solver/multigrid/level.hpp"
+#include "solver/multigrid/mesh_lists.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
@@ -128,6 +130,24 @@ Json multigrid_level() {
              {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(bend_end_i),
               M(bend_end_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
 }
+Json cloth_nodes() {
+  using T = ClothNodes;
+  return row("ClothNodes", "multigrid/cloth_nodes.wgsl", sizeof(T), kUniform, {M(first_vertex), M(count)});
+}
+Json mesh_level() {
+  using T = MultigridMeshLevel;
+  return row("MeshLevel", "multigrid/mesh_level.wgsl", sizeof(T), kExact,
+             {M(node_count), M(block_count), M(first_vector), M(first_block), M(first_row), M(first_source),
+              M(first_product), M(first_taps)});
+}
+Json coupling() {
+  using T = Coupling;
+  return row("Coupling", "multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(node), M(block)});
+}
+Json share() {
+  using T = Share;
+  return row("Share", "multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(index), M(weight)});
+}
 Json surface_params() {
   using T = SurfaceParams;
   return row("SurfaceParams", "element/surface.wgsl", sizeof(T), kUniform,
@@ -226,7 +246,8 @@ Json struct_layouts() {
        neighbour(),       grid_params_row(), mesh_params(), surface_params(), object_triangle(),
        spring_grid_row(), multigrid_level(), tree_node(),   pair_range(),     analytic_collider(),
        contact(),         search_params(),   tree_params(), colliders(),      collider_place(),
-       frame(),           weave(),           plane(),       fine_grid()});
+       frame(),           weave(),           plane(),       fine_grid(),      cloth_nodes(),
+       mesh_level(),      coupling(),        share()});
 }
 
 Json shared_constants() {
@@ -237,12 +258,13 @@ Json shared_constants() {
       constant("kAnalyticId", "collision/analytic.wgsl", collision::kAnalyticId),
       constant("kStackSize", "collision/bvh.wgsl", collision::kStackSize),
       constant("kWireframe", "render/frame.wgsl", static_cast<double>(scene::View::Wireframe)),
-      constant("kResidual", "multigrid/level.wgsl", multigrid::kResidual),
-      constant("kInverse", "multigrid/level.wgsl", multigrid::kInverse),
-      constant("kDirection", "multigrid/level.wgsl", multigrid::kDirection),
-      constant("kFirst", "multigrid/level.wgsl", multigrid::kFirst),
-      constant("kSecond", "multigrid/level.wgsl", multigrid::kSecond),
-      constant("kVectors", "multigrid/level.wgsl", multigrid::kVectors),
+      constant("kResidual", "multigrid/vectors.wgsl", multigrid::kResidual),
+      constant("kInverse", "multigrid/vectors.wgsl", multigrid::kInverse),
+      constant("kDirection", "multigrid/vectors.wgsl", multigrid::kDirection),
+      constant("kFirst", "multigrid/vectors.wgsl", multigrid::kFirst),
+      constant("kSecond", "multigrid/vectors.wgsl", multigrid::kSecond),
+      constant("kVectors", "multigrid/vectors.wgsl", multigrid::kVectors),
+      constant("kTaps", "multigrid/mesh_level.wgsl", multigrid::kTaps),
       statistic("kStatHits", offsetof(Statistics, hits)),
       statistic("kStatHitHash", offsetof(Statistics, hit_hash)),
       statistic("kStatMaxStretch", offsetof(Statistics, max_stretch)),

@@ -17,8 +17,9 @@ struct Sheet {
   reference::MassSpringSystem system;
   reference::ImplicitStepper stepper;
 
-  /// A scene's `cloths`, and what else it says.
-  explicit Sheet(const std::string& members) : model(model_of(members)), stepper(model) {
+  /// A scene's `cloths`, and what else it says; with the mesh of each that is one.
+  explicit Sheet(const std::string& members, std::vector<mesh::TriangleMesh> meshes = {})
+      : model(model_of(members, std::move(meshes))), stepper(model) {
     system.position = model.start_position;
     system.velocity.resize(model.vertex_count());
     for (std::size_t node = 0; node < model.vertex_count(); ++node)
@@ -32,6 +33,10 @@ struct Sheet {
   /// The linear system of the next step, 1/480 s long unless it is said.
   reference::LinearStep linearise(double dt = 1.0 / 480, double ratio = 1) const {
     return stepper.linearise(system, system.position, dt, ratio, 0);
+  }
+  /// Likewise, of a cloth that is a mesh.
+  reference::MeshStep linearise_mesh(double dt = 1.0 / 480, double ratio = 1) const {
+    return stepper.linearise_mesh(system, system.position, dt, ratio, 0);
   }
   void advance(double dt, int steps) {
     for (int s = 0; s < steps; ++s) stepper.advance(system, system.position, dt);
@@ -69,11 +74,12 @@ struct Sheet {
   }
 
  private:
-  static HostModel model_of(const std::string& members) {
+  static HostModel model_of(const std::string& members, std::vector<mesh::TriangleMesh> meshes) {
     const auto scene = scene::parse_scene(
         R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, )" + members + "}", "test.json");
     REQUIRE_MESSAGE(scene, scene.error().message);
-    auto made = build_model(*scene, std::vector<mesh::TriangleMesh>(scene->cloths.size()));
+    meshes.resize(scene->cloths.size());
+    auto made = build_model(*scene, meshes);
     REQUIRE_MESSAGE(made, made.error().message);
     return std::move(*made);
   }

@@ -1,35 +1,12 @@
 // The linear system of the multigrid solver and its V-cycle, against Eigen's direct solution.
-#include <Eigen/Sparse>
-
+#include "convergence.hpp"
+#include "eigen_blocks.hpp"
 #include "sheets.hpp"
 
 using namespace weft;
 using namespace weft::reference;
 
 namespace {
-
-using Matrix = Eigen::SparseMatrix<double>;
-using Entries = std::vector<Eigen::Triplet<double>>;
-
-void add_block(Entries& entries, std::size_t a, std::size_t b, const Eigen::Matrix3d& block) {
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c)
-      entries.emplace_back(3 * static_cast<int>(a) + r, 3 * static_cast<int>(b) + c, block(r, c));
-}
-
-Matrix matrix_from(const Entries& entries, std::size_t rows, std::size_t columns) {
-  Matrix matrix(3 * static_cast<int>(rows), 3 * static_cast<int>(columns));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
-Eigen::Vector3d eigen(const Vec3d& v) { return {v.x, v.y, v.z}; }
-
-Eigen::VectorXd eigen(const Field& field) {
-  Eigen::VectorXd all(3 * static_cast<int>(field.size()));
-  for (std::size_t a = 0; a < field.size(); ++a) all.segment<3>(3 * static_cast<int>(a)) = eigen(field[a]);
-  return all;
-}
 
 /// The matrix of a step, spring by spring from the sheet itself: mass, springs as they are stretched,
 /// bending. `galerkin`: what coarser levels are made of instead, without bending, bend springs as structural
@@ -88,11 +65,6 @@ Matrix explicit_matrix(const Sheet& sheet, double he, bool galerkin) {
 /// The same numbers out of a GridOperator, without its bending.
 Matrix stencil_matrix(const GridOperator& grid) {
   Entries entries;
-  const auto dense = [](const Sym3& s) {
-    Eigen::Matrix3d block;
-    block << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
-    return block;
-  };
   for (std::uint32_t j = 0; j < grid.ny; ++j)
     for (std::uint32_t i = 0; i < grid.nx; ++i) {
       const std::uint32_t a = j * grid.nx + i;
@@ -245,37 +217,6 @@ TEST_CASE("the residual at rest is minus the energy's gradient, and its sum is t
   CHECK(length(total) < 1e-12 * largest);
 }
 
-namespace {
-
-struct Convergence {
-  double mean = 0, worst = 0, last = 0;  // factors of a cycle on the residual
-  Field solution;
-};
-
-Convergence converge(const LinearStep& step) {
-  const Hierarchy hierarchy(step.matrix, step.source);
-  Convergence found;
-  found.solution.resize(step.residual.size());
-  Field left = step.residual;
-  const double first = norm(left);
-  double before = first;
-  int cycles = 0;
-  while (norm(left) > 1e-9 * first && cycles < 60) {
-    const Field more = hierarchy.cycle(left);
-    for (std::size_t a = 0; a < left.size(); ++a) found.solution[a] += more[a];
-    const Field done = step.matrix.apply(found.solution);
-    for (std::size_t a = 0; a < left.size(); ++a) left[a] = step.residual[a] - done[a];
-    found.last = norm(left) / before;
-    found.worst = std::max(found.worst, found.last);
-    before = norm(left);
-    ++cycles;
-  }
-  found.mean = std::pow(norm(left) / first, 1.0 / cycles);
-  return found;
-}
-
-}  // namespace
-
 TEST_CASE(
     "V-cycles solve the system that Eigen solves, flat sheets at 0.3 a cycle and wrinkled ones at 0.75") {
   struct Case {
@@ -297,7 +238,7 @@ TEST_CASE(
     if (c.wrinkles > 0) sheet.wrinkle(2, c.wrinkles);
     sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
     const LinearStep step = sheet.linearise();
-    const Convergence found = converge(step);
+    const Convergence found = converge(Hierarchy(step.matrix, step.source), step.residual);
     MESSAGE(c.nx << " x " << c.ny << ", wrinkles " << c.wrinkles << " m: " << found.mean
                  << " a cycle, at worst " << found.worst << ", at last " << found.last);
     CHECK(found.mean < c.bound);
@@ -333,7 +274,7 @@ TEST_CASE(
       step.matrix.rows[a][0] += hold;
       step.source.rows[a][0] += hold;
     }
-    const Convergence found = converge(step);
+    const Convergence found = converge(Hierarchy(step.matrix, step.source), step.residual);
     MESSAGE(std::string(obstacles ? "obstacles: " : "shear: ")
             << found.mean << " a cycle, at worst " << found.worst << ", at last " << found.last);
     CHECK(found.mean < (obstacles ? 0.9 : 0.75));

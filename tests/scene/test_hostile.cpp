@@ -79,8 +79,6 @@ std::vector<Hostile> hostile_scenes() {
            "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 1, "stiffness": {"bending": 1e-5}}]})",
        R"(cloths[0].stiffness.bending is 1e-05 N·m; solver.forces "spring_centric" has springs only.)",
        false},
-      {R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, "cloths": [{"mesh": "a.obj", "density": 1}]})",
-       R"(cloths[0] is a mesh; solver.kind "multigrid" moves grids only.)", false},
       {R"({"format": "weft-scene/1", "solver": {"kind": "auto"},
            "cloths": [{"mesh": "a.obj", "density": 1, "stiffness": {"bending": 1}}]})",
        "cloths[0].stiffness.bending is 1 N·m; a mesh has bend springs only.", false},

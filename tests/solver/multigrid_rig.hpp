@@ -1,19 +1,23 @@
-// One grid's implicit substep on the GPU beside the reference's, from the same state.
+// One cloth's implicit substep on the GPU beside the reference's, from the same state.
 #pragma once
 
 #include "reference/multigrid/implicit_step.hpp"
 #include "solver/multigrid/grid_cycle.hpp"
+#include "solver/multigrid/mesh_cycle.hpp"
 #include "solver_rig.hpp"
 
 namespace weft {
 
-class MultigridRig {
+template <class Cycle, class Kernels>
+class ImplicitRig {
  public:
   /// `presses`: whether obstacles may hold nodes.
-  MultigridRig(gpu::Device& device, const std::string& members, double dt = 1.0 / 480,
-               std::uint32_t workgroup_size = 64, bool presses = false)
+  ImplicitRig(gpu::Device& device, const std::string& members, double dt = 1.0 / 480,
+              std::uint32_t workgroup_size = 64, bool presses = false,
+              std::vector<mesh::TriangleMesh> meshes = {})
       : device_(device), scene_(scene_of(R"("solver": {"kind": "multigrid"}, )" + members)), dt_(dt) {
-    auto host = build_model(scene_, std::vector<mesh::TriangleMesh>(scene_.cloths.size()));
+    meshes.resize(scene_.cloths.size());
+    auto host = build_model(scene_, meshes);
     REQUIRE_OK(host);
     auto model = Model::create(device, std::move(*host));
     REQUIRE_OK(model);
@@ -21,15 +25,14 @@ class MultigridRig {
     auto state = State::create(device, model_.host, 1);
     REQUIRE_OK(state);
     state_ = std::move(*state);
-    auto kernels = MultigridKernels::create(device, presses, workgroup_size);
+    auto kernels = Kernels::create(device, presses, workgroup_size);
     REQUIRE_OK(kernels);
     kernels_ = std::move(*kernels);
     auto sums = gpu::Buffer<std::int32_t>::create(device, kPressWords * model_.vertex_count(), "presses");
     REQUIRE_OK(sums);
     press_sums_ = std::move(*sums);
-    auto cycle =
-        GridCycle::create(device, kernels_, model_, state_, {&state_.velocity[1], &state_.velocity[0]},
-                          presses ? &press_sums_ : nullptr, model_.host.cloths[0]);
+    auto cycle = Cycle::create(device, kernels_, model_, state_, {&state_.velocity[1], &state_.velocity[0]},
+                               presses ? &press_sums_ : nullptr, model_.host.cloths[0]);
     REQUIRE_OK(cycle);
     cycle_ = std::move(*cycle);
     params_.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
@@ -147,10 +150,16 @@ class MultigridRig {
   }
   /// One of the vectors of a level, as shaders/multigrid/level.wgsl numbers them.
   std::vector<Vec4f> vector(std::size_t level, std::uint32_t number) {
-    const MultigridLevel& l = cycle_.levels()[level];
+    const auto& l = cycle_.levels()[level];
+    std::uint32_t count = 0;
+    if constexpr (kIsMesh) {
+      count = l.node_count;
+    } else {
+      count = l.node_count();
+    }
     const std::vector<Vec4f> all = download(cycle_.vectors());
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(l.first_vector + number * l.node_count());
-    return {begin, begin + static_cast<std::ptrdiff_t>(l.node_count())};
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(l.first_vector + number * count);
+    return {begin, begin + static_cast<std::ptrdiff_t>(count)};
   }
   template <class T>
   std::vector<T> download(const gpu::Buffer<T>& buffer) {
@@ -159,8 +168,12 @@ class MultigridRig {
     return std::move(*values);
   }
 
-  reference::LinearStep linearise() const {
-    return stepper_->linearise(system_, system_.position, dt_, ratio_, 0, presses_);
+  auto linearise() const {
+    if constexpr (kIsMesh) {
+      return stepper_->linearise_mesh(system_, system_.position, dt_, ratio_, 0, presses_);
+    } else {
+      return stepper_->linearise(system_, system_.position, dt_, ratio_, 0, presses_);
+    }
   }
   /// The reference's state after one step.
   reference::MassSpringSystem advanced() {
@@ -169,13 +182,15 @@ class MultigridRig {
     return system;
   }
 
-  const GridCycle& cycle() const { return cycle_; }
-  const MultigridKernels& kernels() const { return kernels_; }
+  const Cycle& cycle() const { return cycle_; }
+  const Kernels& kernels() const { return kernels_; }
   const State& state() const { return state_; }
   const Model& model() const { return model_; }
   const reference::MassSpringSystem& system() const { return system_; }
 
  private:
+  static constexpr bool kIsMesh = std::is_same_v<Cycle, MeshCycle>;
+
   gpu::Device& device_;
   gpu::Buffer<std::int32_t> press_sums_;
   std::vector<reference::Press> presses_;
@@ -184,10 +199,13 @@ class MultigridRig {
   StepParams params_;
   Model model_;
   State state_;
-  MultigridKernels kernels_;
-  GridCycle cycle_;
+  Kernels kernels_;
+  Cycle cycle_;
   reference::MassSpringSystem system_;
   std::optional<reference::ImplicitStepper> stepper_;
 };
+
+using MultigridRig = ImplicitRig<GridCycle, MultigridKernels>;
+using MeshRig = ImplicitRig<MeshCycle, MeshKernels>;
 
 }  // namespace weft

@@ -1,6 +1,7 @@
 // The kernels of the multigrid solver against the reference, on random states of any size.
 #include <algorithm>
 
+#include "fields.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "multigrid_rig.hpp"
 
@@ -24,32 +25,6 @@ const std::string kBending =
 const std::string kNodeMass =
     R"("node_mass": 0.002, "damping": 2, "stiffness": {"structural": 0, "shear": 900, "bend": 300, "bending": 1e-3})";
 
-Field field(const std::vector<Vec4f>& values) {
-  Field made;
-  for (const Vec4f& v : values) made.push_back(v.xyz().to<double>());
-  return made;
-}
-
-double largest(const Field& values) {
-  double most = 0;
-  for (const Vec3d& v : values) most = std::max(most, length(v));
-  return most;
-}
-
-/// The largest difference, as a part of the largest value.
-double difference(const Field& a, const Field& b) {
-  REQUIRE(a.size() == b.size());
-  double most = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) most = std::max(most, length(a[n] - b[n]));
-  return most / largest(b);
-}
-
-/// xx, yy, zz, yz; xz, xy.
-Sym3 sym3(const Vec4f& a, float b, float c) {
-  const auto d = [](float x) { return static_cast<double>(x); };
-  return {d(a.x), d(c), d(b), d(a.y), d(a.w), d(a.z)};
-}
-
 /// What a matrix of one level does to a random vector, block by block as kernels have stored it.
 Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
   const MultigridLevel& level = rig.cycle().levels()[l];
@@ -69,16 +44,6 @@ Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
       stored.rows[n][b] = sym3({xx_yy[0], xx_yy[1], zz_yz[0], zz_yz[1]}, xz_xy[0], xz_xy[1]);
     }
   return stored.apply(x);
-}
-
-Field random_field(std::size_t count, std::uint64_t seed) {
-  Random random(seed);
-  Field made(count);
-  for (Vec3d& v : made) {
-    const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
-    v = {a, b, random.uniform(-1, 1)};
-  }
-  return made;
 }
 
 }  // namespace

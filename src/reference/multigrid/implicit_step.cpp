@@ -32,6 +32,26 @@ Sym3 spring_block(const Vec3d& span, double rest_length, double stiffness, doubl
   return Sym3::outer(span / len, stiffness * (1 - b) + damping) + Sym3::identity(stiffness * b);
 }
 
+struct SpringTerms {
+  Vec3d force;  // on the first node, at place + start [N]
+  Sym3 block;   // [N/m]
+};
+
+SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t a, std::size_t b,
+                         double rate) {
+  const Vec3d span = step.place[b] - step.place[a];
+  const double len = length(span);
+  if (len < kMinLength) return {};
+  const Vec3d n = span / len, step_of_span = step.start[b] - step.start[a];
+  const Sym3 elastic = spring_block(span, s.rest_length, s.stiffness, 0);
+  // Damping acts along the spring as it will be: along n it would be of first order in the step.
+  const Vec3d later = span + step_of_span;
+  const Vec3d damping = Sym3::outer(later / std::max(length(later), kMinLength), s.damping) *
+                        (step.start_velocity[b] - step.start_velocity[a]);
+  return {s.stiffness * (len - s.rest_length) * n + damping + elastic * step_of_span,
+          elastic + Sym3::outer(n, s.damping * rate)};
+}
+
 std::size_t place_of(const Link& link) { return link.dj == 0 ? 1 : link.di < 0 ? 4 : link.di == 0 ? 2 : 3; }
 
 void add_near(GridOperator& matrix, const Link& link, const Sym3& block) {
@@ -46,31 +66,29 @@ const Follower* follower(const MassSpringSystem& system, std::size_t node) {
   return nullptr;
 }
 
-/// Where a node would come nearer to obstacles than the thickness, or is there and pressed on, the matrix
-/// gets what holds it, and the residual the force to where it belongs.
-void hold_at_obstacles(LinearStep& step, std::span<const double> inertia, std::span<const Press> presses,
-                       double dt) {
-  const std::vector<Sym3> diagonal = step.matrix.diagonal();
+/// Where a node would come nearer to obstacles than the thickness, or is there and pressed on: add(node,
+/// block) puts what holds it into the matrix, and the residual gets the force to where it belongs.
+template <class Add>
+void hold_at_obstacles(StepStart& step, std::span<const Sym3> diagonal, std::span<const Press> presses,
+                       double dt, const Add& add) {
   for (std::size_t a = 0; a < presses.size(); ++a) {
     const Press& press = presses[a];
-    const double size = length(press.normal);
-    if (press.weight == 0 || step.matrix.held[a] || size < kAgree * press.weight) continue;
+    const double size = length(press.normal), inertia = step.inertia[a];
+    if (press.weight == 0 || step.held[a] || size < kAgree * press.weight) continue;
     const Vec3d n = press.normal / size, residual = step.residual[a];
     const double lack = press.lack / press.weight, friction = press.friction / press.weight;
-    const double pressed = inertia[a] * lack - dot(residual, n);
+    const double pressed = inertia * lack - dot(residual, n);
     if (!(pressed > 0)) continue;
     const double stiffness = kHoldStiffness * std::min(press.weight, 1.0) * diagonal[a].trace();
     const Vec3d slip = step.start[a] - dt / press.weight * press.surface, along = slip - dot(slip, n) * n;
-    const Vec3d needed = -inertia[a] * along - (residual - dot(residual, n) * n);
+    const Vec3d needed = -inertia * along - (residual - dot(residual, n) * n);
     const double grip = length(needed);
     const double most =
-        friction * pressed * stiffness / (stiffness + inertia[a]);  // what is held gives way a little
+        friction * pressed * stiffness / (stiffness + inertia);  // what is held gives way a little
     const bool sticks = grip <= most;
-    const Sym3 hold = sticks ? Sym3::identity(stiffness) : Sym3::outer(n, stiffness);
     step.residual[a] += stiffness * lack * n;
     step.residual[a] += sticks ? -stiffness * along : most / grip * needed;
-    step.matrix.rows[a][0] += hold;
-    step.source.rows[a][0] += hold;
+    add(a, sticks ? Sym3::identity(stiffness) : Sym3::outer(n, stiffness));
     step.pressed[a] = true;
   }
 }
@@ -90,8 +108,22 @@ StepFormula step_formula(double dt, double ratio) {
 
 ImplicitStepper::ImplicitStepper(const HostModel& model)
     : position_before_(model.vertex_count()), velocity_before_(model.vertex_count()) {
-  for (const ClothModel& cloth : model.cloths)
-    cloths_.push_back({cloth.first_vertex, cloth.grid->nx, cloth.grid->ny, bending_of(cloth)});
+  std::size_t springs = 0;
+  for (const ClothModel& cloth : model.cloths) {
+    Cloth made{cloth.first_vertex, cloth.vertex_count};
+    if (cloth.grid) {
+      made.nx = cloth.grid->nx;
+      made.ny = cloth.grid->ny;
+      made.bending = bending_of(cloth);
+      springs += mesh::grid_spring_count(*cloth.grid);
+    } else {
+      const std::vector<Spring> own = build_springs(model, cloth);
+      made.levels = mesh_levels(model, cloth, own);
+      made.first_spring = springs;
+      springs += own.size();
+    }
+    cloths_.push_back(std::move(made));
+  }
   forget();
 }
 
@@ -103,22 +135,17 @@ void ImplicitStepper::remember(std::vector<Vec3d> position, std::vector<Vec3d> v
 
 void ImplicitStepper::forget() { known_.assign(position_before_.size(), false); }
 
-LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places,
-                                      double dt, double ratio, std::size_t c,
-                                      std::span<const Press> presses) const {
-  const Cloth& cloth = cloths_[c];
-  const std::size_t count = std::size_t{cloth.nx} * cloth.ny;
-  LinearStep step;
-  step.place.resize(count);
-  step.start.resize(count);
-  step.start_velocity.resize(count);
-  step.residual.resize(count);
-  step.matrix.nx = cloth.nx;
-  step.matrix.ny = cloth.ny;
-  step.matrix.rows.resize(count);
-  step.matrix.held.assign(count, false);
-  step.matrix.bending = cloth.bending;
-  for (std::size_t a = 0; a < count; ++a) {
+StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
+                                 double ratio, const Cloth& cloth) const {
+  StepStart step;
+  step.place.resize(cloth.count);
+  step.start.resize(cloth.count);
+  step.start_velocity.resize(cloth.count);
+  step.residual.resize(cloth.count);
+  step.inertia.resize(cloth.count);
+  step.held.assign(cloth.count, false);
+  step.pressed.assign(cloth.count, false);
+  for (std::size_t a = 0; a < cloth.count; ++a) {
     const std::size_t node = cloth.first + a;
     const Vec3d x = system.position[node], v = system.velocity[node];
     step.place[a] = x;
@@ -139,14 +166,54 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
       step.start_velocity[a] = (step.start[a] - s) / he;
       step.residual[a] = mass * ((base_velocity - step.start_velocity[a]) / he + pull -
                                  system.drag * step.start_velocity[a]);
-      step.matrix.rows[a][0] += Sym3::identity(mass * (1 / (he * he) + system.drag / he));
+      step.inertia[a] = mass * (1 / (he * he) + system.drag / he);
       continue;
     }
-    step.matrix.held[a] = true;
+    step.held[a] = true;
     step.start_velocity[a] = (step.place[a] - x) / dt;
   }
-  std::vector<double> inertia(count);
-  for (std::size_t a = 0; a < count; ++a) inertia[a] = step.matrix.rows[a][0].xx;
+  return step;
+}
+
+MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places,
+                                         double dt, double ratio, std::size_t c,
+                                         std::span<const Press> presses) const {
+  const Cloth& cloth = cloths_[c];
+  MeshStep step{begin(system, places, dt, ratio, cloth), {cloth.levels, {}}};
+  std::vector<Sym3>& blocks = step.matrix.blocks;
+  blocks.resize(cloth.levels[0].block_count);
+  for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
+  const double rate = 1 / step_formula(dt, ratio).he;
+  for (std::size_t block = cloth.count; block < blocks.size(); ++block) {
+    const SpringLink& s = system.springs[cloth.first_spring + block - cloth.count];
+    const std::size_t a = s.node_a - cloth.first, b = s.node_b - cloth.first;
+    const SpringTerms terms = spring_terms(s, step, a, b, rate);
+    step.residual[a] += terms.force;
+    step.residual[b] -= terms.force;
+    if (!step.held[a]) blocks[a] += terms.block;
+    if (!step.held[b]) blocks[b] += terms.block;
+    if (!step.held[a] && !step.held[b]) blocks[block] = -1.0 * terms.block;
+  }
+  for (std::size_t a = 0; a < cloth.count; ++a)
+    if (step.held[a]) step.residual[a] = {};
+  if (!presses.empty())
+    hold_at_obstacles(step, std::span(blocks).first(cloth.count), presses.subspan(cloth.first, cloth.count),
+                      dt, [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
+  return step;
+}
+
+LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places,
+                                      double dt, double ratio, std::size_t c,
+                                      std::span<const Press> presses) const {
+  const Cloth& cloth = cloths_[c];
+  const std::size_t count = cloth.count;
+  LinearStep step{begin(system, places, dt, ratio, cloth), {}, {}};
+  step.matrix.nx = cloth.nx;
+  step.matrix.ny = cloth.ny;
+  step.matrix.rows.resize(count);
+  for (std::size_t a = 0; a < count; ++a) step.matrix.rows[a][0] = Sym3::identity(step.inertia[a]);
+  step.matrix.held = step.held;
+  step.matrix.bending = cloth.bending;
   step.source = step.matrix;
   std::vector<Link> links;
   for (const SpringLink& spring : system.springs)
@@ -166,19 +233,10 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   const double rate = 1 / step_formula(dt, ratio).he;
   for (const Link& link : links) {
     const SpringLink& s = link.spring;
-    const Vec3d span = step.place[link.b] - step.place[link.a];
-    const double len = length(span);
-    if (len < kMinLength) continue;
-    const Vec3d n = span / len, step_of_span = step.start[link.b] - step.start[link.a];
-    const Sym3 elastic = spring_block(span, s.rest_length, s.stiffness, 0);
-    // Damping acts along the spring as it will be: along n it would be of first order in the step.
-    const Vec3d later = span + step_of_span;
-    const Vec3d damping = Sym3::outer(later / std::max(length(later), kMinLength), s.damping) *
-                          (step.start_velocity[link.b] - step.start_velocity[link.a]);
-    const Vec3d force = s.stiffness * (len - s.rest_length) * n + damping + elastic * step_of_span;
-    step.residual[link.a] += force;
-    step.residual[link.b] -= force;
-    const Sym3 block = elastic + Sym3::outer(n, s.damping * rate);
+    const SpringTerms terms = spring_terms(s, step, link.a, link.b, rate);
+    step.residual[link.a] += terms.force;
+    step.residual[link.b] -= terms.force;
+    const Sym3& block = terms.block;
     if (is_far(link)) {
       step.matrix.far.push_back({link.a, link.b, block});
       continue;
@@ -190,7 +248,8 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
       more_damping = (link.dj == 0 ? below_i : below_j)[link.a][1];
     }
     add_near(step.source, link,
-             spring_block(span, s.rest_length, s.stiffness + more, (s.damping + more_damping) * rate));
+             spring_block(step.place[link.b] - step.place[link.a], s.rest_length, s.stiffness + more,
+                          (s.damping + more_damping) * rate));
   }
   GridOperator bending = step.matrix;  // its force is linear: that at place + start
   bending.rows.assign(count, {});
@@ -200,36 +259,48 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   const Field curve = bending.apply(moved);
   for (std::size_t a = 0; a < count; ++a)
     step.residual[a] = step.matrix.held[a] ? Vec3d{} : step.residual[a] - curve[a];
-  step.pressed.assign(count, false);
-  if (!presses.empty()) hold_at_obstacles(step, inertia, presses.subspan(cloth.first, count), dt);
+  if (!presses.empty())
+    hold_at_obstacles(step, step.matrix.diagonal(), presses.subspan(cloth.first, count), dt,
+                      [&](std::size_t a, const Sym3& hold) {
+                        step.matrix.rows[a][0] += hold;
+                        step.source.rows[a][0] += hold;
+                      });
   return step;
+}
+
+template <class Levels>
+Field ImplicitStepper::solve(const Levels& hierarchy, const Field& r) const {
+  Field x = hierarchy.cycle(r);
+  for (int more = 1; more < cycles; ++more) {
+    const Field step = hierarchy.cycle(residual(hierarchy.levels()[0], r, x));
+    for (std::size_t a = 0; a < x.size(); ++a) x[a] += step[a];
+  }
+  return x;
 }
 
 void ImplicitStepper::advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
                               double ratio, std::span<const Press> presses) {
   std::vector<Vec3d> position = system.position, velocity = system.velocity;
   std::vector<std::size_t> stopped;
-  for (std::size_t c = 0; c < cloths_.size(); ++c) {
-    const LinearStep step = linearise(system, places, dt, ratio, c, presses);
-    const Hierarchy hierarchy(step.matrix, step.source);
-    Field dz(step.place.size()), left = step.residual;
-    for (int cycle = 0; cycle < cycles; ++cycle) {
-      const Field more = hierarchy.cycle(left);
-      for (std::size_t a = 0; a < dz.size(); ++a) dz[a] += more[a];
-      if (cycle + 1 == cycles) break;
-      const Field done = step.matrix.apply(dz);
-      for (std::size_t a = 0; a < dz.size(); ++a) left[a] = step.residual[a] - done[a];
-    }
+  const auto finish = [&](const Cloth& cloth, const StepStart& step, const Field& dz) {
     for (std::size_t a = 0; a < dz.size(); ++a) {
-      const std::size_t node = cloths_[c].first + a;
+      const std::size_t node = cloth.first + a;
       const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
       position[node] = step.place[a] + step.start[a] + dz[a];
-      velocity[node] = step.start_velocity[a] + (step.matrix.held[a] ? Vec3d{} : dz[a] / formula.he);
+      velocity[node] = step.start_velocity[a] + (step.held[a] ? Vec3d{} : dz[a] / formula.he);
       if (!step.pressed[a]) continue;  // what a blow has stopped has no history
       velocity[node] = (step.start[a] + dz[a]) / dt;
       stopped.push_back(node);
     }
-  }
+  };
+  for (std::size_t c = 0; c < cloths_.size(); ++c)
+    if (cloths_[c].levels.empty()) {
+      const LinearStep step = linearise(system, places, dt, ratio, c, presses);
+      finish(cloths_[c], step, solve(Hierarchy(step.matrix, step.source), step.residual));
+    } else {
+      const MeshStep step = linearise_mesh(system, places, dt, ratio, c, presses);
+      finish(cloths_[c], step, solve(MeshHierarchy(step.matrix), step.residual));
+    }
   remember(system.position, system.velocity);
   for (const std::size_t node : stopped) forget(node);
   system.position = std::move(position);

@@ -11,13 +11,24 @@
 
 namespace weft::reference {
 
-/// The linear system of a substep, for one grid: A dz = r, where the nodes have come to place + start + dz.
-struct LinearStep {
+/// What a substep begins with, for one cloth: A dz = r, where the nodes have come to place + start + dz.
+struct StepStart {
   Field place, start, start_velocity;  // [m], [m], [m/s]
-  Field residual;                      // [N]
-  GridOperator matrix;                 // [N/m]
-  GridOperator source;                 // of the coarser levels: with bend springs as structural ones
-  std::vector<bool> pressed;           // nodes that an obstacle holds: in the matrix, and no history after it
+  Field residual;                      // r [N]
+  std::vector<double> inertia;         // what it adds to the diagonal of A [N/m]
+  std::vector<bool> held;
+  std::vector<bool> pressed;  // nodes that an obstacle holds: in the matrix, and no history after it
+};
+
+/// The linear system of a grid.
+struct LinearStep : StepStart {
+  GridOperator matrix;  // A [N/m]
+  GridOperator source;  // of the coarser levels: with bend springs as structural ones
+};
+
+/// The linear system of a mesh.
+struct MeshStep : StepStart {
+  MeshOperator matrix;
 };
 
 /// What of BDF2 depends on the step and the one before it: x' = x + s + he v', with s = c (x - x before).
@@ -32,7 +43,7 @@ StepFormula step_formula(double dt, double ratio);
 /// normals on: docs/solvers/multigrid.md, Contact.
 inline constexpr double kHoldStiffness = 10, kAgree = 0.3;
 
-/// Steps the grids of a model by BDF2, linearised at the start of the step.
+/// Steps the cloths of a model by BDF2, linearised at the start of the step.
 class ImplicitStepper {
  public:
   explicit ImplicitStepper(const HostModel& model);
@@ -48,17 +59,29 @@ class ImplicitStepper {
   /// Likewise for one node.
   void forget(std::size_t node) { known_[node] = false; }
 
-  /// The linear system of cloth c that advance would solve.
+  /// The linear system of cloth c, a grid, that advance would solve.
   LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
                        double ratio, std::size_t c, std::span<const Press> presses = {}) const;
+  /// Likewise of a cloth that is a mesh.
+  MeshStep linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
+                          double ratio, std::size_t c, std::span<const Press> presses = {}) const;
 
   int cycles = 1;  // V-cycles a step
 
  private:
   struct Cloth {
-    std::uint32_t first = 0, nx = 0, ny = 0;
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t nx = 0, ny = 0;  // of a grid
     GridBending bending;
+    std::vector<MeshLevel> levels;  // of a mesh
+    std::size_t first_spring = 0;   // of a mesh, in the system's
   };
+
+  StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
+                  const Cloth& cloth) const;
+  /// What the V-cycles of a step make of A x = r.
+  template <class Levels>
+  Field solve(const Levels& hierarchy, const Field& r) const;
 
   std::vector<Cloth> cloths_;
   std::vector<Vec3d> position_before_, velocity_before_;

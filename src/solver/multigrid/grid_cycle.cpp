@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "solver/multigrid/cloth_nodes.hpp"
+#include "solver/multigrid/uniform.hpp"
+
 namespace weft {
-namespace {
-
-template <class T>
-Result<gpu::Buffer<T>> uniform(gpu::Device& device, const T& value, const char* label) {
-  return gpu::Buffer<T>::create_from(device, std::span(&value, 1), label, gpu::kUniform | gpu::kCopyTarget);
-}
-
-}  // namespace
 
 Result<GridCycle> GridCycle::create(gpu::Device& device, const MultigridKernels& kernels, const Model& model,
                                     const State& state, const Predicted& predicted,
@@ -29,6 +24,8 @@ Result<GridCycle> GridCycle::create(gpu::Device& device, const MultigridKernels&
 Result<void> GridCycle::create_buffers(gpu::Device& device, const ClothModel& cloth, bool holds) {
   WEFT_TRY(grid, uniform(device, spring_grid(cloth), "spring grid"));
   grid_ = std::move(grid);
+  WEFT_TRY(nodes, uniform(device, ClothNodes{cloth.first_vertex, cloth.vertex_count}, "cloth nodes"));
+  nodes_ = std::move(nodes);
   std::size_t vectors = 0, operators = 0;
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const std::size_t count = levels_[l].node_count();
@@ -68,11 +65,11 @@ Result<void> GridCycle::create_fine(const MultigridKernels& kernels, const Model
   const gpu::RawBuffer& levels = own_[0].levels;
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(predict,
-             kernels.predict.bind({state.steps, grid_, levels, state.position[parity], state.velocity[parity],
+             kernels.predict.bind({state.steps, nodes_, state.position[parity], state.velocity[parity],
                                    state.position[1 - parity], state.velocity[1 - parity],
                                    model.rest_position, state.motions, place_, vectors_}));
     predict_[parity] = std::move(predict);
-    WEFT_TRY(finish, kernels.finish.bind({state.steps, grid_, levels, place_, holds_, vectors_,
+    WEFT_TRY(finish, kernels.finish.bind({state.steps, nodes_, grid_, levels, place_, holds_, vectors_,
                                           state.position[parity], state.velocity[parity],
                                           state.position[1 - parity], *predicted[parity]}));
     finish_[parity] = std::move(finish);

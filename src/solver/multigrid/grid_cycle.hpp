@@ -49,7 +49,7 @@ class GridCycle {
 
   std::vector<MultigridLevel> levels_;
   std::size_t tail_ = 0;  // the first of the levels that one workgroup does
-  gpu::RawBuffer grid_, tail_levels_;
+  gpu::RawBuffer grid_, nodes_, tail_levels_;
   gpu::Buffer<std::int32_t> no_presses_;
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<multigrid::BlockPart> operators_;

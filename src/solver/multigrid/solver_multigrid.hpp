@@ -4,15 +4,15 @@
 
 #include "solver/contact_answer.hpp"
 #include "solver/multigrid/grid_cycle.hpp"
+#include "solver/multigrid/mesh_cycle.hpp"
 #include "solver/solver.hpp"
 
 namespace weft {
 
-/// Cloth on grids by BDF2, linearised once a substep and solved by one V-cycle. Source:
-/// docs/solvers/multigrid.md.
+/// Cloth by BDF2, linearised once a substep and solved by one V-cycle. Source: docs/solvers/multigrid.md.
 class SolverMultigrid : public Solver {
  public:
-  /// Every cloth must be a grid. Errors  Shader, Limit, OutOfMemory.
+  /// Errors  Shader, Limit, OutOfMemory.
   static Result<std::unique_ptr<Solver>> create(const SolverInputs& inputs);
 
   void record_predict(gpu::ComputePass& pass) const override;
@@ -21,8 +21,13 @@ class SolverMultigrid : public Solver {
   bool reads_step_before() const override { return true; }
 
  private:
-  MultigridKernels kernels_;
-  std::vector<GridCycle> cloths_;
+  Result<void> add_grid(const SolverInputs& inputs, const ClothModel& cloth);
+  Result<void> add_mesh(const SolverInputs& inputs, const ClothModel& cloth);
+
+  MultigridKernels kernels_;  // made where there is a grid
+  MeshKernels mesh_kernels_;  // likewise, a mesh
+  std::vector<GridCycle> grids_;
+  std::vector<MeshCycle> meshes_;
   ContactAnswer contact_answer_;
 };
 

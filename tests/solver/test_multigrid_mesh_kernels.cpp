@@ -1,0 +1,165 @@
+// The kernels of the multigrid solver for meshes against the reference, on random states of meshes of any
+// kind.
+#include "fields.hpp"
+#include "gpu/gpu_fixture.hpp"
+#include "mesh/irregular_meshes.hpp"
+#include "multigrid_rig.hpp"
+
+using namespace weft;
+using reference::Field;
+using reference::MeshOperator;
+using reference::Sym3;
+
+namespace {
+
+using namespace weft::multigrid;
+
+std::string cloth(const std::string& more) {
+  return R"("drag": 0.4, "cloths": [{"mesh": "a.obj", )" + more + "}]";
+}
+const std::string kPlain = R"("density": 0.2, "pins": [{"nodes": [0, 3]}])";  // with the default stiffness
+const std::string kSoft =
+    R"("density": 0.1, "damping": 0, "stiffness": {"structural": 800, "shear": 100, "bend": 0}, "pins": [{"nodes": [1]}])";
+const std::string kFree =
+    R"("node_mass": 0.002, "damping": 2, "stiffness": {"structural": 900, "shear": 0, "bend": 300})";
+
+struct Case {
+  const char* name;
+  mesh::TriangleMesh mesh;
+  std::string cloth;
+  double amount, speed, ratio;  // [m], [m/s]
+};
+
+std::vector<Case> cases() {
+  return {
+      {"sheet", jittered_sheet(40, 31, 2, 1.5), kPlain, 0.01, 1, 1},
+      {"sheet numbered at random", shuffled(jittered_sheet(33, 34, 2, 2, 0.45)), kFree, 0.05, 5, 0.25},
+      {"tube", tube(40, 21, 0.3, 1), kSoft, 0.01, 1, 2},
+      {"sphere", sphere_skin(9, 0.5), kPlain, 0.1, 20, 0},
+      {"two pieces", both(jittered_sheet(12, 9, 1, 1), tube(12, 7, 0.2, 0.5), {1, 0, 0}), kSoft, 0.02, 1, 1},
+      {"400 triangles apart", triangles_apart(400), kPlain, 0.02, 1, 1},
+      {"a triangle", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, kFree, 0.1, 3, 1}};
+}
+
+std::vector<Sym3> blocks_of(MeshRig& rig, std::size_t l) {
+  const std::vector<Vec4f> all = rig.download(rig.cycle().blocks());
+  const MultigridMeshLevel& level = rig.cycle().levels()[l];
+  std::vector<Sym3> blocks;
+  for (std::size_t b = level.first_block; b < level.first_block + level.block_count; ++b)
+    blocks.push_back(sym3(all[2 * b], all[2 * b + 1].x, all[2 * b + 1].y));
+  return blocks;
+}
+
+/// What blocks do to vectors of random numbers.
+Field each_times(const std::vector<Sym3>& blocks, const Field& x) {
+  Field made(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) made[b] = blocks[b] * x[b];
+  return made;
+}
+
+Field inverses_times(MeshRig& rig, std::size_t l, const Field& x) {
+  const std::vector<Vec4f> a = rig.vector(l, kInverse), b = rig.vector(l, kInverse + 1);
+  Field made;
+  for (std::size_t n = 0; n < a.size(); ++n) made.push_back(sym3(a[n], b[n].x, b[n].y) * x[n]);
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("a mesh's residual, matrices, diagonals and first step of smoothing equal the reference's") {
+  GpuFixture fixture;
+  for (const Case& c : cases()) {
+    CAPTURE(std::string(c.name));
+    MeshRig rig(fixture.device(), cloth(c.cloth), 1.0 / 480, 64, false, {c.mesh});
+    rig.perturb(c.mesh.positions.size(), c.amount, c.speed);
+    rig.set_ratio(c.ratio);
+    if (c.mesh.positions.size() > 9) rig.hold(9, {0.1, 0.2, 0.3});
+    rig.run([&](gpu::ComputePass& pass) {
+      rig.cycle().record_system(pass, rig.kernels());
+      rig.cycle().record_matrices(pass, rig.kernels());
+    });
+    const reference::MeshStep expected = rig.linearise();
+    CHECK(difference(field(rig.vector(0, kResidual)), expected.residual) < 2e-5);
+    const reference::MeshHierarchy hierarchy(expected.matrix);
+    REQUIRE(hierarchy.levels().size() == rig.cycle().levels().size());
+    for (std::size_t l = 0; l < hierarchy.levels().size(); ++l) {
+      CAPTURE(l);
+      const MeshOperator& level = hierarchy.levels()[l];
+      const Field some = random_field(level.blocks.size(), l);
+      CHECK(difference(each_times(blocks_of(rig, l), some), each_times(level.blocks, some)) < 1e-5);
+      CHECK(difference(inverses_times(rig, l, some), each_times(level.inverse_diagonal(), some)) < 2e-3);
+    }
+    Field steps = each_times(expected.matrix.inverse_diagonal(), expected.residual);
+    for (Vec3d& step : steps) step *= 2 / (reference::kSmoothHigh + reference::kSmoothLow);
+    CHECK(difference(field(rig.vector(0, kDirection)), steps) < 2e-3);
+  }
+}
+
+TEST_CASE("smoothing, restriction and the cycle of a mesh's coarsest levels equal the reference's") {
+  GpuFixture fixture;
+  // Stiff cloth leaves the coarsest level what ten steps do not solve, so that each of them shows.
+  const std::string stiff = R"("density": 0.2, "stiffness": {"structural": 5e5, "shear": 2e5, "bend": 5e4})";
+  for (const auto& [mesh, material] :
+       {std::pair{jittered_sheet(50, 41, 2, 1.5), kPlain}, {sphere_skin(20, 0.5), stiff}}) {
+    MeshRig rig(fixture.device(), cloth(material), 1.0 / 480, 64, false, {mesh});
+    rig.perturb(4, 0.005, 1);
+    rig.run([&](gpu::ComputePass& pass) {
+      rig.cycle().record_system(pass, rig.kernels());
+      rig.cycle().record_matrices(pass, rig.kernels());
+      rig.cycle().record_down(pass, rig.kernels());
+    });
+    const reference::MeshStep step = rig.linearise();
+    const reference::MeshHierarchy hierarchy(step.matrix);
+    const std::size_t tail = rig.cycle().tail();
+    REQUIRE(tail > 1);
+    REQUIRE(tail + 1 < hierarchy.levels().size());
+    for (std::size_t l = 0; l < tail; ++l) {  // each from the task that the kernels gave it
+      CAPTURE(l);
+      const MeshOperator& matrix = hierarchy.levels()[l];
+      const Field r = field(rig.vector(l, kResidual));
+      Field x(r.size());
+      reference::smooth(matrix, matrix.inverse_diagonal(), r, x, reference::kSmoothLow,
+                        reference::kSmoothDegree);
+      CHECK(difference(field(rig.vector(l, kFirst)), x) < 1e-3);
+      const Field left = residual(matrix, r, field(rig.vector(l, kFirst)));
+      CHECK(difference(field(rig.vector(l + 1, kResidual)), restricted(left, matrix)) < 1e-3);
+    }
+    const Field below = hierarchy.cycle_from(tail, field(rig.vector(tail, kResidual)));
+    CHECK(difference(field(rig.vector(tail, kSecond)), below) < 1e-3);
+  }
+}
+
+TEST_CASE("a whole implicit substep of a mesh equals the reference's") {
+  GpuFixture fixture;
+  for (const Case& c : cases()) {
+    CAPTURE(std::string(c.name));
+    MeshRig rig(fixture.device(), cloth(c.cloth), 1.0 / 480, 64, false, {c.mesh});
+    rig.perturb(c.mesh.positions.size(), c.amount, std::min(c.speed, 5.0));
+    rig.set_ratio(c.ratio);
+    if (c.mesh.positions.size() > 9) rig.hold(9, {0.1, 0.2, 0.3});
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+    const reference::MassSpringSystem expected = rig.advanced();
+    const Field x = field(rig.download(rig.state().position[1])),
+                v = field(rig.download(rig.state().velocity[1]));
+    Field way, wanted;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      way.push_back(x[n] - rig.system().position[n]);
+      wanted.push_back(expected.position[n] - rig.system().position[n]);
+    }
+    CHECK(difference(way, wanted) < 1e-3);
+    CHECK(difference(v, expected.velocity) < 1e-3);
+    for (const Vec4f& one : rig.download(rig.state().velocity[1])) CHECK(one.w == 1);
+  }
+}
+
+TEST_CASE("an implicit substep of a mesh has the same bits for every workgroup, and on every run") {
+  GpuFixture fixture;
+  std::vector<std::vector<Vec4f>> positions;
+  for (const std::uint32_t size : {64U, 64U, 128U, 256U}) {
+    MeshRig rig(fixture.device(), cloth(kPlain), 1.0 / 480, size, false, {jittered_sheet(51, 40, 2, 2)});
+    rig.perturb(4, 0.01, 2);
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+    positions.push_back(rig.download(rig.state().position[1]));
+    CHECK(same_bits(positions.back(), positions.front()));
+  }
+}
