@@ -48,8 +48,8 @@ def implicit_drapes(results):
             continue
         start = [row["object"], f"{row['side'] ** 2:,}", row["variant"]]
         lines.append(start + ([f"skipped: {row['skipped']}"] if "skipped" in row else [
-            f"{row['ms_per_frame']['median']:.1f}", f"{number(row['real_time_factor'])} ×", f"{row['crossings']}", f"{row['max_stretch']:.2f}", f"`{row['state_hash']}`"]))
-    return Table(left("object") + right("nodes") + left("variant") + right("ms a frame", "real time", "crossings", "largest stretch") + left("state hash"), lines)
+            f"{row['substeps']:,}", f"{row['ms_per_frame']['median']:.1f}", f"{number(row['real_time_factor'])} ×", f"{row['crossings']}", f"{row['max_stretch']:.2f}", f"`{row['state_hash']}`"]))
+    return Table(left("object") + right("nodes") + left("variant") + right("substeps", "ms a frame", "real time", "crossings", "largest stretch") + left("state hash"), lines)
 
 
 def share(part):

@@ -12,7 +12,6 @@ using Done = std::function<Result<void>(const MultigridRow&)>;
 
 constexpr std::string_view kNames[] = {"multigrid", "multigrid4", "multigrid16", "explicit", "null", "drape"};
 constexpr std::uint32_t kNullSides[] = {32, 64, 128, 256, 512};
-constexpr std::uint32_t kDrapeSubsteps = 8;
 
 /// An implicit variant: its substeps, and whether it is run unasked.
 struct Implicit {
@@ -175,8 +174,8 @@ class SheetBench {
 Result<MultigridRow> measure_drape(gpu::Device& device, const Source& source, const sim::Assets& assets,
                                    MultigridRow row) {
   WEFT_CHECK(sim::check_node_count(row.nodes, device));
-  WEFT_TRY(scene, source.load("drape-" + row.object,
-                              solved_by(row.side, "multigrid", std::to_string(kDrapeSubsteps))));
+  const char* solver = row.variant == "explicit" ? "mass_spring" : "multigrid";
+  WEFT_TRY(scene, source.load("drape-" + row.object, solved_by(row.side, solver, "\"auto\"")));
   const std::uint32_t frames = source.selection.quick ? stops_of(source.selection).back() : scene.time.frames;
   WEFT_TRY(run, run_timed(device, scene, assets, std::vector{frames}));
   row.run = std::move(run);
@@ -195,10 +194,11 @@ Result<void> run_drapes(gpu::Device& device, const Source& source, std::vector<s
     const std::string name = std::string("drape-") + object;
     WEFT_TRY(scene, source.load(name));
     WEFT_TRY(assets, sim::load_assets(scene, source.folders.models));
-    for (const std::uint32_t side : sides) {
-      const MultigridRow begun = begin_row(object, "multigrid " + std::to_string(kDrapeSubsteps), side);
-      WEFT_CHECK(report(measure_drape(device, source, assets, begun), begun, done));
-    }
+    for (const std::uint32_t side : sides)
+      for (const char* variant : {"multigrid", "explicit"}) {
+        const MultigridRow begun = begin_row(object, variant, side);
+        WEFT_CHECK(report(measure_drape(device, source, assets, begun), begun, done));
+      }
   }
   return {};
 }
