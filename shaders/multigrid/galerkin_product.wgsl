@@ -11,7 +11,7 @@
 #include "multigrid/store_inverse.wgsl"
 #include "multigrid/transfer.wgsl"
 var<private> center : vec2i;  // the fine node on which the coarse one lies
-var<private> block : Symmetric;
+var<private> gathered : Symmetric;
 
 // What fine nodes of a side take: `own` of the coarse node at -1, 0 and 1, `next` of its neighbour to `side` at `side` and 2 `side`.
 struct Pairs { side : i32, own : vec3f, next : vec2f }
@@ -29,7 +29,7 @@ fn add(fine : Level, weight : f32, x : i32, y : i32, dx : i32, dy : i32) {
   let to = select(-dx, dx, stored);  // a block is its own transpose: the one back is the one to there
   let inside = vec2u(clamp(at, vec2i(0), vec2i(i32(fine.nx), i32(fine.ny)) - 1));
   let number = select(select(4u, u32(2 + to), to >= 0), u32(to), dy == 0);
-  block = sum_of(block, scaled(weight, block_at(fine, inside.y * fine.nx + inside.x, number)));
+  gathered = sum_of(gathered, scaled(weight, block_at(fine, inside.y * fine.nx + inside.x, number)));
 }
 
 // Adds the pairs of row y and the one dy further.
@@ -58,7 +58,7 @@ fn coarsen(fine : Level, coarse : Level, node : u32, number : u32) {
   let j = node / coarse.nx;
   let i = node - j * coarse.nx;
   center = vec2i(vec2u(center_of(i, fine.nx, coarse.nx), center_of(j, fine.ny, coarse.ny)));
-  block = zero_matrix();
+  gathered = zero_matrix();
   let right = select(select(0, 1, number == 1u || number == 3u), -1, number == 4u);
   let down = select(0, 1, number >= 2u);
   let columns = pairs_of(center.x, i32(i), right, i32(fine.nx), i32(coarse.nx));
@@ -70,6 +70,6 @@ fn coarsen(fine : Level, coarse : Level, node : u32, number : u32) {
       add_row(fine, select(1.0, 2.0, number == 0u && dy == 1) * own_tap(rows, y) * other, columns, y, dy);
     }
   }
-  store_block(coarse, node, number, block);
-  if (number == 0u) { store_inverse(coarse, node, inverse(sum_of(block, identity(bending_diagonal(coarse, i, j))))); }
+  store_block(coarse, node, number, gathered);
+  if (number == 0u) { store_inverse(coarse, node, inverse(sum_of(gathered, identity(bending_diagonal(coarse, i, j))))); }
 }

@@ -30,6 +30,7 @@ inline double difference(const reference::Field& a, const reference::Field& b) {
   return most / largest(b);
 }
 
+/// xx, yy, zz, yz; xz, xy.
 inline reference::Sym3 sym3(const Vec4f& a, float b, float c) {
   const auto d = [](float x) { return static_cast<double>(x); };
   return {d(a.x), d(c), d(b), d(a.y), d(a.w), d(a.z)};
