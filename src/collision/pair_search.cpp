@@ -35,11 +35,11 @@ Result<PairSearch> PairSearch::create(gpu::Device& device, const Model& model, c
   PairSearch made;
   made.vertex_count_ = model.vertex_count();
   made.triangle_count_ = model.triangle_count();
-  made.room_ = pairs.room;
+  made.setup_ = setup;
   WEFT_CHECK(made.create_buffers(device, model, scene, meshes));
   WEFT_CHECK(made.create_trees(device, state, pairs, setup.workgroup_size));
-  WEFT_CHECK(made.create_find(device, state, pairs, setup));
-  WEFT_CHECK(made.create_lists(device, state, pairs, setup));
+  WEFT_CHECK(made.create_kernels(device, state, pairs));
+  WEFT_CHECK(made.bind_lists(device, state, pairs));
   return made;
 }
 
@@ -100,55 +100,58 @@ Result<void> PairSearch::create_trees(gpu::Device& device, const State& state, c
   return {};
 }
 
-Result<void> PairSearch::create_find(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                                     const SearchSetup& setup) {
+Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs) {
+  struct Wanted {
+    gpu::Kernel& kernel;
+    const char* path;
+    std::vector<gpu::Constant> constants = {};
+  };
+  const double interval = static_cast<double>(setup_.interval);
+  for (const Wanted& wanted :
+       {Wanted{detect_begin_, "contact/detect_begin.wgsl", {{"kDetectInterval", interval}}},
+        {find_candidates_, "contact/find_candidates.wgsl"},
+        {find_pairs_, "contact/find_pairs.wgsl"},
+        {place_entries_, "contact/place_entries.wgsl"},
+        {list_entries_, "contact/list_entries.wgsl"}}) {
+    WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup_.workgroup_size));
+    wanted.kernel = std::move(kernel);
+  }
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    WEFT_TRY(group, detect_begin_.bind({state.steps, state.position[parity], state.velocity[parity],
+                                        pairs.predicted, pairs.vertex_contacts, state.statistics}));
+    begin_groups_[parity] = std::move(group);
+  }
+  WEFT_TRY(place_group, place_entries_.bind({pairs.vertex_contacts, state.statistics}));
+  place_group_ = std::move(place_group);
+  return {};
+}
+
+Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs) {
+  room_ = pairs.room;
   SearchParams params{triangle_count_, static_cast<std::uint32_t>(colliders_.list.size())};
-  params.self_contact = setup.self_thickness > 0 ? 1 : 0;
+  params.self_contact = setup_.self_thickness > 0 ? 1 : 0;
   params.first_row = 2 * colliders_.point_count;
-  params.candidate_capacity = pairs.room.candidates;
-  params.pair_capacity = pairs.room.pairs;
-  params.thickness = setup.thickness;
-  params.self_thickness = setup.self_thickness;
+  params.candidate_capacity = room_.candidates;
+  params.pair_capacity = room_.pairs;
+  params.thickness = setup_.thickness;
+  params.self_thickness = setup_.self_thickness;
   params.vertex_count = vertex_count_;
-  params.flat_reach = setup.flat_reach;
+  params.flat_reach = setup_.flat_reach;
   params.first_opposite = first_opposite_;
   params.first_rim = first_rim_;
   WEFT_TRY(buffer, gpu::Buffer<SearchParams>::create_from(device, std::span(&params, 1), "search params",
                                                           gpu::kUniform | gpu::kCopyTarget));
   params_ = std::move(buffer);
   using Candidate = std::array<std::uint32_t, 2>;
-  WEFT_TRY(candidates, gpu::Buffer<Candidate>::create(device, pairs.room.candidates, "contact candidates"));
+  candidates_ = {};  // given back before more is asked for
+  WEFT_TRY(candidates, gpu::Buffer<Candidate>::create(device, room_.candidates, "contact candidates"));
   candidates_ = std::move(candidates);
-  WEFT_TRY(begin, gpu::Kernel::create(device, "contact/detect_begin.wgsl",
-                                      {{"kDetectInterval", static_cast<double>(setup.interval)}},
-                                      setup.workgroup_size));
-  detect_begin_ = std::move(begin);
-  WEFT_TRY(broad, gpu::Kernel::create(device, "contact/find_candidates.wgsl", {}, setup.workgroup_size));
-  find_candidates_ = std::move(broad);
-  WEFT_TRY(narrow, gpu::Kernel::create(device, "contact/find_pairs.wgsl", {}, setup.workgroup_size));
-  find_pairs_ = std::move(narrow);
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(begin_group, detect_begin_.bind({state.steps, state.position[parity], state.velocity[parity],
-                                              pairs.predicted, pairs.vertex_contacts, state.statistics}));
-    begin_groups_[parity] = std::move(begin_group);
-  }
   WEFT_TRY(broad_group, find_candidates_.bind({params_, collider_list_, pairs.predicted, triangles_, trees_,
                                                points_, candidates_, state.statistics}));
   candidate_group_ = std::move(broad_group);
   WEFT_TRY(narrow_group, find_pairs_.bind({params_, pairs.predicted, triangles_, trees_, points_, candidates_,
                                            pairs.contacts, pairs.vertex_contacts, state.statistics}));
   find_group_ = std::move(narrow_group);
-  return {};
-}
-
-Result<void> PairSearch::create_lists(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                                      const SearchSetup& setup) {
-  WEFT_TRY(place, gpu::Kernel::create(device, "contact/place_entries.wgsl", {}, setup.workgroup_size));
-  place_entries_ = std::move(place);
-  WEFT_TRY(list, gpu::Kernel::create(device, "contact/list_entries.wgsl", {}, setup.workgroup_size));
-  list_entries_ = std::move(list);
-  WEFT_TRY(place_group, place_entries_.bind({pairs.vertex_contacts, state.statistics}));
-  place_group_ = std::move(place_group);
   WEFT_TRY(list_group,
            list_entries_.bind({state.statistics, pairs.contacts, pairs.vertex_contacts, pairs.entries}));
   list_group_ = std::move(list_group);

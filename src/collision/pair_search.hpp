@@ -42,6 +42,8 @@ class PairSearch {
   static Result<PairSearch> create(gpu::Device& device, const Model& model, const State& state,
                                    const ContactPairs& pairs, const scene::Scene& scene,
                                    const ColliderMeshes& meshes, const SearchSetup& setup);
+  /// Takes over lists with other room. Errors  Limit, OutOfMemory.
+  Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
   void record(gpu::ComputePass& pass) const;
 
   const ColliderSet& colliders() const { return colliders_; }
@@ -55,11 +57,9 @@ class PairSearch {
                               const ColliderMeshes& meshes);
   Result<void> create_trees(gpu::Device& device, const State& state, const ContactPairs& pairs,
                             std::uint32_t workgroup_size);
-  Result<void> create_find(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                           const SearchSetup& setup);
-  Result<void> create_lists(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                            const SearchSetup& setup);
+  Result<void> create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs);
 
+  SearchSetup setup_;
   ColliderSet colliders_;
   std::vector<std::uint32_t> order_;
   std::uint32_t vertex_count_ = 0, triangle_count_ = 0;

@@ -55,28 +55,37 @@ Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, con
   setup.workgroup_size = workgroup_size;
   WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
   made.search_ = std::move(search);
-  made.pair_room_ = pairs.room.pairs;
-  WEFT_CHECK(made.create_kernels(device, state, pairs, workgroup_size));
+  WEFT_CHECK(made.create_kernels(device, state, workgroup_size));
+  WEFT_CHECK(made.bind_own(state, pairs));
   return made;
 }
 
-Result<void> Proximity::create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                                       std::uint32_t workgroup_size) {
-  WEFT_TRY(evaluate, gpu::Kernel::create(device, "contact/evaluate.wgsl", {}, workgroup_size));
-  evaluate_ = std::move(evaluate);
+Result<void> Proximity::bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs) {
+  WEFT_CHECK(search_.bind_lists(device, state, pairs));
+  return bind_own(state, pairs);
+}
+
+Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) {
+  pair_room_ = pairs.room.pairs;
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, evaluate_.bind({state.steps, state.position[parity], pairs.predicted, search_.points(),
                                     pairs.contacts, pairs.entries, pairs.vertex_contacts, state.statistics}));
     evaluate_groups_[parity] = std::move(group);
+    if (!presses_) continue;
+    WEFT_TRY(press_group, press_.bind({state.steps, state.position[parity], state.velocity[parity],
+                                       search_.points(), pairs.contacts, state.statistics, pairs.presses}));
+    press_groups_[parity] = std::move(press_group);
   }
+  return {};
+}
+
+Result<void> Proximity::create_kernels(gpu::Device& device, const State& state,
+                                       std::uint32_t workgroup_size) {
+  WEFT_TRY(evaluate, gpu::Kernel::create(device, "contact/evaluate.wgsl", {}, workgroup_size));
+  evaluate_ = std::move(evaluate);
   if (presses_) {
     WEFT_TRY(press, gpu::Kernel::create(device, "contact/press.wgsl", {}, workgroup_size));
     press_ = std::move(press);
-    for (std::size_t parity = 0; parity < 2; ++parity) {
-      WEFT_TRY(group, press_.bind({state.steps, state.position[parity], state.velocity[parity],
-                                   search_.points(), pairs.contacts, state.statistics, pairs.presses}));
-      press_groups_[parity] = std::move(group);
-    }
   }
   const ColliderSet& colliders = search_.colliders();
   if (!colliders.moves) return {};

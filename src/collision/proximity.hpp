@@ -30,6 +30,8 @@ class Proximity {
                                   const ContactPairs& pairs, const scene::Scene& scene,
                                   const ColliderMeshes& meshes, std::uint32_t substeps,
                                   std::uint32_t interval, std::uint32_t workgroup_size);
+  /// Takes over lists with other room. Errors  Limit, OutOfMemory.
+  Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
   void record_search(gpu::ComputePass& pass) const;
   void record_evaluate(gpu::ComputePass& pass) const;
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
@@ -40,8 +42,8 @@ class Proximity {
   const PairSearch& search() const { return search_; }
 
  private:
-  Result<void> create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                              std::uint32_t workgroup_size);
+  Result<void> create_kernels(gpu::Device& device, const State& state, std::uint32_t workgroup_size);
+  Result<void> bind_own(const State& state, const ContactPairs& pairs);
 
   ProximityLengths lengths_;
   PairSearch search_;

@@ -178,12 +178,19 @@ Result<void> World::repeat_from(const Report& report, const Statistics& short_of
   frame_ = report.frame;
   ++attempt_;
   ++totals_.repeated_frames;
-  WEFT_CHECK(build_contact(grown(contacts_->pairs->room, {short_of.pairs, short_of.candidates},
-                                 device_.limits().max_storage_binding_size)));
+  ContactPairs& pairs = *contacts_->pairs;
+  const ContactRoom room =
+      grown(pairs.room, {short_of.pairs, short_of.candidates}, device_.limits().max_storage_binding_size);
+  WEFT_CHECK(pairs.make_room(device_, room));
+  WEFT_CHECK(proximity_->bind_lists(device_, state_, pairs));
+  WEFT_CHECK(solver_->bind_lists(state_, pairs));
+  if (counter_) WEFT_CHECK(create_counter());
   frame_commands_.clear();
   const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
   state_.statistics.write(device_, zeros);
   gpu::CommandList list;
+  list.clear(pairs.vertex_contacts.source());
+  if (pairs.presses.size() > 0) list.clear(pairs.presses.source());
   last_good_->record_restore(list, state_, parity_);
   return device_.submit(list);
 }

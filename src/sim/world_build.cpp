@@ -89,8 +89,6 @@ Result<void> World::build_contact(const ContactRoom& room) {
   const scene::ContactMethod method = scene_.contact.method;
   if (method == scene::ContactMethod::Proximity && (scene_.contact.self || !scene_.colliders.empty())) {
     const bool presses = solves_with_obstacles(scene_, choice_.kind);
-    proximity_.reset();  // frees what it holds before more is asked for
-    contacts_.reset();
     WEFT_TRY(contacts, Contacts::create_pairs(device_, model_.host, room, presses));
     contacts_ = std::move(contacts);
     WEFT_TRY(proximity, collision::Proximity::create(
@@ -98,7 +96,6 @@ Result<void> World::build_contact(const ContactRoom& room) {
                             {assets_.objects, assets_.object_colliders, assets_.keyframes}, most_substeps_,
                             search_interval(choice_.kind), options_.workgroup_size));
     proximity_ = std::move(proximity);
-    if (counter_) WEFT_CHECK(create_counter());
   } else if ((method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh) &&
              !scene_.colliders.empty()) {
     WEFT_TRY(contacts, Contacts::create_pushes(device_, model_.host));

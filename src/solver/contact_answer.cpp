@@ -19,6 +19,10 @@ Result<ContactAnswer> ContactAnswer::create(const SolverInputs& inputs, scene::S
   return made;
 }
 
+Result<void> ContactAnswer::bind_lists(const State& state, const ContactPairs& pairs) {
+  return respond_ ? respond_->bind(state, pairs) : Result<void>{};
+}
+
 void ContactAnswer::record(gpu::ComputePass& pass) const {
   if (response_) response_->record(pass);
   if (respond_) respond_->record(pass);

@@ -15,6 +15,8 @@ class ContactAnswer {
  public:
   /// Errors  Shader, OutOfMemory.
   static Result<ContactAnswer> create(const SolverInputs& inputs, scene::SolverKind kind);
+  /// Takes over lists of pairs with other room. Errors  OutOfMemory.
+  Result<void> bind_lists(const State& state, const ContactPairs& pairs);
   void record(gpu::ComputePass& pass) const;
 
  private:

@@ -36,6 +36,8 @@ class Solver {
   /// This substep and the next: reads position[parity], velocity[parity]; writes position[1 - parity],
   /// velocity[1 - parity], after both, to the same bits as one after the other.
   virtual void record_two(gpu::ComputePass&) const {}
+  /// Takes over lists of pairs with other room. Errors  OutOfMemory.
+  virtual Result<void> bind_lists(const State& state, const ContactPairs& pairs) = 0;
   virtual SolverConstants constants() const = 0;
   /// Whether record_predict also reads position[1 - parity] and velocity[1 - parity] as the substep before
   /// has left them, for nodes whose velocity's w is 1.

@@ -20,13 +20,9 @@ Result<ContactPairs> ContactPairs::create(gpu::Device& device, const HostModel& 
                                           const ContactRoom& room, bool presses) {
   const std::size_t vertices = model.vertex_count();
   ContactPairs made;
-  made.room = room;
   WEFT_TRY(predicted, gpu::Buffer<Vec4f>::create(device, 2 * vertices, "predicted velocity"));
   made.predicted = std::move(predicted);
-  WEFT_TRY(contacts, gpu::Buffer<Contact>::create(device, room.pairs, "contact pairs"));
-  made.contacts = std::move(contacts);
-  WEFT_TRY(entries, gpu::Buffer<std::uint32_t>::create(device, 4UL * room.pairs, "contact entries"));
-  made.entries = std::move(entries);
+  WEFT_CHECK(made.make_room(device, room));
   WEFT_TRY(words, gpu::Buffer<std::uint32_t>::create(device, kVertexWords * vertices, "vertex contacts"));
   made.vertex_contacts = std::move(words);
   if (presses) {
@@ -34,6 +30,17 @@ Result<ContactPairs> ContactPairs::create(gpu::Device& device, const HostModel& 
     made.presses = std::move(sums);
   }
   return made;
+}
+
+Result<void> ContactPairs::make_room(gpu::Device& device, const ContactRoom& wanted) {
+  contacts = {};  // given back before more is asked for
+  entries = {};
+  WEFT_TRY(contact_buffer, gpu::Buffer<Contact>::create(device, wanted.pairs, "contact pairs"));
+  contacts = std::move(contact_buffer);
+  WEFT_TRY(entry_buffer, gpu::Buffer<std::uint32_t>::create(device, 4UL * wanted.pairs, "contact entries"));
+  entries = std::move(entry_buffer);
+  room = wanted;
+  return {};
 }
 
 }  // namespace weft

@@ -59,6 +59,8 @@ struct ContactPairs {
   /// Errors  Limit, OutOfMemory.
   static Result<ContactPairs> create(gpu::Device& device, const HostModel& model, const ContactRoom& room,
                                      bool presses);
+  /// Other room for pairs and entries, whose contents are lost; all else stays. Errors  Limit, OutOfMemory.
+  Result<void> make_room(gpu::Device& device, const ContactRoom& wanted);
 };
 
 }  // namespace weft

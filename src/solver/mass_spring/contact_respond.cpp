@@ -12,19 +12,24 @@ Result<ContactRespond> ContactRespond::create(gpu::Device& device, const State& 
            gpu::Kernel::create(device, "mass_spring/contact_respond.wgsl",
                                {{"kDetectInterval", static_cast<double>(interval)}}, workgroup_size));
   made.respond_ = std::move(respond);
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(impulse_group, made.impulse_.bind({state.steps, state.position[parity], pairs.predicted,
-                                                pairs.contacts, pairs.vertex_contacts, state.statistics}));
-    made.impulse_groups_[parity] = std::move(impulse_group);
-    WEFT_TRY(respond_group,
-             made.respond_.bind({state.steps, state.position[parity], pairs.predicted, pairs.contacts,
-                                 pairs.entries, pairs.vertex_contacts, state.position[1 - parity],
-                                 state.velocity[1 - parity], state.statistics}));
-    made.respond_groups_[parity] = std::move(respond_group);
-  }
-  made.pair_room_ = pairs.room.pairs;
-  made.vertex_count_ = state.position[0].size();
+  WEFT_CHECK(made.bind(state, pairs));
   return made;
+}
+
+Result<void> ContactRespond::bind(const State& state, const ContactPairs& pairs) {
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    WEFT_TRY(impulse_group, impulse_.bind({state.steps, state.position[parity], pairs.predicted,
+                                           pairs.contacts, pairs.vertex_contacts, state.statistics}));
+    impulse_groups_[parity] = std::move(impulse_group);
+    WEFT_TRY(respond_group,
+             respond_.bind({state.steps, state.position[parity], pairs.predicted, pairs.contacts,
+                            pairs.entries, pairs.vertex_contacts, state.position[1 - parity],
+                            state.velocity[1 - parity], state.statistics}));
+    respond_groups_[parity] = std::move(respond_group);
+  }
+  pair_room_ = pairs.room.pairs;
+  vertex_count_ = state.position[0].size();
+  return {};
 }
 
 void ContactRespond::record(gpu::ComputePass& pass) const {

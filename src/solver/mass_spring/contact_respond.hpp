@@ -15,6 +15,8 @@ class ContactRespond {
  public:
   static Result<ContactRespond> create(gpu::Device& device, const State& state, const ContactPairs& pairs,
                                        std::uint32_t interval, std::uint32_t workgroup_size);
+  /// Takes over lists with other room. Errors  OutOfMemory.
+  Result<void> bind(const State& state, const ContactPairs& pairs);
   void record(gpu::ComputePass& pass) const;
 
  private:

@@ -26,6 +26,9 @@ class SolverMassSpring : public Solver {
   void record_solve(gpu::ComputePass& pass) const override;
   bool takes_two() const override { return !twice_.empty(); }
   void record_two(gpu::ComputePass& pass) const override;
+  Result<void> bind_lists(const State& state, const ContactPairs& pairs) override {
+    return contact_answer_.bind_lists(state, pairs);
+  }
   SolverConstants constants() const override { return constants_; }
 
  private:

@@ -1,26 +1,16 @@
 #include "solver/multigrid/kernels.hpp"
 
-#include <algorithm>
-#include <string>
-
+#include "solver/multigrid/kernel_set.hpp"
 #include "solver/multigrid/level.hpp"
 
 namespace weft {
 
 Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, bool holds,
                                                   std::uint32_t workgroup_size) {
-  MultigridKernels made;
-  const std::uint32_t one_group =
-      std::min(gpu::kDefaultWorkgroupSize, device.limits().max_invocations_per_workgroup);
-  struct Wanted {
-    gpu::Kernel MultigridKernels::*kernel;
-    const char* name;
-    std::uint32_t size;
-    std::vector<gpu::Constant> constants = {};
-  };
-  const std::vector<gpu::Constant> hold = {{"kHolds", holds ? 1.0 : 0.0}};
+  const std::uint32_t one_group = lone_workgroup_size(device);
+  const std::vector<gpu::Constant> hold = hold_constant(holds);
   using K = MultigridKernels;
-  const Wanted all[] = {
+  const WantedKernel<K> table[] = {
       {&K::predict, "predict", workgroup_size},
       {&K::gradient, "gradient", workgroup_size, hold},
       {&K::galerkin_fine, "galerkin_fine", workgroup_size, hold},
@@ -43,12 +33,7 @@ Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, bool hold
       {&K::restrict_residual, "restrict_residual", workgroup_size},
       {&K::cycle_tail, "cycle_tail", one_group},
   };
-  for (const Wanted& wanted : all) {
-    const std::string path = std::string("multigrid/") + wanted.name + ".wgsl";
-    WEFT_TRY(kernel, gpu::Kernel::create(device, path, wanted.constants, wanted.size));
-    made.*wanted.kernel = std::move(kernel);
-  }
-  return made;
+  return make_kernels<K>(device, table);
 }
 
 }  // namespace weft

@@ -1,25 +1,15 @@
 #include "solver/multigrid/mesh_kernels.hpp"
 
-#include <algorithm>
-#include <string>
-
+#include "solver/multigrid/kernel_set.hpp"
 #include "solver/multigrid/level.hpp"
 
 namespace weft {
 
 Result<MeshKernels> MeshKernels::create(gpu::Device& device, bool holds, std::uint32_t workgroup_size) {
-  MeshKernels made;
-  const std::uint32_t one_group =
-      std::min(gpu::kDefaultWorkgroupSize, device.limits().max_invocations_per_workgroup);
-  struct Wanted {
-    gpu::Kernel MeshKernels::*kernel;
-    const char* name;
-    std::uint32_t size;
-    std::vector<gpu::Constant> constants = {};
-  };
-  const std::vector<gpu::Constant> hold = {{"kHolds", holds ? 1.0 : 0.0}};
+  const std::uint32_t one_group = lone_workgroup_size(device);
+  const std::vector<gpu::Constant> hold = hold_constant(holds);
   using K = MeshKernels;
-  const Wanted all[] = {
+  const WantedKernel<K> table[] = {
       {&K::predict, "predict", workgroup_size},
       {&K::gradient, "mesh_gradient", workgroup_size, hold},
       {&K::galerkin, "mesh_galerkin", workgroup_size},
@@ -38,12 +28,7 @@ Result<MeshKernels> MeshKernels::create(gpu::Device& device, bool holds, std::ui
        {{"kFrom", multigrid::kFirst}, {"kTo", multigrid::kSecond}}},
       {&K::finish, "mesh_finish", workgroup_size, hold},
   };
-  for (const Wanted& wanted : all) {
-    const std::string path = std::string("multigrid/") + wanted.name + ".wgsl";
-    WEFT_TRY(kernel, gpu::Kernel::create(device, path, wanted.constants, wanted.size));
-    made.*wanted.kernel = std::move(kernel);
-  }
-  return made;
+  return make_kernels<K>(device, table);
 }
 
 }  // namespace weft

@@ -17,6 +17,9 @@ class SolverMultigrid : public Solver {
 
   void record_predict(gpu::ComputePass& pass) const override;
   void record_solve(gpu::ComputePass& pass) const override;
+  Result<void> bind_lists(const State& state, const ContactPairs& pairs) override {
+    return contact_answer_.bind_lists(state, pairs);
+  }
   SolverConstants constants() const override { return {}; }
   bool reads_step_before() const override { return true; }
 
