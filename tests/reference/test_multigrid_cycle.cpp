@@ -157,6 +157,38 @@ TEST_CASE("coarse matrices are Pᵀ A P of mass and springs, for sides of any le
   }
 }
 
+TEST_CASE("coarse matrices have what obstacles hold nodes with") {
+  Sheet sheet(any_sheet(16, 23, R"(["top_left"])"));
+  sheet.perturb(5, 0.05, 2);
+  sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+  Random random(3);
+  std::vector<Press> presses(16 * 23);
+  const Matrix full = explicit_matrix(sheet, 2.0 / 3 / 480, false);
+  Entries holds;
+  for (std::uint32_t a = 1; a < presses.size(); a += 3) {  // a metre too far in; nothing sticks, or all does
+    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), weight = random.uniform(0.2, 2);
+    const Vec3d n = Vec3d{x, y, 1} / length(Vec3d{x, y, 1});
+    presses[a] = {weight * n, weight, weight, {}, a % 2 == 0 ? 0 : weight * 1e9};
+    double trace = 0;
+    for (int k = 0; k < 3; ++k) trace += full.coeff(3 * static_cast<int>(a) + k, 3 * static_cast<int>(a) + k);
+    const Eigen::Vector3d m(n.x, n.y, n.z);
+    const Eigen::Matrix3d held =
+        a % 2 == 0 ? Eigen::Matrix3d(m * m.transpose()) : Eigen::Matrix3d::Identity();
+    add_block(holds, a, a, 10 * std::min(weight, 1.0) * trace * held);
+  }
+  const LinearStep step =
+      sheet.stepper.linearise(sheet.system, sheet.system.position, 1.0 / 480, 1, 0, presses);
+  Matrix expected = explicit_matrix(sheet, 2.0 / 3 / 480, true) + matrix_from(holds, 16 * 23, 16 * 23);
+  const Hierarchy hierarchy(step.matrix, step.source);
+  CHECK(difference(stencil_matrix(step.source), expected) < 1e-6);
+  for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
+    const GridOperator& fine = hierarchy.levels()[l - 1];
+    const Matrix p = prolongation(fine.nx, fine.ny, fine.held);
+    expected = Matrix(p.transpose() * expected * p);
+    CHECK(difference(stencil_matrix(hierarchy.levels()[l]), expected) < 1e-6);
+  }
+}
+
 TEST_CASE("prolongation is bilinear, and restriction its transpose") {
   for (const auto& [nx, ny] : {std::pair{8U, 13U}, {5U, 9U}, {33U, 2U}}) {
     GridOperator fine;
