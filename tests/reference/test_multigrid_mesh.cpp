@@ -3,6 +3,7 @@
 #include "convergence.hpp"
 #include "eigen_blocks.hpp"
 #include "mesh/irregular_meshes.hpp"
+#include "relative_error.hpp"
 
 using namespace weft;
 using namespace weft::reference;
@@ -103,17 +104,6 @@ Sheet stepped(const Case& c) {
   if (c.wrinkles > 0) sheet.wrinkle(2, c.wrinkles);
   sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
   return sheet;
-}
-
-/// RMS |a - b| / RMS |b - start|.
-double relative_error(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
-                      const std::vector<Vec3d>& start) {
-  double error = 0, way = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) {
-    error += dot(a[n] - b[n], a[n] - b[n]);
-    way += dot(b[n] - start[n], b[n] - start[n]);
-  }
-  return std::sqrt(error / way);
 }
 
 /// Cycles until the system is solved, tells how fast, and compares with Eigen's solution.

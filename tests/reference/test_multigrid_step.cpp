@@ -1,6 +1,7 @@
 // The multigrid solver's substep in double: order, energy, momentum, agreement with explicit steps, survival.
 #include <complex>
 
+#include "relative_error.hpp"
 #include "rig.hpp"
 #include "sheets.hpp"
 
@@ -8,17 +9,6 @@ using namespace weft;
 using namespace weft::reference;
 
 namespace {
-
-/// RMS |a - b| / RMS |b - start|.
-double relative_error(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
-                      const std::vector<Vec3d>& start) {
-  double error = 0, way = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) {
-    error += dot(a[n] - b[n], a[n] - b[n]);
-    way += dot(b[n] - start[n], b[n] - start[n]);
-  }
-  return std::sqrt(error / way);
-}
 
 bool all_finite(const std::vector<Vec3d>& values, double bound) {
   for (const Vec3d& v : values)

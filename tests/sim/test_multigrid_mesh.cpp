@@ -6,6 +6,7 @@
 #include "contact_rig.hpp"
 #include "mesh/irregular_meshes.hpp"
 #include "reference/simulation.hpp"
+#include "relative_error.hpp"
 
 using namespace weft;
 
@@ -41,17 +42,6 @@ std::unique_ptr<sim::World> world_of(gpu::Device& device, const scene::Scene& sc
 }
 
 std::vector<Vec3d> positions_of(sim::World& world) { return Moment(world).position; }
-
-/// RMS |a - b| / RMS |b - start|.
-double relative_error(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
-                      const std::vector<Vec3d>& start) {
-  double error = 0, way = 0;
-  for (std::size_t n = 0; n < b.size(); ++n) {
-    error += dot(a[n] - b[n], a[n] - b[n]);
-    way += dot(b[n] - start[n], b[n] - start[n]);
-  }
-  return std::sqrt(error / way);
-}
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // One cloth's implicit substep on the GPU beside the reference's, from the same state.
 #pragma once
 
+#include "fields.hpp"
 #include "reference/multigrid/implicit_step.hpp"
 #include "solver/multigrid/grid_cycle.hpp"
 #include "solver/multigrid/mesh_cycle.hpp"
@@ -207,5 +208,23 @@ class ImplicitRig {
 
 using MultigridRig = ImplicitRig<GridCycle, MultigridKernels>;
 using MeshRig = ImplicitRig<MeshCycle, MeshKernels>;
+
+/// After its whole substep the rig's nodes have come where the reference's have, and as fast; those that are
+/// `pressed`, if any may be, begin anew.
+template <class Rig>
+void check_substep(Rig& rig, const std::vector<bool>& pressed = {}) {
+  rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+  const reference::MassSpringSystem expected = rig.advanced();
+  const reference::Field after = field(rig.download(rig.state().position[1]));
+  const std::vector<Vec4f> velocity = rig.download(rig.state().velocity[1]);
+  reference::Field way, wanted;
+  for (std::size_t n = 0; n < after.size(); ++n) {
+    way.push_back(after[n] - rig.system().position[n]);
+    wanted.push_back(expected.position[n] - rig.system().position[n]);
+    CHECK(velocity[n].w == (!pressed.empty() && pressed[n] ? 0 : 1));
+  }
+  CHECK(difference(way, wanted) < 1e-3);
+  CHECK(difference(field(velocity), expected.velocity) < 1e-3);
+}
 
 }  // namespace weft

@@ -1,6 +1,5 @@
 // The kernels of the multigrid solver for meshes against the reference, on random states of meshes of any
 // kind.
-#include "fields.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "mesh/irregular_meshes.hpp"
 #include "multigrid_rig.hpp"
@@ -137,18 +136,7 @@ TEST_CASE("a whole implicit substep of a mesh equals the reference's") {
     rig.perturb(c.mesh.positions.size(), c.amount, std::min(c.speed, 5.0));
     rig.set_ratio(c.ratio);
     if (c.mesh.positions.size() > 9) rig.hold(9, {0.1, 0.2, 0.3});
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
-    const reference::MassSpringSystem expected = rig.advanced();
-    const Field x = field(rig.download(rig.state().position[1])),
-                v = field(rig.download(rig.state().velocity[1]));
-    Field way, wanted;
-    for (std::size_t n = 0; n < x.size(); ++n) {
-      way.push_back(x[n] - rig.system().position[n]);
-      wanted.push_back(expected.position[n] - rig.system().position[n]);
-    }
-    CHECK(difference(way, wanted) < 1e-3);
-    CHECK(difference(v, expected.velocity) < 1e-3);
-    for (const Vec4f& one : rig.download(rig.state().velocity[1])) CHECK(one.w == 1);
+    check_substep(rig);
   }
 }
 
@@ -179,18 +167,7 @@ TEST_CASE("what obstacles hold is in a mesh's matrix, and a pressed node begins 
     CHECK(std::all_of(left.begin(), left.end(), [](std::int32_t word) { return word == 0; }));
 
     rig.press(every, every);
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
-    const reference::MassSpringSystem expected = rig.advanced();
-    const Field after = field(rig.download(rig.state().position[1]));
-    const std::vector<Vec4f> velocity = rig.download(rig.state().velocity[1]);
-    Field way, wanted;
-    for (std::size_t n = 0; n < after.size(); ++n) {
-      way.push_back(after[n] - rig.system().position[n]);
-      wanted.push_back(expected.position[n] - rig.system().position[n]);
-      CHECK(velocity[n].w == (step.pressed[n] ? 0 : 1));
-    }
-    CHECK(difference(way, wanted) < 1e-3);
-    CHECK(difference(field(velocity), expected.velocity) < 1e-3);
+    check_substep(rig, step.pressed);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solver/multigrid/cloth_nodes.hpp"
+#include "solver/multigrid/kernel_set.hpp"
 #include "solver/multigrid/uniform.hpp"
 
 namespace weft {
@@ -74,16 +75,10 @@ Result<void> GridCycle::create_fine(const MultigridKernels& kernels, const Model
                                           state.position[1 - parity], *predicted[parity]}));
     finish_[parity] = std::move(finish);
   }
-  struct Wanted {
-    gpu::BindGroup& group;
-    const gpu::Kernel& kernel;
-  };
-  for (const Wanted& wanted : {Wanted{smooth_fine_, kernels.smooth_fine},
-                               {residual_fine_, kernels.residual_fine},
-                               {prolong_fine_, kernels.prolong_fine}}) {
-    WEFT_TRY(group, wanted.kernel.bind({state.steps, grid_, levels, place_, holds_, vectors_}));
-    wanted.group = std::move(group);
-  }
+  WEFT_CHECK(bind_each({{smooth_fine_, kernels.smooth_fine},
+                        {residual_fine_, kernels.residual_fine},
+                        {prolong_fine_, kernels.prolong_fine}},
+                       {state.steps, grid_, levels, place_, holds_, vectors_}));
   WEFT_TRY(gradient, kernels.gradient.bind({state.steps, grid_, levels, place_, holds_, vectors_,
                                             presses != nullptr ? *presses : no_presses_}));
   gradient_ = std::move(gradient);
@@ -103,17 +98,11 @@ Result<void> GridCycle::create_coarse(const MultigridKernels& kernels) {
     if (l >= tail_) continue;
     WEFT_TRY(restriction, kernels.restrict_residual.bind({own.levels, vectors_}));
     own.restrict_residual = std::move(restriction);
-    struct Wanted {
-      gpu::BindGroup& group;
-      const gpu::Kernel& kernel;
-    };
-    for (const Wanted& wanted : {Wanted{own.smooth_down, kernels.smooth_down},
-                                 {own.residual, kernels.residual},
-                                 {own.prolong, kernels.prolong},
-                                 {own.smooth_up, kernels.smooth_up}}) {
-      WEFT_TRY(group, wanted.kernel.bind({own.levels, vectors_, operators_}));
-      wanted.group = std::move(group);
-    }
+    WEFT_CHECK(bind_each({{own.smooth_down, kernels.smooth_down},
+                          {own.residual, kernels.residual},
+                          {own.prolong, kernels.prolong},
+                          {own.smooth_up, kernels.smooth_up}},
+                         {own.levels, vectors_, operators_}));
   }
   WEFT_TRY(cycle, kernels.cycle_tail.bind({tail_levels_, vectors_, operators_}));
   cycle_tail_ = std::move(cycle);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,22 @@ Result<Set> make_kernels(gpu::Device& device, std::span<const WantedKernel<Set>>
     made.*wanted.kernel = std::move(kernel);
   }
   return made;
+}
+
+/// A kernel, and where its bind group goes.
+struct BindWanted {
+  gpu::BindGroup& group;
+  const gpu::Kernel& kernel;
+};
+
+/// Binds the same things for several kernels. Errors  Shape, OutOfMemory.
+inline Result<void> bind_each(std::initializer_list<BindWanted> kernels,
+                              std::initializer_list<gpu::Binding> sources) {
+  for (const BindWanted& wanted : kernels) {
+    WEFT_TRY(group, wanted.kernel.bind(sources));
+    wanted.group = std::move(group);
+  }
+  return {};
 }
 
 /// The size of a workgroup that does all by itself.

@@ -1,6 +1,7 @@
 #include "solver/multigrid/mesh_cycle.hpp"
 
 #include "solver/multigrid/cloth_nodes.hpp"
+#include "solver/multigrid/kernel_set.hpp"
 #include "solver/multigrid/uniform.hpp"
 
 namespace weft {
@@ -106,17 +107,11 @@ Result<void> MeshCycle::create_steps(const MeshKernels& kernels) {
     step.restrict_residual = std::move(restriction);
     WEFT_TRY(prolong, kernels.prolong.bind({step.levels, vectors_, lists_.taps}));
     step.prolong = std::move(prolong);
-    struct Wanted {
-      gpu::BindGroup& group;
-      const gpu::Kernel& kernel;
-    };
-    for (const Wanted& wanted : {Wanted{step.smooth_down, kernels.smooth_down},
-                                 {step.residual, kernels.residual},
-                                 {step.smooth_begin, kernels.smooth_begin},
-                                 {step.smooth_up, kernels.smooth_up}}) {
-      WEFT_TRY(group, wanted.kernel.bind({step.levels, vectors_, blocks_, lists_.row_starts, lists_.rows}));
-      wanted.group = std::move(group);
-    }
+    WEFT_CHECK(bind_each({{step.smooth_down, kernels.smooth_down},
+                          {step.residual, kernels.residual},
+                          {step.smooth_begin, kernels.smooth_begin},
+                          {step.smooth_up, kernels.smooth_up}},
+                         {step.levels, vectors_, blocks_, lists_.row_starts, lists_.rows}));
   }
   WEFT_TRY(tail, kernels.tail.bind({tail_levels_, vectors_, blocks_, lists_.row_starts, lists_.rows,
                                     lists_.source_starts, lists_.sources, lists_.taps}));
