@@ -6,7 +6,7 @@ foreach(file ${files})
   file(READ ${SHADERS}/${file} text)
   string(APPEND rows "    {\"${file}\", R\"wgsl~(${text})wgsl~\"},\n")
 endforeach()
-file(WRITE ${OUTPUT} "// Generated from shaders/ by cmake/embed_shaders.cmake.
+file(WRITE ${OUTPUT} "// Generated from the shaders of src/ by cmake/embed_shaders.cmake.
 #include \"gpu/shader_source.hpp\"
 
 namespace weft::gpu {

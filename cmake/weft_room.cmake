@@ -1,13 +1,19 @@
-# weft_room(NAME SOURCES ... IMPORTS rooms... LIBRARIES others... [EXCEPTIONS])
+# weft_room(NAME [FOLDER path] SOURCES ... IMPORTS rooms... LIBRARIES others... [EXCEPTIONS])
 #
-# A room is a static library whose headers are included as "NAME/header.hpp". Each room has an include folder of
-# its own (a link in the build tree to its sources) and passes on only those of the rooms it imports: including a
-# room that is not listed does not compile.
+# A room is a static library of the sources in src/FOLDER (default: src/NAME). Its headers are included by their path
+# below src/. Each room has an include folder of its own (a link in the build tree to its sources) and passes on only
+# those of the rooms it imports: including a room that is not listed does not compile. Rooms that share a folder see
+# each other's headers, but not what those include: a host room that includes a GPU header does not compile either.
 function(weft_room NAME)
-  cmake_parse_arguments(ROOM "EXCEPTIONS" "" "SOURCES;IMPORTS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "EXCEPTIONS" "FOLDER" "SOURCES;IMPORTS;LIBRARIES" ${ARGN})
+  if(NOT ROOM_FOLDER)
+    set(ROOM_FOLDER ${NAME})
+  endif()
   set(include ${CMAKE_BINARY_DIR}/rooms/${NAME})
-  file(MAKE_DIRECTORY ${include})
-  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${include}/${NAME} SYMBOLIC)
+  cmake_path(GET ROOM_FOLDER PARENT_PATH parent)
+  file(MAKE_DIRECTORY ${include}/${parent})
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/${ROOM_FOLDER} ${include}/${ROOM_FOLDER} SYMBOLIC)
+  list(TRANSFORM ROOM_SOURCES PREPEND ${CMAKE_SOURCE_DIR}/src/${ROOM_FOLDER}/ REGEX "^[^/]")
   add_library(weft_${NAME} STATIC ${ROOM_SOURCES})
   target_include_directories(weft_${NAME} PUBLIC ${include})
   list(TRANSFORM ROOM_IMPORTS PREPEND weft_)

@@ -1,8 +1,8 @@
-# Embeds every file of shaders/ into generated C++: weft_embed_shaders(OUTPUT file.cpp).
+# Embeds every shader of src/ into generated C++: weft_embed_shaders(OUTPUT file.cpp).
 function(weft_embed_shaders OUTPUT)
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.wgsl)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.wgsl)
   add_custom_command(OUTPUT ${OUTPUT}
-    COMMAND ${CMAKE_COMMAND} -DSHADERS=${CMAKE_SOURCE_DIR}/shaders -DOUTPUT=${OUTPUT}
+    COMMAND ${CMAKE_COMMAND} -DSHADERS=${CMAKE_SOURCE_DIR}/src -DOUTPUT=${OUTPUT}
             -P ${CMAKE_SOURCE_DIR}/cmake/embed_shaders.cmake
     DEPENDS ${files} ${CMAKE_SOURCE_DIR}/cmake/embed_shaders.cmake
     COMMENT "Embedding shaders" VERBATIM)

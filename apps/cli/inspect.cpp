@@ -4,14 +4,14 @@
 
 #include "model/host_model.hpp"
 #include "scene/schema.hpp"
-#include "sim/assets.hpp"
+#include "model/assets.hpp"
 
 namespace weft::cli {
 namespace {
 
 Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(scene, load(options));
-  WEFT_TRY(assets, sim::load_assets(scene, models_folder()));
+  WEFT_TRY(assets, load_assets(scene, models_folder()));
   WEFT_TRY(model, build_model(scene, assets.cloths));
   std::size_t object_triangles = 0;
   for (const mesh::TriangleMesh& object : assets.objects) object_triangles += object.triangles.size();

@@ -85,7 +85,7 @@ void say_if_unstable(const sim::World& world) {
 Result<void> run_scene(const RunOptions& options) {
   interrupted();
   WEFT_TRY(scene, load(options.scene));
-  WEFT_TRY(assets, sim::load_assets(scene, models_folder()));
+  WEFT_TRY(assets, load_assets(scene, models_folder()));
   if (assets.dropped_triangles > 0)
     say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
   gpu::DeviceOptions device_options;

@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-/// The rule of shaders/contact/find_candidates.wgsl, in its arithmetic.
+/// The rule of src/contact/proximity/find_candidates.wgsl, in its arithmetic.
 bool lie_flat(const std::vector<Vec3f>& positions, const mesh::Triangle& x, const mesh::Triangle& y) {
   Vec3f middle;
   int shared = 0;

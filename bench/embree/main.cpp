@@ -34,7 +34,7 @@ Result<SearchCase> make_case(const std::string& cloth, std::vector<mesh::Triangl
   WEFT_TRY(model, build_model(scene, cloths));
   made.model = std::move(model);
   for (const Vec3d& p : made.model.rest_position) made.positions.push_back(p.to<float>());
-  WEFT_TRY(lengths, collision::proximity_lengths(made.model, scene.contact));
+  WEFT_TRY(lengths, contact::proximity_lengths(made.model, scene.contact));
   made.reach = static_cast<float>(lengths.least_reach);
   made.flat_reach = static_cast<float>(lengths.most_reach);
   made.thickness = static_cast<float>(lengths.self_thickness);

@@ -10,7 +10,7 @@ namespace weft {
 namespace {
 
 /// The dispatches up to the one that finds candidates.
-void record_broad_phase(const collision::PairSearch& search, gpu::CommandList& list) {
+void record_broad_phase(const contact::PairSearch& search, gpu::CommandList& list) {
   gpu::CommandList whole;
   {
     gpu::ComputePass pass(whole, "search");
@@ -20,7 +20,7 @@ void record_broad_phase(const collision::PairSearch& search, gpu::CommandList& l
   for (const gpu::Command& command : whole.commands()) {
     if (command.kind != gpu::CommandKind::Dispatch) continue;
     pass.repeat(whole, command);
-    if (whole.label(static_cast<std::uint32_t>(command.sizes[0])) == "contact/find_candidates.wgsl") return;
+    if (whole.label(static_cast<std::uint32_t>(command.sizes[0])) == "contact/proximity/find_candidates.wgsl") return;
   }
 }
 
@@ -47,7 +47,7 @@ Result<WeftSearch> WeftSearch::create(gpu::Device& device, const SearchCase& sea
   }
   const std::vector<std::vector<mesh::TriangleMesh>> keyframes(objects.size());
   WEFT_TRY(pair_search,
-           collision::PairSearch::create(
+           contact::PairSearch::create(
                device, made.model_, made.state_, made.pairs_, scene, {objects, colliders, keyframes},
                {search.thickness, search.self() ? search.thickness : 0, search.flat_reach}));
   made.search_ = std::move(pair_search);
@@ -79,7 +79,7 @@ Result<std::vector<PairKey>> WeftSearch::pairs() const {
   WEFT_TRY(candidates, gpu::download(*device_, search_.candidates()));
   candidates.resize(statistics[offsetof(Statistics, candidates) / sizeof(std::uint32_t)]);
   // A candidate names an object's triangle by where its corners stand among the words of the trees.
-  const std::size_t cloth_words = collision::ImplicitTree(model_.triangle_count()).words().size();
+  const std::size_t cloth_words = contact::ImplicitTree(model_.triangle_count()).words().size();
   std::map<mesh::Triangle, std::uint32_t> numbers;
   for (std::uint32_t t = 0; t < object_.triangles.size(); ++t) numbers[object_.triangles[t]] = t;
   std::vector<PairKey> keys;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision/pair_search.hpp"
+#include "contact/proximity/pair_search.hpp"
 #include "search_case.hpp"
 
 namespace weft {
@@ -22,7 +22,7 @@ class WeftSearch {
   Model model_;
   State state_;
   ContactPairs pairs_;
-  collision::PairSearch search_;
+  contact::PairSearch search_;
   gpu::CommandList list_;
   mesh::TriangleMesh object_;
 };

@@ -4,8 +4,8 @@
 
 #include "bench/folds.hpp"
 #include "bench/round_object.hpp"
-#include "model/contact_law.hpp"
-#include "model/contact_steps.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "contact/rules/contact_steps.hpp"
 #include "scene/load.hpp"
 
 namespace weft::bench {
@@ -22,13 +22,13 @@ Effort effort_of(bool quick) { return quick ? Effort{8, 1, 0, 1} : Effort{32, 16
 /// A scene at the step that "auto" chooses, whatever starts in it.
 struct Setting {
   scene::Scene scene;
-  sim::Assets assets;
+  Assets assets;
   HostModel model;
   std::uint32_t substeps = 0;  // of a 60 Hz frame
   Timing free_step;
 };
 
-Result<Setting> make_setting(gpu::Device& device, scene::Scene scene, sim::Assets assets,
+Result<Setting> make_setting(gpu::Device& device, scene::Scene scene, Assets assets,
                              const Effort& effort) {
   Setting made{std::move(scene), std::move(assets)};
   WEFT_TRY(substeps, fix_step(made.scene, made.assets, effort.steps));
@@ -166,7 +166,7 @@ std::vector<Vec3d> folded_places(const HostModel& model, const Folds& folds, dou
 Result<void> run_sheets(gpu::Device& device, const Sheets& sheets, const std::vector<double>& parts,
                         const std::string& scenes_folder, const Effort& effort, const Done& done) {
   WEFT_TRY(scene, load_sheets(sheets, scenes_folder));
-  WEFT_TRY(setting, make_setting(device, std::move(scene), sim::Assets{{{}}}, effort));
+  WEFT_TRY(setting, make_setting(device, std::move(scene), Assets{{{}}}, effort));
   const HostModel& model = setting.model;
   const double size = model.cloths[0].grid->width;  // m
   const double gap = self_thickness(model, setting.scene.contact.thickness);
@@ -201,7 +201,7 @@ Result<void> run_draped(gpu::Device& device, std::uint32_t side, std::uint32_t o
     if (name == "sheet") return make_round_sheet(side, 1, scene.contact.thickness);
     return make_round_object(object_triangles);
   };
-  WEFT_TRY(assets, sim::load_assets(scene, read));
+  WEFT_TRY(assets, load_assets(scene, read));
   WEFT_TRY(setting, make_setting(device, std::move(scene), std::move(assets), effort));
   for (const Variant& variant : kVariants) {
     const ContactRow row = begin_row(setting, "draped", variant);

@@ -11,7 +11,7 @@ namespace weft::bench {
 class CrossingCount {
  public:
   /// Errors  as sim::World::create.
-  static Result<CrossingCount> create(gpu::Device& device, scene::Scene scene, const sim::Assets& assets);
+  static Result<CrossingCount> create(gpu::Device& device, scene::Scene scene, const Assets& assets);
   /// Errors  DeviceLost, OutOfMemory.
   Result<std::uint32_t> of(const sim::Snapshot& state);
 

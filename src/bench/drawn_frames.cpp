@@ -39,7 +39,7 @@ Result<Drawing> make_drawing(const sim::World& world) {
 
 }  // namespace
 
-Result<Timing> time_drawn_frames(gpu::Device& device, scene::Scene scene, const sim::Assets& assets,
+Result<Timing> time_drawn_frames(gpu::Device& device, scene::Scene scene, const Assets& assets,
                                  const sim::Snapshot* start, double budget_ms, std::uint32_t least) {
   scene.time.frame /= *scene.time.substeps;
   scene.time.substeps = 1;

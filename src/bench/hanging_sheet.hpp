@@ -19,7 +19,7 @@ std::span<const std::string_view> hanging_variants();
 /// A scene, and what it would read from files.
 struct Experiment {
   scene::Scene scene;
-  sim::Assets assets;
+  Assets assets;
 };
 
 /// The paper's sheet of 2 m by 2 m that hangs from two corners, without contact, of `side` by `side` nodes.

@@ -21,7 +21,7 @@ bool runs_in(const std::vector<Command>& dispatches, const Command& dispatch) {
                      [&](const Command& other) { return other.ids[0] == dispatch.ids[0]; });
 }
 
-/// "find_candidates" of contact/find_candidates.wgsl.
+/// "find_candidates" of contact/proximity/find_candidates.wgsl.
 std::string kernel_name(const gpu::CommandList& list, const Command& dispatch) {
   const std::string& path = list.label(static_cast<std::uint32_t>(dispatch.sizes[0]));
   const std::size_t begin = path.rfind('/') + 1;

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "solver/registry.hpp"
+#include "method/registry.hpp"
 
 namespace weft::bench {
 
@@ -51,13 +51,13 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
   return time_repeats(budget_ms, least_frames, world.substeps(), frame);
 }
 
-Result<std::uint32_t> count_substeps(const scene::Scene& scene, const sim::Assets& assets) {
+Result<std::uint32_t> count_substeps(const scene::Scene& scene, const Assets& assets) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
   const scene::SolverKind kind = choose_solver(scene, model).kind;
   return substeps_of(scene, kind, find_step_limit(kind, scene, model));
 }
 
-Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps) {
+Result<std::uint32_t> fix_step(scene::Scene& scene, const Assets& assets, std::uint32_t steps) {
   scene.time.frame = 1.0 / 60;
   scene.time.substeps.reset();
   WEFT_TRY(substeps, count_substeps(scene, assets));

@@ -29,10 +29,10 @@ bool skips_row(const Error& error);
 Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames);
 
 /// The substeps of a frame of this scene: its own, or what "auto" chooses. Errors  Input, Limit.
-Result<std::uint32_t> count_substeps(const scene::Scene& scene, const sim::Assets& assets);
+Result<std::uint32_t> count_substeps(const scene::Scene& scene, const Assets& assets);
 
 /// Sets the scene to `steps` substeps a frame with the step that "auto" chooses for a frame of 1/60 s.
 /// Returns the substeps of a 60 Hz frame. Errors  Limit, DeviceLost.
-Result<std::uint32_t> fix_step(scene::Scene& scene, const sim::Assets& assets, std::uint32_t steps);
+Result<std::uint32_t> fix_step(scene::Scene& scene, const Assets& assets, std::uint32_t steps);
 
 }  // namespace weft::bench

@@ -76,7 +76,7 @@ struct SheetRun {
 
 Result<SheetRun> run_sheet(gpu::Device& device, const scene::Scene& scene,
                            const std::vector<std::uint32_t>& stops) {
-  const sim::Assets assets{{{}}};  // a grid comes from no file
+  const Assets assets{{{}}};  // a grid comes from no file
   SheetRun made;
   WEFT_TRY(model, build_model(scene, assets.cloths));
   made.model = std::move(model);
@@ -171,7 +171,7 @@ class SheetBench {
   std::map<std::uint32_t, SheetRun> explicit_;  // by side
 };
 
-Result<MultigridRow> measure_drape(gpu::Device& device, const Source& source, const sim::Assets& assets,
+Result<MultigridRow> measure_drape(gpu::Device& device, const Source& source, const Assets& assets,
                                    MultigridRow row) {
   WEFT_CHECK(sim::check_node_count(row.nodes, device));
   const char* solver = row.variant == "explicit" ? "mass_spring" : "multigrid";
@@ -193,7 +193,7 @@ Result<void> run_drapes(gpu::Device& device, const Source& source, std::vector<s
   for (const char* object : {"armadillo", "dragon"}) {
     const std::string name = std::string("drape-") + object;
     WEFT_TRY(scene, source.load(name));
-    WEFT_TRY(assets, sim::load_assets(scene, source.folders.models));
+    WEFT_TRY(assets, load_assets(scene, source.folders.models));
     for (const std::uint32_t side : sides)
       for (const char* variant : {"multigrid", "explicit"}) {
         const MultigridRow begun = begin_row(object, variant, side);

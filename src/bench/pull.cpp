@@ -40,7 +40,7 @@ Result<scene::Scene> load_case(const Case& c, const Folders& folders) {
 }
 
 /// The state at which the methods are compared, reached by proximity.
-Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const sim::Assets& assets,
+Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const Assets& assets,
                               double seconds) {
   scene.contact.method = scene::ContactMethod::Proximity;
   WEFT_TRY(world, sim::World::create(device, scene, assets));
@@ -52,7 +52,7 @@ Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const sim
 
 /// The world of a method with `steps` substeps a submit, at the common state.
 Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scene scene,
-                                                const sim::Assets& assets, const sim::Snapshot& start,
+                                                const Assets& assets, const sim::Snapshot& start,
                                                 std::uint32_t steps) {
   WEFT_CHECK(fix_step(scene, assets, steps));
   // One substep at a time also where there is no contact, so that the difference is what contact costs.
@@ -66,7 +66,7 @@ Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scen
 /// What the methods of one size share.
 struct Setting {
   scene::Scene scene;
-  sim::Assets assets;
+  Assets assets;
   sim::Snapshot start;
   CrossingCount crossings;
 };
@@ -74,7 +74,7 @@ struct Setting {
 Result<Setting> make_setting(gpu::Device& device, const Case& c, const Folders& folders) {
   WEFT_CHECK(sim::check_node_count(static_cast<std::uint64_t>(c.side) * c.side, device));
   WEFT_TRY(scene, load_case(c, folders));
-  WEFT_TRY(assets, sim::load_assets(scene, folders.models));
+  WEFT_TRY(assets, load_assets(scene, folders.models));
   WEFT_TRY(start, warm_up(device, scene, assets, c.quick ? 0.05 : 0.4));
   WEFT_TRY(crossings, CrossingCount::create(device, scene, assets));
   return Setting{std::move(scene), std::move(assets), std::move(start), std::move(crossings)};

@@ -18,7 +18,7 @@ Result<void> run_frame(sim::World& world) {
 
 }  // namespace
 
-Result<TimedRun> run_timed(gpu::Device& device, const scene::Scene& scene, const sim::Assets& assets,
+Result<TimedRun> run_timed(gpu::Device& device, const scene::Scene& scene, const Assets& assets,
                            std::span<const std::uint32_t> stops) {
   using Clock = std::chrono::steady_clock;
   TimedRun run;

@@ -22,7 +22,7 @@ struct TimedRun {
 
 /// Runs up to the last of `stops` (numbers of frames, rising). A few frames before the first, then undone,
 /// see to it that kernels are compiled. Errors  as sim::World::create and advance_frame.
-Result<TimedRun> run_timed(gpu::Device& device, const scene::Scene& scene, const sim::Assets& assets,
+Result<TimedRun> run_timed(gpu::Device& device, const scene::Scene& scene, const Assets& assets,
                            std::span<const std::uint32_t> stops);
 
 }  // namespace weft::bench

@@ -40,7 +40,7 @@ class Kernel {
  public:
   Kernel() = default;
 
-  /// Compiles shaders/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its
+  /// Compiles src/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its
   /// fixed workgroup size. Errors  Shader: it does not compile, or its bindings exceed the adapter's limits.
   static Result<Kernel> create(Device& device, const std::string& path, std::vector<Constant> constants = {},
                                std::uint32_t workgroup_size = kDefaultWorkgroupSize);
@@ -49,7 +49,7 @@ class Kernel {
   Result<BindGroup> bind(std::initializer_list<Binding> sources) const;
 
   /// One invocation for each of `count` elements. The kernel finds its element by flat_index
-  /// (shared/index.wgsl), since past 65,535 workgroups the dispatch gets a second dimension.
+  /// (gpu/index.wgsl), since past 65,535 workgroups the dispatch gets a second dimension.
   void dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const;
   /// As many invocations as keep the adapter busy; each takes every so-manieth of up to `capacity` elements,
   /// whose number only the GPU knows.
@@ -67,7 +67,7 @@ class Kernel {
   bool reads_step_ = false;
 };
 
-/// Workgroups along x once a dispatch has a second dimension; the same number stands in shared/index.wgsl.
+/// Workgroups along x once a dispatch has a second dimension; the same number stands in gpu/index.wgsl.
 inline constexpr std::uint32_t kGroupsPerRow = 32768;
 
 }  // namespace weft::gpu

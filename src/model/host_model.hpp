@@ -17,7 +17,7 @@
 
 namespace weft {
 
-/// One spring, as the kernels read it (shaders/shared/mass_spring.wgsl).
+/// One spring, as the kernels read it (src/element/spring/packed_spring.wgsl).
 struct Spring {
   std::uint32_t node_a = 0, node_b = 0;
   float rest_length = 0;  // [m]

@@ -6,11 +6,11 @@
 
 #include "base/state_hash.hpp"
 #include "model/grab_speed.hpp"
-#include "model/max_push.hpp"
-#include "model/solver_choice.hpp"
-#include "model/spectrum.hpp"
-#include "reference/collision/analytic.hpp"
-#include "reference/collision/response.hpp"
+#include "contact/rules/max_push.hpp"
+#include "method/solver_choice.hpp"
+#include "method/mass_spring/spectrum.hpp"
+#include "contact/reference/pushes/analytic.hpp"
+#include "contact/reference/pushes/response.hpp"
 #include "scene/motion.hpp"
 
 namespace weft::reference {

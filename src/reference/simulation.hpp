@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "model/contact_steps.hpp"
+#include "contact/rules/contact_steps.hpp"
 #include "model/host_model.hpp"
-#include "model/step_limit.hpp"
-#include "reference/collision/contact_pairs.hpp"
-#include "reference/collision/pushes.hpp"
-#include "reference/contact/proximity.hpp"
-#include "reference/mass_spring.hpp"
-#include "reference/multigrid/implicit_step.hpp"
+#include "method/step_limit.hpp"
+#include "contact/reference/pushes/contact_pairs.hpp"
+#include "contact/reference/pushes/pushes.hpp"
+#include "contact/reference/proximity/proximity.hpp"
+#include "method/mass_spring/reference/mass_spring.hpp"
+#include "method/multigrid/reference/implicit_step.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::reference {

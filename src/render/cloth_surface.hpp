@@ -11,7 +11,7 @@
 
 namespace weft::render {
 
-/// Mirror of Weave in shaders/render/weave.wgsl.
+/// Mirror of Weave in src/render/weave.wgsl.
 struct WeaveParams {
   Vec4f base, dark, accent, back;
 };

@@ -11,7 +11,7 @@
 
 namespace weft::render {
 
-/// Mirror of FineGrid in shaders/render/fine_grid.wgsl.
+/// Mirror of FineGrid in src/render/fine_grid.wgsl.
 struct FineGridParams {
   std::uint32_t first_node = 0, first_vertex = 0, nx = 0, ny = 0, level = 0;
   std::array<std::uint32_t, 3> padding{};  // to a multiple of 16 bytes

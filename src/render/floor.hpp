@@ -10,7 +10,7 @@
 
 namespace weft::render {
 
-/// Mirror of Plane in shaders/render/floor.wgsl.
+/// Mirror of Plane in src/render/floor.wgsl.
 struct PlaneParams {
   Vec4f center;  // [m]; w: half the side [m]
   Vec4f along;   // unit; w: a checker square's side [m]

@@ -8,7 +8,7 @@
 
 namespace weft::render {
 
-/// Mirror of Frame in shaders/render/frame.wgsl.
+/// Mirror of Frame in src/render/frame.wgsl.
 struct FrameParams {
   std::array<float, 16> view_projection{}, light_projection{};
   Vec4f eye;                                     // [m]

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mesh/primitives.hpp"
-#include "model/sheet_rim.hpp"
+#include "contact/rules/sheet_rim.hpp"
 
 namespace weft::render {
 namespace {

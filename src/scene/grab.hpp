@@ -8,7 +8,7 @@
 
 namespace weft::scene {
 
-inline constexpr std::size_t kMaxGrabs = 4;  // held at once; the same in shaders/shared/step.wgsl
+inline constexpr std::size_t kMaxGrabs = 4;  // held at once; the same in src/state/step.wgsl
 
 /// Whether the node is held in the substep that ends at `time` [s].
 bool holds_at(const Grab& grab, double time);

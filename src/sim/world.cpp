@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "base/state_hash.hpp"
-#include "model/contact_law.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "scene/difference.hpp"
 #include "scene/motion.hpp"
-#include "solver/registry.hpp"
+#include "method/registry.hpp"
 
 namespace weft::sim {
 
@@ -22,7 +22,7 @@ Result<std::unique_ptr<World>> World::create(gpu::Device& device, scene::Scene s
 }
 
 Result<void> World::create_counter() {
-  WEFT_TRY(counter, collision::ContactCounts::create(device_, *contacts_->pairs, contact_counts_));
+  WEFT_TRY(counter, contact::ContactCounts::create(device_, *contacts_->pairs, contact_counts_));
   counter_ = std::move(counter);
   return {};
 }
@@ -64,7 +64,7 @@ StepParams World::base_params() const {
     params.max_push = collision_->max_push();
   }
   if (proximity_) {
-    const collision::ProximityLengths& lengths = proximity_->lengths();
+    const contact::ProximityLengths& lengths = proximity_->lengths();
     params.self_thickness = static_cast<float>(lengths.self_thickness);
     params.least_reach = static_cast<float>(lengths.least_reach);
     params.most_reach = static_cast<float>(lengths.most_reach);

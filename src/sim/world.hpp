@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "collision/collision.hpp"
-#include "collision/contact_counts.hpp"
-#include "element/last_good.hpp"
-#include "element/surface.hpp"
+#include "contact/pushes/collision.hpp"
+#include "contact/proximity/contact_counts.hpp"
+#include "state/last_good.hpp"
+#include "state/surface.hpp"
 #include "gpu/readback.hpp"
-#include "model/contact_steps.hpp"
-#include "model/solver_choice.hpp"
-#include "sim/assets.hpp"
+#include "contact/rules/contact_steps.hpp"
+#include "method/solver_choice.hpp"
+#include "model/assets.hpp"
 #include "sim/frame_steps.hpp"
 #include "sim/grabs.hpp"
-#include "solver/solver.hpp"
+#include "method/solver.hpp"
 #include "state/state.hpp"
 
 namespace weft::sim {
@@ -168,10 +168,10 @@ class World {
   Model model_;
   State state_;
   std::optional<Contacts> contacts_;
-  std::optional<collision::Collision> collision_;  // by paper and bvh
-  std::optional<collision::Proximity> proximity_;
+  std::optional<contact::Collision> collision_;  // by paper and bvh
+  std::optional<contact::Proximity> proximity_;
   gpu::Buffer<float> contact_counts_;
-  std::optional<collision::ContactCounts> counter_;  // while they are counted
+  std::optional<contact::ContactCounts> counter_;  // while they are counted
   WorldOptions options_;
   std::unique_ptr<Solver> solver_;
   std::optional<Surface> surface_;

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "sim/world.hpp"
-#include "solver/registry.hpp"
+#include "method/registry.hpp"
 
 namespace weft::sim {
 namespace {
@@ -16,9 +16,9 @@ std::size_t count_springs(const HostModel& model) {
   return count;
 }
 
-collision::CollisionSetup collision_setup(const scene::Scene& scene, const Assets& assets,
+contact::CollisionSetup collision_setup(const scene::Scene& scene, const Assets& assets,
                                           const WorldOptions& options) {
-  collision::CollisionSetup setup;
+  contact::CollisionSetup setup;
   setup.method = scene.contact.method;
   setup.thickness = scene.contact.thickness;
   setup.objects = assets.objects;
@@ -91,7 +91,7 @@ Result<void> World::build_contact(const ContactRoom& room) {
     const bool presses = solves_with_obstacles(scene_, choice_.kind);
     WEFT_TRY(contacts, Contacts::create_pairs(device_, model_.host, room, presses));
     contacts_ = std::move(contacts);
-    WEFT_TRY(proximity, collision::Proximity::create(
+    WEFT_TRY(proximity, contact::Proximity::create(
                             device_, model_, state_, *contacts_->pairs, scene_,
                             {assets_.objects, assets_.object_colliders, assets_.keyframes}, most_substeps_,
                             search_interval(choice_.kind), options_.workgroup_size));
@@ -100,7 +100,7 @@ Result<void> World::build_contact(const ContactRoom& room) {
              !scene_.colliders.empty()) {
     WEFT_TRY(contacts, Contacts::create_pushes(device_, model_.host));
     contacts_ = std::move(contacts);
-    WEFT_TRY(collision, collision::Collision::create(device_, model_, state_, *contacts_,
+    WEFT_TRY(collision, contact::Collision::create(device_, model_, state_, *contacts_,
                                                      collision_setup(scene_, assets_, options_)));
     collision_ = std::move(collision);
   }

@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// Mirror of Contact in shaders/shared/contact.wgsl.
+/// Mirror of Contact in src/state/contact.wgsl.
 struct Contact {
   std::array<std::uint32_t, 4> ids{};    // side A first; flags in their upper bits
   std::array<std::uint32_t, 4> slots{};  // of `entries`
@@ -49,11 +49,11 @@ struct ContactPairs {
   gpu::Buffer<Vec4f> predicted;                // 2 * vertex_count: velocities that the solver predicts [m/s];
                                                // then where a vertex was found and how far it may go [m]
   gpu::Buffer<Contact> contacts;               // room.pairs
-  gpu::Buffer<std::uint32_t> entries;          // 4 * room.pairs: shaders/shared/contact.wgsl
+  gpu::Buffer<std::uint32_t> entries;          // 4 * room.pairs: src/state/contact.wgsl
   gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count
 
   /// What pairs with obstacles say of each vertex before a substep is solved
-  /// (shaders/contact/press_sums.wgsl); kPressWords * vertex_count, or none where the solver asks for none.
+  /// (src/contact/proximity/press_sums.wgsl); kPressWords * vertex_count, or none where the solver asks for none.
   gpu::Buffer<std::int32_t> presses;
 
   /// Errors  Limit, OutOfMemory.

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kNoNode = 0xffffffffU;
 /// Whether a substep looks for pairs of features.
 enum class Detect : std::uint32_t { No, IfDue, Always };
 
-/// Mirror of shaders/shared/step.wgsl.
+/// Mirror of src/state/step.wgsl.
 struct StepParams {
   Vec4f acceleration;  // [m/s²]; w: how far a collider may go in the substep [m]
   float dt = 0;        // [s]

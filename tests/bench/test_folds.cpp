@@ -6,7 +6,7 @@
 #include "bench/folds.hpp"
 #include "bench/round_object.hpp"
 #include "mesh/grid.hpp"
-#include "reference/contact/audit.hpp"
+#include "contact/reference/proximity/audit.hpp"
 
 using namespace weft;
 

@@ -91,7 +91,7 @@ TEST_CASE("crossings are counted in the state as it is, through an object and th
   spike.positions = {{-0.03F, -0.3F, 0.02F}, {0.04F, -0.3F, 0.02F}, {0.01F, 0.4F, 0.01F}};
   spike.triangles = {{0, 1, 2}};
   const auto assets =
-      sim::load_assets(*scene, [&](const std::string&) { return Result<mesh::TriangleMesh>(spike); });
+      load_assets(*scene, [&](const std::string&) { return Result<mesh::TriangleMesh>(spike); });
   REQUIRE_MESSAGE(assets, (assets ? "" : assets.error().message));
   auto count = bench::CrossingCount::create(fixture.device(), *scene, *assets);
   REQUIRE_MESSAGE(count, (count ? "" : count.error().message));

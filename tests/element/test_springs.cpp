@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "base/random.hpp"
-#include "element/neighbours.hpp"
-#include "element/packed_springs.hpp"
-#include "element/spread_order.hpp"
-#include "element/spring_blocks.hpp"
+#include "element/spring/neighbours.hpp"
+#include "element/spring/packed_springs.hpp"
+#include "element/spring/spread_order.hpp"
+#include "element/spring/spring_blocks.hpp"
 
 using namespace weft;
 

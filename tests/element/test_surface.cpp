@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "element/surface.hpp"
+#include "state/surface.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "gpu/readback.hpp"
 #include "mesh/primitives.hpp"

@@ -14,7 +14,7 @@ TEST_CASE("a kernel sees what was written and its result comes back, for any siz
   GpuFixture fixture;
   Device& device = fixture.device();
   for (const std::uint32_t workgroup : {64U, 128U, 256U}) {
-    auto kernel = Kernel::create(device, "test/double.wgsl", {}, workgroup);
+    auto kernel = Kernel::create(device, "gpu/test/double.wgsl", {}, workgroup);
     REQUIRE_MESSAGE(kernel, kernel.error().message);
     for (const std::size_t count : {1UL, 63UL, 257UL, 100000UL}) {
       std::vector<std::uint32_t> values(count);
@@ -42,7 +42,7 @@ TEST_CASE("past 65,535 workgroups a dispatch gets rows and still touches each el
   GpuFixture fixture;
   Device& device = fixture.device();
   const std::size_t count = 64UL * 65535 + 12345;
-  auto kernel = Kernel::create(device, "test/double.wgsl", {}, 64);
+  auto kernel = Kernel::create(device, "gpu/test/double.wgsl", {}, 64);
   REQUIRE(kernel);
   const std::vector<std::uint32_t> values(count, 1);
   auto buffer = Buffer<std::uint32_t>::create_from(device, values, "values");
@@ -113,10 +113,10 @@ TEST_CASE(
   GpuFixture fixture;
   Device& device = fixture.device();
   CHECK(Kernel::create(device, "test/none.wgsl").error().kind == ErrorKind::Shader);
-  CHECK(Kernel::create(device, "test/double.wgsl", {{"kNothing", 1}}).error().kind == ErrorKind::Shader);
-  auto kernel = Kernel::create(device, "test/double.wgsl");
+  CHECK(Kernel::create(device, "gpu/test/double.wgsl", {{"kNothing", 1}}).error().kind == ErrorKind::Shader);
+  auto kernel = Kernel::create(device, "gpu/test/double.wgsl");
   REQUIRE(kernel);
-  CHECK(kernel->bind({}).error().message == "Shader test/double.wgsl binds 1 things, not 0.");
+  CHECK(kernel->bind({}).error().message == "Shader gpu/test/double.wgsl binds 1 things, not 0.");
   auto uniform = Buffer<float>::create(device, 4, "uniform", kUniform);
   REQUIRE(uniform);
   const auto group = kernel->bind({*uniform});  // not a storage buffer
@@ -195,7 +195,7 @@ TEST_CASE("a timer gives each pass a label and a time that is not negative") {
   }
   auto timer = Timer::create(**device, 4);
   REQUIRE(timer);
-  auto kernel = Kernel::create(**device, "test/double.wgsl");
+  auto kernel = Kernel::create(**device, "gpu/test/double.wgsl");
   auto buffer = Buffer<std::uint32_t>::create(**device, 1000000, "values");
   auto group = kernel->bind({*buffer});
   CommandList list;

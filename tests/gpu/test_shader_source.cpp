@@ -31,7 +31,7 @@ TEST_CASE("a gap in the binding numbers and an unknown type are errors") {
 }
 
 TEST_CASE("an include is put in once, and the embedded shaders are complete") {
-  const auto source = ShaderSource::load("test/double.wgsl");
+  const auto source = ShaderSource::load("gpu/test/double.wgsl");
   REQUIRE(source);
   CHECK(source->text.find("#include") == std::string::npos);
   CHECK(source->text.find("fn flat_index") == source->text.rfind("fn flat_index"));

@@ -6,31 +6,31 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "collision/colliders_analytic.hpp"
-#include "collision/object_tree.hpp"
-#include "collision/object_triangles.hpp"
-#include "collision/pair_search.hpp"
-#include "collision/pairs_paper.hpp"
-#include "collision/tree_refit.hpp"
-#include "element/neighbours.hpp"
-#include "element/packed_springs.hpp"
-#include "element/spring_blocks.hpp"
-#include "element/surface.hpp"
+#include "contact/pushes/colliders_analytic.hpp"
+#include "contact/object_tree.hpp"
+#include "contact/pushes/object_triangles.hpp"
+#include "contact/proximity/pair_search.hpp"
+#include "contact/pushes/pairs_paper.hpp"
+#include "contact/proximity/tree_refit.hpp"
+#include "element/spring/neighbours.hpp"
+#include "element/spring/packed_springs.hpp"
+#include "element/spring/spring_blocks.hpp"
+#include "state/surface.hpp"
 #include "gpu/kernel.hpp"
-#include "model/contact_law.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "model/host_model.hpp"
-#include "model/sheet_rim.hpp"
+#include "contact/rules/sheet_rim.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/fine_cloth.hpp"
 #include "render/floor.hpp"
 #include "render/frame_params.hpp"
 #include "scene/grab.hpp"
 #include "scene/scene.hpp"
-#include "solver/mass_spring/advance_mesh.hpp"
-#include "solver/mass_spring/grid_params.hpp"
-#include "solver/multigrid/cloth_nodes.hpp"
-#include "solver/multigrid/level.hpp"
-#include "solver/multigrid/mesh_lists.hpp"
+#include "method/mass_spring/advance_mesh.hpp"
+#include "method/mass_spring/grid_params.hpp"
+#include "method/multigrid/cloth_nodes.hpp"
+#include "method/multigrid/level.hpp"
+#include "method/multigrid/mesh_lists.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
@@ -76,7 +76,7 @@ constexpr std::size_t kUniform = 16;  // a uniform block of its own
 
 Json step_params() {
   using T = StepParams;
-  return row("StepParams", "shared/step.wgsl", sizeof(T), gpu::kStepStride,
+  return row("StepParams", "state/step.wgsl", sizeof(T), gpu::kStepStride,
              {M(acceleration),   M(dt),          M(drag),         M(vertex_count),
               M(spring_count),   M(force_scale), M(force_limit),  M(push_scale),
               M(thickness),      M(max_push),    M(first_motion), M(grab_rate),
@@ -87,70 +87,70 @@ Json step_params() {
 }
 Json spring() {
   using T = PackedSpring;
-  return row("Spring", "shared/mass_spring.wgsl", sizeof(T), kExact,
+  return row("Spring", "element/spring/packed_spring.wgsl", sizeof(T), kExact,
              {M(node_a), M(node_b_and_kind), M(rest_length)});
 }
 Json spring_kind() {
   using T = SpringKind;
-  return row("SpringKind", "shared/mass_spring.wgsl", sizeof(T), kExact, {M(stiffness), M(damping)});
+  return row("SpringKind", "element/spring/packed_spring.wgsl", sizeof(T), kExact, {M(stiffness), M(damping)});
 }
 Json spring_block() {
   using T = SpringBlock;
-  return row("SpringBlock", "mass_spring/spring_block_forces.wgsl", sizeof(T), kExact,
+  return row("SpringBlock", "method/mass_spring/spring_block_forces.wgsl", sizeof(T), kExact,
              {M(first_node), M(node_count), M(first_spring), M(spring_count)});
 }
 Json block_spring() {
   using T = BlockSpring;
-  return row("BlockSpring", "mass_spring/spring_block_forces.wgsl", sizeof(T), kExact,
+  return row("BlockSpring", "method/mass_spring/spring_block_forces.wgsl", sizeof(T), kExact,
              {M(nodes_and_kind), M(rest_length)});
 }
 Json neighbour() {
   using T = Neighbour;
-  return row("Neighbour", "shared/neighbour.wgsl", sizeof(T), kExact, {M(node_and_kind), M(rest_length)});
+  return row("Neighbour", "element/spring/neighbour.wgsl", sizeof(T), kExact, {M(node_and_kind), M(rest_length)});
 }
 Json grid_params_row() {
   using T = GridParams;
-  return row("GridParams", "mass_spring/grid_springs.wgsl", sizeof(T), kUniform,
+  return row("GridParams", "method/mass_spring/grid_springs.wgsl", sizeof(T), kUniform,
              {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(damping), M(rest_length),
               M(bending), M(tile_width), M(tiles_x)});
 }
 Json mesh_params() {
   using T = MeshParams;
-  return row("MeshParams", "mass_spring/advance_mesh.wgsl", sizeof(T), kUniform,
+  return row("MeshParams", "method/mass_spring/advance_mesh.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(kinds)});
 }
 Json spring_grid_row() {
   using T = SpringGrid;
-  return row("SpringGrid", "multigrid/spring_grid.wgsl", sizeof(T), kExact,
+  return row("SpringGrid", "method/multigrid/spring_grid.wgsl", sizeof(T), kExact,
              {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(rest_length), M(damping)});
 }
 Json multigrid_level() {
   using T = MultigridLevel;
-  return row("Level", "multigrid/level.wgsl", sizeof(T), kExact,
+  return row("Level", "method/multigrid/level.wgsl", sizeof(T), kExact,
              {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(bend_end_i),
               M(bend_end_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
 }
 Json cloth_nodes() {
   using T = ClothNodes;
-  return row("ClothNodes", "multigrid/cloth_nodes.wgsl", sizeof(T), kUniform, {M(first_vertex), M(count)});
+  return row("ClothNodes", "method/multigrid/cloth_nodes.wgsl", sizeof(T), kUniform, {M(first_vertex), M(count)});
 }
 Json mesh_level() {
   using T = MultigridMeshLevel;
-  return row("MeshLevel", "multigrid/mesh_level.wgsl", sizeof(T), kExact,
+  return row("MeshLevel", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact,
              {M(node_count), M(block_count), M(first_vector), M(first_block), M(first_row), M(first_source),
               M(first_product), M(first_taps)});
 }
 Json coupling() {
   using T = Coupling;
-  return row("Coupling", "multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(node), M(block)});
+  return row("Coupling", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(node), M(block)});
 }
 Json share() {
   using T = Share;
-  return row("Share", "multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(index), M(weight)});
+  return row("Share", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(index), M(weight)});
 }
 Json surface_params() {
   using T = SurfaceParams;
-  return row("SurfaceParams", "element/surface.wgsl", sizeof(T), kUniform,
+  return row("SurfaceParams", "state/surface.wgsl", sizeof(T), kUniform,
              {M(first_vertex), M(vertex_count), M(row)});
 }
 Json fine_grid() {
@@ -159,53 +159,53 @@ Json fine_grid() {
              {M(first_node), M(first_vertex), M(nx), M(ny), M(level)});
 }
 Json object_triangle() {
-  using T = collision::ObjectTriangle;
-  return row("ObjectTriangle", "collision/contact_pair.wgsl", sizeof(T), kExact, {M(a), M(b), M(c)});
+  using T = contact::ObjectTriangle;
+  return row("ObjectTriangle", "contact/pushes/contact_pair.wgsl", sizeof(T), kExact, {M(a), M(b), M(c)});
 }
 Json tree_node() {
-  using T = collision::TreeNode;
+  using T = contact::TreeNode;
   using Axis = decltype(T::low)::value_type;
   constexpr std::size_t low = offsetof(T, low), high = offsetof(T, high);
-  return row("TreeNode", "collision/bvh.wgsl", sizeof(T), kExact,
+  return row("TreeNode", "contact/pushes/bvh.wgsl", sizeof(T), kExact,
              {member<Axis>("low_x", low), member<Axis>("low_y", low + sizeof(Axis)),
               member<Axis>("low_z", low + 2 * sizeof(Axis)), member<Axis>("high_x", high),
               member<Axis>("high_y", high + sizeof(Axis)), member<Axis>("high_z", high + 2 * sizeof(Axis)),
               M(child), M(spare)});
 }
 Json pair_range() {
-  using T = collision::PairRange;
-  return row("PairRange", "collision/paper.wgsl", sizeof(T), 256, {M(first), M(count), M(chunk)});
+  using T = contact::PairRange;
+  return row("PairRange", "contact/pushes/paper.wgsl", sizeof(T), 256, {M(first), M(count), M(chunk)});
 }
 Json analytic_collider() {
-  using T = collision::AnalyticCollider;
-  return row("AnalyticCollider", "collision/analytic.wgsl", sizeof(T), kExact, {M(point), M(normal)});
+  using T = contact::AnalyticCollider;
+  return row("AnalyticCollider", "contact/pushes/analytic.wgsl", sizeof(T), kExact, {M(point), M(normal)});
 }
 Json contact() {
   using T = Contact;
   return row(
-      "Contact", "shared/contact.wgsl", sizeof(T), kUniform,
+      "Contact", "state/contact.wgsl", sizeof(T), kUniform,
       {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid), M(near), M(other_end)});
 }
 Json search_params() {
-  using T = collision::SearchParams;
-  return row("SearchParams", "contact/triangles.wgsl", sizeof(T), kExact,
+  using T = contact::SearchParams;
+  return row("SearchParams", "contact/proximity/triangles.wgsl", sizeof(T), kExact,
              {M(triangle_count), M(collider_count), M(self_contact), M(first_row), M(candidate_capacity),
               M(pair_capacity), M(thickness), M(self_thickness), M(vertex_count), M(flat_reach),
               M(first_opposite), M(first_rim)});
 }
 Json tree_params() {
-  using T = collision::TreeParams;
-  return row("TreeParams", "contact/tree_params.wgsl", sizeof(T), kExact,
+  using T = contact::TreeParams;
+  return row("TreeParams", "contact/proximity/tree_params.wgsl", sizeof(T), kExact,
              {M(tree), M(top), M(first_triangle), M(triangle_count)});
 }
 Json colliders() {
-  using List = std::array<std::array<std::uint32_t, 4>, collision::kMostColliders>;
-  static_assert(sizeof(List) == collision::kMostColliders * sizeof(collision::TreeWord));
-  return row("Colliders", "contact/find_candidates.wgsl", sizeof(List), kExact, {member<List>("list", 0)});
+  using List = std::array<std::array<std::uint32_t, 4>, contact::kMostColliders>;
+  static_assert(sizeof(List) == contact::kMostColliders * sizeof(contact::TreeWord));
+  return row("Colliders", "contact/proximity/find_candidates.wgsl", sizeof(List), kExact, {member<List>("list", 0)});
 }
 Json collider_place() {
-  using T = collision::ColliderPlace;
-  return row("ColliderPlace", "contact/move_points.wgsl", sizeof(T), kExact, {M(rows), M(shape), M(spin)});
+  using T = contact::ColliderPlace;
+  return row("ColliderPlace", "contact/proximity/move_points.wgsl", sizeof(T), kExact, {M(rows), M(shape), M(spin)});
 }
 Json frame() {
   using T = render::FrameParams;
@@ -235,7 +235,7 @@ Json real(const char* name, const char* file, double value) {
 
 /// Kernels know the statistics as words of an array.
 Json statistic(const char* name, std::size_t offset) {
-  return constant(name, "shared/statistics.wgsl", static_cast<double>(offset / sizeof(std::uint32_t)));
+  return constant(name, "state/statistics.wgsl", static_cast<double>(offset / sizeof(std::uint32_t)));
 }
 
 }  // namespace
@@ -252,19 +252,19 @@ Json struct_layouts() {
 
 Json shared_constants() {
   return Json::array({
-      constant("kMaxGrabs", "shared/step.wgsl", scene::kMaxGrabs),
-      constant("kGroupsPerRow", "shared/index.wgsl", gpu::kGroupsPerRow),
-      constant("kWorkgroupSize", "shared/index.wgsl", gpu::kDefaultWorkgroupSize),
-      constant("kAnalyticId", "collision/analytic.wgsl", collision::kAnalyticId),
-      constant("kStackSize", "collision/bvh.wgsl", collision::kStackSize),
+      constant("kMaxGrabs", "state/step.wgsl", scene::kMaxGrabs),
+      constant("kGroupsPerRow", "gpu/index.wgsl", gpu::kGroupsPerRow),
+      constant("kWorkgroupSize", "gpu/index.wgsl", gpu::kDefaultWorkgroupSize),
+      constant("kAnalyticId", "contact/pushes/analytic.wgsl", contact::kAnalyticId),
+      constant("kStackSize", "contact/pushes/bvh.wgsl", contact::kStackSize),
       constant("kWireframe", "render/frame.wgsl", static_cast<double>(scene::View::Wireframe)),
-      constant("kResidual", "multigrid/vectors.wgsl", multigrid::kResidual),
-      constant("kInverse", "multigrid/vectors.wgsl", multigrid::kInverse),
-      constant("kDirection", "multigrid/vectors.wgsl", multigrid::kDirection),
-      constant("kFirst", "multigrid/vectors.wgsl", multigrid::kFirst),
-      constant("kSecond", "multigrid/vectors.wgsl", multigrid::kSecond),
-      constant("kVectors", "multigrid/vectors.wgsl", multigrid::kVectors),
-      constant("kTaps", "multigrid/mesh_level.wgsl", multigrid::kTaps),
+      constant("kResidual", "method/multigrid/vectors.wgsl", multigrid::kResidual),
+      constant("kInverse", "method/multigrid/vectors.wgsl", multigrid::kInverse),
+      constant("kDirection", "method/multigrid/vectors.wgsl", multigrid::kDirection),
+      constant("kFirst", "method/multigrid/vectors.wgsl", multigrid::kFirst),
+      constant("kSecond", "method/multigrid/vectors.wgsl", multigrid::kSecond),
+      constant("kVectors", "method/multigrid/vectors.wgsl", multigrid::kVectors),
+      constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::kTaps),
       statistic("kStatHits", offsetof(Statistics, hits)),
       statistic("kStatHitHash", offsetof(Statistics, hit_hash)),
       statistic("kStatMaxStretch", offsetof(Statistics, max_stretch)),
@@ -283,35 +283,35 @@ Json shared_constants() {
       statistic("kStatFound", offsetof(Statistics, found)),
       statistic("kStatReach", offsetof(Statistics, reach)),
       statistic("kStatTravel", offsetof(Statistics, travel)),
-      constant("kReachMargin", "shared/step.wgsl", kReachMargin),
-      constant("kFastest", "contact/detect_begin.wgsl", kFastest),
-      constant("kPressWords", "contact/press_sums.wgsl", kPressWords),
-      constant("kDetectIfDue", "shared/step.wgsl", static_cast<double>(Detect::IfDue)),
-      constant("kDetectAlways", "shared/step.wgsl", static_cast<double>(Detect::Always)),
-      constant("kColliderPoint", "shared/contact.wgsl", kColliderPoint),
-      constant("kPairFlag", "shared/contact.wgsl", kPairFlag),
-      constant("kIdBits", "shared/contact.wgsl", kIdBits),
-      constant("kVertexWords", "shared/contact.wgsl", kVertexWords),
-      constant("kCursorWord", "shared/contact.wgsl", kCursorWord),
-      constant("kCrossingFlag", "shared/contact.wgsl", kCrossingFlag),
-      constant("kUntangles", "shared/contact.wgsl", kUntangles),
-      constant("kCursorBits", "shared/contact.wgsl", kCursorBits),
-      constant("kNoCorner", "contact/triangles.wgsl", kNoCorner),
-      real("kUntanglePart", "shared/contact.wgsl", kUntanglePart),
-      real("kUntangleRate", "shared/contact.wgsl", kUntangleRate),
-      real("kContourGain", "contact/untangle.wgsl", kContourGain),
-      real("kRimPart", "contact/untangle.wgsl", kRimPart),
-      real("kLeastSlope", "contact/untangle.wgsl", kLeastSlope),
-      real("kLeastOutward", "contact/untangle.wgsl", kLeastOutward),
-      real("kOutwardPart", "contact/untangle.wgsl", kOutwardPart),
-      real("kTouch", "contact/evaluate.wgsl", kTouch),
-      real("kTouching", "shared/contact.wgsl", kContactTouching),
-      real("kSpring", "mass_spring/contact_impulse.wgsl", kContactSpring),
-      real("kWall", "mass_spring/contact_impulse.wgsl", kContactWall),
-      real("kMargin", "contact/planes.wgsl", kContactMargin),
-      real("kFloor", "contact/planes.wgsl", kContactFloor),
-      constant("kLeafTriangles", "contact/tree.wgsl", collision::kTreeLeafTriangles),
-      constant("kTreeArity", "contact/tree.wgsl", collision::kTreeArity),
+      constant("kReachMargin", "state/step.wgsl", kReachMargin),
+      constant("kFastest", "contact/proximity/detect_begin.wgsl", kFastest),
+      constant("kPressWords", "contact/proximity/press_sums.wgsl", kPressWords),
+      constant("kDetectIfDue", "state/step.wgsl", static_cast<double>(Detect::IfDue)),
+      constant("kDetectAlways", "state/step.wgsl", static_cast<double>(Detect::Always)),
+      constant("kColliderPoint", "state/contact.wgsl", kColliderPoint),
+      constant("kPairFlag", "state/contact.wgsl", kPairFlag),
+      constant("kIdBits", "state/contact.wgsl", kIdBits),
+      constant("kVertexWords", "state/contact.wgsl", kVertexWords),
+      constant("kCursorWord", "state/contact.wgsl", kCursorWord),
+      constant("kCrossingFlag", "state/contact.wgsl", kCrossingFlag),
+      constant("kUntangles", "state/contact.wgsl", kUntangles),
+      constant("kCursorBits", "state/contact.wgsl", kCursorBits),
+      constant("kNoCorner", "contact/proximity/triangles.wgsl", kNoCorner),
+      real("kUntanglePart", "state/contact.wgsl", kUntanglePart),
+      real("kUntangleRate", "state/contact.wgsl", kUntangleRate),
+      real("kContourGain", "contact/proximity/untangle.wgsl", kContourGain),
+      real("kRimPart", "contact/proximity/untangle.wgsl", kRimPart),
+      real("kLeastSlope", "contact/proximity/untangle.wgsl", kLeastSlope),
+      real("kLeastOutward", "contact/proximity/untangle.wgsl", kLeastOutward),
+      real("kOutwardPart", "contact/proximity/untangle.wgsl", kOutwardPart),
+      real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
+      real("kTouching", "state/contact.wgsl", kContactTouching),
+      real("kSpring", "contact/proximity/contact_impulse.wgsl", kContactSpring),
+      real("kWall", "contact/proximity/contact_impulse.wgsl", kContactWall),
+      real("kMargin", "contact/proximity/planes.wgsl", kContactMargin),
+      real("kFloor", "contact/proximity/planes.wgsl", kContactFloor),
+      constant("kLeafTriangles", "contact/proximity/tree.wgsl", contact::kTreeLeafTriangles),
+      constant("kTreeArity", "contact/proximity/tree.wgsl", contact::kTreeArity),
   });
 }
 

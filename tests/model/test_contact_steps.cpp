@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "model/contact_law.hpp"
-#include "model/contact_steps.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "contact/rules/contact_steps.hpp"
 #include "scene/load.hpp"
 #include "scene/motion.hpp"
 

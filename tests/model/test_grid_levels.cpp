@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "model/grid_levels.hpp"
-#include "model/solver_choice.hpp"
+#include "method/multigrid/grid_levels.hpp"
+#include "method/solver_choice.hpp"
 #include "scene/load.hpp"
 
 using namespace weft;

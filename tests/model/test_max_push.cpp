@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "model/max_push.hpp"
+#include "contact/rules/max_push.hpp"
 
 using namespace weft;
 

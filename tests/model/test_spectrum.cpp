@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "model/spectrum.hpp"
+#include "method/mass_spring/spectrum.hpp"
 #include "scene/load.hpp"
 
 using namespace weft;

@@ -3,7 +3,7 @@
 
 #include <Eigen/Sparse>
 
-#include "reference/multigrid/grid_operator.hpp"
+#include "method/multigrid/reference/grid_operator.hpp"
 
 namespace weft {
 

@@ -8,14 +8,14 @@
 
 #include "reference/simulation.hpp"
 #include "scene/load.hpp"
-#include "sim/assets.hpp"
+#include "model/assets.hpp"
 
 namespace weft {
 
 #define REQUIRE_OK(result) REQUIRE_MESSAGE(static_cast<bool>(result), (result).error().message)
 
 inline reference::Simulation simulation_of(const scene::Scene& scene) {
-  const auto assets = sim::load_assets(scene, WEFT_SOURCE_DIR "/models");
+  const auto assets = load_assets(scene, WEFT_SOURCE_DIR "/models");
   REQUIRE_OK(assets);
   auto simulation = reference::Simulation::create(scene, assets->cloths, assets->objects, assets->keyframes);
   REQUIRE_OK(simulation);

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/random.hpp"
-#include "reference/multigrid/implicit_step.hpp"
+#include "method/multigrid/reference/implicit_step.hpp"
 #include "scene/load.hpp"
 
 namespace weft {

@@ -5,7 +5,7 @@
 
 #include "base/random.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "reference/contact/audit.hpp"
+#include "contact/reference/proximity/audit.hpp"
 
 namespace weft {
 

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "mesh/primitives.hpp"
-#include "reference/contact/closest.hpp"
-#include "reference/contact/orientation.hpp"
+#include "contact/reference/proximity/closest.hpp"
+#include "contact/reference/proximity/orientation.hpp"
 #include "soup.hpp"
 
 using namespace weft;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "reference/contact/closest.hpp"
+#include "contact/reference/proximity/closest.hpp"
 
 using namespace weft;
 using namespace weft::reference;

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "mesh/primitives.hpp"
-#include "reference/collision/contact_pairs.hpp"
+#include "contact/reference/pushes/contact_pairs.hpp"
 #include "soup.hpp"
 
 using namespace weft;

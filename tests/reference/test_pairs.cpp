@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "mesh/grid.hpp"
-#include "reference/contact/near_list.hpp"
+#include "contact/reference/proximity/near_list.hpp"
 #include "soup.hpp"
 
 using namespace weft;

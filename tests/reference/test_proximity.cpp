@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "mesh/primitives.hpp"
-#include "model/contact_law.hpp"
-#include "reference/contact/audit.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "contact/reference/proximity/audit.hpp"
 #include "rig.hpp"
 
 using namespace weft;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "model/contact_law.hpp"
-#include "reference/contact/pairs.hpp"
-#include "reference/contact/respond.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "contact/reference/proximity/pairs.hpp"
+#include "contact/reference/proximity/respond.hpp"
 #include "soup.hpp"
 
 using namespace weft;

@@ -6,8 +6,8 @@
 
 #include "base/random.hpp"
 #include "mesh/primitives.hpp"
-#include "reference/contact/obstacles.hpp"
-#include "reference/contact/truncate.hpp"
+#include "contact/reference/proximity/obstacles.hpp"
+#include "contact/reference/proximity/truncate.hpp"
 #include "scene/load.hpp"
 #include "soup.hpp"
 

@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "mesh/primitives.hpp"
-#include "model/contact_law.hpp"
-#include "model/sheet_rim.hpp"
-#include "reference/contact/audit.hpp"
-#include "reference/contact/untangle.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "contact/rules/sheet_rim.hpp"
+#include "contact/reference/proximity/audit.hpp"
+#include "contact/reference/proximity/untangle.hpp"
 #include "rig.hpp"
 
 using namespace weft;

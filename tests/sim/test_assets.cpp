@@ -2,7 +2,7 @@
 
 #include "mesh/primitives.hpp"
 #include "scene/load.hpp"
-#include "sim/assets.hpp"
+#include "model/assets.hpp"
 
 using namespace weft;
 
@@ -27,14 +27,14 @@ Result<mesh::TriangleMesh> read(const std::string& name) {
   return mesh;
 }
 
-Result<sim::Assets> assets_of(const std::string& colliders) {
+Result<Assets> assets_of(const std::string& colliders) {
   const auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "cloths": [{"grid": [4, 3], "size": [3, 2], "density": 0.2}],
           "contact": {"method": "proximity"}, "colliders": [)" +
           colliders + "]}",
       "a.json");
   if (!scene) FAIL(scene.error().message);
-  return sim::load_assets(*scene, read);
+  return load_assets(*scene, read);
 }
 
 std::string refusal(const std::string& keyframe) {

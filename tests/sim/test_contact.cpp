@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "contact_rig.hpp"
-#include "model/contact_law.hpp"
-#include "reference/contact/respond.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "contact/reference/proximity/respond.hpp"
 
 using namespace weft;
 

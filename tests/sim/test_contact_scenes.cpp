@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/contact/audit.hpp"
+#include "contact/reference/proximity/audit.hpp"
 #include "scene/motion.hpp"
 #include "world_rig.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "model/grab_speed.hpp"
-#include "reference/mass_spring.hpp"
+#include "method/mass_spring/reference/mass_spring.hpp"
 #include "world_rig.hpp"
 
 using namespace weft;

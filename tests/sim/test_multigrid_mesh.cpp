@@ -27,8 +27,8 @@ scene::Scene scene_with(const std::string& kind, const std::string& members,
 std::string mesh_cloth(const std::string& more) { return R"({"mesh": "a.obj", )" + more + "}"; }
 const std::string kNoContact = R"("contact": {"method": "none"}, )";
 
-sim::Assets assets_of(const std::vector<mesh::TriangleMesh>& cloths) {
-  sim::Assets assets;
+Assets assets_of(const std::vector<mesh::TriangleMesh>& cloths) {
+  Assets assets;
   assets.cloths = cloths;
   return assets;
 }
@@ -208,7 +208,7 @@ TEST_CASE("an implicit mesh meets a box and a ball that turns as the reference d
     mesh::TriangleMesh mesh = jittered_sheet(9, 9, 0.4, 0.4);
     for (Vec3f& x : mesh.positions) x.y = 0.215F;
     auto assets =
-        sim::load_assets(scene, [&](const std::string&) -> Result<mesh::TriangleMesh> { return mesh; });
+        load_assets(scene, [&](const std::string&) -> Result<mesh::TriangleMesh> { return mesh; });
     REQUIRE_OK(assets);
     auto made = sim::World::create(fixture.device(), scene, *assets);
     REQUIRE_OK(made);

@@ -5,7 +5,7 @@
 #include <stb/stb_image.h>
 
 #include "pictures.hpp"
-#include "reference/collision/winding.hpp"
+#include "contact/reference/pushes/winding.hpp"
 #include "temporary_folder.hpp"
 #include "world_rig.hpp"
 

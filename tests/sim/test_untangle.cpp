@@ -5,7 +5,7 @@
 #include "contact_rig.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/primitives.hpp"
-#include "model/contact_law.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "temporary_folder.hpp"
 
 using namespace weft;

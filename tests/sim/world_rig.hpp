@@ -25,7 +25,7 @@ inline scene::Scene shipped_scene(const std::string& name,
 
 inline std::unique_ptr<sim::World> world_of(gpu::Device& device, const scene::Scene& scene,
                                             const sim::WorldOptions& options = {}) {
-  auto assets = sim::load_assets(scene, kModels);
+  auto assets = load_assets(scene, kModels);
   REQUIRE_OK(assets);
   auto world = sim::World::create(device, scene, *assets, options);
   REQUIRE_OK(world);

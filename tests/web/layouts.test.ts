@@ -67,7 +67,7 @@ it.each(cpp.constants)("$name of $file is the same number in C++", (constant) =>
 });
 
 it("every statistic of WGSL is compared", () => {
-  const declared = [...loadShader("shared/statistics.wgsl").matchAll(/^const (kStat\w+)/gm)].map(([, name]) => name);
+  const declared = [...loadShader("state/statistics.wgsl").matchAll(/^const (kStat\w+)/gm)].map(([, name]) => name);
   expect(cpp.constants.map(({ name }) => name).filter((name) => name.startsWith("kStat"))).toEqual(declared);
 });
 

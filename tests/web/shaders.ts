@@ -2,9 +2,9 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
-export const SHADERS = join(import.meta.dirname, "../../shaders");
+export const SHADERS = join(import.meta.dirname, "../../src");
 
-/** Every shader's path in shaders/. */
+/** Every shader's path in src/. */
 export function shaderPaths(): string[] {
   return readdirSync(SHADERS, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".wgsl")).sort();
 }

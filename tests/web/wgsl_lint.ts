@@ -26,8 +26,8 @@ const RULES: readonly Rule[] = [
 // collision/ adds every product by fma, so that `paper` and `bvh`, where they share a function, leave a compiler nothing to
 // choose (triangle_pair.wgsl says more).
 const ALLOWED: Readonly<Record<string, readonly string[]>> = {
-  "collision/triangle_pair.wgsl": ["fma"],
-  "collision/analytic.wgsl": ["fma"],
+  "contact/pushes/triangle_pair.wgsl": ["fma"],
+  "contact/pushes/analytic.wgsl": ["fma"],
 };
 
 /** What a shader may not contain, as sentences with the line. */

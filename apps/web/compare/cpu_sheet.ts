@@ -1,5 +1,5 @@
 // Baseline: mass-spring cloth on the CPU in JavaScript, on one thread: what Sung et al. (arXiv 2507.11794, experiment 1) set
-// WebGPU against. The same step as src/reference/mass_spring.cpp: forces at the state before the step,
+// WebGPU against. The same step as src/method/mass_spring/reference/mass_spring.cpp: forces at the state before the step,
 // damping along the spring, semi-implicit Euler. Source of the equations: docs/solvers/mass_spring.md, (1) to (4).
 //
 // Written for speed: flat typed arrays, each spring once, no lists of springs on a grid, row by row so that what a row's

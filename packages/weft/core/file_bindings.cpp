@@ -54,7 +54,7 @@ weft::Result<void> check(const std::string& text) {
   WEFT_TRY(inputs, weft::web::read_inputs(text, {}, weft::web::kWorldBytesPerNode));
   std::size_t triangles = 0;
   for (const auto& object : inputs.assets.objects) triangles += object.triangles.size();
-  message = nlohmann::json{{"nodes", weft::sim::node_count(inputs.scene, inputs.assets)},
+  message = nlohmann::json{{"nodes", weft::node_count(inputs.scene, inputs.assets)},
                            {"obstacleTriangles", triangles}}
                 .dump();
   return {};

@@ -11,8 +11,8 @@ namespace weft::web {
 namespace {
 
 /// Errors  Limit.
-Result<void> check_room(const scene::Scene& scene, const sim::Assets& assets, std::uint64_t bytes_per_node) {
-  const std::uint64_t nodes = sim::node_count(scene, assets);
+Result<void> check_room(const scene::Scene& scene, const Assets& assets, std::uint64_t bytes_per_node) {
+  const std::uint64_t nodes = node_count(scene, assets);
   const std::uint64_t bytes = nodes * bytes_per_node, limit = emscripten_get_heap_max();
   if (bytes <= limit) return {};
   return make_error(
@@ -46,7 +46,7 @@ Result<Inputs> read_inputs(const std::string& text, std::span<const scene::Overr
                            std::uint64_t bytes_per_node) {
   WEFT_TRY(scene, scene::parse_scene(text, kSceneName, changes));
   const auto find_mesh = [](const std::string& name) { return meshes().find(name); };
-  WEFT_TRY(assets, sim::load_assets(scene, find_mesh));
+  WEFT_TRY(assets, load_assets(scene, find_mesh));
   WEFT_CHECK(check_room(scene, assets, bytes_per_node));
   return Inputs{std::move(scene), std::move(assets)};
 }

@@ -13,7 +13,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "scene/override.hpp"
 #include "scene/scene.hpp"
-#include "sim/assets.hpp"
+#include "model/assets.hpp"
 
 namespace weft::web {
 
@@ -41,7 +41,7 @@ Meshes& meshes();
 /// A scene and its meshes, read and checked.
 struct Inputs {
   scene::Scene scene;
-  sim::Assets assets;
+  Assets assets;
 };
 /// Reads a scene with its changes, and finds its meshes. What would end the module for want of memory is
 /// refused, since a failed allocation is a trap: `bytes_per_node` are needed. Errors  Input, Limit.

@@ -5,7 +5,7 @@
 
 #include "reference/simulation.hpp"
 #include "scene/load.hpp"
-#include "sim/assets.hpp"
+#include "model/assets.hpp"
 
 namespace {
 
@@ -17,7 +17,7 @@ weft::Result<std::string> hash_after(const std::string& path, long frames,
     overrides.push_back(parsed);
   }
   WEFT_TRY(scene, weft::scene::load_scene(path, overrides));
-  WEFT_TRY(assets, weft::sim::load_assets(scene, WEFT_SOURCE_DIR "/models"));
+  WEFT_TRY(assets, weft::load_assets(scene, WEFT_SOURCE_DIR "/models"));
   WEFT_TRY(simulation,
            weft::reference::Simulation::create(scene, assets.cloths, assets.objects, assets.keyframes));
   for (long frame = 0; frame < frames; ++frame) WEFT_CHECK(simulation.advance_frame());

@@ -1,9 +1,0 @@
-// The blocks of a mesh's matrices, in two vec4f each: xx, yy, zz, yz and xz, xy. The including kernel binds `blocks`.
-#include "multigrid/mesh_level.wgsl"
-#include "multigrid/symmetric.wgsl"
-
-fn block_of(level : Level, number : u32) -> Symmetric {
-  let at = 2u * (level.first_block + number);
-  let a = blocks[at];
-  return Symmetric(a.xyz, vec3f(a.w, blocks[at + 1u].xy));
-}

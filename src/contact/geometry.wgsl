@@ -1,0 +1,12 @@
+// What tests on triangles and boxes have in common.
+struct Box { low : vec3f, high : vec3f }
+
+// Of a determinant of differences, a sum of six products, in parts of the product of the largest components: contact/pushes/triangle_pair.wgsl.
+const kRounding = 3.814697265625e-06;  // 64 * 2^-24
+
+fn largest(a : vec3f) -> f32 { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }
+
+// Found on the bits: a compiler may take NaN and infinity to be absent.
+fn is_finite(v : vec3f) -> bool {
+  return all((bitcast<vec3u>(v) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
+}

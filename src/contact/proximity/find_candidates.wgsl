@@ -1,0 +1,238 @@
+// The broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation per
+// cloth triangle; it walks the cloths' own tree for later triangles, and every collider, once to count and, where that has found many, once to write.
+// Where a triangle's candidates stand in the list hangs on the order of workgroups, and nothing hangs on that.
+// Source: docs/contact.md.
+#include "gpu/index.wgsl"
+#include "state/contact.wgsl"
+#include "state/statistics.wgsl"
+#include "contact/proximity/tree.wgsl"
+#include "contact/proximity/triangles.wgsl"
+#include "contact/proximity/allocate.wgsl"
+// A collider: its kind, then
+const kColliderTree = 0u;       // a rigid mesh: first word of its nodes, first word of its triangles, its number
+const kColliderImplicit = 1u;   // a mesh that deforms: first word of its tree, its first triangle of `triangles`, their number
+const kColliderSphere = 2u;     // its point
+const kColliderCapsule = 3u;    // its point; the other end is two further
+const kColliderPlane = 4u;      // its point; the normal is the next
+const kMostColliders = 1024u;
+struct Colliders { list : array<vec4u, kMostColliders> }
+//                                                                                   elements
+@group(0) @binding(0) var<uniform>             params        : SearchParams;
+@group(0) @binding(1) var<uniform>             colliders     : Colliders;
+@group(0) @binding(2) var<storage, read>       predicted     : array<vec4f>;        // 2 * vertex_count: contact/proximity/tree.wgsl
+@group(0) @binding(3) var<storage, read>       triangles     : array<vec4u>;        // in tree order: corners; w: what it owns, friction
+@group(0) @binding(4) var<storage, read>       trees         : array<vec4u>;
+@group(0) @binding(5) var<storage, read>       points        : array<vec4f>;        // of colliders; see contact/proximity/move_points.wgsl
+@group(0) @binding(6) var<storage, read_write> candidates    : array<vec2u>;        // candidate_capacity
+@group(0) @binding(7) var<storage, read_write> statistics    : array<atomic<u32>>;
+
+const kMostKept = 16u;
+var<private> found : u32;
+var<private> kept : array<vec2u, kMostKept>;  // the first of them
+var<private> next : u32;  // where to write, once `writing`
+var<private> writing : bool;
+var<private> own : u32;
+var<private> corners : vec3u;
+var<private> a : vec3f;  // the corners' places, m
+var<private> b : vec3f;
+var<private> c : vec3f;
+var<private> own_reach : f32;  // m
+var<workgroup> due : u32;
+
+fn emit(kind : u32, place : u32) {
+  if (writing) {
+    candidates[next] = vec2u(own | (kind << kKindShift), place);
+    next++;
+  } else {
+    if (found < kMostKept) { kept[found] = vec2u(own | (kind << kKindShift), place); }
+    found++;
+  }
+}
+
+// Two triangles of a sheet that share an edge are no nearer than their altitudes until the sheet is folded there by more than
+// a right angle or so; slow and flat cloth has nothing else within its radius.
+fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f) -> bool {
+  let same_a = vec3<bool>(corners.x == other.x || corners.x == other.y || corners.x == other.z,
+                          corners.y == other.x || corners.y == other.y || corners.y == other.z,
+                          corners.z == other.x || corners.z == other.y || corners.z == other.z);
+  let shared_count = select(0u, 1u, same_a.x) + select(0u, 1u, same_a.y) + select(0u, 1u, same_a.z);
+  if (shared_count != 2u) { return false; }
+  let middle = 0.5 * (select(vec3f(0.0), a, same_a.x) + select(vec3f(0.0), b, same_a.y) + select(vec3f(0.0), c, same_a.z));
+  let tip = (a + b + c) - 2.0 * middle;
+  let other_tip = (d + e + f) - 2.0 * middle;
+  let u = tip - middle;
+  let v = other_tip - middle;
+  let along = dot(u, v);
+  return along < 0.0 && along * along > 0.0625 * dot(u, u) * dot(v, v);
+}
+
+// Which children of a node overlap the box, as bits; none whose triangles all come before `after`.
+fn child_hits(tree : u32, level : u32, node : u32, box : Box, after : u32) -> u32 {
+  let place = trees[tree + level];  // of the level below
+  var hits = 0u;
+  for (var k = 0u; k < kTreeArity; k++) {
+    let child = kTreeArity * node + k;
+    let word = place.x + 2u * min(child, place.y - 1u);
+    let low = bitcast<vec3f>(trees[word].xyz);
+    let high = bitcast<vec3f>(trees[word + 1u].xyz);
+    let last = kLeafTriangles * ((child + 1u) << (3u * (level - 1u)));
+    hits |= select(0u, 1u << k, child < place.y && last > after && overlap(box, Box(low, high)));
+  }
+  return hits;
+}
+
+// Tests the triangles of a leaf.
+fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
+  for (var t = begin; t < end; t++) {
+    let other = triangles[first + t];
+    if (deforming) {
+      let d = points[other.x].xyz;
+      let e = points[other.y].xyz;
+      let f = points[other.z].xyz;
+      if (overlap(box, box_of(d, e, f)) && is_finite(d) && is_finite(e) && is_finite(f)) { emit(kNearDeforming, first + t); }
+      continue;
+    }
+    let d = predicted[params.vertex_count + other.x];
+    let e = predicted[params.vertex_count + other.y];
+    let f = predicted[params.vertex_count + other.z];
+    let reach = largest_reach(d, e, f);
+    if (!overlap(box, grown(box_of(d.xyz, e.xyz, f.xyz), reach))) { continue; }
+    if (!(is_finite(d.xyz) && is_finite(e.xyz) && is_finite(f.xyz))) { continue; }
+    let slow = own_reach + reach <= 2.0 * params.flat_reach;
+    if (!(slow && lie_flat(other.xyz, d.xyz, e.xyz, f.xyz))) { emit(kNearCloth, t); }
+  }
+}
+
+// Walks an implicit tree. What is left of each level waits as eight bits: of the lower four levels in one word, of the upper
+// four in another.
+fn walk_implicit(tree : u32, first : u32, count : u32, deforming : bool, after : u32, box : Box) {
+  let top = trees[tree].x;
+  var waiting = vec2u(0u);
+  var level = top;
+  var node = 0u;
+  var hits = child_hits(tree, level, node, box, after);
+  loop {
+    if (hits == 0u) {
+      if (level == top) { break; }
+      level++;
+      node = node >> 3u;
+      let shift = 8u * (level & 3u);
+      hits = (select(waiting.x, waiting.y, level > 3u) >> shift) & 255u;
+      continue;
+    }
+    let child = kTreeArity * node + firstTrailingBit(hits);
+    hits &= hits - 1u;
+    if (level == 1u) {
+      let begin = kLeafTriangles * child;
+      meet_leaf(first, max(begin, after), min(begin + kLeafTriangles, count), deforming, box);
+    } else {
+      let shift = 8u * (level & 3u);
+      if (level > 3u) {
+        waiting.y = (waiting.y & ~(255u << shift)) | (hits << shift);
+      } else {
+        waiting.x = (waiting.x & ~(255u << shift)) | (hits << shift);
+      }
+      level--;
+      node = child;
+      hits = child_hits(tree, level, node, box, after);
+    }
+  }
+}
+
+// A point in the space of a collider: the transpose of its rotation.
+fn local(collider : u32, p : vec3f) -> vec3f {
+  let row = params.first_row + 3u * collider;
+  let rx = points[row];
+  let ry = points[row + 1u];
+  let rz = points[row + 2u];
+  let d = p - vec3f(rx.w, ry.w, rz.w);
+  return d.x * rx.xyz + d.y * ry.xyz + d.z * rz.xyz;
+}
+
+// Walks the tree of a rigid mesh (src/contact/object_tree.hpp) in the mesh's own space.
+const kStackSize = 32u;
+fn walk_rigid(collider : vec4u, radius : f32) {
+  let box = grown(box_of(local(collider.w, a), local(collider.w, b), local(collider.w, c)), radius);
+  var stack : array<u32, kStackSize>;
+  var size = 1u;
+  while (size > 0u) {
+    size--;
+    let node = collider.y + 8u * stack[size];
+    let child = trees[node + 6u];
+    let hit = (vec4f(box.low.x) <= bitcast<vec4f>(trees[node + 3u])) & (bitcast<vec4f>(trees[node]) <= vec4f(box.high.x)) &
+              (vec4f(box.low.y) <= bitcast<vec4f>(trees[node + 4u])) & (bitcast<vec4f>(trees[node + 1u]) <= vec4f(box.high.y)) &
+              (vec4f(box.low.z) <= bitcast<vec4f>(trees[node + 5u])) & (bitcast<vec4f>(trees[node + 2u]) <= vec4f(box.high.z));
+    for (var k = 0u; k < 4u; k++) {
+      if (!hit[k]) { continue; }
+      let count = child[k] % 8u;
+      let index = child[k] / 8u;
+      if (count == 0u) {
+        if (index > 0u && size < kStackSize) { stack[size] = index; size++; }
+        continue;
+      }
+      for (var t = index; t < index + count; t++) {
+        let word = collider.z + 3u * t;
+        let other = box_of(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz), bitcast<vec3f>(trees[word + 2u].xyz));
+        if (overlap(box, other)) { emit(kNearRigid, word); }
+      }
+    }
+  }
+}
+
+fn meet_all(scripted_reach : f32) {
+  let box = box_of(a, b, c);
+  let radius = params.thickness + own_reach + scripted_reach;
+  let wide = grown(box, radius);
+  if (params.self_contact == 1u) {
+    walk_implicit(0u, 0u, params.triangle_count, false, own + 1u, grown(box, params.self_thickness + own_reach));
+  }
+  for (var k = 0u; k < params.collider_count; k++) {
+    let collider = colliders.list[k];
+    if (collider.x == kColliderTree) { walk_rigid(collider, radius); }
+    if (collider.x == kColliderImplicit) { walk_implicit(collider.y, collider.z, collider.w, true, 0u, wide); }
+    if (collider.x == kColliderSphere) {
+      let ball = points[collider.y];
+      if (overlap(grown(Box(ball.xyz, ball.xyz), ball.w), wide)) { emit(kNearSphere, collider.y); }
+    }
+    if (collider.x == kColliderCapsule) {
+      let start = points[collider.y];
+      let far = points[collider.y + 2u];
+      if (overlap(grown(Box(min(start.xyz, far.xyz), max(start.xyz, far.xyz)), start.w), wide)) { emit(kNearCapsule, collider.y); }
+    }
+    if (collider.x == kColliderPlane) {
+      let q = points[collider.y].xyz;
+      let n = points[collider.y + 1u].xyz;
+      if (min(min(dot(a - q, n), dot(b - q, n)), dot(c - q, n)) < radius) { emit(kNearPlane, collider.y); }
+    }
+  }
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) thread : u32) {
+  if (thread == 0u) { due = atomicLoad(&statistics[kStatDue]); }
+  if (workgroupUniformLoad(&due) == 0u) { return; }
+  own = flat_index(id);
+  let scripted_reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
+  var works = own < params.triangle_count;
+  if (works) {
+    corners = triangles[own].xyz;
+    let place_a = predicted[params.vertex_count + corners.x];
+    let place_b = predicted[params.vertex_count + corners.y];
+    let place_c = predicted[params.vertex_count + corners.z];
+    a = place_a.xyz;
+    b = place_b.xyz;
+    c = place_c.xyz;
+    own_reach = largest_reach(place_a, place_b, place_c);
+    works = is_finite(a) && is_finite(b) && is_finite(c);
+  }
+  if (works) { meet_all(scripted_reach); }
+  next = allocate(thread, found, kStatCandidates);
+  if (found > 0u && next + found > params.candidate_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
+  if (next + found > params.candidate_capacity) { return; }
+  if (found > kMostKept) {
+    writing = true;
+    meet_all(scripted_reach);
+  } else {
+    for (var k = 0u; k < found; k++) { candidates[next + k] = kept[k]; }
+  }
+}

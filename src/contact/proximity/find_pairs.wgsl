@@ -1,0 +1,273 @@
+// The narrow phase: lists the pairs of features nearer than thickness and reaches, out of the candidates. An invocation takes every so-manieth
+// candidate. A vertex or edge belongs to one of its triangles, so that each pair of features is found once (Curtis et al. 2008, Fast
+// Collision Detection for Deformable Models using Representative-Triangles). An edge that passes through a triangle is counted, and
+// listed with the way by which both come apart.
+#include "gpu/index.wgsl"
+#include "state/contact.wgsl"
+#include "state/statistics.wgsl"
+#include "contact/proximity/tree.wgsl"
+#include "contact/proximity/triangles.wgsl"
+#include "contact/proximity/closest.wgsl"
+#include "contact/proximity/crossing.wgsl"
+#include "contact/proximity/untangle.wgsl"
+#include "contact/proximity/allocate.wgsl"
+//                                                                                     elements
+@group(0) @binding(0) var<uniform>             params          : SearchParams;
+@group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count: contact/proximity/tree.wgsl
+@group(0) @binding(2) var<storage, read>       triangles       : array<vec4u>;        // in tree order: corners; w: what it owns, friction
+@group(0) @binding(3) var<storage, read>       trees           : array<vec4u>;
+@group(0) @binding(4) var<storage, read>       points          : array<vec4f>;        // of colliders; see contact/proximity/move_points.wgsl
+@group(0) @binding(5) var<storage, read>       candidates      : array<vec2u>;
+@group(0) @binding(6) var<storage, read_write> contacts        : array<Contact>;      // pair_capacity
+@group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>;  // see state/contact.wgsl
+@group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
+
+// A triangle and what it owns: bits 0 to 2 its corners, 3 to 5 the edges from them.
+struct Face {
+  a : vec3f, b : vec3f, c : vec3f,  // m
+  reach : vec3f,  // of each corner, m
+  ids : vec3u,
+  owned : u32,
+}
+
+var<workgroup> count : u32;
+
+fn cloth_face(t : u32) -> Face {
+  let corner = triangles[t];
+  let a = predicted[params.vertex_count + corner.x];
+  let b = predicted[params.vertex_count + corner.y];
+  let c = predicted[params.vertex_count + corner.z];
+  return Face(a.xyz, b.xyz, c.xyz, vec3f(a.w, b.w, c.w), corner.xyz, corner.w & 63u);
+}
+
+// The other side of a candidate that is a triangle.
+fn other_face(candidate : vec2u) -> Face {
+  let kind = candidate.x >> kKindShift;
+  if (kind == kNearCloth) { return cloth_face(candidate.y); }
+  var ids : vec3u;
+  var owned : u32;
+  if (kind == kNearDeforming) {
+    let corner = triangles[candidate.y];
+    ids = corner.xyz;
+    owned = corner.w & 63u;
+  } else {
+    let w = vec3u(trees[candidate.y].w, trees[candidate.y + 1u].w, trees[candidate.y + 2u].w);
+    ids = w & vec3u(kIdBits);
+    let corners = ((w >> vec3u(30u)) & vec3u(1u)) << vec3u(0u, 1u, 2u);  // bit 30: it owns the corner; 31: the edge from it
+    let edges = (w >> vec3u(31u)) << vec3u(3u, 4u, 5u);
+    owned = corners.x | corners.y | corners.z | edges.x | edges.y | edges.z;
+  }
+  let reach = vec3f(bitcast<f32>(atomicLoad(&statistics[kStatReach])));
+  return Face(points[ids.x].xyz, points[ids.y].xyz, points[ids.z].xyz, reach, ids | vec3u(kColliderPoint), owned);
+}
+
+fn corner_near(p : vec3f, reach : f32, id : u32, face : Face, thickness : f32) -> bool {
+  if (any(face.ids == vec3u(id))) { return false; }
+  let radius = thickness + reach + largest(face.reach);
+  let near = closest_on_triangle(p, face.a, face.b, face.c);
+  return dot(near.apart, near.apart) < radius * radius;
+}
+fn edges_near(a : vec3f, b : vec3f, ab : vec2u, c : vec3f, d : vec3f, cd : vec2u, radius : f32) -> bool {
+  if (any(ab == cd) || any(ab == cd.yx)) { return false; }
+  let near = closest_on_edges(a, b, c, d);
+  return dot(near.apart, near.apart) < radius * radius;
+}
+
+fn bit(k : u32, near : bool) -> u32 { return select(0u, 1u << k, near); }
+
+// Which features are near, as bits: 0 to 2 corners of a, 3 to 5 corners of b, 6 + 3 k + l edge k of a and edge l of b.
+fn near_features(a : Face, b : Face, thickness : f32) -> u32 {
+  var hits = 0u;
+  if ((a.owned & 1u) != 0u) { hits |= bit(0u, corner_near(a.a, a.reach.x, a.ids.x, b, thickness)); }
+  if ((a.owned & 2u) != 0u) { hits |= bit(1u, corner_near(a.b, a.reach.y, a.ids.y, b, thickness)); }
+  if ((a.owned & 4u) != 0u) { hits |= bit(2u, corner_near(a.c, a.reach.z, a.ids.z, b, thickness)); }
+  if ((b.owned & 1u) != 0u) { hits |= bit(3u, corner_near(b.a, b.reach.x, b.ids.x, a, thickness)); }
+  if ((b.owned & 2u) != 0u) { hits |= bit(4u, corner_near(b.b, b.reach.y, b.ids.y, a, thickness)); }
+  if ((b.owned & 4u) != 0u) { hits |= bit(5u, corner_near(b.c, b.reach.z, b.ids.z, a, thickness)); }
+  if ((a.owned & 8u) != 0u) { hits |= near_edges(a.a, a.b, a.ids.xy, b, thickness + max(a.reach.x, a.reach.y)) << 6u; }
+  if ((a.owned & 16u) != 0u) { hits |= near_edges(a.b, a.c, a.ids.yz, b, thickness + max(a.reach.y, a.reach.z)) << 9u; }
+  if ((a.owned & 32u) != 0u) { hits |= near_edges(a.c, a.a, a.ids.zx, b, thickness + max(a.reach.z, a.reach.x)) << 12u; }
+  return hits;
+}
+fn near_edges(p : vec3f, q : vec3f, pq : vec2u, b : Face, radius : f32) -> u32 {
+  var hits = 0u;
+  if ((b.owned & 8u) != 0u) { hits |= bit(0u, edges_near(p, q, pq, b.a, b.b, b.ids.xy, radius + max(b.reach.x, b.reach.y))); }
+  if ((b.owned & 16u) != 0u) { hits |= bit(1u, edges_near(p, q, pq, b.b, b.c, b.ids.yz, radius + max(b.reach.y, b.reach.z))); }
+  if ((b.owned & 32u) != 0u) { hits |= bit(2u, edges_near(p, q, pq, b.c, b.a, b.ids.zx, radius + max(b.reach.z, b.reach.x))); }
+  return hits;
+}
+
+// The edges of `a`, each found by its owner, that pass through `b`, as bits.
+fn crossing_edges(a : Face, b : Face) -> u32 {
+  return bit(0u, edge_crosses(a.a, a.b, a.ids.xy, a.owned & 8u, b)) | bit(1u, edge_crosses(a.b, a.c, a.ids.yz, a.owned & 16u, b)) |
+         bit(2u, edge_crosses(a.c, a.a, a.ids.zx, a.owned & 32u, b));
+}
+fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool {
+  if (owned == 0u || any(b.ids == pq.xxx) || any(b.ids == pq.yyy)) { return false; }
+  return crosses(p, q, b.a, b.b, b.c);
+}
+
+// Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's ends, 3 a ball.
+fn near_shape(a : Face, kind : u32, point : u32) -> u32 {
+  let p = points[point];
+  let reach = a.reach + vec3f(params.thickness + bitcast<f32>(atomicLoad(&statistics[kStatReach])));
+  if (kind == kNearPlane) {
+    let n = points[point + 1u].xyz;
+    return a.owned & (bit(0u, dot(a.a - p.xyz, n) < reach.x) | bit(1u, dot(a.b - p.xyz, n) < reach.y) |
+                      bit(2u, dot(a.c - p.xyz, n) < reach.z));
+  }
+  let radius = p.w + largest(reach);
+  let nearest = closest_on_triangle(p.xyz, a.a, a.b, a.c);
+  var hits = bit(3u, dot(nearest.apart, nearest.apart) < radius * radius);
+  if (kind == kNearSphere) { return hits; }
+  let q = points[point + 2u].xyz;
+  let other_end = closest_on_triangle(q, a.a, a.b, a.c);
+  hits |= bit(4u, dot(other_end.apart, other_end.apart) < radius * radius);
+  let none = vec2u(kColliderPoint);
+  let edge = vec3f(p.w) + max(reach, reach.yzx);
+  hits |= bit(0u, (a.owned & 8u) != 0u && edges_near(a.a, a.b, a.ids.xy, p.xyz, q, none, edge.x));
+  hits |= bit(1u, (a.owned & 16u) != 0u && edges_near(a.b, a.c, a.ids.yz, p.xyz, q, none, edge.y));
+  hits |= bit(2u, (a.owned & 32u) != 0u && edges_near(a.c, a.a, a.ids.zx, p.xyz, q, none, edge.z));
+  return hits;
+}
+
+fn corner_id(ids : vec3u, k : u32) -> u32 { return select(select(ids.z, ids.y, k == 1u), ids.x, k == 0u); }
+fn edge_ids(ids : vec3u, k : u32) -> vec2u { return select(select(ids.zx, ids.yz, k == 1u), ids.xy, k == 0u); }
+
+fn pair_of_faces(a : vec3u, b : vec3u, hit : u32) -> vec4u {
+  if (hit < 3u) { return vec4u(corner_id(a, hit), b); }
+  if (hit < 6u) { return vec4u(corner_id(b, hit - 3u), a); }
+  return vec4u(edge_ids(a, (hit - 6u) / 3u), edge_ids(b, (hit - 6u) % 3u)) | vec4u(kPairFlag, 0u, 0u, 0u);
+}
+fn pair_of_shape(a : vec3u, kind : u32, point : u32, hit : u32) -> vec4u {
+  let id = kColliderPoint | point;
+  if (kind == kNearPlane) { return vec4u(corner_id(a, hit), id | kPairFlag, 0u, 0u); }
+  if (hit >= 3u) { return vec4u(id + 2u * (hit - 3u), a); }
+  return vec4u(edge_ids(a, hit), id, id + 2u) | vec4u(kPairFlag, 0u, 0u, 0u);
+}
+
+fn count_roles(ids : vec4u) {
+  for (var role = 0u; role < role_count(ids); role++) {
+    if (!is_collider(ids[role])) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + 1u], 1u); }
+  }
+}
+
+fn rim_of(id : u32) -> f32 {
+  let place = select(id, params.vertex_count + (id & kIdBits), (id & kColliderPoint) != 0u);
+  return bitcast<f32>(trees[params.first_rim + place / 4u][place % 4u]);
+}
+fn rims_of(ids : vec3u) -> vec3f { return vec3f(rim_of(ids.x), rim_of(ids.y), rim_of(ids.z)); }
+
+fn kind_of(id : u32) -> u32 {
+  if ((id & kColliderPoint) == 0u) { return kFromCloth; }
+  return select(kFromOpenMesh, kFromClosedMesh, points[id & kIdBits].w < 0.0);
+}
+
+// Lists that edge `k` of `own`, a cloth triangle of this number or one of a collider, passes through `onto`; by its first or its
+// second end.
+fn list_crossing(own : Face, number : u32, k : u32, onto : Face, second : bool, pair : u32) {
+  let pq = edge_ids(own.ids, k);
+  let p = select(select(own.c, own.b, k == 1u), own.a, k == 0u);
+  let q = select(select(own.a, own.c, k == 1u), own.b, k == 0u);
+  let tip = select(select(own.b, own.a, k == 1u), own.c, k == 0u);
+  let e = unit(q - p);
+  let at = crossing_place(p, q, onto.a, onto.b, onto.c);
+  let weights = vec3f(1.0 - at.x - at.y, at);
+  let through = weights.x * onto.a + weights.y * onto.b + weights.z * onto.c;
+  let s = place_on_segment(through, p, q - p);
+  let edge_at = select(select(vec3f(s, 0.0, 1.0 - s), vec3f(0.0, 1.0 - s, s), k == 1u), vec3f(1.0 - s, s, 0.0), k == 0u);
+  let edge = sheet_of(own.a, own.b, own.c, rims_of(own.ids), edge_at, kind_of(pq.x));
+  let face = sheet_of(onto.a, onto.b, onto.c, rims_of(onto.ids), weights, kind_of(onto.ids.x));
+  var turn = vec3f(0.0);
+  if (edge.kind == kFromCloth) {
+    turn = contour_from_edge(p, e, tip, face.normal);
+    let opposite = trees[params.first_opposite + number][k];
+    if (opposite != kNoCorner) { turn += contour_from_edge(p, e, predicted[params.vertex_count + opposite].xyz, face.normal); }
+  }
+  let way = untangling(edge, e, turn, face);
+  contacts[pair].ids = vec4u(select(pq.x, pq.y, second), onto.ids.x, onto.ids.y | kCrossingFlag, onto.ids.z);
+  contacts[pair].other_end = select(pq.y, pq.x, second);
+  contacts[pair].normal = vec4f(unit(way), -length(way));
+  let mark = select(kTangledMesh, kTangledCloth, edge.kind == kFromCloth && face.kind == kFromCloth);
+  mark_tangled(pq.x, mark);
+  mark_tangled(pq.y, mark);
+  for (var corner = 0u; corner < 3u; corner++) { mark_tangled(corner_id(onto.ids, corner), mark); }
+}
+fn mark_tangled(id : u32, mark : u32) {
+  if ((id & kColliderPoint) == 0u) { atomicOr(&vertex_contacts[kVertexWords * id + kCursorWord], mark); }
+}
+
+// Crossings as bits of what is listed: 15 to 17 the edges of a through b, 18 to 20 of b through a, each by its first end; six further by
+// its second. An edge of a collider is listed once: the collider does not feel it.
+const kFirstCrossing = 15u;
+const kByOtherEnd = 6u;
+
+@compute @workgroup_size(kWorkgroupSize)
+fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) groups : vec3u,
+              @builtin(local_invocation_index) thread : u32) {
+  if (thread == 0u) {
+    let works = atomicLoad(&statistics[kStatDue]) != 0u && atomicLoad(&statistics[kStatHeld]) == 0u;
+    count = select(0u, atomicLoad(&statistics[kStatCandidates]), works);
+  }
+  let end = workgroupUniformLoad(&count);
+  for (var first = group.x * kWorkgroupSize; first < end; first += groups.x * kWorkgroupSize) {
+    var hits = 0u;
+    var candidate = vec2u(0u);
+    var kind = 0u;
+    var ids_a = vec3u(0u);
+    var ids_b = vec3u(0u);
+    var friction = 0.0;
+    if (first + thread < end) {
+      candidate = candidates[first + thread];
+      kind = candidate.x >> kKindShift;
+      let own = candidate.x & kPlaceBits;
+      let a = cloth_face(own);
+      friction = f32(triangles[own].w >> 8u) * kFrictionUnit;
+      ids_a = a.ids;
+      if (kind >= kNearSphere) {
+        hits = near_shape(a, kind, candidate.y);
+      } else {
+        let b = other_face(candidate);
+        hits = near_features(a, b, select(params.thickness, params.self_thickness, kind == kNearCloth));
+        ids_b = b.ids;
+        if (overlap(box_of(a.a, a.b, a.c), box_of(b.a, b.b, b.c))) {
+          let of_a = crossing_edges(a, b);
+          let of_b = crossing_edges(b, a);
+          if ((of_a | of_b) != 0u) {
+            atomicAdd(&statistics[kStatFound], countOneBits(of_a) + countOneBits(of_b));
+            let twice = select(of_a, of_a | (of_b << 3u), kind == kNearCloth);
+            hits |= (of_a | (of_b << 3u) | (twice << kByOtherEnd)) << kFirstCrossing;
+          }
+        }
+      }
+    }
+    let wanted = countOneBits(hits);
+    var pair = allocate(thread, wanted, kStatPairs);
+    if (wanted > 0u && pair + wanted > params.pair_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
+    while (hits != 0u && pair < params.pair_capacity) {
+      let hit = firstTrailingBit(hits);
+      hits &= hits - 1u;
+      contacts[pair].surface = vec4f(0.0, 0.0, 0.0, friction);
+      contacts[pair].near = 0u;
+      if (hit >= kFirstCrossing) {
+        let a = cloth_face(candidate.x & kPlaceBits);
+        let b = other_face(candidate);
+        let edge = (hit - kFirstCrossing) % kByOtherEnd;
+        let second = hit >= kFirstCrossing + kByOtherEnd;
+        if (edge < 3u) {
+          list_crossing(a, candidate.x & kPlaceBits, edge, b, second, pair);
+        } else {
+          list_crossing(b, candidate.y, edge - 3u, a, second, pair);
+        }
+        count_roles(contacts[pair].ids);
+        pair++;
+        continue;
+      }
+      var ids = pair_of_faces(ids_a, ids_b, hit);
+      if (kind >= kNearSphere) { ids = pair_of_shape(ids_a, kind, candidate.y, hit); }
+      contacts[pair].ids = ids;
+      count_roles(ids);
+      pair++;
+    }
+  }
+}

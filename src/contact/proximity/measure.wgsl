@@ -1,0 +1,82 @@
+// How the two features of a listed pair lie to each other at the start of a substep, and how a collider's moves. The including kernel binds
+// `step`, `previous` and `points`, and has the velocities of cloth, velocity_of(vertex). Source: docs/contact.md.
+#include "state/step.wgsl"
+#include "state/contact.wgsl"
+#include "contact/proximity/closest.wgsl"
+
+struct Measured {
+  s : f32,          // where on the features: weights_of
+  t : f32,
+  counts : bool,    // both places are inside: an end of an edge is a vertex, which has its own pairs
+  normal : vec3f,   // from B to A
+  gap : f32,        // m
+  radius : f32,     // m: of a sphere or capsule
+  place_a : f32,    // n·p_A, m
+}
+
+fn start_of(id : u32) -> vec4f {
+  if (is_collider(id)) { return points[id & kIdBits]; }
+  return previous[id & kIdBits];
+}
+fn end_of(id : u32) -> vec4f { return points[step.point_count + (id & kIdBits)]; }
+
+// Of a pair that is no crossing.
+fn measure(ids : vec4u) -> Measured {
+  let p0 = start_of(ids.x);
+  let p1 = start_of(ids.y);
+  if (is_plane_pair(ids)) {
+    let n = points[(ids.y & kIdBits) + 1u].xyz;
+    return Measured(0.0, 0.0, true, n, dot(n, p0.xyz - p1.xyz), 0.0, dot(n, p0.xyz));
+  }
+  let p2 = start_of(ids.z);
+  let p3 = start_of(ids.w).xyz;
+  var near : Closest;
+  var radius = 0.0;
+  if (is_edge_pair(ids)) {
+    near = closest_on_edges(p0.xyz, p1.xyz, p2.xyz, p3);
+    if (is_collider(ids.z)) { radius = max(p2.w, 0.0); }
+  } else {
+    near = closest_on_triangle(p0.xyz, p1.xyz, p2.xyz, p3);
+    if (is_collider(ids.x)) { radius = max(p0.w, 0.0); }
+  }
+  let distance = length(near.apart);
+  let n = select(vec3f(0.0, 1.0, 0.0), near.apart / distance, distance > 0.0);
+  var place_a = dot(n, p0.xyz);
+  if (is_edge_pair(ids)) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }
+  return Measured(near.s, near.t, near.inside || radius > 0.0, n, distance - radius, radius, place_a);
+}
+
+struct Relative {
+  velocity : vec3f,  // what cloth brings to u, m/s
+  surface : vec3f,   // what the collider brings, m/s
+}
+
+fn relative_velocity(ids : vec4u, w : vec4f, measured : Measured) -> Relative {
+  var r = Relative(vec3f(0.0), vec3f(0.0));
+  for (var role = 0u; role < role_count(ids); role++) {
+    let id = ids[role];
+    if (is_collider(id)) {
+      r.surface += w[role] * ((end_of(id).xyz - start_of(id).xyz) / step.dt);
+    } else {
+      r.velocity += w[role] * velocity_of(id & kIdBits);
+    }
+  }
+  if (measured.radius > 0.0) {  // the surface of a ball that turns: its spin is the point after its centre
+    let on_a = is_collider(ids.x);
+    let id = select(ids.z, ids.x, on_a) & kIdBits;
+    let arm = select(measured.radius, -measured.radius, on_a) * measured.normal;
+    r.surface += select(-1.0, 1.0, on_a) * cross(points[id + 1u].xyz, arm);
+  }
+  return r;
+}
+
+// A collider's friction stands with its points at the end of the substep; negative: it has none of its own.
+fn own_friction(id : u32) -> f32 {
+  if (!is_collider(id)) { return -1.0; }
+  return end_of(id).w;
+}
+// Of a pair with a collider: the collider's friction, or else the cloth's.
+fn friction_of(ids : vec4u, of_cloth : f32) -> f32 {
+  let own = max(max(own_friction(ids.x), own_friction(ids.z)), own_friction(ids.y));
+  return select(of_cloth, own, own >= 0.0);
+}

@@ -1,0 +1,40 @@
+// Takes the points of colliders to where they are at the start and at the end of a substep. One invocation per point.
+// `points` holds all starts, all ends, then for each collider three rows: x, y and z of R·p + t at the start.
+// w of a start is the point's radius, of an end its friction; both stay.
+#include "gpu/index.wgsl"
+#include "state/step.wgsl"
+struct ColliderPlace {  // mirror: src/collision/collider_points.hpp
+  rows : array<vec4f, 3>,
+  shape : vec4f,  // first point of the shape before in `shapes` and of the one after, how far between; w: unused
+  spin : vec4f,   // rad/s
+}
+//                                                                             elements                                  unit
+@group(0) @binding(0) var<uniform>             step   : StepParams;
+@group(0) @binding(1) var<storage, read>       places : array<ColliderPlace>; // colliders * (substeps + 1)
+@group(0) @binding(2) var<storage, read>       shapes : array<vec4f>;         // points, then those of keyframes         m; w: collider + a kind
+@group(0) @binding(3) var<storage, read_write> points : array<vec4f>;         // 2 * point_count + 3 * colliders         m
+const kDirection = 0.25;  // of w: it turns but does not move
+const kSpin = 0.5;        // of w: it is a collider's spin
+
+fn placed(place : ColliderPlace, point : u32, kind : f32) -> vec3f {
+  if (kind == kSpin) { return place.spin.xyz; }
+  let before = shapes[u32(place.shape.x) + point].xyz;
+  let after = shapes[u32(place.shape.y) + point].xyz;
+  let p = vec4f(before + place.shape.z * (after - before), select(1.0, 0.0, kind == kDirection));
+  return vec3f(dot(place.rows[0], p), dot(place.rows[1], p), dot(place.rows[2], p));
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn move_points(@builtin(global_invocation_id) id : vec3u) {
+  let point = flat_index(id);
+  let count = (arrayLength(&points) - 2u * step.point_count) / 3u;
+  if (point < 3u * count) { points[2u * step.point_count + point] = places[step.first_place + point / 3u].rows[point % 3u]; }
+  if (point >= step.point_count) { return; }
+  let owner = shapes[point].w;
+  let collider = u32(owner);
+  let kind = owner - floor(owner);
+  let now = places[step.first_place + collider];
+  let then = places[step.first_place + count + collider];
+  points[point] = vec4f(placed(now, point, kind), points[point].w);
+  points[step.point_count + point] = vec4f(placed(then, point, kind), points[step.point_count + point].w);
+}

@@ -1,0 +1,170 @@
+#include "contact/proximity/pair_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "contact/proximity/feature_owners.hpp"
+#include "contact/proximity/triangle_order.hpp"
+#include "contact/rules/sheet_rim.hpp"
+
+namespace weft::contact {
+namespace {
+
+/// Friction stands beside the bits of what a triangle owns, in 24 bits as a multiple of 2^-17: up to 128, to
+/// 4e-6.
+std::uint32_t friction_bits(double friction) {
+  return static_cast<std::uint32_t>(std::lround(friction * 131072)) << 8U;
+}
+
+/// Four distances a word.
+void append_rims(std::vector<TreeWord>& trees, std::vector<float> rims) {
+  rims.resize((rims.size() + 3) / 4 * 4, 0);
+  for (std::size_t i = 0; i < rims.size(); i += 4) {
+    std::array<std::uint32_t, 4> word{};
+    std::memcpy(word.data(), &rims[i], sizeof word);
+    trees.push_back({word[0], word[1], word[2], word[3]});
+  }
+}
+
+}  // namespace
+
+Result<PairSearch> PairSearch::create(gpu::Device& device, const Model& model, const State& state,
+                                      const ContactPairs& pairs, const scene::Scene& scene,
+                                      const ColliderMeshes& meshes, const SearchSetup& setup) {
+  PairSearch made;
+  made.vertex_count_ = model.vertex_count();
+  made.triangle_count_ = model.triangle_count();
+  made.setup_ = setup;
+  WEFT_CHECK(made.create_buffers(device, model, scene, meshes));
+  WEFT_CHECK(made.create_trees(device, state, pairs, setup.workgroup_size));
+  WEFT_CHECK(made.create_kernels(device, state, pairs));
+  WEFT_CHECK(made.bind_lists(device, state, pairs));
+  return made;
+}
+
+Result<void> PairSearch::create_buffers(gpu::Device& device, const Model& model, const scene::Scene& scene,
+                                        const ColliderMeshes& meshes) {
+  tree_ = ImplicitTree(triangle_count_);
+  std::vector<TreeWord> trees = tree_.words(), triangles;
+  WEFT_TRY(colliders,
+           ColliderSet::create(scene, meshes, static_cast<std::uint32_t>(trees.size()), triangle_count_));
+  colliders_ = std::move(colliders);
+  trees.insert(trees.end(), colliders_.trees.begin(), colliders_.trees.end());
+
+  order_ = cloth_order(model.host);
+  std::vector<mesh::Triangle> ordered;
+  for (const std::uint32_t t : order_) ordered.push_back(model.host.triangles[t]);
+  const std::vector<std::uint32_t> owned = feature_owners(ordered);
+  std::size_t cloth = 0;
+  for (std::size_t t = 0; t < ordered.size(); ++t) {
+    const auto& cloths = model.host.cloths;
+    while (cloth + 1 < cloths.size() && order_[t] >= cloths[cloth + 1].first_triangle) ++cloth;
+    triangles.push_back({ordered[t][0], ordered[t][1], ordered[t][2],
+                         owned[t] | friction_bits(scene.cloths[cloth].friction)});
+  }
+  triangles.insert(triangles.end(), colliders_.triangles.begin(), colliders_.triangles.end());
+
+  first_opposite_ = static_cast<std::uint32_t>(trees.size());
+  for (const mesh::Triangle& t : opposite_corners(ordered)) trees.push_back({t[0], t[1], t[2], kNoCorner});
+  first_rim_ = static_cast<std::uint32_t>(trees.size());
+  std::vector<float> rims;
+  for (const double rim : rim_distances(model.host.rest_position, model.host.triangles))
+    rims.push_back(static_cast<float>(rim));
+  rims.insert(rims.end(), colliders_.rims.begin(), colliders_.rims.end());
+  append_rims(trees, std::move(rims));
+
+  WEFT_TRY(tree_buffer, gpu::Buffer<TreeWord>::create_from(device, trees, "trees"));
+  trees_ = std::move(tree_buffer);
+  WEFT_TRY(triangle_buffer, gpu::Buffer<TreeWord>::create_from(device, triangles, "ordered triangles"));
+  triangles_ = std::move(triangle_buffer);
+  WEFT_TRY(points, gpu::Buffer<Vec4f>::create_from(device, colliders_.points, "collider points"));
+  points_ = std::move(points);
+  std::vector<TreeWord> list = colliders_.list;
+  list.resize(kMostColliders);
+  WEFT_TRY(list_buffer,
+           gpu::Buffer<TreeWord>::create_from(device, list, "colliders", gpu::kUniform | gpu::kCopyTarget));
+  collider_list_ = std::move(list_buffer);
+  return {};
+}
+
+Result<void> PairSearch::create_trees(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                                      std::uint32_t workgroup_size) {
+  WEFT_TRY(refit, TreeRefit::create(device, workgroup_size));
+  refit_ = std::move(refit);
+  WEFT_CHECK(refit_.add(device, state.steps, tree_, 0, triangle_count_, pairs.predicted, triangles_,
+                        state.statistics, trees_));
+  for (std::size_t i = 0; i < colliders_.implicit.size(); ++i)
+    WEFT_CHECK(refit_.add(device, state.steps, colliders_.implicit[i], colliders_.implicit_first[i],
+                          colliders_.implicit_count[i], points_, triangles_, state.statistics, trees_));
+  return {};
+}
+
+Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs) {
+  struct Wanted {
+    gpu::Kernel& kernel;
+    const char* path;
+    std::vector<gpu::Constant> constants = {};
+  };
+  const double interval = static_cast<double>(setup_.interval);
+  for (const Wanted& wanted :
+       {Wanted{detect_begin_, "contact/proximity/detect_begin.wgsl", {{"kDetectInterval", interval}}},
+        {find_candidates_, "contact/proximity/find_candidates.wgsl"},
+        {find_pairs_, "contact/proximity/find_pairs.wgsl"},
+        {place_entries_, "contact/proximity/place_entries.wgsl"},
+        {list_entries_, "contact/proximity/list_entries.wgsl"}}) {
+    WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup_.workgroup_size));
+    wanted.kernel = std::move(kernel);
+  }
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    WEFT_TRY(group, detect_begin_.bind({state.steps, state.position[parity], state.velocity[parity],
+                                        pairs.predicted, pairs.vertex_contacts, state.statistics}));
+    begin_groups_[parity] = std::move(group);
+  }
+  WEFT_TRY(place_group, place_entries_.bind({pairs.vertex_contacts, state.statistics}));
+  place_group_ = std::move(place_group);
+  return {};
+}
+
+Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs) {
+  room_ = pairs.room;
+  SearchParams params{triangle_count_, static_cast<std::uint32_t>(colliders_.list.size())};
+  params.self_contact = setup_.self_thickness > 0 ? 1 : 0;
+  params.first_row = 2 * colliders_.point_count;
+  params.candidate_capacity = room_.candidates;
+  params.pair_capacity = room_.pairs;
+  params.thickness = setup_.thickness;
+  params.self_thickness = setup_.self_thickness;
+  params.vertex_count = vertex_count_;
+  params.flat_reach = setup_.flat_reach;
+  params.first_opposite = first_opposite_;
+  params.first_rim = first_rim_;
+  WEFT_TRY(buffer, gpu::Buffer<SearchParams>::create_from(device, std::span(&params, 1), "search params",
+                                                          gpu::kUniform | gpu::kCopyTarget));
+  params_ = std::move(buffer);
+  using Candidate = std::array<std::uint32_t, 2>;
+  candidates_ = {};  // given back before more is asked for
+  WEFT_TRY(candidates, gpu::Buffer<Candidate>::create(device, room_.candidates, "contact candidates"));
+  candidates_ = std::move(candidates);
+  WEFT_TRY(broad_group, find_candidates_.bind({params_, collider_list_, pairs.predicted, triangles_, trees_,
+                                               points_, candidates_, state.statistics}));
+  candidate_group_ = std::move(broad_group);
+  WEFT_TRY(narrow_group, find_pairs_.bind({params_, pairs.predicted, triangles_, trees_, points_, candidates_,
+                                           pairs.contacts, pairs.vertex_contacts, state.statistics}));
+  find_group_ = std::move(narrow_group);
+  WEFT_TRY(list_group,
+           list_entries_.bind({state.statistics, pairs.contacts, pairs.vertex_contacts, pairs.entries}));
+  list_group_ = std::move(list_group);
+  return {};
+}
+
+void PairSearch::record(gpu::ComputePass& pass) const {
+  detect_begin_.dispatch(pass, begin_groups_[pass.parity()], vertex_count_);
+  refit_.record(pass);
+  find_candidates_.dispatch(pass, candidate_group_, triangle_count_);
+  find_pairs_.dispatch_strided(pass, find_group_, room_.candidates);
+  place_entries_.dispatch(pass, place_group_, vertex_count_);
+  list_entries_.dispatch_strided(pass, list_group_, room_.pairs);
+}
+
+}  // namespace weft::contact

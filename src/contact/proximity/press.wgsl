@@ -1,0 +1,51 @@
+// Which vertices come against an obstacle in a substep that is about to be solved, and how. An invocation takes every so-manieth pair.
+// Source: docs/solvers/multigrid.md, Contact.
+#include "gpu/index.wgsl"
+#include "state/statistics.wgsl"
+#include "contact/proximity/measure.wgsl"
+#include "contact/proximity/press_sums.wgsl"
+//                                                                            elements                       unit
+@group(0) @binding(0) var<uniform>             step       : StepParams;
+@group(0) @binding(1) var<storage, read>       previous   : array<vec4f>;   // vertex_count                   m (w: inverse mass, 1/kg)
+@group(0) @binding(2) var<storage, read>       velocity   : array<vec4f>;   // vertex_count                   m/s
+@group(0) @binding(3) var<storage, read>       points     : array<vec4f>;   // of colliders: contact/proximity/move_points.wgsl
+@group(0) @binding(4) var<storage, read>       contacts   : array<Contact>;
+@group(0) @binding(5) var<storage, read>       statistics : array<u32>;
+@group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>;  // kPressWords * vertex_count
+
+fn velocity_of(vertex : u32) -> vec3f { return velocity[vertex].xyz; }
+
+fn add(word : u32, value : f32) { atomicAdd(&presses[word], i32(round(value))); }
+fn add_vector(word : u32, value : vec3f) {
+  add(word, value.x);
+  add(word + 1u, value.y);
+  add(word + 2u, value.z);
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
+  let count = select(statistics[kStatPairs], 0u, statistics[kStatHeld] != 0u);
+  for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
+    let ids = contacts[pair].ids;
+    if (is_self_pair(ids) || is_crossing(ids)) { continue; }
+    let measured = measure(ids);
+    if (!measured.counts) { continue; }
+    let weights = weights_of(ids, measured.s, measured.t);
+    let r = relative_velocity(ids, weights, measured);
+    let way = step.dt * dot(measured.normal, r.velocity + r.surface);
+    if (!(measured.gap + min(way, 0.0) < kTouching * step.thickness)) { continue; }
+    let lack = clamp((step.thickness - measured.gap - way) / step.thickness, -kMostLack, kMostLack);
+    let friction = min(friction_of(ids, contacts[pair].surface.w), kMostFriction);
+    for (var role = 0u; role < role_count(ids); role++) {
+      if (is_collider(ids[role]) || weights[role] == 0.0) { continue; }
+      let side = sign(weights[role]);
+      let weight = abs(weights[role]) * kPressUnits;
+      let word = kPressWords * (ids[role] & kIdBits);
+      add_vector(word + kPressNormal, weight * side * measured.normal);
+      add(word + kPressLack, abs(weights[role]) * kLackUnits * lack);
+      add(word + kPressWeight, weight);
+      add_vector(word + kPressSurface, weight * clamp(-side * r.surface, vec3f(-kMostSurface), vec3f(kMostSurface)));
+      add(word + kPressFriction, weight * friction);
+    }
+  }
+}

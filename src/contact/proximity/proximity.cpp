@@ -1,0 +1,127 @@
+#include "contact/proximity/proximity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/rules/contact_law.hpp"
+
+namespace weft::contact {
+namespace {
+
+double farthest(const HostModel& model) {
+  double most = 0;
+  for (const Vec3d& p : model.rest_position)
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return most;
+}
+
+}  // namespace
+
+Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::Contact& contact) {
+  const double thickness = contact.thickness;
+  if (!(thickness > 0))
+    return input_error("contact.thickness is %g m; proximity needs more than 0.", thickness);
+  // Positions are rounded to 2^-24 of their size; a gap of a hundredth of the thickness has to be told from
+  // none.
+  const double rounding = farthest(model) / 16777216;
+  if (thickness < 100 * rounding)
+    return input_error(
+        "contact.thickness is %g m; %g m from the origin proximity needs at least %.3g m, a hundred steps of "
+        "f32.",
+        thickness, farthest(model), 100 * rounding);
+  ProximityLengths lengths;
+  lengths.thickness = thickness;
+  if (contact.self) lengths.self_thickness = self_thickness(model, thickness);
+  lengths.most_reach = flat_reach(model, contact);
+  lengths.least_reach = std::min(0.5 * thickness, lengths.most_reach);
+  return lengths;
+}
+
+Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, const State& state,
+                                    const ContactPairs& pairs, const scene::Scene& scene,
+                                    const ColliderMeshes& meshes, std::uint32_t substeps,
+                                    std::uint32_t interval, std::uint32_t workgroup_size) {
+  Proximity made;
+  made.interval_ = interval;
+  made.presses_ = pairs.presses.size() > 0;
+  made.substeps_ = substeps;
+  WEFT_TRY(lengths, proximity_lengths(model.host, scene.contact));
+  made.lengths_ = lengths;
+  SearchSetup setup;
+  setup.thickness = static_cast<float>(lengths.thickness);
+  setup.self_thickness = static_cast<float>(lengths.self_thickness);
+  setup.flat_reach = static_cast<float>(lengths.most_reach);
+  setup.interval = interval;
+  setup.workgroup_size = workgroup_size;
+  WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
+  made.search_ = std::move(search);
+  WEFT_CHECK(made.create_kernels(device, state, workgroup_size));
+  WEFT_CHECK(made.bind_own(state, pairs));
+  return made;
+}
+
+Result<void> Proximity::bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs) {
+  WEFT_CHECK(search_.bind_lists(device, state, pairs));
+  return bind_own(state, pairs);
+}
+
+Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) {
+  pair_room_ = pairs.room.pairs;
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+    WEFT_TRY(group, evaluate_.bind({state.steps, state.position[parity], pairs.predicted, search_.points(),
+                                    pairs.contacts, pairs.entries, pairs.vertex_contacts, state.statistics}));
+    evaluate_groups_[parity] = std::move(group);
+    if (!presses_) continue;
+    WEFT_TRY(press_group, press_.bind({state.steps, state.position[parity], state.velocity[parity],
+                                       search_.points(), pairs.contacts, state.statistics, pairs.presses}));
+    press_groups_[parity] = std::move(press_group);
+  }
+  return {};
+}
+
+Result<void> Proximity::create_kernels(gpu::Device& device, const State& state,
+                                       std::uint32_t workgroup_size) {
+  WEFT_TRY(evaluate, gpu::Kernel::create(device, "contact/proximity/evaluate.wgsl", {}, workgroup_size));
+  evaluate_ = std::move(evaluate);
+  if (presses_) {
+    WEFT_TRY(press, gpu::Kernel::create(device, "contact/proximity/press.wgsl", {}, workgroup_size));
+    press_ = std::move(press);
+  }
+  const ColliderSet& colliders = search_.colliders();
+  if (!colliders.moves) return {};
+  rows_.resize(colliders.list.size() * (substeps_ + 1));
+  WEFT_TRY(places, gpu::Buffer<ColliderPlace>::create(device, rows_.size(), "collider places"));
+  places_ = std::move(places);
+  WEFT_TRY(shapes, gpu::Buffer<Vec4f>::create_from(device, colliders.shapes, "collider shapes"));
+  shapes_ = std::move(shapes);
+  WEFT_TRY(move, gpu::Kernel::create(device, "contact/proximity/move_points.wgsl", {}, workgroup_size));
+  move_points_ = std::move(move);
+  WEFT_TRY(move_group, move_points_.bind({state.steps, places_, shapes_, search_.points()}));
+  move_group_ = std::move(move_group);
+  return {};
+}
+
+void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
+                             std::uint32_t substeps) {
+  const ColliderSet& colliders = search_.colliders();
+  if (!colliders.moves) return;
+  const std::size_t count = colliders.list.size();
+  for (std::uint32_t s = 0; s <= substeps; ++s)
+    place_colliders(scene, colliders, time + s * step, step, std::span(rows_).subspan(s * count, count));
+  places_.write(device, std::span(rows_).first((substeps + 1) * count));
+}
+
+void Proximity::record_search(gpu::ComputePass& pass) const {
+  const ColliderSet& colliders = search_.colliders();
+  if (colliders.moves)
+    move_points_.dispatch(pass, move_group_,
+                          std::max<std::size_t>(colliders.point_count, 3 * colliders.list.size()));
+  if (pass.step() % interval_ == 0) search_.record(pass);
+  if (presses_) press_.dispatch_strided(pass, press_groups_[pass.parity()], pair_room_);
+}
+
+void Proximity::record_evaluate(gpu::ComputePass& pass) const {
+  evaluate_.dispatch_strided(pass, evaluate_groups_[pass.parity()], pair_room_);
+}
+
+}  // namespace weft::contact

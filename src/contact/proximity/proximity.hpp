@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "contact/proximity/pair_search.hpp"
+
+namespace weft::contact {
+
+/// The lengths of proximity contact; names as in docs/contact.md. All in [m].
+struct ProximityLengths {
+  double thickness = 0;       // h
+  double self_thickness = 0;  // h_s; 0: cloth does not meet cloth
+  double least_reach = 0;     // b of a vertex at rest
+  double most_reach = 0;      // b of a fast one, unless that is too little until the next search
+};
+
+/// Errors  Input: the thickness is not positive, or below what f32 can tell apart where the cloth is.
+Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::Contact& contact);
+
+/// Contact by proximity. Before a substep is predicted: moves the colliders' points, finds pairs where that
+/// is due and, where the solver asks for it, what obstacles they press against. After it: measures the listed
+/// ones. Reads   state.steps; state.position[parity]; pairs.predicted: the solver's velocities. Writes pairs;
+/// state.statistics. Errors  Input, Limit, Shader, OutOfMemory. Source: docs/contact.md.
+class Proximity {
+ public:
+  Proximity() = default;
+  static Result<Proximity> create(gpu::Device& device, const Model& model, const State& state,
+                                  const ContactPairs& pairs, const scene::Scene& scene,
+                                  const ColliderMeshes& meshes, std::uint32_t substeps,
+                                  std::uint32_t interval, std::uint32_t workgroup_size);
+  /// Takes over lists with other room. Errors  Limit, OutOfMemory.
+  Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
+  void record_search(gpu::ComputePass& pass) const;
+  void record_evaluate(gpu::ComputePass& pass) const;
+  /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
+  void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
+                    std::uint32_t substeps);
+
+  const ProximityLengths& lengths() const { return lengths_; }
+  const PairSearch& search() const { return search_; }
+
+ private:
+  Result<void> create_kernels(gpu::Device& device, const State& state, std::uint32_t workgroup_size);
+  Result<void> bind_own(const State& state, const ContactPairs& pairs);
+
+  ProximityLengths lengths_;
+  PairSearch search_;
+  gpu::Kernel move_points_, press_, evaluate_;
+  gpu::BindGroup move_group_;
+  std::array<gpu::BindGroup, 2> press_groups_, evaluate_groups_;  // by parity
+  gpu::Buffer<ColliderPlace> places_;
+  gpu::Buffer<Vec4f> shapes_;
+  std::vector<ColliderPlace> rows_;  // of one frame; kept so that a frame allocates nothing
+  std::uint32_t pair_room_ = 0, substeps_ = 1, interval_ = 4;
+  bool presses_ = false;
+};
+
+}  // namespace weft::contact

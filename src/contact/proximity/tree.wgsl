@@ -1,0 +1,18 @@
+// The implicit tree over triangles in a fixed order, in the buffer `trees` of 16-byte words: a node's children are the eight
+// boxes of the level below from 8 * its number on; a leaf is four triangles. A box is two words, low and high [m].
+// Source: Chitalu et al. 2020, Binary Ostensibly-Implicit Trees for Fast Collision Detection. Mirror: src/contact/proximity/implicit_tree.hpp.
+//
+// The tree begins with a word (levels - 1, 0, 0, 0), then a word (first word of its boxes, their number, 0, 0) a level, leaves first.
+#include "contact/geometry.wgsl"
+const kLeafTriangles = 4u;
+const kTreeArity = 8u;
+
+fn box_of(a : vec3f, b : vec3f, c : vec3f) -> Box { return Box(min(min(a, b), c), max(max(a, b), c)); }
+fn grown(box : Box, r : f32) -> Box { return Box(box.low - vec3f(r), box.high + vec3f(r)); }
+fn overlap(a : Box, b : Box) -> bool { return all(a.low <= b.high) && all(b.low <= a.high); }
+fn united(a : Box, b : Box) -> Box { return Box(min(a.low, b.low), max(a.high, b.high)); }
+// Overlaps nothing, and leaves every box that it is united with as it is.
+fn empty_box() -> Box { return Box(vec3f(3e38), vec3f(-3e38)); }
+
+// Of a cloth triangle. From vertex_count on `predicted` has where vertices were found, m, and in w how far each may go from there, m.
+fn largest_reach(a : vec4f, b : vec4f, c : vec4f) -> f32 { return max(max(a.w, b.w), c.w); }

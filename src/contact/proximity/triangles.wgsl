@@ -1,0 +1,29 @@
+// What the two halves of a search share: colliders, and pairs of triangles that may hold pairs of features.
+struct SearchParams {  // mirror: src/contact/proximity/pair_search.hpp
+  triangle_count : u32,      // of the cloths
+  collider_count : u32,
+  self_contact : u32,        // 1: cloth meets cloth
+  first_row : u32,           // of `points`: three rows for each collider, where it stands in the world
+  candidate_capacity : u32,
+  pair_capacity : u32,
+  thickness : f32,           // m, cloth and collider; with the reaches of both, features are listed
+  self_thickness : f32,      // m, cloth and cloth
+  vertex_count : u32,
+  flat_reach : f32,          // m: with no more, flat cloth has nothing of itself but what shares a corner within its radius
+  first_opposite : u32,      // of `trees`: for each cloth triangle the corners across its edges, kNoCorner where there is none
+  first_rim : u32,           // of `trees`: how far each vertex, then each point, lies from the rim of its sheet, m; four a word
+}
+const kNoCorner = 0xffffffffu;
+
+
+// A candidate: a cloth triangle and, in the upper four bits, what it may be near; then which one.
+const kNearCloth = 0u;      // a cloth triangle, by its place in the tree's order
+const kNearRigid = 1u;      // a triangle of a rigid mesh, by its first word of `trees`
+const kNearDeforming = 2u;  // a triangle of a mesh that deforms, by its place in `triangles`
+const kNearSphere = 3u;     // colliders by their first point
+const kNearCapsule = 4u;
+const kNearPlane = 5u;
+const kKindShift = 28u;
+const kPlaceBits = 0x0fffffffu;
+
+const kFrictionUnit = 7.62939453125e-06;  // 2^-17, in bits 8 to 31 of a cloth triangle's w

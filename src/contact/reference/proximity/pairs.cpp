@@ -1,0 +1,244 @@
+#include "contact/reference/proximity/pairs.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "contact/reference/proximity/audit.hpp"
+#include "contact/reference/proximity/closest.hpp"
+
+namespace weft::reference {
+namespace {
+
+Box grown(const Box& box, double by) { return {box.low - Vec3d{by, by, by}, box.high + Vec3d{by, by, by}}; }
+
+Box box_of_vertex(const Features& of, std::uint32_t vertex) {
+  return grown({of.positions[vertex], of.positions[vertex]}, of.radius_of_vertex(vertex));
+}
+Box box_of_edge(const Features& of, std::uint32_t edge) {
+  return grown(box_of(of.positions, of.edges[edge]), of.radius_of_edge(edge));
+}
+Box box_of_triangle(const Features& of, std::uint32_t triangle) {
+  return box_of(of.positions, of.triangles[triangle]);
+}
+
+bool names(const auto& feature, std::uint32_t vertex) {
+  return std::find(feature.begin(), feature.end(), vertex) != feature.end();
+}
+
+FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t vertex,
+                            const Features& second, std::uint32_t triangle) {
+  const mesh::Triangle& face = second.triangles[triangle];
+  const auto& x = second.positions;
+  const ClosestOnTriangle closest =
+      closest_on_triangle(first.positions[vertex], x[face[0]], x[face[1]], x[face[2]]);
+  const Gap gap = gap_of(closest.offset, first.radius_of_vertex(vertex));
+  const auto [b0, b1, b2] = closest.weights;
+  return {kind, vertex, triangle, gap.distance, gap.direction, {1, 0, 0}, {-b0, -b1, -b2}, true};
+}
+
+FeaturePair edge_edge(PairKind kind, const Features& first, std::uint32_t of_first, const Features& second,
+                      std::uint32_t of_second) {
+  const mesh::Edge &a = first.edges[of_first], &b = second.edges[of_second];
+  const ClosestSegments closest = closest_segments(first.positions[a[0]], first.positions[a[1]],
+                                                   second.positions[b[0]], second.positions[b[1]]);
+  const Gap gap = gap_of(closest.offset, first.radius_of_edge(of_first) + second.radius_of_edge(of_second));
+  return {kind,
+          of_first,
+          of_second,
+          gap.distance,
+          gap.direction,
+          {1 - closest.s, closest.s, 0},
+          {closest.t - 1, -closest.t, 0},
+          closest.inside_first() && closest.inside_second()};
+}
+
+/// Collects the pairs of two lists of features; those of one list must not share a vertex.
+class Finder {
+ public:
+  Finder(const Features& first, const Features& second, double reach, std::vector<FeaturePair>& found)
+      : first_(first), second_(second), one_(&first == &second), reach_(reach), found_(found) {}
+
+  void vertex_triangle(PairKind kind, std::uint32_t vertex, std::uint32_t triangle) {
+    if (one_ && names(second_.triangles[triangle], vertex)) return;
+    add(reference::vertex_triangle(kind, first_, vertex, second_, triangle));
+  }
+  void edges(PairKind kind, std::uint32_t of_first, std::uint32_t of_second) {
+    const mesh::Edge &a = first_.edges[of_first], &b = second_.edges[of_second];
+    if (one_ && (names(b, a[0]) || names(b, a[1]))) return;
+    add(edge_edge(kind, first_, of_first, second_, of_second));
+  }
+
+ private:
+  void add(const FeaturePair& pair) {
+    if (pair.distance < reach_) found_.push_back(pair);
+  }
+
+  const Features &first_, &second_;
+  bool one_;
+  double reach_;
+  std::vector<FeaturePair>& found_;
+};
+
+/// Boxes are searched a little further than pairs may be: their distance is rounded too.
+double search_radius(double reach) { return reach * (1 + 1e-9); }
+
+}  // namespace
+
+void Features::add_capsule(const Vec3d& a, const Vec3d& b, double radius) {
+  const auto first = static_cast<std::uint32_t>(positions.size());
+  add_sphere(a, radius);
+  add_sphere(b, radius);
+  edge_radius.resize(edges.size(), 0);
+  edges.push_back({first, first + 1});
+  edge_radius.push_back(radius);
+}
+
+void Features::add_sphere(const Vec3d& center, double radius) {
+  vertex_radius.resize(positions.size(), 0);
+  vertices.push_back(static_cast<std::uint32_t>(positions.size()));
+  positions.push_back(center);
+  vertex_radius.push_back(radius);
+}
+
+Features features_of(std::vector<Vec3d> positions, std::vector<mesh::Triangle> triangles) {
+  Features features{std::move(positions), std::move(triangles), {}, {}, {}, {}};
+  features.edges = mesh::mesh_edges(features.triangles);
+  std::vector<bool> used(features.positions.size());
+  for (const mesh::Triangle& triangle : features.triangles)
+    for (const std::uint32_t vertex : triangle) used[vertex] = true;
+  for (std::uint32_t vertex = 0; vertex < used.size(); ++vertex)
+    if (used[vertex]) features.vertices.push_back(vertex);
+  return features;
+}
+
+bool operator<(const FeaturePair& x, const FeaturePair& y) {
+  return std::tie(x.kind, x.a, x.b) < std::tie(y.kind, y.a, y.b);
+}
+bool same_features(const FeaturePair& x, const FeaturePair& y) {
+  return std::tie(x.kind, x.a, x.b) == std::tie(y.kind, y.a, y.b);
+}
+
+FeaturePair measured(const FeaturePair& pair, const Features& cloth, const Features& object) {
+  switch (pair.kind) {
+    case PairKind::VertexTriangle:
+      return vertex_triangle(pair.kind, cloth, pair.a, cloth, pair.b);
+    case PairKind::EdgeEdge:
+      return edge_edge(pair.kind, cloth, pair.a, cloth, pair.b);
+    case PairKind::VertexObjectTriangle:
+      return vertex_triangle(pair.kind, cloth, pair.a, object, pair.b);
+    case PairKind::ObjectVertexTriangle:
+      return vertex_triangle(pair.kind, object, pair.a, cloth, pair.b);
+    case PairKind::EdgeObjectEdge:
+      return edge_edge(pair.kind, cloth, pair.a, object, pair.b);
+    case PairKind::VertexPlane:
+      break;
+  }
+  return pair;
+}
+
+FeatureTrees trees_of(const Features& features) {
+  std::vector<Box> vertices, edges, triangles;
+  for (const std::uint32_t vertex : features.vertices) vertices.push_back(box_of_vertex(features, vertex));
+  for (std::uint32_t e = 0; e < features.edges.size(); ++e) edges.push_back(box_of_edge(features, e));
+  for (std::uint32_t t = 0; t < features.triangles.size(); ++t)
+    triangles.push_back(box_of_triangle(features, t));
+  return {BoxTree(vertices), BoxTree(edges), BoxTree(triangles)};
+}
+
+std::vector<FeaturePair> self_pairs(const Features& cloth, double reach) {
+  const FeatureTrees trees = trees_of(cloth);
+  const double radius = search_radius(reach);
+  std::vector<FeaturePair> found;
+  Finder finder(cloth, cloth, reach, found);
+  for (const std::uint32_t v : cloth.vertices) {
+    const Box box = box_of_vertex(cloth, v);
+    if (!finite(box)) continue;
+    trees.triangles.within(box, radius,
+                           [&](std::uint32_t t) { finder.vertex_triangle(PairKind::VertexTriangle, v, t); });
+  }
+  for (std::uint32_t e = 0; e < cloth.edges.size(); ++e) {
+    const Box box = box_of_edge(cloth, e);
+    if (!finite(box)) continue;
+    trees.edges.within(box, radius, [&](std::uint32_t other) {
+      if (e < other) finder.edges(PairKind::EdgeEdge, e, other);
+    });
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<FeaturePair> object_pairs(const Features& cloth, const Features& object,
+                                      const FeatureTrees& trees, double reach) {
+  const double radius = search_radius(reach);
+  std::vector<FeaturePair> found;
+  Finder from_cloth(cloth, object, reach, found), from_object(object, cloth, reach, found);
+  for (const std::uint32_t v : cloth.vertices) {
+    const Box box = box_of_vertex(cloth, v);
+    if (!finite(box)) continue;
+    trees.triangles.within(box, radius, [&](std::uint32_t t) {
+      from_cloth.vertex_triangle(PairKind::VertexObjectTriangle, v, t);
+    });
+  }
+  for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t) {
+    const Box box = box_of_triangle(cloth, t);
+    if (!finite(box)) continue;
+    trees.vertices.within(box, radius, [&](std::uint32_t place) {
+      from_object.vertex_triangle(PairKind::ObjectVertexTriangle, object.vertices[place], t);
+    });
+  }
+  for (std::uint32_t e = 0; e < cloth.edges.size(); ++e) {
+    const Box box = box_of_edge(cloth, e);
+    if (!finite(box)) continue;
+    trees.edges.within(box, radius,
+                       [&](std::uint32_t other) { from_cloth.edges(PairKind::EdgeObjectEdge, e, other); });
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<FeaturePair> plane_pairs(const Features& cloth, std::span<const scene::ColliderPlane> planes,
+                                     double reach) {
+  std::vector<FeaturePair> found;
+  for (const std::uint32_t v : cloth.vertices)
+    for (std::uint32_t p = 0; p < planes.size(); ++p) {
+      const Gap gap = plane_gap(cloth.positions[v], planes[p].point, planes[p].normal);
+      if (gap.distance < reach)
+        found.push_back({PairKind::VertexPlane, v, p, gap.distance, gap.direction, {1, 0, 0}, {}, true});
+    }
+  return found;
+}
+
+std::vector<FeaturePair> self_pairs_by_brute_force(const Features& cloth, double reach) {
+  std::vector<FeaturePair> found;
+  Finder finder(cloth, cloth, reach, found);
+  for (const std::uint32_t v : cloth.vertices)
+    for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t)
+      if (finite(box_of_vertex(cloth, v)) && finite(box_of_triangle(cloth, t)))
+        finder.vertex_triangle(PairKind::VertexTriangle, v, t);
+  for (std::uint32_t e = 0; e < cloth.edges.size(); ++e)
+    for (std::uint32_t other = e + 1; other < cloth.edges.size(); ++other)
+      if (finite(box_of_edge(cloth, e)) && finite(box_of_edge(cloth, other)))
+        finder.edges(PairKind::EdgeEdge, e, other);
+  return found;
+}
+
+std::vector<FeaturePair> object_pairs_by_brute_force(const Features& cloth, const Features& object,
+                                                     double reach) {
+  std::vector<FeaturePair> found;
+  Finder from_cloth(cloth, object, reach, found), from_object(object, cloth, reach, found);
+  for (const std::uint32_t v : cloth.vertices)
+    for (std::uint32_t t = 0; t < object.triangles.size(); ++t)
+      if (finite(box_of_vertex(cloth, v)) && finite(box_of_triangle(object, t)))
+        from_cloth.vertex_triangle(PairKind::VertexObjectTriangle, v, t);
+  for (const std::uint32_t v : object.vertices)
+    for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t)
+      if (finite(box_of_vertex(object, v)) && finite(box_of_triangle(cloth, t)))
+        from_object.vertex_triangle(PairKind::ObjectVertexTriangle, v, t);
+  for (std::uint32_t e = 0; e < cloth.edges.size(); ++e)
+    for (std::uint32_t other = 0; other < object.edges.size(); ++other)
+      if (finite(box_of_edge(cloth, e)) && finite(box_of_edge(object, other)))
+        from_cloth.edges(PairKind::EdgeObjectEdge, e, other);
+  return found;
+}
+
+}  // namespace weft::reference

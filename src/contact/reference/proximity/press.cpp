@@ -1,0 +1,33 @@
+#include "contact/reference/proximity/press.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/rules/contact_law.hpp"
+
+namespace weft::reference {
+
+std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const Vec3d> velocity, double dt) {
+  std::vector<Press> presses(velocity.size());
+  for (const NearPair& pair : pairs) {
+    if (!pair.with_body || !pair.may || pair.untangles) continue;
+    const double way = dt * dot(pair.direction, relative_velocity(pair, velocity));
+    if (!(pair.distance + std::min(way, 0.0) < kContactTouching * pair.thickness)) continue;
+    const double lack = std::clamp(pair.thickness - pair.distance - way, -kMostLack * pair.thickness,
+                                   kMostLack * pair.thickness);
+    for (std::uint32_t k = 0; k < pair.node_count; ++k) {
+      const double weight = std::abs(pair.weights[k]);
+      if (weight == 0) continue;
+      const double side = pair.weights[k] > 0 ? 1 : -1;
+      Press& press = presses[pair.nodes[k]];
+      press.normal += weight * side * pair.direction;
+      press.lack += weight * lack;
+      press.weight += weight;
+      press.surface -= weight * side * pair.surface;
+      press.friction += weight * pair.friction;
+    }
+  }
+  return presses;
+}
+
+}  // namespace weft::reference

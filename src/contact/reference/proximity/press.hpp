@@ -1,0 +1,24 @@
+// What obstacles do to nodes in an implicit substep that is about to be solved, in double. Source:
+// docs/solvers/multigrid.md, Contact.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/reference/proximity/respond.hpp"
+
+namespace weft::reference {
+
+/// Of a node: sums over its pairs with obstacles that it comes to, each weighted by |w|.
+struct Press {
+  Vec3d normal;         // the direction that they press in
+  double lack = 0;      // how much further along it the node has to go than its velocity takes it [m]
+  double weight = 0;    // 0: there is none
+  Vec3d surface;        // the obstacle's velocity [m/s]
+  double friction = 0;  // μ
+};
+
+/// Of each node, by the velocities at the start of the substep [m/s]; `dt` [s].
+std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const Vec3d> velocity, double dt);
+
+}  // namespace weft::reference

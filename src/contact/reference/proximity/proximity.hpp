@@ -1,0 +1,89 @@
+// Contact method "proximity" for a substep, in double: finds near pairs, answers them, and lets nothing pass.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/host_model.hpp"
+#include "contact/reference/proximity/near_list.hpp"
+#include "contact/reference/proximity/obstacles.hpp"
+#include "contact/reference/proximity/press.hpp"
+#include "contact/reference/proximity/respond.hpp"
+#include "contact/reference/proximity/truncate.hpp"
+#include "contact/reference/proximity/untangle.hpp"
+
+namespace weft::reference {
+
+class Proximity {
+ public:
+  /// `objects` and `keyframes` as for Obstacles.
+  Proximity(const scene::Scene& scene, const HostModel& model, std::span<const mesh::TriangleMesh> objects,
+            std::span<const std::vector<mesh::TriangleMesh>> keyframes);
+
+  /// The state of the nodes in a substep: what the solver has predicted from `previous`, and moved nodes
+  /// where their motions end. All finite.
+  struct Nodes {
+    std::span<const Vec3d> previous;       // [m]
+    std::span<const double> inverse_mass;  // [1/kg]
+    std::span<Vec3d> position, velocity;   // [m], [m/s]
+  };
+  /// Changes position and velocity of what touches in the substep from `begin`, of `dt` [s]. Returns how many
+  /// pairs act.
+  std::uint64_t answer(const Nodes& nodes, double begin, double dt);
+
+  /// What obstacles do to nodes in the substep from `begin`, of `dt` [s], before it is solved.
+  std::vector<Press> presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity, double begin,
+                             double dt);
+
+  const Obstacles& obstacles() const { return obstacles_; }
+  double self_thickness() const { return self_thickness_; }  // h_s [m]; 0: cloth does not meet cloth
+  /// Vertices that were held back, in all substeps so far.
+  std::uint64_t truncated() const { return truncated_; }
+  /// Edges that passed through triangles when it was last looked for them.
+  std::size_t crossings() const { return tangle_.crossings; }
+
+ private:
+  /// One side of a pair: vertices of cloth or of obstacles, and their weights.
+  struct Side {
+    std::uint32_t count = 0;
+    std::array<std::uint32_t, 3> vertices{};
+    std::array<double, 3> weights{};
+    bool obstacle = false;
+  };
+  struct Sides {
+    Side a, b;
+  };
+  /// Where an obstacle's closest point is in the substep, and how far its feature comes.
+  struct Surface {
+    Vec3d velocity;      // of the material point [m/s]
+    double support = 0;  // at the end: the most of m . x, where m points from the obstacle to cloth [m]
+  };
+
+  Sides sides_of(const FeaturePair& pair) const;
+  Surface surface_of(const FeaturePair& pair, const Sides& sides, const Vec3d& toward_cloth, double dt) const;
+  double friction_of(const FeaturePair& pair, const Sides& sides) const;
+  NearPair near_pair(const FeaturePair& pair, const Sides& sides, double dt) const;
+  void add_planes(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
+                  std::vector<SidePlane>& planes) const;
+  /// Near pairs for nodes that go up to `most` [m] and obstacles that go `obstacle_travel` [m].
+  std::vector<FeaturePair> listed(double most, double travel, double obstacle_travel);
+  /// Takes the obstacles to the substep's start and end. Returns how far the farthest of them goes [m].
+  double move_obstacles(double begin, double dt);
+
+  double thickness_, self_thickness_ = 0;
+  double damping_;
+  std::vector<double> friction_;  // of each vertex's cloth
+  Features cloth_;                // positions: at the start of the substep
+  Obstacles obstacles_;
+  Features object_;  // the obstacles at the start of the substep
+  NearList list_;
+  SurfaceFacts cloth_facts_, object_facts_;
+  Tangle tangle_;
+  std::uint64_t tangle_searched_ = 0;  // searches of `list_` when tangle_ was found
+  Obstacles::Placed start_, end_;
+  std::uint64_t truncated_ = 0;
+};
+
+}  // namespace weft::reference

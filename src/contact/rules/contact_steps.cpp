@@ -1,0 +1,155 @@
+#include "contact/rules/contact_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft {
+namespace {
+
+double from_axis(const scene::MotionRotation& turn, const Vec3d& point) {
+  return length(cross(turn.axis, point - turn.center));
+}
+
+/// The speed of scene::travelled: it rises in `ramp`, stays, and falls in `ramp` to 0 at `end`, so in any
+/// interval it is largest where that is nearest to the middle.
+double profile_speed(double from, double to, double speed, double ramp, const std::optional<double>& end) {
+  if (to < 0) return 0;
+  double most = to;
+  double left = ramp;  // time to the end of the motion, where it has one
+  if (end) {
+    if (*end < speed * ramp) {
+      const double peak = std::sqrt(*end * speed / ramp);
+      ramp *= peak / speed;
+      speed = peak;
+    }
+    const double duration = speed > 0 ? *end / speed + ramp : 0;
+    if (from > duration) return 0;
+    most = std::clamp(duration / 2, std::max(from, 0.0), std::min(to, duration));
+    left = duration - most;
+  }
+  const double part = ramp > 0 ? std::min({1.0, most / ramp, left / ramp}) : 1.0;
+  return part * speed;
+}
+
+double path_speed(const scene::MotionPath& path, double begin, double end) {
+  double most = 0;
+  scene::PathPoint from;  // at rest at time 0, unless given
+  for (const scene::PathPoint& to : path.points) {
+    if (to.time > from.time && from.time <= end && to.time >= begin)
+      most = std::max(most, length(to.offset - from.offset) / (to.time - from.time));
+    from = to;
+  }
+  return most;
+}
+
+/// Corners of the box around what was added.
+struct Extent {
+  bool empty = true;
+  Vec3d low, high;
+
+  void add(const Vec3d& p) {
+    low = empty ? p : min(low, p);
+    high = empty ? p : max(high, p);
+    empty = false;
+  }
+  void add_ball(const Vec3d& center, double radius) {
+    add(center - Vec3d{radius, radius, radius});
+    add(center + Vec3d{radius, radius, radius});
+  }
+  double lever(const scene::MotionShape& motion) const {
+    const auto* turn = std::get_if<scene::MotionRotation>(&motion);
+    if (turn == nullptr || empty) return 0;
+    double most = 0;  // the distance from a line is convex: largest at a corner
+    for (int k = 0; k < 8; ++k)
+      most = std::max(
+          most, from_axis(*turn, {k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z}));
+    return most;
+  }
+};
+
+double fastest(const mesh::TriangleMesh& from, const mesh::TriangleMesh& to, double duration) {
+  double most = 0;
+  for (std::size_t v = 0; v < from.positions.size(); ++v)
+    most = std::max(most, length(to.positions[v].to<double>() - from.positions[v].to<double>()));
+  return most / duration;
+}
+
+}  // namespace
+
+std::vector<ContactMover> contact_movers(const scene::Scene& scene, const HostModel& model,
+                                         std::span<const mesh::TriangleMesh> objects,
+                                         std::span<const std::vector<mesh::TriangleMesh>> keyframes) {
+  std::vector<ContactMover> movers;
+  std::vector<Extent> moved(model.motions.size());
+  Extent cloths;
+  for (std::size_t v = 0; v < model.vertex_count(); ++v) {
+    cloths.add(model.rest_position[v]);
+    if (model.motion[v] > 1) moved[model.motion[v] - 2].add(model.rest_position[v]);
+  }
+  for (std::size_t m = 0; m < moved.size(); ++m)
+    movers.push_back({model.motions[m].shape, moved[m].lever(model.motions[m].shape), {}});
+  std::size_t object = 0;
+  for (const scene::Collider& collider : scene.colliders) {
+    ContactMover mover{scene::motion_of(collider), 0, {}};
+    Extent extent;
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) {
+      extent.add_ball(sphere->center, sphere->radius);
+    } else if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&collider)) {
+      extent.add_ball(capsule->a, capsule->radius);
+      extent.add_ball(capsule->b, capsule->radius);
+    } else if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) {
+      extent = cloths;
+      extent.add(plane->point);
+    } else {
+      const mesh::TriangleMesh* before = &objects[object];
+      for (const Vec3f& p : before->positions) extent.add(p.to<double>());
+      const auto* deforming = std::get_if<scene::ColliderMesh>(&collider);
+      double time = 0;
+      for (std::size_t k = 0; deforming && object < keyframes.size() && k < keyframes[object].size(); ++k) {
+        const mesh::TriangleMesh& shape = keyframes[object][k];
+        for (const Vec3f& p : shape.positions) extent.add(p.to<double>());
+        const double next = deforming->keyframes[k].time;
+        mover.changes.push_back({next, fastest(*before, shape, next - time)});
+        before = &shape;
+        time = next;
+      }
+      ++object;
+    }
+    if (mover.motion) mover.lever = extent.lever(*mover.motion);
+    if (mover.motion || !mover.changes.empty()) movers.push_back(std::move(mover));
+  }
+  return movers;
+}
+
+double largest_speed(const ContactMover& mover, double begin, double end) {
+  double speed = 0;
+  if (mover.motion) {
+    if (const auto* line = std::get_if<scene::MotionLine>(&*mover.motion)) {
+      speed = profile_speed(begin - line->start, end - line->start, line->speed, line->ramp, line->distance);
+    } else if (const auto* path = std::get_if<scene::MotionPath>(&*mover.motion)) {
+      speed = path_speed(*path, begin, end);
+    } else if (const auto* turn = std::get_if<scene::MotionRotation>(&*mover.motion)) {
+      speed = mover.lever *
+              profile_speed(begin - turn->start, end - turn->start, turn->speed, turn->ramp, turn->angle);
+    }
+  }
+  double change = 0, from = 0;
+  for (const ContactMover::Change& one : mover.changes) {
+    if (from <= end && one.time >= begin) change = std::max(change, one.speed);
+    from = one.time;
+  }
+  return speed + change;
+}
+
+std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double thickness, double begin,
+                                  double end, double step) {
+  double speed = 0;
+  for (const ContactMover& mover : movers) speed = std::max(speed, largest_speed(mover, begin, end));
+  const double travel = speed * step;
+  const double factor =
+      std::ceil(travel / (0.5 * thickness) * (1 - 1e-12));  // an even bound is not rounded up
+  if (!(factor > 1)) return 1;
+  return factor < kMostContactSteps ? static_cast<std::uint32_t>(factor) : kMostContactSteps;
+}
+
+}  // namespace weft

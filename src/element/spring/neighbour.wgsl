@@ -1,0 +1,10 @@
+// One spring as one of its nodes sees it. Mirror: src/element/spring/neighbours.hpp.
+struct Neighbour {
+  node_and_kind : u32,  // the kind in the upper four bits
+  rest_length : f32,    // m
+}
+const kNeighbourKinds = 16u;
+const kNeighbourNodeBits = 28u;
+// The entries of so many nodes that follow each other lie interleaved: invocations beside each other read words beside
+// each other.
+const kSlice = 32u;

@@ -1,0 +1,97 @@
+#include "method/mass_spring/solver_mass_spring.hpp"
+
+#include <algorithm>
+
+namespace weft {
+
+namespace {
+
+// Most nodes for which two substeps at once are quicker than two dispatches, on an H100: docs/decisions.md.
+constexpr std::uint32_t kMostForTwo = 160000;
+
+/// Whether a dispatch costs more than what two substeps at once compute more.
+bool two_pay(const SolverInputs& inputs) {
+  if (inputs.state.steps.size() < 2) return false;  // no frame has two
+  if (inputs.two_steps) return *inputs.two_steps;
+  return inputs.device.adapter().type != "CPU" && inputs.model.vertex_count() <= kMostForTwo;
+}
+
+}  // namespace
+
+void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
+  if (spring_centric_) {
+    if (spring_centric_->spring_forces) spring_centric_->spring_forces->record(pass);  // Algorithm 1
+    if (spring_centric_->spring_block_forces) spring_centric_->spring_block_forces->record(pass);
+    spring_centric_->integrate_forces.record(pass);  // gravity enters here, so it needs no buffer
+  }
+  for (const AdvanceGrid& cloth : grids_) cloth.record(pass);
+  for (const AdvanceMesh& cloth : meshes_) cloth.record(pass);
+}
+
+void SolverMassSpring::record_two(gpu::ComputePass& pass) const {
+  for (const AdvanceGridTwice& cloth : twice_) cloth.record(pass);
+}
+
+void SolverMassSpring::record_solve(gpu::ComputePass& pass) const { contact_answer_.record(pass); }
+
+Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settings,
+                                                     const SolverInputs& inputs) {
+  SpringCentric made;
+  const std::vector<Spring> springs = build_springs(inputs.model.host);
+  const ForceFixedPoint fixed_point = force_fixed_point(springs, inputs.model.vertex_count());
+  constants_ = {static_cast<std::uint32_t>(springs.size()), fixed_point.scale, fixed_point.limit};
+  WEFT_TRY(force,
+           gpu::Buffer<std::int32_t>::create(inputs.device, 3UL * inputs.model.vertex_count(), "force"));
+  made.force = std::move(force);
+  if (settings.forces == scene::Forces::SpringBlocks) {
+    WEFT_TRY(forces, SpringBlockForces::create(inputs.device, inputs.model, inputs.state, springs, made.force,
+                                               inputs.workgroup_size));
+    made.spring_block_forces = std::move(forces);
+  } else {
+    WEFT_TRY(forces,
+             SpringForces::create(inputs.device, inputs.state, springs, made.force, inputs.workgroup_size));
+    made.spring_forces = std::move(forces);
+  }
+  WEFT_TRY(integrate, IntegrateForces::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
+                                              made.force, inputs.workgroup_size));
+  made.integrate_forces = std::move(integrate);
+  spring_centric_ = std::move(made);
+  return {};
+}
+
+Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
+  const auto& cloths = inputs.model.host.cloths;
+  const bool two = inputs.contacts == nullptr && two_pay(inputs) &&
+                   std::all_of(cloths.begin(), cloths.end(),
+                               [](const ClothModel& cloth) { return cloth.grid.has_value(); });
+  for (const ClothModel& cloth : cloths) {
+    if (!cloth.grid) {
+      WEFT_TRY(advance, AdvanceMesh::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
+                                            cloth, inputs.workgroup_size));
+      meshes_.push_back(std::move(advance));
+      continue;
+    }
+    WEFT_TRY(advance, AdvanceGrid::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
+                                          cloth, inputs.workgroup_size));
+    grids_.push_back(std::move(advance));
+    if (!two) continue;
+    WEFT_TRY(twice, AdvanceGridTwice::create(inputs.device, inputs.model, inputs.state, cloth));
+    twice_.push_back(std::move(twice));
+  }
+  return {};
+}
+
+Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& settings,
+                                                         const SolverInputs& inputs) {
+  auto made = std::make_unique<SolverMassSpring>();
+  if (settings.forces == scene::Forces::NodeCentric) {
+    WEFT_CHECK(made->create_node_centric(inputs));
+  } else {
+    WEFT_CHECK(made->create_spring_centric(settings, inputs));
+  }
+  WEFT_TRY(answer, ContactAnswer::create(inputs, scene::SolverKind::MassSpring));
+  made->contact_answer_ = std::move(answer);
+  return std::unique_ptr<Solver>(std::move(made));
+}
+
+}  // namespace weft

@@ -1,0 +1,127 @@
+// The matrix of the first coarse level, Pᵀ A P of masses and springs, and the inverse of its diagonal. One invocation per coarse node: it
+// gathers the springs about its nine fine nodes. Bend springs count as structural ones that are stiffer by twice their stiffness each:
+// exact where both that they span are stretched alike. Source: docs/solvers/multigrid.md, equation 10.
+#include "gpu/index.wgsl"
+#include "method/multigrid/bending_diagonal.wgsl"
+#include "method/multigrid/hold.wgsl"
+#include "method/multigrid/spring_grid.wgsl"
+#include "method/multigrid/store_block.wgsl"
+#include "method/multigrid/store_inverse.wgsl"
+#include "method/multigrid/transfer.wgsl"
+//                                                                            elements       unit
+@group(0) @binding(0) var<uniform>             step      : StepParams;
+@group(0) @binding(1) var<uniform>             grid      : SpringGrid;
+@group(0) @binding(2) var<uniform>             levels    : array<Level, 2>;
+@group(0) @binding(3) var<storage, read>       place     : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
+@group(0) @binding(4) var<storage, read>       holds     : array<vec4f>;   // method/multigrid/hold.wgsl
+@group(0) @binding(5) var<storage, read_write> vectors   : array<vec4f>;   // method/multigrid/level.wgsl
+@group(0) @binding(6) var<storage, read_write> operators : array<vec2f>;   // method/multigrid/coarse_block.wgsl
+var<private> blocks : array<Symmetric, 5>;
+var<private> rate : f32;  // 1/s
+
+// What a place along a side takes from coarse node I (x), from I + 1 (y) and from I - 1 (z).
+fn line_taps(at : i32, center : i32, coarse : i32, n : i32, m : i32, regular : bool) -> vec3f {
+  if (regular) {  // the same, where no end of the side is near
+    let o = 0.5 * f32(at - center);
+    return max(vec3f(0.0), 1.0 - abs(vec3f(o, o - 1.0, o + 1.0)));
+  }
+  return vec3f(tap(at, coarse, n, m), tap(at, coarse + 1, n, m), tap(at, coarse - 1, n, m));
+}
+fn is_regular(center : i32, n : i32, m : i32) -> bool { return n != m && center > 3 && center + 4 < n; }
+
+// What a fine node takes from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w), and to the left
+// of that.
+struct Taps { right : vec4f, left : f32, at : vec4f }
+
+fn taps_at(x : i32, y : i32, column : vec3f, row : vec3f) -> Taps {
+  let at = place[u32(y) * grid.nx + u32(x)];
+  if (at.w == 0.0) { return Taps(vec4f(0.0), 0.0, at); }
+  return Taps(vec4f(column.xy * row.x, column.xy * row.y), column.z * row.y, at);
+}
+
+fn add(matrix : Symmetric, own : f32, right : vec4f, left : f32) {
+  let part = scaled(own, matrix);
+  blocks[0] = sum_of(blocks[0], scaled(right.x, part));
+  blocks[1] = sum_of(blocks[1], scaled(right.y, part));
+  blocks[2] = sum_of(blocks[2], scaled(right.z, part));
+  blocks[3] = sum_of(blocks[3], scaled(right.w, part));
+  blocks[4] = sum_of(blocks[4], scaled(left, part));
+}
+
+fn add_spring(a : Taps, b : Taps, rest_length : f32, stiffness : f32, damping : f32) {
+  let right = b.right - a.right;
+  if (right.x == 0.0 || stiffness == 0.0) { return; }
+  let s = spring_block(b.at.xyz - a.at.xyz, rest_length, stiffness, rate * damping);
+  add(sum_of(outer(s.direction, s.along), identity(s.across)), right.x, right, b.left - a.left);
+}
+
+// A structural spring from node `at` of a line to the next, with the bend springs above it.
+fn add_structural(a : Taps, b : Taps, rest_length : f32, at : i32, side : i32, weight : f32) {
+  let above = 2.0 * weight * (select(0.0, 1.0, at > 0) + select(0.0, 1.0, at + 2 < side));
+  let bend = grid.stiffness.z;
+  let damping = select(0.0, weight, grid.stiffness.x > 0.0) + select(0.0, above, bend > 0.0);
+  add_spring(a, b, rest_length, weight * grid.stiffness.x + above * bend, damping * grid.damping);
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
+  let coarse = levels[1];
+  let node = flat_index(id);
+  if (node >= coarse.nx * coarse.ny) { return; }
+  let coarse_j = node / coarse.nx;
+  let coarse_i = node - coarse_j * coarse.nx;
+  let i = i32(coarse_i);
+  let j = i32(coarse_j);
+  let nx = i32(grid.nx);
+  let ny = i32(grid.ny);
+  let mx = i32(coarse.nx);
+  let my = i32(coarse.ny);
+  let center_i = i32(center_of(coarse_i, grid.nx, coarse.nx));
+  let center_j = i32(center_of(coarse_j, grid.ny, coarse.ny));
+  let regular_i = is_regular(center_i, nx, mx);
+  let regular_j = is_regular(center_j, ny, my);
+  rate = 1.0 / formula_of(step.step_ratio).he;
+  blocks = array<Symmetric, 5>();
+  let left = max(center_i - 2, 0);
+  for (var y = max(center_j - 2, 0); y <= min(center_j + 2, ny - 1); y++) {
+    let row_weight = line_weight(grid, u32(y), grid.ny);
+    let down = y + 1 < ny;
+    let row = line_taps(y, center_j, j, ny, my, regular_j);
+    let below_row = line_taps(y + 1, center_j, j, ny, my, regular_j);
+    // A window of four nodes goes along the row: a and b in it, and those below.
+    var b = taps_at(left, y, line_taps(left, center_i, i, nx, mx, regular_i), row);
+    var below_a = b;
+    var below_b = b;
+    if (down) {
+      below_b = taps_at(left, y + 1, line_taps(left, center_i, i, nx, mx, regular_i), below_row);
+      if (left > 0) { below_a = taps_at(left - 1, y + 1, line_taps(left - 1, center_i, i, nx, mx, regular_i), below_row); }
+    }
+    for (var x = left; x <= min(center_i + 2, nx - 1); x++) {
+      let a = b;
+      let before = below_a;
+      below_a = below_b;
+      var own = identity(a.at.w);
+      if (kHolds) { own = sum_of(own, hold_block(u32(y) * grid.nx + u32(x))); }
+      add(own, a.right.x, a.right, a.left);
+      if (x + 1 < nx) {
+        let column = line_taps(x + 1, center_i, i, nx, mx, regular_i);
+        b = taps_at(x + 1, y, column, row);
+        add_structural(a, b, grid.rest_length.x, x, nx, row_weight);
+        if (down) {
+          below_b = taps_at(x + 1, y + 1, column, below_row);
+          add_spring(a, below_b, grid.rest_length.z, grid.stiffness.y, grid.damping);
+        }
+      }
+      if (down) {
+        add_structural(a, below_a, grid.rest_length.y, y, ny, line_weight(grid, u32(x), grid.nx));
+        if (x > 0) { add_spring(a, before, grid.rest_length.z, grid.stiffness.y, grid.damping); }
+      }
+    }
+  }
+  store_block(coarse, node, 0u, blocks[0]);
+  store_block(coarse, node, 1u, blocks[1]);
+  store_block(coarse, node, 2u, blocks[2]);
+  store_block(coarse, node, 3u, blocks[3]);
+  store_block(coarse, node, 4u, blocks[4]);
+  store_inverse(coarse, node, inverse(sum_of(blocks[0], identity(bending_diagonal(coarse, coarse_i, coarse_j)))));
+}

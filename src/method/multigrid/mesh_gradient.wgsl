@@ -1,0 +1,63 @@
+// What is left of a mesh's equation at the start of the unknown, its matrix, the inverse of the diagonal, and the first step of
+// smoothing. One invocation per node, which also keeps the blocks that it shares with nodes of higher number. Sums run in a fixed order.
+// Source: docs/solvers/multigrid.md, equations 5, 6 and 11.
+#include "gpu/index.wgsl"
+#include "method/multigrid/chebyshev.wgsl"
+#include "method/multigrid/cloth_nodes.wgsl"
+#include "method/multigrid/hold_at_obstacles.wgsl"
+#include "method/multigrid/mesh_level.wgsl"
+#include "method/multigrid/spring_pull.wgsl"
+#include "method/multigrid/mesh_store_block.wgsl"
+#include "method/multigrid/store_inverse.wgsl"
+//                                                                                elements               unit
+@group(0) @binding(0) var<uniform>             step       : StepParams;
+@group(0) @binding(1) var<uniform>             nodes      : ClothNodes;
+@group(0) @binding(2) var<uniform>             levels     : array<MeshLevel, 2>;
+@group(0) @binding(3) var<storage, read>       place      : array<vec4f>;      // node_count             m (w: N/m; 0: held)
+@group(0) @binding(4) var<storage, read_write> holds      : array<vec4f>;      // method/multigrid/hold.wgsl
+@group(0) @binding(5) var<storage, read_write> vectors    : array<vec4f>;      // method/multigrid/vectors.wgsl
+@group(0) @binding(6) var<storage, read_write> blocks     : array<vec4f>;      // method/multigrid/mesh_block.wgsl
+@group(0) @binding(7) var<storage, read>       row_starts : array<u32>;        // node_count + 1 of each level
+@group(0) @binding(8) var<storage, read>       rows       : array<Coupling>;
+@group(0) @binding(9) var<storage, read>       springs    : array<vec4f>;      // of each block after the diagonal: m, N/m, N·s/m
+@group(0) @binding(10) var<storage, read_write> presses   : array<i32>;        // kPressWords * vertex_count
+
+@compute @workgroup_size(kWorkgroupSize)
+fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
+  let node = flat_index(id);
+  let level = levels[0];
+  if (node >= level.node_count) { return; }
+  let own = place[node];
+  let start = vectors[vector_at(level, kFirst, node)].xyz;
+  let start_velocity = vectors[vector_at(level, kSecond, node)].xyz;
+  let rate = 1.0 / formula_of(step.step_ratio).he;
+  var diagonal = identity(own.w);
+  var residual = vectors[vector_at(level, kResidual, node)].xyz;
+  for (var k = row_starts[node]; k < row_starts[node + 1u]; k++) {
+    let other = rows[k].node;
+    let number = rows[k].block;
+    let at = place[other];
+    let spring = springs[number - level.node_count];
+    let span_step = vectors[vector_at(level, kFirst, other)].xyz - start;
+    let rate_of_span = vectors[vector_at(level, kSecond, other)].xyz - start_velocity;
+    let pulled = pull_of(at.xyz - own.xyz, span_step, rate_of_span, spring.x, spring.y, spring.z, rate);
+    let part = sum_of(outer(pulled.block.direction, pulled.block.along), identity(pulled.block.across));
+    diagonal = sum_of(diagonal, part);
+    residual += pulled.force;
+    if (node < other) { store_block(level, number, scaled(select(-1.0, 0.0, own.w == 0.0 || at.w == 0.0), part)); }
+  }
+  if (own.w == 0.0) {  // it has no unknown
+    diagonal = zero_matrix();
+    residual = vec3f(0.0);
+    if (kHolds) { free_of_obstacles(node, nodes.first_vertex); }
+  } else if (kHolds) {
+    let hold = hold_at_obstacles(node, nodes.first_vertex, own.w, residual, start, diagonal);
+    residual += hold.force;
+    diagonal = sum_of(diagonal, hold.block);
+  }
+  let inverted = inverse(diagonal);
+  store_block(level, node, diagonal);
+  store_inverse(level, node, inverted);
+  vectors[vector_at(level, kResidual, node)] = vec4f(residual, 0.0);
+  vectors[vector_at(level, kDirection, node)] = vec4f(kBegin * times(inverted, residual), 0.0);
+}

@@ -1,0 +1,24 @@
+// A level of the hierarchy of a cloth that is a mesh, and its place in the buffers of all its levels. Its matrix is symmetric, of
+// symmetric blocks: first those of the diagonal, node by node, then one for each two nodes that are coupled.
+// Source: docs/solvers/multigrid.md.
+#include "method/multigrid/vectors.wgsl"
+struct MeshLevel {  // mirror: src/method/multigrid/mesh_lists.hpp
+  node_count : u32,     // 0: there is no such level
+  block_count : u32,
+  first_vector : u32,   // in `vectors`, in vec4f
+  first_block : u32,    // in `blocks`, in two vec4f
+  first_row : u32,      // of its nodes, in `row_starts`
+  first_source : u32,   // likewise, in `source_starts`
+  first_product : u32,  // of its blocks, in `product_starts`
+  first_taps : u32,     // of the next finer level's nodes, in `taps`
+}
+alias Level = MeshLevel;
+// A kernel's uniform `levels` has the level that it works on, and the next coarser one.
+
+// What of a matrix's row stands beside its diagonal. Mirror: src/method/multigrid/mesh_levels.hpp.
+struct Coupling { node : u32, block : u32 }
+// How much of what stands elsewhere. Mirror: src/mesh/coarse_mesh.hpp.
+struct Share { index : u32, weight : f32 }
+const kTaps = 3u;  // of a node
+
+fn vector_at(level : Level, vector : u32, node : u32) -> u32 { return level.first_vector + vector * level.node_count + node; }

@@ -1,0 +1,126 @@
+#include "method/multigrid/mesh_levels.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace weft {
+namespace {
+
+mesh::Network network_of(const HostModel& model, const ClothModel& cloth) {
+  mesh::Network network;
+  for (std::uint32_t v = 0; v < cloth.vertex_count; ++v)
+    network.positions.push_back(model.rest_position[cloth.first_vertex + v]);
+  for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
+    mesh::Triangle triangle = model.triangles[cloth.first_triangle + t];
+    for (std::uint32_t& vertex : triangle) vertex -= cloth.first_vertex;
+    network.triangles.push_back(triangle);
+  }
+  network.edges = mesh::mesh_edges(network.triangles);
+  return network;
+}
+
+/// The rows of a matrix whose blocks beside the diagonal are those of these pairs.
+void set_rows(MeshLevel& level, const std::vector<mesh::Edge>& pairs) {
+  level.block_count = level.node_count + static_cast<std::uint32_t>(pairs.size());
+  std::vector<std::uint32_t>& starts = level.rows.starts;
+  starts.assign(level.node_count + 1, 0);
+  for (const mesh::Edge& pair : pairs)
+    for (const std::uint32_t node : pair) ++starts[node + 1];
+  for (std::size_t node = 0; node < level.node_count; ++node) starts[node + 1] += starts[node];
+  level.rows.items.resize(2 * pairs.size());
+  std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+  for (std::uint32_t p = 0; p < pairs.size(); ++p)
+    for (const std::size_t k : {0, 1})
+      level.rows.items[next[pairs[p][k]]++] = {pairs[p][1 - k], level.node_count + p};
+}
+
+void set_sources(MeshLevel& level) {
+  std::vector<std::vector<Share>> sources(level.node_count);
+  for (std::uint32_t node = 0; node < level.taps.size(); ++node)
+    for (const Share& tap : level.taps[node])
+      if (tap.weight != 0) sources[tap.index].push_back({node, tap.weight});
+  for (const std::vector<Share>& list : sources) {
+    level.sources.items.insert(level.sources.items.end(), list.begin(), list.end());
+    level.sources.close();
+  }
+}
+
+/// A part of Pᵀ A P in the row of one coarse node.
+struct Product {
+  std::uint32_t column, block;
+  double weight;
+};
+
+/// What row `node` of Pᵀ A P is made of, in columns from `node` on: the matrix is symmetric.
+std::vector<Product> products_of(const MeshLevel& fine, const MeshLevel& coarse, std::uint32_t node) {
+  std::vector<Product> row;
+  for (const Share& source : coarse.sources.of(node)) {
+    const auto add = [&](std::uint32_t other, std::uint32_t block) {
+      for (const Share& tap : coarse.taps[other])
+        if (tap.weight != 0 && tap.index >= node)
+          row.push_back(
+              {tap.index, block, static_cast<double>(source.weight) * static_cast<double>(tap.weight)});
+    };
+    add(source.index, source.index);
+    for (const Coupling& coupling : fine.rows.of(source.index)) add(coupling.node, coupling.block);
+  }
+  std::stable_sort(row.begin(), row.end(), [](const Product& a, const Product& b) {
+    return std::tie(a.column, a.block) < std::tie(b.column, b.block);
+  });
+  return row;
+}
+
+/// The pattern of Pᵀ A P, and of which blocks it is made.
+void set_products(const MeshLevel& fine, MeshLevel& coarse) {
+  Lists<Share> diagonal, beside;
+  std::vector<mesh::Edge> pairs;
+  for (std::uint32_t node = 0; node < coarse.node_count; ++node) {
+    const std::vector<Product> row = products_of(fine, coarse, node);
+    for (std::size_t k = 0; k < row.size();) {
+      const std::uint32_t column = row[k].column;
+      Lists<Share>& lists = column == node ? diagonal : beside;
+      while (k < row.size() && row[k].column == column) {
+        const std::uint32_t block = row[k].block;
+        double weight = 0;
+        for (; k < row.size() && row[k].column == column && row[k].block == block; ++k)
+          weight += row[k].weight;
+        lists.items.push_back({block, static_cast<float>(weight)});
+      }
+      lists.close();
+      if (column != node) pairs.push_back({node, column});
+    }
+  }
+  const auto first = static_cast<std::uint32_t>(diagonal.items.size());
+  coarse.products = std::move(diagonal);
+  for (std::size_t k = 1; k < beside.starts.size(); ++k)
+    coarse.products.starts.push_back(first + beside.starts[k]);
+  coarse.products.items.insert(coarse.products.items.end(), beside.items.begin(), beside.items.end());
+  set_rows(coarse, pairs);
+}
+
+}  // namespace
+
+std::vector<MeshLevel> mesh_levels(const HostModel& model, const ClothModel& cloth,
+                                   const std::vector<Spring>& springs) {
+  mesh::Network network = network_of(model, cloth);
+  std::vector<mesh::Edge> pairs;
+  for (const Spring& spring : springs)
+    pairs.push_back({spring.node_a - cloth.first_vertex, spring.node_b - cloth.first_vertex});
+  std::vector<MeshLevel> levels(1);
+  levels[0].node_count = cloth.vertex_count;
+  set_rows(levels[0], pairs);
+  while (network.positions.size() > kLeastNodes) {
+    mesh::CoarseMesh coarse = mesh::coarsened(network);
+    if (coarse.of.size() == network.positions.size()) break;  // nothing is joined any more
+    MeshLevel level;
+    level.node_count = static_cast<std::uint32_t>(coarse.of.size());
+    level.taps = std::move(coarse.taps);
+    set_sources(level);
+    set_products(levels.back(), level);
+    levels.push_back(std::move(level));
+    network = std::move(coarse.network);
+  }
+  return levels;
+}
+
+}  // namespace weft

@@ -1,0 +1,18 @@
+#include "method/multigrid/reference/cycle.hpp"
+
+namespace weft::reference {
+
+Hierarchy::Hierarchy(GridOperator fine, const GridOperator& source) {
+  const std::vector<GridLevel> shapes = grid_levels(fine.nx, fine.ny);
+  const GridBending bending = fine.bending;
+  add(std::move(fine));
+  for (std::size_t l = 1; l < shapes.size(); ++l)
+    add(coarsened(l == 1 ? source : levels().back(), shapes[l], bending));
+}
+
+MeshHierarchy::MeshHierarchy(MeshOperator fine) {
+  add(std::move(fine));
+  while (levels().back().coarser()) add(coarsened(levels().back()));
+}
+
+}  // namespace weft::reference

@@ -1,0 +1,96 @@
+// The V-cycle of the multigrid solver, for grids and for meshes. Source: docs/solvers/multigrid.md.
+#pragma once
+
+#include <utility>
+
+#include "method/multigrid/reference/mesh_operator.hpp"
+#include "method/multigrid/reference/transfer.hpp"
+
+namespace weft::reference {
+
+/// The eigenvalues of D⁻¹ A that smoothing is for: the upper end is above all of them, 2 for springs and 8/3
+/// for bending inside; the coarsest grid has none below that are left to others.
+inline constexpr double kSmoothHigh = 2.9, kSmoothLow = kSmoothHigh / 8, kBottomLow = kSmoothHigh / 30;
+inline constexpr int kSmoothDegree = 2, kBottomDegree = 10;
+
+/// r - A x
+template <class Matrix>
+Field residual(const Matrix& matrix, const Field& r, const Field& x) {
+  Field left = matrix.apply(x);
+  for (std::size_t a = 0; a < left.size(); ++a) left[a] = r[a] - left[a];
+  return left;
+}
+
+/// Improves A x = r by Chebyshev's polynomial of D⁻¹ A for eigenvalues from `low` to kSmoothHigh.
+template <class Matrix>
+void smooth(const Matrix& matrix, const std::vector<Sym3>& inverse_diagonal, const Field& r, Field& x,
+            double low, int degree) {
+  const double middle = (kSmoothHigh + low) / 2, half = (kSmoothHigh - low) / 2, sigma = middle / half;
+  double rho = 1 / sigma;
+  Field left = residual(matrix, r, x), d(x.size());
+  for (int k = 0; k < degree; ++k) {
+    double keep = 0, take = 1 / middle;
+    if (k > 0) {
+      const double next = 1 / (2 * sigma - rho);
+      keep = next * rho;
+      take = 2 * next / half;
+      rho = next;
+      left = residual(matrix, r, x);
+    }
+    for (std::size_t a = 0; a < x.size(); ++a) d[a] = keep * d[a] + take * (inverse_diagonal[a] * left[a]);
+    for (std::size_t a = 0; a < x.size(); ++a) x[a] += d[a];
+  }
+}
+
+/// The levels of one linear system, the finest first.
+template <class Matrix>
+class Cycle {
+ public:
+  /// One V-cycle for A x = r from x = 0.
+  Field cycle(const Field& r) const { return cycle_from(0, r); }
+  /// The part of it on one level and all coarser ones.
+  Field cycle_from(std::size_t level, const Field& r) const {
+    const Matrix& matrix = levels_[level];
+    Field x(r.size());
+    const bool last = level + 1 == levels_.size();
+    if (last && level > 0) {
+      smooth(matrix, inverse_[level], r, x, kBottomLow, kBottomDegree);
+      return x;
+    }
+    smooth(matrix, inverse_[level], r, x, kSmoothLow, kSmoothDegree);
+    if (!last) {
+      const Field coarse = cycle_from(level + 1, restricted(residual(matrix, r, x), matrix));
+      const Field correction = prolonged(coarse, matrix);
+      for (std::size_t a = 0; a < x.size(); ++a) x[a] += correction[a];
+    }
+    smooth(matrix, inverse_[level], r, x, kSmoothLow, kSmoothDegree);
+    return x;
+  }
+  const std::vector<Matrix>& levels() const { return levels_; }
+
+ protected:
+  void add(Matrix matrix) {
+    inverse_.push_back(matrix.inverse_diagonal());
+    levels_.push_back(std::move(matrix));
+  }
+
+ private:
+  std::vector<Matrix> levels_;
+  std::vector<std::vector<Sym3>> inverse_;
+};
+
+/// Of a grid.
+class Hierarchy : public Cycle<GridOperator> {
+ public:
+  /// `fine` is the matrix; `source` has the nine-point part whose Pᵀ A P the coarse ones are.
+  Hierarchy(GridOperator fine, const GridOperator& source);
+};
+
+/// Of a mesh.
+class MeshHierarchy : public Cycle<MeshOperator> {
+ public:
+  /// `fine` is the matrix; it names its levels, which must stay.
+  explicit MeshHierarchy(MeshOperator fine);
+};
+
+}  // namespace weft::reference

@@ -1,0 +1,68 @@
+// The matrix of one level of the multigrid solver. Source: docs/solvers/multigrid.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "method/multigrid/reference/sym3.hpp"
+
+namespace weft::reference {
+
+using Field = std::vector<Vec3d>;  // a vector for each node, row by row
+
+/// Adds d (e_a - e_b)(e_a - e_b)ᵀ for a spring between nodes that are two apart.
+struct FarSpring {
+  std::uint32_t a = 0, b = 0;
+  Sym3 block;  // [N/m]
+};
+
+/// Resistance to bending: k/2 |x(m-1) - 2 x(m) + x(m+1)|² for each node m of each row, and of each column;
+/// half of it along the boundary, where there is cloth on one side only. [N/m]
+struct GridBending {
+  double along_i = 0, along_j = 0;
+  bool even_i = true, even_j = true;  // where not, the term about the last interval's inner node is left out
+  bool uniform = false;               // along the boundary too it counts in full
+};
+
+/// Of a node: its own block, and those towards (i+1, j), (i, j+1), (i+1, j+1) and (i-1, j+1).
+using StencilRow = std::array<Sym3, 5>;
+
+/// A symmetric matrix over a grid: nine points of 3 x 3 blocks, far springs, bending. Rows and columns of
+/// held nodes are not there.
+struct GridOperator {
+  std::uint32_t nx = 0, ny = 0;
+  std::vector<StencilRow> rows;  // [N/m]
+  std::vector<FarSpring> far;
+  GridBending bending;
+  std::vector<bool> held;
+
+  std::size_t size() const { return rows.size(); }
+  /// A x; x must be 0 where nodes are held.
+  Field apply(const Field& x) const;
+  /// The diagonal's blocks, where nodes are held too.
+  std::vector<Sym3> diagonal() const;
+  /// The inverses of the diagonal's blocks, 0 where nodes are held. Blocks are made a little larger than they
+  /// are: f32 knows them to some 10⁻⁷ of their largest part, and their smallest must stay positive.
+  std::vector<Sym3> inverse_diagonal() const;
+};
+
+/// Part of a block's trace that is added to its diagonal before it is inverted.
+inline constexpr double kDiagonalMargin = 4e-6;
+
+/// Calls visit(m, weight) for the middle node m of each term of GridBending along i (step 1) or j (step nx).
+template <class Visit>
+void for_each_bend(const GridOperator& grid, bool along_i, const Visit& visit) {
+  const GridBending& bending = grid.bending;
+  const std::uint32_t n = along_i ? grid.nx : grid.ny, lines = along_i ? grid.ny : grid.nx;
+  const std::uint32_t last = n - ((along_i ? bending.even_i : bending.even_j) ? 1 : 2);
+  const double stiffness = along_i ? bending.along_i : bending.along_j;
+  if (stiffness == 0 || n < 3) return;
+  for (std::uint32_t line = 0; line < lines; ++line) {
+    const bool rim = (line == 0 || line + 1 == lines) && !bending.uniform;
+    for (std::uint32_t m = 1; m < last; ++m)
+      visit(along_i ? line * grid.nx + m : m * grid.nx + line, rim ? stiffness / 2 : stiffness);
+  }
+}
+
+}  // namespace weft::reference

@@ -1,0 +1,311 @@
+#include "method/multigrid/reference/implicit_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::reference {
+namespace {
+
+constexpr double kMinLength = 1e-9;  // m; a shorter spring has no direction
+
+struct Link {
+  std::uint32_t a = 0, b = 0;  // of the cloth
+  int di = 0, dj = 0;
+  SpringLink spring;
+};
+
+Link link_of(const SpringLink& spring, std::uint32_t first, std::uint32_t nx) {
+  Link link{spring.node_a - first, spring.node_b - first, 0, 0, spring};
+  link.di = static_cast<int>(link.b % nx) - static_cast<int>(link.a % nx);
+  link.dj = static_cast<int>(link.b / nx) - static_cast<int>(link.a / nx);
+  return link;
+}
+
+bool is_far(const Link& link) { return std::abs(link.di) > 1 || link.dj > 1; }
+
+/// k [(1 - b) n nᵀ + b I] + c/he n nᵀ with b = max(0, 1 - l0/l): the spring's Hessian where it is stretched,
+/// and where it is pressed without what would make it indefinite.
+Sym3 spring_block(const Vec3d& span, double rest_length, double stiffness, double damping) {
+  const double len = length(span);
+  if (len < kMinLength) return {};
+  const double b = std::max(0.0, 1 - rest_length / len);
+  return Sym3::outer(span / len, stiffness * (1 - b) + damping) + Sym3::identity(stiffness * b);
+}
+
+struct SpringTerms {
+  Vec3d force;  // on the first node, at place + start [N]
+  Sym3 block;   // [N/m]
+};
+
+SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t a, std::size_t b,
+                         double rate) {
+  const Vec3d span = step.place[b] - step.place[a];
+  const double len = length(span);
+  if (len < kMinLength) return {};
+  const Vec3d n = span / len, step_of_span = step.start[b] - step.start[a];
+  const Sym3 elastic = spring_block(span, s.rest_length, s.stiffness, 0);
+  // Damping acts along the spring as it will be: along n it would be of first order in the step.
+  const Vec3d later = span + step_of_span;
+  const Vec3d damping = Sym3::outer(later / std::max(length(later), kMinLength), s.damping) *
+                        (step.start_velocity[b] - step.start_velocity[a]);
+  return {s.stiffness * (len - s.rest_length) * n + damping + elastic * step_of_span,
+          elastic + Sym3::outer(n, s.damping * rate)};
+}
+
+std::size_t place_of(const Link& link) { return link.dj == 0 ? 1 : link.di < 0 ? 4 : link.di == 0 ? 2 : 3; }
+
+void add_near(GridOperator& matrix, const Link& link, const Sym3& block) {
+  matrix.rows[link.a][0] += block;
+  matrix.rows[link.b][0] += block;
+  if (!matrix.held[link.a] && !matrix.held[link.b]) matrix.rows[link.a][place_of(link)] += -1.0 * block;
+}
+
+const Follower* follower(const MassSpringSystem& system, std::size_t node) {
+  for (const Follower& held : system.grabs)
+    if (held.node == node) return &held;
+  return nullptr;
+}
+
+/// Where a node would come nearer to obstacles than the thickness, or is there and pressed on: add(node,
+/// block) puts what holds it into the matrix, and the residual gets the force to where it belongs.
+template <class Add>
+void hold_at_obstacles(StepStart& step, std::span<const Sym3> diagonal, std::span<const Press> presses,
+                       double dt, const Add& add) {
+  for (std::size_t a = 0; a < presses.size(); ++a) {
+    const Press& press = presses[a];
+    const double size = length(press.normal), inertia = step.inertia[a];
+    if (press.weight == 0 || step.held[a] || size < kAgree * press.weight) continue;
+    const Vec3d n = press.normal / size, residual = step.residual[a];
+    const double lack = press.lack / press.weight, friction = press.friction / press.weight;
+    const double pressed = inertia * lack - dot(residual, n);
+    if (!(pressed > 0)) continue;
+    const double stiffness = kHoldStiffness * std::min(press.weight, 1.0) * diagonal[a].trace();
+    const Vec3d slip = step.start[a] - dt / press.weight * press.surface, along = slip - dot(slip, n) * n;
+    const Vec3d needed = -inertia * along - (residual - dot(residual, n) * n);
+    const double grip = length(needed);
+    const double most =
+        friction * pressed * stiffness / (stiffness + inertia);  // what is held gives way a little
+    const bool sticks = grip <= most;
+    step.residual[a] += stiffness * lack * n;
+    step.residual[a] += sticks ? -stiffness * along : most / grip * needed;
+    add(a, sticks ? Sym3::identity(stiffness) : Sym3::outer(n, stiffness));
+    step.pressed[a] = true;
+  }
+}
+
+}  // namespace
+
+GridBending bending_of(const ClothModel& cloth) {
+  const double di = cloth.grid->width / (cloth.grid->nx - 1), dj = cloth.grid->height / (cloth.grid->ny - 1);
+  const double b = cloth.stiffness.bending;
+  return {b * dj / (di * di * di), b * di / (dj * dj * dj), true, true,
+          cloth.weights == mesh::BoundaryWeights::Uniform};
+}
+
+StepFormula step_formula(double dt, double ratio) {
+  return {dt * (1 + ratio) / (1 + 2 * ratio), ratio * ratio / (1 + 2 * ratio)};
+}
+
+ImplicitStepper::ImplicitStepper(const HostModel& model)
+    : position_before_(model.vertex_count()), velocity_before_(model.vertex_count()) {
+  std::size_t springs = 0;
+  for (const ClothModel& cloth : model.cloths) {
+    Cloth made{cloth.first_vertex, cloth.vertex_count};
+    if (cloth.grid) {
+      made.nx = cloth.grid->nx;
+      made.ny = cloth.grid->ny;
+      made.bending = bending_of(cloth);
+      springs += mesh::grid_spring_count(*cloth.grid);
+    } else {
+      const std::vector<Spring> own = build_springs(model, cloth);
+      made.levels = mesh_levels(model, cloth, own);
+      made.first_spring = springs;
+      springs += own.size();
+    }
+    cloths_.push_back(std::move(made));
+  }
+  forget();
+}
+
+void ImplicitStepper::remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity) {
+  position_before_ = std::move(position);
+  velocity_before_ = std::move(velocity);
+  known_.assign(position_before_.size(), true);
+}
+
+void ImplicitStepper::forget() { known_.assign(position_before_.size(), false); }
+
+StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
+                                 double ratio, const Cloth& cloth) const {
+  StepStart step;
+  step.place.resize(cloth.count);
+  step.start.resize(cloth.count);
+  step.start_velocity.resize(cloth.count);
+  step.residual.resize(cloth.count);
+  step.inertia.resize(cloth.count);
+  step.held.assign(cloth.count, false);
+  step.pressed.assign(cloth.count, false);
+  for (std::size_t a = 0; a < cloth.count; ++a) {
+    const std::size_t node = cloth.first + a;
+    const Vec3d x = system.position[node], v = system.velocity[node];
+    step.place[a] = x;
+    if (system.inverse_mass[node] == 0) {
+      step.place[a] = places[node];
+    } else if (const Follower* held = follower(system, node)) {
+      Vec3d velocity = system.grab_rate * (held->target - x);
+      const double speed = length(velocity);
+      if (speed > system.grab_speed) velocity *= system.grab_speed / speed;
+      step.place[a] = x + dt * velocity;
+    } else {
+      const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
+      const double he = formula.he, mass = 1 / system.inverse_mass[node];
+      const Vec3d s = known_[node] ? formula.c * (x - position_before_[node]) : Vec3d{};
+      const Vec3d base_velocity = known_[node] ? v + formula.c * (v - velocity_before_[node]) : v;
+      const Vec3d pull = system.acceleration + system.drag * wind_at(system.wind, x, system.time);
+      step.start[a] = dt * v;
+      step.start_velocity[a] = (step.start[a] - s) / he;
+      step.residual[a] = mass * ((base_velocity - step.start_velocity[a]) / he + pull -
+                                 system.drag * step.start_velocity[a]);
+      step.inertia[a] = mass * (1 / (he * he) + system.drag / he);
+      continue;
+    }
+    step.held[a] = true;
+    step.start_velocity[a] = (step.place[a] - x) / dt;
+  }
+  return step;
+}
+
+MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places,
+                                         double dt, double ratio, std::size_t c,
+                                         std::span<const Press> presses) const {
+  const Cloth& cloth = cloths_[c];
+  MeshStep step{begin(system, places, dt, ratio, cloth), {cloth.levels, {}}};
+  std::vector<Sym3>& blocks = step.matrix.blocks;
+  blocks.resize(cloth.levels[0].block_count);
+  for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
+  const double rate = 1 / step_formula(dt, ratio).he;
+  for (std::size_t block = cloth.count; block < blocks.size(); ++block) {
+    const SpringLink& s = system.springs[cloth.first_spring + block - cloth.count];
+    const std::size_t a = s.node_a - cloth.first, b = s.node_b - cloth.first;
+    const SpringTerms terms = spring_terms(s, step, a, b, rate);
+    step.residual[a] += terms.force;
+    step.residual[b] -= terms.force;
+    if (!step.held[a]) blocks[a] += terms.block;
+    if (!step.held[b]) blocks[b] += terms.block;
+    if (!step.held[a] && !step.held[b]) blocks[block] = -1.0 * terms.block;
+  }
+  for (std::size_t a = 0; a < cloth.count; ++a)
+    if (step.held[a]) step.residual[a] = {};
+  if (!presses.empty())
+    hold_at_obstacles(step, std::span(blocks).first(cloth.count), presses.subspan(cloth.first, cloth.count),
+                      dt, [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
+  return step;
+}
+
+LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places,
+                                      double dt, double ratio, std::size_t c,
+                                      std::span<const Press> presses) const {
+  const Cloth& cloth = cloths_[c];
+  const std::size_t count = cloth.count;
+  LinearStep step{begin(system, places, dt, ratio, cloth), {}, {}};
+  step.matrix.nx = cloth.nx;
+  step.matrix.ny = cloth.ny;
+  step.matrix.rows.resize(count);
+  for (std::size_t a = 0; a < count; ++a) step.matrix.rows[a][0] = Sym3::identity(step.inertia[a]);
+  step.matrix.held = step.held;
+  step.matrix.bending = cloth.bending;
+  step.source = step.matrix;
+  std::vector<Link> links;
+  for (const SpringLink& spring : system.springs)
+    if (spring.node_a >= cloth.first && spring.node_a < cloth.first + count)
+      links.push_back(link_of(spring, cloth.first, cloth.nx));
+  // A bend spring adds to a structural one below it twice its own stiffness: exact where both that it spans
+  // are stretched alike.
+  std::vector<std::array<double, 2>> below_i(count), below_j(count);  // stiffness, damping
+  for (const Link& link : links)
+    if (is_far(link)) {
+      auto& below = link.dj == 0 ? below_i : below_j;
+      for (const std::uint32_t node : {link.a, (link.a + link.b) / 2}) {
+        below[node][0] += 2 * link.spring.stiffness;
+        below[node][1] += 2 * link.spring.damping;
+      }
+    }
+  const double rate = 1 / step_formula(dt, ratio).he;
+  for (const Link& link : links) {
+    const SpringLink& s = link.spring;
+    const SpringTerms terms = spring_terms(s, step, link.a, link.b, rate);
+    step.residual[link.a] += terms.force;
+    step.residual[link.b] -= terms.force;
+    const Sym3& block = terms.block;
+    if (is_far(link)) {
+      step.matrix.far.push_back({link.a, link.b, block});
+      continue;
+    }
+    add_near(step.matrix, link, block);
+    double more = 0, more_damping = 0;
+    if (link.di == 0 || link.dj == 0) {
+      more = (link.dj == 0 ? below_i : below_j)[link.a][0];
+      more_damping = (link.dj == 0 ? below_i : below_j)[link.a][1];
+    }
+    add_near(step.source, link,
+             spring_block(step.place[link.b] - step.place[link.a], s.rest_length, s.stiffness + more,
+                          (s.damping + more_damping) * rate));
+  }
+  GridOperator bending = step.matrix;  // its force is linear: that at place + start
+  bending.rows.assign(count, {});
+  bending.far.clear();
+  Field moved = step.place;
+  for (std::size_t a = 0; a < count; ++a) moved[a] += step.start[a];
+  const Field curve = bending.apply(moved);
+  for (std::size_t a = 0; a < count; ++a)
+    step.residual[a] = step.matrix.held[a] ? Vec3d{} : step.residual[a] - curve[a];
+  if (!presses.empty())
+    hold_at_obstacles(step, step.matrix.diagonal(), presses.subspan(cloth.first, count), dt,
+                      [&](std::size_t a, const Sym3& hold) {
+                        step.matrix.rows[a][0] += hold;
+                        step.source.rows[a][0] += hold;
+                      });
+  return step;
+}
+
+template <class Levels>
+Field ImplicitStepper::solve(const Levels& hierarchy, const Field& r) const {
+  Field x = hierarchy.cycle(r);
+  for (int more = 1; more < cycles; ++more) {
+    const Field step = hierarchy.cycle(residual(hierarchy.levels()[0], r, x));
+    for (std::size_t a = 0; a < x.size(); ++a) x[a] += step[a];
+  }
+  return x;
+}
+
+void ImplicitStepper::advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
+                              double ratio, std::span<const Press> presses) {
+  std::vector<Vec3d> position = system.position, velocity = system.velocity;
+  std::vector<std::size_t> stopped;
+  const auto finish = [&](const Cloth& cloth, const StepStart& step, const Field& dz) {
+    for (std::size_t a = 0; a < dz.size(); ++a) {
+      const std::size_t node = cloth.first + a;
+      const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
+      position[node] = step.place[a] + step.start[a] + dz[a];
+      velocity[node] = step.start_velocity[a] + (step.held[a] ? Vec3d{} : dz[a] / formula.he);
+      if (!step.pressed[a]) continue;  // what a blow has stopped has no history
+      velocity[node] = (step.start[a] + dz[a]) / dt;
+      stopped.push_back(node);
+    }
+  };
+  for (std::size_t c = 0; c < cloths_.size(); ++c)
+    if (cloths_[c].levels.empty()) {
+      const LinearStep step = linearise(system, places, dt, ratio, c, presses);
+      finish(cloths_[c], step, solve(Hierarchy(step.matrix, step.source), step.residual));
+    } else {
+      const MeshStep step = linearise_mesh(system, places, dt, ratio, c, presses);
+      finish(cloths_[c], step, solve(MeshHierarchy(step.matrix), step.residual));
+    }
+  remember(system.position, system.velocity);
+  for (const std::size_t node : stopped) forget(node);
+  system.position = std::move(position);
+  system.velocity = std::move(velocity);
+  system.time += dt;
+}
+
+}  // namespace weft::reference

@@ -1,0 +1,95 @@
+// The oracle of the multigrid solver: its substep as plain loops in double. Source:
+// docs/solvers/multigrid.md.
+#pragma once
+
+#include <vector>
+
+#include "model/host_model.hpp"
+#include "contact/reference/proximity/press.hpp"
+#include "method/mass_spring/reference/mass_spring.hpp"
+#include "method/multigrid/reference/cycle.hpp"
+
+namespace weft::reference {
+
+/// What a substep begins with, for one cloth: A dz = r, where the nodes have come to place + start + dz.
+struct StepStart {
+  Field place, start, start_velocity;  // [m], [m], [m/s]
+  Field residual;                      // r [N]
+  std::vector<double> inertia;         // what it adds to the diagonal of A [N/m]
+  std::vector<bool> held;
+  std::vector<bool> pressed;  // nodes that an obstacle holds: in the matrix, and no history after it
+};
+
+/// The linear system of a grid.
+struct LinearStep : StepStart {
+  GridOperator matrix;  // A [N/m]
+  GridOperator source;  // of the coarser levels: with bend springs as structural ones
+};
+
+/// The linear system of a mesh.
+struct MeshStep : StepStart {
+  MeshOperator matrix;
+};
+
+/// What of BDF2 depends on the step and the one before it: x' = x + s + he v', with s = c (x - x before).
+struct StepFormula {
+  double he = 0;  // [s]
+  double c = 0;
+};
+/// `ratio` is that of the step to the one before it; 0: there is none, backward Euler.
+StepFormula step_formula(double dt, double ratio);
+
+/// How stiffly an obstacle holds a node, in traces of the diagonal, and from what agreement of its pairs'
+/// normals on: docs/solvers/multigrid.md, Contact.
+inline constexpr double kHoldStiffness = 10, kAgree = 0.3;
+
+/// Steps the cloths of a model by BDF2, linearised at the start of the step.
+class ImplicitStepper {
+ public:
+  explicit ImplicitStepper(const HostModel& model);
+
+  /// One step. `places` has where kinematic nodes are at its end. `ratio` is that of dt to the step before.
+  /// `presses` has what obstacles do to each node, or nothing.
+  void advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio = 1,
+               std::span<const Press> presses = {});
+  /// The state a step before the one that is advanced next.
+  void remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity);
+  /// The next step is backward Euler: the state is not one that advance has left.
+  void forget();
+  /// Likewise for one node.
+  void forget(std::size_t node) { known_[node] = false; }
+
+  /// The linear system of cloth c, a grid, that advance would solve.
+  LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
+                       double ratio, std::size_t c, std::span<const Press> presses = {}) const;
+  /// Likewise of a cloth that is a mesh.
+  MeshStep linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
+                          double ratio, std::size_t c, std::span<const Press> presses = {}) const;
+
+  int cycles = 1;  // V-cycles a step
+
+ private:
+  struct Cloth {
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t nx = 0, ny = 0;  // of a grid
+    GridBending bending;
+    std::vector<MeshLevel> levels;  // of a mesh
+    std::size_t first_spring = 0;   // of a mesh, in the system's
+  };
+
+  StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
+                  const Cloth& cloth) const;
+  /// What the V-cycles of a step make of A x = r.
+  template <class Levels>
+  Field solve(const Levels& hierarchy, const Field& r) const;
+
+  std::vector<Cloth> cloths_;
+  std::vector<Vec3d> position_before_, velocity_before_;
+  std::vector<bool> known_;  // whether they are those of the step before
+};
+
+/// The bending of a grid cloth, in its springs' unit: (B / a²) of a square cell, B dj / di³ along i of
+/// others.
+GridBending bending_of(const ClothModel& cloth);
+
+}  // namespace weft::reference

@@ -1,0 +1,58 @@
+#include "method/step_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/rules/contact_law.hpp"
+
+namespace weft {
+
+double largest_stable_step(double stiffness, double damping) {
+  if (!(stiffness > 0)) return damping > 0 ? 2 / damping : 0;
+  return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
+}
+
+StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {
+  StepLimit limit;
+  for (const NetworkSpectrum& spectrum : cloths) {
+    const double step = largest_stable_step(spectrum.stiffness, spectrum.damping + drag);
+    if (limit.largest_step != 0 && step >= limit.largest_step) continue;
+    limit.highest_frequency = std::sqrt(spectrum.stiffness);
+    limit.highest_damping = spectrum.damping + drag;
+    limit.largest_step = step;
+  }
+  limit.cloths = std::move(cloths);
+  return limit;
+}
+
+double contact_step(const scene::Scene& scene, const HostModel& model) {
+  const bool meets = scene.contact.self || !scene.colliders.empty();
+  if (scene.contact.method != scene::ContactMethod::Proximity || !meets) return 0;
+  const double step = kFastest * flat_reach(model, scene.contact) / (kReachMargin * kFallSpeed);
+  return std::max(step, kLeastContactStep);
+}
+
+Result<std::uint32_t> substeps_of(const scene::Scene& scene, scene::SolverKind kind, const StepLimit& limit) {
+  if (scene.time.substeps) return *scene.time.substeps;
+  if (kind != scene::SolverKind::Multigrid) return choose_substeps(scene, limit);
+  double step = kImplicitStep;
+  if (limit.contact_step > 0) step = std::min(step, limit.contact_step);
+  const double steps = scene.time.frame / step * (1 - 1e-12);  // an even number is not rounded up
+  return static_cast<std::uint32_t>(4 * std::ceil(steps / 4));
+}
+
+Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const StepLimit& limit) {
+  constexpr double kMostSubsteps = 65536;  // docs/scene.md, time.substeps
+  if (limit.largest_step <= 0) return 1U;
+  const double substeps = 4 * std::ceil(scene.time.frame / (kStepSafety * limit.largest_step) / 4);
+  if (!(substeps <= kMostSubsteps))
+    return make_error(
+        ErrorKind::Limit,
+        "The cloth's springs need %.0f substeps a frame (largest stable step %.3g s), more than the limit "
+        "of %.0f: lower the stiffness or the resolution, or raise the density.",
+        substeps, limit.largest_step, kMostSubsteps);
+  return static_cast<std::uint32_t>(substeps);
+}
+
+}  // namespace weft

@@ -1,0 +1,98 @@
+#include "model/assets.hpp"
+
+#include "base/json.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/read_mesh.hpp"
+#include "scene/load.hpp"
+
+namespace weft {
+namespace {
+
+Result<mesh::TriangleMesh> load_placed(const MeshReader& read, const std::string& name,
+                                       const scene::Transform& transform, const std::string& where) {
+  auto loaded = read(name);
+  if (!loaded) return loaded.error().while_doing("loading " + where);
+  mesh::TriangleMesh placed =
+      mesh::transformed(*loaded, transform.scale, transform.rotate, transform.translate);
+  if (auto checked = mesh::check_mesh(placed); !checked)
+    return checked.error().while_doing("placing " + where);
+  return placed;
+}
+
+/// A keyframe of an object that has all its triangles still.
+Result<mesh::TriangleMesh> load_keyframe(const MeshReader& read, const scene::ColliderMesh& collider,
+                                         std::size_t number, const mesh::TriangleMesh& object) {
+  const std::string where = path_of_index(collider.where + ".keyframes", number);
+  const std::string& name = collider.keyframes[number].mesh;
+  WEFT_TRY(placed, load_placed(read, name, collider.transform, where));
+  if (placed.positions.size() != object.positions.size())
+    return input_error("%s: mesh %s has %zu vertices, but %s has %zu; a keyframe moves the same ones.",
+                       where.c_str(), name.c_str(), placed.positions.size(), collider.mesh.c_str(),
+                       object.positions.size());
+  if (placed.triangles != object.triangles)
+    return input_error("%s: mesh %s has other triangles than %s; a keyframe moves the same ones.",
+                       where.c_str(), name.c_str(), collider.mesh.c_str());
+  return placed;
+}
+
+/// Adds an object that has all its triangles still, and its keyframes.
+/// Errors  Input: no triangle has an area.
+Result<void> add_object(Assets& assets, std::size_t collider, mesh::TriangleMesh object,
+                        std::vector<mesh::TriangleMesh> keyframes, const std::string& name) {
+  assets.dropped_triangles += mesh::drop_degenerate_triangles(object);
+  if (object.triangles.empty()) return input_error("%s has no triangle with an area.", name.c_str());
+  // A triangle that only a keyframe makes flat stays: all have the same triangles.
+  for (mesh::TriangleMesh& keyframe : keyframes) keyframe.triangles = object.triangles;
+  assets.objects.push_back(std::move(object));
+  assets.object_colliders.push_back(collider);
+  assets.keyframes.push_back(std::move(keyframes));
+  return {};
+}
+
+}  // namespace
+
+Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder) {
+  return load_assets(scene, [&](const std::string& name) -> Result<mesh::TriangleMesh> {
+    WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
+    return mesh::read_mesh(path);
+  });
+}
+
+Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read) {
+  Assets assets;
+  for (const scene::Cloth& cloth : scene.cloths) {
+    mesh::TriangleMesh placed;
+    if (!cloth.grid) {
+      WEFT_TRY(loaded, load_placed(read, cloth.mesh, cloth.transform, cloth.where));
+      placed = std::move(loaded);
+    }
+    assets.cloths.push_back(std::move(placed));
+  }
+  for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
+    if (const auto* object = std::get_if<scene::ColliderMesh>(&scene.colliders[c])) {
+      WEFT_TRY(placed, load_placed(read, object->mesh, object->transform, object->where));
+      std::vector<mesh::TriangleMesh> keyframes;
+      for (std::size_t k = 0; k < object->keyframes.size(); ++k) {
+        WEFT_TRY(keyframe, load_keyframe(read, *object, k, placed));
+        keyframes.push_back(std::move(keyframe));
+      }
+      WEFT_CHECK(add_object(assets, c, std::move(placed), std::move(keyframes),
+                            object->where + ": mesh " + object->mesh));
+    } else if (const auto* box = std::get_if<scene::ColliderBox>(&scene.colliders[c])) {
+      WEFT_CHECK(add_object(assets, c,
+                            mesh::transformed(mesh::make_box(box->size), 1, box->rotate, box->center), {},
+                            scene.file + ": " + path_of_index("colliders", c) + ", a box,"));
+    }
+  }
+  return assets;
+}
+
+std::uint64_t node_count(const scene::Scene& scene, const Assets& assets) {
+  std::uint64_t nodes = 0;
+  for (const scene::Cloth& cloth : scene.cloths)
+    if (cloth.grid) nodes += std::uint64_t{cloth.grid->nx} * cloth.grid->ny;
+  for (const mesh::TriangleMesh& cloth : assets.cloths) nodes += cloth.positions.size();
+  return nodes;
+}
+
+}  // namespace weft

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "scene/scene.hpp"
+
+namespace weft {
+
+/// The meshes that a scene names, read, checked and placed in the world.
+struct Assets {
+  std::vector<mesh::TriangleMesh> cloths;     // one for each cloth of the scene; empty for a grid
+  std::vector<mesh::TriangleMesh> objects;    // one for each mesh and each box among the colliders, in order
+  std::vector<std::size_t> object_colliders;  // for each object its number among the scene's colliders
+  /// For each object the shapes of its keyframes, placed as it is: its triangles, other positions.
+  std::vector<std::vector<mesh::TriangleMesh>> keyframes;
+  std::size_t dropped_triangles = 0;  // of zero area, left out of the objects
+};
+
+/// Nodes of all cloths, known before any of them is built.
+std::uint64_t node_count(const scene::Scene& scene, const Assets& assets);
+
+/// Errors  Input: a mesh is missing or malformed, its transform makes it too large for f32, or a keyframe has
+///         not the vertices and triangles of its collider's mesh.
+Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder);
+
+/// The same where meshes do not come from files: `read` gives the one that the scene calls by a name.
+using MeshReader = std::function<Result<mesh::TriangleMesh>(const std::string& name)>;
+Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read);
+
+}  // namespace weft

@@ -1,0 +1,18 @@
+// A grabbed node is a follower: it goes to its target at a rate, no faster than the grab's speed, and the forces do not
+// reach it. Its inverse mass stays, so contact still pushes it and a release needs nothing.
+// Source: docs/solvers/mass_spring.md, equation 10.
+#include "state/node_state.wgsl"
+#include "state/step.wgsl"
+
+fn is_grabbed(node : u32) -> bool { return any(step.grab_node == vec4u(node)); }
+
+fn integrate_grabbed(node : u32, before : NodeState) -> NodeState {
+  var goal = step.grab_target[0].xyz;
+  if (node == step.grab_node.y) { goal = step.grab_target[1].xyz; }
+  if (node == step.grab_node.z) { goal = step.grab_target[2].xyz; }
+  if (node == step.grab_node.w) { goal = step.grab_target[3].xyz; }
+  var velocity = step.grab_rate * (goal - before.position.xyz);
+  let speed = length(velocity);
+  if (speed > step.grab_speed) { velocity = (step.grab_speed / speed) * velocity; }
+  return NodeState(vec4f(before.position.xyz + step.dt * velocity, before.position.w), vec4f(velocity, 0.0));
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gpu/kernel.hpp"
+#include "state/state.hpp"
+
+namespace weft {
+
+/// Mirror of SurfaceParams in src/state/surface.wgsl.
+struct SurfaceParams {
+  std::uint32_t first_vertex = 0, vertex_count = 0, row = 0;
+  std::uint32_t padding = 0;  // to a multiple of 16 bytes
+};
+
+/// The normal and the stretch of every vertex, once a frame: for drawing and for the summary.
+/// Reads   position[parity], rest_position [m]; triangles.
+/// Writes  normal: vertex_count x Vec4f, unit; stretch: vertex_count x f32, length / rest length of the most
+/// stretched
+///         edge at the vertex; statistics.max_stretch.
+/// Errors  Shader, Limit, OutOfMemory.
+class Surface {
+ public:
+  static Result<Surface> create(gpu::Device& device, const Model& model, const State& state);
+  void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
+
+  const gpu::Buffer<Vec4f>& normal() const { return normal_; }
+  const gpu::Buffer<float>& stretch() const { return stretch_; }
+
+ private:
+  struct ClothPart {
+    gpu::RawBuffer params;
+    std::array<gpu::BindGroup, 2> groups;  // by the parity of the buffer that holds the state
+    std::uint32_t vertex_count = 0;
+  };
+  gpu::Kernel kernel_;
+  gpu::Buffer<Vec4f> normal_;
+  gpu::Buffer<float> stretch_;
+  gpu::Buffer<std::uint32_t> offsets_, around_;
+  std::vector<ClothPart> parts_;
+};
+
+}  // namespace weft

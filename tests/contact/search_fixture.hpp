@@ -1,0 +1,238 @@
+// A search for pairs of features by itself: cloth and colliders where a test puts them, one detection, and
+// what it lists, in the numbers of the meshes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+#include <vector>
+
+#include "base/random.hpp"
+#include "contact/proximity/pair_search.hpp"
+#include "gpu/gpu_fixture.hpp"
+#include "gpu/readback.hpp"
+#include "mesh/grid.hpp"
+#include "state/state.hpp"
+
+namespace weft {
+
+/// Cloth and the colliders that it meets. Lengths in [m].
+struct SearchCase {
+  mesh::TriangleMesh cloth;
+  std::vector<std::array<float, 2>> uv;     // of its vertices; empty: x and z
+  std::vector<mesh::TriangleMesh> objects;  // the first colliders
+  std::vector<bool> deforming;              // of each object; where the list ends: rigid
+  std::vector<scene::Collider> shapes;      // the colliders after them
+  std::vector<float> speeds;                // of its vertices [m/s], in substeps of 1 s; empty: all rest
+  float thickness = 0, self_thickness = 0;
+  float reach = 0;  // of a slow vertex
+  ContactRoom room{60000, 60000};
+
+  /// Of slow vertices.
+  float radius() const { return thickness + reach; }
+  float self_radius() const { return self_thickness + 2 * reach; }
+};
+
+struct SearchFound {
+  Statistics statistics;
+  std::vector<float> reaches;  // of each vertex [m]
+  std::vector<std::array<std::uint32_t, 2>> candidates;
+  std::vector<Contact> contacts;
+  std::vector<std::uint32_t> entries, vertex_contacts;
+};
+
+/// p' = rotation p + translation, row by row, as the GPU has it.
+struct RigidRows {
+  std::array<Vec4f, 3> rows;
+  Vec3d operator()(const Vec3d& p) const {
+    Vec3d moved;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec4f& row = rows[static_cast<std::size_t>(axis)];
+      moved[axis] = dot(row.xyz().to<double>(), p) + row.w;
+    }
+    return moved;
+  }
+};
+
+class SearchRun {
+ public:
+  SearchRun(gpu::Device& device, SearchCase setup, std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize)
+      : device_(device), setup_(std::move(setup)) {
+    auto model = Model::create(device, host_model());
+    REQUIRE(model);
+    model_ = std::move(*model);
+    auto state = State::create(device, model_.host, 1);
+    REQUIRE(state);
+    state_ = std::move(*state);
+    auto pairs = ContactPairs::create(device, model_.host, setup_.room, false);
+    REQUIRE(pairs);
+    pairs_ = std::move(*pairs);
+    create_search(workgroup_size);
+    place(setup_.cloth.positions);
+    StepParams step;
+    step.dt = 1;
+    step.vertex_count = model_.vertex_count();
+    step.least_reach = setup_.reach;
+    step.most_reach = 3 * setup_.reach;
+    step.detect = Detect::Always;
+    state_.steps.write(device, std::span(&step, 1));
+    gpu::ComputePass pass(list_, "search");
+    search_.record(pass);
+  }
+
+  /// Other places of the cloth's vertices: a pipeline takes far longer to make than to run.
+  void place(const std::vector<Vec3f>& positions) {
+    setup_.cloth.positions = positions;
+    std::vector<Vec4f> places;
+    for (const Vec3f& p : positions) places.push_back(Vec4f::from(p, 1));
+    state_.position[0].write(device_, places);
+    std::vector<Vec4f> velocities;
+    for (const float speed : setup_.speeds) velocities.push_back({0, speed, 0, 0});
+    state_.velocity[0].write(device_, velocities);
+  }
+  /// Other places of an object's vertices, as a collider's motion would bring them.
+  void place_object(std::size_t object, const std::vector<Vec3f>& positions) {
+    setup_.objects[object].positions = positions;
+    std::vector<Vec4f> places;
+    for (const Vec3f& p : positions) places.push_back(Vec4f::from(p, 0));
+    search_.points().write(device_, places, first_point(object));
+  }
+  void move_object(std::size_t object, const RigidRows& to) {
+    std::vector<Vec3f> moved;
+    for (const Vec3f& p : setup_.objects[object].positions) moved.push_back(to(p.to<double>()).to<float>());
+    place_object(object, moved);
+    search_.points().write(device_, to.rows, 2 * search_.colliders().point_count + 3 * object);
+  }
+
+  SearchFound run() {
+    gpu::CommandList clear;
+    clear.clear(state_.statistics.source());
+    clear.clear(search_.candidates().source());
+    clear.clear(pairs_.contacts.source());
+    REQUIRE(device_.submit(clear));
+    REQUIRE(device_.submit(list_));
+    SearchFound found;
+    const std::vector<std::uint32_t> words = read(state_.statistics);
+    REQUIRE(words.size() * 4 == sizeof(Statistics));
+    std::memcpy(static_cast<void*>(&found.statistics), words.data(), sizeof(Statistics));
+    REQUIRE(found.statistics.held == 0);
+    CHECK(found.statistics.detections == 1);
+    CHECK(found.statistics.reach == 0);  // nothing moves by itself
+    const std::vector<Vec4f> predicted = read(pairs_.predicted);
+    for (std::size_t v = model_.vertex_count(); v < predicted.size(); ++v)
+      found.reaches.push_back(predicted[v].w);
+    found.candidates = read(search_.candidates());
+    found.candidates.resize(found.statistics.candidates);
+    found.contacts = read(pairs_.contacts);
+    found.contacts.resize(found.statistics.pairs);
+    found.entries = read(pairs_.entries);
+    found.entries.resize(found.statistics.entries);
+    found.vertex_contacts = read(pairs_.vertex_contacts);
+    return found;
+  }
+
+  const SearchCase& setup() const { return setup_; }
+  const contact::PairSearch& search() const { return search_; }
+  std::uint32_t first_point(std::size_t object) const {
+    std::size_t first = 0;
+    for (std::size_t o = 0; o < object; ++o) first += setup_.objects[o].positions.size();
+    return static_cast<std::uint32_t>(first);
+  }
+
+ private:
+  HostModel host_model() const {
+    HostModel host;
+    const std::size_t vertices = setup_.cloth.positions.size();
+    for (const Vec3f& p : setup_.cloth.positions) {
+      host.rest_position.push_back(p.to<double>());
+      host.uv.push_back({p.x, p.z});
+    }
+    host.start_position = host.rest_position;
+    if (!setup_.uv.empty()) host.uv = setup_.uv;
+    host.mass.assign(vertices, 1);
+    host.motion.assign(vertices, 0);
+    host.triangles = setup_.cloth.triangles;
+    ClothModel cloth;
+    cloth.vertex_count = static_cast<std::uint32_t>(vertices);
+    cloth.triangle_count = static_cast<std::uint32_t>(host.triangles.size());
+    host.cloths = {cloth};
+    return host;
+  }
+
+  void create_search(std::uint32_t workgroup_size) {
+    scene::Scene scene;
+    scene.cloths.resize(1);
+    std::vector<std::size_t> colliders;
+    std::vector<std::vector<mesh::TriangleMesh>> keyframes(setup_.objects.size());
+    for (std::size_t o = 0; o < setup_.objects.size(); ++o) {
+      colliders.push_back(o);
+      scene.colliders.push_back(scene::ColliderMesh{});
+      if (o < setup_.deforming.size() && setup_.deforming[o]) keyframes[o] = {setup_.objects[o]};
+    }
+    for (const scene::Collider& shape : setup_.shapes) scene.colliders.push_back(shape);
+    auto search = contact::PairSearch::create(
+        device_, model_, state_, pairs_, scene, {setup_.objects, colliders, keyframes},
+        {setup_.thickness, setup_.self_thickness, setup_.reach, workgroup_size});
+    REQUIRE_MESSAGE(search, search.error().message);
+    search_ = std::move(*search);
+  }
+
+  template <class T>
+  std::vector<T> read(const gpu::Buffer<T>& buffer) {
+    auto values = gpu::download(device_, buffer);
+    REQUIRE(values);
+    return *values;
+  }
+
+  gpu::Device& device_;
+  SearchCase setup_;
+  Model model_;
+  State state_;
+  ContactPairs pairs_;
+  contact::PairSearch search_;
+  gpu::CommandList list_;
+};
+
+/// The first triangles of a square grid, 1 m long and wide, flat in xz; cells of 1/8 m or, where that is too
+/// few, smaller.
+inline SearchCase sheet_of(std::uint32_t triangle_count) {
+  std::uint32_t cells = 8;
+  while (2 * cells * cells < triangle_count) ++cells;
+  const mesh::Grid grid{cells + 1, cells + 1, 1, 1};
+  SearchCase made;
+  made.cloth.triangles = mesh::grid_triangles(grid);
+  made.cloth.triangles.resize(triangle_count);
+  for (std::uint32_t j = 0; j <= cells; ++j)
+    for (std::uint32_t i = 0; i <= cells; ++i) {
+      const mesh::RestPoint at = mesh::rest_point(grid, i, j);
+      made.cloth.positions.push_back(Vec3d{at.x, 0, at.y}.to<float>());
+    }
+  made.self_thickness = 0.0625F / static_cast<float>(cells) * 4;
+  made.thickness = 2 * made.self_thickness;
+  made.reach = 0.25F * made.self_thickness;
+  return made;
+}
+
+enum class Shape { Flat, Wavy, Accordion, Crumpled };
+constexpr Shape kShapes[] = {Shape::Flat, Shape::Wavy, Shape::Accordion, Shape::Crumpled};
+
+inline std::vector<Vec3f> shaped(const std::vector<Vec3f>& flat, Shape shape, std::uint64_t seed = 1) {
+  Random random(seed);
+  std::vector<Vec3f> placed;
+  for (const Vec3f& at : flat) {
+    Vec3d p = at.to<double>();
+    if (shape == Shape::Wavy) p.y = 0.1 * std::sin(20 * p.x + 3 * p.z);
+    if (shape == Shape::Accordion) {  // four layers, which lean by a twentieth of their length
+      const double place = 4 * p.x, along = place - std::floor(place);
+      const int layer = static_cast<int>(place);
+      p = {0.25 * (layer % 2 == 0 ? along : 1 - along), 0.04 * layer + 0.04 * along, p.z};
+    }
+    if (shape == Shape::Crumpled)
+      p = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)};
+    placed.push_back(p.to<float>());
+  }
+  return placed;
+}
+
+}  // namespace weft

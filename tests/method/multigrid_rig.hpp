@@ -1,0 +1,230 @@
+// One cloth's implicit substep on the GPU beside the reference's, from the same state.
+#pragma once
+
+#include "fields.hpp"
+#include "method/multigrid/reference/implicit_step.hpp"
+#include "method/multigrid/grid_cycle.hpp"
+#include "method/multigrid/mesh_cycle.hpp"
+#include "solver_rig.hpp"
+
+namespace weft {
+
+template <class Cycle, class Kernels>
+class ImplicitRig {
+ public:
+  /// `presses`: whether obstacles may hold nodes.
+  ImplicitRig(gpu::Device& device, const std::string& members, double dt = 1.0 / 480,
+              std::uint32_t workgroup_size = 64, bool presses = false,
+              std::vector<mesh::TriangleMesh> meshes = {})
+      : device_(device), scene_(scene_of(R"("solver": {"kind": "multigrid"}, )" + members)), dt_(dt) {
+    meshes.resize(scene_.cloths.size());
+    auto host = build_model(scene_, meshes);
+    REQUIRE_OK(host);
+    auto model = Model::create(device, std::move(*host));
+    REQUIRE_OK(model);
+    model_ = std::move(*model);
+    auto state = State::create(device, model_.host, 1);
+    REQUIRE_OK(state);
+    state_ = std::move(*state);
+    auto kernels = Kernels::create(device, presses, workgroup_size);
+    REQUIRE_OK(kernels);
+    kernels_ = std::move(*kernels);
+    auto sums = gpu::Buffer<std::int32_t>::create(device, kPressWords * model_.vertex_count(), "presses");
+    REQUIRE_OK(sums);
+    press_sums_ = std::move(*sums);
+    auto cycle = Cycle::create(device, kernels_, model_, state_, {&state_.velocity[1], &state_.velocity[0]},
+                               presses ? &press_sums_ : nullptr, model_.host.cloths[0]);
+    REQUIRE_OK(cycle);
+    cycle_ = std::move(*cycle);
+    params_.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
+    params_.dt = static_cast<float>(dt);
+    params_.drag = static_cast<float>(scene_.drag);
+    params_.vertex_count = model_.vertex_count();
+    state_.steps.write(device, std::span(&params_, 1));
+  }
+
+  /// A state, and the one a step before it; free nodes are moved by up to `amount` [m] and go at `speed`
+  /// [m/s].
+  void perturb(std::uint64_t seed, double amount, double speed) {
+    Random random(seed);
+    std::vector<Vec4f> x = download(state_.position[0]), v(x.size()), x_before = x, v_before(x.size());
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      if (x[n].w == 0) continue;
+      const auto draw = [&](double size) {
+        const double a = random.uniform(-size, size), b = random.uniform(-size, size);
+        return Vec3d{a, b, random.uniform(-size, size)};
+      };
+      const Vec3d place = x[n].xyz().to<double>() + draw(amount), velocity = draw(speed),
+                  change = draw(0.1 * speed);
+      x[n] = Vec4f::from(place.to<float>(), x[n].w);
+      v[n] = Vec4f::from(velocity.to<float>(), n % 7 == 3 ? 0.0F : 1.0F);  // some nodes begin anew
+      x_before[n] = Vec4f::from((place - dt_ * (velocity - 0.5 * change)).to<float>(), x[n].w);
+      v_before[n] = Vec4f::from((velocity - change).to<float>(), 1);
+    }
+    set(x, v, x_before, v_before);
+  }
+  void set(const std::vector<Vec4f>& x, const std::vector<Vec4f>& v, const std::vector<Vec4f>& x_before,
+           const std::vector<Vec4f>& v_before) {
+    state_.position[0].write(device_, x);
+    state_.velocity[0].write(device_, v);
+    state_.position[1].write(device_, x_before);
+    state_.velocity[1].write(device_, v_before);
+    system_ = {};
+    std::vector<Vec3d> before, velocity_before;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      system_.position.push_back(x[n].xyz().to<double>());
+      system_.velocity.push_back(v[n].xyz().to<double>());
+      system_.inverse_mass.push_back(static_cast<double>(x[n].w));
+      before.push_back(x_before[n].xyz().to<double>());
+      velocity_before.push_back(v_before[n].xyz().to<double>());
+    }
+    for (const Spring& s : build_springs(model_.host))
+      system_.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
+                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
+    system_.acceleration = scene_.gravity + scene_.external_force;
+    system_.drag = scene_.drag;
+    stepper_.emplace(model_.host);
+    stepper_->remember(before, velocity_before);
+    for (std::size_t n = 0; n < v.size(); ++n)
+      if (v[n].w == 0) stepper_->forget(n);
+  }
+  void hold(std::uint32_t node, const Vec3d& target) {
+    params_.grab_rate = 20;
+    params_.grab_speed = 10;
+    params_.grab_node[0] = node;
+    params_.grab_target[0] = Vec4f::from(target.to<float>(), 0);
+    state_.steps.write(device_, std::span(&params_, 1));
+    system_.grabs = {{node, target}};
+    system_.grab_rate = 20;
+    system_.grab_speed = 10;
+  }
+  /// Obstacles at every `every`-th node, in sums as the kernels keep them: some press, some do not, some
+  /// agree on no direction; with friction from none to much.
+  void press(std::uint64_t seed, std::uint32_t every) {
+    params_.thickness = 0.01F;
+    state_.steps.write(device_, std::span(&params_, 1));
+    Random random(seed);
+    const auto draw = [&] {
+      const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
+      return Vec3d{a, b, random.uniform(-1, 1)};
+    };
+    constexpr double kUnits = 1048576;  // of all sums: src/contact/proximity/press_sums.wgsl
+    const auto fixed = [](double value) { return static_cast<std::int32_t>(std::lround(value * kUnits)); };
+    std::vector<std::int32_t> words(press_sums_.size());
+    presses_.assign(model_.vertex_count(), {});
+    for (std::size_t n = 0; n < presses_.size(); n += every) {
+      const Vec3d normal = draw(), surface = 0.5 * draw();
+      const double lack = random.uniform(-0.2, 1), friction = 2 * random.uniform(0, 1);
+      std::int32_t* sums = &words[kPressWords * n];
+      sums[4] = fixed(random.uniform(0.1, 3));
+      const double weight = sums[4] / kUnits;
+      const auto put = [&](std::size_t word, double value) {
+        sums[word] = fixed(value);
+        return sums[word] / kUnits;
+      };
+      reference::Press& press = presses_[n];
+      press.weight = weight;
+      press.normal = {put(0, weight * normal.x), put(1, weight * normal.y), put(2, weight * normal.z)};
+      press.lack = put(3, weight * lack) * static_cast<double>(params_.thickness);
+      press.surface = {put(5, weight * surface.x), put(6, weight * surface.y), put(7, weight * surface.z)};
+      press.friction = put(8, weight * friction);
+    }
+    press_sums_.write(device_, words);
+  }
+  const gpu::Buffer<std::int32_t>& press_sums() const { return press_sums_; }
+  void set_ratio(double ratio) {
+    ratio_ = ratio;
+    params_.step_ratio = static_cast<float>(ratio);
+    state_.steps.write(device_, std::span(&params_, 1));
+  }
+
+  /// Runs parts of the substep of parity 0.
+  template <class Record>
+  void run(const Record& record) {
+    gpu::CommandList list;
+    {
+      gpu::ComputePass pass(list, "multigrid");
+      record(pass);
+    }
+    const auto submitted = device_.submit(list);
+    REQUIRE_OK(submitted);
+  }
+  /// One of the vectors of a level, as src/method/multigrid/level.wgsl numbers them.
+  std::vector<Vec4f> vector(std::size_t level, std::uint32_t number) {
+    const auto& l = cycle_.levels()[level];
+    std::uint32_t count = 0;
+    if constexpr (kIsMesh) {
+      count = l.node_count;
+    } else {
+      count = l.node_count();
+    }
+    const std::vector<Vec4f> all = download(cycle_.vectors());
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(l.first_vector + number * count);
+    return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+  }
+  template <class T>
+  std::vector<T> download(const gpu::Buffer<T>& buffer) {
+    auto values = gpu::download(device_, buffer);
+    REQUIRE_OK(values);
+    return std::move(*values);
+  }
+
+  auto linearise() const {
+    if constexpr (kIsMesh) {
+      return stepper_->linearise_mesh(system_, system_.position, dt_, ratio_, 0, presses_);
+    } else {
+      return stepper_->linearise(system_, system_.position, dt_, ratio_, 0, presses_);
+    }
+  }
+  /// The reference's state after one step.
+  reference::MassSpringSystem advanced() {
+    reference::MassSpringSystem system = system_;
+    stepper_->advance(system, system.position, dt_, ratio_, presses_);
+    return system;
+  }
+
+  const Cycle& cycle() const { return cycle_; }
+  const Kernels& kernels() const { return kernels_; }
+  const State& state() const { return state_; }
+  const Model& model() const { return model_; }
+  const reference::MassSpringSystem& system() const { return system_; }
+
+ private:
+  static constexpr bool kIsMesh = std::is_same_v<Cycle, MeshCycle>;
+
+  gpu::Device& device_;
+  gpu::Buffer<std::int32_t> press_sums_;
+  std::vector<reference::Press> presses_;
+  scene::Scene scene_;
+  double dt_, ratio_ = 1;
+  StepParams params_;
+  Model model_;
+  State state_;
+  Kernels kernels_;
+  Cycle cycle_;
+  reference::MassSpringSystem system_;
+  std::optional<reference::ImplicitStepper> stepper_;
+};
+
+using MultigridRig = ImplicitRig<GridCycle, MultigridKernels>;
+using MeshRig = ImplicitRig<MeshCycle, MeshKernels>;
+
+/// After its whole substep the rig's nodes have come where the reference's have, and as fast; those that are
+/// `pressed`, if any may be, begin anew.
+template <class Rig>
+void check_substep(Rig& rig, const std::vector<bool>& pressed = {}) {
+  rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+  const reference::MassSpringSystem expected = rig.advanced();
+  const reference::Field after = field(rig.download(rig.state().position[1]));
+  const std::vector<Vec4f> velocity = rig.download(rig.state().velocity[1]);
+  reference::Field way, wanted;
+  for (std::size_t n = 0; n < after.size(); ++n) {
+    way.push_back(after[n] - rig.system().position[n]);
+    wanted.push_back(expected.position[n] - rig.system().position[n]);
+    CHECK(velocity[n].w == (!pressed.empty() && pressed[n] ? 0 : 1));
+  }
+  CHECK(difference(way, wanted) < 1e-3);
+  CHECK(difference(field(velocity), expected.velocity) < 1e-3);
+}
+
+}  // namespace weft

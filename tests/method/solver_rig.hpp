@@ -1,0 +1,172 @@
+// A solver on its own: a scene's cloths without collision, stepped and read back.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "base/random.hpp"
+#include "gpu/device.hpp"
+#include "gpu/readback.hpp"
+#include "method/mass_spring/reference/mass_spring.hpp"
+#include "scene/load.hpp"
+#include "method/registry.hpp"
+
+namespace weft {
+
+#define REQUIRE_OK(result) REQUIRE_MESSAGE(static_cast<bool>(result), (result).error().message)
+
+inline scene::Scene scene_of(const std::string& members) {
+  auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "contact": {"method": "none"}, )" + members + "}", "test.json");
+  REQUIRE_OK(scene);
+  return std::move(*scene);
+}
+
+class SolverRig {
+ public:
+  static constexpr double kTime = 100.3;  // s; at which the wind stands still
+
+  SolverRig(gpu::Device& device, const scene::Scene& scene, double dt,
+            std::vector<mesh::TriangleMesh> meshes = {}, std::uint32_t workgroup_size = 256)
+      : device_(device), scene_(scene), dt_(dt) {
+    meshes.resize(scene.cloths.size());
+    auto host = build_model(scene, meshes);
+    REQUIRE_OK(host);
+    auto model = Model::create(device, std::move(*host));
+    REQUIRE_OK(model);
+    model_ = std::move(*model);
+    auto state = State::create(device, model_.host, 1);
+    REQUIRE_OK(state);
+    state_ = std::move(*state);
+    auto solver = make_solver(scene.solver, {device, model_, state_, nullptr, workgroup_size});
+    REQUIRE_OK(solver);
+    solver_ = std::move(*solver);
+    StepParams& params = params_;
+    params.acceleration = Vec4f::from((scene.gravity + scene.external_force).to<float>(), 0);
+    params.dt = static_cast<float>(dt);
+    params.drag = static_cast<float>(scene.drag);
+    const scene::WindField wind = scene::wind_field(scene.wind);
+    set_wind(params, wind, {wind.waves[0].rate * kTime, wind.waves[1].rate * kTime});
+    params.vertex_count = model_.vertex_count();
+    params.spring_count = solver_->constants().spring_count;
+    params.force_scale = solver_->constants().force_scale;
+    params.force_limit = solver_->constants().force_limit;
+    state_.steps.write(device, std::span(&params, 1));
+  }
+
+  /// Moves every free node by up to `amount` [m] a side and gives it a velocity of up to `speed` [m/s].
+  void perturb(std::uint64_t seed, double amount, double speed) {
+    Random random(seed);
+    std::vector<Vec4f> position = positions(), velocity(position.size());
+    for (std::size_t i = 0; i < position.size(); ++i) {
+      const auto draw = [&](double size) { return static_cast<float>(random.uniform(-size, size)); };
+      const Vec3f move{draw(amount), draw(amount), draw(amount)};
+      const Vec3f push{draw(speed), draw(speed), draw(speed)};
+      if (position[i].w == 0) continue;
+      position[i] = Vec4f::from(position[i].xyz() + move, position[i].w);
+      velocity[i] = Vec4f::from(push, 0);
+    }
+    set(position, velocity);
+  }
+  void set(const std::vector<Vec4f>& position, const std::vector<Vec4f>& velocity) {
+    state_.position[parity_].write(device_, position);
+    state_.velocity[parity_].write(device_, velocity);
+  }
+
+  /// Holds a node from now on.
+  void hold(std::uint32_t node, const Vec3d& target, double rate, double speed) {
+    params_.grab_rate = static_cast<float>(rate);
+    params_.grab_speed = static_cast<float>(speed);
+    params_.grab_node[grabs_.size()] = node;
+    params_.grab_target[grabs_.size()] = Vec4f::from(target.to<float>(), 0);
+    grabs_.push_back({node, target});
+    state_.steps.write(device_, std::span(&params_, 1));
+  }
+
+  void advance(std::uint32_t steps) {
+    while (steps > 0) {
+      const std::uint32_t batch = steps < 500 ? steps : 500;
+      gpu::CommandList list;
+      {
+        gpu::ComputePass pass(list, "steps");
+        for (std::uint32_t s = 0; s < batch; ++s) {
+          pass.set_step(0, (parity_ + s) & 1U);
+          solver_->record_predict(pass);
+          solver_->record_solve(pass);
+        }
+      }
+      const auto submitted = device_.submit(list);
+      REQUIRE_OK(submitted);
+      parity_ = (parity_ + batch) & 1U;
+      steps -= batch;
+    }
+  }
+
+  std::vector<Vec4f> positions() { return read(state_.position[parity_]); }
+  std::vector<Vec4f> velocities() { return read(state_.velocity[parity_]); }
+  const Model& model() const { return model_; }
+  double dt() const { return dt_; }
+
+  /// The same system, as it stands, for the reference.
+  reference::MassSpringSystem reference() {
+    reference::MassSpringSystem system;
+    for (const Vec4f& x : positions()) {
+      system.position.push_back(x.xyz().to<double>());
+      system.inverse_mass.push_back(static_cast<double>(x.w));
+    }
+    for (const Vec4f& v : velocities()) system.velocity.push_back(v.xyz().to<double>());
+    for (const ClothModel& cloth : model_.host.cloths)
+      for (const BendTriple& t : build_bending(cloth))
+        system.bending.push_back({t.node_a, t.node_b, t.node_c, t.stiffness});
+    for (const Spring& s : build_springs(model_.host))
+      system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
+                                static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
+    system.acceleration = scene_.gravity + scene_.external_force;
+    system.drag = scene_.drag;
+    system.wind = scene::wind_field(scene_.wind);
+    system.time = kTime;
+    system.grabs = grabs_;
+    system.grab_rate = static_cast<double>(params_.grab_rate);
+    system.grab_speed = static_cast<double>(params_.grab_speed);
+    return system;
+  }
+
+ private:
+  std::vector<Vec4f> read(const gpu::Buffer<Vec4f>& buffer) {
+    auto values = gpu::download(device_, buffer);
+    REQUIRE_OK(values);
+    return std::move(*values);
+  }
+
+  gpu::Device& device_;
+  scene::Scene scene_;
+  double dt_;
+  StepParams params_;
+  std::vector<reference::Follower> grabs_;
+  Model model_;
+  State state_;
+  std::unique_ptr<Solver> solver_;
+  std::uint32_t parity_ = 0;
+};
+
+inline bool same_bits(const std::vector<Vec4f>& a, const std::vector<Vec4f>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4f)) == 0;
+}
+
+/// A mesh cloth for tests: a sheet of nx x ny nodes as a plain mesh, or a sphere's skin.
+inline mesh::TriangleMesh sheet_mesh(std::uint32_t nx, std::uint32_t ny, double width, double height) {
+  const mesh::Grid grid{nx, ny, width, height};
+  mesh::TriangleMesh mesh;
+  for (std::uint32_t j = 0; j < ny; ++j)
+    for (std::uint32_t i = 0; i < nx; ++i) {
+      const mesh::RestPoint p = mesh::rest_point(grid, i, j);
+      mesh.positions.push_back(Vec3d{p.x, 0, p.y}.to<float>());
+    }
+  mesh.triangles = mesh::grid_triangles(grid);
+  return mesh;
+}
+
+}  // namespace weft
