@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mesh/primitives.hpp"
-#include "contact/rules/sheet_rim.hpp"
+#include "mesh/sheet_rim.hpp"
 
 namespace weft::render {
 namespace {

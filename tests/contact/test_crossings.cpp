@@ -5,7 +5,7 @@
 
 #include "contact/search_checks.hpp"
 #include "mesh/primitives.hpp"
-#include "contact/rules/sheet_rim.hpp"
+#include "mesh/sheet_rim.hpp"
 #include "contact/reference/proximity/audit.hpp"
 #include "contact/reference/proximity/untangle.hpp"
 

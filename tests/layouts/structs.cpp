@@ -19,7 +19,7 @@
 #include "gpu/kernel.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "model/host_model.hpp"
-#include "contact/rules/sheet_rim.hpp"
+#include "mesh/sheet_rim.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/fine_cloth.hpp"
 #include "render/floor.hpp"

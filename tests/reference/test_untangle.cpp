@@ -3,7 +3,7 @@
 
 #include "mesh/primitives.hpp"
 #include "contact/rules/contact_law.hpp"
-#include "contact/rules/sheet_rim.hpp"
+#include "mesh/sheet_rim.hpp"
 #include "contact/reference/proximity/audit.hpp"
 #include "contact/reference/proximity/untangle.hpp"
 #include "rig.hpp"

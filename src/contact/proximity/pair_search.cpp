@@ -6,7 +6,7 @@
 
 #include "contact/proximity/feature_owners.hpp"
 #include "contact/proximity/triangle_order.hpp"
-#include "contact/rules/sheet_rim.hpp"
+#include "mesh/sheet_rim.hpp"
 
 namespace weft::contact {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "contact/rules/contact_law.hpp"
-#include "contact/rules/sheet_rim.hpp"
+#include "mesh/sheet_rim.hpp"
 #include "contact/reference/proximity/audit.hpp"
 #include "contact/reference/proximity/closest.hpp"
 

@@ -1,4 +1,4 @@
-#include "contact/rules/sheet_rim.hpp"
+#include "mesh/sheet_rim.hpp"
 
 #include <algorithm>
 #include <array>
