@@ -75,7 +75,7 @@ const char* end_of(const Result<void>& result) {
 /// Springs that a step is too long for blow up, unless contact holds the vertices back: then it shows only as
 /// cloth that trembles.
 void say_if_unstable(const sim::World& world) {
-  const double longest = world.step_limit().largest_step;
+  const double longest = world.plan().limit().largest_step;
   if (longest <= 0 || world.step() <= longest) return;
   say("The step of %.3g ms is longer than the largest stable one of %.3g ms, so the springs may blow up: "
       "%.0f substeps a frame are needed, not %u.",

@@ -16,11 +16,11 @@ double real_time_factor(const Summary& summary, double simulated) {
 }
 
 std::string solver_name(const sim::World& world) {
-  const SolverChoice& choice = world.solver_choice();
-  std::string name = scene::name_of(choice.kind);
-  if (choice.kind == scene::SolverKind::MassSpring)
-    name += std::string(" (") + scene::name_of(world.scene().solver.forces) + ")";
-  return choice.reason.empty() ? name : name + ", chosen since " + choice.reason;
+  const Method& method = world.plan().method();
+  const std::string settings = method.settings_word(world.scene().solver), reason = world.plan().reason();
+  std::string name = scene::name_of(method.kind);
+  if (!settings.empty()) name += " (" + settings + ")";
+  return reason.empty() ? name : name + ", chosen since " + reason;
 }
 
 template <class... Values>
@@ -40,10 +40,11 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   nlohmann::ordered_json json;
   json["scene"] = summary.scene;
   json["end"] = summary.end;
-  json["solver"] = scene::name_of(world.solver_choice().kind);
-  if (!world.solver_choice().reason.empty()) json["solver_reason"] = world.solver_choice().reason;
-  if (world.solver_choice().kind == scene::SolverKind::MassSpring)
-    json["forces"] = scene::name_of(world.scene().solver.forces);
+  const Method& method = world.plan().method();
+  json["solver"] = scene::name_of(method.kind);
+  if (!world.plan().reason().empty()) json["solver_reason"] = world.plan().reason();
+  if (const std::string settings = method.settings_word(world.scene().solver); !settings.empty())
+    json["forces"] = settings;
   json["contact_method"] = scene::name_of(world.scene().contact.method);
   json["adapter"] = world.device().adapter().name;
   json["nodes"] = world.model().vertex_count();
@@ -52,7 +53,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["frames"] = totals.frames;
   json["substeps"] = world.substeps();
   json["step_s"] = world.step();
-  json["stable_step_s"] = world.step_limit().largest_step;
+  json["stable_step_s"] = world.plan().limit().largest_step;
   json["simulated_s"] = simulated;
   json["wall_s"] = summary.wall_s;
   json["ms_per_frame"] = json_of(frame);
@@ -86,11 +87,11 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   line(text, "  cloth       %u nodes, %u triangles, %zu springs", world.model().vertex_count(),
        world.model().triangle_count(), world.spring_count());
   line(text, "  solver      %s; %u substeps a frame", solver_name(world).c_str(), world.substeps());
-  if (world.solver_choice().kind == scene::SolverKind::Multigrid) {
+  if (world.plan().limit().largest_step == 0) {
     line(text, "  step        %.4g ms; stable at any length", 1e3 * world.step());
   } else {
     line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)",
-         1e3 * world.step(), 1e3 * world.step_limit().largest_step, world.step_limit().highest_frequency);
+         1e3 * world.step(), 1e3 * world.plan().limit().largest_step, world.plan().limit().highest_frequency);
   }
   line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
   line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", frame.median,

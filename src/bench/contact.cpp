@@ -89,7 +89,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
   row.state_hash = counted.hash();
   row.counted_steps = world->substeps();
   row.contacts = world->totals().contacts;
-  const std::uint32_t interval = search_interval(world->solver_choice().kind);
+  const std::uint32_t interval = world->plan().method().search_interval;
   row.dispatches_per_step = static_cast<double>(world->frame_commands(0, 2 * interval).dispatch_count() -
                                                 world->frame_commands(0, interval).dispatch_count()) /
                             interval;

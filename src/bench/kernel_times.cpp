@@ -11,15 +11,8 @@ namespace {
 
 using gpu::Command, gpu::CommandKind;
 
-std::uint32_t step_of(const Command& dispatch) { return dispatch.args[3] / gpu::kStepStride; }
-
-/// The frame whose first substep searches and whose second does not.
+/// A frame of two substeps.
 const gpu::CommandList& two_steps(sim::World& world) { return world.frame_commands(world.parity(), 2); }
-
-bool runs_in(const std::vector<Command>& dispatches, const Command& dispatch) {
-  return std::any_of(dispatches.begin(), dispatches.end(),
-                     [&](const Command& other) { return other.ids[0] == dispatch.ids[0]; });
-}
 
 /// "find_candidates" of contact/proximity/find_candidates.wgsl.
 std::string kernel_name(const gpu::CommandList& list, const Command& dispatch) {
@@ -33,50 +26,23 @@ double median_of(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// The dispatches of a frame of two substeps, apart.
-struct Parts {
-  std::vector<Command> first, second, end;
-};
-Parts parts_of(sim::World& world) {
-  Parts parts;
-  for (const Command& command : two_steps(world).commands()) {
-    if (command.kind != CommandKind::Dispatch) continue;
-    (step_of(command) == 1  ? parts.second
-     : parts.second.empty() ? parts.first
-                            : parts.end)
-        .push_back(command);
-  }
-  if (parts.second.empty()) {  // both in one, which two more substeps repeat
-    const std::size_t both = world.frame_commands(world.parity(), 4).dispatch_count() -
-                             world.frame_commands(world.parity(), 2).dispatch_count();
-    const auto split = parts.first.begin() + static_cast<std::ptrdiff_t>(both);
-    parts.end.assign(split, parts.first.end());
-    parts.first.erase(split, parts.first.end());
-    parts.first.swap(parts.second);
-  }
-  return parts;
-}
-
 /// Which kernel each dispatch of the two steps counts for.
 struct Plan {
   std::vector<KernelTime> kernels;
   std::vector<std::size_t> kernel_of;
 };
-Plan plan_of(sim::World& world) {
+Plan plan_of(const gpu::CommandList& frame) {
   Plan plan;
-  const auto add = [&](const Command& dispatch, const char* per) {
-    const std::string name = kernel_name(two_steps(world), dispatch);
+  for (std::size_t at = 0; at < frame.commands().size(); ++at) {
+    const Command& dispatch = frame.commands()[at];
+    if (dispatch.kind != CommandKind::Dispatch) continue;
+    const std::string name = kernel_name(frame, dispatch), &per = frame.phase_of(at);
     std::size_t k = 0;
     while (k < plan.kernels.size() && (plan.kernels[k].kernel != name || plan.kernels[k].per != per)) ++k;
     if (k == plan.kernels.size()) plan.kernels.push_back({name, per});
     ++plan.kernels[k].dispatches;
     plan.kernel_of.push_back(k);
-  };
-  const Parts parts = parts_of(world);
-  for (const Command& dispatch : parts.first)
-    add(dispatch, runs_in(parts.second, dispatch) ? "step" : "search");
-  for (const Command& dispatch : parts.second) add(dispatch, "step");
-  for (const Command& dispatch : parts.end) add(dispatch, "frame");
+  }
   return plan;
 }
 
@@ -99,10 +65,15 @@ Result<std::vector<gpu::Timer::Span>> run_timed(sim::World& world, gpu::Timer& t
 }  // namespace
 
 std::vector<Command> search_dispatches(sim::World& world) {
-  const Parts parts = parts_of(world);
+  const gpu::CommandList& frame = two_steps(world);
   std::vector<Command> search;
-  for (const Command& dispatch : parts.first)
-    if (!runs_in(parts.second, dispatch)) search.push_back(dispatch);
+  for (std::size_t at = 0; at < frame.commands().size(); ++at) {
+    if (frame.phase_of(at) != "search") {
+      if (!search.empty()) break;  // of the first substep alone
+    } else if (frame.commands()[at].kind == CommandKind::Dispatch) {
+      search.push_back(frame.commands()[at]);
+    }
+  }
   return search;
 }
 
@@ -128,7 +99,8 @@ Result<SearchCost> time_search(sim::World& world, const Effort& effort) {
 
 Result<std::vector<KernelTime>> time_kernels(sim::World& world, std::uint32_t repeats) {
   if (!world.device().has_timestamps()) return std::vector<KernelTime>{};
-  Plan plan = plan_of(world);
+  const gpu::CommandList& frame = two_steps(world);
+  Plan plan = plan_of(frame);
   WEFT_TRY(timer, gpu::Timer::create(world.device(), static_cast<std::uint32_t>(plan.kernel_of.size())));
   std::vector<std::vector<double>> times(plan.kernels.size());  // of each kernel, by repeat
   for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
@@ -139,9 +111,9 @@ Result<std::vector<KernelTime>> time_kernels(sim::World& world, std::uint32_t re
   for (std::size_t k = 0; k < plan.kernels.size(); ++k) {
     KernelTime& kernel = plan.kernels[k];
     kernel.milliseconds = median_of(times[k]);
-    if (kernel.per != "step") continue;
-    kernel.milliseconds /= 2;  // there were two
-    kernel.dispatches /= 2;
+    const double times_run = kernel.per == "step" ? 2 : static_cast<double>(frame.phase_count(kernel.per));
+    kernel.milliseconds /= times_run;
+    kernel.dispatches /= times_run;
   }
   return plan.kernels;
 }

@@ -40,7 +40,7 @@ class Trials {
     if (!world) return world.error();
     seconds_per_node_ =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / nodes;
-    stable_step_ = (*world)->step_limit().largest_step;
+    stable_step_ = (*world)->plan().limit().largest_step;
     gpu_bytes_ = device_.allocated_bytes();
     gpu_bytes_per_node_ = static_cast<double>(gpu_bytes_) / nodes;
     return Trial{Trial::Outcome::Fits, device_.take_largest_buffer(), ""};

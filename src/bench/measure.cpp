@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "method/registry.hpp"
+#include "sim/plan/frame_plan.hpp"
 
 namespace weft::bench {
 
@@ -53,8 +53,8 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
 
 Result<std::uint32_t> count_substeps(const scene::Scene& scene, const Assets& assets) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
-  const scene::SolverKind kind = choose_solver(scene, model).kind;
-  return substeps_of(scene, kind, find_step_limit(kind, scene, model));
+  WEFT_TRY(plan, sim::FramePlan::create(scene, model, assets));
+  return plan.substeps();
 }
 
 Result<std::uint32_t> fix_step(scene::Scene& scene, const Assets& assets, std::uint32_t steps) {

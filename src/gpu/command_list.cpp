@@ -28,6 +28,19 @@ void CommandList::reset() {
   commands_.clear();
   targets_.clear();
   labels_.clear();
+  phases_.clear();
+}
+
+const std::string& CommandList::phase_of(std::size_t command) const {
+  static const std::string none;
+  const auto after = std::upper_bound(phases_.begin(), phases_.end(), command,
+                                      [](std::size_t at, const Phase& phase) { return at < phase.first; });
+  return after == phases_.begin() ? none : labels_[std::prev(after)->label];
+}
+
+std::size_t CommandList::phase_count(const std::string& name) const {
+  return static_cast<std::size_t>(std::count_if(
+      phases_.begin(), phases_.end(), [&](const Phase& phase) { return labels_[phase.label] == name; }));
 }
 
 std::size_t CommandList::dispatch_count() const {
@@ -66,6 +79,10 @@ void ComputePass::repeat(const CommandList& from, const Command& dispatch) {
   Command command = dispatch;
   command.sizes[0] = list_.add_label(from.label(static_cast<std::uint32_t>(dispatch.sizes[0])));
   list_.commands_.push_back(command);
+}
+
+void ComputePass::begin_phase(const std::string& name) {
+  list_.phases_.push_back({list_.add_label(name), list_.commands_.size()});
 }
 
 RenderPass::RenderPass(CommandList& list, const RenderTarget& target, const std::string& label)

@@ -51,6 +51,10 @@ class CommandList {
   void reset();
 
   std::size_t dispatch_count() const;
+  /// In which phase a command of commands() was recorded (ComputePass::begin_phase); "" before the first.
+  const std::string& phase_of(std::size_t command) const;
+  /// How often a phase of this name began.
+  std::size_t phase_count(const std::string& name) const;
   const std::vector<Command>& commands() const { return commands_; }
   const std::vector<RenderTarget>& targets() const { return targets_; }
   const std::string& label(std::uint32_t index) const { return labels_[index]; }
@@ -59,10 +63,16 @@ class CommandList {
   friend class ComputePass;
   friend class RenderPass;
   std::uint32_t add_label(const std::string& label);
+  /// Commands from `first` on, until the next phase begins.
+  struct Phase {
+    std::uint32_t label = 0;
+    std::size_t first = 0;
+  };
 
   std::vector<Command> commands_;
   std::vector<RenderTarget> targets_;
   std::vector<std::string> labels_;
+  std::vector<Phase> phases_;
 };
 
 /// A query pair that a pass writes its begin and end to.
@@ -86,6 +96,9 @@ class ComputePass {
 
   /// Records a dispatch of another list again, for its own substep.
   void repeat(const CommandList& from, const Command& dispatch);
+
+  /// Names what is recorded from here on, for those who ask what a part of a frame costs.
+  void begin_phase(const std::string& name);
 
   /// `parity` says which of the two state buffers holds the state before this substep.
   void set_step(std::uint32_t step, std::uint32_t parity) { step_ = step, parity_ = parity; }

@@ -5,43 +5,30 @@
 #include <optional>
 
 #include "base/result.hpp"
+#include "contact/stages/stages.hpp"
 #include "gpu/kernel.hpp"
-#include "method/step_limit.hpp"
-#include "scene/scene.hpp"
 #include "method/predicted.hpp"
+#include "scene/scene.hpp"
 #include "state/state.hpp"
 
 namespace weft {
 
-/// The constants of StepParams that a solver sets.
-struct SolverConstants {
-  std::uint32_t spring_count = 0;
-  float force_scale = 1;  // fixed-point units per newton
-  float force_limit = 0;  // [N]
-};
-
-/// A method that moves the cloth. A substep is record_predict, then collision at the predicted positions,
-/// then record_solve.
+/// A method that moves the cloth.
 class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Reads position[parity], velocity[parity]; writes the predicted position to position[1 - parity], and the
-  /// velocity to SolverInputs::predicted.
-  virtual void record_predict(gpu::ComputePass& pass) const = 0;
-  /// Answers the contacts found at the predicted positions.
-  virtual void record_solve(gpu::ComputePass& pass) const = 0;
-  /// Whether record_two may stand for two substeps: only without contacts, which come between them.
-  virtual bool takes_two() const { return false; }
-  /// This substep and the next: reads position[parity], velocity[parity]; writes position[1 - parity],
-  /// velocity[1 - parity], after both, to the same bits as one after the other.
-  virtual void record_two(gpu::ComputePass&) const {}
-  /// Takes over lists of pairs with other room. Errors  OutOfMemory.
-  virtual Result<void> bind_lists(const State& state, const ContactPairs& pairs) = 0;
-  virtual SolverConstants constants() const = 0;
-  /// Whether record_predict also reads position[1 - parity] and velocity[1 - parity] as the substep before
-  /// has left them, for nodes whose velocity's w is 1.
-  virtual bool reads_step_before() const { return false; }
+  /// How many substeps one call of record can stand for. More than 1 only without contacts, which come between them.
+  virtual std::uint32_t substeps_at_once() const { return 1; }
+  /// Records `count` substeps: one, or substeps_at_once(), to the same bits as one after the other.
+  /// Reads   position[parity], velocity[parity]; with a history (Method::history) also those of the other parity, as
+  ///         the substep before has left them.
+  /// Writes  position[1 - parity], velocity[1 - parity]: the state after them. What it predicts before contact goes to
+  ///         position[1 - parity] and, the velocity, to SolverInputs::predicted.
+  /// A single substep calls the stages of contact as contact/stages/stages.hpp asks.
+  virtual void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const = 0;
+  /// Sets what the solver's own kernels read of a substep's parameters.
+  virtual void fill(StepParams&) const {}
 };
 
 /// What a solver is made of. `contacts` is null where the scene has none.
@@ -65,5 +52,9 @@ struct SolverInputs {
     return {&state.velocity[1], &state.velocity[0]};
   }
 };
+
+/// The solver of a scene's "solver" object, whose kind is not Auto (choose_method).
+/// Errors  Shader, Limit, OutOfMemory, DeviceLost.
+Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const SolverInputs& inputs);
 
 }  // namespace weft

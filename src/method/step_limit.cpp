@@ -33,15 +33,6 @@ double contact_step(const scene::Scene& scene, const HostModel& model) {
   return std::max(step, kLeastContactStep);
 }
 
-Result<std::uint32_t> substeps_of(const scene::Scene& scene, scene::SolverKind kind, const StepLimit& limit) {
-  if (scene.time.substeps) return *scene.time.substeps;
-  if (kind != scene::SolverKind::Multigrid) return choose_substeps(scene, limit);
-  double step = kImplicitStep;
-  if (limit.contact_step > 0) step = std::min(step, limit.contact_step);
-  const double steps = scene.time.frame / step * (1 - 1e-12);  // an even number is not rounded up
-  return static_cast<std::uint32_t>(4 * std::ceil(steps / 4));
-}
-
 Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const StepLimit& limit) {
   constexpr double kMostSubsteps = 65536;  // docs/scene.md, time.substeps
   if (limit.largest_step <= 0) return 1U;

@@ -53,10 +53,6 @@ inline constexpr double kLeastContactStep = kImplicitStep / 16;
 /// Reach. 0 where the scene has no contact by proximity.
 double contact_step(const scene::Scene& scene, const HostModel& model);
 
-/// The substeps of a frame with this solver (not Auto): the scene's, or what its "auto" means.
-/// Errors  Limit: more than scenes allow.
-Result<std::uint32_t> substeps_of(const scene::Scene& scene, scene::SolverKind kind, const StepLimit& limit);
-
 /// By how much longer than the one before it a step of the implicit solver may be (BDF2 is stable up to 1 +
 /// √2); beyond it begins anew.
 inline constexpr double kMostStepRatio = 2;

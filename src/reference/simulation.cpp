@@ -7,8 +7,6 @@
 #include "base/state_hash.hpp"
 #include "model/grab_speed.hpp"
 #include "contact/rules/max_push.hpp"
-#include "method/solver_choice.hpp"
-#include "method/mass_spring/spectrum.hpp"
 #include "contact/reference/pushes/analytic.hpp"
 #include "contact/reference/pushes/response.hpp"
 #include "scene/motion.hpp"
@@ -35,39 +33,28 @@ std::vector<SpringLink> links_of(const HostModel& model) {
 
 }  // namespace
 
-Result<Simulation> Simulation::create(const scene::Scene& scene,
-                                      const std::vector<mesh::TriangleMesh>& cloth_meshes,
-                                      const std::vector<mesh::TriangleMesh>& objects,
-                                      const std::vector<std::vector<mesh::TriangleMesh>>& keyframes) {
-  WEFT_TRY(model, build_model(scene, cloth_meshes));
+Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& assets) {
+  WEFT_TRY(model, build_model(scene, assets.cloths));
   Simulation made(scene, std::move(model));
-  const scene::SolverKind kind = choose_solver(scene, made.model_).kind;
-  if (kind == scene::SolverKind::Multigrid) {
-    made.implicit_.emplace(made.model_);
-    made.limit_.contact_step = contact_step(scene, made.model_);
-  } else {
-    made.limit_ = mass_spring_step_limit(made.model_, scene.drag);
-  }
-  WEFT_TRY(substeps, weft::substeps_of(scene, kind, made.limit_));
-  made.substeps_ = substeps;
+  WEFT_TRY(plan, sim::FramePlan::create(scene, *made.model_, assets));
+  made.plan_ = std::move(plan);
+  made.stepper_ = make_stepper(made.plan_.method().kind, *made.model_);
   MassSpringSystem& system = made.system_;
-  for (std::size_t node = 0; node < made.model_.vertex_count(); ++node)
-    system.inverse_mass.push_back(made.model_.inverse_mass(node));
-  system.springs = links_of(made.model_);
-  system.bending = bending_of(made.model_);
+  for (std::size_t node = 0; node < made.model_->vertex_count(); ++node)
+    system.inverse_mass.push_back(made.model_->inverse_mass(node));
+  system.springs = links_of(*made.model_);
+  system.bending = bending_of(*made.model_);
   system.acceleration = scene.gravity + scene.external_force;
   system.drag = scene.drag;
   system.wind = scene::wind_field(scene.wind);
-  system.grab_speed = grab_speed(made.model_);
+  system.grab_speed = grab_speed(*made.model_);
   // No more than the whole distance in a substep: the follower would swing about its target.
   system.grab_rate = std::min(kGrabRate, 1 / made.step());
   const scene::ContactMethod method = scene.contact.method;
   if (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh)
-    WEFT_CHECK(made.add_colliders(objects));
-  if (method == scene::ContactMethod::Proximity) {
-    made.proximity_.emplace(scene, made.model_, objects, keyframes);
-    made.movers_ = contact_movers(scene, made.model_, objects, keyframes);
-  }
+    WEFT_CHECK(made.add_colliders(assets.objects));
+  if (method == scene::ContactMethod::Proximity)
+    made.proximity_.emplace(scene, *made.model_, assets.objects, assets.keyframes);
   made.reset();
   return made;
 }
@@ -93,19 +80,15 @@ Result<void> Simulation::add_colliders(const std::vector<mesh::TriangleMesh>& ob
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) spheres_.push_back(*sphere);
     if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) planes_.push_back(*plane);
   }
-  push_limits_ = {scene_.contact.thickness, max_push(model_, scene_.contact.thickness)};
+  push_limits_ = {scene_.contact.thickness, max_push(*model_, scene_.contact.thickness)};
   return {};
 }
 
 Result<void> Simulation::advance_frame() {
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   const std::uint64_t contacts = contacts_;
-  std::uint32_t count = substeps_;
-  if (proximity_)
-    count *= contact_step_factor(movers_, scene_.contact.thickness, time(), time() + scene_.time.frame,
-                                 scene_.time.frame / count);
+  const std::uint32_t count = plan_.substeps_of(frame_);
   for (std::uint32_t s = 0; s < count; ++s) substep(s, count);
-  cut_before_ = count;
   if (!finite()) {
     system_.position = position;
     system_.velocity = velocity;
@@ -118,11 +101,11 @@ Result<void> Simulation::advance_frame() {
 }
 
 void Simulation::reset() {
-  system_.position = model_.start_position;
-  system_.velocity.assign(model_.vertex_count(), {});
+  system_.position = model_->start_position;
+  system_.velocity.assign(model_->vertex_count(), {});
   frame_ = 0;
   contacts_ = 0;
-  if (implicit_) implicit_->forget();
+  stepper_->forget();
 }
 
 void Simulation::substep(std::uint32_t number, std::uint32_t count) {
@@ -132,16 +115,11 @@ void Simulation::substep(std::uint32_t number, std::uint32_t count) {
   system_.time = before * dt;  // of the wind
   // As sim::FrameSteps counts time, to the bit: which substep is the first of a grab hangs on it.
   set_grabs(time() + number * dt + dt);
-  if (implicit_) {
-    const double ratio = number == 0 ? step_ratio(cut_before_, count) : 1;
-    std::vector<Press> presses;
-    if (solves_with_obstacles(scene_, scene::SolverKind::Multigrid) && finite())
-      presses = proximity_->presses(previous, system_.velocity, before * dt, dt);
-    implicit_->advance(system_, places_at((before + 1) * dt, previous), dt, ratio, presses);
-  } else {
-    advance(system_, dt);
-    follow_motions(previous, (before + 1) * dt, dt);
-  }
+  std::vector<Press> presses;
+  if (solves_with_obstacles(scene_, plan_.method()) && finite())
+    presses = proximity_->presses(previous, system_.velocity, before * dt, dt);
+  const double ratio = number == 0 ? plan_.step_ratio_of(frame_) : 1;
+  stepper_->advance({system_, places_at((before + 1) * dt, previous), dt, ratio, presses});
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   if (!proximity_) {
     answer_contacts(previous);
@@ -149,45 +127,35 @@ void Simulation::substep(std::uint32_t number, std::uint32_t count) {
     contacts_ += proximity_->answer({previous, system_.inverse_mass, system_.position, system_.velocity},
                                     before * dt, dt);
   }
-  if (!implicit_) return;
   for (std::size_t node = 0; node < position.size(); ++node)  // a blow is no part of a smooth motion
     if (system_.position[node] != position[node] || system_.velocity[node] != velocity[node])
-      implicit_->forget(node);
+      stepper_->forget(node);
 }
 
 std::vector<Vec3d> Simulation::places_at(double time, const std::vector<Vec3d>& previous) const {
   std::vector<scene::RigidTransform> transforms;
-  for (const scene::Motion& motion : model_.motions) transforms.push_back(scene::motion_at(motion, time));
+  for (const scene::Motion& motion : model_->motions) transforms.push_back(scene::motion_at(motion, time));
   std::vector<Vec3d> places = previous;
   for (std::size_t node = 0; node < previous.size(); ++node)
-    if (model_.motion[node] > 1)
-      places[node] = transforms[model_.motion[node] - 2](model_.rest_position[node]);
+    if (model_->motion[node] > 1)
+      places[node] = transforms[model_->motion[node] - 2](model_->rest_position[node]);
   return places;
 }
 
 void Simulation::set_grabs(double time) {
   system_.grabs.clear();
-  for (const NodeGrab& one : model_.grabs)
+  for (const NodeGrab& one : model_->grabs)
     if (scene::holds_at(one.grab, time))
       system_.grabs.push_back({one.node, scene::target_at(one.grab, time)});
-}
-
-void Simulation::follow_motions(const std::vector<Vec3d>& previous, double time, double dt) {
-  const std::vector<Vec3d> places = places_at(time, previous);
-  for (std::size_t node = 0; node < previous.size(); ++node) {
-    if (model_.motion[node] < 2) continue;  // free or pinned
-    system_.position[node] = places[node];
-    system_.velocity[node] = (places[node] - previous[node]) / dt;
-  }
 }
 
 void Simulation::answer_contacts(const std::vector<Vec3d>& previous) {
   if (!object_triangles_ && spheres_.empty() && planes_.empty()) return;
   std::vector<NodePush> pushes(previous.size());
   if (object_triangles_) {
-    const std::vector<TrianglePair> pairs = object_triangles_->pairs(model_.triangles, system_.position);
+    const std::vector<TrianglePair> pairs = object_triangles_->pairs(model_->triangles, system_.position);
     contacts_ += pairs.size();
-    pushes = pushes_of(pairs, model_.triangles, previous, system_.inverse_mass, object_, push_limits_);
+    pushes = pushes_of(pairs, model_->triangles, previous, system_.inverse_mass, object_, push_limits_);
   }
   if (!spheres_.empty() || !planes_.empty()) {
     const std::vector<NodePush> more =

@@ -2,20 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.hpp"
-#include "contact/rules/contact_steps.hpp"
-#include "model/host_model.hpp"
-#include "method/step_limit.hpp"
+#include "contact/reference/proximity/proximity.hpp"
 #include "contact/reference/pushes/contact_pairs.hpp"
 #include "contact/reference/pushes/pushes.hpp"
-#include "contact/reference/proximity/proximity.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
-#include "method/multigrid/reference/implicit_step.hpp"
+#include "method/stepper.hpp"
+#include "model/assets.hpp"
+#include "model/host_model.hpp"
 #include "scene/scene.hpp"
+#include "sim/plan/frame_plan.hpp"
 
 namespace weft::reference {
 
@@ -23,14 +24,9 @@ namespace weft::reference {
 /// one order: the same bits on every machine, native or WebAssembly.
 class Simulation {
  public:
-  /// `cloth_meshes` holds a mesh for each cloth (empty for a grid), `objects` one for each mesh and box
-  /// collider, all placed in the world. Errors  Input: the model cannot be built, an object has a triangle
-  /// without area. Limit: "auto" needs too many substeps.
-  /// `keyframes` has the shapes of each object's keyframes, or nothing.
-  static Result<Simulation> create(const scene::Scene& scene,
-                                   const std::vector<mesh::TriangleMesh>& cloth_meshes,
-                                   const std::vector<mesh::TriangleMesh>& objects,
-                                   const std::vector<std::vector<mesh::TriangleMesh>>& keyframes = {});
+  /// Errors  Input: the model cannot be built, an object has a triangle without area. Limit: "auto" needs too many
+  ///         substeps.
+  static Result<Simulation> create(const scene::Scene& scene, const Assets& assets);
 
   /// Errors  Diverged: a node is not finite; the state stays as it was before the frame.
   Result<void> advance_frame();
@@ -39,7 +35,7 @@ class Simulation {
 
   const std::vector<Vec3d>& positions() const { return system_.position; }   // [m]
   const std::vector<Vec3d>& velocities() const { return system_.velocity; }  // [m/s]
-  const std::vector<mesh::Triangle>& triangles() const { return model_.triangles; }
+  const std::vector<mesh::Triangle>& triangles() const { return model_->triangles; }
   /// XXH3-64 of the bits of position, then velocity (three doubles a node), as 16 hexadecimal digits.
   std::string hash() const;
   /// Kinetic, elastic and gravitational [J].
@@ -48,9 +44,9 @@ class Simulation {
   const scene::Scene& scene() const { return scene_; }
   std::uint32_t frame() const { return frame_; }
   double time() const { return frame_ * scene_.time.frame; }  // [s]
-  std::uint32_t substeps() const { return substeps_; }
-  double step() const { return scene_.time.frame / substeps_; }  // [s]; shorter in frames that are cut
-  const StepLimit& step_limit() const { return limit_; }
+  const sim::FramePlan& plan() const { return plan_; }
+  std::uint32_t substeps() const { return plan_.substeps(); }
+  double step() const { return plan_.step(); }  // [s]; shorter in frames that are cut
   std::size_t spring_count() const { return system_.springs.size(); }
   /// In all substeps so far. Of cloth triangles with object triangles, and of nodes with spheres and planes;
   /// by proximity, pairs of features that act.
@@ -59,7 +55,8 @@ class Simulation {
   const Proximity* proximity() const { return proximity_ ? &*proximity_ : nullptr; }
 
  private:
-  Simulation(const scene::Scene& scene, HostModel model) : scene_(scene), model_(std::move(model)) {}
+  Simulation(const scene::Scene& scene, HostModel model)
+      : scene_(scene), model_(std::make_unique<HostModel>(std::move(model))) {}
   Result<void> add_colliders(const std::vector<mesh::TriangleMesh>& objects);
 
   /// One of `count` of this frame.
@@ -68,18 +65,15 @@ class Simulation {
   void set_grabs(double time);
   /// Where kinematic nodes are at `time` [s]; of all others the place that they had.
   std::vector<Vec3d> places_at(double time, const std::vector<Vec3d>& previous) const;
-  /// Takes the nodes that follow a motion to where they are at `time` [s].
-  void follow_motions(const std::vector<Vec3d>& previous, double time, double dt);
   void answer_contacts(const std::vector<Vec3d>& previous);
   bool finite() const;
 
   scene::Scene scene_;
-  HostModel model_;
+  std::unique_ptr<HostModel> model_;  // where the stepper finds it, also once this is moved
   MassSpringSystem system_;
-  StepLimit limit_;
-  std::optional<ImplicitStepper> implicit_;  // of the multigrid solver
-  std::uint32_t substeps_ = 1, frame_ = 0;
-  std::uint32_t cut_before_ = 1;  // into how many substeps the frame before was
+  sim::FramePlan plan_;
+  std::unique_ptr<Stepper> stepper_;
+  std::uint32_t frame_ = 0;
 
   mesh::TriangleMesh object_;  // all objects as one, in their order: what a pair's numbers mean
   std::optional<ObjectTriangles> object_triangles_;
@@ -87,7 +81,6 @@ class Simulation {
   std::vector<scene::ColliderPlane> planes_;
   PushLimits push_limits_;
   std::optional<Proximity> proximity_;
-  std::vector<ContactMover> movers_;  // of proximity
   std::uint64_t contacts_ = 0;
 };
 

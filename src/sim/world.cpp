@@ -1,12 +1,11 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/state_hash.hpp"
-#include "contact/rules/contact_law.hpp"
 #include "scene/difference.hpp"
 #include "scene/motion.hpp"
-#include "method/registry.hpp"
 
 namespace weft::sim {
 
@@ -21,22 +20,15 @@ Result<std::unique_ptr<World>> World::create(gpu::Device& device, scene::Scene s
   return world;
 }
 
-Result<void> World::create_counter() {
-  WEFT_TRY(counter, contact::ContactCounts::create(device_, *contacts_->pairs, contact_counts_));
-  counter_ = std::move(counter);
-  return {};
-}
-
 Result<void> World::count_contacts(bool on) {
-  if (!proximity_ || on == counter_.has_value()) return {};
-  frame_commands_.clear();
-  counter_.reset();
+  if (contact_.counts() == nullptr || on == contact_.counting()) return {};
+  recorder_.forget();
+  WEFT_CHECK(contact_.count(device_, on));
   if (!on) return {};
-  WEFT_CHECK(create_counter());
   gpu::CommandList list;
   {
     gpu::ComputePass pass(list, "count contacts");
-    counter_->record(pass);  // of the state that is shown now
+    contact_.record_counts(pass);  // of the state that is shown now
   }
   return device_.submit(list);
 }
@@ -51,37 +43,12 @@ Result<void> World::submit_rest() {
   return device_.submit(list);
 }
 
-StepParams World::base_params() const {
-  StepParams params;
-  params.dt = static_cast<float>(step());
-  params.vertex_count = model_.vertex_count();
-  params.spring_count = constants_.spring_count;
-  params.force_scale = constants_.force_scale;
-  params.force_limit = constants_.force_limit;
-  params.thickness = static_cast<float>(scene_.contact.thickness);
-  if (collision_) {
-    params.push_scale = collision_->push_scale();
-    params.max_push = collision_->max_push();
-  }
-  if (proximity_) {
-    const contact::ProximityLengths& lengths = proximity_->lengths();
-    params.self_thickness = static_cast<float>(lengths.self_thickness);
-    params.least_reach = static_cast<float>(lengths.least_reach);
-    params.most_reach = static_cast<float>(lengths.most_reach);
-    params.contact_damping = static_cast<float>(contact_damping(scene_.contact.restitution));
-    params.point_count = proximity_->search().colliders().point_count;
-    params.first_place = static_cast<std::uint32_t>(scene_.colliders.size());
-  }
-  return params;
-}
-
 void World::write_motions(std::uint32_t substeps) {
   const auto& motions = model_.host.motions;
   if (motions.empty()) return;
   Vec4f* row = motion_rows_.data();
-  const double step = scene_.time.frame / substeps;
   for (std::uint32_t s = 0; s < substeps; ++s) {
-    const double time = (static_cast<double>(frame_) * substeps + s + 1) * step;
+    const double time = plan_.end_of(frame_, s, substeps);
     for (const scene::Motion& motion : motions) {
       const scene::RigidTransform transform = scene::motion_at(motion, time);
       for (int axis = 0; axis < 3; ++axis) {
@@ -92,40 +59,6 @@ void World::write_motions(std::uint32_t substeps) {
     }
   }
   state_.motions.write(device_, std::span(motion_rows_).first(3 * motions.size() * substeps));
-}
-
-std::uint32_t World::substeps_of(std::uint32_t frame) const {
-  return substeps_ * contact_step_factor(movers_, scene_.contact.thickness, frame * scene_.time.frame,
-                                         (frame + 1) * scene_.time.frame, step());
-}
-
-void World::record_frame(gpu::CommandList& list, std::uint32_t parity, std::uint32_t substeps) const {
-  list.clear(state_.statistics.range(0, kStatisticsPerFrameBytes));
-  gpu::ComputePass pass(list, "frame");
-  for (std::uint32_t s = 0, turns = 0; s < substeps; ++turns) {
-    pass.set_step(s, (parity + turns) & 1U);
-    if (solver_->takes_two() && s + 1 < substeps) {
-      solver_->record_two(pass);
-      s += 2;
-      continue;
-    }
-    if (proximity_) proximity_->record_search(pass);
-    solver_->record_predict(pass);
-    if (collision_) collision_->record(pass);
-    if (proximity_) proximity_->record_evaluate(pass);
-    solver_->record_solve(pass);
-    ++s;
-  }
-  pass.set_step(0, (parity + turns_of(substeps)) & 1U);
-  last_good_->record(pass);
-  surface_->record(pass);
-  if (counter_) counter_->record(pass);
-}
-
-const gpu::CommandList& World::frame_commands(std::uint32_t parity, std::uint32_t substeps) {
-  gpu::CommandList& list = frame_commands_[substeps][parity];
-  if (list.commands().empty()) record_frame(list, parity, substeps);
-  return list;
 }
 
 Result<void> World::advance_frame(const gpu::CommandList* draw) {
@@ -144,25 +77,17 @@ Result<void> World::advance_frame(const gpu::CommandList* draw) {
 }
 
 Result<void> World::submit_frame(const gpu::CommandList* draw) {
-  Report& free = *std::find_if(reports_.begin(), reports_.end(),
-                               [](const Report& report) { return !report.readback.pending(); });
-  const double now = frame_ * scene_.time.frame;
-  const std::uint32_t substeps = substeps_of(frame_);
-  double speed = 0;
-  for (const ContactMover& mover : movers_)
-    speed = std::max(speed, largest_speed(mover, now, now + scene_.time.frame));
-  const double ratio = frame_ == 0 ? 1 : step_ratio(substeps_of(frame_ - 1), substeps);
-  steps_.write(device_, state_.steps, *grabs_, {now, substeps, speed, ratio});
+  const double now = plan_.begin_of(frame_);
+  const std::uint32_t substeps = plan_.substeps_of(frame_);
+  steps_.write(device_, state_.steps, *grabs_,
+               {now, substeps, plan_.fastest_mover(frame_), plan_.step_ratio_of(frame_)});
   write_motions(substeps);
-  if (proximity_) proximity_->write_places(device_, scene_, now, scene_.time.frame / substeps, substeps);
-  const std::array<const gpu::CommandList*, 3> lists = {&frame_commands(parity_, substeps), &free.commands,
-                                                        draw};
+  contact_.write_places(device_, scene_, now, scene_.time.frame / substeps, substeps);
+  const std::array<const gpu::CommandList*, 3> lists = {&recorder_.commands(parity_, substeps),
+                                                        &reports_.commands(), draw};
   WEFT_CHECK(device_.submit(std::span(lists).first(draw != nullptr ? 3 : 2)));
-  free.frame = frame_;
-  free.parity = parity_;
-  free.attempt = attempt_;
-  free.readback.start();
-  parity_ = (parity_ + turns_of(substeps)) & 1U;
+  reports_.expect(frame_, attempt_, parity_);
+  parity_ = (parity_ + recorder_.turns_of(substeps)) & 1U;
   ++frame_;
   return {};
 }
@@ -173,37 +98,30 @@ Result<void> World::poll() {
   return {};
 }
 
-Result<void> World::repeat_from(const Report& report, const Statistics& short_of) {
+Result<void> World::repeat_from(const Report& report) {
   parity_ = report.parity;
   frame_ = report.frame;
   ++attempt_;
   ++totals_.repeated_frames;
-  ContactPairs& pairs = *contacts_->pairs;
-  const ContactRoom room =
-      grown(pairs.room, {short_of.pairs, short_of.candidates}, device_.limits().max_storage_binding_size);
-  WEFT_CHECK(pairs.make_room(device_, room));
-  WEFT_CHECK(proximity_->bind_lists(device_, state_, pairs));
-  WEFT_CHECK(solver_->bind_lists(state_, pairs));
-  if (counter_) WEFT_CHECK(create_counter());
-  frame_commands_.clear();
-  const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
-  state_.statistics.write(device_, zeros);
+  WEFT_CHECK(contact_.make_room(device_, state_, report.statistics));
+  recorder_.forget();
+  clear_statistics();
   gpu::CommandList list;
-  list.clear(pairs.vertex_contacts.source());
-  if (pairs.presses.size() > 0) list.clear(pairs.presses.source());
+  contact_.record_forget(list);
   last_good_->record_restore(list, state_, parity_);
   return device_.submit(list);
 }
 
-std::uint32_t World::parity_after_frames(std::uint32_t count) const {
-  std::uint32_t parity = parity_;
-  for (std::uint32_t frame = frame_; frame < frame_ + count; ++frame) parity += turns_of(substeps_of(frame));
-  return parity & 1U;
+void World::clear_statistics() const {
+  const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
+  state_.statistics.write(device_, zeros);
 }
 
-bool World::has_room() const {
-  return std::any_of(reports_.begin(), reports_.end(),
-                     [](const Report& report) { return !report.readback.pending(); });
+std::uint32_t World::parity_after_frames(std::uint32_t count) const {
+  std::uint32_t parity = parity_;
+  for (std::uint32_t frame = frame_; frame < frame_ + count; ++frame)
+    parity += recorder_.turns_of(plan_.substeps_of(frame));
+  return parity & 1U;
 }
 
 Result<void> World::finish() {
@@ -218,27 +136,17 @@ Result<void> World::finish() {
 
 Result<void> World::take_reports(bool wait_for_all) {
   device_.poll();
-  // In the order of their frames, so that the first bad one is the one that is named.
-  std::array<Report*, 3> order = {&reports_[0], &reports_[1], &reports_[2]};
-  std::sort(order.begin(), order.end(), [](const Report* a, const Report* b) { return a->frame < b->frame; });
-  for (Report* report : order) {
-    if (!report->readback.pending()) continue;
-    while (wait_for_all && !report->readback.ready() && !report->readback.failed()) device_.poll();
-    if (report->readback.ready() || report->readback.failed()) WEFT_CHECK(take(*report));
+  for (;;) {
+    WEFT_TRY(report, reports_.take(device_, wait_for_all));
+    if (!report) return {};
+    WEFT_CHECK(take(*report));
   }
-  return {};
 }
 
-Result<void> World::take(Report& report) {
-  const bool failed = report.readback.failed();
-  Statistics statistics;
-  report.readback.take(std::as_writable_bytes(std::span(&statistics, 1)));
-  if (failed) {
-    WEFT_CHECK(device_.status());
-    return make_error(ErrorKind::DeviceLost, "The report of frame %u did not arrive.", report.frame);
-  }
+Result<void> World::take(const Report& report) {
+  const Statistics& statistics = report.statistics;
   if (report.attempt != attempt_) return {};  // of a frame that is being repeated
-  if (statistics.held != 0) return repeat_from(report, statistics);
+  if (statistics.held != 0) return repeat_from(report);
   totals_.nonfinite = statistics.nonfinite;
   if (statistics.nonfinite != 0) {
     if (!diverged_)  // the frames after the first bad one say the same
@@ -265,11 +173,9 @@ Result<void> World::take(Report& report) {
 
 Result<void> World::reset() {
   WEFT_CHECK(device_.wait());
-  for (Report& report : reports_)  // what they would say is of no more use
-    if (report.readback.pending()) report.readback.take();
+  reports_.drop();  // what they would say is of no more use
   state_.reset(device_, model_.host);
-  const std::array<std::uint32_t, sizeof(Statistics) / 4> zeros{};
-  state_.statistics.write(device_, zeros);
+  clear_statistics();
   steps_.rewind();
   grabs_->release_all();
   frame_ = asked_ = 0;
@@ -288,14 +194,14 @@ Result<void> World::release(std::uint32_t node) { return grabs_->release(node); 
 Result<void> World::change(const scene::Scene& scene) {
   if (const auto key = scene::fixed_difference(scene_, scene))
     return input_error("%s cannot change while the cloth moves; load the scene anew.", key->c_str());
-  StepLimit limit = with_drag(choice_.kind, limit_, scene.drag);
+  StepLimit limit = plan_.method().with_drag(plan_.limit(), scene.drag);
   // A step that a scene chose beyond its own limit is its affair; only a new drag is judged.
   if (scene.drag != scene_.drag && limit.largest_step > 0 && step() > limit.largest_step)
     return make_error(ErrorKind::Limit,
                       "With a drag of %g 1/s the largest stable step is %.4g s, less than the running one of "
                       "%.4g s; load the scene anew.",
                       scene.drag, limit.largest_step, step());
-  limit_ = std::move(limit);
+  plan_.set_limit(std::move(limit));
   scene_.gravity = scene.gravity;
   scene_.external_force = scene.external_force;
   scene_.drag = scene.drag;

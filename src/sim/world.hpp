@@ -1,25 +1,22 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "contact/pushes/collision.hpp"
-#include "contact/proximity/contact_counts.hpp"
-#include "state/last_good.hpp"
-#include "state/surface.hpp"
-#include "gpu/readback.hpp"
-#include "contact/rules/contact_steps.hpp"
-#include "method/solver_choice.hpp"
+#include "contact/scene_contact.hpp"
+#include "method/solver.hpp"
 #include "model/assets.hpp"
+#include "sim/frame_recorder.hpp"
 #include "sim/frame_steps.hpp"
 #include "sim/grabs.hpp"
-#include "method/solver.hpp"
+#include "sim/plan/frame_plan.hpp"
+#include "sim/report_ring.hpp"
+#include "state/last_good.hpp"
 #include "state/state.hpp"
+#include "state/surface.hpp"
 
 namespace weft::sim {
 
@@ -72,7 +69,7 @@ class World {
   Result<void> advance_frame(const gpu::CommandList* draw = nullptr);
   /// Takes the reports that have arrived. Errors as advance_frame.
   Result<void> poll();
-  bool has_room() const;
+  bool has_room() const { return reports_.has_room(); }
   /// Waits until all frames have reported. Errors as advance_frame; Diverged for as long as the state is
   /// frozen.
   Result<void> finish();
@@ -109,18 +106,16 @@ class World {
   const Surface& surface() const { return *surface_; }
   const Assets& assets() const { return assets_; }
   const Totals& totals() const { return totals_; }
-  const StepLimit& step_limit() const { return limit_; }
-  /// The solver that moves the cloth, and why where the scene leaves that open.
-  const SolverChoice& solver_choice() const { return choice_; }
-  const SolverConstants& solver_constants() const { return constants_; }
-  std::uint32_t substeps() const { return substeps_; }
-  double step() const { return scene_.time.frame / substeps_; }  // [s]
+  /// The method, the largest stable step, the substeps: what was decided before the first frame.
+  const FramePlan& plan() const { return plan_; }
+  std::uint32_t substeps() const { return plan_.substeps(); }
+  double step() const { return plan_.step(); }  // [s]
   std::uint32_t frame() const { return asked_; }
   double time() const { return asked_ * scene_.time.frame; }  // [s]
   std::size_t spring_count() const { return spring_count_; }
   /// How many pairs act on each vertex at the end of a frame, f32, while count_contacts is on; null where no
   /// pairs are listed (scene::ContactMethod).
-  const gpu::Buffer<float>* contact_counts() const { return proximity_ ? &contact_counts_ : nullptr; }
+  const gpu::Buffer<float>* contact_counts() const { return contact_.counts(); }
   /// Errors  Shader.
   Result<void> count_contacts(bool on);
   /// Which of State's buffers holds the current state.
@@ -128,69 +123,44 @@ class World {
   /// Which it will be after one more frame.
   std::uint32_t parity_after() const { return parity_after_frames(asked_ + 1 - frame_); }
   /// The commands of a frame of so many substeps that begins with this parity.
-  const gpu::CommandList& frame_commands(std::uint32_t parity, std::uint32_t substeps);
+  const gpu::CommandList& frame_commands(std::uint32_t parity, std::uint32_t substeps) {
+    return recorder_.commands(parity, substeps);
+  }
 
  private:
-  struct Report {
-    gpu::Readback readback;
-    gpu::CommandList commands;
-    std::uint32_t frame = 0;
-    std::uint32_t attempt = 0, parity = 0;
-  };
-
   World(gpu::Device& device, scene::Scene scene) : device_(device), scene_(std::move(scene)) {}
   Result<void> build(const Assets& assets, const WorldOptions& options);
-  /// Collision, lists and the solver that reads them.
-  Result<void> build_contact(const ContactRoom& room);
-  Result<void> create_counter();
   Result<void> submit_frame(const gpu::CommandList* draw);
   /// Goes back to before a frame whose lists were too short, with longer ones.
-  Result<void> repeat_from(const Report& report, const Statistics& short_of);
-  /// Substeps of a frame: more than substeps() where something is moved fast (docs/contact.md).
-  std::uint32_t substeps_of(std::uint32_t frame) const;
+  Result<void> repeat_from(const Report& report);
   std::uint32_t parity_after_frames(std::uint32_t count) const;
-  /// How often the state changes buffers in so many substeps.
-  std::uint32_t turns_of(std::uint32_t substeps) const {
-    return solver_->takes_two() ? (substeps + 1) / 2 : substeps;
-  }
   /// What follows from the rest state, before the first frame.
   Result<void> submit_rest();
-  /// What all substeps have in common.
-  StepParams base_params() const;
   void write_motions(std::uint32_t substeps);
-  void record_frame(gpu::CommandList& list, std::uint32_t parity, std::uint32_t substeps) const;
+  void clear_statistics() const;
   Result<void> take_reports(bool wait_for_all);
-  Result<void> take(Report& report);
+  Result<void> take(const Report& report);
 
   gpu::Device& device_;
   scene::Scene scene_;
   Assets assets_;
   Model model_;
   State state_;
-  std::optional<Contacts> contacts_;
-  std::optional<contact::Collision> collision_;  // by paper and bvh
-  std::optional<contact::Proximity> proximity_;
-  gpu::Buffer<float> contact_counts_;
-  std::optional<contact::ContactCounts> counter_;  // while they are counted
-  WorldOptions options_;
+  FramePlan plan_;
+  contact::SceneContact contact_;
   std::unique_ptr<Solver> solver_;
   std::optional<Surface> surface_;
   std::optional<LastGood> last_good_;
-  SolverChoice choice_;
-  StepLimit limit_;
-  SolverConstants constants_;
-  std::uint32_t substeps_ = 1, most_substeps_ = 1, parity_ = 0;
+  FrameRecorder recorder_;
+  ReportRing reports_;
+  std::optional<Grabs> grabs_;
+  FrameSteps steps_;
+  std::vector<Vec4f> motion_rows_;  // of one frame; kept so that a frame allocates nothing
+  std::uint32_t parity_ = 0;
   std::uint32_t frame_ = 0;    // submitted
   std::uint32_t asked_ = 0;    // by advance_frame: more than that while frames are repeated
   std::uint32_t attempt_ = 0;  // counts up when frames are repeated
   std::size_t spring_count_ = 0;
-  std::map<std::uint32_t, std::array<gpu::CommandList, 2>>
-      frame_commands_;  // by substeps and parity, once needed
-  std::vector<ContactMover> movers_;
-  std::array<Report, 3> reports_;
-  std::optional<Grabs> grabs_;
-  FrameSteps steps_;
-  std::vector<Vec4f> motion_rows_;  // of one frame; kept so that a frame allocates nothing
   Totals totals_;
   std::optional<Error> diverged_;  // of the first bad frame
 };

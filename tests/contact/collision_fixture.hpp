@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "contact/pushes/collision.hpp"
+#include "contact/pushes/pushes.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "gpu/readback.hpp"
 #include "mesh/grid.hpp"
@@ -72,7 +72,7 @@ inline HostModel host_model(const Pose& pose) {
 /// Model, state and contacts of a pose, with the collision recorded for one substep.
 class CollisionRun {
  public:
-  CollisionRun(gpu::Device& device, const Pose& pose, const contact::CollisionSetup& setup,
+  CollisionRun(gpu::Device& device, const Pose& pose, const contact::PushSetup& setup,
                std::uint32_t parity = 0)
       : device_(device), parity_(parity) {
     auto model = Model::create(device, host_model(pose));
@@ -85,18 +85,18 @@ class CollisionRun {
     REQUIRE(contacts);
     contacts_ = std::move(*contacts);
     place(pose);
-    auto made = contact::Collision::create(device, model_, state_, contacts_, setup);
+    auto made = contact::Pushes::create(device, model_, state_, contacts_, setup);
     REQUIRE_MESSAGE(made, made.error().message);
     collision_ = std::move(*made);
     StepParams step;
     step.vertex_count = model_.vertex_count();
     step.push_scale = collision_.push_scale();
-    step.thickness = collision_.thickness();
+    step.thickness = static_cast<float>(setup.thickness);
     step.max_push = collision_.max_push();
     state_.steps.write(device, std::vector<StepParams>{step, step});
     gpu::ComputePass pass(list_, "collision");
     pass.set_step(parity, parity);
-    collision_.record(pass);
+    collision_.measure(pass);
   }
 
   /// Another pose of the same cloth: a pipeline takes far longer to make than to run.
@@ -130,11 +130,11 @@ class CollisionRun {
   Model model_;
   State state_;
   Contacts contacts_;
-  contact::Collision collision_;
+  contact::Pushes collision_;
   gpu::CommandList list_;
 };
 
-inline Found find_contacts(gpu::Device& device, const Pose& pose, const contact::CollisionSetup& setup,
+inline Found find_contacts(gpu::Device& device, const Pose& pose, const contact::PushSetup& setup,
                            std::uint32_t parity = 0) {
   return CollisionRun(device, pose, setup, parity).run();
 }

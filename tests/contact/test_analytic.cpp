@@ -5,7 +5,7 @@
 #include "contact/reference/pushes/analytic.hpp"
 
 using namespace weft;
-using contact::CollisionSetup;
+using contact::PushSetup;
 
 namespace {
 
@@ -37,7 +37,7 @@ std::vector<Vec3d> positions(const std::vector<Vec4f>& list) {
 TEST_CASE("nodes near spheres and planes get the pushes of double, and count once a collider") {
   GpuFixture fixture;
   const Pose pose = scattered_nodes(20000, 2, 0.1, 1);
-  CollisionSetup setup;
+  PushSetup setup;
   setup.thickness = 0.0625;
   setup.spheres = {{{0.5, 0.25, 0}, 1}, {{-1, 0, 0.5}, 0.5}};
   setup.planes = {{{0, -1, 0}, {0, 1, 0}}, {{0.5, 0, 0}, {0.6, 0, 0.8}}};
@@ -91,7 +91,7 @@ TEST_CASE("a sphere pushes a node at its centre straight up, and far and tiny on
     const float far = std::ldexp(1.0F, static_cast<int>(4 * i) - 128);  // 2^-128 to 2^124 m from the centre
     pose.previous[i] = pose.predicted[i] = i == 0 ? Vec4f{0, 0, 0, 1} : Vec4f{far, 0, 0, 1};
   }
-  CollisionSetup setup;
+  PushSetup setup;
   setup.spheres = {{{0, 0, 0}, 1}};
   setup.thickness = 0.5;
   const Found found = find_contacts(fixture.device(), pose, setup);
@@ -119,14 +119,14 @@ TEST_CASE("a radius or a normal that is off is refused") {
   REQUIRE(state);
   auto contacts = Contacts::create_pushes(fixture.device(), model->host);
   REQUIRE(contacts);
-  CollisionSetup setup;
+  PushSetup setup;
   setup.spheres = {{{0, 0, 0}, 1}, {{0, 0, 0}, 0}};
-  const auto flat = contact::Collision::create(fixture.device(), *model, *state, *contacts, setup);
+  const auto flat = contact::Pushes::create(fixture.device(), *model, *state, *contacts, setup);
   REQUIRE_FALSE(flat);
   CHECK(flat.error().message == "Collision sphere 1 has the radius 0 m, which is not positive.");
   setup.spheres.pop_back();
   setup.planes = {{{0, 0, 0}, {0, 2, 0}}};
-  const auto tilted = contact::Collision::create(fixture.device(), *model, *state, *contacts, setup);
+  const auto tilted = contact::Pushes::create(fixture.device(), *model, *state, *contacts, setup);
   REQUIRE_FALSE(tilted);
   CHECK(tilted.error().message == "Collision plane 0 has a normal of length 2, which is not 1.");
 }

@@ -13,15 +13,15 @@
 #include "temporary_folder.hpp"
 
 using namespace weft;
-using contact::CollisionSetup;
+using contact::PushSetup;
 using scene::ContactMethod;
 
 namespace {
 
 constexpr ContactMethod kMethods[] = {ContactMethod::Paper, ContactMethod::Bvh};
 
-CollisionSetup sphere_setup(ContactMethod method) {
-  CollisionSetup setup;
+PushSetup sphere_setup(ContactMethod method) {
+  PushSetup setup;
   setup.method = method;
   setup.objects = {mesh::make_sphere(20, 20)};
   return setup;
@@ -33,11 +33,11 @@ Pose sphere_pose() { return sheet_over(mesh::bounds(mesh::make_sphere(20, 20)), 
 
 TEST_CASE("method none and an empty list of colliders record nothing") {
   GpuFixture fixture;
-  CollisionSetup none = sphere_setup(ContactMethod::None);
+  PushSetup none = sphere_setup(ContactMethod::None);
   none.planes = {{{0, 0, 0}, {0, 1, 0}}};
   CHECK(find_contacts(fixture.device(), sphere_pose(), none).dispatches == 0);
   for (const ContactMethod method : kMethods) {
-    CollisionSetup empty;
+    PushSetup empty;
     empty.method = method;
     const Found found = find_contacts(fixture.device(), sphere_pose(), empty);
     CHECK(found.dispatches == 0);
@@ -48,7 +48,7 @@ TEST_CASE("method none and an empty list of colliders record nothing") {
 TEST_CASE("objects of a few triangles are found alike by both methods") {
   GpuFixture fixture;
   for (const std::uint32_t count : {1U, 2U, 3U, 4U, 5U, 17U}) {
-    CollisionSetup setup = sphere_setup(ContactMethod::Paper);
+    PushSetup setup = sphere_setup(ContactMethod::Paper);
     std::vector<mesh::Triangle>& triangles = setup.objects[0].triangles;
     triangles.erase(triangles.begin() + 200 + count, triangles.end());
     triangles.erase(triangles.begin(), triangles.begin() + 200);
@@ -148,7 +148,7 @@ TEST_CASE("the sum of pushes that are all equal and as long as can be stays belo
   }
   for (std::uint32_t i = 0; i < 8; ++i) pose.triangles.push_back({0, 1 + i, 1 + (i + 1) % 8});
   constexpr std::uint32_t kObjects = 4000;
-  CollisionSetup setup;
+  PushSetup setup;
   setup.objects.resize(1);
   for (std::uint32_t i = 0; i < kObjects; ++i) {
     const float x = static_cast<float>(i) / kObjects - 0.5F;

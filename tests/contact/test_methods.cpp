@@ -11,7 +11,7 @@
 #include "contact/reference/pushes/pushes.hpp"
 
 using namespace weft;
-using contact::CollisionSetup;
+using contact::PushSetup;
 using scene::ContactMethod;
 
 namespace {
@@ -30,8 +30,8 @@ mesh::TriangleMesh object_of(const std::string& name) {
   return *mesh;
 }
 
-CollisionSetup setup_of(ContactMethod method, const mesh::TriangleMesh& object, double thickness) {
-  CollisionSetup setup;
+PushSetup setup_of(ContactMethod method, const mesh::TriangleMesh& object, double thickness) {
+  PushSetup setup;
   setup.method = method;
   setup.objects = {object};
   setup.thickness = thickness;
@@ -137,7 +137,7 @@ TEST_CASE("no bit depends on the workgroup, on the run, on the split, or on the 
   const mesh::TriangleMesh object = mesh::make_sphere(40, 40);
   const Pose pose = sheet_over(mesh::bounds(object), 22, 0.6, 0.05, 3);
   for (const ContactMethod method : {ContactMethod::Paper, ContactMethod::Bvh}) {
-    CollisionSetup setup = setup_of(method, object, 0.02);
+    PushSetup setup = setup_of(method, object, 0.02);
     setup.spheres = {{{0, 0, 0}, 0.5}};
     const Found first = find_contacts(fixture.device(), pose, setup);
     REQUIRE(first.statistics.hits > 100);
@@ -176,7 +176,7 @@ TEST_CASE("the last of an odd number of cloth triangles counts once") {
   const reference::PairList list = reference::find_pairs(pose.predicted_mesh(), object);
   for (const ContactMethod method : {ContactMethod::Paper, ContactMethod::Bvh})
     for (const std::uint32_t each : {1U, 2U}) {
-      CollisionSetup setup = setup_of(method, object, 0.02);
+      PushSetup setup = setup_of(method, object, 0.02);
       setup.triangles_each = each;
       CHECK(explained(find_contacts(fixture.device(), pose, setup).statistics, list));
     }
@@ -192,7 +192,7 @@ TEST_CASE("several objects are one list: hits and pushes are those of the joined
     joined.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   const Pose pose = sheet_over(mesh::bounds(joined), 25, 0.7, 0.02, 5);
   for (const ContactMethod method : {ContactMethod::Paper, ContactMethod::Bvh}) {
-    CollisionSetup apart = setup_of(method, left, 0.02);
+    PushSetup apart = setup_of(method, left, 0.02);
     apart.objects.push_back(right);
     const Found found = find_contacts(fixture.device(), pose, apart);
     CHECK(found.same_as(find_contacts(fixture.device(), pose, setup_of(method, joined, 0.02))));

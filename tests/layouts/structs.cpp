@@ -180,7 +180,7 @@ Json analytic_collider() {
   using T = contact::AnalyticCollider;
   return row("AnalyticCollider", "contact/pushes/analytic.wgsl", sizeof(T), kExact, {M(point), M(normal)});
 }
-Json contact() {
+Json contact_of_pair() {
   using T = Contact;
   return row(
       "Contact", "state/contact.wgsl", sizeof(T), kUniform,
@@ -245,7 +245,7 @@ Json struct_layouts() {
       {step_params(),     spring(),          spring_kind(), spring_block(),   block_spring(),
        neighbour(),       grid_params_row(), mesh_params(), surface_params(), object_triangle(),
        spring_grid_row(), multigrid_level(), tree_node(),   pair_range(),     analytic_collider(),
-       contact(),         search_params(),   tree_params(), colliders(),      collider_place(),
+       contact_of_pair(),         search_params(),   tree_params(), colliders(),      collider_place(),
        frame(),           weave(),           plane(),       fine_grid(),      cloth_nodes(),
        mesh_level(),      coupling(),        share()});
 }

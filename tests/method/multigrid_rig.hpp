@@ -179,7 +179,7 @@ class ImplicitRig {
   /// The reference's state after one step.
   reference::MassSpringSystem advanced() {
     reference::MassSpringSystem system = system_;
-    stepper_->advance(system, system.position, dt_, ratio_, presses_);
+    stepper_->advance({system, system.position, dt_, ratio_, presses_});
     return system;
   }
 

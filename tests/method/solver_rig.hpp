@@ -12,7 +12,7 @@
 #include "gpu/readback.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "scene/load.hpp"
-#include "method/registry.hpp"
+#include "method/solver.hpp"
 
 namespace weft {
 
@@ -51,9 +51,7 @@ class SolverRig {
     const scene::WindField wind = scene::wind_field(scene.wind);
     set_wind(params, wind, {wind.waves[0].rate * kTime, wind.waves[1].rate * kTime});
     params.vertex_count = model_.vertex_count();
-    params.spring_count = solver_->constants().spring_count;
-    params.force_scale = solver_->constants().force_scale;
-    params.force_limit = solver_->constants().force_limit;
+    solver_->fill(params);
     state_.steps.write(device, std::span(&params, 1));
   }
 
@@ -94,8 +92,7 @@ class SolverRig {
         gpu::ComputePass pass(list, "steps");
         for (std::uint32_t s = 0; s < batch; ++s) {
           pass.set_step(0, (parity_ + s) & 1U);
-          solver_->record_predict(pass);
-          solver_->record_solve(pass);
+          solver_->record(pass, contact::Stages(), 1);
         }
       }
       const auto submitted = device_.submit(list);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "gpu/gpu_fixture.hpp"
+#include "method/mass_spring/plan.hpp"
 #include "method/mass_spring/spectrum.hpp"
 #include "solver_rig.hpp"
 

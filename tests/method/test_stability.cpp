@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "gpu/gpu_fixture.hpp"
-#include "method/registry.hpp"
+#include "method/method.hpp"
 #include "solver_rig.hpp"
 
 using namespace weft;
@@ -22,7 +22,7 @@ constexpr double kNodeMass = 0.25 * 0.02 * 0.02;  // [kg]
 StepLimit limit_of(const scene::Scene& scene) {
   auto model = build_model(scene, std::vector<mesh::TriangleMesh>(scene.cloths.size()));
   REQUIRE_OK(model);
-  return find_step_limit(scene.solver.kind, scene, *model);
+  return method_of(scene.solver.kind).step_limit(scene, *model);
 }
 
 double largest_speed(SolverRig& rig) {

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "method/multigrid/grid_levels.hpp"
-#include "method/solver_choice.hpp"
+#include "method/method.hpp"
 #include "scene/load.hpp"
 
 using namespace weft;
@@ -48,14 +48,14 @@ TEST_CASE("auto takes multigrid for large grids, and never for meshes") {
     }
     const auto model = build_model(*scene, {mesh});
     REQUIRE_MESSAGE(model, model.error().message);
-    return choose_solver(*scene, *model);
+    return choose_method(*scene, *model);
   };
   using Kind = scene::SolverKind;
-  CHECK(choice("auto", R"("grid": [316, 316], "size": [1, 1])").kind == Kind::MassSpring);  // 99,856
-  const SolverChoice large = choice("auto", R"("grid": [317, 316], "size": [1, 1])");       // 100,172
-  CHECK(large.kind == Kind::Multigrid);
+  CHECK(choice("auto", R"("grid": [316, 316], "size": [1, 1])").method->kind == Kind::MassSpring);  // 99,856
+  const MethodChoice large = choice("auto", R"("grid": [317, 316], "size": [1, 1])");       // 100,172
+  CHECK(large.method->kind == Kind::Multigrid);
   CHECK(large.reason == "100172 nodes are not fewer than the 100000, from which on multigrid is cheaper");
-  CHECK(choice("auto", R"("mesh": "a.obj")").kind == Kind::MassSpring);
-  CHECK(choice("multigrid", R"("grid": [4, 4], "size": [1, 1])").kind == Kind::Multigrid);
+  CHECK(choice("auto", R"("mesh": "a.obj")").method->kind == Kind::MassSpring);
+  CHECK(choice("multigrid", R"("grid": [4, 4], "size": [1, 1])").method->kind == Kind::Multigrid);
   CHECK(choice("mass_spring", R"("grid": [4, 4], "size": [1, 1])").reason.empty());
 }

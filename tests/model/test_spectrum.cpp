@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "method/mass_spring/plan.hpp"
 #include "method/mass_spring/spectrum.hpp"
 #include "scene/load.hpp"
 

@@ -17,7 +17,7 @@ namespace weft {
 inline reference::Simulation simulation_of(const scene::Scene& scene) {
   const auto assets = load_assets(scene, WEFT_SOURCE_DIR "/models");
   REQUIRE_OK(assets);
-  auto simulation = reference::Simulation::create(scene, assets->cloths, assets->objects, assets->keyframes);
+  auto simulation = reference::Simulation::create(scene, *assets);
   REQUIRE_OK(simulation);
   return std::move(*simulation);
 }

@@ -39,7 +39,7 @@ struct Sheet {
     return stepper.linearise_mesh(system, system.position, dt, ratio, 0);
   }
   void advance(double dt, int steps) {
-    for (int s = 0; s < steps; ++s) stepper.advance(system, system.position, dt);
+    for (int s = 0; s < steps; ++s) stepper.advance({system, system.position, dt});
   }
   double mass(std::size_t node) const { return 1 / system.inverse_mass[node]; }
 

@@ -122,7 +122,7 @@ TEST_CASE("the matrix of a step is mass, springs and bending, added up one by on
     sheet.perturb(nx, 0.1, 2);
     const double he = 2.0 / 3 / 480;
     // No node has been stepped yet, so that mass is backward Euler's; damping goes by the step.
-    sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+    sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
     const LinearStep second = sheet.linearise();
     const Matrix expected = explicit_matrix(sheet, he, false);
     Random random(3);
@@ -142,7 +142,7 @@ TEST_CASE("coarse matrices are Pᵀ A P of mass and springs, for sides of any le
     CAPTURE(ny);
     Sheet sheet(any_sheet(nx, ny, R"(["top_left", {"nodes": [4, 12]}])"));
     sheet.perturb(ny, 0.05, 2);
-    sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+    sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
     const LinearStep step = sheet.linearise();
     const Hierarchy hierarchy(step.matrix, step.source);
     Matrix expected = explicit_matrix(sheet, 2.0 / 3 / 480, true);
@@ -160,7 +160,7 @@ TEST_CASE("coarse matrices are Pᵀ A P of mass and springs, for sides of any le
 TEST_CASE("coarse matrices have what obstacles hold nodes with") {
   Sheet sheet(any_sheet(16, 23, R"(["top_left"])"));
   sheet.perturb(5, 0.05, 2);
-  sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+  sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
   Random random(3);
   std::vector<Press> presses(16 * 23);
   const Matrix full = explicit_matrix(sheet, 2.0 / 3 / 480, false);
@@ -268,7 +268,7 @@ TEST_CASE(
                         {128, 128, 0.02, 0.75}}) {
     Sheet sheet(thin_sheet(c.nx, c.ny));
     if (c.wrinkles > 0) sheet.wrinkle(2, c.wrinkles);
-    sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+    sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
     const LinearStep step = sheet.linearise();
     const Convergence found = converge(Hierarchy(step.matrix, step.source), step.residual);
     MESSAGE(c.nx << " x " << c.ny << ", wrinkles " << c.wrinkles << " m: " << found.mean
@@ -295,7 +295,7 @@ TEST_CASE(
         "stiffness": {"structural": 2000, "shear": 200, "bend": 0, "bending": 1e-5}, "pins": ["top_left", "top_right"]}])";
     Sheet sheet(obstacles ? thin_sheet(65, 65) : soft);
     sheet.wrinkle(2, 0.02);
-    sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+    sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
     LinearStep step = sheet.linearise();
     Random random(1);
     for (std::size_t a = 0; obstacles && a < step.matrix.size(); ++a) {

@@ -102,7 +102,7 @@ struct Case {
 Sheet stepped(const Case& c) {
   Sheet sheet(mesh_cloth(c.pins, c.stiffness), {c.mesh});
   if (c.wrinkles > 0) sheet.wrinkle(2, c.wrinkles);
-  sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+  sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
   return sheet;
 }
 
@@ -144,7 +144,7 @@ TEST_CASE(
     Sheet sheet(mesh_cloth(R"([{"nodes": [0, 40]}])", kUsual, R"("drag": 0.7, )"), {mesh});
     sheet.system.drag = 0.7;
     sheet.perturb(5, 0.05, 2);
-    sheet.stepper.advance(sheet.system, sheet.system.position, 1.0 / 480);
+    sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
     const MeshStep step = sheet.linearise_mesh();
     Matrix expected = explicit_matrix(sheet, 2.0 / 3 / 480);
     const MeshHierarchy hierarchy(step.matrix);

@@ -169,7 +169,7 @@ TEST_CASE("a coarse sheet that falls on a needle is held by it between its verti
   const mesh::TriangleMesh needle{
       {{0.1F, -0.02F, 0.2F}, {0.11F, -0.6F, 0.2F}, {0.09F, -0.6F, 0.21F}, {0.09F, -0.6F, 0.19F}},
       {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
-  auto simulation = reference::Simulation::create(*scene, {{}}, {needle});
+  auto simulation = reference::Simulation::create(*scene, {.cloths = {{}}, .objects = {needle}});
   REQUIRE_OK(simulation);
   double above = 1;
   for (int frame = 0; frame < 12; ++frame) {
@@ -253,8 +253,8 @@ TEST_CASE("a mesh that keyframes lift does to a sheet what the same mesh does on
   for (Vec3f& p : box.positions) p.y -= 0.25F;
   mesh::TriangleMesh up = box;
   for (Vec3f& p : up.positions) p.y += 0.125F;
-  auto a = reference::Simulation::create(*deforming, {{}}, {box}, {{up}});
-  auto b = reference::Simulation::create(*moving, {{}}, {box});
+  auto a = reference::Simulation::create(*deforming, {.cloths = {{}}, .objects = {box}, .keyframes = {{up}}});
+  auto b = reference::Simulation::create(*moving, {.cloths = {{}}, .objects = {box}});
   REQUIRE_OK(a);
   REQUIRE_OK(b);
   advance(*a, 20);

@@ -182,7 +182,7 @@ TEST_CASE("an object's triangle without area is refused") {
   mesh::TriangleMesh flat;
   flat.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   flat.triangles = {{0, 1, 2}};
-  const auto refused = reference::Simulation::create(*scene, {{}}, {flat});
+  const auto refused = reference::Simulation::create(*scene, {.cloths = {{}}, .objects = {flat}});
   REQUIRE_FALSE(refused);
   CHECK(refused.error().kind == ErrorKind::Input);
 }

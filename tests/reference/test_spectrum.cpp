@@ -8,7 +8,7 @@ using namespace weft;
 TEST_CASE("where all springs are equally stiff, damping and stiffness have one spectrum; drag comes on top") {
   const auto simulation = simulation_of_text(R"("drag": 3, "cloths": [{"grid": [13, 17], "size": [1, 1],
     "density": 0.25, "damping": 0.02, "stiffness": {"structural": 500, "shear": 500, "bend": 500}}])");
-  const StepLimit& limit = simulation.step_limit();
+  const StepLimit& limit = simulation.plan().limit();
   const double stiffness = limit.highest_frequency * limit.highest_frequency;
   CHECK((limit.highest_damping - 3) / 0.02 == doctest::Approx(stiffness / 500).epsilon(1e-6));
   CHECK(limit.largest_step == doctest::Approx(largest_stable_step(stiffness, limit.highest_damping)));
@@ -16,7 +16,7 @@ TEST_CASE("where all springs are equally stiff, damping and stiffness have one s
 
 TEST_CASE("auto takes the rule of the solvers, and a given number of substeps stands") {
   auto simulation = simulation_of_file("hanging", {{"cloths.0.grid", "[24,24]"}});
-  const double least = simulation.scene().time.frame / (kStepSafety * simulation.step_limit().largest_step);
+  const double least = simulation.scene().time.frame / (kStepSafety * simulation.plan().limit().largest_step);
   CHECK(simulation.substeps() % 4 == 0);
   CHECK(simulation.substeps() >= least);
   CHECK(simulation.substeps() < least + 4);

@@ -80,7 +80,7 @@ TEST_CASE("a drag that would make the running step unstable is refused with both
   const scene::Override still{"wind", "{}"};  // at such a drag 2 m/s pull with 30 g
   auto world = world_of(fixture.device(), sheet({still}));
   // h < (√(μ² + 4 λ) - μ) / λ, solved for μ: drag adds to μ.
-  const NetworkSpectrum found = world->step_limit().cloths.at(0);
+  const NetworkSpectrum found = world->plan().limit().cloths.at(0);
   const double h = world->step();
   const double most = (4 - h * h * found.stiffness) / (2 * h) - found.damping;
   CHECK(most > 10);

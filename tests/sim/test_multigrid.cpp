@@ -84,7 +84,7 @@ TEST_CASE("frames of the implicit sheet are the reference's, with wind, a motion
       R"("density": 0.2, "pins": ["top_left"], "motions": [{"nodes": "top_right", "kind": "line", "direction": [-1, 0, 0], "speed": 0.5}],
          "grabs": [{"node": "bottom_left", "start": 0.05, "end": 0.15, "path": [{"time": 0, "point": [0, 0.5, 1]}]}])");
   auto world = world_of(fixture.device(), scene);
-  auto exact = reference::Simulation::create(scene, world->assets().cloths, world->assets().objects);
+  auto exact = reference::Simulation::create(scene, world->assets());
   REQUIRE_OK(exact);
   CHECK(exact->substeps() == world->substeps());
   CHECK(world->substeps() == 8);
@@ -185,7 +185,7 @@ TEST_CASE("a frame that is cut finer goes on as the others, in the reference too
       "colliders": [{"kind": "sphere", "center": [3, 0, 0], "radius": 0.1, "motion": {"kind": "line",
         "direction": [1, 0, 0], "speed": 3, "distance": 0.1, "start": 0.05}}])");
   auto world = world_of(fixture.device(), scene);
-  auto exact = reference::Simulation::create(scene, world->assets().cloths, world->assets().objects);
+  auto exact = reference::Simulation::create(scene, world->assets());
   REQUIRE_OK(exact);
   const std::vector<Vec3d> start = exact->positions();
   advance(*world, 12);
@@ -222,7 +222,7 @@ TEST_CASE("implicit cloth meets obstacles at rest, moving and turning as the ref
     CAPTURE(c.colliders);
     const scene::Scene scene = contact_scene(start + c.cloth + R"(], "colliders": [)" + c.colliders + "]");
     auto world = world_of(fixture.device(), scene);
-    auto exact = reference::Simulation::create(scene, world->assets().cloths, world->assets().objects);
+    auto exact = reference::Simulation::create(scene, world->assets());
     REQUIRE_OK(exact);
     const std::vector<Vec3d> first = exact->positions();
     advance(*world, 10);

@@ -55,7 +55,7 @@ TEST_CASE("frames of an implicit mesh are the reference's, beside a grid, with w
          "grabs": [{"node": {"nodes": [400]}, "start": 0.05, "end": 0.15, "path": [{"time": 0, "point": [0, 0.5, 1]}]}])")});
   const std::vector<mesh::TriangleMesh> cloths = {{}, jittered_sheet(25, 21, 2, 1.5)};
   auto world = world_of(fixture.device(), scene, cloths);
-  auto exact = reference::Simulation::create(scene, cloths, {});
+  auto exact = reference::Simulation::create(scene, {.cloths = cloths});
   REQUIRE_OK(exact);
   CHECK(world->substeps() == 8);
   CHECK(exact->substeps() == 8);
@@ -213,7 +213,7 @@ TEST_CASE("an implicit mesh meets a box and a ball that turns as the reference d
     auto made = sim::World::create(fixture.device(), scene, *assets);
     REQUIRE_OK(made);
     sim::World& world = **made;
-    auto exact = reference::Simulation::create(scene, assets->cloths, assets->objects);
+    auto exact = reference::Simulation::create(scene, *assets);
     REQUIRE_OK(exact);
     const std::vector<Vec3d> first = exact->positions();
     advance(world, 10);

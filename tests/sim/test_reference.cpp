@@ -23,15 +23,14 @@ class Twins {
         const std::string& contact = "\"bvh\"")
       : Twins(device, shipped_scene(name, {{"cloths.0.grid", grid}, {"contact.method", contact}})) {}
   Twins(gpu::Device& device, const scene::Scene& scene) : scene_(scene), world_(world_of(device, scene_)) {
-    auto made = reference::Simulation::create(scene_, world_->assets().cloths, world_->assets().objects,
-                                              world_->assets().keyframes);
+    auto made = reference::Simulation::create(scene_, world_->assets());
     REQUIRE_OK(made);
     exact_.emplace(std::move(*made));
     CHECK(exact_->substeps() == world_->substeps());
     CHECK(exact_->spring_count() == world_->spring_count());
     // Both find the limit by the same code.
-    CHECK(exact_->step_limit().largest_step ==
-          doctest::Approx(world_->step_limit().largest_step).epsilon(1e-4));
+    CHECK(exact_->plan().limit().largest_step ==
+          doctest::Approx(world_->plan().limit().largest_step).epsilon(1e-4));
   }
 
   /// The largest distance of a node from its twin after so many frames more [m].

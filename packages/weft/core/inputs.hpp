@@ -59,7 +59,7 @@ nlohmann::ordered_json describe(const Running& running, std::size_t nodes, std::
   json["substeps"] = running.substeps();
   json["frameSeconds"] = running.scene().time.frame;
   json["stepSeconds"] = running.step();
-  json["stableStepSeconds"] = running.step_limit().largest_step;
+  json["stableStepSeconds"] = running.plan().limit().largest_step;
   json["frames"] = running.scene().time.frames;
   json["droppedTriangles"] = dropped_triangles;
   return json;

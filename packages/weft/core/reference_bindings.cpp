@@ -24,8 +24,7 @@ weft::Result<void> load(const std::string& text, const std::string& lines) {
   simulation.reset();
   WEFT_TRY(changes, weft::web::parse_changes(lines));
   WEFT_TRY(inputs, weft::web::read_inputs(text, changes, kBytesPerNode));
-  WEFT_TRY(made, Simulation::create(inputs.scene, inputs.assets.cloths, inputs.assets.objects,
-                                    inputs.assets.keyframes));
+  WEFT_TRY(made, Simulation::create(inputs.scene, inputs.assets));
   simulation.emplace(std::move(made));
   dropped_triangles = inputs.assets.dropped_triangles;
   return {};

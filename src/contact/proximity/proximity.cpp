@@ -56,6 +56,8 @@ Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, con
   WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
   made.search_ = std::move(search);
   WEFT_CHECK(made.create_kernels(device, state, workgroup_size));
+  WEFT_TRY(respond, Respond::create(device, interval, workgroup_size));
+  made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(state, pairs));
   return made;
 }
@@ -76,7 +78,7 @@ Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) 
                                        search_.points(), pairs.contacts, state.statistics, pairs.presses}));
     press_groups_[parity] = std::move(press_group);
   }
-  return {};
+  return respond_.bind(state, pairs);
 }
 
 Result<void> Proximity::create_kernels(gpu::Device& device, const State& state,
@@ -111,16 +113,22 @@ void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, dou
   places_.write(device, std::span(rows_).first((substeps + 1) * count));
 }
 
-void Proximity::record_search(gpu::ComputePass& pass) const {
+void Proximity::search(gpu::ComputePass& pass) const {
   const ColliderSet& colliders = search_.colliders();
   if (colliders.moves)
     move_points_.dispatch(pass, move_group_,
                           std::max<std::size_t>(colliders.point_count, 3 * colliders.list.size()));
-  if (pass.step() % interval_ == 0) search_.record(pass);
+  if (pass.step() % interval_ != 0) return;
+  pass.begin_phase("search");
+  search_.record(pass);
+  pass.begin_phase("step");
+}
+
+void Proximity::press(gpu::ComputePass& pass) const {
   if (presses_) press_.dispatch_strided(pass, press_groups_[pass.parity()], pair_room_);
 }
 
-void Proximity::record_evaluate(gpu::ComputePass& pass) const {
+void Proximity::measure(gpu::ComputePass& pass) const {
   evaluate_.dispatch_strided(pass, evaluate_groups_[pass.parity()], pair_room_);
 }
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "contact/proximity/pair_search.hpp"
+#include "contact/proximity/respond.hpp"
+#include "contact/stages/stages.hpp"
 
 namespace weft::contact {
 
@@ -19,11 +21,12 @@ struct ProximityLengths {
 /// Errors  Input: the thickness is not positive, or below what f32 can tell apart where the cloth is.
 Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::Contact& contact);
 
-/// Contact by proximity. Before a substep is predicted: moves the colliders' points, finds pairs where that
-/// is due and, where the solver asks for it, what obstacles they press against. After it: measures the listed
-/// ones. Reads   state.steps; state.position[parity]; pairs.predicted: the solver's velocities. Writes pairs;
-/// state.statistics. Errors  Input, Limit, Shader, OutOfMemory. Source: docs/contact.md.
-class Proximity {
+/// Contact by proximity: pairs of near features, answered by impulses.
+/// Reads   state.steps; state.position[parity]; pairs.predicted: the solver's velocities.
+/// Writes  pairs; state.position[1 - parity], state.velocity[1 - parity]; state.statistics.
+/// Errors  Input, Limit, Shader, OutOfMemory.
+/// Source  docs/contact.md.
+class Proximity : public Stages {
  public:
   Proximity() = default;
   static Result<Proximity> create(gpu::Device& device, const Model& model, const State& state,
@@ -32,14 +35,17 @@ class Proximity {
                                   std::uint32_t interval, std::uint32_t workgroup_size);
   /// Takes over lists with other room. Errors  Limit, OutOfMemory.
   Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
-  void record_search(gpu::ComputePass& pass) const;
-  void record_evaluate(gpu::ComputePass& pass) const;
+  void search(gpu::ComputePass& pass) const override;
+  void press(gpu::ComputePass& pass) const override;
+  void measure(gpu::ComputePass& pass) const override;
+  void answer(gpu::ComputePass& pass) const override { respond_.record_impulses(pass); }
+  void hold_back(gpu::ComputePass& pass) const override { respond_.record_hold_back(pass); }
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
   void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
                     std::uint32_t substeps);
 
   const ProximityLengths& lengths() const { return lengths_; }
-  const PairSearch& search() const { return search_; }
+  const PairSearch& pair_search() const { return search_; }
 
  private:
   Result<void> create_kernels(gpu::Device& device, const State& state, std::uint32_t workgroup_size);
@@ -47,6 +53,7 @@ class Proximity {
 
   ProximityLengths lengths_;
   PairSearch search_;
+  Respond respond_;
   gpu::Kernel move_points_, press_, evaluate_;
   gpu::BindGroup move_group_;
   std::array<gpu::BindGroup, 2> press_groups_, evaluate_groups_;  // by parity

@@ -31,7 +31,6 @@ class PairsPaper {
                                    const Contacts& contacts, std::span<const ObjectTriangle> triangles,
                                    std::uint64_t max_pairs, std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const;
-  std::size_t dispatch_count() const { return dispatches_.size(); }
 
  private:
   struct Dispatch {

@@ -36,19 +36,6 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const HostMo
 /// motion in that time.
 double largest_speed(const ContactMover& mover, double begin, double end);
 
-/// Every so-manieth substep may look for pairs. The implicit solver's are long: in four of them what is fast
-/// goes further than it may go unseen.
-constexpr std::uint32_t search_interval(scene::SolverKind kind) {
-  return kind == scene::SolverKind::Multigrid ? 1 : 4;
-}
-
-/// Whether obstacles stand in the implicit solver's matrix: docs/solvers/multigrid.md, Contact. What bounces
-/// is left to impulses.
-inline bool solves_with_obstacles(const scene::Scene& scene, scene::SolverKind kind) {
-  return kind == scene::SolverKind::Multigrid && scene.contact.method == scene::ContactMethod::Proximity &&
-         !scene.colliders.empty() && scene.contact.restitution == 0;
-}
-
 inline constexpr std::uint32_t kMostContactSteps = 4096;
 /// By what the substeps of a frame, `step` long, are multiplied so that no mover travels more than half the
 /// thickness in one between two times: contact looks at places at the start of a substep, and must not find a

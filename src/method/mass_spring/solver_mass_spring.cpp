@@ -18,6 +18,25 @@ bool two_pay(const SolverInputs& inputs) {
 
 }  // namespace
 
+void SolverMassSpring::record(gpu::ComputePass& pass, const contact::Stages& contact,
+                              std::uint32_t count) const {
+  if (count == 2) {
+    for (const AdvanceGridTwice& cloth : twice_) cloth.record(pass);
+    return;
+  }
+  contact.search(pass);
+  record_predict(pass);
+  contact.measure(pass);
+  contact.answer(pass);
+  contact.hold_back(pass);
+}
+
+void SolverMassSpring::fill(StepParams& params) const {
+  params.spring_count = spring_count_;
+  params.force_scale = fixed_point_.scale;
+  params.force_limit = fixed_point_.limit;
+}
+
 void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
   if (spring_centric_) {
     if (spring_centric_->spring_forces) spring_centric_->spring_forces->record(pass);  // Algorithm 1
@@ -28,18 +47,12 @@ void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
   for (const AdvanceMesh& cloth : meshes_) cloth.record(pass);
 }
 
-void SolverMassSpring::record_two(gpu::ComputePass& pass) const {
-  for (const AdvanceGridTwice& cloth : twice_) cloth.record(pass);
-}
-
-void SolverMassSpring::record_solve(gpu::ComputePass& pass) const { contact_answer_.record(pass); }
-
 Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settings,
                                                      const SolverInputs& inputs) {
   SpringCentric made;
   const std::vector<Spring> springs = build_springs(inputs.model.host);
-  const ForceFixedPoint fixed_point = force_fixed_point(springs, inputs.model.vertex_count());
-  constants_ = {static_cast<std::uint32_t>(springs.size()), fixed_point.scale, fixed_point.limit};
+  spring_count_ = static_cast<std::uint32_t>(springs.size());
+  fixed_point_ = force_fixed_point(springs, inputs.model.vertex_count());
   WEFT_TRY(force,
            gpu::Buffer<std::int32_t>::create(inputs.device, 3UL * inputs.model.vertex_count(), "force"));
   made.force = std::move(force);
@@ -89,8 +102,6 @@ Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& se
   } else {
     WEFT_CHECK(made->create_spring_centric(settings, inputs));
   }
-  WEFT_TRY(answer, ContactAnswer::create(inputs, scene::SolverKind::MassSpring));
-  made->contact_answer_ = std::move(answer);
   return std::unique_ptr<Solver>(std::move(made));
 }
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "method/contact_answer.hpp"
 #include "method/mass_spring/advance_grid.hpp"
 #include "method/mass_spring/advance_grid_twice.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
@@ -22,14 +21,9 @@ class SolverMassSpring : public Solver {
   /// Errors  Shader, Limit, OutOfMemory, DeviceLost.
   static Result<std::unique_ptr<Solver>> create(const scene::Solver& settings, const SolverInputs& inputs);
 
-  void record_predict(gpu::ComputePass& pass) const override;
-  void record_solve(gpu::ComputePass& pass) const override;
-  bool takes_two() const override { return !twice_.empty(); }
-  void record_two(gpu::ComputePass& pass) const override;
-  Result<void> bind_lists(const State& state, const ContactPairs& pairs) override {
-    return contact_answer_.bind_lists(state, pairs);
-  }
-  SolverConstants constants() const override { return constants_; }
+  std::uint32_t substeps_at_once() const override { return twice_.empty() ? 1 : 2; }
+  void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
+  void fill(StepParams& params) const override;
 
  private:
   /// Algorithm 1: fixed-point sums of springs, each by itself or in blocks.
@@ -40,16 +34,17 @@ class SolverMassSpring : public Solver {
     IntegrateForces integrate_forces;
   };
 
+  void record_predict(gpu::ComputePass& pass) const;
   Result<void> create_spring_centric(const scene::Solver& settings, const SolverInputs& inputs);
   Result<void> create_node_centric(const SolverInputs& inputs);
 
-  SolverConstants constants_;
+  std::uint32_t spring_count_ = 0;
+  ForceFixedPoint fixed_point_;  // of spring_centric_
   std::optional<SpringCentric> spring_centric_;
   // One invocation a node; a dispatch for each cloth.
   std::vector<AdvanceGrid> grids_;
   std::vector<AdvanceGridTwice> twice_;
   std::vector<AdvanceMesh> meshes_;
-  ContactAnswer contact_answer_;
 };
 
 }  // namespace weft

@@ -139,10 +139,4 @@ NetworkSpectrum find_spectrum(const SpringNetwork& network) {
           largest_eigenvalue({rows_of(network, &Spring::damping), {}}, count)};
 }
 
-StepLimit mass_spring_step_limit(const HostModel& model, double drag) {
-  std::vector<NetworkSpectrum> cloths;
-  for (const ClothModel& cloth : model.cloths) cloths.push_back(find_spectrum(stiffest_part(model, cloth)));
-  return least_step_limit(std::move(cloths), drag);
-}
-
 }  // namespace weft

@@ -11,7 +11,4 @@ namespace weft {
 /// Van Loan, "Matrix Computations", section 10.1.
 NetworkSpectrum find_spectrum(const SpringNetwork& network);
 
-/// The least of the limits of the model's cloths.
-StepLimit mass_spring_step_limit(const HostModel& model, double drag);
-
 }  // namespace weft

@@ -2,12 +2,15 @@
 
 namespace weft {
 
-void SolverMultigrid::record_predict(gpu::ComputePass& pass) const {
+void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
+  contact.search(pass);
+  contact.press(pass);
   for (const GridCycle& cloth : grids_) cloth.record(pass, kernels_);
   for (const MeshCycle& cloth : meshes_) cloth.record(pass, mesh_kernels_);
+  contact.measure(pass);
+  contact.answer(pass);
+  contact.hold_back(pass);
 }
-
-void SolverMultigrid::record_solve(gpu::ComputePass& pass) const { contact_answer_.record(pass); }
 
 Result<void> SolverMultigrid::add_grid(const SolverInputs& inputs, const ClothModel& cloth) {
   if (grids_.empty()) {
@@ -36,8 +39,6 @@ Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inpu
   auto made = std::make_unique<SolverMultigrid>();
   for (const ClothModel& cloth : inputs.model.host.cloths)
     WEFT_CHECK(cloth.grid ? made->add_grid(inputs, cloth) : made->add_mesh(inputs, cloth));
-  WEFT_TRY(answer, ContactAnswer::create(inputs, scene::SolverKind::Multigrid));
-  made->contact_answer_ = std::move(answer);
   return std::unique_ptr<Solver>(std::move(made));
 }
 

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "method/contact_answer.hpp"
 #include "method/multigrid/grid_cycle.hpp"
 #include "method/multigrid/mesh_cycle.hpp"
 #include "method/solver.hpp"
@@ -15,13 +14,7 @@ class SolverMultigrid : public Solver {
   /// Errors  Shader, Limit, OutOfMemory.
   static Result<std::unique_ptr<Solver>> create(const SolverInputs& inputs);
 
-  void record_predict(gpu::ComputePass& pass) const override;
-  void record_solve(gpu::ComputePass& pass) const override;
-  Result<void> bind_lists(const State& state, const ContactPairs& pairs) override {
-    return contact_answer_.bind_lists(state, pairs);
-  }
-  SolverConstants constants() const override { return {}; }
-  bool reads_step_before() const override { return true; }
+  void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
 
  private:
   Result<void> add_grid(const SolverInputs& inputs, const ClothModel& cloth);
@@ -31,7 +24,6 @@ class SolverMultigrid : public Solver {
   MeshKernels mesh_kernels_;  // likewise, a mesh
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
-  ContactAnswer contact_answer_;
 };
 
 }  // namespace weft

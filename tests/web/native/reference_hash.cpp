@@ -19,7 +19,7 @@ weft::Result<std::string> hash_after(const std::string& path, long frames,
   WEFT_TRY(scene, weft::scene::load_scene(path, overrides));
   WEFT_TRY(assets, weft::load_assets(scene, WEFT_SOURCE_DIR "/models"));
   WEFT_TRY(simulation,
-           weft::reference::Simulation::create(scene, assets.cloths, assets.objects, assets.keyframes));
+           weft::reference::Simulation::create(scene, assets));
   for (long frame = 0; frame < frames; ++frame) WEFT_CHECK(simulation.advance_frame());
   return simulation.hash();
 }

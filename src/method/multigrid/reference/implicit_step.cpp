@@ -278,8 +278,8 @@ Field ImplicitStepper::solve(const Levels& hierarchy, const Field& r) const {
   return x;
 }
 
-void ImplicitStepper::advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
-                              double ratio, std::span<const Press> presses) {
+void ImplicitStepper::advance(const Substep& substep) {
+  const auto& [system, places, dt, ratio, presses] = substep;
   std::vector<Vec3d> position = system.position, velocity = system.velocity;
   std::vector<std::size_t> stopped;
   const auto finish = [&](const Cloth& cloth, const StepStart& step, const Field& dz) {

@@ -8,6 +8,7 @@
 #include "contact/reference/proximity/press.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "method/multigrid/reference/cycle.hpp"
+#include "method/stepper.hpp"
 
 namespace weft::reference {
 
@@ -44,20 +45,17 @@ StepFormula step_formula(double dt, double ratio);
 inline constexpr double kHoldStiffness = 10, kAgree = 0.3;
 
 /// Steps the cloths of a model by BDF2, linearised at the start of the step.
-class ImplicitStepper {
+class ImplicitStepper : public Stepper {
  public:
   explicit ImplicitStepper(const HostModel& model);
 
-  /// One step. `places` has where kinematic nodes are at its end. `ratio` is that of dt to the step before.
-  /// `presses` has what obstacles do to each node, or nothing.
-  void advance(MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio = 1,
-               std::span<const Press> presses = {});
+  void advance(const Substep& substep) override;
   /// The state a step before the one that is advanced next.
   void remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity);
   /// The next step is backward Euler: the state is not one that advance has left.
-  void forget();
+  void forget() override;
   /// Likewise for one node.
-  void forget(std::size_t node) { known_[node] = false; }
+  void forget(std::size_t node) override { known_[node] = false; }
 
   /// The linear system of cloth c, a grid, that advance would solve.
   LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,

@@ -1,22 +1,20 @@
-#include "contact/proximity/contact_respond.hpp"
+#include "contact/proximity/respond.hpp"
 
-namespace weft {
+namespace weft::contact {
 
-Result<ContactRespond> ContactRespond::create(gpu::Device& device, const State& state,
-                                              const ContactPairs& pairs, std::uint32_t interval,
-                                              std::uint32_t workgroup_size) {
-  ContactRespond made;
-  WEFT_TRY(impulse, gpu::Kernel::create(device, "contact/proximity/contact_impulse.wgsl", {}, workgroup_size));
+Result<Respond> Respond::create(gpu::Device& device, std::uint32_t interval, std::uint32_t workgroup_size) {
+  Respond made;
+  WEFT_TRY(impulse,
+           gpu::Kernel::create(device, "contact/proximity/contact_impulse.wgsl", {}, workgroup_size));
   made.impulse_ = std::move(impulse);
   WEFT_TRY(respond,
            gpu::Kernel::create(device, "contact/proximity/contact_respond.wgsl",
                                {{"kDetectInterval", static_cast<double>(interval)}}, workgroup_size));
   made.respond_ = std::move(respond);
-  WEFT_CHECK(made.bind(state, pairs));
   return made;
 }
 
-Result<void> ContactRespond::bind(const State& state, const ContactPairs& pairs) {
+Result<void> Respond::bind(const State& state, const ContactPairs& pairs) {
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(impulse_group, impulse_.bind({state.steps, state.position[parity], pairs.predicted,
                                            pairs.contacts, pairs.vertex_contacts, state.statistics}));
@@ -32,9 +30,12 @@ Result<void> ContactRespond::bind(const State& state, const ContactPairs& pairs)
   return {};
 }
 
-void ContactRespond::record(gpu::ComputePass& pass) const {
+void Respond::record_impulses(gpu::ComputePass& pass) const {
   impulse_.dispatch_strided(pass, impulse_groups_[pass.parity()], pair_room_);
+}
+
+void Respond::record_hold_back(gpu::ComputePass& pass) const {
   respond_.dispatch(pass, respond_groups_[pass.parity()], vertex_count_);
 }
 
-}  // namespace weft
+}  // namespace weft::contact

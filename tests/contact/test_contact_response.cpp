@@ -3,7 +3,7 @@
 
 #include "gpu/gpu_fixture.hpp"
 #include "contact/pushes/contact_response.hpp"
-#include "solver_rig.hpp"
+#include "method/solver_rig.hpp"
 
 using namespace weft;
 

@@ -1,0 +1,141 @@
+#include "contact/scene_contact.hpp"
+
+#include <algorithm>
+
+#include "contact/proximity/proximity.hpp"
+#include "contact/pushes/pushes.hpp"
+#include "contact/rules/contact_law.hpp"
+
+namespace weft::contact {
+namespace {
+
+PushSetup push_setup(const scene::Scene& scene, const Assets& assets, std::uint32_t workgroup_size) {
+  PushSetup setup;
+  setup.method = scene.contact.method;
+  setup.thickness = scene.contact.thickness;
+  setup.objects = assets.objects;
+  setup.workgroup_size = workgroup_size;
+  for (const scene::Collider& collider : scene.colliders) {
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) setup.spheres.push_back(*sphere);
+    if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) setup.planes.push_back(*plane);
+  }
+  return setup;
+}
+
+/// What the lists have room for at first; make_room makes them longer when they are short.
+ContactRoom first_room(const Model& model) {
+  return {std::max(32768U, 2 * model.triangle_count()), std::max(131072U, 12 * model.triangle_count())};
+}
+
+}  // namespace
+
+SceneContact::SceneContact() = default;
+SceneContact::SceneContact(SceneContact&&) noexcept = default;
+SceneContact& SceneContact::operator=(SceneContact&&) noexcept = default;
+SceneContact::~SceneContact() = default;
+
+Result<SceneContact> SceneContact::create(gpu::Device& device, const Model& model, const State& state,
+                                          const scene::Scene& scene, const Assets& assets,
+                                          const SceneContactSetup& setup) {
+  SceneContact made;
+  switch (scene.contact.method) {
+    case scene::ContactMethod::Proximity:
+      if (scene.contact.self || !scene.colliders.empty())
+        WEFT_CHECK(made.create_proximity(device, model, state, scene, assets, setup));
+      break;
+    case scene::ContactMethod::Paper:
+    case scene::ContactMethod::Bvh:
+      if (!scene.colliders.empty())
+        WEFT_CHECK(made.create_pushes(device, model, state, scene, assets, setup));
+      break;
+    case scene::ContactMethod::None:
+      break;
+  }
+  return made;
+}
+
+Result<void> SceneContact::create_proximity(gpu::Device& device, const Model& model, const State& state,
+                                            const scene::Scene& scene, const Assets& assets,
+                                            const SceneContactSetup& setup) {
+  const ContactRoom room = setup.room ? *setup.room : first_room(model);
+  WEFT_TRY(contacts, Contacts::create_pairs(device, model.host, room, setup.presses));
+  contacts_ = std::move(contacts);
+  WEFT_TRY(proximity, Proximity::create(device, model, state, *contacts_->pairs, scene,
+                                        {assets.objects, assets.object_colliders, assets.keyframes},
+                                        setup.most_substeps, setup.interval, setup.workgroup_size));
+  proximity_ = std::make_unique<Proximity>(std::move(proximity));
+  WEFT_TRY(counts, gpu::Buffer<float>::create(device, model.vertex_count(), "contact counts"));
+  counts_ = std::move(counts);
+  return {};
+}
+
+Result<void> SceneContact::create_pushes(gpu::Device& device, const Model& model, const State& state,
+                                         const scene::Scene& scene, const Assets& assets,
+                                         const SceneContactSetup& setup) {
+  WEFT_TRY(contacts, Contacts::create_pushes(device, model.host));
+  contacts_ = std::move(contacts);
+  WEFT_TRY(pushes, Pushes::create(device, model, state, *contacts_,
+                                  push_setup(scene, assets, setup.workgroup_size)));
+  pushes_ = std::make_unique<Pushes>(std::move(pushes));
+  return {};
+}
+
+const Stages& SceneContact::stages() const {
+  static const Stages none;
+  if (pushes_) return *pushes_;
+  if (proximity_) return *proximity_;
+  return none;
+}
+
+void SceneContact::fill(StepParams& params, const scene::Scene& scene) const {
+  params.thickness = static_cast<float>(scene.contact.thickness);
+  if (pushes_) {
+    params.push_scale = pushes_->push_scale();
+    params.max_push = pushes_->max_push();
+  }
+  if (!proximity_) return;
+  const ProximityLengths& lengths = proximity_->lengths();
+  params.self_thickness = static_cast<float>(lengths.self_thickness);
+  params.least_reach = static_cast<float>(lengths.least_reach);
+  params.most_reach = static_cast<float>(lengths.most_reach);
+  params.contact_damping = static_cast<float>(contact_damping(scene.contact.restitution));
+  params.point_count = proximity_->pair_search().colliders().point_count;
+  params.first_place = static_cast<std::uint32_t>(scene.colliders.size());
+}
+
+void SceneContact::write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
+                                std::uint32_t substeps) {
+  if (proximity_) proximity_->write_places(device, scene, time, step, substeps);
+}
+
+Result<void> SceneContact::make_room(gpu::Device& device, const State& state, const Statistics& short_of) {
+  ContactPairs& pairs = *contacts_->pairs;
+  const ContactRoom room =
+      grown(pairs.room, {short_of.pairs, short_of.candidates}, device.limits().max_storage_binding_size);
+  WEFT_CHECK(pairs.make_room(device, room));
+  WEFT_CHECK(proximity_->bind_lists(device, state, pairs));
+  return counter_ ? create_counter(device) : Result<void>{};
+}
+
+void SceneContact::record_forget(gpu::CommandList& list) const {
+  if (!proximity_) return;
+  list.clear(contacts_->pairs->vertex_contacts.source());
+  if (contacts_->pairs->presses.size() > 0) list.clear(contacts_->pairs->presses.source());
+}
+
+Result<void> SceneContact::create_counter(gpu::Device& device) {
+  WEFT_TRY(counter, ContactCounts::create(device, *contacts_->pairs, counts_));
+  counter_ = std::move(counter);
+  return {};
+}
+
+Result<void> SceneContact::count(gpu::Device& device, bool on) {
+  counter_.reset();
+  return on && proximity_ ? create_counter(device) : Result<void>{};
+}
+
+void SceneContact::record_counts(gpu::ComputePass& pass) const {
+  if (counter_) counter_->record(pass);
+}
+
+}  // namespace weft::contact

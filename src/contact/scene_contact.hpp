@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "contact/proximity/contact_counts.hpp"
+#include "contact/stages/stages.hpp"
+#include "model/assets.hpp"
+#include "scene/scene.hpp"
+#include "state/state.hpp"
+
+namespace weft::contact {
+
+class Proximity;
+class Pushes;
+
+/// What a scene's contact is made of beside the scene itself.
+struct SceneContactSetup {
+  std::optional<ContactRoom> room;  // of proximity's lists at first; none: by the number of triangles
+  std::uint32_t most_substeps = 1;  // of any frame
+  std::uint32_t interval = 4;       // substeps from one that may search to the next
+  bool presses = false;             // whether the solver solves with obstacles
+  std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+};
+
+/// The contact of a scene: its buffers and its stages, whichever method the scene names; nothing where it has none.
+class SceneContact {
+ public:
+  SceneContact();
+  SceneContact(SceneContact&&) noexcept;
+  SceneContact& operator=(SceneContact&&) noexcept;
+  ~SceneContact();
+
+  /// Errors  Input, Limit, Shader, OutOfMemory.
+  static Result<SceneContact> create(gpu::Device& device, const Model& model, const State& state,
+                                     const scene::Scene& scene, const Assets& assets,
+                                     const SceneContactSetup& setup);
+
+  /// Null where the scene has no contact.
+  const Contacts* contacts() const { return contacts_ ? &*contacts_ : nullptr; }
+  const Stages& stages() const;
+
+  /// Sets what contact reads of a substep's parameters and what no substep changes.
+  void fill(StepParams& params, const scene::Scene& scene) const;
+  /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
+  void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
+                    std::uint32_t substeps);
+
+  /// Makes lists that were too short longer. Recorded commands that name them are void. Errors  Limit, OutOfMemory.
+  Result<void> make_room(gpu::Device& device, const State& state, const Statistics& short_of);
+  /// Clears what a frame that is repeated must not see of its first attempt.
+  void record_forget(gpu::CommandList& list) const;
+
+  /// How many pairs act on each vertex, f32, while they are counted; null where no pairs are listed.
+  const gpu::Buffer<float>* counts() const { return proximity_ ? &counts_ : nullptr; }
+  bool counting() const { return counter_.has_value(); }
+  /// Whether counts() is kept up from now on. Errors  Shader.
+  Result<void> count(gpu::Device& device, bool on);
+  /// Counts, while that is on: at the end of a frame.
+  void record_counts(gpu::ComputePass& pass) const;
+
+ private:
+  Result<void> create_proximity(gpu::Device& device, const Model& model, const State& state,
+                                const scene::Scene& scene, const Assets& assets, const SceneContactSetup& setup);
+  Result<void> create_pushes(gpu::Device& device, const Model& model, const State& state,
+                             const scene::Scene& scene, const Assets& assets, const SceneContactSetup& setup);
+  Result<void> create_counter(gpu::Device& device);
+
+  std::optional<Contacts> contacts_;
+  std::unique_ptr<Pushes> pushes_;        // of methods paper and bvh
+  std::unique_ptr<Proximity> proximity_;  // of method proximity
+  gpu::Buffer<float> counts_;
+  std::optional<ContactCounts> counter_;
+};
+
+}  // namespace weft::contact

@@ -1,0 +1,35 @@
+#include "method/mass_spring/plan.hpp"
+
+#include "method/mass_spring/spectrum.hpp"
+
+namespace weft {
+
+StepLimit mass_spring_step_limit(const HostModel& model, double drag) {
+  std::vector<NetworkSpectrum> cloths;
+  for (const ClothModel& cloth : model.cloths) cloths.push_back(find_spectrum(stiffest_part(model, cloth)));
+  return least_step_limit(std::move(cloths), drag);
+}
+
+Method mass_spring_method() {
+  Method row{};
+  row.kind = scene::SolverKind::MassSpring;
+  row.step_limit = [](const scene::Scene& scene, const HostModel& model) {
+    return mass_spring_step_limit(model, scene.drag);
+  };
+  row.with_drag = [](const StepLimit& limit, double drag) { return least_step_limit(limit.cloths, drag); };
+  row.auto_substeps = choose_substeps;
+  row.auto_verdict = [](const HostModel&) { return AutoVerdict{true, ""}; };
+  row.memory = [](const scene::Solver& settings) {
+    const double springs = settings.forces == scene::Forces::SpringCentric ? 84
+                           : settings.forces == scene::Forces::SpringBlocks ? 67
+                                                                            : 0;
+    return SolverMemory{springs, 16};
+  };
+  row.settings_word = [](const scene::Solver& settings) { return scene::name_of(settings.forces); };
+  row.search_interval = 4;
+  row.holds_obstacles = false;
+  row.history = 0;
+  return row;
+}
+
+}  // namespace weft

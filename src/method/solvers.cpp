@@ -1,0 +1,19 @@
+// A line a method.
+#include "method/mass_spring/solver_mass_spring.hpp"
+#include "method/multigrid/solver_multigrid.hpp"
+
+namespace weft {
+
+Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const SolverInputs& inputs) {
+  switch (settings.kind) {
+    case scene::SolverKind::MassSpring:
+      return SolverMassSpring::create(settings, inputs);
+    case scene::SolverKind::Multigrid:
+      return SolverMultigrid::create(inputs);
+    case scene::SolverKind::Auto:
+      break;
+  }
+  return make_error(ErrorKind::Failure, "Solver kind %s cannot be made.", scene::name_of(settings.kind));
+}
+
+}  // namespace weft

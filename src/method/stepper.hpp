@@ -1,0 +1,37 @@
+// A method's step in double: the oracle of its solver.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/reference/proximity/press.hpp"
+#include "method/mass_spring/reference/mass_spring.hpp"
+#include "model/host_model.hpp"
+#include "scene/scene.hpp"
+
+namespace weft::reference {
+
+/// A substep before contact.
+struct Substep {
+  MassSpringSystem& system;             // its state goes on by one step
+  const std::vector<Vec3d>& places;     // where nodes that follow a motion are at its end [m]
+  double dt = 0;                        // [s]
+  double ratio = 1;                     // of dt to the step before; 0: a method with a history begins anew
+  std::span<const Press> presses = {};  // what obstacles do to each node, for a method that solves with it
+};
+
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  virtual void advance(const Substep& substep) = 0;
+  /// The state is not one that advance has left: nothing of the steps before counts.
+  virtual void forget() {}
+  /// Likewise for one node.
+  virtual void forget(std::size_t) {}
+};
+
+/// Of a kind that is not Auto. The model must outlive it.
+std::unique_ptr<Stepper> make_stepper(scene::SolverKind kind, const HostModel& model);
+
+}  // namespace weft::reference

@@ -1,0 +1,15 @@
+// The methods. A new one: its folder, a row here, and a line in each of the two factories (solvers.cpp, steppers.cpp).
+#include <array>
+
+#include "method/mass_spring/plan.hpp"
+#include "method/method.hpp"
+#include "method/multigrid/plan.hpp"
+
+namespace weft {
+
+std::span<const Method> methods() {
+  static const std::array rows = {multigrid_method(), mass_spring_method()};
+  return rows;
+}
+
+}  // namespace weft

@@ -1,0 +1,54 @@
+// How a scene is stepped, decided on the host: the same for the GPU and for the reference.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/rules/contact_steps.hpp"
+#include "method/method.hpp"
+#include "model/assets.hpp"
+#include "model/host_model.hpp"
+#include "scene/motion.hpp"
+#include "scene/scene.hpp"
+
+namespace weft::sim {
+
+/// The method, the substeps of each frame and where things that move are in them. Times in [s].
+class FramePlan {
+ public:
+  FramePlan() = default;
+  /// Errors  Limit: "auto" needs more substeps than scenes allow.
+  static Result<FramePlan> create(const scene::Scene& scene, const HostModel& model, const Assets& assets);
+
+  const Method& method() const { return *choice_.method; }
+  /// Why "auto" took that method; "" where the scene names it.
+  const std::string& reason() const { return choice_.reason; }
+  const StepLimit& limit() const { return limit_; }
+  void set_limit(StepLimit limit) { limit_ = std::move(limit); }
+
+  /// Of a frame in which nothing moves fast.
+  std::uint32_t substeps() const { return substeps_; }
+  double step() const { return frame_time_ / substeps_; }
+  /// Of a frame, counted from 0: more than substeps() where something is moved fast (docs/contact.md).
+  std::uint32_t substeps_of(std::uint32_t frame) const;
+  /// The most of any frame.
+  std::uint32_t most_substeps() const { return most_substeps_; }
+  /// The length of a frame's substeps by that of the frame before it; 0: a method with a history begins anew.
+  double step_ratio_of(std::uint32_t frame) const;
+  /// The most that any point of a mover does in a frame [m/s].
+  double fastest_mover(std::uint32_t frame) const;
+  double begin_of(std::uint32_t frame) const { return frame * frame_time_; }
+  /// When a substep of a frame of `count` ends, for motions.
+  double end_of(std::uint32_t frame, std::uint32_t substep, std::uint32_t count) const {
+    return (static_cast<double>(frame) * count + substep + 1) * (frame_time_ / count);
+  }
+
+ private:
+  MethodChoice choice_;
+  StepLimit limit_;
+  std::vector<ContactMover> movers_;  // where contact looks at places at the start of a substep
+  double frame_time_ = 0, thickness_ = 0;
+  std::uint32_t substeps_ = 1, most_substeps_ = 1;
+};
+
+}  // namespace weft::sim
