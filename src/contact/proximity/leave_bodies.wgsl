@@ -1,0 +1,37 @@
+// How a vertex leaves the bodies that it is inside of. The including kernel binds step, contacts and entries.
+// Source: docs/contact.md, equation (7d).
+#include "state/contact.wgsl"
+
+// What pairs with bodies that a vertex is inside of ask of it, in sums of integers.
+struct OutOfBody {
+  way : vec3i,      // 2^-16
+  surface : vec3i,  // the bodies' velocity, 2^-16 m/s
+  parts : u32,      // 2^-16
+}
+const kPartUnits = 65536.0;
+
+fn bodies_around(begin : u32, end : u32) -> OutOfBody {
+  var body = OutOfBody(vec3i(0), vec3i(0), 0u);
+  for (var k = begin; k < end; k++) {
+    if ((entries[k] & kEntryNear) == 0u) { continue; }
+    let contact = contacts[entries[k] / kEntryPair];
+    if (contact.solid != kUntangles || contact.urgency == 0.0 || is_self_pair(contact.ids)) { continue; }
+    let weight = weights_of(contact.ids, contact.place.x, contact.place.y)[entries[k] & 3u];
+    let part = kPartUnits * weight * -contact.normal.w;
+    body.way += vec3i(round(part * contact.normal.xyz));
+    body.surface -= vec3i(round(clamp(part * contact.surface.xyz, vec3f(-kMostUnits), vec3f(kMostUnits))));
+    body.parts += u32(round(abs(part)));
+  }
+  return body;
+}
+
+// A body gives no way, and its facets do not agree on where outside is. The vertex goes where most of them say.
+fn out_of_body(body : OutOfBody, v : vec3f) -> vec3f {
+  if (body.parts == 0u) { return vec3f(0.0); }
+  let way = vec3f(body.way) / f32(body.parts);
+  let agreement = length(way);
+  if (agreement <= 0.0) { return vec3f(0.0); }
+  let n = way / agreement;
+  let wanted = step.thickness * min(kUntanglePart / step.dt, kUntangleRate);
+  return max(0.0, wanted - dot(n, v - vec3f(body.surface) / f32(body.parts))) * n;
+}

@@ -1,0 +1,18 @@
+// Whether the next substep that may search has to. The including kernel binds step and statistics, and sets
+// kDetectInterval. Source: docs/contact.md, Reach.
+#include "state/statistics.wgsl"
+
+// Once a substep: colliders travel by what no vertex's reach knows of, and what crosses comes apart ring by ring.
+fn schedule_for_colliders() {
+  atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatFound]));
+  let travel = bitcast<f32>(atomicLoad(&statistics[kStatTravel])) + step.acceleration.w;
+  atomicStore(&statistics[kStatTravel], bitcast<u32>(travel));
+  let next = kReachMargin * kDetectInterval * step.acceleration.w;
+  let leaves_reach = next > 0.0 && travel + next > bitcast<f32>(atomicLoad(&statistics[kStatReach]));
+  if (leaves_reach || atomicLoad(&statistics[kStatFound]) != 0u) { atomicStore(&statistics[kStatDetect], 1u); }
+}
+
+// A vertex that is about to leave its reach.
+fn schedule_for_vertex(gone : f32, way : f32, reach : f32) {
+  if (gone + kReachMargin * kDetectInterval * way > reach) { atomicStore(&statistics[kStatDetect], 1u); }
+}
