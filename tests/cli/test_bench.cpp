@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "source_path.hpp"
 #include "weft.hpp"
 
 using namespace weft;
@@ -181,7 +182,7 @@ TEST_CASE(
 TEST_CASE("the rows of bench multigrid end in the bits of a run without a clock") {
   const auto hash_of = [](const std::string& scene, const std::string& solver, const std::string& side) {
     const Ended ended =
-        run_weft({"run", WEFT_SOURCE_DIR "/scenes/" + scene + ".json", "--solver", solver, "--frames", "15",
+        run_weft({"run", source_path("scenes/" + scene + ".json"), "--solver", solver, "--frames", "15",
                   "--set", "cloths.0.grid=[" + side + "," + side + "]", "--json"});
     REQUIRE_MESSAGE(ended.code == 0, ended.err);
     return json_of(ended.out).at("state_hash");

@@ -6,6 +6,7 @@
 #include "mesh/mesh_files.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
+#include "source_path.hpp"
 #include "weft.hpp"
 
 using namespace weft;
@@ -55,7 +56,7 @@ TEST_CASE("check reads a scene and its meshes without any adapter") {
 
 TEST_CASE("check accepts every shipped scene") {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(WEFT_SOURCE_DIR "/scenes")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("scenes"))) {
     const Ended ended = run_without_driver({"check", entry.path().string()});
     CHECK_MESSAGE(ended.code == 0, ended.err);
     ++count;
@@ -77,7 +78,7 @@ TEST_CASE("meshes lie beside their scene and models beside the program, wherever
   const TemporaryFolder folder;
   for (const char* name : {"bin", "models", "scenes", "elsewhere", "others"})
     std::filesystem::create_directory(folder.path(name));
-  const std::filesystem::path binary = WEFT_BINARY;
+  const std::filesystem::path binary = weft_binary();
   std::filesystem::copy_file(binary, folder.path("bin/weft"));
   std::filesystem::create_symlink(binary.parent_path() / "libwgpu_native.so",
                                   folder.path("bin/libwgpu_native.so"));
@@ -255,10 +256,10 @@ TEST_CASE("output that cannot be written whole is a failure") {
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", tiny_scene());
   for (const std::string command : {"schema", "completion bash", "run --help", "--version"}) {
-    const Ended ended = call({"/bin/sh", "-c", std::string(WEFT_BINARY) + " " + command + " > /dev/full"});
+    const Ended ended = call({"/bin/sh", "-c", weft_binary() + " " + command + " > /dev/full"});
     CAPTURE(command);
     CHECK(ended.code == 1);
     CHECK(ended.err == "weft: Standard output cannot be written: No space left on device.\n");
   }
-  CHECK(call({"/bin/sh", "-c", WEFT_BINARY " check " + scene + " > /dev/full"}).code == 1);
+  CHECK(call({"/bin/sh", "-c", weft_binary() + " check " + scene + " > /dev/full"}).code == 1);
 }

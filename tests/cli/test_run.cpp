@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "mesh/grid.hpp"
+#include "source_path.hpp"
 #include "weft.hpp"
 
 using namespace weft;
@@ -103,7 +104,7 @@ TEST_CASE("the summary has every documented member, with the values that follow 
 }
 
 TEST_CASE("a run counts its contacts, and those of the paper's method are the tree's") {
-  const std::string scene = WEFT_SOURCE_DIR "/scenes/pull-sphere.json";
+  const std::string scene = source_path("scenes/pull-sphere.json");
   const std::vector<std::string> small = {"--frames", "2", "--set", "cloths.0.grid=[16,16]"};
   std::vector<std::string> with_tree = small;
   with_tree.insert(with_tree.end(), {"--set", "contact.method=bvh"});

@@ -8,17 +8,20 @@
 
 #include "base/file.hpp"
 #include "mesh/obj.hpp"
+#include "source_path.hpp"
 
 namespace weft {
 
+std::string weft_binary() { return WEFT_BINARY; }
+
 std::vector<std::string> weft_command(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), WEFT_BINARY);
+  arguments.insert(arguments.begin(), weft_binary());
   return arguments;
 }
 
 CallOptions on_lavapipe(CallOptions options) {
   std::vector<std::string> all = {
-      "WEFT_MODELS=" WEFT_SOURCE_DIR "/models",
+      "WEFT_MODELS=" + source_path("models"),
       "WEFT_SHADERS",
       "VK_DRIVER_FILES=" WEFT_LAVAPIPE,
       "VK_ICD_FILENAMES=" WEFT_LAVAPIPE,
@@ -96,7 +99,7 @@ std::size_t count_frames(const std::string& folder) {
 bool has_program(const std::string& name) { return call({"/bin/sh", "-c", "command -v " + name}).code == 0; }
 
 bool eventually(const std::function<bool()>& condition) {
-  for (int k = 0; k < 15000 && !condition(); ++k) ::usleep(1000);
+  for (int k = 0; k < 200000 && !condition(); ++k) ::usleep(1000);
   return condition();
 }
 

@@ -18,6 +18,8 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 
+/// The path of the program.
+std::string weft_binary();
 /// Runs weft with these arguments, on lavapipe unless the options say otherwise.
 Ended run_weft(std::vector<std::string> arguments, const CallOptions& options = {});
 /// The same for a command that needs no adapter: no driver is to be found.
@@ -43,7 +45,7 @@ std::vector<std::string> names_in(const std::string& folder);
 std::size_t count_frames(const std::string& folder);
 /// Whether this program is on PATH.
 bool has_program(const std::string& name);
-/// Waits until the condition holds; false if it does not within 15 s.
+/// Waits until the condition holds; false if it does not within 200 s, which ends a hang only.
 bool eventually(const std::function<bool()>& condition);
 
 /// What is wrong with a call of weft check that must end with this code and a message of these words; empty

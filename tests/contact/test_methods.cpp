@@ -9,6 +9,7 @@
 #include "mesh/read_mesh.hpp"
 #include "contact/reference/pushes/pairs.hpp"
 #include "contact/reference/pushes/pushes.hpp"
+#include "source_path.hpp"
 
 using namespace weft;
 using contact::PushSetup;
@@ -24,7 +25,7 @@ constexpr PoseShape kShapes[] = {
 
 mesh::TriangleMesh object_of(const std::string& name) {
   if (name == "sphere") return mesh::make_sphere(20, 20);
-  auto mesh = mesh::read_mesh(std::string(WEFT_SOURCE_DIR) + "/models/" + name + ".ply");
+  auto mesh = mesh::read_mesh(source_path("models/" + name + ".ply"));
   REQUIRE_MESSAGE(mesh, mesh.error().message);
   mesh::drop_degenerate_triangles(*mesh);
   return *mesh;

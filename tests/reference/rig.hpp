@@ -9,13 +9,14 @@
 #include "reference/simulation.hpp"
 #include "scene/load.hpp"
 #include "model/assets.hpp"
+#include "source_path.hpp"
 
 namespace weft {
 
 #define REQUIRE_OK(result) REQUIRE_MESSAGE(static_cast<bool>(result), (result).error().message)
 
 inline reference::Simulation simulation_of(const scene::Scene& scene) {
-  const auto assets = load_assets(scene, WEFT_SOURCE_DIR "/models");
+  const auto assets = load_assets(scene, source_path("models"));
   REQUIRE_OK(assets);
   auto simulation = reference::Simulation::create(scene, *assets);
   REQUIRE_OK(simulation);
@@ -24,7 +25,7 @@ inline reference::Simulation simulation_of(const scene::Scene& scene) {
 
 inline reference::Simulation simulation_of_file(const std::string& name,
                                                 const std::vector<scene::Override>& overrides) {
-  const auto scene = scene::load_scene(WEFT_SOURCE_DIR "/scenes/" + name + ".json", overrides);
+  const auto scene = scene::load_scene(source_path("scenes/" + name + ".json"), overrides);
   REQUIRE_OK(scene);
   return simulation_of(*scene);
 }

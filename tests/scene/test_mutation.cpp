@@ -5,6 +5,7 @@
 #include "base/file.hpp"
 #include "base/random.hpp"
 #include "scene/load.hpp"
+#include "source_path.hpp"
 #include "texts.hpp"
 
 using namespace weft;
@@ -57,7 +58,7 @@ TEST_CASE("six thousand mutated scenes are read or refused with one sentence, an
                         {"kind": "box", "center": [0, 0, 0], "size": [1, 1, 1], "friction": 0.5,
                          "motion": {"kind": "path", "points": [[1, [0, 0, 1]], [2, [0, 1, 0]]]}},
                         {"kind": "mesh", "mesh": "a", "keyframes": [{"time": 1, "mesh": "b"}, {"time": 2, "mesh": "a"}]})")};
-  for (const auto& entry : std::filesystem::directory_iterator(WEFT_SOURCE_DIR "/scenes"))
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("scenes")))
     texts.push_back(text_of(entry.path().string()));
   Random random(2024);
   int read = 0, refused = 0;

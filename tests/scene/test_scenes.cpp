@@ -8,6 +8,7 @@
 #include "scene/load.hpp"
 #include "scene/motion.hpp"
 #include "scene/select.hpp"
+#include "source_path.hpp"
 #include "temporary_folder.hpp"
 #include "texts.hpp"
 
@@ -16,7 +17,7 @@ using namespace weft::scene;
 
 namespace {
 
-const std::string kScenes = WEFT_SOURCE_DIR "/scenes/";
+const std::string kScenes = source_path("scenes/");
 
 Scene loaded(const std::string& name) {
   auto scene = load_scene(kScenes + name);
@@ -130,7 +131,7 @@ void collect(const Type& type, std::vector<std::string>& words) {
 }  // namespace
 
 TEST_CASE("docs/scene.md names every key and every choice") {
-  const auto bytes = read_file(WEFT_SOURCE_DIR "/docs/scene.md", 1 << 20);
+  const auto bytes = read_file(source_path("docs/scene.md"), 1 << 20);
   REQUIRE(bytes);
   const std::string docs(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   std::vector<std::string> words;
@@ -143,7 +144,7 @@ TEST_CASE("docs/scene.md names every key and every choice") {
 }
 
 TEST_CASE("the example of docs/scene.md is a scene, whose flag turns about its pole") {
-  const auto bytes = read_file(WEFT_SOURCE_DIR "/docs/scene.md", 1 << 20);
+  const auto bytes = read_file(source_path("docs/scene.md"), 1 << 20);
   REQUIRE(bytes);
   const std::string docs(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   const std::size_t start = docs.find("```json\n") + 8;

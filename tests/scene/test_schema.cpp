@@ -9,6 +9,7 @@
 #include "scene/load.hpp"
 #include "scene/schema.hpp"
 #include "schema_validator.hpp"
+#include "source_path.hpp"
 #include "texts.hpp"
 
 using namespace weft;
@@ -78,7 +79,7 @@ TEST_CASE("the schema accepts what the loader accepts") {
   CHECK(accepts(
       proximity_with(R"({"kind": "box", "center": [0, 0, 0], "size": [1, 2, 3], "rotate": [0, 0, 0, 1]})")));
   CHECK(accepts(proximity_with(R"({"kind": "mesh", "mesh": "a", "keyframes": [{"time": 1, "mesh": "b"}]})")));
-  for (const auto& entry : std::filesystem::directory_iterator(WEFT_SOURCE_DIR "/scenes")) {
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("scenes"))) {
     const auto bytes = read_file(entry.path().string(), 1 << 20);
     REQUIRE(bytes);
     CHECK(accepts({reinterpret_cast<const char*>(bytes->data()), bytes->size()}));

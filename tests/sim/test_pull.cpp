@@ -6,6 +6,7 @@
 
 #include "pictures.hpp"
 #include "contact/reference/pushes/winding.hpp"
+#include "source_path.hpp"
 #include "temporary_folder.hpp"
 #include "world_rig.hpp"
 
@@ -43,7 +44,7 @@ void check_picture(sim::World& world, const std::string& object) {
   REQUIRE_OK(drawn);
   const auto finished = (*pictures)->finish();
   REQUIRE_OK(finished);
-  const std::string stored = WEFT_SOURCE_DIR "/tests/sim/pictures/pull-" + object + ".png";
+  const std::string stored = source_path("tests/sim/pictures/pull-" + object + ".png");
   if (std::getenv("WEFT_STORE_PICTURES") != nullptr)
     std::filesystem::copy_file(folder.path("frame_00000.png"), stored,
                                std::filesystem::copy_options::overwrite_existing);

@@ -9,16 +9,17 @@
 #include "gpu/gpu_fixture.hpp"
 #include "scene/load.hpp"
 #include "sim/world.hpp"
+#include "source_path.hpp"
 
 namespace weft {
 
 #define REQUIRE_OK(result) REQUIRE_MESSAGE(static_cast<bool>(result), (result).error().message)
 
-inline const std::string kModels = WEFT_SOURCE_DIR "/models";
+inline const std::string kModels = source_path("models");
 
 inline scene::Scene shipped_scene(const std::string& name,
                                   const std::vector<scene::Override>& overrides = {}) {
-  auto scene = scene::load_scene(WEFT_SOURCE_DIR "/scenes/" + name + ".json", overrides);
+  auto scene = scene::load_scene(source_path("scenes/" + name + ".json"), overrides);
   REQUIRE_OK(scene);
   return std::move(*scene);
 }

@@ -27,8 +27,11 @@ export function launchOwn(flags: readonly string[]): Promise<Browser> {
   return launch(process.env["WEBGPU_FLAGS"]?.split(/\s+/).filter(Boolean) ?? flags, process.env["CHROMIUM"]);
 }
 
+/** Ends a hang, as the limits of vitest.config.ts do: a loaded machine may take its time [ms]. */
+export const PATIENCE = 300_000;
+
 export function launch(flags: readonly string[], executablePath = "/usr/bin/chromium"): Promise<Browser> {
-  return chromium.launch({ executablePath, args: ["--headless=new", "--no-sandbox", ...flags] });
+  return chromium.launch({ executablePath, args: ["--headless=new", "--no-sandbox", ...flags], timeout: PATIENCE });
 }
 
 export interface Harness {
@@ -47,6 +50,7 @@ export async function openPage(flags: readonly string[] = SOFTWARE_FLAGS, execut
   const origin = `http://127.0.0.1:${(server.address() as AddressInfo).port}`;
   const browser = await launch(flags, executablePath);
   const page = await browser.newPage({ viewport: { width: 700, height: 460 } });
+  page.setDefaultTimeout(PATIENCE);
   const complaints: string[] = [];
   page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
   page.on("pageerror", (error) => complaints.push(error.message));

@@ -42,13 +42,14 @@ describe("the README's example", () => {
         count += 1;
         return texture();
       };
-      const drawn = async (draw: boolean) => {
+      const drawn = async (draw: boolean, due: number) => {
         count = 0;
         await world.step(8, { draw });
-        await new Promise((done) => setTimeout(done, 1500)); // a tick of the page, at the pace of a software adapter
+        while (count < due) await new Promise((done) => setTimeout(done, 20));
+        await new Promise((done) => setTimeout(done, 1500)); // for pictures too many: some ticks of the page
         return count;
       };
-      return [await drawn(true), await drawn(false)];
+      return [await drawn(true, 8), await drawn(false, 1)];
     });
     expect(pictures).toEqual([8, 1]);
     expect(harness.complaints).toEqual([]);

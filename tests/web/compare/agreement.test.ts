@@ -8,7 +8,7 @@ import { CpuSheet } from "../../../apps/web/compare/cpu_sheet.ts";
 import type { CompareHandle } from "../../../apps/web/compare/main.js";
 import { restPositions, sheetOf, springCount } from "../../../apps/web/compare/sheet.ts";
 import { springLists } from "../../../apps/web/compare/spring_lists.ts";
-import { difference, expectClean, picture } from "../page/browser.ts";
+import { composed, difference, expectClean, picture } from "../page/browser.ts";
 import { ROOT } from "../chromium.ts";
 import { compared, openedWithBoth } from "./compare.ts";
 
@@ -67,9 +67,9 @@ test("all paths draw the same sheet, a step further with each picture", async ()
       await path.animate(6);
       return path;
     }, name);
-    await page.waitForTimeout(500); // for the compositor of a software adapter
+    const positions = await path.evaluate(async (path) => Array.from(await path.positions())); // and what is drawn is done
+    await composed(page);
     const image = await picture(page, "#live canvas");
-    const positions = await path.evaluate(async (path) => Array.from(await path.positions()));
     await path.evaluate((path) => path.dispose());
     return { ...cloth(image), positions };
   };

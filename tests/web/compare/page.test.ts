@@ -13,7 +13,7 @@ const here = openedWithBoth();
 const button = (page: Page, name: string) => page.getByRole("button", { name, exact: true });
 
 async function finished(page: Page): Promise<void> {
-  await until("it is done", async () => (await page.locator("#progress").textContent()) === "Done.", 90_000);
+  await until("it is done", async () => (await page.locator("#progress").textContent()) === "Done.");
 }
 
 async function downloaded(page: Page, name: string): Promise<string> {

@@ -6,6 +6,7 @@
 #include "reference/simulation.hpp"
 #include "scene/load.hpp"
 #include "model/assets.hpp"
+#include "source_path.hpp"
 
 namespace {
 
@@ -17,7 +18,7 @@ weft::Result<std::string> hash_after(const std::string& path, long frames,
     overrides.push_back(parsed);
   }
   WEFT_TRY(scene, weft::scene::load_scene(path, overrides));
-  WEFT_TRY(assets, weft::load_assets(scene, WEFT_SOURCE_DIR "/models"));
+  WEFT_TRY(assets, weft::load_assets(scene, weft::source_path("models")));
   WEFT_TRY(simulation,
            weft::reference::Simulation::create(scene, assets));
   for (long frame = 0; frame < frames; ++frame) WEFT_CHECK(simulation.advance_frame());

@@ -4,7 +4,7 @@ import { join } from "node:path";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import { preview } from "vite";
 import { afterAll, beforeAll } from "vitest";
-import { launch, SOFTWARE_FLAGS } from "../chromium.ts";
+import { launch, PATIENCE, SOFTWARE_FLAGS } from "../chromium.ts";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
@@ -52,6 +52,7 @@ export interface Visit {
 
 export async function visit(browser: Browser, address: string, options: BrowserContextOptions = {}): Promise<Visit> {
   const context = await browser.newContext({ viewport: { width: 800, height: 400 }, ...options });
+  context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
   const errors: string[] = [];
   const requests: string[] = [];
@@ -62,11 +63,11 @@ export async function visit(browser: Browser, address: string, options: BrowserC
   return { page, errors, requests };
 }
 
-/** Asks until it holds, at most `patience` ms. Not in the page: its policy lets no text be run as a script. */
-export async function until(what: string, holds: () => Promise<boolean>, patience = 12_000): Promise<void> {
-  const end = performance.now() + patience;
+/** Asks until it holds. Not in the page: its policy lets no text be run as a script. */
+export async function until(what: string, holds: () => Promise<boolean>): Promise<void> {
+  const end = performance.now() + PATIENCE;
   while (!(await holds())) {
-    if (performance.now() > end) throw new Error(`After ${patience} ms still not: ${what}.`);
+    if (performance.now() > end) throw new Error(`After ${PATIENCE} ms still not: ${what}.`);
     await new Promise((wake) => setTimeout(wake, 50));
   }
 }
@@ -87,6 +88,17 @@ export const positions = (page: Page): Promise<number[]> =>
 export async function play(page: Page, count: number): Promise<void> {
   const start = await frames(page);
   await until(`${count} more frames`, async () => (await frames(page)) >= start + count);
+}
+
+/** Returns when the browser has composed what the page has given it. */
+export const composed = (page: Page): Promise<void> => page.evaluate(() =>
+  new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+
+/** Returns when the page's last change is on the screen: drawn, through the queue of the GPU, and composed. */
+export async function drawn(page: Page): Promise<void> {
+  await composed(page);
+  await page.evaluate(async () => void (await window.weft.world!.snapshot()));
+  await composed(page);
 }
 
 /** What is drawn: the canvas alone, as the compositor shows it, as RGBA. */

@@ -1,6 +1,6 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { difference, expectClean, frames, opened, picture, play, ready, running, until, visit, type Visit } from "./browser.js";
+import { difference, drawn, expectClean, frames, opened, picture, play, ready, running, until, visit, type Visit } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
@@ -53,7 +53,7 @@ test("each view shows another picture, by digit, by letter and by mouse", async 
   for (const [key, name] of [["1", "textured"], ["2", "wireframe"], ["3", "normals"], ["4", "stretch"]] as const) {
     await page.keyboard.press(key);
     await until(`view ${name}`, async () => (await view()) === name && (await checked()) === name);
-    await page.waitForTimeout(400); // for the picture to reach the screen
+    await drawn(page);
     pictures.push(await picture(page));
   }
   for (const [i, one] of pictures.entries())

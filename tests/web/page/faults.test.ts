@@ -160,7 +160,7 @@ test("the reference stops when it is told to, in a hidden tab and where less mot
     await page.mouse.down();
     await page.mouse.move(box.x + 180, box.y + 100, { steps: 4 });
     await page.mouse.up();
-    expect(difference(before, await picture(page, "#reference-canvas"))).toBeGreaterThan(0.05);
+    await until("it has turned", async () => difference(before, await picture(page, "#reference-canvas")) > 0.05);
     expectClean(seen, site);
   }));
 

@@ -203,7 +203,7 @@ test("reading that takes too long is ended, and the cloth moves on meanwhile", a
   await page.getByRole("button", { name: "Play" }).click();
   await play(page, 3);
   await page.getByRole("button", { name: "Pause" }).click();
-  await until("it is given up", async () => (await notice()).includes("slow.ply was given up"), 20_000);
+  await until("it is given up", async () => (await notice()).includes("slow.ply was given up"));
   expect(await notice()).toContain("longer than the limit of 10 s");
   expect(await page.locator("#veil").isVisible()).toBe(false);
   await page.unroute("**/mesh_worker*.js");

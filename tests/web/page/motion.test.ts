@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { brightness, difference, expectClean, frames, hash, opened, picture, play, positions, ready, running,
+import { brightness, difference, drawn, expectClean, frames, hash, opened, picture, play, positions, ready, running,
   visit } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
@@ -15,7 +15,7 @@ for (const [scene, nodes, moved] of [["hanging", 24, 0.01], ["pull-sphere", 32, 
     expect(await page.evaluate(() => window.weft.world!.info.nodes)).toBe(nodes * nodes);
     const before = { positions: await positions(page), picture: await picture(page) };
     await play(page, 6);
-    await page.waitForTimeout(1000);
+    await drawn(page);
     const after = { positions: await positions(page), picture: await picture(page) };
 
     const largest = after.positions.reduce((most, value, i) => Math.max(most, Math.abs(value - before.positions[i]!)), 0);

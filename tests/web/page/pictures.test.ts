@@ -4,7 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
-import { expectClean, opened, ready, visit } from "./browser.js";
+import { drawn, expectClean, opened, ready, visit } from "./browser.js";
 
 const FOLDER = join(import.meta.dirname, "pictures");
 const SMALLER = 8;
@@ -47,7 +47,7 @@ for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]] as const)
     if (width < 760) await page.getByRole("button", { name: "More" }).click();
     for (const colorScheme of ["dark", "light"] as const) {
       await page.emulateMedia({ colorScheme });
-      await page.waitForTimeout(300); // for the picture to reach the screen
+      await drawn(page);
       const now = await decoded(page, await page.screenshot(), SMALLER);
       const file = join(FOLDER, `${width}-${colorScheme}.png`);
       if (process.env["WEFT_STORE_PICTURES"]) {

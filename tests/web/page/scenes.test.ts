@@ -58,7 +58,7 @@ test.for(LONG ? SCENES : [])("long: %s is drawn in every window and theme", asyn
       await until(`${name} is on the screen of ${width} × ${height}, ${colorScheme}`, async () => {
         const { mean, deviation } = brightness(await picture(other.page));
         return mean > 40 && deviation > 6;
-      }, 60_000);
+      });
       expectClean(other, here.site);
       await other.page.context().close();
     }

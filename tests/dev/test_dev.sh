@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# test_dev.sh CASE: one case of the tests of ./dev. Each runs the functions of scripts/ in an empty folder, with what
+# they would install, build or start replaced.
+# Functions are called by those that they stand in for.
+# shellcheck disable=SC2317
+set -euo pipefail
+checkout=$(cd "$(dirname "$0")/../.." && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+# shellcheck source=scripts/setup.sh
+. "$checkout/scripts/setup.sh"
+# shellcheck source=scripts/tasks.sh
+. "$checkout/scripts/tasks.sh"
+# shellcheck source=scripts/bare.sh
+. "$checkout/scripts/bare.sh"
+
+# expect WHAT EXPECTED FOUND
+expect() { [ "$2" = "$3" ] || { printf '%s: expected "%s", found "%s"\n' "$1" "$2" "$3"; exit 1; }; }
+prints() { echo "$1"; echo "$2" >&2; return "$3"; }
+
+case_quiet() {
+  expect "a command that succeeds" "" "$(quietly prints out err 0 2>&1)"
+  local said status=0
+  said=$(quietly prints out err 7 2>&1) || status=$?
+  expect "its exit code" 7 $status
+  expect "all that it said" $'out\nerr\nweft: "prints out err 7" has failed (exit code 7).' "$said"
+}
+
+case_apt() {
+  as_root() { echo "E: Unable to fetch some archives"; return 100; }
+  local said status=0
+  said=$(setup_packages no-such-package-of-weft 2>&1) || status=$?
+  expect "its exit code" 100 $status
+  [[ $said == *"E: Unable to fetch some archives"* ]] || { printf 'apt-get is not heard: %s\n' "$said"; exit 1; }
+}
+
+case_run() {
+  task_build() { :; }
+  mkdir build scenes
+  printf '#!/bin/sh\necho "$@"\n' >build/weft
+  chmod +x build/weft
+  touch scenes/breeze.json own.json
+  expect "no scene" "run scenes/pull-armadillo.json --out out/pull-armadillo" "$(task_run)"
+  expect "--help" "run scenes/pull-armadillo.json --out out/pull-armadillo --help" "$(task_run --help)"
+  expect "a scene's name" "run scenes/breeze.json --out out/breeze --frames 2" "$(task_run breeze --frames 2)"
+  expect "a scene's file" "run own.json --out out/own" "$(task_run own.json)"
+}
+
+# What a job configures stays, and no job configures again for what is there.
+case_configure() {
+  local asked=0
+  cmake() {
+    asked=$((asked + 1))
+    mkdir -p build
+    touch build/build.ninja
+    if [ $# -gt 2 ]; then echo "${4%=ON}:BOOL=ON" >>build/CMakeCache.txt; fi
+  }
+  configure release
+  configure release
+  expect "for ./dev run" 1 $asked
+  configure release WEFT_TESTS
+  configure release
+  configure release WEFT_TESTS
+  expect "for ./dev test" 2 $asked
+}
+
+case_bare() {
+  id() { echo 1000; }
+  local said status=0
+  said=$(task_bare 2>&1) || status=$?
+  expect "its exit code" 1 $status
+  expect "its sentence" "weft: ./dev test --bare makes a root file system and changes into it: run it as root." "$said"
+}
+
+case_shellcheck() { cd "$checkout" && shellcheck -x dev .ci/run scripts/bare_commands.sh tests/dev/test_dev.sh; }
+
+"case_$1"
