@@ -114,6 +114,8 @@ class World {
   const SolverChoice& solver_choice() const { return choice_; }
   const SolverConstants& solver_constants() const { return constants_; }
   std::uint32_t substeps() const { return substeps_; }
+  /// Of any frame: more where something is moved fast (docs/contact.md).
+  std::uint32_t most_substeps() const { return most_substeps_; }
   double step() const { return scene_.time.frame / substeps_; }  // [s]
   std::uint32_t frame() const { return asked_; }
   double time() const { return asked_ * scene_.time.frame; }  // [s]
