@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <climits>
 #include <cstdarg>
 #include <cstdio>
@@ -14,9 +15,15 @@
 namespace weft::cli {
 namespace {
 
-volatile sig_atomic_t g_interrupted = 0;
+std::atomic<bool> g_interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-void on_interrupt(int) { g_interrupted = 1; }
+/// A second signal, of either kind and on whatever thread, ends the process as if none had been caught.
+void on_interrupt(int number) {
+  if (!g_interrupted.exchange(true)) return;
+  ::signal(number, SIG_DFL);
+  ::raise(number);
+}
 
 }  // namespace
 
@@ -62,12 +69,11 @@ bool interrupted() {
   static const bool installed = [] {
     struct sigaction action = {};
     action.sa_handler = on_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal ends the process at once
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     return true;
   }();
-  return installed && g_interrupted != 0;
+  return installed && g_interrupted;
 }
 
 }  // namespace weft::cli

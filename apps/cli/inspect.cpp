@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "memory.hpp"
 #include "model/host_model.hpp"
 #include "scene/schema.hpp"
 #include "model/assets.hpp"
@@ -12,6 +13,7 @@ namespace {
 Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(scene, load(options));
   WEFT_TRY(assets, load_assets(scene, models_folder()));
+  WEFT_CHECK(check_host_memory(scene, assets));
   WEFT_TRY(model, build_model(scene, assets.cloths));
   std::size_t object_triangles = 0;
   for (const mesh::TriangleMesh& object : assets.objects) object_triangles += object.triangles.size();

@@ -1,14 +1,19 @@
 // The command line. Data goes to stdout, all else to stderr; docs/cli.md lists commands and exit codes.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 #include "bench_command.hpp"
 #include "completion.hpp"
 #include "inspect.hpp"
 #include "run.hpp"
+#include "scene/nearest.hpp"
 
 namespace {
 
@@ -23,6 +28,35 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
       ->type_name("KIND");
 }
 
+/// weft's rooms are built without exceptions, so a failed allocation would end the program without a word. No
+/// memory may be taken here.
+[[noreturn]] void on_no_memory() {
+  constexpr char kSentence[] = "weft: The host has no memory left.\n";
+  static_cast<void>(!::write(STDERR_FILENO, kSentence, sizeof kSentence - 1));
+  ::_exit(weft::exit_code(weft::ErrorKind::OutOfMemory));
+}
+
+/// Says of "ten" that it is no number, not that it is out of range.
+const CLI::Validator kWholeNumber(
+    [](std::string& text) -> std::string {
+      const std::string digits = text.substr(!text.empty() && text[0] == '-' ? 1 : 0);
+      if (!digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos) return {};
+      return "\"" + text + "\" is not a whole number";
+    },
+    "");
+
+/// Why a command line does not parse, in one sentence. Of a first word that is no command CLI11 says only that
+/// there must be one.
+std::string usage_error(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
+  const std::string word = argc > 1 ? argv[1] : "-";
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return error.what();
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string meant(weft::scene::nearest(word, known));
+  return "There is no command \"" + word + "\"" + (meant.empty() ? "" : ", but there is \"" + meant + "\"");
+}
+
 /// The exit code of a command whose data may not all have reached a full disk or a closed pipe.
 int finish_output(int code) {
   const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -34,6 +68,7 @@ int finish_output(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_new_handler(on_no_memory);
   // Mesa's drivers ask for a Wayland display, and say so on stderr where there is no session. weft opens no
   // window.
   setenv("XDG_RUNTIME_DIR", "/nonexistent", 0);
@@ -51,6 +86,7 @@ int main(int argc, char** argv) {
                                              "out/hanging\n\nSimulate a scene, draw it, say how it went.");
   add_scene_options(*run_command, run_options.scene);
   run_command->add_option("--frames", run_options.frames, "Frames to simulate instead of the scene's")
+      ->check(kWholeNumber)
       ->check(CLI::Range(0U, 1000000U));
   run_command->add_option("--out", run_options.out, "Folder for pictures, video, final.obj and summary.json")
       ->type_name("DIR");
@@ -85,7 +121,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& wanted) {  // --help, --version
     return finish_output(app.exit(wanted));
   } catch (const CLI::ParseError& error) {
-    say("%s; weft --help and weft COMMAND --help say more.", error.what());
+    say("%s; weft --help and weft COMMAND --help say more.", usage_error(app, argc, argv, error).c_str());
     return 2;
   }
   int code = 2;

@@ -1,9 +1,7 @@
 #include "pictures.hpp"
 
 #include <cstdio>
-#include <filesystem>
 
-#include "base/file.hpp"
 #include "render/scene_inputs.hpp"
 
 namespace weft::cli {
@@ -19,7 +17,6 @@ std::string frame_name(std::uint32_t frame) {
 
 Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world, const std::string& folder) {
   auto made = std::make_unique<Pictures>();
-  made->folder_ = folder;
   made->device_ = &world.device();
   const scene::Render& wanted = world.scene().render;
   const std::vector<mesh::TriangleMesh>& objects = world.assets().objects;
@@ -36,7 +33,8 @@ Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world, const std:
                         world.scene(), objects, world.assets().keyframes);
   WEFT_TRY(offscreen, picture::Offscreen::create(world.device(), settings, inputs));
   made->offscreen_ = std::move(offscreen);
-  WEFT_CHECK(make_folder(folder));  // only now: what is refused leaves no folder behind
+  WEFT_TRY(taken, OutFolder::take(folder));  // only now: what is refused leaves no folder behind
+  made->folder_.emplace(std::move(taken));
   WEFT_CHECK(world.count_contacts(wanted.view == scene::View::Contacts));
   WEFT_TRY(video, picture::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height,
                                                1 / world.scene().time.frame));
@@ -62,7 +60,7 @@ Result<void> Pictures::draw(const sim::World& world) {
 
 Result<void> Pictures::store(picture::Image image) {
   if (video_) WEFT_CHECK(video_->add(image));
-  return png_.push(folder_ + "/" + frame_name(stored_++), std::move(image));
+  return png_.push(folder_->path() + "/" + frame_name(stored_++), std::move(image));
 }
 
 Result<void> Pictures::finish() {
@@ -71,15 +69,7 @@ Result<void> Pictures::finish() {
     WEFT_CHECK(store(std::move(image)));
   }
   WEFT_CHECK(png_.finish());
-  std::error_code ignored;
-  if (has_video())
-    WEFT_CHECK(video_->finish());
-  else
-    std::filesystem::remove(folder_ + "/run.mp4", ignored);
-  for (std::uint32_t old = stored_; std::filesystem::remove(folder_ + "/" + frame_name(old), ignored);
-       ++old) {
-  }
-  return {};
+  return has_video() ? video_->finish() : Result<void>();
 }
 
 }  // namespace weft::cli

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/file.hpp"
+#include "memory.hpp"
 #include "mesh/obj.hpp"
 #include "model/drawn_mesh.hpp"
 #include "pictures.hpp"
@@ -82,10 +83,20 @@ void say_if_unstable(const sim::World& world) {
       1e3 * world.step(), 1e3 * longest, std::ceil(world.scene().time.frame / longest), world.substeps());
 }
 
+/// A frame is one piece of work for the GPU: within it there is no progress to show, and no signal is heard.
+void say_if_long(const sim::World& world) {
+  constexpr std::uint32_t kMany = 10000;
+  if (world.most_substeps() <= kMany) return;
+  say("A frame takes up to %u substeps, and may take long: an interrupt is heard at its end, a second one at "
+      "once.",
+      world.most_substeps());
+}
+
 Result<void> run_scene(const RunOptions& options) {
   interrupted();
   WEFT_TRY(scene, load(options.scene));
   WEFT_TRY(assets, load_assets(scene, models_folder()));
+  WEFT_CHECK(check_host_memory(scene, assets));
   if (assets.dropped_triangles > 0)
     say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
   gpu::DeviceOptions device_options;
@@ -94,6 +105,7 @@ Result<void> run_scene(const RunOptions& options) {
   if (options.frames) scene.time.frames = *options.frames;
   WEFT_TRY(world, sim::World::create(*device, std::move(scene), assets));
   say_if_unstable(*world);
+  say_if_long(*world);
   std::unique_ptr<Pictures> pictures;
   if (!options.out.empty()) {
     WEFT_TRY(made, Pictures::create(*world, options.out));

@@ -9,8 +9,10 @@
 namespace weft::cli {
 namespace {
 
-/// Simulated seconds per second of simulation; 0 without frames.
+/// Simulated seconds per second of simulation; 0 without frames. Nor has a run that diverged a pace: its
+/// frames were not computed, only gone through.
 double real_time_factor(const Summary& summary, double simulated) {
+  if (summary.end == "diverged") return 0;
   const double spent = std::accumulate(summary.frame_ms.begin(), summary.frame_ms.end(), 0.0);  // ms
   return spent > 0 ? simulated / (spent / 1000) : 0;
 }
@@ -94,8 +96,10 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
          1e3 * world.step(), 1e3 * world.plan().limit().largest_step, world.plan().limit().highest_frequency);
   }
   line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
-  line(text, "  time        %.3f ms a frame (median), %.3f ms (least): %.3g x real time", frame.median,
-       frame.least, real_time_factor(summary, simulated));
+  char pace[64] = "";
+  if (const double factor = real_time_factor(summary, simulated); factor > 0)
+    std::snprintf(pace, sizeof pace, ": %.3g x real time", factor);
+  line(text, "  time        %.3f ms a frame (median), %.3f ms (least)%s", frame.median, frame.least, pace);
   line(text, "  contact     %s: %llu hits, overflow %llu", scene::name_of(world.scene().contact.method),
        static_cast<unsigned long long>(totals.contacts),
        static_cast<unsigned long long>(totals.contact_overflow));

@@ -4,6 +4,7 @@
 
 #include "bench/folds.hpp"
 #include "bench/round_object.hpp"
+#include "bench/row.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "contact/rules/contact_steps.hpp"
 #include "scene/load.hpp"
@@ -89,10 +90,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
   row.state_hash = counted.hash();
   row.counted_steps = world->substeps();
   row.contacts = world->totals().contacts;
-  const std::uint32_t interval = world->plan().method().search_interval;
-  row.dispatches_per_step = static_cast<double>(world->frame_commands(0, 2 * interval).dispatch_count() -
-                                                world->frame_commands(0, interval).dispatch_count()) /
-                            interval;
+  row.dispatches_per_step = dispatches_per_step(*world);
 
   const bool searches = !search_dispatches(*world).empty();
   if (searches) {
@@ -114,6 +112,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
     const double in_submit = static_cast<double>(after.detections - before.detections) /
                              static_cast<double>(after.frames - before.frames);
     // The first step of a frame always searches, whatever its length; of the others every so-manieth may.
+    const std::uint32_t interval = search_interval(world->solver_choice().kind);
     const auto chances = [&](std::uint32_t steps) { return (steps - 1) / interval; };
     row.searches_per_frame = 1 + (in_submit - 1) * chances(row.substeps) / chances(effort.steps);
   }

@@ -1,5 +1,7 @@
 #include "bench/row.hpp"
 
+#include "contact/rules/contact_steps.hpp"
+
 namespace weft::bench {
 
 Row skipped_row(Row begun, const std::string& why) {
@@ -14,9 +16,11 @@ Result<Row> or_skipped(Result<Row> measured, const Row& begun) {
 }
 
 double dispatches_per_step(sim::World& world) {
-  constexpr double kFramePasses = 3;  // guard, keep, surface: once a frame, for one cloth
-  return (static_cast<double>(world.frame_commands(0, world.substeps()).dispatch_count()) - kFramePasses) /
-         world.substeps();
+  const std::uint32_t interval = world.plan().method().search_interval;
+  const auto dispatches = [&](std::uint32_t substeps) {
+    return static_cast<double>(world.frame_commands(0, substeps).dispatch_count());
+  };
+  return (dispatches(2 * interval) - dispatches(interval)) / interval;  // what a frame does once is in both
 }
 
 void describe(Row& row, sim::World& world, std::uint32_t substeps) {

@@ -9,8 +9,9 @@
 namespace weft {
 
 double largest_stable_step(double stiffness, double damping) {
-  if (!(stiffness > 0)) return damping > 0 ? 2 / damping : 0;
-  return (std::sqrt(damping * damping + 4 * stiffness) - damping) / stiffness;
+  // Not the difference (√(μ² + 4 λ) - μ) / λ: where μ is large it cancels to 0, and 0 means no limit.
+  const double sum = std::sqrt(damping * damping + 4 * stiffness) + damping;
+  return sum > 0 ? 4 / sum : 0;
 }
 
 StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {

@@ -18,8 +18,8 @@ struct NetworkSpectrum {
 };
 
 /// Semi-implicit Euler with damping taken at the old velocity is stable for h² λ + 2 h μ < 4, where λ is the
-/// largest eigenvalue of M^-1 K and μ that of M^-1 C plus the drag: h < (√(μ² + 4 λ) - μ) / λ. Source:
-/// docs/solvers/mass_spring.md, equation 7.
+/// largest eigenvalue of M^-1 K and μ that of M^-1 C plus the drag: h < 4 / (√(μ² + 4 λ) + μ). 0: any step is.
+/// Source: docs/solvers/mass_spring.md, equation 7.
 double largest_stable_step(double stiffness, double damping);
 
 /// What a step of a solver may be, and what decides it.

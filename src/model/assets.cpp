@@ -1,5 +1,8 @@
 #include "model/assets.hpp"
 
+#include <map>
+#include <optional>
+
 #include "base/json.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/read_mesh.hpp"
@@ -8,9 +11,46 @@
 namespace weft {
 namespace {
 
-Result<mesh::TriangleMesh> load_placed(const MeshReader& read, const std::string& name,
+/// The meshes that a scene names. One that several cloths, colliders or keyframes name is read once, and kept
+/// until the last of them.
+class NamedMeshes {
+ public:
+  NamedMeshes(const scene::Scene& scene, const MeshReader& read) : read_(read) {
+    for (const scene::Cloth& cloth : scene.cloths)
+      if (!cloth.grid) ++meshes_[cloth.mesh].uses;
+    for (const scene::Collider& collider : scene.colliders)
+      if (const auto* object = std::get_if<scene::ColliderMesh>(&collider)) {
+        ++meshes_[object->mesh].uses;
+        for (const scene::ColliderKeyframe& keyframe : object->keyframes) ++meshes_[keyframe.mesh].uses;
+      }
+  }
+
+  /// For one of its uses. Errors  those of the reader.
+  Result<mesh::TriangleMesh> take(const std::string& name) {
+    Named& named = meshes_[name];
+    if (!named.mesh) {
+      WEFT_TRY(mesh, read_(name));
+      named.mesh = std::move(mesh);
+    }
+    if (--named.uses > 0) return *named.mesh;
+    mesh::TriangleMesh last = std::move(*named.mesh);
+    named.mesh.reset();
+    return last;
+  }
+
+ private:
+  struct Named {
+    std::size_t uses = 0;  // that are still to come
+    std::optional<mesh::TriangleMesh> mesh;
+  };
+
+  const MeshReader& read_;
+  std::map<std::string, Named> meshes_;
+};
+
+Result<mesh::TriangleMesh> load_placed(NamedMeshes& meshes, const std::string& name,
                                        const scene::Transform& transform, const std::string& where) {
-  auto loaded = read(name);
+  auto loaded = meshes.take(name);
   if (!loaded) return loaded.error().while_doing("loading " + where);
   mesh::TriangleMesh placed =
       mesh::transformed(*loaded, transform.scale, transform.rotate, transform.translate);
@@ -20,11 +60,11 @@ Result<mesh::TriangleMesh> load_placed(const MeshReader& read, const std::string
 }
 
 /// A keyframe of an object that has all its triangles still.
-Result<mesh::TriangleMesh> load_keyframe(const MeshReader& read, const scene::ColliderMesh& collider,
+Result<mesh::TriangleMesh> load_keyframe(NamedMeshes& meshes, const scene::ColliderMesh& collider,
                                          std::size_t number, const mesh::TriangleMesh& object) {
   const std::string where = path_of_index(collider.where + ".keyframes", number);
   const std::string& name = collider.keyframes[number].mesh;
-  WEFT_TRY(placed, load_placed(read, name, collider.transform, where));
+  WEFT_TRY(placed, load_placed(meshes, name, collider.transform, where));
   if (placed.positions.size() != object.positions.size())
     return input_error("%s: mesh %s has %zu vertices, but %s has %zu; a keyframe moves the same ones.",
                        where.c_str(), name.c_str(), placed.positions.size(), collider.mesh.c_str(),
@@ -60,20 +100,21 @@ Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_
 
 Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read) {
   Assets assets;
+  NamedMeshes meshes(scene, read);
   for (const scene::Cloth& cloth : scene.cloths) {
     mesh::TriangleMesh placed;
     if (!cloth.grid) {
-      WEFT_TRY(loaded, load_placed(read, cloth.mesh, cloth.transform, cloth.where));
+      WEFT_TRY(loaded, load_placed(meshes, cloth.mesh, cloth.transform, cloth.where));
       placed = std::move(loaded);
     }
     assets.cloths.push_back(std::move(placed));
   }
   for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
     if (const auto* object = std::get_if<scene::ColliderMesh>(&scene.colliders[c])) {
-      WEFT_TRY(placed, load_placed(read, object->mesh, object->transform, object->where));
+      WEFT_TRY(placed, load_placed(meshes, object->mesh, object->transform, object->where));
       std::vector<mesh::TriangleMesh> keyframes;
       for (std::size_t k = 0; k < object->keyframes.size(); ++k) {
-        WEFT_TRY(keyframe, load_keyframe(read, *object, k, placed));
+        WEFT_TRY(keyframe, load_keyframe(meshes, *object, k, placed));
         keyframes.push_back(std::move(keyframe));
       }
       WEFT_CHECK(add_object(assets, c, std::move(placed), std::move(keyframes),
@@ -93,6 +134,17 @@ std::uint64_t node_count(const scene::Scene& scene, const Assets& assets) {
     if (cloth.grid) nodes += std::uint64_t{cloth.grid->nx} * cloth.grid->ny;
   for (const mesh::TriangleMesh& cloth : assets.cloths) nodes += cloth.positions.size();
   return nodes;
+}
+
+Result<void> check_memory(const scene::Scene& scene, const Assets& assets, std::uint64_t bytes_per_node,
+                          std::uint64_t limit, const char* whose) {
+  const std::uint64_t nodes = node_count(scene, assets), bytes = nodes * bytes_per_node;
+  if (bytes <= limit) return {};
+  return make_error(
+      ErrorKind::Limit,
+      "A cloth of %llu nodes needs about %llu bytes of %s memory, more than its limit of %llu.",
+      static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes), whose,
+      static_cast<unsigned long long>(limit));
 }
 
 }  // namespace weft

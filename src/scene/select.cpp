@@ -42,17 +42,47 @@ bool in_box(const SelectorBox& box, const Vec3d& p) {
   return true;
 }
 
+/// A bit for each node: a thousand selectors that overlap take no more memory than one.
+using Marks = std::vector<bool>;
+
+/// Marks the nodes that pass; whether any does.
 template <class Test>
-std::vector<std::uint32_t> where(const Selection& from, Test test) {
-  std::vector<std::uint32_t> nodes;
-  for (std::size_t node = 0; node < from.positions.size(); ++node)
-    if (test(node)) nodes.push_back(static_cast<std::uint32_t>(node));
-  return nodes;
+bool mark_where(Marks& marked, Test test) {
+  bool any = false;
+  for (std::size_t node = 0; node < marked.size(); ++node)
+    if (test(node)) any = marked[node] = true;
+  return any;
 }
 
-void sort_once(std::vector<std::uint32_t>& nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+/// Marks the nodes of one selector. Errors  Input: as select_nodes.
+Result<void> mark_nodes(const Selector& selector, const Selection& from, Marks& marked) {
+  const std::size_t count = from.positions.size();
+  bool any = false;
+  if (const auto* part = std::get_if<GridPart>(&selector.what)) {
+    if (from.nx == 0) return input_error("%s is a part that only a grid has.", selector.where.c_str());
+    assert(static_cast<std::size_t>(from.nx) * from.ny == count);
+    any = mark_where(marked, [&](std::size_t node) {
+      return in_part(*part, static_cast<std::uint32_t>(node % from.nx),
+                     static_cast<std::uint32_t>(node / from.nx), from);
+    });
+  } else if (const auto* box = std::get_if<SelectorBox>(&selector.what)) {
+    any = mark_where(marked, [&](std::size_t node) { return in_box(*box, from.positions[node]); });
+  } else if (const auto* near = std::get_if<SelectorNear>(&selector.what)) {
+    const double reach = near->radius + kFaceTolerance;
+    any = mark_where(marked, [&](std::size_t node) {
+      const Vec3d span = from.positions[node] - near->point;
+      return dot(span, span) <= reach * reach;
+    });
+  } else if (const auto* list = std::get_if<SelectorNodes>(&selector.what)) {
+    for (const std::uint32_t index : list->indices) {
+      if (index >= count)
+        return input_error("%s names node %u; the cloth has %zu nodes, counted from 0.",
+                           selector.where.c_str(), index, count);
+      any = marked[index] = true;
+    }
+  }
+  if (!any) return input_error("%s selects none of the cloth's %zu nodes.", selector.where.c_str(), count);
+  return {};
 }
 
 /// Marks `nodes` as held by `holder`, unless another holds one of them already.
@@ -75,44 +105,17 @@ Result<void> hold(const std::vector<std::uint32_t>& nodes, int holder, std::vect
 }  // namespace
 
 Result<std::vector<std::uint32_t>> select_nodes(const Selector& selector, const Selection& from) {
-  const std::size_t count = from.positions.size();
-  std::vector<std::uint32_t> nodes;
-  if (const auto* part = std::get_if<GridPart>(&selector.what)) {
-    if (from.nx == 0) return input_error("%s is a part that only a grid has.", selector.where.c_str());
-    assert(static_cast<std::size_t>(from.nx) * from.ny == count);
-    nodes = where(from, [&](std::size_t node) {
-      return in_part(*part, static_cast<std::uint32_t>(node % from.nx),
-                     static_cast<std::uint32_t>(node / from.nx), from);
-    });
-  } else if (const auto* box = std::get_if<SelectorBox>(&selector.what)) {
-    nodes = where(from, [&](std::size_t node) { return in_box(*box, from.positions[node]); });
-  } else if (const auto* near = std::get_if<SelectorNear>(&selector.what)) {
-    const double reach = near->radius + kFaceTolerance;
-    nodes = where(from, [&](std::size_t node) {
-      const Vec3d span = from.positions[node] - near->point;
-      return dot(span, span) <= reach * reach;
-    });
-  } else if (const auto* list = std::get_if<SelectorNodes>(&selector.what)) {
-    for (const std::uint32_t index : list->indices)
-      if (index >= count)
-        return input_error("%s names node %u; the cloth has %zu nodes, counted from 0.",
-                           selector.where.c_str(), index, count);
-    nodes = list->indices;
-    sort_once(nodes);
-  }
-  if (nodes.empty())
-    return input_error("%s selects none of the cloth's %zu nodes.", selector.where.c_str(), count);
-  return nodes;
+  return select_nodes(std::span(&selector, 1), from);
 }
 
 Result<std::vector<std::uint32_t>> select_nodes(std::span<const Selector> selectors, const Selection& from) {
-  std::vector<std::uint32_t> all;
-  for (const Selector& selector : selectors) {
-    WEFT_TRY(nodes, select_nodes(selector, from));
-    all.insert(all.end(), nodes.begin(), nodes.end());
-  }
-  sort_once(all);
-  return all;
+  Marks marked(from.positions.size());
+  for (const Selector& selector : selectors) WEFT_CHECK(mark_nodes(selector, from, marked));
+  std::vector<std::uint32_t> nodes;
+  nodes.reserve(static_cast<std::size_t>(std::count(marked.begin(), marked.end(), true)));
+  for (std::size_t node = 0; node < marked.size(); ++node)
+    if (marked[node]) nodes.push_back(static_cast<std::uint32_t>(node));
+  return nodes;
 }
 
 Result<HeldNodes> held_nodes(const Cloth& cloth, const Selection& from) {

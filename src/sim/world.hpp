@@ -109,6 +109,8 @@ class World {
   /// The method, the largest stable step, the substeps: what was decided before the first frame.
   const FramePlan& plan() const { return plan_; }
   std::uint32_t substeps() const { return plan_.substeps(); }
+  /// Of any frame: more where something is moved fast (docs/contact.md).
+  std::uint32_t most_substeps() const { return plan_.most_substeps(); }
   double step() const { return plan_.step(); }  // [s]
   std::uint32_t frame() const { return asked_; }
   double time() const { return asked_ * scene_.time.frame; }  // [s]

@@ -1,10 +1,13 @@
 // What `weft bench` measures, on small sizes: counts and sizes, never times.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "bench/copy.hpp"
 #include "bench/crossing_count.hpp"
 #include "bench/drawn_frames.hpp"
 #include "bench/largest.hpp"
+#include "bench/row.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "scene/load.hpp"
 
@@ -60,6 +63,32 @@ TEST_CASE(
       bench::measure_largest(fixture.device(), bench::Formulation::Grid, "adapter", {1ULL << 40U, 0.0001});
   REQUIRE(slow);
   CHECK(slow->skipped.find("s to build, more than the 0.0001 allowed") != std::string::npos);
+}
+
+TEST_CASE("what a frame does once is not in the dispatches of its steps, whatever the solver and the cloths") {
+  GpuFixture fixture;
+  const std::string cloth = R"({"grid": [6, 6], "size": [1, 1], "density": 0.2})";
+  const auto dispatches = [&](const std::string& solver, const std::string& cloths, int substeps) {
+    const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": )" +
+                                              std::to_string(substeps) + R"(}, "solver": {"kind": ")" +
+                                              solver + R"("}, "cloths": [)" + cloths + "]}",
+                                          "a.json");
+    REQUIRE(scene);
+    const auto assets = load_assets(*scene, std::string());
+    REQUIRE(assets);
+    auto world = sim::World::create(fixture.device(), *scene, *assets);
+    REQUIRE(world);
+    return bench::dispatches_per_step(**world);
+  };
+  for (const std::string solver : {"mass_spring", "multigrid"}) {
+    CAPTURE(solver);
+    const double one = dispatches(solver, cloth, 8);
+    CHECK(dispatches(solver, cloth, 40) == one);
+    CHECK(one == std::floor(one * 2) / 2);  // a dispatch of mass_spring may take two steps
+    const double two = dispatches(solver, cloth + ", " + cloth, 8);
+    CHECK(dispatches(solver, cloth + ", " + cloth, 40) == two);
+    CHECK(two > one);
+  }
 }
 
 TEST_CASE("copies and dispatches in order are measured in a buffer that the adapter allows") {

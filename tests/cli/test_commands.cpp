@@ -209,6 +209,7 @@ TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
                                                        {"run", scene, "--frames", "x"},
                                                        {"run", scene, "--frames", "-1"},
                                                        {"run", scene, "--frames", "2.5"},
+                                                       {"runn", scene},
                                                        {"run", scene, "--frames", "99999999999"},
                                                        {"run", scene, "--frames"},
                                                        {"run", scene, "--out"},
@@ -242,6 +243,19 @@ TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
     CHECK(ended.out == "");
     CHECK(check_message(ended.err) == "");
   }
+}
+
+TEST_CASE("a word that is no command or no number is named, with the nearest command") {
+  const auto message = [](std::vector<std::string> arguments) {
+    return run_without_driver(std::move(arguments)).err;
+  };
+  CHECK(message({"runn", "a.json"}).find("There is no command \"runn\", but there is \"run\"") !=
+        std::string::npos);
+  CHECK(message({"chekc", "a.json"}).find("but there is \"check\"") != std::string::npos);
+  CHECK(message({"help"}).find("There is no command \"help\"; weft --help") != std::string::npos);
+  CHECK(message({"run", "a.json", "--frames", "ten"}).find("\"ten\" is not a whole number") !=
+        std::string::npos);
+  CHECK(message({"run", "a.json", "--frames", "-1"}).find("not in range") != std::string::npos);
 }
 
 TEST_CASE("an option takes one value, so that the scene may come after it") {

@@ -39,6 +39,7 @@ void check_divergence(int frame) {
   const auto summary = json_of(read_text(out + "/summary.json"));
   CHECK(summary == json_of(bad.out));
   CHECK(summary.at("end") == "diverged");
+  CHECK(summary.at("real_time_factor") == 0);
   CHECK(summary.at("frames") == frame);
   CHECK(summary.at("nonfinite").get<int>() > 0);
   CHECK(summary.at("state_hash") == json_of(clean.out).at("state_hash"));
@@ -83,6 +84,13 @@ void check_interrupt(int number) {
 }  // namespace
 
 TEST_CASE("a run that diverges ends with exit code 6 and the last good state") { check_divergence(2); }
+TEST_CASE("what a run that diverged says for people has no pace") {
+  const TemporaryFolder folder;
+  const Ended ended = run_weft({"run", put(folder, "a.json", tiny_scene()), "--fault", "nan@2"});
+  CHECK(ended.code == 6);
+  CHECK(ended.out.find("a.json: diverged\n") != std::string::npos);
+  CHECK(ended.out.find("x real time") == std::string::npos);
+}
 TEST_CASE("a run that diverges in its first frame ends at rest") { check_divergence(0); }
 
 TEST_CASE("a step far beyond the stable one diverges, and what is left can be read") {
@@ -101,6 +109,20 @@ TEST_CASE("a step far beyond the stable one diverges, and what is left can be re
   CHECK(summary.at("step_s").get<double>() > summary.at("stable_step_s").get<double>());
   CHECK(count_frames(out) == summary.at("frames"));
   CHECK(read_obj_file(out + "/final.obj").positions.size() == 30);  // reads finite coordinates only
+}
+
+TEST_CASE("damping that no step is short enough for is refused, however strong") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  for (const std::string damping : {"1e6", "1e8", "1e9"}) {
+    const Ended ended = run_weft({"run", scene, "--frames", "1", "--set", "time.substeps=\"auto\"", "--set",
+                                  "cloths.0.damping=" + damping});
+    CAPTURE(damping);
+    CHECK(ended.code == 4);
+    CHECK(check_message(ended.err) == "");
+    CHECK(ended.err.find("The cloth's springs need ") != std::string::npos);
+    CHECK(ended.err.find("more than the limit of 65536") != std::string::npos);
+  }
 }
 
 TEST_CASE("a lost device ends the run with exit code 5 and one sentence") {
@@ -128,6 +150,37 @@ TEST_CASE("a device lost while pictures are on their way leaves whole files and 
 TEST_CASE("Ctrl-C ends a run with exit code 130 and keeps all that it has") { check_interrupt(SIGINT); }
 TEST_CASE("SIGTERM ends a run as Ctrl-C does") { check_interrupt(SIGTERM); }
 
+TEST_CASE("Ctrl-C and then SIGTERM end a run at once, in the middle of a frame") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene()), out = folder.path("out");
+  // A frame of 65,536 substeps of a large sheet is not done before both signals are there.
+  Child child(weft_command({"run", scene, "--out", out, "--set", "time.substeps=65536", "--set",
+                            "cloths.0.grid=[200,200]"}),
+              on_lavapipe({}));
+  REQUIRE(eventually([&] { return std::filesystem::exists(out + "/.weft.lock"); }));
+  child.signal(SIGINT);
+  child.signal(SIGTERM);
+  const Ended ended = child.wait(60);
+  CHECK((ended.code == -SIGTERM || ended.code == -SIGINT));  // whichever the system hands over last
+  CHECK(ended.err.find("A frame takes up to 65536 substeps") != std::string::npos);
+}
+
+TEST_CASE("frames of more than ten thousand substeps are said, also those that something fast asks for") {
+  const TemporaryFolder folder;
+  const auto said = [&](const std::string& members, const std::string& substeps) {
+    const std::string scene = put(folder, "a.json", tiny_scene(members));
+    const Ended ended = run_weft({"run", scene, "--frames", "0", "--set", "time.substeps=" + substeps});
+    CHECK(ended.code == 0);
+    return ended.err;
+  };
+  CHECK(said("", "10000") == "");
+  CHECK(said("", "10001").find("A frame takes up to 10001 substeps") != std::string::npos);
+  const std::string shot = R"("contact": {"method": "proximity", "thickness": 0.001}, "colliders": [
+      {"kind": "sphere", "center": [0, 0, 9], "radius": 0.1,
+       "motion": {"kind": "line", "direction": [0, 0, 1], "speed": 10000}}], )";
+  CHECK(said(shot, "4").find("A frame takes up to 16384 substeps") != std::string::npos);  // 4 times the most
+}
+
 TEST_CASE("a run that is killed leaves no file half written under its name") {
   LongRun run;
   run.child.signal(SIGKILL);
@@ -135,7 +188,7 @@ TEST_CASE("a run that is killed leaves no file half written under its name") {
   std::size_t whole = 0;
   for (const std::string& name : names_in(run.out)) {
     CAPTURE(name);
-    if (is_temporary(name)) continue;
+    if (is_temporary(name) || name == ".weft.lock") continue;
     REQUIRE(name.rfind("frame_", 0) == 0);  // no summary, mesh or video of a run without an end
     const std::string png = read_text(run.out + "/" + name);
     CHECK(png.substr(png.size() - 8, 4) == "IEND");

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <signal.h>
 #include <sys/stat.h>
 
 #include <cstdio>
@@ -85,4 +86,72 @@ TEST_CASE("what the adapter cannot hold is refused with the limit and both numbe
     CHECK(check_message(ended.err) == "");
   }
   CHECK(names_in(folder.path("")) == std::vector<std::string>{"a.json"});
+}
+
+TEST_CASE("what the host has no memory for is refused with both numbers, by check as by run, and not built") {
+  if (kSanitized) return;  // its shadow memory is larger than any limit here
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene()) + " --set cloths.0.grid=[8000,8000]";
+  const std::string limited = "ulimit -v 4194304; exec " WEFT_BINARY " ";  // KiB: a sixth of what it takes
+  for (const std::string command : {"check ", "run "}) {
+    const Ended ended = call({"/bin/sh", "-c", limited + command + scene}, on_lavapipe({}));
+    CAPTURE(command);
+    CHECK(ended.code == 4);
+    CHECK(ended.out == "");
+    CHECK(check_message(ended.err) == "");
+    unsigned long long nodes = 0, bytes = 0, limit = 0;
+    CHECK(std::sscanf(ended.err.c_str(),
+                      "weft: A cloth of %llu nodes needs about %llu bytes of the host's memory, more than "
+                      "its limit of %llu.",
+                      &nodes, &bytes, &limit) == 3);
+    CHECK(nodes == 64000000);
+    CHECK(bytes > limit);
+    CHECK(limit <= 4194304ULL * 1024);
+    CHECK(ended.peak < (std::size_t{64} << 20U));
+  }
+}
+
+TEST_CASE("a host that runs out of memory ends the program with exit code 4 and one sentence") {
+  if (kSanitized) return;  // as above
+  const TemporaryFolder folder;
+  std::string numbers = "0";
+  for (int k = 0; k < 500000; ++k) numbers += ",0";
+  const std::string scene = put(folder, "a.json", tiny_scene(R"("gravity": [)" + numbers + "], "));
+  // KiB: enough to start, not for half a million values of JSON.
+  const Ended ended = call({"/bin/sh", "-c", "ulimit -v 40000; exec " WEFT_BINARY " check " + scene});
+  CHECK(ended.code == 4);
+  CHECK(ended.out == "");
+  CHECK(ended.err == "weft: The host has no memory left.\n");
+}
+
+TEST_CASE("a second run into a folder is refused while the first one writes there, and nothing is lost") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene()), out = folder.path("out");
+  Child first(weft_command({"run", scene, "--frames", "1000000", "--out", out}), on_lavapipe({}));
+  REQUIRE(eventually([&] { return count_frames(out) >= 2; }));
+  const Ended second = run_weft({"run", scene, "--frames", "1", "--out", out});
+  CHECK(second.code == 1);
+  CHECK(second.out == "");
+  CHECK(check_message(second.err) == "");
+  CHECK(second.err.find("Folder " + out + " is in use: a run writes into it (process ") != std::string::npos);
+  CHECK(count_frames(out) >= 2);
+  first.signal(SIGINT);
+  CHECK(first.wait().code == 130);
+  CHECK(run_weft({"run", scene, "--frames", "1", "--out", out}).code == 0);  // it is free again
+  for (const std::string& name : names_in(out)) CHECK(name != ".weft.lock");
+}
+
+TEST_CASE("a run that does not end well leaves nothing of the run before it, whole or half") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene()), out = folder.path("out");
+  REQUIRE(run_weft({"run", scene, "--frames", "3", "--out", out}).code == 0);
+  // What a run that was killed leaves, and what is none of weft's.
+  for (const char* name :
+       {"run.mp4.tmp4711", "frame_00002.png.tmp4711", "summary.json.tmp4711", "final.obj.tmp4711",
+        ".weft.lock", "notes.txt", "notes.tmp4711", "frame_last.png", "final.obj.tmp"})
+    put(folder, std::string("out/") + name, "4711");
+  const Ended ended = run_weft({"run", scene, "--out", out, "--fault", "lost@0"});
+  CHECK(ended.code == 5);
+  CHECK(names_in(out) ==
+        std::vector<std::string>{"final.obj.tmp", "frame_last.png", "notes.tmp4711", "notes.txt"});
 }

@@ -6,6 +6,9 @@
 #include "mesh/primitives.hpp"
 #include "method/mass_spring/fixed_point.hpp"
 #include "method/mass_spring/spring_forces.hpp"
+#include "method/mass_spring/fixed_point.hpp"
+#include "method/mass_spring/grid_params.hpp"
+#include "method/mass_spring/spring_forces.hpp"
 #include "solver_rig.hpp"
 
 using namespace weft;
@@ -98,6 +101,19 @@ void check_one_step(SolverRig& rig, double force_unit) {
 }
 
 }  // namespace
+
+TEST_CASE("a grid's parameters have the stiffness of each kind, and its damping where there is any") {
+  ClothModel cloth;
+  cloth.grid = mesh::Grid{5, 4, 1.0, 0.75};
+  cloth.stiffness.structural = 50;
+  cloth.stiffness.shear = 0;
+  cloth.stiffness.bend = 7;
+  cloth.damping = 0.5;
+  const GridParams params = grid_params(cloth, 64);
+  const auto numbers = [](const Vec4f& v) { return std::array{v.x, v.y, v.z, v.w}; };
+  CHECK(numbers(params.stiffness) == std::array{50.0F, 0.0F, 7.0F, 0.0F});
+  CHECK(numbers(params.damping) == std::array{0.5F, 0.0F, 0.5F, 0.0F});
+}
 
 TEST_CASE("all formulations equal the reference within the rounding of one step, for grids of any size") {
   GpuFixture fixture;

@@ -110,12 +110,17 @@ TEST_CASE("one spring between two nodes has the frequency of its reduced mass") 
   CHECK(find_spectrum(network).damping == doctest::Approx(0.5 * 8));
 }
 
-TEST_CASE("damping lowers the limit to (√(μ² + 4 λ) - μ) / λ, and a system without springs has none") {
+TEST_CASE("damping lowers the limit to 4 / (√(μ² + 4 λ) + μ), and a system without springs has none") {
   CHECK(largest_stable_step(4, 0) == doctest::Approx(1));
   CHECK(largest_stable_step(4, 3) == doctest::Approx(0.5));  // (5 - 3) / 4
   CHECK(largest_stable_step(0, 0) == 0);
   CHECK(largest_stable_step(0, 4) == doctest::Approx(0.5));
   CHECK(find_spectrum({}).stiffness == 0);
+}
+
+TEST_CASE("a limit stays one, however strong the damping") {
+  for (const double damping : {1e6, 1e9, 1e12, 1e18})  // far above √(4 λ) = 200: 2/μ is left
+    CHECK(largest_stable_step(1e4, damping) == doctest::Approx(2 / damping));
 }
 
 TEST_CASE("substeps are rounded up to a multiple of 4, and too many are refused with both numbers") {

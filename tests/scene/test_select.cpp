@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "mesh/allocation_meter.hpp"
 #include "scene/load.hpp"
 #include "scene/select.hpp"
 #include "texts.hpp"
@@ -76,6 +77,24 @@ TEST_CASE("boxes, balls and lists select by place and index, faces included") {
 
 TEST_CASE("several selectors are united, each node once") {
   CHECK(*pinned(R"("top", "left", {"nodes": [4, 6]})") == Nodes{0, 1, 2, 3, 4, 6, 8});
+}
+
+TEST_CASE("a hundred selectors of the same nodes take no more memory than one") {
+  std::string pins = R"("edges")";
+  const auto peak = [&] {
+    const Scene scene = *parse_scene(
+        cloth_of(R"("grid": [100, 100], "size": [1, 1], "density": 0.2, "pins": [)" + pins + "]"), "a.json");
+    const Cloth& cloth = scene.cloths[0];
+    const auto positions = grid_positions(*cloth.grid, cloth.transform);
+    const AllocationMeter meter;
+    const auto nodes = select_nodes(cloth.pins, {positions, cloth.grid->nx, cloth.grid->ny});
+    REQUIRE(nodes);
+    CHECK(nodes->size() == 396);
+    return meter.peak();
+  };
+  const std::size_t one = peak();
+  for (int k = 1; k < 100; ++k) pins += R"(, "edges")";
+  CHECK(peak() <= one);
 }
 
 TEST_CASE("a box and a ball see the sheet where its transform puts it") {

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <map>
+
 #include "mesh/primitives.hpp"
 #include "scene/load.hpp"
 #include "model/assets.hpp"
@@ -65,6 +67,30 @@ TEST_CASE("meshes and boxes become objects in the order of the colliders, which 
   CHECK(assets->objects[1].triangles.size() == 4);
   CHECK(assets->objects[1].positions[4] == Vec3f{4, 1, 0});
   CHECK(assets->dropped_triangles == 1);
+}
+
+TEST_CASE("a mesh is read once, however many colliders and keyframes name it") {
+  const auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "cloths": [{"mesh": "b.obj", "density": 0.2}, {"mesh": "b.obj", "density": 0.2}],
+          "contact": {"method": "proximity"}, "colliders": [
+            {"kind": "mesh", "mesh": "a.obj"},
+            {"kind": "mesh", "mesh": "a.obj", "transform": {"translate": [9, 0, 0]},
+             "keyframes": [{"time": 1, "mesh": "bent.obj"}, {"time": 2, "mesh": "a.obj"},
+                           {"time": 3, "mesh": "bent.obj"}]}]})",
+      "a.json");
+  if (!scene) FAIL(scene.error().message);
+  std::map<std::string, int> reads;
+  const auto assets = load_assets(*scene, [&](const std::string& name) {
+    ++reads[name];
+    return read(name);
+  });
+  if (!assets) FAIL(assets.error().message);
+  CHECK(reads == std::map<std::string, int>{{"a.obj", 1}, {"b.obj", 1}, {"bent.obj", 1}});
+  CHECK(assets->cloths[1].positions == tetrahedron().positions);
+  CHECK(assets->objects[0].positions == tetrahedron().positions);
+  REQUIRE(assets->keyframes[1].size() == 3);
+  CHECK(assets->keyframes[1][1].positions == assets->objects[1].positions);
+  CHECK(assets->keyframes[1][2].positions == assets->keyframes[1][0].positions);
 }
 
 TEST_CASE(

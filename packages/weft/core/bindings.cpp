@@ -5,9 +5,7 @@
 #include <emscripten.h>
 #include <malloc.h>
 
-#include <algorithm>
 #include <array>
-#include <initializer_list>
 
 #include "inputs.hpp"
 #include "message.hpp"
@@ -23,10 +21,11 @@ using weft::web::text;
 
 Session* session = nullptr;
 
-/// Numbers for the other side to read at once.
-const double* give(std::initializer_list<double> numbers) {
-  static std::array<double, 8> given;
-  std::copy(numbers.begin(), numbers.end(), given.begin());
+/// Numbers for the other side to read at once, as many as there are.
+template <class... Numbers>
+const double* give(Numbers... numbers) {
+  static std::array<double, sizeof...(numbers)> given;
+  given = {static_cast<double>(numbers)...};
   return given.data();
 }
 
@@ -120,10 +119,8 @@ EMSCRIPTEN_KEEPALIVE const double* weft_totals() {
   if (session == nullptr || session->world() == nullptr) return nullptr;
   const weft::sim::World& world = *session->world();
   const weft::sim::Totals& totals = world.totals();
-  return give({static_cast<double>(totals.frames), totals.frames * world.scene().time.frame,
-               static_cast<double>(totals.contacts), static_cast<double>(totals.contact_hash),
-               static_cast<double>(totals.contact_overflow), static_cast<double>(totals.max_stretch),
-               static_cast<double>(totals.nonfinite), static_cast<double>(totals.pairs)});
+  return give(totals.frames, totals.frames * world.scene().time.frame, totals.contacts, totals.contact_hash,
+              totals.contact_overflow, totals.max_stretch, totals.nonfinite, totals.pairs);
 }
 EMSCRIPTEN_KEEPALIVE double weft_gpu_bytes() {
   if (session == nullptr || session->world() == nullptr) return 0;
@@ -163,25 +160,25 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_pick(double x, double y) {
 /// node or -1; x, y, z [m].
 EMSCRIPTEN_KEEPALIVE const double* weft_picked() {
   const auto& picked = session->picked();
-  if (!picked) return give({-1, 0, 0, 0});
-  return give({static_cast<double>(picked->node), picked->point.x, picked->point.y, picked->point.z});
+  if (!picked) return give(-1, 0, 0, 0);
+  return give(picked->node, picked->point.x, picked->point.y, picked->point.z);
 }
 EMSCRIPTEN_KEEPALIVE const double* weft_point_at(double x, double y, double rx, double ry, double rz) {
   if (view() == nullptr) return nullptr;
   const weft::Vec3d point = view()->point_at(x, y, {rx, ry, rz});
-  return give({point.x, point.y, point.z});
+  return give(point.x, point.y, point.z);
 }
 EMSCRIPTEN_KEEPALIVE const double* weft_project(double x, double y, double z) {
   if (view() == nullptr) return nullptr;
   const weft::render::Projected projected = view()->project({x, y, z});
-  return give({projected.x, projected.y});
+  return give(projected.x, projected.y);
 }
 
 /// eye, target [m], vertical field of view [degrees].
 EMSCRIPTEN_KEEPALIVE const double* weft_camera() {
   if (view() == nullptr) return nullptr;
   const weft::scene::Camera& c = view()->camera();
-  return give({c.eye.x, c.eye.y, c.eye.z, c.target.x, c.target.y, c.target.z, c.fov_degrees});
+  return give(c.eye.x, c.eye.y, c.eye.z, c.target.x, c.target.y, c.target.z, c.fov_degrees);
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_set_camera(double ex, double ey, double ez, double tx, double ty,
                                                    double tz, double fov) {

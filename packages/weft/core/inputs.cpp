@@ -8,22 +8,6 @@
 #include "scene/load.hpp"
 
 namespace weft::web {
-namespace {
-
-/// Errors  Limit.
-Result<void> check_room(const scene::Scene& scene, const Assets& assets, std::uint64_t bytes_per_node) {
-  const std::uint64_t nodes = node_count(scene, assets);
-  const std::uint64_t bytes = nodes * bytes_per_node, limit = emscripten_get_heap_max();
-  if (bytes <= limit) return {};
-  return make_error(
-      ErrorKind::Limit,
-      "A cloth of %llu nodes needs about %llu bytes of the module's memory, more than its limit of %llu.",
-      static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes),
-      static_cast<unsigned long long>(limit));
-}
-
-}  // namespace
-
 Result<void> Meshes::add(const std::string& name, std::span<const std::byte> bytes) {
   // A model's plain name is that of a PLY file, as on the command line.
   const std::string file = name.find('.') == std::string::npos ? name + ".ply" : name;
@@ -47,7 +31,8 @@ Result<Inputs> read_inputs(const std::string& text, std::span<const scene::Overr
   WEFT_TRY(scene, scene::parse_scene(text, kSceneName, changes));
   const auto find_mesh = [](const std::string& name) { return meshes().find(name); };
   WEFT_TRY(assets, load_assets(scene, find_mesh));
-  WEFT_CHECK(check_room(scene, assets, bytes_per_node));
+  WEFT_CHECK(
+      check_memory(scene, assets, bytes_per_node, emscripten_get_heap_max(), "the module's"));
   return Inputs{std::move(scene), std::move(assets)};
 }
 

@@ -19,9 +19,6 @@ namespace weft::web {
 
 constexpr const char* kSceneName = "scene";  // what messages call the text that a page hands over
 
-/// Measured at 256² to 1024² nodes: a world takes 176, and while its shape is exported, 351.
-constexpr std::uint64_t kWorldBytesPerNode = 360;
-
 /// The meshes that scenes may name. They need no device.
 class Meshes {
  public:

@@ -53,7 +53,7 @@ Result<void> Session::build(const std::string& text, const std::string& changes)
   text_ = text;
   WEFT_TRY(parsed, parse_changes(changes));
   changes_ = std::move(parsed);
-  WEFT_TRY(inputs, read_inputs(text_, changes_, kWorldBytesPerNode));
+  WEFT_TRY(inputs, read_inputs(text_, changes_, sim::kWorldBytesPerNode));
   WEFT_CHECK(device_->status());
   WEFT_TRY(world, sim::World::create(*device_, std::move(inputs.scene), inputs.assets));
   world_ = std::move(world);

@@ -14,19 +14,16 @@ GridParams grid_params(const ClothModel& cloth, std::uint32_t workgroup_size) {
   const mesh::Grid& grid = *cloth.grid;
   const double di = grid.width / (grid.nx - 1);
   const double dj = grid.height / (grid.ny - 1);
-  const std::array<double, 3> stiffness = {cloth.stiffness.structural, cloth.stiffness.shear,
-                                           cloth.stiffness.bend};
+  const scene::Stiffness& stiffness = cloth.stiffness;
+  const auto damping = [&](double of_kind) { return static_cast<float>(of_kind > 0 ? cloth.damping : 0); };
   GridParams params;
   params.first_vertex = cloth.first_vertex;
   params.nx = grid.nx;
   params.ny = grid.ny;
   params.uniform_weights = cloth.weights == mesh::BoundaryWeights::Uniform ? 1 : 0;
-  float* k = &params.stiffness.x;
-  float* c = &params.damping.x;
-  for (std::size_t kind = 0; kind < 3; ++kind) {
-    k[kind] = static_cast<float>(stiffness[kind]);
-    c[kind] = static_cast<float>(stiffness[kind] > 0 ? cloth.damping : 0);
-  }
+  params.stiffness = {static_cast<float>(stiffness.structural), static_cast<float>(stiffness.shear),
+                      static_cast<float>(stiffness.bend), 0};
+  params.damping = {damping(stiffness.structural), damping(stiffness.shear), damping(stiffness.bend), 0};
   params.rest_length = {static_cast<float>(di), static_cast<float>(dj),
                         static_cast<float>(std::sqrt(di * di + dj * dj)), 0};
   const auto bending = bending_stiffness(cloth);

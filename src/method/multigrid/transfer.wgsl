@@ -4,11 +4,11 @@
 
 // How much fine node `fine` takes from coarse node `coarse`, along a side of n fine and m coarse nodes.
 fn tap(fine : i32, coarse : i32, n : i32, m : i32) -> f32 {
-  if (coarse < 0 || coarse >= m) { return 0.0; }
-  if (n == m) { return select(0.0, 1.0, fine == coarse); }
   let apart = abs(fine - min(2 * coarse, n - 1));
-  if (apart == 0) { return 1.0; }
-  return select(0.0, 0.5, apart == 1 && (fine & 1) == 1 && fine + 1 != n);
+  let beside = select(0.0, 0.5, (apart == 1) & ((fine & 1) == 1) & (fine + 1 != n));
+  let halved = select(beside, 1.0, apart == 0);
+  let kept = select(0.0, 1.0, fine == coarse);
+  return select(0.0, select(halved, kept, n == m), (coarse >= 0) & (coarse < m));
 }
 
 // What fine nodes at `center` - 1, `center` and `center` + 1 take from it; 0 where there is no such node.
@@ -22,7 +22,6 @@ fn center_of(coarse : u32, n : u32, m : u32) -> u32 { return select(min(2u * coa
 
 // The coarse nodes that a fine one takes from, the same twice where it is one.
 fn taps_of(fine : u32, n : u32, m : u32) -> vec2u {
-  if (n == m) { return vec2u(fine); }
-  if (fine + 1u == n) { return vec2u(m - 1u); }
-  return vec2u(fine / 2u, (fine + 1u) / 2u);
+  let halved = select(vec2u(fine / 2u, (fine + 1u) / 2u), vec2u(m - 1u), fine + 1u == n);
+  return select(halved, vec2u(fine), n == m);
 }
