@@ -32,7 +32,7 @@ build_web() {
   setup_npm
   export NODE_PATH=/usr/share/nodejs  # where Debian keeps what Emscripten's optimizer needs
   compile web
-  npm run --silent build --workspace weft
+  npm run --silent build --workspace weft-cloth
   npx --no vite build apps/web --logLevel warn >&2
 }
 

@@ -1,5 +1,5 @@
 // The page's address follows its state, so that a reload or a copied link opens the same.
-import { VIEWS } from "weft";
+import { VIEWS } from "weft-cloth";
 import { OWN } from "./scenes.js";
 import type { PageState } from "./state/page_state.js";
 import { write } from "./state/url_state.js";

@@ -1,4 +1,4 @@
-import { catalog, VIEWS, type World } from "weft";
+import { catalog, VIEWS, type World } from "weft-cloth";
 import { Address, linkTo } from "./address.js";
 import { followSize, setFirstSize } from "./canvas_size.js";
 import { Panel } from "./controls/panel.js";

@@ -1,5 +1,6 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
-import { createWorld, WeftError, type Camera, type Schema, type Statistics, type View, type World, type WorldInfo } from "weft";
+import { createWorld, WeftError, type Camera, type Schema, type Statistics, type View, type World,
+  type WorldInfo } from "weft-cloth";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";

@@ -1,6 +1,6 @@
 // Pointers on the canvas. One on the cloth takes hold of it, one beside it turns the camera, the right button or two
 // fingers move it, wheel and pinch zoom. A node that is pinned is pulled too, and stays where it is left. Moves are gathered and handed on once a picture: the world does them in turn.
-import { WeftError, type Point, type World } from "weft";
+import { WeftError, type Point, type World } from "weft-cloth";
 import type { Pins } from "./controls/pins.js";
 import { Latest } from "./latest.js";
 import type { Player } from "./player.js";

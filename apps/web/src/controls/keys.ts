@@ -1,5 +1,5 @@
 // The keys that do what the panel does; docs/web.md and the help list them.
-import { VIEWS } from "weft";
+import { VIEWS } from "weft-cloth";
 import type { Player } from "../player.js";
 import type { Help } from "./help.js";
 import type { Pins } from "./pins.js";

@@ -1,5 +1,5 @@
 // The panel as a whole: its parts, and what each is told.
-import type { Catalog, Statistics, View, WorldInfo } from "weft";
+import type { Catalog, Statistics, View, WorldInfo } from "weft-cloth";
 import { element } from "../elements.js";
 import type { Limits } from "../memory.js";
 import type { Player } from "../player.js";

@@ -1,5 +1,5 @@
 // What is drawn, and what its colours mean.
-import { VIEWS, type Catalog, type View } from "weft";
+import { VIEWS, type Catalog, type View } from "weft-cloth";
 import { button, element } from "../elements.js";
 import type { Player } from "../player.js";
 
