@@ -100,6 +100,7 @@ export class Player {
     const options = { scene: scene.json, meshes: scene.meshes, set: scene.set };
     this.scene = null;
     this.open_?.pause();
+    if (this.open_?.stopped) this.discard();
     if (this.open_) await this.open_.load(scene.json, options);
     else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.state_.view }));
     const { substeps } = this.open_!.info;
@@ -216,10 +217,10 @@ export class Player {
     if (!done && this.scene === scene) this.change(withKey(this.state_, key, before)); // it has been said why
   }
 
-  /** Takes up where the camera is: it is turned without the player. A busy world cannot be asked. */
+  /** Takes up where the camera is: it is turned without the player. A busy or stopped world cannot be asked. */
   noteCamera(): PageState {
     const world = this.live;
-    if (world && !world.busy) {
+    if (world && !world.busy && !world.stopped) {
       const { camera } = world;
       this.change({ ...this.state_, camera: this.home && near(camera, this.home) ? null : camera });
     }

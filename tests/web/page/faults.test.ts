@@ -91,6 +91,24 @@ test("where the first scene fails, another can be chosen", () => withBrowser(tru
   expect(await page.locator("#notice").isVisible()).toBe(false);
 }));
 
+test("after a trap of the module what is chosen next opens in a new one", () => withBrowser(true, async (browser) => {
+  const seen = await visit(browser, `${site.address}?scene=hanging&nodes=16`);
+  const { page } = seen;
+  await ready(page);
+  await play(page, 2);
+  await page.evaluate(() => {
+    const { core } = window.weft.world as unknown as { core: { module: Record<string, () => number> } };
+    core.module["_weft_advance_and_draw"] = () => { throw new WebAssembly.RuntimeError("unreachable"); };
+  });
+  await until("it is said", async () => /module has stopped/.test((await page.locator("#notice").textContent())!));
+  await until("it stops", async () => !(await running(page)));
+  await page.locator("#resolution").selectOption("32");
+  await until("it is open", () => page.evaluate(() => window.weft.world?.info.nodes === 1024), 60_000);
+  await page.getByRole("button", { name: "Play" }).click();
+  await play(page, 2);
+  expectClean(seen, site);
+}));
+
 const TALL = { width: 800, height: 900 }; // so that the whole card is in view
 
 /** The reference on the CPU is there, labelled, drawn and in motion. */
