@@ -115,7 +115,7 @@ export class Player {
     await this.fitCamera(world);
     this.home = await this.cameraOf(world);
     if (asked.camera) world.camera = asked.camera;
-    const state = { ...asked, view: await this.viewFor(world, asked.view) };
+    const state = { ...asked, view: world.view === asked.view ? asked.view : await this.viewFor(world, asked.view) };
     this.scene = scene;
     this.state_ = state;
     this.events.viewed(state.view);
@@ -126,7 +126,6 @@ export class Player {
 
   /** The view that is asked for; where the scene has nothing to show in it, the world's. */
   private async viewFor(world: World, view: View): Promise<View> {
-    if (world.view === view) return view;
     try {
       await world.setView(view);
     } catch (reason) {
@@ -194,10 +193,10 @@ export class Player {
     const before = this.state_.view;
     this.change({ ...this.state_, view });
     this.events.viewed(view);
-    const shown = await this.ask((world) => world.setView(view).then(() => true));
-    if (shown || !this.live || this.state_.view !== view) return;
-    this.change({ ...this.state_, view: before }); // it has been said why
-    this.events.viewed(before);
+    const shown = await this.ask((world) => this.viewFor(world, view));
+    if (shown === view || !this.live || this.state_.view !== view) return;
+    this.change({ ...this.state_, view: shown ?? before }); // it has been said why
+    this.events.viewed(shown ?? before);
   }
 
   /** Changes a key of the scene while it moves; null: as the scene has it. */

@@ -34,7 +34,7 @@ function pageAction(key: string, { help, theme }: Parts): (() => void) | null {
 
 function sceneAction(key: string, { player, views, pins }: Parts): (() => void) | null {
   const view = VIEWS[Number(key) - 1];
-  if (view) return () => void player.setView(view);
+  if (view) return () => views.choose(view);
   switch (key) {
     case " ": return () => player.play(!player.playing);
     case ".": return () => void player.step();
