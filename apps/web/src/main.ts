@@ -38,8 +38,9 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const canvas = element("canvas", HTMLCanvasElement);
   setFirstSize(canvas);
   const [offers, limits] = await Promise.all([catalog(), adapterLimits()]);
-  const { state, refused } = read(location.href,
+  const asked = () => read(location.href,
     { schema: offers.schema, scenes: SCENES.map(({ name }) => name), view: VIEWS[0], mostNodes: MOST_NODES });
+  const { state, refused } = asked();
   let cameraAt = 0;
   const events: PlayerEvents = {
     opening(sentence) {
@@ -89,6 +90,14 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   followSize(canvas, async (width, height) => {
     await player.resize(width, height);
     pins.draw();
+  });
+  window.addEventListener("popstate", (event) => {
+    const { state: named, refused: fault } = asked();
+    const wanted = address.entered(event.state, named);
+    if (!wanted) return;
+    void address.follow(async () => {
+      if (await show(player, wanted) && fault !== null) notice.say(fault);
+    }, () => player.state);
   });
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) pointer.cancel();
