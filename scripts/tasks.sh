@@ -46,7 +46,7 @@ build_web() {
   export NODE_PATH=/usr/share/nodejs  # where Debian keeps what Emscripten's optimizer needs
   configure web
   compile web core
-  npm run --silent build --workspace weft
+  npm run --silent build --workspace weft-cloth
   npx --no vite build apps/web --logLevel warn >&2
 }
 

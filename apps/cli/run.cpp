@@ -1,7 +1,6 @@
 #include "run.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -73,16 +72,6 @@ const char* end_of(const Result<void>& result) {
   }
 }
 
-/// Springs that a step is too long for blow up, unless contact holds the vertices back: then it shows only as
-/// cloth that trembles.
-void say_if_unstable(const sim::World& world) {
-  const double longest = world.plan().limit().largest_step;
-  if (longest <= 0 || world.step() <= longest) return;
-  say("The step of %.3g ms is longer than the largest stable one of %.3g ms, so the springs may blow up: "
-      "%.0f substeps a frame are needed, not %u.",
-      1e3 * world.step(), 1e3 * longest, std::ceil(world.scene().time.frame / longest), world.substeps());
-}
-
 /// A frame is one piece of work for the GPU: within it there is no progress to show, and no signal is heard.
 void say_if_long(const sim::World& world) {
   constexpr std::uint32_t kMany = 10000;
@@ -104,8 +93,10 @@ Result<void> run_scene(const RunOptions& options) {
   WEFT_TRY(device, gpu::Device::create(device_options));
   if (options.frames) scene.time.frames = *options.frames;
   WEFT_TRY(world, sim::World::create(*device, std::move(scene), assets));
-  say_if_unstable(*world);
   say_if_long(*world);
+  const std::string unstable =
+      unstable_step(world->plan().limit(), world->scene().time.frame, world->substeps());
+  if (!unstable.empty()) say("%s", unstable.c_str());
   std::unique_ptr<Pictures> pictures;
   if (!options.out.empty()) {
     WEFT_TRY(made, Pictures::create(*world, options.out));

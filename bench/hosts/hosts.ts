@@ -4,7 +4,7 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import * as weft from "weft";
+import * as weft from "weft-cloth";
 import { openPage, ROOT, SOFTWARE_FLAGS, type Harness } from "../../tests/web/chromium.ts";
 import { gpu } from "../../tests/web/node_gpu.ts";
 import { changes, measureHost, measureSteps, STEPS_A_FRAME } from "./measure.js";
@@ -34,7 +34,7 @@ function native(n: number): Omit<Row, "host" | "nodes"> {
 /** Measures in the page, which runs the same measure.js. */
 async function inPage<T>(harness: Harness, call: string): Promise<T> {
   await harness.page.evaluate(() => { delete (window as { result?: unknown }).result; });
-  await harness.script(`import * as weft from "weft"; import * as measure from "/bench/hosts/measure.js";
+  await harness.script(`import * as weft from "weft-cloth"; import * as measure from "/bench/hosts/measure.js";
     const scene = await (await fetch("/scenes/hanging.json")).text();
     const where = { scene, canvas: document.querySelector("canvas") };
     window.result = await measure.${call};`);

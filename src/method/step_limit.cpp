@@ -1,7 +1,9 @@
 #include "method/step_limit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "contact/rules/contact_law.hpp"
@@ -12,6 +14,18 @@ double largest_stable_step(double stiffness, double damping) {
   // Not the difference (√(μ² + 4 λ) - μ) / λ: where μ is large it cancels to 0, and 0 means no limit.
   const double sum = std::sqrt(damping * damping + 4 * stiffness) + damping;
   return sum > 0 ? 4 / sum : 0;
+}
+
+std::string unstable_step(const StepLimit& limit, double frame, std::uint32_t substeps) {
+  const double step = frame / substeps;
+  if (limit.largest_step <= 0 || step <= limit.largest_step) return {};
+  std::array<char, 256> text{};
+  std::snprintf(
+      text.data(), text.size(),
+      "The step of %.3g ms is longer than the largest stable one of %.3g ms, so the springs may blow up: "
+      "%.0f substeps a frame are needed, not %u.",
+      1e3 * step, 1e3 * limit.largest_step, std::ceil(frame / limit.largest_step), substeps);
+  return text.data();
 }
 
 StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/result.hpp"
@@ -30,6 +31,10 @@ struct StepLimit {
   double contact_step = 0;       // in longer ones contact holds fast cloth back [s]; 0: there is no contact
   std::vector<NetworkSpectrum> cloths;  // in the order of the scene
 };
+
+/// Why a frame [s] of this many substeps is unstable, as one sentence; empty where it is stable. Springs that
+/// a step is too long for blow up, unless contact holds the vertices back: then the cloth only trembles.
+std::string unstable_step(const StepLimit& limit, double frame, std::uint32_t substeps);
 
 /// The least of the limits of cloths with these spectra.
 StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag);

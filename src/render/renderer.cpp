@@ -136,6 +136,8 @@ Result<void> Renderer::resize(std::uint32_t width, std::uint32_t height) {
   return {};
 }
 
+Result<void> Renderer::can_show(View view) const { return check_view(given_, view); }
+
 Result<void> Renderer::set_view(View view) {
   auto& passes = passes_[static_cast<std::size_t>(view)];
   if (!passes) {

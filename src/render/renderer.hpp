@@ -49,6 +49,9 @@ class Renderer {
   /// Another size of the texture drawn into [pixel]; the camera keeps its place and vertical field of view.
   /// Errors  Input: a side is 0. Limit, OutOfMemory. After an error the size is as it was.
   Result<void> resize(std::uint32_t width, std::uint32_t height);
+  /// Whether there is something to show in a view. Errors  Input: what it shows is no part of the scene.
+  /// Shape: the inputs lack it.
+  Result<void> can_show(View view) const;
   /// What the picture shows. The pipelines of a view are made when it is first asked for, and kept.
   /// Errors  Shape: the inputs lack what the view shows. Shader. After an error the view is as it was.
   Result<void> set_view(View view);

@@ -219,6 +219,19 @@ TEST_CASE("auto says which solver it took and why, and multigrid needs no stable
   CHECK(told.out.find("chosen since 30 nodes are fewer than") != std::string::npos);
 }
 
+TEST_CASE("a step beyond the largest stable one is said") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  const auto said = [&](const char* substeps) {
+    const Ended ended =
+        run_weft({"run", scene, "--frames", "1", "--set", std::string("time.substeps=") + substeps});
+    REQUIRE_MESSAGE(ended.code == 0, ended.err);
+    return ended.err;
+  };
+  CHECK(said("1").find("substeps a frame are needed, not 1.") != std::string::npos);
+  CHECK(said("4").empty());
+}
+
 TEST_CASE("run takes relative paths from where it is run, and its lines for people say what was written") {
   const TemporaryFolder folder;
   put(folder, "a.json", tiny_scene());

@@ -123,6 +123,16 @@ TEST_CASE("a limit stays one, however strong the damping") {
     CHECK(largest_stable_step(1e4, damping) == doctest::Approx(2 / damping));
 }
 
+TEST_CASE("an unstable step is said with both steps and both numbers of substeps, a stable one is not") {
+  StepLimit limit;
+  CHECK(unstable_step(limit, 0.5, 1).empty());  // there is no limit
+  limit.largest_step = 0.1;
+  CHECK(unstable_step(limit, 0.5, 5).empty());
+  CHECK(unstable_step(limit, 0.5, 2) ==
+        "The step of 250 ms is longer than the largest stable one of 100 ms, so the springs may blow up: "
+        "5 substeps a frame are needed, not 2.");
+}
+
 TEST_CASE("substeps are rounded up to a multiple of 4, and too many are refused with both numbers") {
   const scene::Scene scene;  // 60 frames a second
   StepLimit limit;

@@ -6,7 +6,7 @@ import { extname, join, normalize } from "node:path";
 import { chromium, type Browser, type Page } from "playwright-core";
 
 declare global {
-  interface Window { weft: typeof import("weft") }
+  interface Window { weft: typeof import("weft-cloth") }
 }
 
 export const ROOT = join(import.meta.dirname, "../..");
@@ -38,7 +38,7 @@ export interface Harness {
   page: Page;
   /** What the page said that it should not have: console errors, page errors, requests to elsewhere. */
   complaints: string[];
-  /** Runs a module's text in the page, where "weft" stands for the package. */
+  /** Runs a module's text in the page, where "weft-cloth" stands for the package. */
   script(text: string): Promise<void>;
   close(): Promise<void>;
 }
@@ -59,7 +59,7 @@ export async function openPage(flags: readonly string[] = SOFTWARE_FLAGS, execut
   await page.waitForFunction(() => "weft" in window);
   const script = async (text: string) => {
     const path = `/script${scripts.size}.js`;
-    scripts.set(path, text.replaceAll(`"weft"`, `"${PACKAGE}"`));
+    scripts.set(path, text.replaceAll(`"weft-cloth"`, `"${PACKAGE}"`));
     await page.addScriptTag({ type: "module", url: path });
   };
   const close = async () => {

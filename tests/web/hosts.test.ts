@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { createWorld, meshNames } from "weft";
+import { createWorld, meshNames } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { gpu } from "./node_gpu.ts";
 

@@ -1,8 +1,10 @@
 // The package as its users have it: the README's examples, and what each call promises.
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
-import { catalog, checkScene, createWorld, meshNames, readMesh, schemaOf, WeftError, type World, type WorldOptions } from "weft";
+import { catalog, checkScene, createWorld, meshNames, readMesh, schemaOf, WeftError, type World,
+  type WorldOptions } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { gpu } from "./node_gpu.ts";
 
@@ -86,6 +88,17 @@ it("the catalog has the schema, the colour map and the limits of the core, witho
   expect(colors.at(-1)!.map((part) => Math.round(255 * part))).toEqual([253, 231, 37]);
   expect(ranges.stretch).toEqual([0.95, 1.15]);
   expect(mostGrabs).toBe(4);
+});
+
+it("is packed with its licence, its notices, types and the module, and nothing else", () => {
+  const [packed] = JSON.parse(execFileSync("npm", ["pack", "--dry-run", "--json", "--loglevel=error"],
+    { cwd: join(ROOT, "packages/weft"), encoding: "utf8" })) as [{ name: string; files: { path: string }[] }];
+  expect(packed.name).toBe("weft-cloth");
+  const paths = packed.files.map(({ path }) => path);
+  expect(paths.filter((path) => !path.startsWith("build/")).sort())
+    .toEqual(["LICENSE", "NOTICE", "README.md", "THIRD_PARTY.md", "package.json"]);
+  expect(paths).toEqual(expect.arrayContaining(["index.js", "index.d.ts", "core_module.js", "core_module.wasm"].map((name) =>
+    `build/${name}`)));
 });
 
 describe("a world", () => {

@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { createReference, meshNames, WeftError, type Reference } from "weft";
+import { createReference, meshNames, WeftError, type Reference } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 
 interface Case { scene: string; frames: number; set: Record<string, unknown> }

@@ -1,6 +1,6 @@
 // A cloth's triangles on a 2D canvas, the far ones first. Shading only: where the nodes are comes from the core.
-// Light and sky are those of src/render (lighting.wgsl, cloth.wgsl), without shadow and single threads.
-import type { Point } from "weft";
+// Light and sky are those of shaders/render (lighting.wgsl, cloth.wgsl), without shadow and single threads.
+import type { Point } from "weft-cloth";
 
 /** Where the picture is taken from. */
 export interface Look {

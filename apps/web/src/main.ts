@@ -1,4 +1,4 @@
-import { catalog, VIEWS, type World } from "weft";
+import { catalog, VIEWS, type World } from "weft-cloth";
 import { Address, linkTo } from "./address.js";
 import { followSize, setFirstSize } from "./canvas_size.js";
 import { Panel } from "./controls/panel.js";
@@ -8,11 +8,12 @@ import { element } from "./elements.js";
 import { showFallback } from "./fallback.js";
 import { Files } from "./files/files.js";
 import { adapterLimits } from "./memory.js";
-import { Notice } from "./notice.js";
+import { Notice, type Offer } from "./notice.js";
 import { Player, type PlayerEvents } from "./player.js";
 import { Pointer } from "./pointer.js";
 import { SCENES } from "./scenes.js";
-import { plain, type PageState } from "./state/page_state.js";
+import { plain, withKey, type PageState } from "./state/page_state.js";
+import { SUBSTEPS } from "./state/parameters.js";
 import { read } from "./state/url_state.js";
 import { missingDevice, missingSupport } from "./support.js";
 
@@ -38,11 +39,14 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const canvas = element("canvas", HTMLCanvasElement);
   setFirstSize(canvas);
   const [offers, limits] = await Promise.all([catalog(), adapterLimits()]);
-  const { state, refused } = read(location.href,
+  const asked = () => read(location.href,
     { schema: offers.schema, scenes: SCENES.map(({ name }) => name), view: VIEWS[0], mostNodes: MOST_NODES });
+  const { state, refused } = asked();
   let cameraAt = 0;
+  let remedy: Offer | null = null; // where the step is unstable
   const events: PlayerEvents = {
     opening(sentence) {
+      remedy = null;
       pointer.forget();
       pins.forget();
       panel.opening();
@@ -50,6 +54,9 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     },
     opened(scene, info) {
       panel.opened(scene, info);
+      remedy = info.unstableStep === null ? null : { label: "Use “auto”",
+        act: () => void show(player, withKey(player.noteCamera(), SUBSTEPS, "auto")) };
+      if (info.unstableStep !== null) notice.say(info.unstableStep, "warning", remedy);
       notice.wait(null);
       notice.announce(`${scene.title}: ${info.nodes} nodes.`);
     },
@@ -59,7 +66,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     },
     playing(on) {
       panel.playing(on);
-      if (on && player.live) notice.clear(); // it has been read
+      if (on && player.live) notice.clearError(); // it has been read
       notice.announce(on ? "Playing." : "Paused.");
     },
     viewed: (view) => panel.viewed(view),
@@ -77,7 +84,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
       setTimeout(() => player.noteCamera(), CAMERA_CALM); // where it has come to by then
     },
     said: (sentence) => notice.say(sentence, "plain"),
-    failed: (sentence) => notice.say(sentence),
+    failed: (sentence) => notice.say(sentence, "error", remedy),
   };
   const player = new Player(canvas, offers.schema, limits, state, events);
   const say = (sentence: string) => notice.say(sentence, "plain");
@@ -89,6 +96,14 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   followSize(canvas, async (width, height) => {
     await player.resize(width, height);
     pins.draw();
+  });
+  window.addEventListener("popstate", (event) => {
+    const { state: named, refused: fault } = asked();
+    const wanted = address.entered(event.state, named);
+    if (!wanted) return;
+    void address.follow(async () => {
+      if (await show(player, wanted) && fault !== null) notice.say(fault);
+    }, () => player.state);
   });
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) pointer.cancel();
@@ -120,16 +135,16 @@ async function start(): Promise<World> {
   const { player, pins, refused } = await build();
   page = { player, pins };
   const asked = player.state;
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  if (!still) player.play(true); // as soon as there is something to play
   let sentence = refused;
   if (!(await show(player, asked)) && Object.keys(asked.set).length + Number(asked.nodes !== null) > 0) {
     sentence = notice.text; // why it could not be opened as the address asks
     await show(player, plain(asked.scene, asked.view));
   }
-  sentence ??= notice.text || null; // what the scene cannot show
   if (document.body.classList.contains("without-gpu")) throw new Error("There is no WebGPU device.");
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-  if (!still) player.play(true);
-  else if (player.live) notice.say("Your system asks for less motion, so the cloth waits until you press Play.", "plain");
+  if (still && player.live && notice.text === null)
+    notice.say("Your system asks for less motion, so the cloth waits until you press Play.", "plain");
   if (sentence !== null) notice.say(sentence);
   if (!player.world) throw new Error("The first scene could not be opened.");
   return player.world;

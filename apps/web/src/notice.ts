@@ -1,30 +1,87 @@
 import { button, element } from "./elements.js";
 
+/** A plain one goes by itself. An error or a warning stays until it is closed or the page goes on to another scene. */
+export type Tone = "error" | "warning" | "plain";
+
+/** Something that the visitor can do about it. */
+export interface Offer {
+  readonly label: string;
+  act(): void;
+}
+
+interface Said {
+  readonly sentence: string;
+  readonly tone: Tone;
+  readonly offer: Offer | null;
+}
+
+const PLAIN_STAYS = 5000; // [ms]
+
 /** Sentences to the user: over the cloth where they matter, and aloud where a screen reader is in use. */
 export class Notice {
   private readonly box = element("notice", HTMLDivElement);
   private readonly line = element("notice-text", HTMLDivElement);
+  private readonly offer = button("notice-offer");
   private readonly announcer = element("announcer", HTMLParagraphElement);
   private readonly veil = element("veil", HTMLDivElement);
+  private standing: Said | null = null; // the error or warning that nobody has closed
+  private shown: Said | null = null;
+  private end: ReturnType<typeof setTimeout> | undefined; // of a plain one
 
   constructor() {
+    const canvas = element("canvas", HTMLCanvasElement);
     button("notice-close").addEventListener("click", () => {
-      this.box.hidden = true;
-      element("canvas", HTMLCanvasElement).focus();
+      if (this.shown === this.standing) this.standing = null;
+      this.show(this.standing);
+      if (!this.shown) canvas.focus();
+    });
+    this.offer.addEventListener("click", () => {
+      canvas.focus();
+      this.shown?.offer?.act();
     });
   }
 
-  /** Something went wrong, or was put right; stays until it is closed or something else is said. */
-  say(sentence: string, tone: "error" | "plain" = "error"): void {
-    this.box.dataset["tone"] = tone;
-    this.box.hidden = false;
-    this.line.textContent = sentence;
+  /** A warning does not take the place of an error. */
+  say(sentence: string, tone: Tone = "error", offer: Offer | null = null): void {
+    const said = { sentence, tone, offer };
+    if (tone === "warning" && this.standing?.tone === "error") return;
+    if (tone !== "plain") this.standing = said;
+    this.show(said);
   }
 
   /** What is said over the cloth; null: nothing. */
-  get text(): string | null { return this.box.hidden ? null : this.line.textContent; }
+  get text(): string | null { return this.shown?.sentence ?? null; }
 
-  clear(): void { this.box.hidden = true; }
+  clear(): void {
+    this.standing = null;
+    this.show(null);
+  }
+
+  /** What made the cloth stop has been read. */
+  clearError(): void {
+    if (this.standing?.tone === "error") this.standing = null;
+    this.show(this.standing);
+  }
+
+  private show(said: Said | null): void {
+    clearTimeout(this.end);
+    this.shown = said;
+    this.box.hidden = said === null;
+    if (!said) return;
+    this.box.dataset["tone"] = said.tone;
+    this.line.textContent = said.sentence;
+    this.offer.hidden = said.offer === null;
+    this.offer.textContent = said.offer?.label ?? "";
+    if (said.tone === "plain") this.endLater();
+  }
+
+  /** Not under a pointer or with the focus in it: it is being read. */
+  private endLater(): void {
+    this.end = setTimeout(() => {
+      if (this.box.matches(":hover, :focus-within")) this.endLater();
+      else this.show(this.standing);
+    }, PLAIN_STAYS);
+  }
 
   /** A change of state that can be seen on the controls; for those who do not see them. */
   announce(sentence: string): void { this.announcer.textContent = sentence; }

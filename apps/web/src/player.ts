@@ -1,5 +1,6 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
-import { createWorld, WeftError, type Camera, type Schema, type Statistics, type View, type World, type WorldInfo } from "weft";
+import { createWorld, WeftError, type Camera, type Schema, type Statistics, type View, type World,
+  type WorldInfo } from "weft-cloth";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
@@ -99,6 +100,7 @@ export class Player {
     const options = { scene: scene.json, meshes: scene.meshes, set: scene.set };
     this.scene = null;
     this.open_?.pause();
+    if (this.open_?.stopped) this.discard();
     if (this.open_) await this.open_.load(scene.json, options);
     else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.state_.view }));
     const { substeps } = this.open_!.info;
@@ -113,7 +115,7 @@ export class Player {
     await this.fitCamera(world);
     this.home = await this.cameraOf(world);
     if (asked.camera) world.camera = asked.camera;
-    const state = { ...asked, view: await this.viewFor(world, asked.view) };
+    const state = { ...asked, view: world.view === asked.view ? asked.view : await this.viewFor(world, asked.view) };
     this.scene = scene;
     this.state_ = state;
     this.events.viewed(state.view);
@@ -124,7 +126,6 @@ export class Player {
 
   /** The view that is asked for; where the scene has nothing to show in it, the world's. */
   private async viewFor(world: World, view: View): Promise<View> {
-    if (world.view === view) return view;
     try {
       await world.setView(view);
     } catch (reason) {
@@ -192,10 +193,10 @@ export class Player {
     const before = this.state_.view;
     this.change({ ...this.state_, view });
     this.events.viewed(view);
-    const shown = await this.ask((world) => world.setView(view).then(() => true));
-    if (shown || !this.live || this.state_.view !== view) return;
-    this.change({ ...this.state_, view: before }); // it has been said why
-    this.events.viewed(before);
+    const shown = await this.ask((world) => this.viewFor(world, view));
+    if (shown === view || !this.live || this.state_.view !== view) return;
+    this.change({ ...this.state_, view: shown ?? before }); // it has been said why
+    this.events.viewed(shown ?? before);
   }
 
   /** Changes a key of the scene while it moves; null: as the scene has it. */
@@ -215,10 +216,10 @@ export class Player {
     if (!done && this.scene === scene) this.change(withKey(this.state_, key, before)); // it has been said why
   }
 
-  /** Takes up where the camera is: it is turned without the player. A busy world cannot be asked. */
+  /** Takes up where the camera is: it is turned without the player. A busy or stopped world cannot be asked. */
   noteCamera(): PageState {
     const world = this.live;
-    if (world && !world.busy) {
+    if (world && !world.busy && !world.stopped) {
       const { camera } = world;
       this.change({ ...this.state_, camera: this.home && near(camera, this.home) ? null : camera });
     }

@@ -1,21 +1,33 @@
 // Pointers on the canvas. One on the cloth takes hold of it, one beside it turns the camera, the right button or two
-// fingers move it, wheel and pinch zoom. A node that is pinned is pulled too, and stays where it is left. Moves are gathered and handed on once a picture: the world does them in turn.
-import { WeftError, type Point, type World } from "weft";
+// fingers move it, wheel and pinch zoom. A node that is pinned is pulled too, and stays where it is left. Moves are
+// gathered and handed on once a picture: the world does them in turn.
+import { WeftError, type Point, type World } from "weft-cloth";
 import type { Pins } from "./controls/pins.js";
+import { Hand, type Place } from "./hand.js";
 import { Latest } from "./latest.js";
 import type { Player } from "./player.js";
 
-interface Place { x: number; y: number; } // CSS pixels
+/** A node that a hand draws. */
+interface Pull {
+  readonly node: number;
+  /** Where it was taken hold of: the hand stays as far from the camera [m]. */
+  readonly point: Point;
+  readonly hand: Hand;
+  readonly drags: Latest<Point>;
+  /** Up to which simulated time the hand has moved [s]. */
+  seconds: number;
+}
 
 type Gesture =
   | { kind: "none" }
   | { kind: "deciding" } // whether the cloth is under the pointer
-  | { kind: "grab"; node: number; point: Point }
+  | { kind: "grab"; pull: Pull }
   | { kind: "orbit" }
   | { kind: "pan" }
   | { kind: "pinch" };
 
 const HALF_TURN = Math.PI; // of the camera, for a drag over the canvas's height [rad]
+const AT_ONCE = 3; // frames whose reports may come together; what has passed while the hand rested is no time to move in
 const WHEEL = 0.0015; // zoom exponent per pixel of the wheel
 const WHEEL_PINCH = 0.01; // a trackpad's pinch comes as a wheel with Ctrl, in smaller numbers
 const LINE = 16; // pixels, for wheels that count lines
@@ -23,11 +35,11 @@ const LINE = 16; // pixels, for wheels that count lines
 export class Pointer {
   private readonly down = new Map<number, Place>();
   private gesture: Gesture = { kind: "none" };
+  private hand = new Hand({ x: 0, y: 0 }); // of the pointer that went down last
+  private readonly trailing = new Set<Pull>(); // of pins that the pointer has left before the hand was there
   private last: Place = { x: 0, y: 0 }; // up to where the gesture has been handed on
   private spread = 0; // of two fingers [CSS pixels]
   private due = false;
-  private readonly drags = new Latest<{ node: number; target: Point }>(({ node, target }) =>
-    this.player.ask((world) => world.drag(node, target)));
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly player: Player,
     private readonly pins: Pins) {
@@ -50,6 +62,7 @@ export class Pointer {
   /** The world is another one: nothing is held in it. */
   forget(): void {
     this.down.clear();
+    this.trailing.clear();
     this.gesture = { kind: "none" };
     this.mark();
   }
@@ -58,6 +71,7 @@ export class Pointer {
     this.canvas.setPointerCapture(event.pointerId);
     this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
     this.last = this.centre();
+    this.hand = new Hand(this.last);
     if (this.down.size === 2) {
       this.spread = this.span();
       this.begin({ kind: "pinch" });
@@ -69,13 +83,19 @@ export class Pointer {
   private onMove(event: PointerEvent): void {
     if (!this.down.has(event.pointerId)) return;
     this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const all = event.getCoalescedEvents(); // the browser hands on one a picture
+    for (const { clientX: x, clientY: y, timeStamp } of all.length > 0 ? all : [event])
+      this.hand.follow({ x, y }, timeStamp);
     this.schedule();
   }
 
   private onUp(event: PointerEvent): void {
     if (!this.down.has(event.pointerId)) return;
-    if (event.type === "pointerup") this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (this.down.size === 1) this.hand(); // the way of the last few moves
+    if (event.type === "pointerup") {
+      this.down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      this.hand.follow({ x: event.clientX, y: event.clientY }, event.timeStamp);
+    }
+    if (this.down.size === 1) this.handOn(); // the way of the last few moves
     this.down.delete(event.pointerId);
     if (this.gesture.kind === "pinch" && this.down.size === 1) {
       this.last = this.centre();
@@ -103,15 +123,35 @@ export class Pointer {
       this.last = this.centre();
       return this.begin({ kind: "orbit" });
     }
-    this.begin({ kind: "grab", ...held });
+    this.begin({ kind: "grab", pull: this.pullOf(held.node, held.point) });
     this.schedule(); // it may have moved meanwhile
+  }
+
+  private pullOf(node: number, point: Point): Pull {
+    for (const pull of this.trailing) if (pull.node === node) this.trailing.delete(pull);
+    const pull: Pull = {
+      node, point, hand: this.hand, seconds: this.player.live?.statistics.seconds ?? 0,
+      drags: new Latest((target) => this.player.ask(async (world) => {
+        if (this.draws(pull)) await world.drag(node, target); // else it has been let go meanwhile
+      })),
+    };
+    return pull;
+  }
+
+  /** Whether the node is still held by the pointer or by its pin. */
+  private draws(pull: Pull): boolean {
+    return (this.gesture.kind === "grab" && this.gesture.pull === pull) || this.pins.has(pull.node);
   }
 
   /** Every change of gesture goes through here, so that a node that is held is let go. */
   private begin(next: Gesture): void {
     const before = this.gesture;
     this.gesture = next;
-    if (before.kind === "grab" && !this.pins.has(before.node)) void this.player.ask((world) => world.release(before.node));
+    if (before.kind === "grab") {
+      const { pull } = before;
+      if (!this.pins.has(pull.node)) void this.player.ask((world) => world.release(pull.node));
+      else if (!pull.hand.arrived) this.trailing.add(pull);
+    }
     this.mark();
   }
 
@@ -125,14 +165,16 @@ export class Pointer {
     // Asked for in a pointer event, this comes after the world's own tick and does not hold it up.
     requestAnimationFrame(() => {
       this.due = false;
-      this.hand();
+      this.handOn();
     });
   }
 
-  private hand(): void {
+  private handOn(): void {
     const world = this.player.live;
-    if (!world || this.down.size === 0) return;
-    if (this.gesture.kind === "grab") return this.moveGrab(world, this.gesture);
+    if (!world) return;
+    for (const pull of this.trailing) this.draw(world, pull);
+    if (this.down.size === 0) return;
+    if (this.gesture.kind === "grab") return this.draw(world, this.gesture.pull);
     const { height } = this.canvas.getBoundingClientRect();
     const centre = this.centre();
     const [dx, dy] = [(centre.x - this.last.x) / height, (centre.y - this.last.y) / height];
@@ -147,12 +189,19 @@ export class Pointer {
     }
   }
 
-  private moveGrab(world: World, { node, point }: { node: number; point: Point }): void {
+  private draw(world: World, pull: Pull): void {
+    if (!this.draws(pull)) return void this.trailing.delete(pull);
     if (world.busy) return this.schedule(); // a place on the canvas can be asked for only between the world's calls
-    const { x, y } = this.clip(this.centre());
-    const target = world.pointAt(x, y, point);
-    this.drags.set({ node, target });
-    this.pins.moved(node, target);
+    const { seconds } = world.statistics;
+    const passed = Math.min(Math.max(0, seconds - pull.seconds), AT_ONCE * world.info.frameSeconds);
+    pull.seconds = seconds;
+    // In a world that stands still, no hand is too fast.
+    const { x, y } = this.clip(pull.hand.after(this.player.playing ? passed : Infinity));
+    const target = world.pointAt(x, y, pull.point);
+    pull.drags.set(target);
+    this.pins.moved(pull.node, target);
+    if (pull.hand.arrived) this.trailing.delete(pull);
+    else this.schedule();
   }
 
   // Wheel and keys
@@ -179,6 +228,7 @@ export class Pointer {
 
   // Places
 
+  /** Of the pointers that are down. */
   private centre(): Place {
     const places = [...this.down.values()];
     const sum = places.reduce((a, b) => ({ x: a.x + b.x, y: a.y + b.y }), { x: 0, y: 0 });

@@ -1,5 +1,5 @@
 // The reference on the CPU, played in real time and drawn on a 2D canvas: what a page without WebGPU can show.
-import { catalog, createReference, VIEWS, type Reference } from "weft";
+import { catalog, createReference, VIEWS, type Reference } from "weft-cloth";
 import { followSize, setFirstSize } from "./canvas_size.js";
 import { ClothSketch, type Look } from "./cloth_sketch.js";
 import { fetchScene, type Grid } from "./scenes.js";

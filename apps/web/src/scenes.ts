@@ -1,6 +1,6 @@
 // The scenes that the page offers, and their files. Vite gives every file that is there an address on the page's own
 // origin, in the build and while developing; what is not there is not offered.
-import { meshNames, schemaOf, type Bytes, type Schema } from "weft";
+import { meshNames, schemaOf, type Bytes, type Schema } from "weft-cloth";
 import { MOST_SUBSTEPS } from "./files/limits.js";
 import type { PageState } from "./state/page_state.js";
 

@@ -11,6 +11,7 @@
 
 #include "base/result.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "method/step_limit.hpp"
 #include "scene/override.hpp"
 #include "scene/scene.hpp"
 #include "model/assets.hpp"
@@ -57,6 +58,9 @@ nlohmann::ordered_json describe(const Running& running, std::size_t nodes, std::
   json["frameSeconds"] = running.scene().time.frame;
   json["stepSeconds"] = running.step();
   json["stableStepSeconds"] = running.plan().limit().largest_step;
+  const std::string unstable =
+      unstable_step(running.plan().limit(), running.scene().time.frame, running.substeps());
+  json["unstableStep"] = unstable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(unstable);
   json["frames"] = running.scene().time.frames;
   json["droppedTriangles"] = dropped_triangles;
   return json;

@@ -167,6 +167,12 @@ std::string Session::describe() const {
   nlohmann::ordered_json json = web::describe(
       world, world.model().vertex_count(), world.model().triangle_count(), world.assets().dropped_triangles);
   json["view"] = scene::name_of(shown_);
+  json["refusedViews"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; view_ && i < render::kViewCount; ++i) {
+    const auto view = static_cast<scene::View>(i);
+    if (const auto can = view_->can_show(view); !can)
+      json["refusedViews"][scene::name_of(view)] = can.error().message;
+  }
   json["adapter"] = device_->adapter().name;
   json["gpuBytes"] = device_->allocated_bytes();
   json["timestamps"] = device_->has_timestamps();

@@ -23,6 +23,7 @@ class View {
   static Result<View> create(const sim::World& world, const Canvas& canvas, scene::View view);
 
   Result<void> resize(std::uint32_t width, std::uint32_t height);
+  Result<void> can_show(scene::View view) const { return renderer_.can_show(view); }
   Result<void> set_view(scene::View view);
 
   /// What draws the state that lies in this parity's buffers.

@@ -65,6 +65,8 @@ export class Core {
 
   /** Whether a call sleeps; until it returns, no other may be made. */
   get busy(): boolean { return this.inFlight; }
+  /** Whether a trap has ended the module: every call throws. */
+  get stopped(): boolean { return this.dead !== null; }
 
   /** Carries something out after all that was asked before and before all that will be asked. */
   turn<T>(action: () => T | Promise<T>): Promise<T> {

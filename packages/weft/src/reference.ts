@@ -9,7 +9,7 @@ export interface ReferenceOptions extends SceneOptions {
 }
 
 /** What was loaded. */
-export type ReferenceInfo = Omit<WorldInfo, "adapter" | "gpuBytes" | "timestamps" | "view">;
+export type ReferenceInfo = Omit<WorldInfo, "adapter" | "gpuBytes" | "timestamps" | "view" | "refusedViews">;
 
 /** Builds the scene at rest. Needs no WebGPU. */
 export async function createReference({ scene, meshes = {}, set = {} }: ReferenceOptions): Promise<Reference> {

@@ -73,6 +73,8 @@ export class World {
   get running(): boolean { return this.playing; }
   /** Whether a call is under way; what returns at once then throws. */
   get busy(): boolean { return this.core.busy; }
+  /** Whether the module has ended, most likely for want of memory: every call fails, and only a new world helps. */
+  get stopped(): boolean { return this.core.stopped; }
   get view(): View { return this.shownView; }
 
   on<Name extends keyof Events>(name: Name, listener: (event: Events[Name]) => void): () => void {

@@ -35,6 +35,8 @@ export interface WorldInfo {
   adapter: string;
   /** What is drawn: that of before, but "textured" where the scene has no pairs to show as "contacts". */
   view: View;
+  /** Why a view has nothing to show in this scene, of those for which it is so; none without a canvas. */
+  refusedViews: Partial<Record<View, string>>;
   nodes: number;
   triangles: number;
   springs: number;
@@ -42,6 +44,8 @@ export interface WorldInfo {
   substeps: number;
   stepSeconds: number;
   stableStepSeconds: number;
+  /** Why the steps are too long, one sentence: the springs may blow up. null: they are not. */
+  unstableStep: string | null;
   /** Simulated time of a frame [s]. */
   frameSeconds: number;
   /** Frames that the scene asks for. */

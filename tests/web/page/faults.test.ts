@@ -43,9 +43,9 @@ test("a device that is lost is reported, and the cloth runs on", () => withBrows
   expectClean(seen, site);
 
   await page.keyboard.press("Space"); // a paused one is told too
-  await page.getByRole("button", { name: "Close the message" }).click();
+  await page.locator("#notice-text").evaluate((line) => { line.textContent = ""; });
   await page.evaluate(() => window.weft.world!.device!.destroy());
-  await until("it is said again", async () => await page.locator("#notice").isVisible());
+  await until("it is said again", async () => /opened again/.test((await page.locator("#notice-text").textContent())!));
   expect(await running(page)).toBe(false);
   expectClean(seen, site);
 }));
@@ -89,6 +89,24 @@ test("where the first scene fails, another can be chosen", () => withBrowser(tru
   await page.locator("#scene").selectOption("hanging");
   await until("it runs", () => page.evaluate(() => (window.weft.world?.statistics.frames ?? 0) > 1));
   expect(await page.locator("#notice").isVisible()).toBe(false);
+}));
+
+test("after a trap of the module what is chosen next opens in a new one", () => withBrowser(true, async (browser) => {
+  const seen = await visit(browser, `${site.address}?scene=hanging&nodes=16`);
+  const { page } = seen;
+  await ready(page);
+  await play(page, 2);
+  await page.evaluate(() => {
+    const { core } = window.weft.world as unknown as { core: { module: Record<string, () => number> } };
+    core.module["_weft_advance_and_draw"] = () => { throw new WebAssembly.RuntimeError("unreachable"); };
+  });
+  await until("it is said", async () => /module has stopped/.test((await page.locator("#notice").textContent())!));
+  await until("it stops", async () => !(await running(page)));
+  await page.locator("#resolution").selectOption("32");
+  await until("it is open", () => page.evaluate(() => window.weft.world?.info.nodes === 1024), 60_000);
+  await page.getByRole("button", { name: "Play" }).click();
+  await play(page, 2);
+  expectClean(seen, site);
 }));
 
 const TALL = { width: 800, height: 900 }; // so that the whole card is in view

@@ -1,6 +1,6 @@
 // What a visitor brings and takes away: meshes and scenes in, shapes, pictures and videos out.
 import { readFile } from "node:fs/promises";
-import { readMesh } from "weft";
+import { readMesh } from "weft-cloth";
 import type { Download, Page } from "playwright-core";
 import { beforeAll, afterAll, expect, test } from "vitest";
 import { brightness, difference, expectClean, opened, picture, play, positions, ready, until, visit,

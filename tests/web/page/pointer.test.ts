@@ -1,5 +1,6 @@
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, test } from "vitest";
+import type { Point } from "weft-cloth";
 import { expectClean, opened, play, ready, until, visit, type Visit } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
@@ -19,6 +20,7 @@ afterEach(async () => {
 });
 
 const NODES = 24;
+interface Pull { seconds: number; target: Point; }
 const gesture = () => page.locator("#canvas").getAttribute("data-gesture");
 const camera = () => page.evaluate(async () => {
   while (window.weft.world!.busy) await new Promise((wake) => setTimeout(wake, 5));
@@ -79,6 +81,57 @@ test("dragging the cloth takes the node to the pointer and its neighbours along"
   await play(page, 4);
   const [fallen] = await places([node]);
   expect(fallen!.y).toBeGreaterThan(goal.y + 1); // nothing holds it
+});
+
+test("on a machine that is slower than real time a pull is in slow motion too", async () => {
+  const TICK = 100; // ms, so a frame of 1/60 s takes six times as long
+  await page.addInitScript((tick) => {
+    globalThis.requestAnimationFrame = (call) => setTimeout(() => call(performance.now()), tick) as unknown as number;
+    globalThis.cancelAnimationFrame = (timer) => clearTimeout(timer);
+  }, TICK);
+  await page.reload();
+  await ready(page);
+  await page.locator("#canvas").focus();
+  for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowUp");
+  const [centre] = await places([(NODES / 2) * NODES + NODES / 2]);
+  const start = { x: centre!.x + 3, y: centre!.y + 2 };
+  await page.evaluate(() => {
+    const world = window.weft.world!;
+    const drag = world.drag.bind(world);
+    const pulls: Pull[] = [];
+    Object.assign(window, { pulls });
+    world.drag = (node, target) => {
+      pulls.push({ seconds: world.statistics.seconds, target });
+      return drag(node, target);
+    };
+  });
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  await until("the cloth is held", async () => (await gesture()) === "grab");
+  await page.keyboard.press("Space");
+  await play(page, 1);
+  const [MOVES, WAY, PAUSE] = [13, 10, 60]; // pixels and ms of a move: 130 pixels in 0.8 s or more
+  for (let i = 1; i <= MOVES; i++) {
+    await page.mouse.move(start.x, start.y - WAY * i);
+    await page.waitForTimeout(PAUSE);
+  }
+  const pulls = () => page.evaluate(async () => {
+    const world = window.weft.world!;
+    while (world.busy) await new Promise((wake) => setTimeout(wake, 5));
+    const { height } = document.querySelector("canvas")!.getBoundingClientRect();
+    return (window as unknown as { pulls: Pull[] }).pulls.map(({ seconds, target }) =>
+      ({ seconds, y: (height * (1 - world.project(target)[1])) / 2 }));
+  });
+  await until("the hand is at the pointer", async () => {
+    const all = await pulls();
+    return all[0]!.y - all.at(-1)!.y > MOVES * WAY - 1;
+  }, 60_000);
+  await page.mouse.up();
+  // No 50 ms, over which the page takes the pointer's speed, hold more than one move.
+  const fastest = (1.5 * WAY) / 0.05; // pixels/s
+  const all = await pulls();
+  const early = 3 / 60; // s: where the hand begins, three frames may have been reported at once
+  for (const { seconds, y } of all) expect(all[0]!.y - y).toBeLessThan(fastest * (seconds + early) + 0.01);
 });
 
 test("a pointer that is up before the cloth answers holds nothing", async () => {

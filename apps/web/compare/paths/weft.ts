@@ -1,5 +1,5 @@
 // weft on WebGPU, by its package, as any page uses it: no baseline, the thing compared.
-import { createWorld, type World } from "weft";
+import { createWorld, type World } from "weft-cloth";
 import type { Sheet } from "../sheet.js";
 import { Unavailable, type Open, type Path } from "./path.js";
 

@@ -1,5 +1,5 @@
 // The dialog that lists what pointer and keys do. The browser keeps the focus in it, and gives it back.
-import { VIEWS } from "weft";
+import { VIEWS } from "weft-cloth";
 import { button, element, input } from "../elements.js";
 
 export class Help {

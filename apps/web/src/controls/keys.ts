@@ -1,5 +1,5 @@
 // The keys that do what the panel does; docs/web.md and the help list them.
-import { VIEWS } from "weft";
+import { VIEWS } from "weft-cloth";
 import type { Player } from "../player.js";
 import type { Help } from "./help.js";
 import type { Pins } from "./pins.js";
@@ -34,7 +34,7 @@ function pageAction(key: string, { help, theme }: Parts): (() => void) | null {
 
 function sceneAction(key: string, { player, views, pins }: Parts): (() => void) | null {
   const view = VIEWS[Number(key) - 1];
-  if (view) return () => void player.setView(view);
+  if (view) return () => views.choose(view);
   switch (key) {
     case " ": return () => player.play(!player.playing);
     case ".": return () => void player.step();

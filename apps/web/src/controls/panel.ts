@@ -1,5 +1,5 @@
 // The panel as a whole: its parts, and what each is told.
-import type { Catalog, Statistics, View, WorldInfo } from "weft";
+import type { Catalog, Statistics, View, WorldInfo } from "weft-cloth";
 import { element } from "../elements.js";
 import type { Limits } from "../memory.js";
 import type { Player } from "../player.js";
@@ -43,7 +43,7 @@ export class Panel {
     const { catalog, limits, player, pins, theme, open, link, say } = inputs;
     this.transport = new Transport(player);
     this.picker = new ScenePicker(catalog, limits, () => player.noteCamera(), open);
-    this.views = new Views(player, catalog);
+    this.views = new Views(player, catalog, say);
     this.parameters = new Parameters(catalog, player, open, say);
     this.passes = new Passes(player);
     const graph = new Graph();
@@ -63,6 +63,7 @@ export class Panel {
   opened(scene: LoadedScene, info: WorldInfo): void {
     this.info = info;
     this.picker.opened(scene, info);
+    this.views.opened(info);
     this.enable(true);
     this.passes.show(info);
     this.readings.showFacts(info);

@@ -1,5 +1,5 @@
 // The scene's parameters in groups: some change while the cloth moves, the others start the scene anew.
-import { schemaOf, type Catalog, type Schema } from "weft";
+import { schemaOf, type Catalog, type Schema } from "weft-cloth";
 import { element } from "../elements.js";
 import type { Player } from "../player.js";
 import type { LoadedScene } from "../scenes.js";

@@ -1,5 +1,5 @@
 // What each kernel takes on the GPU, measured when it is asked for.
-import type { PassTime, WorldInfo } from "weft";
+import type { PassTime, WorldInfo } from "weft-cloth";
 import { button, element } from "../elements.js";
 import type { Player } from "../player.js";
 import { fill } from "./readings.js";

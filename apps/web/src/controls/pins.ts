@@ -1,5 +1,5 @@
 // Nodes that the page holds at their places, as a hand would; each has a marker over the picture.
-import { WeftError, type Point, type World } from "weft";
+import { WeftError, type Point, type World } from "weft-cloth";
 import { button, element } from "../elements.js";
 import type { Player } from "../player.js";
 

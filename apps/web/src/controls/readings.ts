@@ -1,5 +1,5 @@
 // What is loaded, and how it goes: the lists of the panel, and all of it as JSON.
-import type { Statistics, WorldInfo } from "weft";
+import type { Statistics, WorldInfo } from "weft-cloth";
 import { element } from "../elements.js";
 import { inBytes } from "../memory.js";
 import type { Graph } from "./graph.js";

@@ -1,5 +1,5 @@
 // Which scene, how fine, and by which methods. What there is of each comes from the page's list and the core's schema.
-import { schemaOf, type Catalog, type WorldInfo } from "weft";
+import { schemaOf, type Catalog, type WorldInfo } from "weft-cloth";
 import { element, select } from "../elements.js";
 import { demand, demandOf, inBytes, tooLarge, type Limits } from "../memory.js";
 import { gridOf, SCENE_GROUPS, type LoadedScene } from "../scenes.js";

@@ -1,5 +1,5 @@
 // What is shown, as files: shapes from the core, the picture from the canvas.
-import type { World } from "weft";
+import type { World } from "weft-cloth";
 import { OWN, type LoadedScene } from "../scenes.js";
 
 const TYPES = { obj: "model/obj", ply: "application/octet-stream", glb: "model/gltf-binary" } as const;

@@ -4,7 +4,7 @@ import type { Notice } from "../notice.js";
 import { sentence, type Player } from "../player.js";
 import type { LoadedScene } from "../scenes.js";
 import type { PageState } from "../state/page_state.js";
-import type { World } from "weft";
+import type { World } from "weft-cloth";
 import { acceptDrops } from "./drop.js";
 import { download, fileName, savePicture, saveShape, SHAPES } from "./export.js";
 import { MOST_VIDEO_SECONDS } from "./limits.js";

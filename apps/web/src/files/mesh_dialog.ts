@@ -1,5 +1,5 @@
 // Asks what a mesh is to be, and how large.
-import type { MeshFile } from "weft";
+import type { MeshFile } from "weft-cloth";
 import { button, element, input } from "../elements.js";
 import { box, count, LENGTH, MOST_CLOTH_NODES, MOST_OBSTACLE_TRIANGLES } from "./limits.js";
 import { sides, type Role } from "./own_scene.js";

@@ -1,6 +1,6 @@
 // Reads a visitor's files apart from the page, with a module of the core of its own: a file that takes long or ends the
 // module ends this worker, and the page goes on. Nothing is fetched here but the core.
-import { checkScene, readMesh, type MeshFile, type SceneSize } from "weft";
+import { checkScene, readMesh, type MeshFile, type SceneSize } from "weft-cloth";
 import { megabytes, MOST_BYTES } from "./limits.js";
 
 export type Request =

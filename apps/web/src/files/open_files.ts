@@ -1,5 +1,5 @@
 // From files to a scene on the page: which of them is what, read apart, asked about, opened.
-import { meshNames } from "weft";
+import { meshNames } from "weft-cloth";
 import { select } from "../elements.js";
 import type { Notice } from "../notice.js";
 import { sentence, type Player } from "../player.js";

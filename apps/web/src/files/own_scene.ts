@@ -1,5 +1,5 @@
 // Scenes from what a visitor brings: a mesh as obstacle or as cloth, or a whole scene. Lengths in metres, masses in kg.
-import type { MeshFile } from "weft";
+import type { MeshFile } from "weft-cloth";
 import type { OwnScene } from "../scenes.js";
 
 export type Role = "obstacle" | "cloth";

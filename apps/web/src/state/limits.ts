@@ -1,5 +1,5 @@
 // What a key of a scene may be, from the core's schema.
-import { schemaOf, type Schema } from "weft";
+import { schemaOf, type Schema } from "weft-cloth";
 import type { Value } from "./page_state.js";
 
 /** What the description of a key ends with, in brackets; "" for a plain number. */

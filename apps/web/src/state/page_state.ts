@@ -1,5 +1,5 @@
 // What the page shows, apart from where the cloth is: what its address says, its controls show and its player loads.
-import type { Camera, View } from "weft";
+import type { Camera, View } from "weft-cloth";
 
 /** The value of a scene's key. */
 export type Value = number | string | readonly number[];
