@@ -100,6 +100,7 @@ task_test() {
   if [ "${1:-}" = --long ]; then labels=(); export WEFT_LONG=1; shift; fi
   # shellcheck disable=SC2086
   setup_packages $TEST_PACKAGES
+  setup_format
   task_build
   build_web
   ctest --test-dir build --output-on-failure -j "$(nproc)" --no-tests=error "${labels[@]}" "$@"
