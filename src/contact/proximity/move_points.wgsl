@@ -3,7 +3,7 @@
 // w of a start is the point's radius, of an end its friction; both stay.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
-struct ColliderPlace {  // mirror: src/collision/collider_points.hpp
+struct ColliderPlace {  // mirror: src/contact/proximity/collider_set.hpp
   rows : array<vec4f, 3>,
   shape : vec4f,  // first point of the shape before in `shapes` and of the one after, how far between; w: unused
   spin : vec4f,   // rad/s

@@ -14,7 +14,7 @@
 @group(0) @binding(6) var<storage, read_write> position_out : array<vec4f>;            // vertex_count        m
 @group(0) @binding(7) var<storage, read_write> velocity_out : array<vec4f>;            // vertex_count        m/s
 
-const kTileWidth = 16u;   // kTileWidth in src/method/mass_spring/advance_grid_twice.hpp
+const kTileWidth = 16u;   // kTileWidth in src/method/mass_spring/advance_grid_twice.cpp
 const kTileHeight = 8u;
 const kRim = 4u;          // nodes around the tile: springs reach two nodes, twice
 const kRow = kTileWidth + 2u * kRim;

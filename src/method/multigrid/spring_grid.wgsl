@@ -1,6 +1,6 @@
 // The springs of a grid. The including kernel binds `step`.
 #include "method/multigrid/spring_block.wgsl"
-struct SpringGrid {  // mirror: src/solver/multigrid/spring_grid.hpp
+struct SpringGrid {  // mirror: src/method/multigrid/level.hpp
   first_vertex : u32,
   nx : u32,
   ny : u32,
