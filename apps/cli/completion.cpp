@@ -1,6 +1,10 @@
 #include "completion.hpp"
 
 #include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "scene/names.hpp"
 
 namespace weft::cli {
 namespace {
@@ -12,7 +16,7 @@ constexpr const char* kBash = R"(_weft() {
   fi
   case "$previous" in
     --out) COMPREPLY=($(compgen -d -- "$word")); return ;;
-    --solver) COMPREPLY=($(compgen -W "mass_spring multigrid auto" -- "$word")); return ;;
+    --solver) COMPREPLY=($(compgen -W "@SOLVERS@" -- "$word")); return ;;
     --json) [ "$command" = bench ] && [ "${COMP_WORDS[2]}" != compare ] && { COMPREPLY=($(compgen -f -- "$word")); return; } ;;
     --set|--frames|--adapter|--sides|--memory|--seconds) return ;;
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
@@ -44,7 +48,7 @@ complete -o filenames -F _weft weft
 constexpr const char* kFish = R"(complete -c weft -f
 complete -c weft -n __fish_use_subcommand -a "run check adapters schema bench completion"
 complete -c weft -n "__fish_seen_subcommand_from run check" -F -l set -x -d "KEY=JSON"
-complete -c weft -n "__fish_seen_subcommand_from run check" -l solver -x -a 'mass_spring multigrid auto'
+complete -c weft -n "__fish_seen_subcommand_from run check" -l solver -x -a '@SOLVERS@'
 complete -c weft -n "__fish_seen_subcommand_from run" -l frames -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l out -r
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l adapter -x
@@ -64,11 +68,21 @@ complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subc
 complete -c weft -n "__fish_seen_subcommand_from completion" -a "bash zsh fish"
 )";
 
+/// The words of scenes, where a script names them.
+std::string with_words(std::string script) {
+  std::string words;
+  for (const char* word : scene::kSolverKindNames) words += (words.empty() ? "" : " ") + std::string(word);
+  constexpr std::string_view kMark = "@SOLVERS@";
+  for (std::size_t at = script.find(kMark); at != std::string::npos; at = script.find(kMark, at))
+    script.replace(at, kMark.size(), words);
+  return script;
+}
+
 }  // namespace
 
 int print_completion(const std::string& shell) {
   if (shell == "zsh") std::fputs("autoload -U +X bashcompinit && bashcompinit\n", stdout);
-  std::fputs(shell == "fish" ? kFish : kBash, stdout);
+  std::fputs(with_words(shell == "fish" ? kFish : kBash).c_str(), stdout);
   return 0;
 }
 

@@ -9,7 +9,7 @@ const Method& method_of(scene::SolverKind kind) {
   const auto rows = methods();
   const auto row =
       std::find_if(rows.begin(), rows.end(), [&](const Method& method) { return method.kind == kind; });
-  assert(row != rows.end());  // every kind of scenes but Auto has a row: tests/method/test_table.cpp
+  assert(row != rows.end());  // every kind of scenes but Auto has a row: tests/method/test_methods.cpp
   return *row;
 }
 

@@ -82,7 +82,9 @@ constexpr Key kMassSpringKeys[] = {
     {"forces", &kForces, "Gather over each node's springs, or scatter from each spring by atomic adds",
      "\"node_centric\""},
 };
-constexpr Variant kSolverVariants[] = {{"mass_spring", kMassSpringKeys}, {"multigrid", {}}, {"auto", {}}};
+constexpr Variant kSolverVariants[] = {  // in the order of SolverKind
+    {kSolverKindNames[0], kMassSpringKeys}, {kSolverKindNames[1], {}}, {kSolverKindNames[2], {}}};
+static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 
 // contact

@@ -23,7 +23,7 @@ const RULES: readonly Rule[] = [
     forbidden: /\batomicCompareExchangeWeak\b/g },
 ];
 
-// collision/ adds every product by fma, so that `paper` and `bvh`, where they share a function, leave a compiler nothing to
+// contact/pushes/ adds every product by fma, so that `paper` and `bvh`, where they share a function, leave a compiler nothing to
 // choose (triangle_pair.wgsl says more).
 const ALLOWED: Readonly<Record<string, readonly string[]>> = {
   "contact/pushes/triangle_pair.wgsl": ["fma"],

@@ -86,7 +86,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     said: (sentence) => notice.say(sentence, "plain"),
     failed: (sentence) => notice.say(sentence, "error", remedy),
   };
-  const player = new Player(canvas, offers.schema, limits, state, events);
+  const player = new Player(canvas, offers, limits, state, events);
   const say = (sentence: string) => notice.say(sentence, "plain");
   const pins = new Pins(canvas, player, offers.mostGrabs, say);
   const pointer = new Pointer(canvas, player, pins);

@@ -31,29 +31,34 @@ export async function adapterLimits(): Promise<Limits> {
 
 // Bytes a node, and a triangle of an obstacle, measured at 32² to 256² nodes; tests/web/page/memory.test.ts holds the sum
 // to info.gpuBytes within 10 %.
-const NODE = { all: 193, spring_centric: 84, spring_blocks: 67, multigrid: 222, proximity: 150, pushes: 17 };
+const NODE = { all: 189, proximity: 154, pushes: 17 }; // beside what the solver asks for: catalog().methods
 const OBSTACLE = { drawn: 29, proximity: 85, pushes: 71 };
-// The lists of first_room (src/sim/world_build.cpp): pairs and candidates. They grow where they are short.
+// The lists of first_room (src/contact/scene_contact.cpp): pairs and candidates. They grow where they are short.
 const LISTS = [{ least: 32_768, triangle: 2, entry: 112 }, { least: 131_072, triangle: 12, entry: 8 }] as const;
-const MULTIGRID_VECTORS = 128; // of a node, what lies in one buffer
+const POSITION = 16; // of a node
 const PAIR = 96; // of an entry, what lies in one buffer
+
+/** What the scene's solver asks for a node; where it is "auto", the most that it may become. */
+function solverMemory(scene: LoadedScene): { readonly node: number; readonly buffer: number } {
+  const asked = scene.now(SOLVER);
+  const chosen = scene.methods.filter(({ kind }) => kind === asked || asked === "auto")
+    .map(({ memory }) => memory[String(scene.now(FORMULATION))] ?? memory[""]!);
+  return { node: Math.max(...chosen.map(({ node }) => node)), buffer: Math.max(...chosen.map(({ buffer }) => buffer)) };
+}
 
 /** What `nodes` nodes in all ask for, in this scene with its methods. */
 export function demand(nodes: number, scene: LoadedScene): Demand {
   const method = scene.now(CONTACT_METHOD);
   const [proximity, pushes] = [method === "proximity", method === "bvh" || method === "paper"];
   const entries = LISTS.map(({ least, triangle }) => Math.max(least, 2 * nodes * triangle)) as [number, number];
-  const multigrid = scene.now(SOLVER) === "multigrid";
-  const formulation = scene.now(FORMULATION);
-  const springs = formulation === "spring_centric" || formulation === "spring_blocks" ? NODE[formulation] : 0;
-  const node = NODE.all + (multigrid ? NODE.multigrid : springs) +
-    (proximity ? NODE.proximity : pushes ? NODE.pushes : 0);
+  const solver = solverMemory(scene);
+  const node = NODE.all + solver.node + (proximity ? NODE.proximity : pushes ? NODE.pushes : 0);
   const obstacle = OBSTACLE.drawn + (proximity ? OBSTACLE.proximity : pushes ? OBSTACLE.pushes : 0);
   const lists = proximity ? entries[0] * LISTS[0].entry + entries[1] * LISTS[1].entry : 0;
   return {
     nodes,
     gpu: nodes * node + scene.obstacleTriangles * obstacle + lists,
-    buffer: Math.max((multigrid ? MULTIGRID_VECTORS : 16) * nodes, proximity ? entries[0] * PAIR : 0),
+    buffer: Math.max(Math.max(POSITION, solver.buffer) * nodes, proximity ? entries[0] * PAIR : 0),
     module: MODULE_NODE * nodes,
   };
 }

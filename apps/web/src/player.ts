@@ -1,5 +1,5 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
-import { createWorld, WeftError, type Camera, type Schema, type Statistics, type View, type World,
+import { createWorld, WeftError, type Camera, type Catalog, type Statistics, type View, type World,
   type WorldInfo } from "weft-cloth";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
@@ -52,7 +52,7 @@ export class Player {
   private losses: number[] = [];
 
   /** `first`: what is asked for before any scene is open. */
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly schema: Schema, private readonly limits: Limits,
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly offers: Catalog, private readonly limits: Limits,
     first: PageState, private readonly events: PlayerEvents) {
     this.state_ = first;
   }
@@ -75,7 +75,7 @@ export class Player {
       this.events.opening("Loading the scene …");
       const before = this.scene;
       try {
-        const scene = await fetchScene(state, this.schema);
+        const scene = await fetchScene(state, this.offers);
         checkRoom(scene, this.limits);
         await this.load(scene);
       } catch (reason) {

@@ -33,7 +33,7 @@ export class ReferencePlayer {
 
   /** Builds the scene and draws it at rest. */
   static async create(canvas: HTMLCanvasElement, events: ReferencePlayerEvents): Promise<ReferencePlayer> {
-    const { json, set } = await fetchScene(SHOWN, (await catalog()).schema);
+    const { json, set } = await fetchScene(SHOWN, await catalog());
     const { camera } = JSON.parse(json) as { camera: { eye: Look["eye"]; target: Look["target"]; fov_degrees: number } };
     const reference = await createReference({ scene: json, set });
     const context = canvas.getContext("2d");

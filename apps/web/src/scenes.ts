@@ -1,6 +1,6 @@
 // The scenes that the page offers, and their files. Vite gives every file that is there an address on the page's own
 // origin, in the build and while developing; what is not there is not offered.
-import { meshNames, schemaOf, type Bytes, type Schema } from "weft-cloth";
+import { meshNames, schemaOf, type Bytes, type Catalog, type Method, type Schema } from "weft-cloth";
 import { MOST_SUBSTEPS } from "./files/limits.js";
 import type { PageState } from "./state/page_state.js";
 
@@ -61,6 +61,8 @@ export interface LoadedScene {
   /** Of its meshes. */
   readonly obstacleTriangles: number;
   readonly set: Record<string, unknown>;
+  /** What a solver can be, to ask what each asks for. */
+  readonly methods: readonly Method[];
   /** Of a frame; a scene that needs more is not shown. */
   readonly mostSubsteps: number;
   /** What the scene's file says of a key, or else the format. */
@@ -108,7 +110,7 @@ interface SceneFile {
   readonly cloths?: readonly { readonly grid?: Grid; readonly copies?: { readonly count: number } }[];
 }
 
-export async function fetchScene(state: PageState, schema: Schema): Promise<LoadedScene> {
+export async function fetchScene(state: PageState, { schema, methods }: Catalog): Promise<LoadedScene> {
   const brought = state.scene === OWN ? own : null;
   const json = brought?.json ?? await (await fetched(fileOf(SCENE_FILES, state.scene), `The scene ${state.scene}`)).text();
   const models = meshNames(json).map(async (name) => [name, brought?.meshes[name] ?? await fetchModel(name)] as const);
@@ -119,7 +121,7 @@ export async function fetchScene(state: PageState, schema: Schema): Promise<Load
   const ownGrid = file.cloths?.[0]?.grid ?? null;
   const usual = entry?.nodes ?? (ownGrid ? Math.max(...ownGrid) : 0);
   return restated({
-    state, json, own: valueOf,
+    state, json, own: valueOf, methods,
     grid: ownGrid && { own: ownGrid, usual, taken: gridOf(ownGrid, state.nodes ?? usual) },
     title: brought?.title ?? entry?.title ?? state.scene,
     description: file.description ?? "",

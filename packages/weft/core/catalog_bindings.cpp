@@ -6,14 +6,34 @@
 #include <nlohmann/json.hpp>
 
 #include "message.hpp"
+#include "method/method.hpp"
 #include "render/color_map.hpp"
 #include "render/renderer.hpp"
 #include "scene/grab.hpp"
+#include "scene/names.hpp"
 #include "scene/schema.hpp"
 
 namespace {
 
 constexpr int kShades = 33;  // of the map: between them sRGB is close enough to linear
+
+/// What the rows of the methods say, and what their solvers ask for with each of their settings.
+nlohmann::ordered_json methods_json() {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const weft::Method& method : weft::methods()) {
+    nlohmann::ordered_json row{{"kind", weft::scene::name_of(method.kind)}};
+    row["memory"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < std::size(weft::scene::kForcesNames); ++i) {
+      weft::scene::Solver settings;
+      settings.kind = method.kind;
+      settings.forces = static_cast<weft::scene::Forces>(i);
+      const weft::SolverMemory memory = method.memory(settings);
+      row["memory"][method.settings_word(settings)] = {{"node", memory.node}, {"buffer", memory.largest_buffer}};
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
 
 }  // namespace
 
@@ -23,7 +43,7 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE void weft_schema() { weft::web::message = weft::scene::schema_json(); }
 
 /// As JSON: the colour map as sRGB in [0, 1], from the lowest value to the highest, the values that stand at
-/// its ends by view, and how many nodes can be held at once.
+/// its ends by view, how many nodes can be held at once, and the methods.
 EMSCRIPTEN_KEEPALIVE void weft_catalog() {
   nlohmann::ordered_json json;
   json["colors"] = nlohmann::ordered_json::array();
@@ -37,6 +57,7 @@ EMSCRIPTEN_KEEPALIVE void weft_catalog() {
       json["ranges"][weft::scene::name_of(view)] = {field->range.lowest, field->range.highest};
   }
   json["mostGrabs"] = weft::scene::kMaxGrabs;
+  json["methods"] = methods_json();
   weft::web::message = json.dump();
 }
 

@@ -30,6 +30,17 @@ export interface Catalog {
   readonly ranges: Readonly<Partial<Record<View, readonly [lowest: number, highest: number]>>>;
   /** Nodes that can be held at once. */
   readonly mostGrabs: number;
+  /** What a scene's solver.kind can be, but for "auto". */
+  readonly methods: readonly Method[];
+}
+
+export interface Method {
+  readonly kind: string;
+  /**
+   * What its solver asks of the GPU for a grid beside the state, by the word of its settings (solver.forces), "" for a
+   * method without: in all and in its largest buffer [bytes a node].
+   */
+  readonly memory: Readonly<Record<string, { readonly node: number; readonly buffer: number }>>;
 }
 
 let read: Promise<Catalog> | null = null;

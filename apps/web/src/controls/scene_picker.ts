@@ -20,6 +20,10 @@ const REMARKS: Readonly<Record<string, string>> = {
   bvh: "Cloth meets obstacles, not itself.",
   paper: "Tests every cloth triangle against every triangle of the obstacle in every step: slow, for comparison." };
 
+/** Whether the scene's solver has formulations to choose from. */
+const hasFormulations = (scene: LoadedScene): boolean =>
+  scene.methods.some(({ kind, memory }) => kind === scene.now(SOLVER) && !("" in memory));
+
 export class ScenePicker {
   private readonly scene = select("scene");
   private readonly resolution = select("resolution");
@@ -53,7 +57,7 @@ export class ScenePicker {
   opened(scene: LoadedScene, info: WorldInfo): void {
     this.scene.value = scene.state.scene;
     for (const [list, key] of this.methods) list.value = String(scene.now(key));
-    select("formulation").parentElement!.hidden = scene.now(SOLVER) !== "mass_spring";
+    select("formulation").parentElement!.hidden = !hasFormulations(scene);
     this.fillResolutions(scene);
     element("description", HTMLParagraphElement).textContent = scene.description;
     const method = String(scene.now(CONTACT_METHOD));

@@ -28,7 +28,7 @@ struct NearPair {
 
 struct ContactLaw {
   double dt = 0;       // [s]
-  double damping = 0;  // ζ, of model/contact_law.hpp
+  double damping = 0;  // ζ, of contact/rules/contact_law.hpp
 };
 
 struct Response {
