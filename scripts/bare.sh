@@ -1,7 +1,7 @@
 # ./dev test --bare: README's first command and the page, on a bare Debian 12 in a folder of its own.
 
 # How this machine reaches its package registries; a user's machine may have none of these.
-bare_settings() {  # bare_settings ROOT
+bare_settings() { # bare_settings ROOT
   local root=$1 file
   apt-config dump | grep -E '^Acquire::(Check-|http|https|Retries|ForceIP)' >"$root/etc/apt/apt.conf.d/99machine" || true
   for file in /etc/pip.conf ~/.npmrc /etc/resolv.conf /etc/hosts \
@@ -32,7 +32,8 @@ bare_run() {
   for variable in $(compgen -e); do
     case $variable in
       PIP_* | npm_config_* | *_proxy | *_PROXY | SSL_CERT_FILE | NODE_EXTRA_CA_CERTS | LANG | LC_*)
-        settings+=("$variable=${!variable}") ;;
+        settings+=("$variable=${!variable}")
+        ;;
     esac
   done
   # shellcheck disable=SC2016
@@ -49,9 +50,12 @@ bare_run() {
   wait $bare_job
 }
 
-bare_end() {  # bare_end ROOT
+bare_end() { # bare_end ROOT
   if [ -n "$bare_job" ]; then kill -KILL "$bare_job" 2>/dev/null && wait "$bare_job" 2>/dev/null || true; fi
-  rm -rf --one-file-system "$1" || { sleep 1; rm -rf --one-file-system "$1"; }  # what still writes has been killed
+  rm -rf --one-file-system "$1" || {
+    sleep 1
+    rm -rf --one-file-system "$1"
+  } # what still writes has been killed
 }
 
 task_bare() {

@@ -11,10 +11,13 @@ from pathlib import Path
 
 def frames_of(path, size):
     """The frames of a picture or video, as bytes of RGB."""
-    pixels = subprocess.run(["ffmpeg", "-v", "error", "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
-                            check=True, capture_output=True).stdout
+    pixels = subprocess.run(
+        ["ffmpeg", "-v", "error", "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+        check=True,
+        capture_output=True,
+    ).stdout
     assert pixels and len(pixels) % size == 0, f"{path} has {len(pixels)} bytes of pixels, no multiple of {size}"
-    return [pixels[at:at + size] for at in range(0, len(pixels), size)]
+    return [pixels[at : at + size] for at in range(0, len(pixels), size)]
 
 
 def saturated_share(frame):

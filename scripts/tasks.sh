@@ -11,7 +11,7 @@ configure() {
   quietly cmake --preset "$1" ${2:+-D "$2=ON"}
 }
 
-compile() { cmake --build "$(build_folder "$1")" --target "${@:2}" -- --quiet >&2; }  # compile PRESET TARGET...
+compile() { cmake --build "$(build_folder "$1")" --target "${@:2}" -- --quiet >&2; } # compile PRESET TARGET...
 
 # The shipped meshes, and nothing that runs.
 task_models() {
@@ -31,7 +31,11 @@ task_build() {
 
 task_run() {
   local scene=pull-armadillo
-  case "${1:-}" in '' | -*) ;; *) scene=$1; shift ;; esac
+  case "${1:-}" in '' | -*) ;; *)
+    scene=$1
+    shift
+    ;;
+  esac
   task_build
   local file=$scene name
   [ -e "$file" ] || file=scenes/$scene.json
@@ -43,7 +47,7 @@ task_run() {
 build_web() {
   setup_packages "${COMPILE_PACKAGES[@]}" "${WEB_PACKAGES[@]}"
   setup_npm
-  export NODE_PATH=/usr/share/nodejs  # where Debian keeps what Emscripten's optimizer needs
+  export NODE_PATH=/usr/share/nodejs # where Debian keeps what Emscripten's optimizer needs
   configure web
   compile web core
   npm run --silent build --workspace weft-cloth
@@ -70,11 +74,18 @@ paper() { /usr/bin/python3 -m bench.paper "$@"; }
 # built where they are asked for by name, or where a browser is there already.
 bench_paper() {
   setup_packages "${REPORT_PACKAGES[@]}"
-  case " $* " in *" --help "* | *" -h "* | *" --stored "* | *" --only report "*) paper "$@"; return ;; esac
+  case " $* " in *" --help "* | *" -h "* | *" --stored "* | *" --only report "*)
+    paper "$@"
+    return
+    ;;
+  esac
   task_build
   local browser=
   case " $* " in
-    *" --only "*chromium*) setup_packages chromium; browser=1 ;;
+    *" --only "*chromium*)
+      setup_packages chromium
+      browser=1
+      ;;
     *" --only "* | *" --quick "*) ;;
     *) if command -v "${CHROMIUM:-chromium}" >/dev/null; then browser=1; fi ;;
   esac
@@ -110,8 +121,15 @@ task_bench() {
 
 task_test() {
   local labels=(-L short)
-  if [ "${1:-}" = --bare ]; then task_bare; return; fi
-  if [ "${1:-}" = --long ]; then labels=(); export WEFT_LONG=1; shift; fi
+  if [ "${1:-}" = --bare ]; then
+    task_bare
+    return
+  fi
+  if [ "${1:-}" = --long ]; then
+    labels=()
+    export WEFT_LONG=1
+    shift
+  fi
   setup_packages "${TEST_PACKAGES[@]}" "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}"
   setup_format
   task_models
@@ -119,7 +137,7 @@ task_test() {
   compile release all
   build_web
   ctest --test-dir build --output-on-failure -j "$(nproc)" --no-tests=error "${labels[@]}" "$@"
-  [ $# -gt 0 ] || npx --no vitest run --config tests/web/vitest.config.ts  # a pattern asks for some of ctest's only
+  [ $# -gt 0 ] || npx --no vitest run --config tests/web/vitest.config.ts # a pattern asks for some of ctest's only
 }
 
 task_format() {

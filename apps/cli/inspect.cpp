@@ -3,9 +3,9 @@
 #include <cstdio>
 
 #include "memory.hpp"
+#include "model/assets.hpp"
 #include "model/host_model.hpp"
 #include "scene/schema.hpp"
-#include "model/assets.hpp"
 
 namespace weft::cli {
 namespace {

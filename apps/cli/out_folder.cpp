@@ -59,7 +59,8 @@ Result<int> lock_folder(const std::string& folder) {
       ::close(lock);
       return error;
     }
-    struct stat locked {}, named {};
+    struct stat locked {
+    }, named{};
     const bool still_there = ::fstat(lock, &locked) == 0 && ::stat(path.c_str(), &named) == 0 &&
                              locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
     const std::string process = std::to_string(::getpid());

@@ -14,7 +14,8 @@ class OutFolder {
   /// was killed over. Errors  Failure: the folder cannot be made or written; another run has it.
   static Result<OutFolder> take(const std::string& path);
 
-  OutFolder(OutFolder&& other) noexcept : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
+  OutFolder(OutFolder&& other) noexcept
+      : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}
   OutFolder& operator=(OutFolder&&) = delete;
   ~OutFolder();  ///< gives it back
 

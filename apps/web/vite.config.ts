@@ -26,7 +26,9 @@ export default defineConfig({
     license: { fileName: "licenses.txt" }, // of three.js, whose comments the bundler drops
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 700, // kB: three.js, which only /compare loads
-    rollupOptions: { input: { main: `${import.meta.dirname}/index.html`, compare: `${import.meta.dirname}/compare/index.html` } },
+    rollupOptions: {
+      input: { main: `${import.meta.dirname}/index.html`, compare: `${import.meta.dirname}/compare/index.html` },
+    },
   },
   worker: { format: "es" }, // as the page: the core finds its file beside the module
   server: { headers: headers("'self' 'unsafe-inline'") }, // Vite hands styles over inline while developing

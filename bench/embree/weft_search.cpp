@@ -20,7 +20,8 @@ void record_broad_phase(const contact::PairSearch& search, gpu::CommandList& lis
   for (const gpu::Command& command : whole.commands()) {
     if (command.kind != gpu::CommandKind::Dispatch) continue;
     pass.repeat(whole, command);
-    if (whole.label(static_cast<std::uint32_t>(command.sizes[0])) == "contact/proximity/find_candidates.wgsl") return;
+    if (whole.label(static_cast<std::uint32_t>(command.sizes[0])) == "contact/proximity/find_candidates.wgsl")
+      return;
   }
 }
 

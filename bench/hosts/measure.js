@@ -44,5 +44,6 @@ export async function measureHost({ createWorld }, where, frames) {
 
 function summary(values) {
   const sorted = values.toSorted((a, b) => a - b);
-  return { median: sorted[Math.floor(sorted.length / 2)], min: sorted[0], p95: sorted[Math.floor(0.95 * sorted.length)] };
+  return { median: sorted[Math.floor(sorted.length / 2)], min: sorted[0],
+    p95: sorted[Math.floor(0.95 * sorted.length)] };
 }

@@ -2,6 +2,7 @@
 
 Measuring needs the standard library and the binary alone; the report and the docs need jinja2.
 """
+
 import argparse
 import pathlib
 import sys
@@ -16,16 +17,38 @@ SOFTWARE_SIDE = 128  # of the largest sheet that a software adapter is asked for
 
 def options():
     parser = argparse.ArgumentParser(prog="./dev bench paper", description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="small sizes, little repetition: under five minutes on 2 cores")
+    parser.add_argument(
+        "--quick", action="store_true", help="small sizes, little repetition: under five minutes on 2 cores"
+    )
     parser.add_argument("--only", metavar="NAME", help=f"comma list of {', '.join(PARTS)}")
-    parser.add_argument("--stored", action="store_true", help="measure nothing: write the report, README's figures and docs/performance.md "
-                        "from stored results")
+    parser.add_argument(
+        "--stored",
+        action="store_true",
+        help="measure nothing: write the report, README's figures and docs/performance.md from stored results",
+    )
     parser.add_argument("--fresh", action="store_true", help="measure again what this binary has measured before")
-    parser.add_argument("--machine", metavar="NAME", help="the file of results (default: the adapter's name and the number of threads)")
+    parser.add_argument(
+        "--machine", metavar="NAME", help="the file of results (default: the adapter's name and the number of threads)"
+    )
     parser.add_argument("--adapter", metavar="NAME", help="of weft bench: the GPU whose name contains NAME")
-    parser.add_argument("--most", metavar="SIDE", type=int, help=f"largest sheet, in nodes a side (default: {cases.LARGE_SIDE}; {SOFTWARE_SIDE} on software)")
-    parser.add_argument("--remark", metavar="TEXT", help="what a reader of this machine's results should know, such as what else ran on it")
-    parser.add_argument("--weft", metavar="PATH", type=pathlib.Path, default=ROOT / "build/weft", help="the binary (default: build/weft)")
+    parser.add_argument(
+        "--most",
+        metavar="SIDE",
+        type=int,
+        help=f"largest sheet, in nodes a side (default: {cases.LARGE_SIDE}; {SOFTWARE_SIDE} on software)",
+    )
+    parser.add_argument(
+        "--remark",
+        metavar="TEXT",
+        help="what a reader of this machine's results should know, such as what else ran on it",
+    )
+    parser.add_argument(
+        "--weft",
+        metavar="PATH",
+        type=pathlib.Path,
+        default=ROOT / "build/weft",
+        help="the binary (default: build/weft)",
+    )
     parser.add_argument("--results", metavar="DIR", type=pathlib.Path, default=RESULTS, help="default: bench/results")
     parser.add_argument("--out", metavar="DIR", type=pathlib.Path, default=ROOT / "report", help="default: report")
     given = parser.parse_args()
@@ -70,7 +93,9 @@ def main():
                 raise measure.Failed(3, f"There is no binary {given.weft}; ./dev build makes it.")
             found = hardware.describe(given.weft, given.adapter)
             if not found["gpu"]:
-                raise measure.Failed(4, "No adapter" + (f' whose name contains "{given.adapter}".' if given.adapter else "."))
+                raise measure.Failed(
+                    4, "No adapter" + (f' whose name contains "{given.adapter}".' if given.adapter else ".")
+                )
             machine = Machine(name or hardware.slug(found), given.results)
             name = machine.name
             try:
@@ -84,9 +109,11 @@ def main():
             media.pack(Machine(name, given.results), given.out)
         if given.stored or "report" in given.parts:
             from . import report
+
             say(f"wrote {report.write(given.results, given.out, name)}")
         if given.stored:
             from . import docs
+
             for path in docs.write(given.results):
                 say(f"wrote {path}")
         return 0 if well else 1

@@ -1,4 +1,5 @@
 """The browser's part: the page /compare in Chromium, by bench/web/compare.ts."""
+
 import hashlib
 import json
 import os
@@ -49,8 +50,13 @@ def run(machine, quick, most_side, fresh=False):
         answer = pathlib.Path(folder) / "compare.json"
         environment = dict(os.environ, PATH=f"{ROOT}/.setup/bin:{os.environ.get('PATH', '')}")
         say("the page /compare in Chromium")
-        done = subprocess.run(["node", "bench/web/compare.ts", *options, "--json", str(answer)], cwd=ROOT, env=environment,
-                              stdout=subprocess.DEVNULL, check=False)
+        done = subprocess.run(
+            ["node", "bench/web/compare.ts", *options, "--json", str(answer)],
+            cwd=ROOT,
+            env=environment,
+            stdout=subprocess.DEVNULL,
+            check=False,
+        )
         if done.returncode != 0 or not answer.exists():
             say(f"bench/web/compare.ts ended with exit code {done.returncode}; what it measured is not kept")
             return False

@@ -1,4 +1,5 @@
 """What is measured: one case is one call of `weft bench`, so that a run goes on where it was cut off."""
+
 import dataclasses
 
 SIDES = (64, 100, 128, 200, 256, 400, 512, 800)
@@ -31,7 +32,9 @@ def plan(experiments, quick, most_side):
     if "hanging" in experiments:
         for side in (64, 100) if quick else (*SIDES, LARGE_SIDE):
             if side <= most_side:
-                cases.append(Case("hanging", ("hanging", "--sides", str(side), *hurry), 4 + side**2 / 5000, "none", side))
+                cases.append(
+                    Case("hanging", ("hanging", "--sides", str(side), *hurry), 4 + side**2 / 5000, "none", side)
+                )
     if "pull" in experiments:
         for name in ("sphere", "armadillo") if quick else TRIANGLES:
             for side in (32, 64) if quick else SIDES:
@@ -41,14 +44,32 @@ def plan(experiments, quick, most_side):
                 cases.append(Case("pull", (*which, "--only", CONTACT, *hurry), 6 + side**2 / 800, name, side))
                 if side == 32 or not quick:
                     pairs = side**2 * TRIANGLES[name] / 1e8
-                    cases.append(Case("pull", (*which, "--only", "paper", *hurry), 4 + side**2 / 800 + pairs, name, side, True))
+                    cases.append(
+                        Case("pull", (*which, "--only", "paper", *hurry), 4 + side**2 / 800 + pairs, name, side, True)
+                    )
     if "multigrid" in experiments:
         for side in (32,) if quick else (64, 128, 256, 512, 800):
             if side <= most_side:
-                cases.append(Case("multigrid", ("multigrid", "--sides", str(side), "--only", "multigrid,explicit,null", *hurry), 10 + side**2 / 5000, "sheet", side))
+                cases.append(
+                    Case(
+                        "multigrid",
+                        ("multigrid", "--sides", str(side), "--only", "multigrid,explicit,null", *hurry),
+                        10 + side**2 / 5000,
+                        "sheet",
+                        side,
+                    )
+                )
         for side in () if quick else (256, 800):
             if side <= most_side:
-                cases.append(Case("multigrid", ("multigrid", "--sides", str(side), "--only", "drape"), 20 + side**2 / 2000, "", side))
+                cases.append(
+                    Case(
+                        "multigrid",
+                        ("multigrid", "--sides", str(side), "--only", "drape"),
+                        20 + side**2 / 2000,
+                        "",
+                        side,
+                    )
+                )
     if "largest" in experiments and not quick:
         cases.append(Case("largest", ("largest",), 60))
     return cases
@@ -58,6 +79,11 @@ def too_slow_before(case, rows):
     """The stored row of a smaller sheet over the same object for which brute force took too long, if there is one."""
     for row in rows:
         slow = row.get("ms_per_step", {}).get("median", 0) > SLOWEST_STEP_MS
-        if slow and row.get("variant") == "paper" and row.get("object") == case.object and row.get("side", 0) < case.side:
+        if (
+            slow
+            and row.get("variant") == "paper"
+            and row.get("object") == case.object
+            and row.get("side", 0) < case.side
+        ):
             return row
     return None

@@ -1,5 +1,6 @@
 """The tables of docs/performance.md that are not of the paper's experiments: contact by itself, the implicit solver, hosts, the page, Embree,
 Newton."""
+
 from .fits import power_law
 from .table import Table, left, right
 from .wording import number
@@ -13,7 +14,9 @@ def hosts(results):
         at = {row["host"]: row for row in rows if row["nodes"] == nodes}
         hashes = {row["state_hash"] for row in at.values()}
         assert len(hashes) == 1, f"{nodes} nodes end in different bits: {hashes}"
-        lines.append([f"{nodes:,}", *(f"{at[name]['ms_per_step']['median']:.4f}" for name in names), f"`{hashes.pop()}`"])
+        lines.append(
+            [f"{nodes:,}", *(f"{at[name]['ms_per_step']['median']:.4f}" for name in names), f"`{hashes.pop()}`"]
+        )
     return Table(right("nodes", *(f"{name}, ms a step" for name in names)) + left("state hash, all three"), lines)
 
 
@@ -23,8 +26,20 @@ def newton(results):
             return "fails"
         return f"{'≤ ' if row.get('upper_bound') else ''}{row[key]:g}" if key in row else "–"
 
-    lines = [[row["experiment"], f"{row['nodes']:,}", row["solver"], results["settings"][row["solver"]], cell(row, "ms"), cell(row, "ms_self")] for row in results["rows"]]
-    return Table(left("scene") + right("nodes") + left("solver", "settings") + right("ms a frame", "with self-collision"), lines)
+    lines = [
+        [
+            row["experiment"],
+            f"{row['nodes']:,}",
+            row["solver"],
+            results["settings"][row["solver"]],
+            cell(row, "ms"),
+            cell(row, "ms_self"),
+        ]
+        for row in results["rows"]
+    ]
+    return Table(
+        left("scene") + right("nodes") + left("solver", "settings") + right("ms a frame", "with self-collision"), lines
+    )
 
 
 def implicit(results):
@@ -33,12 +48,31 @@ def implicit(results):
     for row in results["rows"]:
         if row["object"] != "sheet" or "skipped" in row:
             continue
-        errors = [[f"{100 * error['position']:.2f}" for error in row["error"]], [f"{error['normal_degrees']:.1f}" for error in row["error"]]]
-        stretch = [f"{100 * (error['edge_stretch'] / error['edge_stretch_reference'] - 1):+.0f}" for error in row["error"]]
-        lines.append([f"{row['nodes']:,}", row["variant"], f"{row['substeps']:,}", f"{row['ms_per_frame']['median']:.2f}", f"{number(row['real_time_factor'])} ×",
-                      *(" / ".join(cells) for cells in (*errors, stretch)), f"`{row['state_hash']}`"])
-    return Table(right("nodes") + left("variant") + right("substeps", "ms a frame", "real time", "position error, %", "normals, °", "side stretch, %") +
-                 left("state hash"), lines)
+        errors = [
+            [f"{100 * error['position']:.2f}" for error in row["error"]],
+            [f"{error['normal_degrees']:.1f}" for error in row["error"]],
+        ]
+        stretch = [
+            f"{100 * (error['edge_stretch'] / error['edge_stretch_reference'] - 1):+.0f}" for error in row["error"]
+        ]
+        lines.append(
+            [
+                f"{row['nodes']:,}",
+                row["variant"],
+                f"{row['substeps']:,}",
+                f"{row['ms_per_frame']['median']:.2f}",
+                f"{number(row['real_time_factor'])} ×",
+                *(" / ".join(cells) for cells in (*errors, stretch)),
+                f"`{row['state_hash']}`",
+            ]
+        )
+    return Table(
+        right("nodes")
+        + left("variant")
+        + right("substeps", "ms a frame", "real time", "position error, %", "normals, °", "side stretch, %")
+        + left("state hash"),
+        lines,
+    )
 
 
 def implicit_drapes(results):
@@ -47,9 +81,29 @@ def implicit_drapes(results):
         if row["object"] == "sheet":
             continue
         start = [row["object"], f"{row['side'] ** 2:,}", row["variant"]]
-        lines.append(start + ([f"skipped: {row['skipped']}"] if "skipped" in row else [
-            f"{row['substeps']:,}", f"{row['ms_per_frame']['median']:.1f}", f"{number(row['real_time_factor'])} ×", f"{row['crossings']}", f"{row['max_stretch']:.2f}", f"`{row['state_hash']}`"]))
-    return Table(left("object") + right("nodes") + left("variant") + right("substeps", "ms a frame", "real time", "crossings", "largest stretch") + left("state hash"), lines)
+        lines.append(
+            start
+            + (
+                [f"skipped: {row['skipped']}"]
+                if "skipped" in row
+                else [
+                    f"{row['substeps']:,}",
+                    f"{row['ms_per_frame']['median']:.1f}",
+                    f"{number(row['real_time_factor'])} ×",
+                    f"{row['crossings']}",
+                    f"{row['max_stretch']:.2f}",
+                    f"`{row['state_hash']}`",
+                ]
+            )
+        )
+    return Table(
+        left("object")
+        + right("nodes")
+        + left("variant")
+        + right("substeps", "ms a frame", "real time", "crossings", "largest stretch")
+        + left("state hash"),
+        lines,
+    )
 
 
 def share(part):
@@ -71,12 +125,43 @@ def contact_self(results):
         if row["object_triangles"]:
             continue
         line = [f"{row['pose']}{share(row['part'])}", f"{row['nodes']:,}", f"{row['sheets']}"]
-        lines.append(line + ([f"skipped: {row['skipped']}"] if "skipped" in row else [
-            f"{search_ms(row):.4f}", number(row["searches_per_frame"]), f"{row['ms_per_step']['median']:.4f}", f"{contact_ms(row):.4f}",
-            f"{row['pairs']:,}", f"{row['candidates']:,}", f"{row['contacts'] / row['counted_steps']:,.0f}", f"{row['crossings']}",
-            f"{row['dispatches_per_step']:g}", f"`{row['state_hash']}`"]))
-    return Table(left("pose") + right("nodes", "sheets", "ms a search", "searches at 60 Hz", "ms a step", "of it contact", "pairs",
-                                      "candidates", "contacts a step", "crossings", "dispatches a step") + left("state hash"), lines)
+        lines.append(
+            line
+            + (
+                [f"skipped: {row['skipped']}"]
+                if "skipped" in row
+                else [
+                    f"{search_ms(row):.4f}",
+                    number(row["searches_per_frame"]),
+                    f"{row['ms_per_step']['median']:.4f}",
+                    f"{contact_ms(row):.4f}",
+                    f"{row['pairs']:,}",
+                    f"{row['candidates']:,}",
+                    f"{row['contacts'] / row['counted_steps']:,.0f}",
+                    f"{row['crossings']}",
+                    f"{row['dispatches_per_step']:g}",
+                    f"`{row['state_hash']}`",
+                ]
+            )
+        )
+    return Table(
+        left("pose")
+        + right(
+            "nodes",
+            "sheets",
+            "ms a search",
+            "searches at 60 Hz",
+            "ms a step",
+            "of it contact",
+            "pairs",
+            "candidates",
+            "contacts a step",
+            "crossings",
+            "dispatches a step",
+        )
+        + left("state hash"),
+        lines,
+    )
 
 
 def contact_objects(results):
@@ -90,11 +175,36 @@ def contact_objects(results):
             continue
         searches = search_ms(row)  # 0: the method searches in every step
         listed = lambda text: text if searches else ""
-        lines.append(line + [listed(f"{searches:.4f}"), listed(number(row["searches_per_frame"])), f"{row['ms_per_step']['median']:.4f}",
-                             f"{contact_ms(row):.4f}", listed(f"{row['pairs']:,}"), listed(f"{row['candidates']:,}"),
-                             f"{row['contacts'] / row['counted_steps']:,.0f}", listed(f"{row['crossings']}"), f"`{row['state_hash']}`"])
-    return Table(right("object triangles", "nodes") + left("contact") + right("ms a search", "searches at 60 Hz", "ms a step",
-                 "of it contact", "pairs", "candidates", "contacts a step", "crossings") + left("state hash"), lines)
+        lines.append(
+            line
+            + [
+                listed(f"{searches:.4f}"),
+                listed(number(row["searches_per_frame"])),
+                f"{row['ms_per_step']['median']:.4f}",
+                f"{contact_ms(row):.4f}",
+                listed(f"{row['pairs']:,}"),
+                listed(f"{row['candidates']:,}"),
+                f"{row['contacts'] / row['counted_steps']:,.0f}",
+                listed(f"{row['crossings']}"),
+                f"`{row['state_hash']}`",
+            ]
+        )
+    return Table(
+        right("object triangles", "nodes")
+        + left("contact")
+        + right(
+            "ms a search",
+            "searches at 60 Hz",
+            "ms a step",
+            "of it contact",
+            "pairs",
+            "candidates",
+            "contacts a step",
+            "crossings",
+        )
+        + left("state hash"),
+        lines,
+    )
 
 
 def contact_kernels(results):
@@ -105,10 +215,17 @@ def contact_kernels(results):
         timed = row.get("kernels") and row["part"] == 1 and row["method"] != "bvh"
         if timed and (key not in largest or row["nodes"] > largest[key]["nodes"]):
             largest[key] = row
-    lines = [[row["pose"], row["method"], f"{row['nodes']:,}"] +
-             [", ".join(f"{k['kernel']} {k['ms']:.4f}" for k in row["kernels"] if k["per"] == per) for per in ("search", "step")]
-             for row in largest.values()]
-    return Table(left("pose", "contact") + right("nodes") + left("a search, ms by kernel", "a step, ms by kernel"), lines)
+    lines = [
+        [row["pose"], row["method"], f"{row['nodes']:,}"]
+        + [
+            ", ".join(f"{k['kernel']} {k['ms']:.4f}" for k in row["kernels"] if k["per"] == per)
+            for per in ("search", "step")
+        ]
+        for row in largest.values()
+    ]
+    return Table(
+        left("pose", "contact") + right("nodes") + left("a search, ms by kernel", "a step, ms by kernel"), lines
+    )
 
 
 def growth_groups(rows):
@@ -123,7 +240,11 @@ def growth_groups(rows):
     for method in dict.fromkeys(row["method"] for row in draped):
         same = [row for row in draped if row["method"] == method]
         for triangles in dict.fromkeys(row["object_triangles"] for row in same):
-            yield f"{method}, {triangles:,} object triangles", "nodes", [r for r in same if r["object_triangles"] == triangles]
+            yield (
+                f"{method}, {triangles:,} object triangles",
+                "nodes",
+                [r for r in same if r["object_triangles"] == triangles],
+            )
         for nodes in dict.fromkeys(row["nodes"] for row in same):
             yield f"{method}, {nodes:,} nodes", "object_triangles", [r for r in same if r["nodes"] == nodes]
 
@@ -131,7 +252,9 @@ def growth_groups(rows):
 def contact_growth(results):
     """How cost grows: with nodes for each pose, with pairs at one size, with an object's triangles."""
     lines = []
-    for what, over, group in growth_groups([row for row in results["rows"] if "skipped" not in row and row["sheets"] == 1]):
+    for what, over, group in growth_groups(
+        [row for row in results["rows"] if "skipped" not in row and row["sheets"] == 1]
+    ):
         if len({row[over] for row in group}) < 3:
             continue
         cells = []
@@ -140,23 +263,65 @@ def contact_growth(results):
             cells.append("{:.2f} ({:.3f})".format(*power_law(points)) if len(points) == len(group) else "")
         ends = [row[over] for row in group]
         lines.append([what, over.replace("_", " "), f"{min(ends):,}", f"{max(ends):,}", f"{len(group)}", *cells])
-    return Table(left("what", "over") + right("from", "to", "points", "search: exponent (R²)", "contact part of a step: exponent (R²)"), lines)
+    return Table(
+        left("what", "over")
+        + right("from", "to", "points", "search: exponent (R²)", "contact part of a step: exponent (R²)"),
+        lines,
+    )
 
 
 def page(results):
     """Of bench/web/page.ts."""
-    lines = [[f"`{row['query']}`", f"{row['nodes']:,}", f"{row['substeps']:,}", f"{row['first_frame_ms']:,.0f}",
-              f"{number(row['real_time_factor'])} ×", f"{row['frames_per_second']:.1f}", f"{row['host_ms']:.2f}"] for row in results["rows"]]
-    return Table(left("address") + right("nodes", "steps a frame", "first moving frame [ms]", "real time", "frames a second",
-                                         "page's thread, a frame [ms]"), lines)
+    lines = [
+        [
+            f"`{row['query']}`",
+            f"{row['nodes']:,}",
+            f"{row['substeps']:,}",
+            f"{row['first_frame_ms']:,.0f}",
+            f"{number(row['real_time_factor'])} ×",
+            f"{row['frames_per_second']:.1f}",
+            f"{row['host_ms']:.2f}",
+        ]
+        for row in results["rows"]
+    ]
+    return Table(
+        left("address")
+        + right(
+            "nodes",
+            "steps a frame",
+            "first moving frame [ms]",
+            "real time",
+            "frames a second",
+            "page's thread, a frame [ms]",
+        ),
+        lines,
+    )
 
 
 def embree(results):
     lines = []
     for row in results["rows"]:
         best = row["embree_ms"][row["embree_best"]]
-        lines.append([row["pose"], f"{row['nodes']:,}", f"{row['object_triangles']:,}" if row["object_triangles"] else "", f"{row['pairs']:,}",
-                      f"`{row['pair_hash']}`", f"{row['weft_ms']['median']:.1f}", f"{best['update']['median']:.1f}",
-                      f"{best['collide']['median']:.1f}", row["embree_best"].replace("_", " "), f"{row['ratio']:.1f}"])
-    return Table(left("query") + right("nodes", "object triangles", "pairs, equal") + left("their hash") +
-                 right("weft, ms", "Embree's tree, ms", "Embree's query, ms") + left("Embree's faster way") + right("weft over Embree"), lines)
+        lines.append(
+            [
+                row["pose"],
+                f"{row['nodes']:,}",
+                f"{row['object_triangles']:,}" if row["object_triangles"] else "",
+                f"{row['pairs']:,}",
+                f"`{row['pair_hash']}`",
+                f"{row['weft_ms']['median']:.1f}",
+                f"{best['update']['median']:.1f}",
+                f"{best['collide']['median']:.1f}",
+                row["embree_best"].replace("_", " "),
+                f"{row['ratio']:.1f}",
+            ]
+        )
+    return Table(
+        left("query")
+        + right("nodes", "object triangles", "pairs, equal")
+        + left("their hash")
+        + right("weft, ms", "Embree's tree, ms", "Embree's query, ms")
+        + left("Embree's faster way")
+        + right("weft over Embree"),
+        lines,
+    )

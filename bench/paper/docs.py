@@ -3,6 +3,7 @@
 Every number in docs/performance.md comes from a stored row or from bench/results/aims.json; a test fails where the files
 differ from what this writes.
 """
+
 import json
 import pathlib
 import re
@@ -21,10 +22,20 @@ README_BLOCK = re.compile(r"(<!-- results (\w+) -->).*?(<!-- end -->)", re.S)
 
 
 def environment(folder):
-    made = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), undefined=jinja2.StrictUndefined, trim_blocks=True,
-                              lstrip_blocks=True, keep_trailing_newline=True)
-    made.filters |= {"digits": rounded, "span": span, "number": number, "commas": lambda value: f"{value:,.0f}",
-                     "percent": lambda value: f"{100 * value:.0f} %"}
+    made = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    made.filters |= {
+        "digits": rounded,
+        "span": span,
+        "number": number,
+        "commas": lambda value: f"{value:,.0f}",
+        "percent": lambda value: f"{100 * value:.0f} %",
+    }
 
     def stored(name):
         return json.loads((folder / name).read_text())
@@ -32,7 +43,11 @@ def environment(folder):
     def head(results):
         """Which machine a table is of."""
         driver = f", driver {results['driver']}" if "driver" in results else ""
-        host = f"{results['processor']}, {results['threads']} threads, Embree {results['embree']}; " if "embree" in results else ""
+        host = (
+            f"{results['processor']}, {results['threads']} threads, Embree {results['embree']}; "
+            if "embree" in results
+            else ""
+        )
         return f"{host}{results['adapter']}{driver}{', kernels without run-time checks' if results.get('unchecked') else ''}:"
 
     def table(results, of):
@@ -47,11 +62,24 @@ def environment(folder):
 
     def compare_tables(one):
         results = one.machine.experiment("chromium")
-        return head(results) + "\n\n" + "\n\n".join("\n".join(made_table.markdown()) for made_table in experiment_tables.compare(results))
+        return (
+            head(results)
+            + "\n\n"
+            + "\n\n".join("\n".join(made_table.markdown()) for made_table in experiment_tables.compare(results))
+        )
 
     h100 = facts.Facts("h100", folder)
-    made.globals |= {"h100": h100, "two": facts.Facts("2core", folder), "aims": h100.aims, "stored": stored, "tables": contact_tables,
-                     "table": table, "run_table": run_table, "compare_tables": compare_tables, "facts": facts}
+    made.globals |= {
+        "h100": h100,
+        "two": facts.Facts("2core", folder),
+        "aims": h100.aims,
+        "stored": stored,
+        "tables": contact_tables,
+        "table": table,
+        "run_table": run_table,
+        "compare_tables": compare_tables,
+        "facts": facts,
+    }
     return made
 
 
@@ -66,12 +94,14 @@ def generate(folder=RESULTS):
     contact = json.loads((folder / "h100_contact.json").read_text())
     figures = json.loads((folder / "published.json").read_text())
     machine = made.globals["h100"].machine
-    texts = {"docs/performance.md": made.get_template("performance.md.j2").render(),
-                  "README.md": readme((ROOT / "README.md").read_text(encoding="utf-8"), made.get_template("readme.md.j2").module),
-                  "docs/images/cost.svg": drawing("cost", [plots.readme_cost(machine, figures)], alone=True) + "\n",
-                  "docs/images/contact-growth.svg": plots.contact_growth(contact) + "\n",
-                  "docs/images/contact-search.svg": plots.contact_kernels(contact, "search") + "\n",
-                  "docs/images/contact-step.svg": plots.contact_kernels(contact, "step") + "\n"}
+    texts = {
+        "docs/performance.md": made.get_template("performance.md.j2").render(),
+        "README.md": readme((ROOT / "README.md").read_text(encoding="utf-8"), made.get_template("readme.md.j2").module),
+        "docs/images/cost.svg": drawing("cost", [plots.readme_cost(machine, figures)], alone=True) + "\n",
+        "docs/images/contact-growth.svg": plots.contact_growth(contact) + "\n",
+        "docs/images/contact-search.svg": plots.contact_kernels(contact, "search") + "\n",
+        "docs/images/contact-step.svg": plots.contact_kernels(contact, "step") + "\n",
+    }
     return {name: lines.mended(pathlib.Path(name), text) for name, text in texts.items()}  # as ./dev format leaves it
 
 

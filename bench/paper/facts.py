@@ -1,4 +1,5 @@
 """Numbers for sentences: what docs/performance.md.j2 and README's figures ask the stored results for."""
+
 import json
 import math
 
@@ -6,7 +7,12 @@ from .experiment_tables import step_ms
 from .plots import copy_speed
 from .store import RESULTS, Machine
 
-MODES = {"grid": "node_centric, grid", "mesh": "node_centric, any mesh", "springs": "spring_centric", "blocks": "spring_blocks"}
+MODES = {
+    "grid": "node_centric, grid",
+    "mesh": "node_centric, any mesh",
+    "springs": "spring_centric",
+    "blocks": "spring_blocks",
+}
 
 
 class Missing(Exception):
@@ -14,7 +20,9 @@ class Missing(Exception):
 
 
 def one(rows, **wanted):
-    found = [row for row in rows if all(row.get(key) == value for key, value in wanted.items()) and "skipped" not in row]
+    found = [
+        row for row in rows if all(row.get(key) == value for key, value in wanted.items()) and "skipped" not in row
+    ]
     if len(found) != 1:
         raise Missing(f"{len(found)} stored rows have {wanted}; a sentence needs one.")
     return found[0]
@@ -51,8 +59,12 @@ class Facts:
         for row in rows:
             if row["variant"] != than or row["object"] not in objects or sizes and row["nodes"] not in sizes:
                 continue
-            if any(r["variant"] == against and (r["object"], r["nodes"]) == (row["object"], row["nodes"]) for r in rows):
-                ratios.append(self.contact(row["object"], row["nodes"], than) / self.contact(row["object"], row["nodes"], against))
+            if any(
+                r["variant"] == against and (r["object"], r["nodes"]) == (row["object"], row["nodes"]) for r in rows
+            ):
+                ratios.append(
+                    self.contact(row["object"], row["nodes"], than) / self.contact(row["object"], row["nodes"], against)
+                )
         return min(ratios), max(ratios)
 
     def contacts(self, nodes, variant, objects=("sphere", "armadillo", "dragon")):
@@ -89,8 +101,12 @@ def sheet(results, side, variant):
 
 def embree_ratios(results):
     """Least, most and geometric mean of weft's time over Embree's: of self queries, of queries against objects."""
+
     def summary(ratios):
         return min(ratios), max(ratios), math.exp(sum(map(math.log, ratios)) / len(ratios))
+
     rows = results["rows"]
-    return (summary([row["ratio"] for row in rows if not row["object_triangles"]]),
-            summary([row["ratio"] for row in rows if row["object_triangles"]]))
+    return (
+        summary([row["ratio"] for row in rows if not row["object_triangles"]]),
+        summary([row["ratio"] for row in rows if row["object_triangles"]]),
+    )

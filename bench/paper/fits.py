@@ -1,4 +1,5 @@
 """Lines through measured points."""
+
 import math
 
 

@@ -1,4 +1,5 @@
 """What a machine is made of, as far as it says so itself."""
+
 import datetime
 import json
 import os
@@ -60,14 +61,21 @@ def describe(binary, adapter=None):
     listed = [one for one in adapters(binary) if not adapter or adapter.lower() in one["name"].lower()]
     gpu = listed[0] if listed else {}
     kib = field("/proc/meminfo", r"^MemTotal:\s+(\d+) kB")
-    return {"date": datetime.date.today().isoformat(),
-            "cpu": field("/proc/cpuinfo", r"^model name\s*:\s*(.+)$"), "threads": os.cpu_count(),
-            "memory_bytes": int(kib) * 1024 if kib else None,
-            "gpu": gpu.get("name"), "gpu_type": gpu.get("type"), "backend": gpu.get("backend"), "driver": gpu.get("driver"),
-            "gpu_memory_bytes": gpu_memory() if gpu.get("type") != "CPU" else None,
-            "system": field("/etc/os-release", r"^PRETTY_NAME=(.+)$"), "kernel": platform.release(),
-            "browser": output_of(os.environ.get("CHROMIUM", "chromium"), "--version") or None,
-            "libraries": libraries(binary)}
+    return {
+        "date": datetime.date.today().isoformat(),
+        "cpu": field("/proc/cpuinfo", r"^model name\s*:\s*(.+)$"),
+        "threads": os.cpu_count(),
+        "memory_bytes": int(kib) * 1024 if kib else None,
+        "gpu": gpu.get("name"),
+        "gpu_type": gpu.get("type"),
+        "backend": gpu.get("backend"),
+        "driver": gpu.get("driver"),
+        "gpu_memory_bytes": gpu_memory() if gpu.get("type") != "CPU" else None,
+        "system": field("/etc/os-release", r"^PRETTY_NAME=(.+)$"),
+        "kernel": platform.release(),
+        "browser": output_of(os.environ.get("CHROMIUM", "chromium"), "--version") or None,
+        "libraries": libraries(binary),
+    }
 
 
 def slug(hardware):

@@ -1,4 +1,5 @@
 """Runs the cases whose rows are not stored yet, and stores each as soon as it has ended."""
+
 import hashlib
 import json
 import pathlib
@@ -11,7 +12,11 @@ from .progress import TimeLeft, in_words, say
 from .store import with_side
 
 STOPS_ALL = {2, 4, 5, 130}  # usage, no adapter, device lost, interrupted: the next case would end alike
-SCENES = {"hanging": "2 m × 2 m, pinned at two corners (src/bench/hanging.cpp)", "pull": "scenes/pull-{object}.json", "multigrid": "scenes/{sheet_or_drape}.json"}
+SCENES = {
+    "hanging": "2 m × 2 m, pinned at two corners (src/bench/hanging.cpp)",
+    "pull": "scenes/pull-{object}.json",
+    "multigrid": "scenes/{sheet_or_drape}.json",
+}
 
 
 class Failed(Exception):
@@ -29,12 +34,16 @@ def hash_of(binary):
 
 def check_same(binary, binary_hash):
     if hash_of(binary) != binary_hash:
-        raise Failed(1, f"{binary} was built anew while it was being measured; the same command measures again by the new one.")
+        raise Failed(
+            1, f"{binary} was built anew while it was being measured; the same command measures again by the new one."
+        )
 
 
 def scene_of(experiment, row):
     thing = row.get("object", "")
-    return SCENES.get(experiment, "no scene").format(object=thing, sheet_or_drape="sheet" if thing == "sheet" else f"drape-{thing}")
+    return SCENES.get(experiment, "no scene").format(
+        object=thing, sheet_or_drape="sheet" if thing == "sheet" else f"drape-{thing}"
+    )
 
 
 def ask(binary, case, adapter=None):
@@ -54,13 +63,20 @@ def ask(binary, case, adapter=None):
 def is_done(case, machine, binary_hash):
     """Rows of the whole case stand for those of a quick one, not the other way round."""
     commands = {case.command, case.command.removesuffix(" --quick")}
-    return any(row.get("command") in commands and row.get("binary") == binary_hash for row in machine.rows(case.experiment))
+    return any(
+        row.get("command") in commands and row.get("binary") == binary_hash for row in machine.rows(case.experiment)
+    )
 
 
 def skip(case, before):
     seconds = before["ms_per_step"]["median"] / 1000
-    return {"object": case.object, "variant": "paper", "side": case.side, "nodes": case.side**2,
-            "skipped": f"at {before['nodes']:,} nodes a step took {seconds:.1f} s, under {1000 / SLOWEST_STEP_MS:g} frames a second"}
+    return {
+        "object": case.object,
+        "variant": "paper",
+        "side": case.side,
+        "nodes": case.side**2,
+        "skipped": f"at {before['nodes']:,} nodes a step took {seconds:.1f} s, under {1000 / SLOWEST_STEP_MS:g} frames a second",
+    }
 
 
 def run(machine, cases, binary, adapter=None, fresh=False):
@@ -101,4 +117,7 @@ def run(machine, cases, binary, adapter=None, fresh=False):
 def check_adapter(machine, experiment, answer):
     stored = machine.experiment(experiment).get("adapter")
     if stored and stored != answer.get("adapter"):
-        raise Failed(3, f"{machine.path} holds rows of {stored}, not of {answer.get('adapter')}; name another --machine, or an --adapter.")
+        raise Failed(
+            3,
+            f"{machine.path} holds rows of {stored}, not of {answer.get('adapter')}; name another --machine, or an --adapter.",
+        )

@@ -3,6 +3,7 @@
 What is drawn goes to OUT/media/MACHINE/NAME-VIEW/, whole frames; what the report shows, and the repository keeps, is packed
 from it into RESULTS/media/MACHINE/. A machine without ffmpeg only draws.
 """
+
 import json
 import pathlib
 import shutil
@@ -36,17 +37,36 @@ def draw(machine, binary, out, quick, software, adapter=None, fresh=False):
     waiting, clock = [], TimeLeft()
     for name, scene, frames, moments in shots(quick):
         for view in VIEWS:
-            options = ["--set", f"cloths.0.grid=[{side},{side}]", "--set", f"render.view={view}", "--set", f"render.size=[{size}]",
-                       "--frames", str(frames)]
-            row = {"name": name, "view": view, "side": side, "frames": frames, "moments": moments, "files": {}, "scene": scene,
-                   "command": " ".join(["weft run", scene, *options]), "binary": binary_hash}
+            options = [
+                "--set",
+                f"cloths.0.grid=[{side},{side}]",
+                "--set",
+                f"render.view={view}",
+                "--set",
+                f"render.size=[{size}]",
+                "--frames",
+                str(frames),
+            ]
+            row = {
+                "name": name,
+                "view": view,
+                "side": side,
+                "frames": frames,
+                "moments": moments,
+                "files": {},
+                "scene": scene,
+                "command": " ".join(["weft run", scene, *options]),
+                "binary": binary_hash,
+            }
             before = stored.get((name, view), {})
             drawn = before.get("files") or (out / "media" / machine.name / f"{name}-{view}").is_dir()
             same = before.get("command") == row["command"] or before.get("side", 0) > side
             if fresh or not drawn or not same or before.get("binary") != binary_hash:
                 waiting.append((row, frames, options))
     for k, (row, frames, options) in enumerate(waiting):
-        say(f"[{k + 1}/{len(waiting)}] {row['command']}: {in_words(clock.left(weight for _, weight, _ in waiting[k:]))}")
+        say(
+            f"[{k + 1}/{len(waiting)}] {row['command']}: {in_words(clock.left(weight for _, weight, _ in waiting[k:]))}"
+        )
         began = time.monotonic()
         summary = run(binary, row, options, out / "media" / machine.name / f"{row['name']}-{row['view']}", adapter)
         check_same(binary, binary_hash)
@@ -60,7 +80,9 @@ def draw(machine, binary, out, quick, software, adapter=None, fresh=False):
 def run(binary, row, options, folder, adapter):
     """The summary of `weft run`, whose pictures lie in `folder` then."""
     call = [str(binary), "run", str(ROOT / row["scene"]), *options, "--out", str(folder), "--json"]
-    done = subprocess.run(call + (["--adapter", adapter] if adapter else []), capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        call + (["--adapter", adapter] if adapter else []), capture_output=True, text=True, check=False
+    )
     if done.returncode != 0:
         raise RuntimeError(f"{row['command']}: {done.stderr.strip()}")
     if not has_video(row):  # a machine whose pictures must travel has less to carry
@@ -94,13 +116,22 @@ def pack_row(machine, row, out):
         picture = source / f"frame_{frame:05d}.png"
         if picture.exists():
             files[moment] = f"{row['name']}-{row['view']}-{moment}.jpg"
-            shrink(["-i", str(picture)], ["-frames:v", "1", "-vf", "scale=640:-2"], target / files[moment],
-                   PICTURE_BYTES, [["-q:v", str(q)] for q in (3, 5, 8, 12, 18, 25)])
+            shrink(
+                ["-i", str(picture)],
+                ["-frames:v", "1", "-vf", "scale=640:-2"],
+                target / files[moment],
+                PICTURE_BYTES,
+                [["-q:v", str(q)] for q in (3, 5, 8, 12, 18, 25)],
+            )
     if has_video(row) and (source / "frame_00000.png").exists():
         files["video"] = f"{row['name']}.mp4"
-        shrink(["-framerate", "30", "-i", str(source / "frame_%05d.png")],
-               ["-vf", "scale=640:-2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"], target / files["video"],
-               VIDEO_BYTES, [["-crf", str(q)] for q in (26, 30, 34, 38, 42)])
+        shrink(
+            ["-framerate", "30", "-i", str(source / "frame_%05d.png")],
+            ["-vf", "scale=640:-2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"],
+            target / files["video"],
+            VIDEO_BYTES,
+            [["-crf", str(q)] for q in (26, 30, 34, 38, 42)],
+        )
     if files:
         row["files"] = files
         machine.save()
@@ -110,8 +141,11 @@ def shrink(given, how, target, most, qualities):
     """The best quality that stays within `most` bytes."""
     temporary = target.with_name("tmp-" + target.name)
     for quality in qualities:
-        subprocess.run(["ffmpeg", "-v", "error", "-y", *given, *how, *quality, "-map_metadata", "-1", "-bitexact", str(temporary)],
-                       check=True, stdin=subprocess.DEVNULL)
+        subprocess.run(
+            ["ffmpeg", "-v", "error", "-y", *given, *how, *quality, "-map_metadata", "-1", "-bitexact", str(temporary)],
+            check=True,
+            stdin=subprocess.DEVNULL,
+        )
         if temporary.stat().st_size <= most:
             break
     else:

@@ -1,4 +1,5 @@
 """How long a run will take yet, from how long its cases took so far."""
+
 import sys
 
 

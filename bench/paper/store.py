@@ -1,4 +1,5 @@
 """The results of one machine, bench/results/MACHINE.json: what was measured, with the command that did it."""
+
 import json
 import math
 import os
@@ -8,8 +9,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "bench/results"
 FORMAT = "weft-bench/1"
 # What tells the rows of an experiment apart; everything else in a row was measured.
-IDENTITY = {"hanging": ("variant", "side"), "pull": ("object", "variant", "side"), "copy": ("what",),
-            "largest": ("limits", "variant"), "multigrid": ("object", "variant", "side"), "pictures": ("name", "view")}
+IDENTITY = {
+    "hanging": ("variant", "side"),
+    "pull": ("object", "variant", "side"),
+    "copy": ("what",),
+    "largest": ("limits", "variant"),
+    "multigrid": ("object", "variant", "side"),
+    "pictures": ("name", "view"),
+}
 
 
 class Unreadable(Exception):
@@ -68,8 +75,17 @@ class Machine:
         self.save()
 
 
-VARIANTS = ["none", "bvh", "proximity", "proximity_self", "paper", "node_centric, grid", "node_centric, any mesh", "spring_centric",
-            "spring_blocks"]
+VARIANTS = [
+    "none",
+    "bvh",
+    "proximity",
+    "proximity_self",
+    "paper",
+    "node_centric, grid",
+    "node_centric, any mesh",
+    "spring_centric",
+    "spring_blocks",
+]
 OBJECTS = ["sphere", "armadillo", "dragon"]
 
 
@@ -78,8 +94,15 @@ def place(names, name):
 
 
 def order(experiment, row):
-    return (place(OBJECTS, row.get("object")), row.get("side", 0), place(VARIANTS, row.get("variant")),
-            str(row.get("limits", "")), str(row.get("what", "")), str(row.get("name", "")), str(row.get("view", "")))
+    return (
+        place(OBJECTS, row.get("object")),
+        row.get("side", 0),
+        place(VARIANTS, row.get("variant")),
+        str(row.get("limits", "")),
+        str(row.get("what", "")),
+        str(row.get("name", "")),
+        str(row.get("view", "")),
+    )
 
 
 def with_side(row):

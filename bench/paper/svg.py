@@ -3,6 +3,7 @@ and colours follow the page's theme (or, in a file of its own, the reader's).
 
 A plot has logarithmic axes whose labels name a unit, lines with markers of their own shape, and a legend below.
 """
+
 import dataclasses
 import html
 import json
@@ -19,9 +20,11 @@ DASHES = ("", "7 4", "2 3", "9 3 2 3")
 
 def theme_style():
     """For a file of its own: the reader's light or dark, since nothing around it says."""
+
     def variables(colours, ink, rule, quiet, paper):
         series = ";".join(f"--s{k}:{colour}" for k, colour in enumerate(colours))
         return f":root{{{series};--ink:{ink};--rule:{rule};--quiet:{quiet};--paper:{paper}}}"
+
     light = variables(LIGHT, "#1b1f24", "#d5d9de", "#59636e", "#ffffff")
     dark = variables(DARK, "#e6edf3", "#3a424c", "#9aa4af", "#0d1117")
     return f"{light}@media(prefers-color-scheme:dark){{{dark}}}svg{{background:var(--paper)}}{STYLE}"
@@ -30,6 +33,7 @@ def theme_style():
 @dataclasses.dataclass
 class Line:
     """Points that were measured, joined; or, as a guide, a line without markers that they are held against."""
+
     label: str
     points: list
     colour: int
@@ -60,16 +64,24 @@ class Plot:
         def ends(line):
             (x0, y0), (x1, y1) = line.points[0], line.points[-1]
             return f"{line.label}: from {y0:.3g} at {x0:,.0f} to {y1:.3g} at {x1:,.0f}"
+
         return f"{self.y_label} over {self.x_label}. " + ". ".join(ends(line) for line in self.lines) + "."
 
     def data(self):
-        return {"x": self.x_label, "y": self.y_label,
-                "lines": [{"label": line.label, "points": [[x, float(f"{y:.6g}")] for x, y in line.points]} for line in self.lines]}
+        return {
+            "x": self.x_label,
+            "y": self.y_label,
+            "lines": [
+                {"label": line.label, "points": [[x, float(f"{y:.6g}")] for x, y in line.points]} for line in self.lines
+            ],
+        }
 
 
 def decades(low, high):
     """Whole decades would leave half of a plot empty: ends at 1, 2 or 5 times a power of ten."""
-    steps = [m * 10.0**e for e in range(math.floor(math.log10(low)) - 1, math.ceil(math.log10(high)) + 2) for m in (1, 2, 5)]
+    steps = [
+        m * 10.0**e for e in range(math.floor(math.log10(low)) - 1, math.ceil(math.log10(high)) + 2) for m in (1, 2, 5)
+    ]
     return max(s for s in steps if s <= low / 1.1), min(s for s in steps if s >= high * 1.1)
 
 
@@ -97,9 +109,14 @@ def tick_text(value):
 
 def marker(k, x, y, colour):
     """Shapes tell lines apart without colour."""
-    shape = ["M{0:.1f} {1:.1f}m-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0", "M{0:.1f} {1:.1f}m-3.6-3.6h7.2v7.2h-7.2z",
-             "M{0:.1f} {1:.1f}m0-4.8l4.5 8.2h-9z", "M{0:.1f} {1:.1f}m0-4.8l4.6 4.8l-4.6 4.8l-4.6-4.8z",
-             "M{0:.1f} {1:.1f}m0 4.8l4.5-8.2h-9z", "M{0:.1f} {1:.1f}m-4-4l8 8m0-8l-8 8"][k % 6].format(x, y)
+    shape = [
+        "M{0:.1f} {1:.1f}m-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0",
+        "M{0:.1f} {1:.1f}m-3.6-3.6h7.2v7.2h-7.2z",
+        "M{0:.1f} {1:.1f}m0-4.8l4.5 8.2h-9z",
+        "M{0:.1f} {1:.1f}m0-4.8l4.6 4.8l-4.6 4.8l-4.6-4.8z",
+        "M{0:.1f} {1:.1f}m0 4.8l4.5-8.2h-9z",
+        "M{0:.1f} {1:.1f}m-4-4l8 8m0-8l-8 8",
+    ][k % 6].format(x, y)
     paint = f"stroke:var(--s{colour});stroke-width:2;fill:none" if k % 6 == 5 else f"fill:var(--s{colour})"
     return f'<path d="{shape}" style="{paint}"/>'
 
@@ -113,8 +130,10 @@ def body(plot):
     wide, high = plot.width - left - right, plot.height - top - bottom
 
     def at(x, y):
-        return (left + wide * math.log(x / x_low) / math.log(x_high / x_low),
-                top + high * (1 - math.log(y / y_low) / math.log(y_high / y_low)))
+        return (
+            left + wide * math.log(x / x_low) / math.log(x_high / x_low),
+            top + high * (1 - math.log(y / y_low) / math.log(y_high / y_low)),
+        )
 
     for value, labelled in ticks(x_low, x_high):
         x, _ = at(value, y_low)
@@ -129,8 +148,10 @@ def body(plot):
     yield f'<path class="frame" d="M{left} {top}v{high}h{wide}"/>'
     yield f'<text class="x-label" x="{left + wide / 2:.0f}" y="{plot.height - 8}" text-anchor="middle">{html.escape(plot.x_label)}</text>'
     middle = top + high / 2
-    yield (f'<text class="y-label" x="16" y="{middle:.0f}" text-anchor="middle" transform="rotate(-90 16 {middle:.0f})">'
-           f'{html.escape(plot.y_label)}</text>')
+    yield (
+        f'<text class="y-label" x="16" y="{middle:.0f}" text-anchor="middle" transform="rotate(-90 16 {middle:.0f})">'
+        f"{html.escape(plot.y_label)}</text>"
+    )
     markers = 0
     for k, line in enumerate(plot.lines):
         places = [at(x, y) for x, y in line.points]
@@ -158,15 +179,19 @@ def drawing(name, plots, alone=False):
     for plot in plots:
         parts.append(f'<g transform="translate({x} 0)">' + "".join(body(plot)) + "</g>")
         x += plot.width
-    return wrap(name, width, height, title, " ".join(plot.description() for plot in plots), data, "\n".join(parts), alone)
+    return wrap(
+        name, width, height, title, " ".join(plot.description() for plot in plots), data, "\n".join(parts), alone
+    )
 
 
 def wrap(name, width, height, title, description, data, content, alone):
     spaces = ' xmlns="http://www.w3.org/2000/svg"' if alone else ""
     style = f"<style>{theme_style()}</style>" if alone else ""
-    return (f'<svg{spaces} viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img" aria-labelledby="{name}-title {name}-desc">'
-            f'<title id="{name}-title">{html.escape(title)}</title><desc id="{name}-desc">{html.escape(description)}</desc>'
-            f'<metadata>{html.escape(data, quote=False)}</metadata>{style}\n{content}\n</svg>')
+    return (
+        f'<svg{spaces} viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img" aria-labelledby="{name}-title {name}-desc">'
+        f'<title id="{name}-title">{html.escape(title)}</title><desc id="{name}-desc">{html.escape(description)}</desc>'
+        f"<metadata>{html.escape(data, quote=False)}</metadata>{style}\n{content}\n</svg>"
+    )
 
 
 def bars(name, title, unit, rows, alone=False):
@@ -176,20 +201,30 @@ def bars(name, title, unit, rows, alone=False):
     width, top = left + wide + 20, 30
     legend = top + 24 * len(rows) + 22
     height = legend + 22 * -(-len(parts) // columns) + 6
-    content = [f'<text class="x-label" x="{left + wide / 2:.0f}" y="16" text-anchor="middle">{html.escape(unit)}</text>']
+    content = [
+        f'<text class="x-label" x="{left + wide / 2:.0f}" y="16" text-anchor="middle">{html.escape(unit)}</text>'
+    ]
     for k, (label, values) in enumerate(rows):
         y, x, whole = top + 24 * k, float(left), sum(value for _, value in values)
         content.append(f'<text class="small" x="{left - 8}" y="{y + 13}" text-anchor="end">{html.escape(label)}</text>')
         for part, value in values:
             length = wide * value / whole
-            content.append(f'<rect x="{x:.1f}" y="{y}" width="{length:.1f}" height="18" style="fill:var(--s{parts.index(part) % COLOURS});'
-                           'stroke:var(--paper,#fff);stroke-width:1"/>')
+            content.append(
+                f'<rect x="{x:.1f}" y="{y}" width="{length:.1f}" height="18" style="fill:var(--s{parts.index(part) % COLOURS});'
+                'stroke:var(--paper,#fff);stroke-width:1"/>'
+            )
             x += length
     for k, part in enumerate(parts):
         x, y = 20 + (k % columns) * (width - 30) / columns, legend + 22 * (k // columns)
-        content.append(f'<rect x="{x:.1f}" y="{y}" width="14" height="14" style="fill:var(--s{k % COLOURS})"/>'
-                       f'<text class="small" x="{x + 20:.1f}" y="{y + 12}">{html.escape(part)}</text>')
-    data = json.dumps([{"row": label, "parts": [[part, float(f"{value:.6g}")] for part, value in values]} for label, values in rows])
-    description = "; ".join(f"{label}: " + ", ".join(f"{part} {100 * value / sum(v for _, v in values):.0f} %" for part, value in values)
-                            for label, values in rows)
+        content.append(
+            f'<rect x="{x:.1f}" y="{y}" width="14" height="14" style="fill:var(--s{k % COLOURS})"/>'
+            f'<text class="small" x="{x + 20:.1f}" y="{y + 12}">{html.escape(part)}</text>'
+        )
+    data = json.dumps(
+        [{"row": label, "parts": [[part, float(f"{value:.6g}")] for part, value in values]} for label, values in rows]
+    )
+    description = "; ".join(
+        f"{label}: " + ", ".join(f"{part} {100 * value / sum(v for _, v in values):.0f} %" for part, value in values)
+        for label, values in rows
+    )
     return wrap(name, width, height, title, description, data, "\n".join(content), alone)

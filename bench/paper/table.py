@@ -1,4 +1,5 @@
 """A table as data, written as Markdown or as HTML."""
+
 import html
 import re
 
@@ -52,6 +53,8 @@ def built(items, columns):
     second answer names those."""
     texts = [[cell(item) for _, _, cell in columns] for item in items]
     seen = [any(row[k] is not None for row in texts) for k in range(len(columns))]
-    table = Table([column[:2] for column, one in zip(columns, seen) if one],
-                  [[NOT_MEASURED if text is None else text for text, one in zip(row, seen) if one] for row in texts])
+    table = Table(
+        [column[:2] for column, one in zip(columns, seen) if one],
+        [[NOT_MEASURED if text is None else text for text, one in zip(row, seen) if one] for row in texts],
+    )
     return table, [column[0] for column, one in zip(columns, seen) if not one]

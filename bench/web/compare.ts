@@ -19,9 +19,11 @@ declare const window: { readonly compare: CompareHandle }; // in the functions t
 const ROOT = join(import.meta.dirname, "../..");
 const PASSED_ON = ["paths", "sizes", "most", "budget"] as const; // to the page, which checks them
 
-const { values: asked } = parseArgs({ options: { quick: { type: "boolean", default: false },
-  json: { type: "string", default: join(ROOT, "out/compare.json") }, paths: { type: "string" }, sizes: { type: "string" },
-  most: { type: "string" }, budget: { type: "string" } } });
+const { values: asked } = parseArgs({
+  options: { quick: { type: "boolean", default: false },
+    json: { type: "string", default: join(ROOT, "out/compare.json") }, paths: { type: "string" },
+    sizes: { type: "string" }, most: { type: "string" }, budget: { type: "string" } },
+});
 const address = new URLSearchParams(asked.quick ? { most: "16384", budget: "500" } : {});
 for (const key of PASSED_ON) if (asked[key] !== undefined) address.set(key, asked[key]);
 
@@ -35,19 +37,24 @@ try {
     failed = true;
     console.error(text);
   };
-  page.on("console", (message) => { if (message.type() === "error") complain(message.text()); });
+  page.on("console", (message) => {
+    if (message.type() === "error") complain(message.text());
+  });
   page.on("pageerror", (error) => complain(error.message));
   await page.goto(`${site.address}compare/?${address}`);
   await page.evaluate(() => window.compare.ready);
 
   const progress = page.locator("#progress");
   let said = "";
-  const watch = setInterval(() => void progress.textContent().then((text) => {
-    if (text !== said) console.error(said = text ?? "");
-  }, () => undefined), 500);
+  const watch = setInterval(() =>
+    void progress.textContent().then((text) => {
+      if (text !== said) console.error(said = text ?? "");
+    }, () => undefined), 500);
   await page.evaluate(() => window.compare.start());
   clearInterval(watch);
-  const { report, text } = await page.evaluate(() => ({ report: window.compare.report(), text: window.compare.text() }));
+  const { report, text } = await page.evaluate(() => ({ report: window.compare.report(),
+    text: window.compare.text() })
+  );
   console.log(text);
   for (const { path, nodes, note } of report.rows) if (note !== null) console.log(`${path}, ${nodes} nodes: ${note}`);
   mkdirSync(dirname(asked.json), { recursive: true });

@@ -13,7 +13,10 @@ declare const window: { readonly weft: PageHandle }; // in the functions that th
 
 const ROOT = join(import.meta.dirname, "../..");
 const { values: asked, positionals } = parseArgs({ allowPositionals: true, options: {
-  json: { type: "string" }, pictures: { type: "string" }, seconds: { type: "string", default: "4" } } });
+  json: { type: "string" },
+  pictures: { type: "string" },
+  seconds: { type: "string", default: "4" },
+} });
 const queries = positionals.length > 0 ? positionals : ["scene=breeze"];
 
 interface Row {
@@ -30,12 +33,13 @@ interface Row {
   contacts: number;
 }
 
-const readings = (page: Page) => page.evaluate(() => {
-  const { world } = window.weft;
-  if (!world) return null;
-  const { frames, seconds, contacts } = world.statistics;
-  return { frames, seconds, contacts, at: performance.now(), host: world.hostMilliseconds };
-});
+const readings = (page: Page) =>
+  page.evaluate(() => {
+    const { world } = window.weft;
+    if (!world) return null;
+    const { frames, seconds, contacts } = world.statistics;
+    return { frames, seconds, contacts, at: performance.now(), host: world.hostMilliseconds };
+  });
 
 async function firstFrame(page: Page, address: string): Promise<number> {
   const start = performance.now();
@@ -56,8 +60,8 @@ async function measure(page: Page, site: string, query: string): Promise<Row> {
   const info = await page.evaluate(() => window.weft.world!.info);
   const seconds = (after.at - before.at) / 1000;
   return { query, adapter: info.adapter, nodes: info.nodes, substeps: info.substeps, first_frame_ms: first,
-    real_time_factor: (after.seconds - before.seconds) / seconds, frames_per_second: (after.frames - before.frames) / seconds,
-    host_ms: after.host, contacts: after.contacts };
+    real_time_factor: (after.seconds - before.seconds) / seconds,
+    frames_per_second: (after.frames - before.frames) / seconds, host_ms: after.host, contacts: after.contacts };
 }
 
 const site = await serveFiles(join(ROOT, "apps/web/dist"));
@@ -65,7 +69,8 @@ const browser = await launchOwn(WEBGL_TOO_FLAGS);
 const rows: Row[] = [];
 let failed = false;
 for (const [index, query] of queries.entries()) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, colorScheme: index % 2 === 0 ? "light" : "dark" });
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 },
+    colorScheme: index % 2 === 0 ? "light" : "dark" });
   const page = await context.newPage();
   page.on("pageerror", (error) => {
     failed = true;
@@ -73,8 +78,14 @@ for (const [index, query] of queries.entries()) {
   });
   const row = await measure(page, site.address, query);
   rows.push(row);
-  console.log(`${query}: ${row.nodes} nodes, ${row.substeps} steps a frame, first frame after ${Math.round(row.first_frame_ms)} ms, ` +
-    `${row.real_time_factor.toFixed(2)} × real time, ${row.frames_per_second.toFixed(1)} fps, host ${row.host_ms.toFixed(2)} ms`);
+  console.log(
+    `${query}: ${row.nodes} nodes, ${row.substeps} steps a frame, first frame after ${
+      Math.round(row.first_frame_ms)
+    } ms, ` +
+      `${row.real_time_factor.toFixed(2)} × real time, ${row.frames_per_second.toFixed(1)} fps, host ${
+        row.host_ms.toFixed(2)
+      } ms`,
+  );
   if (asked.pictures !== undefined) {
     mkdirSync(asked.pictures, { recursive: true });
     await page.screenshot({ path: join(asked.pictures, `${index}-${query.replace(/[^\w-]+/g, "_")}.png`) });

@@ -29,8 +29,7 @@ struct Setting {
   Timing free_step;
 };
 
-Result<Setting> make_setting(gpu::Device& device, scene::Scene scene, Assets assets,
-                             const Effort& effort) {
+Result<Setting> make_setting(gpu::Device& device, scene::Scene scene, Assets assets, const Effort& effort) {
   Setting made{std::move(scene), std::move(assets)};
   WEFT_TRY(substeps, fix_step(made.scene, made.assets, effort.steps));
   made.substeps = substeps;

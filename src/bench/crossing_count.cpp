@@ -4,8 +4,7 @@
 
 namespace weft::bench {
 
-Result<CrossingCount> CrossingCount::create(gpu::Device& device, scene::Scene scene,
-                                            const Assets& assets) {
+Result<CrossingCount> CrossingCount::create(gpu::Device& device, scene::Scene scene, const Assets& assets) {
   scene.contact.method = scene::ContactMethod::Proximity;
   scene.contact.self = true;
   WEFT_CHECK(fix_step(scene, assets, 1));

@@ -40,8 +40,7 @@ Result<scene::Scene> load_case(const Case& c, const Folders& folders) {
 }
 
 /// The state at which the methods are compared, reached by proximity.
-Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const Assets& assets,
-                              double seconds) {
+Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const Assets& assets, double seconds) {
   scene.contact.method = scene::ContactMethod::Proximity;
   WEFT_TRY(world, sim::World::create(device, scene, assets));
   const int frames = static_cast<int>(std::ceil(seconds / scene.time.frame));
@@ -51,9 +50,8 @@ Result<sim::Snapshot> warm_up(gpu::Device& device, scene::Scene scene, const Ass
 }
 
 /// The world of a method with `steps` substeps a submit, at the common state.
-Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scene scene,
-                                                const Assets& assets, const sim::Snapshot& start,
-                                                std::uint32_t steps) {
+Result<std::unique_ptr<sim::World>> start_world(gpu::Device& device, scene::Scene scene, const Assets& assets,
+                                                const sim::Snapshot& start, std::uint32_t steps) {
   WEFT_CHECK(fix_step(scene, assets, steps));
   // One substep at a time also where there is no contact, so that the difference is what contact costs.
   WEFT_TRY(world, sim::World::create(device, scene, assets, {.two_steps = false}));

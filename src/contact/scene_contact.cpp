@@ -74,8 +74,8 @@ Result<void> SceneContact::create_pushes(gpu::Device& device, const Model& model
                                          const SceneContactSetup& setup) {
   WEFT_TRY(contacts, Contacts::create_pushes(device, model.host));
   contacts_ = std::move(contacts);
-  WEFT_TRY(pushes, Pushes::create(device, model, state, *contacts_,
-                                  push_setup(scene, assets, setup.workgroup_size)));
+  WEFT_TRY(pushes,
+           Pushes::create(device, model, state, *contacts_, push_setup(scene, assets, setup.workgroup_size)));
   pushes_ = std::make_unique<Pushes>(std::move(pushes));
   return {};
 }

@@ -62,7 +62,8 @@ class SceneContact {
 
  private:
   Result<void> create_proximity(gpu::Device& device, const Model& model, const State& state,
-                                const scene::Scene& scene, const Assets& assets, const SceneContactSetup& setup);
+                                const scene::Scene& scene, const Assets& assets,
+                                const SceneContactSetup& setup);
   Result<void> create_pushes(gpu::Device& device, const Model& model, const State& state,
                              const scene::Scene& scene, const Assets& assets, const SceneContactSetup& setup);
   Result<void> create_counter(gpu::Device& device);

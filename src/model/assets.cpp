@@ -140,11 +140,10 @@ Result<void> check_memory(const scene::Scene& scene, const Assets& assets, std::
                           std::uint64_t limit, const char* whose) {
   const std::uint64_t nodes = node_count(scene, assets), bytes = nodes * bytes_per_node;
   if (bytes <= limit) return {};
-  return make_error(
-      ErrorKind::Limit,
-      "A cloth of %llu nodes needs about %llu bytes of %s memory, more than its limit of %llu.",
-      static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes), whose,
-      static_cast<unsigned long long>(limit));
+  return make_error(ErrorKind::Limit,
+                    "A cloth of %llu nodes needs about %llu bytes of %s memory, more than its limit of %llu.",
+                    static_cast<unsigned long long>(nodes), static_cast<unsigned long long>(bytes), whose,
+                    static_cast<unsigned long long>(limit));
 }
 
 }  // namespace weft

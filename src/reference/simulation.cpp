@@ -5,10 +5,10 @@
 #include <span>
 
 #include "base/state_hash.hpp"
-#include "model/grab_speed.hpp"
-#include "contact/rules/max_push.hpp"
 #include "contact/reference/pushes/analytic.hpp"
 #include "contact/reference/pushes/response.hpp"
+#include "contact/rules/max_push.hpp"
+#include "model/grab_speed.hpp"
 #include "scene/motion.hpp"
 
 namespace weft::reference {

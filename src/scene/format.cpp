@@ -83,7 +83,9 @@ constexpr Key kMassSpringKeys[] = {
      "\"node_centric\""},
 };
 constexpr Variant kSolverVariants[] = {  // in the order of SolverKind
-    {kSolverKindNames[0], kMassSpringKeys}, {kSolverKindNames[1], {}}, {kSolverKindNames[2], {}}};
+    {kSolverKindNames[0], kMassSpringKeys},
+    {kSolverKindNames[1], {}},
+    {kSolverKindNames[2], {}}};
 static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 

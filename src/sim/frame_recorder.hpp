@@ -18,8 +18,9 @@ class FrameRecorder {
  public:
   FrameRecorder() = default;
   /// Errors  Failure: the solver breaks the contract of contact (contact/stages/stages.hpp).
-  static Result<FrameRecorder> create(const State& state, const Solver& solver, const contact::SceneContact& contact,
-                                      const LastGood& last_good, const Surface& surface);
+  static Result<FrameRecorder> create(const State& state, const Solver& solver,
+                                      const contact::SceneContact& contact, const LastGood& last_good,
+                                      const Surface& surface);
 
   /// The commands of a frame of so many substeps that begins with this parity, until the next call of forget or of
   /// this with another number of substeps.

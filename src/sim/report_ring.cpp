@@ -15,8 +15,8 @@ Result<ReportRing> ReportRing::create(gpu::Device& device, const State& state) {
 }
 
 const ReportRing::Slot* ReportRing::free_slot() const {
-  const auto slot = std::find_if(slots_.begin(), slots_.end(),
-                                 [](const Slot& one) { return !one.readback.pending(); });
+  const auto slot =
+      std::find_if(slots_.begin(), slots_.end(), [](const Slot& one) { return !one.readback.pending(); });
   return slot == slots_.end() ? nullptr : &*slot;
 }
 

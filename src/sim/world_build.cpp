@@ -35,15 +35,15 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_TRY(state, State::create(device_, model_.host, plan_.most_substeps()));
   state_ = std::move(state);
   const Method& method = plan_.method();
-  WEFT_TRY(contact, contact::SceneContact::create(
-                        device_, model_, state_, scene_, assets_,
-                        {options.contact_room, plan_.most_substeps(), method.search_interval,
-                         solves_with_obstacles(scene_, method), options.workgroup_size}));
+  WEFT_TRY(contact,
+           contact::SceneContact::create(device_, model_, state_, scene_, assets_,
+                                         {options.contact_room, plan_.most_substeps(), method.search_interval,
+                                          solves_with_obstacles(scene_, method), options.workgroup_size}));
   contact_ = std::move(contact);
   scene::Solver settings = scene_.solver;
   settings.kind = method.kind;
-  WEFT_TRY(solver, make_solver(settings, {device_, model_, state_, contact_.contacts(), options.workgroup_size,
-                                          options.two_steps}));
+  WEFT_TRY(solver, make_solver(settings, {device_, model_, state_, contact_.contacts(),
+                                          options.workgroup_size, options.two_steps}));
   solver_ = std::move(solver);
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);

@@ -15,8 +15,9 @@ namespace weft {
 /// thereby is the previous state, and writes [1 - p].
 struct State {
   std::array<gpu::Buffer<Vec4f>, 2> position;  // vertex_count, m; w: inverse mass, 1/kg (0: kinematic)
-  std::array<gpu::Buffer<Vec4f>, 2> velocity;  // vertex_count, m/s; w: 1 where the state before it is known (Method::history)
-  gpu::Buffer<StepParams> steps;               // a block for each substep of a frame
+  std::array<gpu::Buffer<Vec4f>, 2>
+      velocity;  // vertex_count, m/s; w: 1 where the state before it is known (Method::history)
+  gpu::Buffer<StepParams> steps;          // a block for each substep of a frame
   gpu::Buffer<Vec4f> motions;             // 3 rows for each moved group and substep: x, y, z of R·rest + t
   gpu::Buffer<std::uint32_t> statistics;  // sizeof(Statistics) / 4
 

@@ -5,8 +5,8 @@
 
 #include "bench/folds.hpp"
 #include "bench/round_object.hpp"
-#include "mesh/grid.hpp"
 #include "contact/reference/proximity/audit.hpp"
+#include "mesh/grid.hpp"
 
 using namespace weft;
 

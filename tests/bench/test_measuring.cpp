@@ -65,14 +65,15 @@ TEST_CASE(
   CHECK(slow->skipped.find("s to build, more than the 0.0001 allowed") != std::string::npos);
 }
 
-TEST_CASE("what a frame does once is not in the dispatches of its steps, whatever the solver and the cloths") {
+TEST_CASE(
+    "what a frame does once is not in the dispatches of its steps, whatever the solver and the cloths") {
   GpuFixture fixture;
   const std::string cloth = R"({"grid": [6, 6], "size": [1, 1], "density": 0.2})";
   const auto dispatches = [&](const std::string& solver, const std::string& cloths, int substeps) {
-    const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": )" +
-                                              std::to_string(substeps) + R"(}, "solver": {"kind": ")" +
-                                              solver + R"("}, "cloths": [)" + cloths + "]}",
-                                          "a.json");
+    const auto scene =
+        scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": )" + std::to_string(substeps) +
+                               R"(}, "solver": {"kind": ")" + solver + R"("}, "cloths": [)" + cloths + "]}",
+                           "a.json");
     REQUIRE(scene);
     const auto assets = load_assets(*scene, std::string());
     REQUIRE(assets);

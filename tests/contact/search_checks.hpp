@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "contact/proximity/feature_owners.hpp"
-#include "contact/search_fixture.hpp"
 #include "contact/reference/proximity/pairs.hpp"
+#include "contact/search_fixture.hpp"
 
 namespace weft {
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "contact/reference/proximity/audit.hpp"
+#include "contact/reference/proximity/closest.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "gpu/kernel.hpp"
 #include "gpu/readback.hpp"
-#include "contact/reference/proximity/audit.hpp"
-#include "contact/reference/proximity/closest.hpp"
 
 using namespace weft;
 using namespace weft::reference;

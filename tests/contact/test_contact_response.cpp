@@ -1,8 +1,8 @@
 // Algorithm 2 on random pushes, against its three lines.
 #include <cmath>
 
-#include "gpu/gpu_fixture.hpp"
 #include "contact/pushes/contact_response.hpp"
+#include "gpu/gpu_fixture.hpp"
 #include "method/solver_rig.hpp"
 
 using namespace weft;

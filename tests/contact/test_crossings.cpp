@@ -3,11 +3,11 @@
 #include <map>
 #include <set>
 
+#include "contact/reference/proximity/audit.hpp"
+#include "contact/reference/proximity/untangle.hpp"
 #include "contact/search_checks.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/sheet_rim.hpp"
-#include "contact/reference/proximity/audit.hpp"
-#include "contact/reference/proximity/untangle.hpp"
 
 using namespace weft;
 using namespace weft::reference;

@@ -168,8 +168,7 @@ TEST_CASE("the sum of pushes that are all equal and as long as can be stays belo
 
 TEST_CASE("a stack that is too short is counted, never silent") {
   TemporaryFolder folder;
-  std::filesystem::copy(source_path("src"), folder.path("src"),
-                        std::filesystem::copy_options::recursive);
+  std::filesystem::copy(source_path("src"), folder.path("src"), std::filesystem::copy_options::recursive);
   const std::string path = folder.path("src/contact/pushes/bvh.wgsl");
   auto bytes = read_file(path, 1U << 20U);
   REQUIRE(bytes);

@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include "contact/collision_fixture.hpp"
-#include "mesh/primitives.hpp"
-#include "mesh/read_mesh.hpp"
 #include "contact/reference/pushes/pairs.hpp"
 #include "contact/reference/pushes/pushes.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/read_mesh.hpp"
 #include "source_path.hpp"
 
 using namespace weft;

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "mesh/primitives.hpp"
 #include "contact/reference/pushes/analytic.hpp"
 #include "contact/reference/pushes/lattice.hpp"
 #include "contact/reference/pushes/pairs.hpp"
 #include "contact/reference/pushes/pushes.hpp"
 #include "contact/reference/pushes/winding.hpp"
+#include "mesh/primitives.hpp"
 
 using namespace weft;
 using namespace weft::reference;

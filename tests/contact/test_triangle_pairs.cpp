@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "contact/reference/pushes/lattice.hpp"
+#include "contact/reference/pushes/segment_triangle.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "gpu/kernel.hpp"
 #include "gpu/readback.hpp"
-#include "contact/reference/pushes/lattice.hpp"
-#include "contact/reference/pushes/segment_triangle.hpp"
 
 using namespace weft;
 using namespace weft::reference;

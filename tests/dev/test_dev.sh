@@ -16,8 +16,15 @@ cd "$folder"
 . "$checkout/scripts/bare.sh"
 
 # expect WHAT EXPECTED FOUND
-expect() { [ "$2" = "$3" ] || { printf '%s: expected "%s", found "%s"\n' "$1" "$2" "$3"; exit 1; }; }
-prints() { echo "$1"; echo "$2" >&2; return "$3"; }
+expect() { [ "$2" = "$3" ] || {
+  printf '%s: expected "%s", found "%s"\n' "$1" "$2" "$3"
+  exit 1
+}; }
+prints() {
+  echo "$1"
+  echo "$2" >&2
+  return "$3"
+}
 
 case_quiet() {
   expect "a command that succeeds" "" "$(quietly prints out err 0 2>&1)"
@@ -28,11 +35,17 @@ case_quiet() {
 }
 
 case_apt() {
-  as_root() { echo "E: Unable to fetch some archives"; return 100; }
+  as_root() {
+    echo "E: Unable to fetch some archives"
+    return 100
+  }
   local said status=0
   said=$(setup_packages no-such-package-of-weft 2>&1) || status=$?
   expect "its exit code" 100 $status
-  [[ $said == *"E: Unable to fetch some archives"* ]] || { printf 'apt-get is not heard: %s\n' "$said"; exit 1; }
+  [[ $said == *"E: Unable to fetch some archives"* ]] || {
+    printf 'apt-get is not heard: %s\n' "$said"
+    exit 1
+  }
 }
 
 case_run() {

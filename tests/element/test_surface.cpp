@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "state/surface.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "gpu/readback.hpp"
 #include "mesh/primitives.hpp"
 #include "scene/load.hpp"
+#include "state/surface.hpp"
 
 using namespace weft;
 

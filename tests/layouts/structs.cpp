@@ -6,34 +6,34 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "contact/pushes/colliders_analytic.hpp"
 #include "contact/object_tree.hpp"
-#include "contact/pushes/object_triangles.hpp"
 #include "contact/proximity/pair_search.hpp"
-#include "contact/pushes/pairs_paper.hpp"
 #include "contact/proximity/tree_refit.hpp"
+#include "contact/pushes/colliders_analytic.hpp"
+#include "contact/pushes/object_triangles.hpp"
+#include "contact/pushes/pairs_paper.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "element/spring/neighbours.hpp"
 #include "element/spring/packed_springs.hpp"
 #include "element/spring/spring_blocks.hpp"
-#include "state/surface.hpp"
 #include "gpu/kernel.hpp"
-#include "contact/rules/contact_law.hpp"
-#include "model/host_model.hpp"
 #include "mesh/sheet_rim.hpp"
+#include "method/mass_spring/advance_mesh.hpp"
+#include "method/mass_spring/grid_params.hpp"
+#include "method/multigrid/cloth_nodes.hpp"
+#include "method/multigrid/level.hpp"
+#include "method/multigrid/mesh_lists.hpp"
+#include "model/host_model.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/fine_cloth.hpp"
 #include "render/floor.hpp"
 #include "render/frame_params.hpp"
 #include "scene/grab.hpp"
 #include "scene/scene.hpp"
-#include "method/mass_spring/advance_mesh.hpp"
-#include "method/mass_spring/grid_params.hpp"
-#include "method/multigrid/cloth_nodes.hpp"
-#include "method/multigrid/level.hpp"
-#include "method/multigrid/mesh_lists.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
+#include "state/surface.hpp"
 
 namespace weft {
 namespace {
@@ -92,7 +92,8 @@ Json spring() {
 }
 Json spring_kind() {
   using T = SpringKind;
-  return row("SpringKind", "element/spring/packed_spring.wgsl", sizeof(T), kExact, {M(stiffness), M(damping)});
+  return row("SpringKind", "element/spring/packed_spring.wgsl", sizeof(T), kExact,
+             {M(stiffness), M(damping)});
 }
 Json spring_block() {
   using T = SpringBlock;
@@ -106,7 +107,8 @@ Json block_spring() {
 }
 Json neighbour() {
   using T = Neighbour;
-  return row("Neighbour", "element/spring/neighbour.wgsl", sizeof(T), kExact, {M(node_and_kind), M(rest_length)});
+  return row("Neighbour", "element/spring/neighbour.wgsl", sizeof(T), kExact,
+             {M(node_and_kind), M(rest_length)});
 }
 Json grid_params_row() {
   using T = GridParams;
@@ -132,7 +134,8 @@ Json multigrid_level() {
 }
 Json cloth_nodes() {
   using T = ClothNodes;
-  return row("ClothNodes", "method/multigrid/cloth_nodes.wgsl", sizeof(T), kUniform, {M(first_vertex), M(count)});
+  return row("ClothNodes", "method/multigrid/cloth_nodes.wgsl", sizeof(T), kUniform,
+             {M(first_vertex), M(count)});
 }
 Json mesh_level() {
   using T = MultigridMeshLevel;
@@ -201,11 +204,13 @@ Json tree_params() {
 Json colliders() {
   using List = std::array<std::array<std::uint32_t, 4>, contact::kMostColliders>;
   static_assert(sizeof(List) == contact::kMostColliders * sizeof(contact::TreeWord));
-  return row("Colliders", "contact/proximity/find_candidates.wgsl", sizeof(List), kExact, {member<List>("list", 0)});
+  return row("Colliders", "contact/proximity/find_candidates.wgsl", sizeof(List), kExact,
+             {member<List>("list", 0)});
 }
 Json collider_place() {
   using T = contact::ColliderPlace;
-  return row("ColliderPlace", "contact/proximity/move_points.wgsl", sizeof(T), kExact, {M(rows), M(shape), M(spin)});
+  return row("ColliderPlace", "contact/proximity/move_points.wgsl", sizeof(T), kExact,
+             {M(rows), M(shape), M(spin)});
 }
 Json frame() {
   using T = render::FrameParams;
@@ -245,7 +250,7 @@ Json struct_layouts() {
       {step_params(),     spring(),          spring_kind(), spring_block(),   block_spring(),
        neighbour(),       grid_params_row(), mesh_params(), surface_params(), object_triangle(),
        spring_grid_row(), multigrid_level(), tree_node(),   pair_range(),     analytic_collider(),
-       contact_of_pair(),         search_params(),   tree_params(), colliders(),      collider_place(),
+       contact_of_pair(), search_params(),   tree_params(), colliders(),      collider_place(),
        frame(),           weave(),           plane(),       fine_grid(),      cloth_nodes(),
        mesh_level(),      coupling(),        share()});
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "fields.hpp"
-#include "method/multigrid/reference/implicit_step.hpp"
 #include "method/multigrid/grid_cycle.hpp"
 #include "method/multigrid/mesh_cycle.hpp"
+#include "method/multigrid/reference/implicit_step.hpp"
 #include "solver_rig.hpp"
 
 namespace weft {

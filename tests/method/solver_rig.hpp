@@ -11,8 +11,8 @@
 #include "gpu/device.hpp"
 #include "gpu/readback.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
-#include "scene/load.hpp"
 #include "method/solver.hpp"
+#include "scene/load.hpp"
 
 namespace weft {
 

@@ -5,8 +5,6 @@
 #include "gpu/gpu_fixture.hpp"
 #include "mesh/primitives.hpp"
 #include "method/mass_spring/fixed_point.hpp"
-#include "method/mass_spring/spring_forces.hpp"
-#include "method/mass_spring/fixed_point.hpp"
 #include "method/mass_spring/grid_params.hpp"
 #include "method/mass_spring/spring_forces.hpp"
 #include "solver_rig.hpp"

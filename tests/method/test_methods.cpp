@@ -26,7 +26,8 @@ TEST_CASE("every kind of solver but auto has one row that answers all that is as
     CHECK(method.memory != nullptr);
     CHECK(method.settings_word != nullptr);
     CHECK(method.search_interval >= 1);
-    CHECK(method.history <= 1);  // State has two buffers: the state before the current one is all that is left
+    CHECK(method.history <=
+          1);  // State has two buffers: the state before the current one is all that is left
   }
 }
 

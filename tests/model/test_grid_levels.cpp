@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "method/multigrid/grid_levels.hpp"
 #include "method/method.hpp"
+#include "method/multigrid/grid_levels.hpp"
 #include "scene/load.hpp"
 
 using namespace weft;
@@ -52,7 +52,7 @@ TEST_CASE("auto takes multigrid for large grids, and never for meshes") {
   };
   using Kind = scene::SolverKind;
   CHECK(choice("auto", R"("grid": [316, 316], "size": [1, 1])").method->kind == Kind::MassSpring);  // 99,856
-  const MethodChoice large = choice("auto", R"("grid": [317, 316], "size": [1, 1])");       // 100,172
+  const MethodChoice large = choice("auto", R"("grid": [317, 316], "size": [1, 1])");               // 100,172
   CHECK(large.method->kind == Kind::Multigrid);
   CHECK(large.reason == "100172 nodes are not fewer than the 100000, from which on multigrid is cheaper");
   CHECK(choice("auto", R"("mesh": "a.obj")").method->kind == Kind::MassSpring);

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "model/assets.hpp"
 #include "reference/simulation.hpp"
 #include "scene/load.hpp"
-#include "model/assets.hpp"
 #include "source_path.hpp"
 
 namespace weft {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "mesh/triangle_mesh.hpp"
 #include "contact/reference/proximity/audit.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace weft {
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <tuple>
 
-#include "mesh/primitives.hpp"
 #include "contact/reference/proximity/closest.hpp"
 #include "contact/reference/proximity/orientation.hpp"
+#include "mesh/primitives.hpp"
 #include "soup.hpp"
 
 using namespace weft;

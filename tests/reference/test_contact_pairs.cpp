@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "mesh/primitives.hpp"
 #include "contact/reference/pushes/contact_pairs.hpp"
+#include "mesh/primitives.hpp"
 #include "soup.hpp"
 
 using namespace weft;

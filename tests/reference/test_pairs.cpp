@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "mesh/grid.hpp"
 #include "contact/reference/proximity/near_list.hpp"
+#include "mesh/grid.hpp"
 #include "soup.hpp"
 
 using namespace weft;

@@ -1,9 +1,9 @@
 // Scenes with contact "proximity", in double: rest, friction, obstacles that move, and that nothing passes.
 #include <cmath>
 
-#include "mesh/primitives.hpp"
-#include "contact/rules/contact_law.hpp"
 #include "contact/reference/proximity/audit.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "mesh/primitives.hpp"
 #include "rig.hpp"
 
 using namespace weft;

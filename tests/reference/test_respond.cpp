@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "contact/rules/contact_law.hpp"
 #include "contact/reference/proximity/pairs.hpp"
 #include "contact/reference/proximity/respond.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "soup.hpp"
 
 using namespace weft;

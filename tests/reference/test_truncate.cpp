@@ -5,9 +5,9 @@
 #include <tuple>
 
 #include "base/random.hpp"
-#include "mesh/primitives.hpp"
 #include "contact/reference/proximity/obstacles.hpp"
 #include "contact/reference/proximity/truncate.hpp"
+#include "mesh/primitives.hpp"
 #include "scene/load.hpp"
 #include "soup.hpp"
 

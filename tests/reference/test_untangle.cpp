@@ -1,11 +1,11 @@
 // The ways apart of what crosses, in cases that are known, and sheets that come apart in double.
 #include <cmath>
 
-#include "mesh/primitives.hpp"
-#include "contact/rules/contact_law.hpp"
-#include "mesh/sheet_rim.hpp"
 #include "contact/reference/proximity/audit.hpp"
 #include "contact/reference/proximity/untangle.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "mesh/primitives.hpp"
+#include "mesh/sheet_rim.hpp"
 #include "rig.hpp"
 
 using namespace weft;

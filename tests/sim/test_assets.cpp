@@ -3,8 +3,8 @@
 #include <map>
 
 #include "mesh/primitives.hpp"
-#include "scene/load.hpp"
 #include "model/assets.hpp"
+#include "scene/load.hpp"
 
 using namespace weft;
 

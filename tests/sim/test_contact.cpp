@@ -1,9 +1,9 @@
 // What contact by proximity must do, by closed forms: stick, slide, bounce, rest, keep momentum.
 #include <cmath>
 
-#include "contact_rig.hpp"
-#include "contact/rules/contact_law.hpp"
 #include "contact/reference/proximity/respond.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "contact_rig.hpp"
 
 using namespace weft;
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/grab_speed.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
+#include "model/grab_speed.hpp"
 #include "world_rig.hpp"
 
 using namespace weft;

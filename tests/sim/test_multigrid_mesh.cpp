@@ -207,8 +207,7 @@ TEST_CASE("an implicit mesh meets a box and a ball that turns as the reference d
             R"("density": 0.3, "damping": 0.01, "friction": 0.3, "stiffness": {"structural": 40, "shear": 10, "bend": 0.3})")});
     mesh::TriangleMesh mesh = jittered_sheet(9, 9, 0.4, 0.4);
     for (Vec3f& x : mesh.positions) x.y = 0.215F;
-    auto assets =
-        load_assets(scene, [&](const std::string&) -> Result<mesh::TriangleMesh> { return mesh; });
+    auto assets = load_assets(scene, [&](const std::string&) -> Result<mesh::TriangleMesh> { return mesh; });
     REQUIRE_OK(assets);
     auto made = sim::World::create(fixture.device(), scene, *assets);
     REQUIRE_OK(made);

@@ -4,8 +4,8 @@
 
 #include <stb/stb_image.h>
 
-#include "pictures.hpp"
 #include "contact/reference/pushes/winding.hpp"
+#include "pictures.hpp"
 #include "source_path.hpp"
 #include "temporary_folder.hpp"
 #include "world_rig.hpp"

@@ -2,10 +2,10 @@
 // speed.
 #include <fstream>
 
+#include "contact/rules/contact_law.hpp"
 #include "contact_rig.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/primitives.hpp"
-#include "contact/rules/contact_law.hpp"
 #include "temporary_folder.hpp"
 
 using namespace weft;

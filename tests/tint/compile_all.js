@@ -20,7 +20,8 @@ for (const path of shaderPaths()) {
   const module = device.createShaderModule({ label: path, code });
   const { messages } = await module.getCompilationInfo();
   const error = await device.popErrorScope();
-  for (const message of messages) console.error(`${path}: ${message.type} at line ${message.lineNum}: ${message.message}`);
+  for (const message of messages)
+    console.error(`${path}: ${message.type} at line ${message.lineNum}: ${message.message}`);
   if (error) console.error(`${path}: ${error.message}`);
   compiled += 1;
   if (error || messages.length > 0) failed += 1;

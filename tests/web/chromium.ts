@@ -6,11 +6,14 @@ import { extname, join, normalize } from "node:path";
 import { chromium, type Browser, type Page } from "playwright-core";
 
 declare global {
-  interface Window { weft: typeof import("weft-cloth") }
+  interface Window {
+    weft: typeof import("weft-cloth");
+  }
 }
 
 export const ROOT = join(import.meta.dirname, "../..");
-const TYPES: Record<string, string> = { ".js": "text/javascript", ".wasm": "application/wasm", ".json": "application/json" };
+const TYPES: Record<string, string> = { ".js": "text/javascript", ".wasm": "application/wasm",
+  ".json": "application/json" };
 
 const PACKAGE = "/packages/weft/build/index.js";
 
@@ -19,8 +22,8 @@ export const SOFTWARE_FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=s
   "--use-vulkan=swiftshader", "--use-angle=vulkan"];
 
 /** WebGL 2 too: ANGLE on SwiftShader of its own, beside Vulkan's for WebGPU and its canvas. */
-export const WEBGL_TOO_FLAGS = [...SOFTWARE_FLAGS.filter((flag) => !flag.startsWith("--use-angle")), "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader"];
+export const WEBGL_TOO_FLAGS = [...SOFTWARE_FLAGS.filter((flag) => !flag.startsWith("--use-angle")),
+  "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 /** A machine's own browser and GPU: CHROMIUM names the one, WEBGPU_FLAGS, separated by spaces, stand for `flags`. */
 export function launchOwn(flags: readonly string[]): Promise<Browser> {
@@ -52,9 +55,13 @@ export async function openPage(flags: readonly string[] = SOFTWARE_FLAGS, execut
   const page = await browser.newPage({ viewport: { width: 700, height: 460 } });
   page.setDefaultTimeout(PATIENCE);
   const complaints: string[] = [];
-  page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
+  page.on("console", (message) => {
+    if (message.type() === "error") complaints.push(message.text());
+  });
   page.on("pageerror", (error) => complaints.push(error.message));
-  page.on("request", (request) => { if (!request.url().startsWith(origin)) complaints.push(request.url()); });
+  page.on("request", (request) => {
+    if (!request.url().startsWith(origin)) complaints.push(request.url());
+  });
   await page.goto(origin);
   await page.waitForFunction(() => "weft" in window);
   const script = async (text: string) => {
@@ -71,14 +78,17 @@ export async function openPage(flags: readonly string[] = SOFTWARE_FLAGS, execut
 
 async function serve(scripts: ReadonlyMap<string, string>): Promise<Server> {
   const server = createServer((request, response) => {
-    response.setHeader("Content-Security-Policy", "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data:");
+    response.setHeader("Content-Security-Policy",
+      "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data:");
     // Isolated, a page has the clock's full resolution.
     response.setHeader("Cross-Origin-Opener-Policy", "same-origin");
     response.setHeader("Cross-Origin-Embedder-Policy", "require-corp");
     const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname));
     if (path === "/") {
       response.setHeader("Content-Type", "text/html");
-      response.end(`<!doctype html><link rel="icon" href="data:,"><script type="module" src="/weft.js"></script><canvas width="640" height="400"></canvas>`);
+      response.end(
+        `<!doctype html><link rel="icon" href="data:,"><script type="module" src="/weft.js"></script><canvas width="640" height="400"></canvas>`,
+      );
       return;
     }
     const script = path === "/weft.js" ? `import * as weft from "${PACKAGE}"; window.weft = weft;` : scripts.get(path);

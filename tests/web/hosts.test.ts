@@ -7,32 +7,55 @@ import { createWorld, meshNames } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { gpu } from "./node_gpu.ts";
 
-interface Case { name: string; scene: string; frames: number; set: Record<string, unknown> }
+interface Case {
+  name: string;
+  scene: string;
+  frames: number;
+  set: Record<string, unknown>;
+}
 const SPRING_CENTRIC = { kind: "mass_spring", forces: "spring_centric" };
 const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "auto" chooses
-  { name: "hanging, node-centric", scene: "hanging", frames: 2, set: { "cloths.0.grid": [64, 64], "time.frame": 0.005, "time.substeps": 50 } },
-  { name: "hanging, spring-centric", scene: "hanging", frames: 2, set: { "cloths.0.grid": [61, 47], "time.frame": 0.005, "time.substeps": 50, solver: SPRING_CENTRIC } },
-  { name: "pull over the sphere, proximity", scene: "pull-sphere", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
-  { name: "pull over the armadillo, bvh", scene: "pull-armadillo", frames: 10, set: { "cloths.0.grid": [40, 40], "time.substeps": 10, "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
-  { name: "breeze", scene: "breeze", frames: 5, set: { "cloths.0.grid": [33, 24], "time.substeps": 20, "cloths.0.stiffness": { structural: 100, shear: 40, bend: 5 } } },
+  { name: "hanging, node-centric", scene: "hanging", frames: 2,
+    set: { "cloths.0.grid": [64, 64], "time.frame": 0.005, "time.substeps": 50 } },
+  { name: "hanging, spring-centric", scene: "hanging", frames: 2,
+    set: { "cloths.0.grid": [61, 47], "time.frame": 0.005, "time.substeps": 50, solver: SPRING_CENTRIC } },
+  { name: "pull over the sphere, proximity", scene: "pull-sphere", frames: 10,
+    set: { "cloths.0.grid": [40, 40], "time.substeps": 10,
+      "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
+  { name: "pull over the armadillo, bvh", scene: "pull-armadillo", frames: 10,
+    set: { "cloths.0.grid": [40, 40], "time.substeps": 10,
+      "cloths.0.stiffness": { structural: 150, shear: 40, bend: 3 } } },
+  { name: "breeze", scene: "breeze", frames: 5,
+    set: { "cloths.0.grid": [33, 24], "time.substeps": 20,
+      "cloths.0.stiffness": { structural: 100, shear: 40, bend: 5 } } },
   { name: "sheet, multigrid", scene: "sheet", frames: 3, set: { "cloths.0.grid": [60, 43] } },
-  { name: "a mesh, multigrid", scene: "pull-sphere", frames: 3, set: { solver: { kind: "multigrid" }, "contact.method": "none", cloths: [{ mesh: "sphere", density: 0.2, pins: [{ nodes: [0] }] }] } },
+  { name: "a mesh, multigrid", scene: "pull-sphere", frames: 3,
+    set: { solver: { kind: "multigrid" }, "contact.method": "none",
+      cloths: [{ mesh: "sphere", density: 0.2, pins: [{ nodes: [0] }] }] } },
   { name: "hanging with its own choice of substeps", scene: "hanging", frames: 1, set: { "cloths.0.grid": [24, 24] } },
 ];
 
-interface Outcome { hash: string; substeps: number; contacts: number; contactHash: number }
+interface Outcome {
+  hash: string;
+  substeps: number;
+  contacts: number;
+  contactHash: number;
+}
 
 function native({ scene, frames, set }: Case): Outcome {
   const changes = Object.entries(set).flatMap(([key, value]) => ["--set", `${key}=${JSON.stringify(value)}`]);
-  const out = execFileSync(join(ROOT, "build/weft"),
-    ["run", join(ROOT, `scenes/${scene}.json`), "--frames", String(frames), "--json", ...changes], { encoding: "utf8" });
+  const out = execFileSync(join(ROOT, "build/weft"), ["run", join(ROOT, `scenes/${scene}.json`), "--frames",
+    String(frames), "--json", ...changes], { encoding: "utf8" });
   const summary = JSON.parse(out) as Record<string, never>;
-  return { hash: summary["state_hash"]!, substeps: summary["substeps"]!, contacts: summary["contacts"]!, contactHash: summary["contact_hash"]! };
+  return { hash: summary["state_hash"]!, substeps: summary["substeps"]!, contacts: summary["contacts"]!,
+    contactHash: summary["contact_hash"]! };
 }
 
 async function node({ scene, frames, set }: Case): Promise<Outcome> {
   const text = readFileSync(join(ROOT, `scenes/${scene}.json`), "utf8");
-  const meshes = Object.fromEntries(meshNames(text).map((name) => [name, readFileSync(join(ROOT, `models/${name}.ply`))]));
+  const meshes = Object.fromEntries(
+    meshNames(text).map((name) => [name, readFileSync(join(ROOT, `models/${name}.ply`))]),
+  );
   const world = await createWorld({ scene: text, canvas: null, gpu, meshes, set });
   const { contacts, contactHash } = await world.step(frames);
   const { hash } = await world.snapshot();
@@ -58,7 +81,9 @@ function chromium(harness: Harness, { scene, frames, set }: Case): Promise<Outco
 
 describe("the same state hash on every host", () => {
   let harness: Harness;
-  beforeAll(async () => { harness = await openPage(); });
+  beforeAll(async () => {
+    harness = await openPage();
+  });
   afterAll(() => harness.close());
 
   it.each(CASES)("$name", async (scene) => {

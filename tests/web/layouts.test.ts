@@ -1,7 +1,7 @@
 // What C++ and WGSL both write down is the same: by the compiler's own offsets on one side, by reflection on the other.
 import { describe, expect, it } from "vitest";
-import { Const, Override, WgslParser, WgslReflect, type ArrayInfo, type LiteralExpr, type StructInfo, type TypeInfo }
-  from "wgsl_reflect/wgsl_reflect.module.js";
+import { Const, Override, WgslParser, WgslReflect, type ArrayInfo, type LiteralExpr, type StructInfo,
+  type TypeInfo } from "wgsl_reflect/wgsl_reflect.module.js";
 import { layouts, type Constant, type Struct } from "./layouts.js";
 import { loadShader, shaderPaths } from "./shaders.js";
 
@@ -17,8 +17,12 @@ function scalar(type: TypeInfo): string {
 /** Where a WGSL struct and its mirror differ, as sentences. */
 function differences(wgsl: StructInfo | null, mirror: Struct): string[] {
   if (!wgsl) return [`${mirror.file} has no struct ${mirror.name}.`];
-  const members = wgsl.members.map(({ name, offset, size, type }) => `${name}: ${scalar(type)} at ${offset}, ${size} bytes`);
-  const mirrored = mirror.members.map(({ name, offset, size, scalar: kind }) => `${name}: ${kind} at ${offset}, ${size} bytes`);
+  const members = wgsl.members.map(({ name, offset, size, type }) =>
+    `${name}: ${scalar(type)} at ${offset}, ${size} bytes`
+  );
+  const mirrored = mirror.members.map(({ name, offset, size, scalar: kind }) =>
+    `${name}: ${kind} at ${offset}, ${size} bytes`
+  );
   const found = Array.from({ length: Math.max(members.length, mirrored.length) }, (_, i) => [members[i], mirrored[i]])
     .filter(([here, there]) => here !== there)
     .map(([here, there]) => `${mirror.name} has (${here}) in WGSL and (${there}) in C++.`);
@@ -73,19 +77,26 @@ it("every statistic of WGSL is compared", () => {
 
 describe("the comparison bites", () => {
   const mirror: Struct = { name: "S", file: "s.wgsl", size: 32, rounded_to: 1, members: [
-    { name: "a", offset: 0, size: 16, scalar: "f32" }, { name: "b", offset: 16, size: 4, scalar: "u32" }] };
+    { name: "a", offset: 0, size: 16, scalar: "f32" },
+    { name: "b", offset: 16, size: 4, scalar: "u32" },
+  ] };
   const compare = (text: string) => differences(new WgslReflect(text).getStructInfo("S"), mirror);
 
   it.each([
     ["the same", "struct S { a : vec4f, b : u32 }", []],
     ["another order", "struct S { b : u32, a : vec4f }", [
       "S has (b: u32 at 0, 4 bytes) in WGSL and (a: f32 at 0, 16 bytes) in C++.",
-      "S has (a: f32 at 16, 16 bytes) in WGSL and (b: u32 at 16, 4 bytes) in C++."]],
+      "S has (a: f32 at 16, 16 bytes) in WGSL and (b: u32 at 16, 4 bytes) in C++.",
+    ]],
     ["another offset", "struct S { a : vec4f, @align(8) @size(8) c : u32, b : u32 }", [
       "S has (c: u32 at 16, 8 bytes) in WGSL and (b: u32 at 16, 4 bytes) in C++.",
-      "S has (b: u32 at 24, 4 bytes) in WGSL and (undefined) in C++."]],
+      "S has (b: u32 at 24, 4 bytes) in WGSL and (undefined) in C++.",
+    ]],
     ["another type", "struct S { a : vec4f, b : f32 }", [
-      "S has (b: f32 at 16, 4 bytes) in WGSL and (b: u32 at 16, 4 bytes) in C++."]],
+      "S has (b: f32 at 16, 4 bytes) in WGSL and (b: u32 at 16, 4 bytes) in C++.",
+    ]],
     ["no such struct", "struct T { a : vec4f }", ["s.wgsl has no struct S."]],
-  ])("%s", (_, text, sentences) => { expect(compare(text)).toEqual(sentences); });
+  ])("%s", (_, text, sentences) => {
+    expect(compare(text)).toEqual(sentences);
+  });
 });

@@ -6,7 +6,9 @@ import { COMMAND_KINDS, ERROR_KINDS, OBJECT_KINDS, TEXTURE_FORMATS } from "../..
 import { layouts, type Values } from "./layouts.js";
 
 const { GPUBufferUsage, GPUTextureUsage } = globals as unknown as {
-  GPUBufferUsage: Record<string, number>; GPUTextureUsage: Record<string, number> };
+  GPUBufferUsage: Record<string, number>;
+  GPUTextureUsage: Record<string, number>;
+};
 const cpp = layouts();
 
 /** The enumerators by rising value, none left out. */
@@ -18,9 +20,15 @@ function inOrder(values: Values): string[] {
 const kebab = (name: string) => name.replace(/\B[A-Z]/g, "-$&").toLowerCase(); // DeviceLost: device-lost
 
 describe("a table has an enumeration's names in its order", () => {
-  it("ErrorKind", () => { expect(ERROR_KINDS).toEqual(inOrder(cpp.enums.ErrorKind).map(kebab)); });
-  it("ObjectKind", () => { expect(OBJECT_KINDS).toEqual(inOrder(cpp.enums.ObjectKind).map(kebab)); });
-  it("CommandKind", () => { expect(COMMAND_KINDS).toEqual(inOrder(cpp.enums.CommandKind).map(kebab)); });
+  it("ErrorKind", () => {
+    expect(ERROR_KINDS).toEqual(inOrder(cpp.enums.ErrorKind).map(kebab));
+  });
+  it("ObjectKind", () => {
+    expect(OBJECT_KINDS).toEqual(inOrder(cpp.enums.ObjectKind).map(kebab));
+  });
+  it("CommandKind", () => {
+    expect(COMMAND_KINDS).toEqual(inOrder(cpp.enums.CommandKind).map(kebab));
+  });
   it("TextureFormat", () => {
     const names = inOrder(cpp.enums.TextureFormat).map((name) => name.replace(/Srgb$/, "-srgb").toLowerCase());
     expect(TEXTURE_FORMATS.map((format) => format ?? "none")).toEqual(names);
@@ -88,24 +96,29 @@ beforeEach(() => {
 });
 
 describe("a bit of C++ is WebGPU's flag of that meaning", () => {
-  it.each(Object.entries({ kStorage: "STORAGE", kUniform: "UNIFORM", kCopySource: "COPY_SRC", kCopyTarget: "COPY_DST",
-    kIndex: "INDEX", kIndirect: "INDIRECT", kMapRead: "MAP_READ",
-    kQueryResolve: "QUERY_RESOLVE" }))("BufferUsage %s", (name, flag) => {
+  it.each(
+    Object.entries({ kStorage: "STORAGE", kUniform: "UNIFORM", kCopySource: "COPY_SRC", kCopyTarget: "COPY_DST",
+      kIndex: "INDEX", kIndirect: "INDIRECT", kMapRead: "MAP_READ", kQueryResolve: "QUERY_RESOLVE" }),
+  )("BufferUsage %s", (name, flag) => {
     backend.buffer(16, cpp.enums.BufferUsage[name]!, NO_TEXT);
     expect(calls).toEqual([["createBuffer", { label: "", size: 16, usage: GPUBufferUsage[flag] }]]);
   });
 
-  it.each(Object.entries({ kRenderTarget: "RENDER_ATTACHMENT", kSampled: "TEXTURE_BINDING",
-    kTextureCopySource: "COPY_SRC" }))("TextureUsage %s", (name, flag) => {
+  it.each(
+    Object.entries({ kRenderTarget: "RENDER_ATTACHMENT", kSampled: "TEXTURE_BINDING", kTextureCopySource: "COPY_SRC" }),
+  )("TextureUsage %s", (name, flag) => {
     backend.texture(2, 3, 1, cpp.enums.TextureFormat["Depth32Float"]!, cpp.enums.TextureUsage[name]!, NO_TEXT);
-    expect(calls).toMatchObject([["createTexture", { size: [2, 3], format: "depth32float", usage: GPUTextureUsage[flag] }]]);
+    expect(calls).toMatchObject([["createTexture", { size: [2, 3], format: "depth32float",
+      usage: GPUTextureUsage[flag] }]]);
   });
 
   it("knows every bit", () => {
     const { BufferUsage, TextureUsage } = cpp.enums;
     backend.buffer(16, Object.values(BufferUsage).reduce((a, b) => a | b), NO_TEXT);
     backend.texture(1, 1, 1, 1, Object.values(TextureUsage).reduce((a, b) => a | b), NO_TEXT);
-    const usages = calls.map(([, descriptor]) => (descriptor as { usage: number }).usage.toString(2).replaceAll("0", "").length);
+    const usages = calls.map(([, descriptor]) =>
+      (descriptor as { usage: number }).usage.toString(2).replaceAll("0", "").length
+    );
     expect(usages).toEqual([Object.keys(BufferUsage).length, Object.keys(TextureUsage).length]);
   });
 });
@@ -126,7 +139,8 @@ describe("a binding of C++ is WebGPU's", () => {
     view.setUint32(ENTRIES + 4, cpp.enums.BindingKind[name]!, true);
     backend.bindGroupLayout(ENTRIES, 1, 0, NO_TEXT);
     const visibility = 4; // COMPUTE
-    expect(calls).toEqual([["createBindGroupLayout", { label: "", entries: [{ binding: 5, visibility, ...bindings[name] }] }]]);
+    expect(calls).toEqual([["createBindGroupLayout", { label: "",
+      entries: [{ binding: 5, visibility, ...bindings[name] }] }]]);
   });
 });
 
@@ -144,7 +158,12 @@ describe("a mapping reports with C++'s values", () => {
   });
 });
 
-interface Written { kind: string; ids?: number[]; args?: number[]; sizes?: number[] }
+interface Written {
+  kind: string;
+  ids?: number[];
+  args?: number[];
+  sizes?: number[];
+}
 
 /** Writes commands as C++ lays them out, submits them, and gives the calls that they became. */
 function submit(commands: Written[], targets: (at: number) => void = () => undefined): Call[] {
@@ -152,16 +171,26 @@ function submit(commands: Written[], targets: (at: number) => void = () => undef
     const at = COMMANDS + i * cpp.command.size;
     for (let word = 0; word < cpp.command.size; word += 4) view.setUint32(at + word, 0xcdcdcdcd, true); // padding is not zero
     view.setUint8(at, cpp.enums.CommandKind[kind]!);
-    [0, 1, 2].forEach((k) => { view.setUint32(at + cpp.command.ids + 4 * k, ids[k] ?? 0, true); });
-    [0, 1, 2, 3, 4].forEach((k) => { view.setUint32(at + cpp.command.args + 4 * k, args[k] ?? 0, true); });
-    [0, 1, 2].forEach((k) => { view.setBigUint64(at + cpp.command.sizes + 8 * k, BigInt(sizes[k] ?? 0), true); });
+    [0, 1, 2].forEach((k) => {
+      view.setUint32(at + cpp.command.ids + 4 * k, ids[k] ?? 0, true);
+    });
+    [0, 1, 2, 3, 4].forEach((k) => {
+      view.setUint32(at + cpp.command.args + 4 * k, args[k] ?? 0, true);
+    });
+    [0, 1, 2].forEach((k) => {
+      view.setBigUint64(at + cpp.command.sizes + 8 * k, BigInt(sizes[k] ?? 0), true);
+    });
   });
   targets(TARGETS);
-  [COMMANDS, commands.length, TARGETS].forEach((word, i) => { view.setUint32(LIST + 4 * i, word, true); });
+  [COMMANDS, commands.length, TARGETS].forEach((word, i) => {
+    view.setUint32(LIST + 4 * i, word, true);
+  });
   const ids = Array.from({ length: 5 }, () => backend.buffer(16, 1, NO_TEXT));
   expect(ids).toEqual([1, 2, 3, 4, 5]); // whatever they are: each is passed on as it stands
   calls.length = 0;
-  backend.device!.createBuffer = () => { throw new Error("A submit makes nothing."); };
+  backend.device!.createBuffer = () => {
+    throw new Error("A submit makes nothing.");
+  };
   backend.submit(LIST, 1);
   return calls;
 }
@@ -176,10 +205,19 @@ describe("a command of C++ becomes WebGPU's call, with each number in its place"
       { kind: "EndCompute" },
     ])).toEqual([
       ["beginComputePass", { timestampWrites: {
-        querySet: "object 1", beginningOfPassWriteIndex: 3, endOfPassWriteIndex: undefined } }],
-      ["setPipeline", "object 2"], ["setBindGroup", 0, "object 3", [512]], ["dispatchWorkgroups", 7, 8, 9], ["end"],
+        querySet: "object 1",
+        beginningOfPassWriteIndex: 3,
+        endOfPassWriteIndex: undefined,
+      } }],
+      ["setPipeline", "object 2"],
+      ["setBindGroup", 0, "object 3", [512]],
+      ["dispatchWorkgroups", 7, 8, 9],
+      ["end"],
       ["beginComputePass", {}],
-      ["setPipeline", "object 2"], ["setBindGroup", 0, "object 4"], ["dispatchWorkgroups", 1, 2, 3], ["end"],
+      ["setPipeline", "object 2"],
+      ["setBindGroup", 0, "object 4"],
+      ["dispatchWorkgroups", 1, 2, 3],
+      ["end"],
       ["finish"],
     ]);
   });
@@ -195,7 +233,8 @@ describe("a command of C++ becomes WebGPU's call, with each number in its place"
       ["copyBufferToBuffer", "object 1", far, "object 2", 16, 32],
       ["clearBuffer", "object 3", 8, far],
       ["resolveQuerySet", "object 4", 0, 6, "object 5", 0],
-      ["copyTextureToBuffer", { texture: "object 1" }, { buffer: "object 2", bytesPerRow: 256, rowsPerImage: 48 }, [64, 48]],
+      ["copyTextureToBuffer", { texture: "object 1" }, { buffer: "object 2", bytesPerRow: 256, rowsPerImage: 48 }, [64,
+        48]],
       ["finish"],
     ]);
   });
@@ -211,7 +250,9 @@ describe("a command of C++ becomes WebGPU's call, with each number in its place"
       view.setUint32(at + size + color, 3, true);
       view.setUint32(at + size + resolve, 4, true);
       view.setUint32(at + size + depth, 5, true);
-      [0.25, 0.5, 0.75, 1].forEach((value, i) => { view.setFloat64(at + size + clear_color + 8 * i, value, true); });
+      [0.25, 0.5, 0.75, 1].forEach((value, i) => {
+        view.setFloat64(at + size + clear_color + 8 * i, value, true);
+      });
       view.setUint32(at + size + store_depth, 0xcdcdcd01, true); // a bool and its padding
     })).toEqual([
       ["beginRenderPass", {
@@ -219,10 +260,15 @@ describe("a command of C++ becomes WebGPU's call, with each number in its place"
           clearValue: [0.25, 0.5, 0.75, 1] }],
         depthStencilAttachment: { view: "object 5", depthLoadOp: "clear", depthStoreOp: "store", depthClearValue: 1 },
       }],
-      ["setPipeline", "object 1"], ["setBindGroup", 0, "object 2"], ["draw", 3, 4, 5],
-      ["setPipeline", "object 1"], ["setBindGroup", 0, "object 2"],
-      ["setIndexBuffer", "object 3", "uint32"], ["drawIndexed", 6, 7, 8],
-      ["end"], ["finish"],
+      ["setPipeline", "object 1"],
+      ["setBindGroup", 0, "object 2"],
+      ["draw", 3, 4, 5],
+      ["setPipeline", "object 1"],
+      ["setBindGroup", 0, "object 2"],
+      ["setIndexBuffer", "object 3", "uint32"],
+      ["drawIndexed", 6, 7, 8],
+      ["end"],
+      ["finish"],
     ]);
   });
 });

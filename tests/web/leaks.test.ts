@@ -5,17 +5,21 @@ import { openPage, type Harness } from "./chromium.ts";
 const SWITCHES = 100;
 
 let harness: Harness;
-beforeAll(async () => { harness = await openPage(); });
+beforeAll(async () => {
+  harness = await openPage();
+});
 afterAll(() => harness.close());
 
 it(`${SWITCHES} scene switches leave WASM memory and GPU bytes where they were`, async () => {
   const { uses, times } = await harness.page.evaluate(async (switches) => {
     const { createWorld } = window.weft;
     const sphere = await (await fetch("/models/sphere.ply")).arrayBuffer();
-    const texts = await Promise.all(["hanging", "pull-sphere", "breeze"].map(async (name) =>
-      (await fetch(`/scenes/${name}.json`)).text()));
+    const texts = await Promise.all(
+      ["hanging", "pull-sphere", "breeze"].map(async (name) => (await fetch(`/scenes/${name}.json`)).text()),
+    );
     const set = { "cloths.0.grid": [16, 16], "time.substeps": 4, "time.frame": 0.001 };
-    const world = await createWorld({ scene: texts[0]!, canvas: document.querySelector("canvas"), meshes: { sphere }, set });
+    const world = await createWorld({ scene: texts[0]!, canvas: document.querySelector("canvas"), meshes: { sphere },
+      set });
     const uses = [];
     const times = [];
     for (let i = 0; i <= switches; i++) {

@@ -14,7 +14,9 @@ const scene = (name: string) => readFileSync(join(ROOT, `scenes/${name}.json`), 
 
 describe("the README's example", () => {
   let harness: Harness;
-  beforeAll(async () => { harness = await openPage(); });
+  beforeAll(async () => {
+    harness = await openPage();
+  });
   afterAll(() => harness.close());
 
   it("has ten lines, and runs as it stands in a page", async () => {
@@ -60,10 +62,13 @@ describe("the README's example", () => {
 
 it("the README's example for Node runs", async () => {
   expect(nodeExample).toContain("world.step(60)");
-  const text = nodeExample!.replace(/^import .*$/gm, "").replace("step(60)", "step(2)").replace("create([])", "gpu").replace("Object.assign(globalThis, globals);", "");
+  const text = nodeExample!.replace(/^import .*$/gm, "").replace("step(60)", "step(2)").replace("create([])", "gpu")
+    .replace("Object.assign(globalThis, globals);", "");
   const run = new Function("createWorld", "gpu0", "scene",
-    `return (async () => { ${text.replace("const gpu = gpu;", "const gpu = gpu0;")} return { world, maxStretch, positions, hash }; })();`) as
-    (make: typeof createWorld, gpu0: GPU, scene: string) => Promise<{ world: World; maxStretch: number; positions: Float32Array; hash: string }>;
+    `return (async () => { ${
+      text.replace("const gpu = gpu;", "const gpu = gpu0;")
+    } return { world, maxStretch, positions, hash }; })();`) as (make: typeof createWorld, gpu0: GPU,
+      scene: string) => Promise<{ world: World; maxStretch: number; positions: Float32Array; hash: string }>;
   const { world, maxStretch, positions, hash } = await run(createWorld, gpu, scene("hanging"));
   expect(maxStretch).toBeGreaterThan(1);
   expect(positions).toHaveLength(3 * 64 * 64);
@@ -72,8 +77,10 @@ it("the README's example for Node runs", async () => {
 });
 
 it("a scene names the meshes of its cloths, its colliders and their keyframes, each once", () => {
-  const names = meshNames({ format: "weft-scene/1", cloths: [{ mesh: "shirt" }, { grid: [2, 2] }], colliders: [{ kind: "plane" }, null,
-    { kind: "mesh", mesh: "body", keyframes: [{ time: 1, mesh: "bent" }, { time: 2, mesh: "body" }, null] }, { kind: "mesh", mesh: "chair", keyframes: 3 }] });
+  const names = meshNames({ format: "weft-scene/1", cloths: [{ mesh: "shirt" }, { grid: [2, 2] }],
+    colliders: [{ kind: "plane" }, null, { kind: "mesh", mesh: "body",
+      keyframes: [{ time: 1, mesh: "bent" }, { time: 2, mesh: "body" }, null] }, { kind: "mesh", mesh: "chair",
+      keyframes: 3 }] });
   expect(names).toEqual(["shirt", "body", "bent", "chair"]);
 });
 
@@ -82,8 +89,10 @@ it("the catalog has the schema, the colour map and the limits of the core, witho
   expect(schemaOf(schema, "contact.method")!.enum).toEqual(["none", "paper", "bvh", "proximity"]);
   expect(schemaOf(schema, "solver.forces")!.enum).toContain("spring_centric"); // of a variant
   expect(schemaOf(schema, "cloths.0.stiffness.shear")).toMatchObject({ minimum: 0, maximum: 1e12, default: 2000 });
-  expect(schemaOf(schema, "camera.eye")).toMatchObject({ type: "array", minItems: 3, description: "Where the camera is [m]." });
-  for (const key of ["cloths.0.colour", "cloths.x", "constructor", "gravity.0.1"]) expect(schemaOf(schema, key)).toBeNull();
+  expect(schemaOf(schema, "camera.eye")).toMatchObject({ type: "array", minItems: 3,
+    description: "Where the camera is [m]." });
+  for (const key of ["cloths.0.colour", "cloths.x", "constructor", "gravity.0.1"])
+    expect(schemaOf(schema, key)).toBeNull();
   expect(colors[0]!.map((part) => Math.round(255 * part))).toEqual([68, 1, 84]); // viridis
   expect(colors.at(-1)!.map((part) => Math.round(255 * part))).toEqual([253, 231, 37]);
   expect(ranges.stretch).toEqual([0.95, 1.15]);
@@ -91,14 +100,19 @@ it("the catalog has the schema, the colour map and the limits of the core, witho
 });
 
 it("is packed with its licence, its notices, types and the module, and nothing else", () => {
-  const [packed] = JSON.parse(execFileSync("npm", ["pack", "--dry-run", "--json", "--loglevel=error"],
-    { cwd: join(ROOT, "packages/weft"), encoding: "utf8" })) as [{ name: string; files: { path: string }[] }];
+  const [packed] = JSON.parse(
+    execFileSync("npm", ["pack", "--dry-run", "--json", "--loglevel=error"], { cwd: join(ROOT, "packages/weft"),
+      encoding: "utf8" }),
+  ) as [{ name: string; files: { path: string }[] }];
   expect(packed.name).toBe("weft-cloth");
   const paths = packed.files.map(({ path }) => path);
   expect(paths.filter((path) => !path.startsWith("build/")).sort())
     .toEqual(["LICENSE", "NOTICE", "README.md", "THIRD_PARTY.md", "package.json"]);
-  expect(paths).toEqual(expect.arrayContaining(["index.js", "index.d.ts", "core_module.js", "core_module.wasm"].map((name) =>
-    `build/${name}`)));
+  expect(paths).toEqual(
+    expect.arrayContaining(
+      ["index.js", "index.d.ts", "core_module.js", "core_module.wasm"].map((name) => `build/${name}`),
+    ),
+  );
 });
 
 describe("a world", () => {
@@ -110,8 +124,13 @@ describe("a world", () => {
     return world;
   };
   afterEach(() => worlds.splice(0).forEach((world) => world.dispose()));
-  const failure = (promise: Promise<unknown>) => promise.then(() => { throw new Error("It did not fail."); },
-    (error: unknown) => { expect(error).toBeInstanceOf(WeftError); return error as WeftError; });
+  const failure = (promise: Promise<unknown>) =>
+    promise.then(() => {
+      throw new Error("It did not fail.");
+    }, (error: unknown) => {
+      expect(error).toBeInstanceOf(WeftError);
+      return error as WeftError;
+    });
 
   it("goes back to the exact rest state, and takes the same way again", async () => {
     const world = await open();
@@ -165,7 +184,9 @@ describe("a world", () => {
     let left = 5;
     device.createBuffer = (descriptor) => { // the sixth buffer is larger than any machine's memory
       left -= 1;
-      return create(left === 0 ? { ...descriptor, size: device.limits.maxBufferSize, usage: descriptor.usage } : descriptor);
+      return create(
+        left === 0 ? { ...descriptor, size: device.limits.maxBufferSize, usage: descriptor.usage } : descriptor,
+      );
     };
     const before = world.memory().gpuObjects;
     const error = await failure(world.load(scene("hanging"), { set: small }));
@@ -208,8 +229,11 @@ describe("a world", () => {
     await world.reset();
     await world.step(2);
     const times = await world.passTimes();
-    expect(times.map(({ kernel, per }) => `${kernel} a ${per}`)).toEqual(expect.arrayContaining(["find_candidates a search", "advance_grid a step"]));
-    for (const { milliseconds, dispatches } of times) expect([milliseconds >= 0, dispatches >= 1]).toEqual([true, true]);
+    expect(times.map(({ kernel, per }) => `${kernel} a ${per}`)).toEqual(
+      expect.arrayContaining(["find_candidates a search", "advance_grid a step"]),
+    );
+    for (const { milliseconds, dispatches } of times)
+      expect([milliseconds >= 0, dispatches >= 1]).toEqual([true, true]);
     expect(await end()).toEqual(untimed);
     await world.load(scene("hanging"), { set: { ...small, "time.substeps": 1, "time.frame": 1e-4 } });
     await world.step(1);
@@ -222,7 +246,9 @@ describe("a world", () => {
     const now = vi.spyOn(performance, "now").mockImplementation(() => clock);
     try {
       let simulated = 0;
-      world.on("frame", () => { simulated += 1; });
+      world.on("frame", () => {
+        simulated += 1;
+      });
       world.run();
       const ticks = async (frames: number) => {
         while (simulated < frames) await new Promise((wake) => setTimeout(wake, 2));
@@ -247,7 +273,8 @@ describe("a world", () => {
     const node = 12 * 12 - 1; // the free corner at the right
     const rest = await world.positions();
     const target = [rest[3 * node]!, rest[3 * node + 1]! + 0.3, rest[3 * node + 2]!] as const;
-    const distance = (positions: Float32Array) => Math.hypot(...target.map((value, axis) => value - positions[3 * node + axis]!));
+    const distance = (positions: Float32Array) =>
+      Math.hypot(...target.map((value, axis) => value - positions[3 * node + axis]!));
     await world.grab(node, [target[0], target[1], target[2] + 0.1]);
     await world.drag(node, target);
     await world.step(60);
@@ -286,15 +313,19 @@ describe("a world", () => {
     expect(obj.match(/^f /gm)).toHaveLength(242);
     expect(new TextDecoder().decode((await world.exportMesh("ply")).slice(0, 3))).toBe("ply");
     expect(new TextDecoder().decode((await world.exportMesh("glb")).slice(0, 4))).toBe("glTF");
-    expect((await failure(world.exportMesh("stl" as "obj"))).message).toBe("The format stl is not known; there are obj, ply and glb.");
+    expect((await failure(world.exportMesh("stl" as "obj"))).message).toBe(
+      "The format stl is not known; there are obj, ply and glb.",
+    );
   });
 
   it("reads a mesh file without a world, and gives its size and the mesh as PLY", async () => {
     const obj = new TextEncoder().encode("v 0 0 0\nv 2 0 0\nv 0 3 0\nv 9 9 9\nv 1 0 0\nf 1 2 3\nf 1 5 2\n"); // one triangle is a line
     const whole = await readMesh("a.obj", obj);
-    expect([whole.vertices, whole.triangles, whole.dropped, whole.area, whole.low, whole.high]).toEqual([5, 2, 0, 3, [0, 0, 0], [9, 9, 9]]);
+    expect([whole.vertices, whole.triangles, whole.dropped, whole.area, whole.low, whole.high]).toEqual([5, 2, 0, 3, [0,
+      0, 0], [9, 9, 9]]);
     const cleaned = await readMesh("a.obj", obj, { cleaned: true });
-    expect([cleaned.vertices, cleaned.triangles, cleaned.dropped, cleaned.area, cleaned.high]).toEqual([3, 1, 1, 3, [2, 3, 0]]);
+    expect([cleaned.vertices, cleaned.triangles, cleaned.dropped, cleaned.area, cleaned.high]).toEqual([3, 1, 1, 3, [2,
+      3, 0]]);
     expect(await readMesh("a.ply", cleaned.ply)).toEqual({ ...cleaned, dropped: 0 });
     expect((await failure(readMesh("a.glb", obj))).message)
       .toBe("While reading mesh a.glb: The file begins with 0x20302076, not with the 0x46546c67 of a GLB file.");

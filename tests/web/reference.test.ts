@@ -6,7 +6,11 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { createReference, meshNames, WeftError, type Reference } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 
-interface Case { scene: string; frames: number; set: Record<string, unknown> }
+interface Case {
+  scene: string;
+  frames: number;
+  set: Record<string, unknown>;
+}
 const CASES: Case[] = [
   { scene: "hanging", frames: 5, set: { "cloths.0.grid": [16, 16] } },
   { scene: "pull-sphere", frames: 12, set: { "cloths.0.grid": [16, 16], "contact.method": "bvh" } }, // 200 contacts and more
@@ -19,12 +23,14 @@ const text = (scene: string) => readFileSync(join(ROOT, `scenes/${scene}.json`),
 
 function native({ scene, frames, set }: Case): string {
   const changes = Object.entries(set).map(([key, value]) => `${key}=${JSON.stringify(value)}`);
-  return execFileSync(join(ROOT, "build/reference_hash"),
-    [join(ROOT, `scenes/${scene}.json`), String(frames), ...changes], { encoding: "utf8" }).trim();
+  return execFileSync(join(ROOT, "build/reference_hash"), [join(ROOT, `scenes/${scene}.json`), String(frames),
+    ...changes], { encoding: "utf8" }).trim();
 }
 
 async function node({ scene, frames, set }: Case): Promise<string> {
-  const meshes = Object.fromEntries(meshNames(text(scene)).map((name) => [name, readFileSync(join(ROOT, `models/${name}.ply`))]));
+  const meshes = Object.fromEntries(
+    meshNames(text(scene)).map((name) => [name, readFileSync(join(ROOT, `models/${name}.ply`))]),
+  );
   const reference = await createReference({ scene: text(scene), meshes, set });
   reference.advance(frames);
   const hash = reference.hash();
@@ -48,7 +54,9 @@ function chromium({ page }: Harness, { scene, frames, set }: Case): Promise<stri
 
 describe("the reference has the same bits on every host", () => {
   let harness: Harness;
-  beforeAll(async () => { harness = await openPage([]); }); // it needs no GPU
+  beforeAll(async () => {
+    harness = await openPage([]);
+  }); // it needs no GPU
   afterAll(() => harness.close());
 
   it.each(CASES)("$scene", async (scene) => {
@@ -68,7 +76,10 @@ describe("a reference", () => {
     expect(reason).toBeInstanceOf(WeftError);
     return reason as WeftError;
   };
-  const failure = (promise: Promise<unknown>) => promise.then(() => { throw new Error("It did not fail."); }, failed);
+  const failure = (promise: Promise<unknown>) =>
+    promise.then(() => {
+      throw new Error("It did not fail.");
+    }, failed);
 
   it("goes back to the exact rest state, and takes the same way again", async () => {
     const reference = await open();

@@ -10,7 +10,9 @@ export function shaderPaths(): string[] {
 }
 
 /** The text of a shader as it stands. */
-export function readShader(path: string): string { return readFileSync(join(SHADERS, path), "utf8"); }
+export function readShader(path: string): string {
+  return readFileSync(join(SHADERS, path), "utf8");
+}
 
 /** The text of a shader with its includes put in, each once (src/gpu/shader_source.cpp). */
 export function loadShader(path: string, seen = new Set<string>()): string {

@@ -5,13 +5,19 @@ import { lint, unusedExceptions } from "./wgsl_lint.js";
 const kernels = shaderPaths().filter((path) => !/^render\/|\/test\//.test(path)); // pictures have no bits to keep
 
 it("finds the kernels of every method", () => {
-  expect(kernels).toEqual(expect.arrayContaining(["contact/pushes/bvh.wgsl", "state/surface.wgsl",
-    "method/mass_spring/advance_grid.wgsl", "state/integrate.wgsl"]));
+  expect(kernels).toEqual(
+    expect.arrayContaining(["contact/pushes/bvh.wgsl", "state/surface.wgsl", "method/mass_spring/advance_grid.wgsl",
+      "state/integrate.wgsl"]),
+  );
 });
 
-it.each(kernels)("%s leaves no bit to the driver", (path) => { expect(lint(path, readShader(path))).toEqual([]); });
+it.each(kernels)("%s leaves no bit to the driver", (path) => {
+  expect(lint(path, readShader(path))).toEqual([]);
+});
 
-it("no exception outlives its reason", () => { expect(unusedExceptions(readShader)).toEqual([]); });
+it("no exception outlives its reason", () => {
+  expect(unusedExceptions(readShader)).toEqual([]);
+});
 
 /** The rules that a line breaks. */
 const broken = (line: string, path = "a/b.wgsl") =>
@@ -20,7 +26,9 @@ const broken = (line: string, path = "a/b.wgsl") =>
 describe("each rule bites", () => {
   const names = `sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp exp2 log log2 pow normalize mix
     smoothstep inverseSqrt degrees radians reflect refract faceForward`.split(/\s+/);
-  it.each(names)("inexact: %s", (name) => { expect(broken(`let y = 2.0 * ${name} (x);`)).toEqual(["inexact"]); });
+  it.each(names)("inexact: %s", (name) => {
+    expect(broken(`let y = 2.0 * ${name} (x);`)).toEqual(["inexact"]);
+  });
 
   it.each([
     ["fma", "let y = fma(a, b, c);"],
@@ -31,10 +39,14 @@ describe("each rule bites", () => {
     ["f16", "let y = vec3h(0);"],
     ["f16", "let y = 1.5h;"],
     ["float-atomic", "let r = atomicCompareExchangeWeak(&sums[i], old, bitcast<u32>(bitcast<f32>(old) + x));"],
-  ])("%s: %s", (name, line) => { expect(broken(line)).toContain(name); });
+  ])("%s: %s", (name, line) => {
+    expect(broken(line)).toContain(name);
+  });
 
   it("comment", () => {
-    expect(lint("a.wgsl", "struct S { x : f32 }\n")).toEqual(["a.wgsl:1: comment: the first line does not say what the file is."]);
+    expect(lint("a.wgsl", "struct S { x : f32 }\n")).toEqual([
+      "a.wgsl:1: comment: the first line does not say what the file is.",
+    ]);
     expect(lint("a.wgsl", "//\nstruct S { x : f32 }\n")).toHaveLength(1);
   });
 
@@ -52,4 +64,6 @@ it.each([
   "if (a != b || a.x == b.x || a == a_old || a.x == x || x == x.y) { return; }",
   "if (x == x + 1u || 2u * x == x || p - x != x || a[x] == x || y.x != x) { return; }",
   "let mask = 0x7f800000u & bits;",
-])("lets pass: %s", (line) => { expect(broken(line)).toEqual([]); });
+])("lets pass: %s", (line) => {
+  expect(broken(line)).toEqual([]);
+});

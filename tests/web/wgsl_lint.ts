@@ -1,7 +1,12 @@
 // Rules for the kernels that decide the state: what keeps its bits equal from driver to driver and from host to host.
 import { withoutComments } from "./shaders.js";
 
-interface Rule { name: string; why: string; forbidden: RegExp; only?: (match: readonly string[]) => boolean }
+interface Rule {
+  name: string;
+  why: string;
+  forbidden: RegExp;
+  only?: (match: readonly string[]) => boolean;
+}
 
 const call = (names: string) => new RegExp(`\\b(${names.trim().split(/\s+/).join("|")})\\s*\\(`, "g");
 
@@ -13,7 +18,8 @@ const RULES: readonly Rule[] = [
   { name: "inexact", why: "each driver rounds it its own way",
     forbidden: call(`sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp exp2 log log2 pow
       normalize mix smoothstep inverseSqrt degrees radians reflect refract faceForward`) },
-  { name: "fma", why: "a driver may round it once or twice; write it only where each product must be added alike in two kernels",
+  { name: "fma",
+    why: "a driver may round it once or twice; write it only where each product must be added alike in two kernels",
     forbidden: call("fma") },
   { name: "nan-test", why: "a compiler may take NaN to be absent; look at the exponent's bits",
     forbidden: /([^(,;{}=&|!<>]+)[!=]=([^),;{}=&|!<>]+)/g, only: ([, a, b]) => operand(a) === operand(b) },
@@ -33,7 +39,8 @@ const ALLOWED: Readonly<Record<string, readonly string[]>> = {
 /** What a shader may not contain, as sentences with the line. */
 export function lint(path: string, text: string): string[] {
   const found: { line: number; sentence: string }[] = [];
-  if (!/^\/\/ \S/.test(text)) found.push({ line: 1, sentence: "comment: the first line does not say what the file is." });
+  if (!/^\/\/ \S/.test(text))
+    found.push({ line: 1, sentence: "comment: the first line does not say what the file is." });
   const code = withoutComments(text);
   for (const { name, why, forbidden, only } of RULES) {
     if (ALLOWED[path]?.includes(name)) continue;
@@ -49,7 +56,9 @@ export function lint(path: string, text: string): string[] {
 
 /** The exceptions that no shader needs any more. */
 export function unusedExceptions(read: (path: string) => string): string[] {
-  return Object.entries(ALLOWED).flatMap(([path, names]) => names
-    .filter((name) => withoutComments(read(path)).search(RULES.find((rule) => rule.name === name)!.forbidden) < 0)
-    .map((name) => `${path}: ${name}`));
+  return Object.entries(ALLOWED).flatMap(([path, names]) =>
+    names
+      .filter((name) => withoutComments(read(path)).search(RULES.find((rule) => rule.name === name)!.forbidden) < 0)
+      .map((name) => `${path}: ${name}`)
+  );
 }

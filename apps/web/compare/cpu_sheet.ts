@@ -46,8 +46,12 @@ export class CpuSheet {
       const rate = ((v[b]! - v[a]!) * dx + (v[b + 1]! - v[a + 1]!) * dy + (v[b + 2]! - v[a + 2]!) * dz) * inverse;
       const part = (stiffness * (length - restLength) + damping * rate) * inverse; // tension / length [N/m]
       const fx = part * dx, fy = part * dy, fz = part * dz;
-      f[a]! += fx; f[a + 1]! += fy; f[a + 2]! += fz;
-      f[b]! -= fx; f[b + 1]! -= fy; f[b + 2]! -= fz;
+      f[a]! += fx;
+      f[a + 1]! += fy;
+      f[a + 2]! += fz;
+      f[b]! -= fx;
+      f[b + 1]! -= fy;
+      f[b + 2]! -= fz;
     }
   }
 

@@ -4,7 +4,9 @@ export class Gate {
   private stopped = false;
   private wake: (() => void) | null = null;
 
-  get paused(): boolean { return this.held; }
+  get paused(): boolean {
+    return this.held;
+  }
   set paused(on: boolean) {
     this.held = on;
     this.look();

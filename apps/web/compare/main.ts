@@ -28,7 +28,11 @@ const progress = element("progress", HTMLParagraphElement);
 const live = element("live", HTMLDivElement), idle = live.firstElementChild!;
 
 /** All that is known once the page is ready. */
-interface Known { readonly options: Options; readonly scene: string; readonly machine: Hardware }
+interface Known {
+  readonly options: Options;
+  readonly scene: string;
+  readonly machine: Hardware;
+}
 let known: Known | null = null;
 let runner: Runner | null = null;
 let last: readonly Cell[] = []; // of the run that was started last
@@ -43,7 +47,9 @@ async function prepare(): Promise<void> {
     showHardware(machine);
     showResults(known);
     start.disabled = false;
-    progress.textContent = `Ready: ${options.paths.length} paths at ${options.sides.length} sizes, ${options.budget / 1000} s a timing.`;
+    progress.textContent = `Ready: ${options.paths.length} paths at ${options.sides.length} sizes, ${
+      options.budget / 1000
+    } s a timing.`;
   } catch (reason) {
     const problem = element("error", HTMLParagraphElement);
     problem.textContent = reason instanceof Error ? reason.message : String(reason);
@@ -96,12 +102,20 @@ function report(): Report {
 }
 
 function showResults({ options: { paths } }: Known): void {
-  const series = (which: "frame" | "step") => paths.map((path): Series => ({
-    name: path, order: CATALOG.findIndex(({ name }) => name === path),
-    points: last.flatMap((cell) => (cell.path === path && cell[which] ? [[cell.side ** 2, cell[which].median] as const] : [])),
-  }));
-  element("verdicts", HTMLUListElement).replaceChildren(...(last.length === 0 ? [] : paths.map((path) => item(verdict(path, last)))));
-  element("legend", HTMLUListElement).replaceChildren(...series("frame").map((one, i) => item(mark(one), titleOf(paths[i]!))));
+  const series = (which: "frame" | "step") =>
+    paths.map((path): Series => ({
+      name: path,
+      order: CATALOG.findIndex(({ name }) => name === path),
+      points: last.flatMap((
+        cell,
+      ) => (cell.path === path && cell[which] ? [[cell.side ** 2, cell[which].median] as const] : [])),
+    }));
+  element("verdicts", HTMLUListElement).replaceChildren(
+    ...(last.length === 0 ? [] : paths.map((path) => item(verdict(path, last)))),
+  );
+  element("legend", HTMLUListElement).replaceChildren(
+    ...series("frame").map((one, i) => item(mark(one), titleOf(paths[i]!))),
+  );
   for (const which of ["frame", "step"] as const) {
     const place = element(`${which}-plot`, HTMLDivElement);
     place.replaceChildren(plot(`a ${which}`, series(which), Math.max(280, place.clientWidth), 320));
@@ -122,7 +136,10 @@ function download(name: string, type: string, text: string): void {
   URL.revokeObjectURL(link.href);
 }
 
-start.addEventListener("click", () => void measureAll().catch((reason: unknown) => { progress.textContent = String(reason); }));
+start.addEventListener("click", () =>
+  void measureAll().catch((reason: unknown) => {
+    progress.textContent = String(reason);
+  }));
 pause.addEventListener("click", () => {
   if (!runner) return;
   runner.gate.paused = !runner.gate.paused;
@@ -134,14 +151,25 @@ button("csv").addEventListener("click", () => download("weft-compare.csv", "text
 button("copy").addEventListener("click", () => {
   const said = element("copied", HTMLSpanElement);
   navigator.clipboard.writeText(textOf(report())).then(
-    () => { said.textContent = "Copied."; }, () => { said.textContent = "The browser does not allow copying here."; });
+    () => {
+      said.textContent = "Copied.";
+    },
+    () => {
+      said.textContent = "The browser does not allow copying here.";
+    },
+  );
 });
-addEventListener("resize", () => { if (known) showResults(known); });
+addEventListener("resize", () => {
+  if (known) showResults(known);
+});
 
 const ready = prepare();
 ready.catch(() => undefined); // said on the page already
 const handle: CompareHandle = {
-  ready, report, start: measureAll, text: () => textOf(report()),
+  ready,
+  report,
+  start: measureAll,
+  text: () => textOf(report()),
   async open(name, grid, scene) {
     if (!known) throw new Error("The page is not ready.");
     const canvas = freshCanvas();

@@ -37,11 +37,13 @@ export function optionsOf(address: string): Options {
   }
   const paths = asked.get("paths")?.split(",") ?? NAMES;
   for (const path of paths)
-    if (!NAMES.some((name) => name === path)) throw new OptionError(`There is no path ${shown(path)}; there are ${NAMES.join(", ")}.`);
+    if (!NAMES.some((name) => name === path))
+      throw new OptionError(`There is no path ${shown(path)}; there are ${NAMES.join(", ")}.`);
   const sizes = asked.get("sizes")?.split(",").map((side) => whole("a side of sizes", side, 4, 1024)) ?? SIDES;
   const most = asked.has("most") ? whole("most", asked.get("most")!, 16, 1_048_576) : Infinity;
   const sides = [...new Set(sizes)].sort((a, b) => a - b).filter((side) => side * side <= most);
-  if (sides.length === 0) throw new OptionError(`No size has at most ${most} nodes; the smallest has ${Math.min(...sizes) ** 2}.`);
+  if (sides.length === 0)
+    throw new OptionError(`No size has at most ${most} nodes; the smallest has ${Math.min(...sizes) ** 2}.`);
   return { paths: NAMES.filter((name) => paths.includes(name)), sides,
     budget: asked.has("budget") ? whole("budget", asked.get("budget")!, 10, 60_000) : BUDGET };
 }

@@ -9,7 +9,8 @@ export interface Series {
 }
 
 const MARGIN = { left: 52, right: 14, top: 14, bottom: 44 };
-const MARKERS = ["M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0", "M-4.5-4.5h9v9h-9z", "M0-6L5.5 4h-11z", "M0-6L6 0L0 6L-6 0z", "M-5-5L5 5M5-5L-5 5"];
+const MARKERS = ["M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0", "M-4.5-4.5h9v9h-9z", "M0-6L5.5 4h-11z", "M0-6L6 0L0 6L-6 0z",
+  "M-5-5L5 5M5-5L-5 5"];
 const DASHES = ["none", "7 3", "2 3", "9 3 2 3", "4 4"];
 const RATES = [60, 30]; // frames a second, as lines
 
@@ -24,7 +25,8 @@ function svg(tag: string, attributes: Attributes, ...children: (Node | string)[]
 
 /** What stands for a series in the legend. */
 export function mark({ name, order }: Series): SVGElement {
-  return svg("svg", { viewBox: "0 0 40 16", width: 40, height: 16, "aria-hidden": "true", class: `series series-${name}` },
+  return svg("svg", { viewBox: "0 0 40 16", width: 40, height: 16, "aria-hidden": "true",
+    class: `series series-${name}` },
     svg("path", { d: "M0 8H40", class: "line", "stroke-dasharray": DASHES[order % DASHES.length]! }),
     svg("path", { d: MARKERS[order % MARKERS.length]!, transform: "translate(20 8)", class: "marker" }));
 }
@@ -46,19 +48,25 @@ export function plot(title: string, series: readonly Series[], width: number, he
       svg("text", { x: MARGIN.left - 7, y: y(at) + 4, "text-anchor": "end" }, String(at)));
   for (const rate of RATES)
     picture.append(svg("path", { d: `M${MARGIN.left} ${y(1000 / rate)}H${width - MARGIN.right}`, class: "rate" }),
-      svg("text", { x: width - MARGIN.right - 4, y: y(1000 / rate) + (rate === 60 ? 14 : -5), "text-anchor": "end", class: "rate-name" },
-        `${rate} fps`));
+      svg("text", { x: width - MARGIN.right - 4, y: y(1000 / rate) + (rate === 60 ? 14 : -5), "text-anchor": "end",
+        class: "rate-name" }, `${rate} fps`));
   picture.append(
-    svg("path", { d: `M${MARGIN.left} ${MARGIN.top}V${height - MARGIN.bottom}H${width - MARGIN.right}`, class: "axis" }),
-    svg("text", { x: (MARGIN.left + width - MARGIN.right) / 2, y: height - 6, "text-anchor": "middle", class: "name" }, "nodes"),
-    svg("text", { transform: `translate(13 ${(MARGIN.top + height - MARGIN.bottom) / 2}) rotate(-90)`, "text-anchor": "middle",
-      class: "name" }, `${title} [ms]`));
+    svg("path", { d: `M${MARGIN.left} ${MARGIN.top}V${height - MARGIN.bottom}H${width - MARGIN.right}`,
+      class: "axis" }),
+    svg("text", { x: (MARGIN.left + width - MARGIN.right) / 2, y: height - 6, "text-anchor": "middle", class: "name" },
+      "nodes"),
+    svg("text", { transform: `translate(13 ${(MARGIN.top + height - MARGIN.bottom) / 2}) rotate(-90)`,
+      "text-anchor": "middle", class: "name" }, `${title} [ms]`),
+  );
 
   for (const { name, order, points: own } of series) {
     const places = own.map(([nodes, ms]) => `${x(nodes).toFixed(1)} ${y(ms).toFixed(1)}`);
-    picture.append(svg("g", { class: `series series-${name}` },
-      svg("path", { d: places.length > 0 ? `M${places.join("L")}` : "", class: "line", "stroke-dasharray": DASHES[order % DASHES.length]! }),
-      ...places.map((place) => svg("path", { d: MARKERS[order % MARKERS.length]!, transform: `translate(${place})`, class: "marker" }))));
+    picture.append(
+      svg("g", { class: `series series-${name}` },
+        svg("path", { d: places.length > 0 ? `M${places.join("L")}` : "", class: "line",
+          "stroke-dasharray": DASHES[order % DASHES.length]! }), ...places.map((place) =>
+          svg("path", { d: MARKERS[order % MARKERS.length]!, transform: `translate(${place})`, class: "marker" }))),
+    );
   }
   return picture;
 }

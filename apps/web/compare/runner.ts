@@ -71,7 +71,8 @@ export class Runner {
       path.dispose();
     }
     const rate = framesASecond(cell);
-    if (rate !== null && rate < SLOWEST) this.ended.set(cell.path, `Not run: ${rate.toFixed(2)} fps at ${cell.side ** 2} nodes.`);
+    if (rate !== null && rate < SLOWEST)
+      this.ended.set(cell.path, `Not run: ${rate.toFixed(2)} fps at ${cell.side ** 2} nodes.`);
   }
 }
 

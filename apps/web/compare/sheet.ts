@@ -39,8 +39,10 @@ export interface SpringKind {
 interface PaperScene {
   gravity: Vector;
   time: { frame: number; substeps: number };
-  cloths: [{ size: [number, number]; node_mass: number; damping: number;
-    stiffness: { structural: number; shear: number; bend: number } }];
+  cloths: [
+    { size: [number, number]; node_mass: number; damping: number;
+      stiffness: { structural: number; shear: number; bend: number } },
+  ];
   camera: Sheet["camera"];
 }
 
@@ -56,8 +58,16 @@ export function sheetOf(scene: string, nx: number, ny: number): Sheet {
   const dx = cloth.size[0] / (nx - 1), dy = cloth.size[1] / (ny - 1);
   const diagonal = Math.sqrt(dx * dx + dy * dy);
   return {
-    scene, nx, ny, gravity, camera, size: cloth.size, nodeMass: cloth.node_mass, damping: cloth.damping,
-    step: time.frame / time.substeps, pinned: [0, nx - 1],
+    scene,
+    nx,
+    ny,
+    gravity,
+    camera,
+    size: cloth.size,
+    nodeMass: cloth.node_mass,
+    damping: cloth.damping,
+    step: time.frame / time.substeps,
+    pinned: [0, nx - 1],
     springs: [
       { di: 1, dj: 0, restLength: dx, stiffness: structural },
       { di: 0, dj: 1, restLength: dy, stiffness: structural },

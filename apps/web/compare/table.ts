@@ -62,5 +62,7 @@ export function verdict(path: PathName, cells: readonly Cell[]): string {
   if (measured.length === 0) return `${name}: ${own[0]?.note ?? "not measured yet."}`;
   const slow = measured.find((cell) => framesASecond(cell)! < 30);
   const rate = (cell: Cell) => `${short(framesASecond(cell)!)} fps at ${(cell.side ** 2).toLocaleString("en")} nodes`;
-  return slow ? `${name} first falls under 30 fps with ${rate(slow)}.` : `${name} stays above 30 fps: ${rate(measured.at(-1)!)}.`;
+  return slow ?
+    `${name} first falls under 30 fps with ${rate(slow)}.` :
+    `${name} stays above 30 fps: ${rate(measured.at(-1)!)}.`;
 }

@@ -57,4 +57,6 @@ export class Address {
 }
 
 /** The address that opens the page in this state. */
-export function linkTo(state: PageState): string { return new URL(addressOf(state), location.href).href; }
+export function linkTo(state: PageState): string {
+  return new URL(addressOf(state), location.href).href;
+}

@@ -21,8 +21,9 @@ export function followSize(canvas: HTMLCanvasElement, resize: (width: number, he
     if (!entry) return;
     const exact = entry.devicePixelContentBoxSize?.[0];
     const { inlineSize, blockSize } = entry.contentBoxSize[0]!;
-    const [width, height] = exact ? capped(exact.inlineSize, exact.blockSize)
-      : capped(inlineSize * devicePixelRatio, blockSize * devicePixelRatio);
+    const [width, height] = exact ?
+      capped(exact.inlineSize, exact.blockSize) :
+      capped(inlineSize * devicePixelRatio, blockSize * devicePixelRatio);
     if (inlineSize > 0 && blockSize > 0) latest.set([width, height]);
   });
   try {

@@ -45,13 +45,16 @@ export class ClothSketch {
     const { right } = this.axes();
     const flat = unit([back[0], 0, back[2]]);
     // From above, left of the first view: it stays where it is when the eye moves (render/camera.cpp).
-    this.light = unit([0, 1, 2].map((axis) => -0.85 * right[axis]! + (axis === 1 ? 0.9 : 0) + 0.4 * flat[axis]!) as Vector);
+    this.light = unit(
+      [0, 1, 2].map((axis) => -0.85 * right[axis]! + (axis === 1 ? 0.9 : 0) + 0.4 * flat[axis]!) as Vector,
+    );
     const nodes = grid[0] * grid[1];
     this.normals = new Float32Array(3 * nodes);
     this.seen = new Float32Array(3 * nodes);
     this.depths = new Float32Array(triangles.length / 3);
     this.order = Uint32Array.from(this.depths.keys());
-    this.dyes = Array.from(this.depths, (_, triangle) => dyeOf(triangles.subarray(3 * triangle, 3 * triangle + 3), grid[0]));
+    this.dyes = Array.from(this.depths,
+      (_, triangle) => dyeOf(triangles.subarray(3 * triangle, 3 * triangle + 3), grid[0]));
   }
 
   /** Turns the eye about the target, to the right and upwards [rad]. */
@@ -72,7 +75,8 @@ export class ClothSketch {
     const { back } = this.axes();
     for (const triangle of this.order) {
       const [a, b, c] = [0, 1, 2].map((corner) => 3 * triangles[3 * triangle + corner]!) as Vector;
-      const turn = (seen[b]! - seen[a]!) * (seen[c + 1]! - seen[a + 1]!) - (seen[b + 1]! - seen[a + 1]!) * (seen[c]! - seen[a]!);
+      const turn = (seen[b]! - seen[a]!) * (seen[c + 1]! - seen[a + 1]!) -
+        (seen[b + 1]! - seen[a + 1]!) * (seen[c]! - seen[a]!);
       const front = turn < 0; // y points down, so what is counter-clockwise turns negative
       const dye = this.dyes[triangle]!;
       const color = this.lit(a, b, c, front, front ? dye : mix(dye, BACK, BACK_PART), back);
@@ -90,7 +94,8 @@ export class ClothSketch {
 
   private axes(): { right: Vector; up: Vector; back: Vector } {
     const { azimuth, elevation } = this.look;
-    const back: Vector = [Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation)];
+    const back: Vector = [Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation),
+      Math.cos(azimuth) * Math.cos(elevation)];
     const right: Vector = [Math.cos(azimuth), 0, -Math.sin(azimuth)];
     return { right, back, up: cross(back, right) };
   }
@@ -123,13 +128,17 @@ export class ClothSketch {
 
   private sort(): void {
     for (let triangle = 0; triangle < this.depths.length; triangle++)
-      this.depths[triangle] = [0, 1, 2].reduce((sum, corner) =>
-        sum + this.seen[3 * this.triangles[3 * triangle + corner]! + 2]!, 0);
+      this.depths[triangle] = [0, 1, 2].reduce(
+        (sum, corner) => sum + this.seen[3 * this.triangles[3 * triangle + corner]! + 2]!,
+        0,
+      );
     this.order.sort((a, b) => this.depths[b]! - this.depths[a]!);
   }
 
   private lit(a: number, b: number, c: number, front: boolean, albedo: Vector, toEye: Vector): string {
-    const sum = [0, 1, 2].map((axis) => this.normals[a + axis]! + this.normals[b + axis]! + this.normals[c + axis]!) as Vector;
+    const sum = [0, 1, 2].map((axis) =>
+      this.normals[a + axis]! + this.normals[b + axis]! + this.normals[c + axis]!
+    ) as Vector;
     const side = front ? 1 : -1;
     const normal = unit(sum).map((value) => side * value) as Vector;
     const facing = dot(normal, this.light);
@@ -156,11 +165,11 @@ function encoded(linear: number): number {
 
 const saturate = (value: number): number => Math.min(1, Math.max(0, value));
 const minus = (a: Point, b: Point): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const mix = (a: Point, b: Point, part: number): Vector =>
-  [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])];
+const mix = (a: Point, b: Point,
+  part: number): Vector => [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])];
 const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Point, b: Point): Vector =>
-  [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const cross = (a: Point,
+  b: Point): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (v: Vector): Vector => {
   const length = Math.hypot(...v) || 1;
   return [v[0] / length, v[1] / length, v[2] / length];

@@ -1,5 +1,5 @@
 /** The element of index.html with this id. Its absence or another type is a mistake of ours, so it throws. */
-export function element<T extends HTMLElement | SVGElement>(id: string, type: new () => T): T {
+export function element<T extends HTMLElement | SVGElement>(id: string, type: new() => T): T {
   const found = document.getElementById(id) as Element | null;
   if (!(found instanceof type)) throw new Error(`index.html has no ${type.name} with the id ${id}.`);
   return found;

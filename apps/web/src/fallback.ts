@@ -24,10 +24,13 @@ async function showReference(): Promise<void> {
         play.dataset["playing"] = String(on);
         element("reference-play-label", HTMLSpanElement).textContent = on ? "Pause" : "Play";
       },
-      failed: (sentence) => { note.textContent = sentence; },
+      failed: (sentence) => {
+        note.textContent = sentence;
+      },
     });
-    element("reference-label", HTMLElement).textContent =
-      `CPU reference, ${player.grid.join("\u00a0×\u00a0")} nodes, double precision`;
+    element("reference-label", HTMLElement).textContent = `CPU reference, ${
+      player.grid.join("\u00a0×\u00a0")
+    } nodes, double precision`;
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     note.textContent = "Without WebGPU this is what the page can show. Drag to turn it." +
       (still ? " Your system asks for less motion, so it waits until you press Play." : "");
@@ -37,6 +40,8 @@ async function showReference(): Promise<void> {
     player.play(!still);
   } catch (reason) {
     place.classList.add("failed");
-    note.textContent = `The reference on the CPU does not run here either: ${reason instanceof Error ? reason.message : String(reason)}`;
+    note.textContent = `The reference on the CPU does not run here either: ${
+      reason instanceof Error ? reason.message : String(reason)
+    }`;
   }
 }

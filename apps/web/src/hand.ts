@@ -3,7 +3,10 @@
 // and does not tear the cloth away within a frame.
 
 /** [CSS pixels] */
-export interface Place { readonly x: number; readonly y: number; }
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
 
 const WINDOW = 50; // over which the pointer's speed is taken [ms]
 const CATCH_UP = 1.5; // of that speed; as fast as the pointer, the hand would never make up for the window
@@ -15,10 +18,14 @@ export class Hand {
   private moves: { at: number; way: number }[] = []; // of the pointer, within the window
   private speed = 0; // the highest allowed since the hand was where the pointer is [CSS pixels/s]
 
-  constructor(private place: Place) { this.pointer = place; }
+  constructor(private place: Place) {
+    this.pointer = place;
+  }
 
   /** Whether it is where the pointer is. */
-  get arrived(): boolean { return this.place === this.pointer; }
+  get arrived(): boolean {
+    return this.place === this.pointer;
+  }
 
   /** The pointer has come to a place; `at`: the event's time [ms]. */
   follow(to: Place, at: number): void {

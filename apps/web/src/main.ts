@@ -39,8 +39,9 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const canvas = element("canvas", HTMLCanvasElement);
   setFirstSize(canvas);
   const [offers, limits] = await Promise.all([catalog(), adapterLimits()]);
-  const asked = () => read(location.href,
-    { schema: offers.schema, scenes: SCENES.map(({ name }) => name), view: VIEWS[0], mostNodes: MOST_NODES });
+  const asked = () =>
+    read(location.href, { schema: offers.schema, scenes: SCENES.map(({ name }) => name), view: VIEWS[0],
+      mostNodes: MOST_NODES });
   const { state, refused } = asked();
   let cameraAt = 0;
   let remedy: Offer | null = null; // where the step is unstable
@@ -54,8 +55,9 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     },
     opened(scene, info) {
       panel.opened(scene, info);
-      remedy = info.unstableStep === null ? null : { label: "Use “auto”",
-        act: () => void show(player, withKey(player.noteCamera(), SUBSTEPS, "auto")) };
+      remedy = info.unstableStep === null ?
+        null :
+        { label: "Use “auto”", act: () => void show(player, withKey(player.noteCamera(), SUBSTEPS, "auto")) };
       if (info.unstableStep !== null) notice.say(info.unstableStep, "warning", remedy);
       notice.wait(null);
       notice.announce(`${scene.title}: ${info.nodes} nodes.`);
@@ -90,8 +92,8 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const say = (sentence: string) => notice.say(sentence, "plain");
   const pins = new Pins(canvas, player, offers.mostGrabs, say);
   const pointer = new Pointer(canvas, player, pins);
-  const panel = new Panel({ catalog: offers, limits, player, pins, theme, say, open: (wanted) => void show(player, wanted),
-    link: () => linkTo(player.noteCamera()) });
+  const panel = new Panel({ catalog: offers, limits, player, pins, theme, say,
+    open: (wanted) => void show(player, wanted), link: () => linkTo(player.noteCamera()) });
   new Files(player, notice, canvas, (state) => show(player, state));
   followSize(canvas, async (width, height) => {
     await player.resize(width, height);
@@ -153,9 +155,15 @@ async function start(): Promise<World> {
 const ready = start();
 ready.catch(() => undefined); // said on the page already
 const handle: PageHandle = {
-  get world() { return page?.player.world ?? null; },
-  get state() { return page?.player.state ?? null; },
-  get pins() { return page?.pins.held.map(({ node }) => node) ?? []; },
+  get world() {
+    return page?.player.world ?? null;
+  },
+  get state() {
+    return page?.player.state ?? null;
+  },
+  get pins() {
+    return page?.pins.held.map(({ node }) => node) ?? [];
+  },
   ready,
 };
 Object.assign(window, { weft: handle });

@@ -72,9 +72,13 @@ export function demandOf(scene: LoadedScene): Demand | null {
 export function tooLarge({ nodes, buffer, module }: Demand, limits: Limits): string | null {
   const count = nodes.toLocaleString("en");
   if (buffer > limits.buffer)
-    return `A cloth of ${count} nodes needs a buffer of ${inBytes(buffer)}, more than this adapter's ${inBytes(limits.buffer)}.`;
+    return `A cloth of ${count} nodes needs a buffer of ${inBytes(buffer)}, more than this adapter's ${
+      inBytes(limits.buffer)
+    }.`;
   if (module > limits.module)
-    return `A cloth of ${count} nodes needs ${inBytes(module)} of the module's memory, more than its ${inBytes(limits.module)}.`;
+    return `A cloth of ${count} nodes needs ${inBytes(module)} of the module's memory, more than its ${
+      inBytes(limits.module)
+    }.`;
   return null;
 }
 

@@ -50,7 +50,9 @@ export class Notice {
   }
 
   /** What is said over the cloth; null: nothing. */
-  get text(): string | null { return this.shown?.sentence ?? null; }
+  get text(): string | null {
+    return this.shown?.sentence ?? null;
+  }
 
   clear(): void {
     this.standing = null;
@@ -84,7 +86,9 @@ export class Notice {
   }
 
   /** A change of state that can be seen on the controls; for those who do not see them. */
-  announce(sentence: string): void { this.announcer.textContent = sentence; }
+  announce(sentence: string): void {
+    this.announcer.textContent = sentence;
+  }
 
   /** That something is under way, in front of the cloth; null: no longer. */
   wait(sentence: string | null): void {

@@ -25,7 +25,11 @@ export interface PlayerEvents {
   failed(sentence: string): void;
 }
 
-interface LiveChange { readonly scene: LoadedScene; readonly value: Value | null; readonly before: Value | null; }
+interface LiveChange {
+  readonly scene: LoadedScene;
+  readonly value: Value | null;
+  readonly before: Value | null;
+}
 
 const LOSSES = { most: 3, within: 60_000 }; // a device that is lost more often than this [ms] will be lost again
 const LOSS_SHOWS_WITHIN = 250; // [ms]
@@ -52,20 +56,32 @@ export class Player {
   private losses: number[] = [];
 
   /** `first`: what is asked for before any scene is open. */
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly offers: Catalog, private readonly limits: Limits,
-    first: PageState, private readonly events: PlayerEvents) {
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly offers: Catalog,
+    private readonly limits: Limits, first: PageState, private readonly events: PlayerEvents) {
     this.state_ = first;
   }
 
-  get world(): World | null { return this.open_; }
+  get world(): World | null {
+    return this.open_;
+  }
   /** The world, while it holds a scene. */
-  get live(): World | null { return this.scene ? this.open_ : null; }
-  get playing(): boolean { return this.wantsToPlay; }
-  get shownView(): View { return this.state_.view; }
+  get live(): World | null {
+    return this.scene ? this.open_ : null;
+  }
+  get playing(): boolean {
+    return this.wantsToPlay;
+  }
+  get shownView(): View {
+    return this.state_.view;
+  }
   /** What is shown; while another scene loads, what was shown before. */
-  get state(): PageState { return this.state_; }
+  get state(): PageState {
+    return this.state_;
+  }
   /** What the world holds. */
-  get loaded(): LoadedScene | null { return this.scene; }
+  get loaded(): LoadedScene | null {
+    return this.scene;
+  }
 
   /** Shows a scene; where it cannot be opened, the one before. Rejects only the first time, when there is nothing to show. */
   open(state: PageState): Promise<void> {
@@ -105,7 +121,9 @@ export class Player {
     else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.state_.view }));
     const { substeps } = this.open_!.info;
     if (substeps > scene.mostSubsteps)
-      throw new Error(`${scene.title} needs ${substeps} steps a frame, more than the page's limit of ${scene.mostSubsteps}.`);
+      throw new Error(
+        `${scene.title} needs ${substeps} steps a frame, more than the page's limit of ${scene.mostSubsteps}.`,
+      );
     await this.settle(scene, scene.state);
   }
 
@@ -318,7 +336,8 @@ export class Player {
       const { set } = this.state_;
       for (const [key, value] of Object.entries(set)) if (isLive(key)) await world.setParameter(key, value);
       // What the address had changed and was put back since, the world starts with again.
-      for (const key of Object.keys(scene.state.set)) if (isLive(key) && !(key in set)) await world.setParameter(key, scene.own(key));
+      for (const key of Object.keys(scene.state.set))
+        if (isLive(key) && !(key in set)) await world.setParameter(key, scene.own(key));
       await this.settle(scene, this.state_);
       this.events.said(`The GPU device was lost and has been opened again; the scene starts anew. (${cause})`);
     } catch (reason) {
@@ -339,6 +358,7 @@ export class Player {
 /** Whether two cameras are one but for rounding. */
 function near(a: Camera, b: Camera): boolean {
   const size = Math.hypot(...b.eye.map((value, axis) => value - b.target[axis]!));
-  return [a.eye, a.target].every((point, i) => point.every((value, axis) =>
-    Math.abs(value - (i === 0 ? b.eye : b.target)[axis]!) < 1e-4 * size));
+  return [a.eye, a.target].every((point, i) =>
+    point.every((value, axis) => Math.abs(value - (i === 0 ? b.eye : b.target)[axis]!) < 1e-4 * size)
+  );
 }

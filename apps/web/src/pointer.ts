@@ -130,10 +130,15 @@ export class Pointer {
   private pullOf(node: number, point: Point): Pull {
     for (const pull of this.trailing) if (pull.node === node) this.trailing.delete(pull);
     const pull: Pull = {
-      node, point, hand: this.hand, seconds: this.player.live?.statistics.seconds ?? 0,
-      drags: new Latest((target) => this.player.ask(async (world) => {
-        if (this.draws(pull)) await world.drag(node, target); // else it has been let go meanwhile
-      })),
+      node,
+      point,
+      hand: this.hand,
+      seconds: this.player.live?.statistics.seconds ?? 0,
+      drags: new Latest((target) =>
+        this.player.ask(async (world) => {
+          if (this.draws(pull)) await world.drag(node, target); // else it has been let go meanwhile
+        })
+      ),
     };
     return pull;
   }
@@ -155,7 +160,9 @@ export class Pointer {
     this.mark();
   }
 
-  private mark(): void { this.canvas.dataset["gesture"] = this.gesture.kind; }
+  private mark(): void {
+    this.canvas.dataset["gesture"] = this.gesture.kind;
+  }
 
   // Once a picture
 
@@ -216,7 +223,11 @@ export class Pointer {
     const world = this.player.live;
     if (!world || event.ctrlKey || event.metaKey || event.altKey) return;
     const arrows: Record<string, readonly [number, number]> = {
-      ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+      ArrowLeft: [-1, 0],
+      ArrowRight: [1, 0],
+      ArrowUp: [0, 1],
+      ArrowDown: [0, -1],
+    };
     const arrow = arrows[event.key];
     if (arrow && event.shiftKey) world.pan(-0.05 * arrow[0], -0.05 * arrow[1]);
     else if (arrow) world.orbit(0.1 * arrow[0], 0.1 * arrow[1]);

@@ -34,17 +34,21 @@ export class ReferencePlayer {
   /** Builds the scene and draws it at rest. */
   static async create(canvas: HTMLCanvasElement, events: ReferencePlayerEvents): Promise<ReferencePlayer> {
     const { json, set } = await fetchScene(SHOWN, await catalog());
-    const { camera } = JSON.parse(json) as { camera: { eye: Look["eye"]; target: Look["target"]; fov_degrees: number } };
+    const { camera } = JSON.parse(json) as {
+      camera: { eye: Look["eye"]; target: Look["target"]; fov_degrees: number };
+    };
     const reference = await createReference({ scene: json, set });
     const context = canvas.getContext("2d");
     if (!context) throw new Error("The canvas gives no context to draw in.");
     const grid = set["cloths.0.grid"] as Grid;
-    const sketch = new ClothSketch(canvas, context, reference.triangles, grid,
-      { eye: camera.eye, target: camera.target, fov: camera.fov_degrees });
+    const sketch = new ClothSketch(canvas, context, reference.triangles, grid, { eye: camera.eye, target: camera.target,
+      fov: camera.fov_degrees });
     return new ReferencePlayer(reference, sketch, canvas, grid, events);
   }
 
-  get playing(): boolean { return this.wanted; }
+  get playing(): boolean {
+    return this.wanted;
+  }
 
   play(on: boolean): void {
     this.wanted = on;
@@ -52,7 +56,9 @@ export class ReferencePlayer {
     this.events.playing(on);
   }
 
-  draw(): void { this.sketch.draw(this.reference.positions()); }
+  draw(): void {
+    this.sketch.draw(this.reference.positions());
+  }
 
   // Time
 
@@ -97,7 +103,11 @@ export class ReferencePlayer {
     });
     this.canvas.addEventListener("keydown", (event) => {
       const arrows: Record<string, readonly [number, number]> = {
-        ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+        ArrowLeft: [-1, 0],
+        ArrowRight: [1, 0],
+        ArrowUp: [0, 1],
+        ArrowDown: [0, -1],
+      };
       const arrow = arrows[event.key];
       if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
       this.orbit(KEY_TURN * arrow[0], KEY_TURN * arrow[1]);

@@ -4,9 +4,10 @@ import { meshNames, schemaOf, type Bytes, type Catalog, type Method, type Schema
 import { MOST_SUBSTEPS } from "./files/limits.js";
 import type { PageState } from "./state/page_state.js";
 
-const SCENE_FILES = import.meta.glob<string>("../../../scenes/*.json", { query: "?url", import: "default", eager: true });
-const MODEL_FILES = import.meta.glob<string>("../../../models/{sphere,armadillo,dragon}.ply",
-  { query: "?url", import: "default", eager: true });
+const SCENE_FILES = import.meta.glob<string>("../../../scenes/*.json", { query: "?url", import: "default",
+  eager: true });
+const MODEL_FILES = import.meta.glob<string>("../../../models/{sphere,armadillo,dragon}.ply", { query: "?url",
+  import: "default", eager: true });
 
 export interface SceneEntry {
   readonly name: string;
@@ -81,7 +82,9 @@ export const OWN = "own"; // its name in a page's state
 let own: OwnScene | null = null;
 
 export const ownScene = (): OwnScene | null => own;
-export function keepOwnScene(scene: OwnScene | null): void { own = scene; }
+export function keepOwnScene(scene: OwnScene | null): void {
+  own = scene;
+}
 
 function fileOf(files: Record<string, string>, name: string): string | undefined {
   return Object.entries(files).find(([path]) => path.replace(/^.*\/|\.\w+$/g, "") === name)?.[1];
@@ -112,7 +115,8 @@ interface SceneFile {
 
 export async function fetchScene(state: PageState, { schema, methods }: Catalog): Promise<LoadedScene> {
   const brought = state.scene === OWN ? own : null;
-  const json = brought?.json ?? await (await fetched(fileOf(SCENE_FILES, state.scene), `The scene ${state.scene}`)).text();
+  const json = brought?.json ??
+    await (await fetched(fileOf(SCENE_FILES, state.scene), `The scene ${state.scene}`)).text();
   const models = meshNames(json).map(async (name) => [name, brought?.meshes[name] ?? await fetchModel(name)] as const);
   const meshes = Object.fromEntries(await Promise.all(models));
   const file = JSON.parse(json) as SceneFile;
@@ -121,7 +125,10 @@ export async function fetchScene(state: PageState, { schema, methods }: Catalog)
   const ownGrid = file.cloths?.[0]?.grid ?? null;
   const usual = entry?.nodes ?? (ownGrid ? Math.max(...ownGrid) : 0);
   return restated({
-    state, json, own: valueOf, methods,
+    state,
+    json,
+    own: valueOf,
+    methods,
     grid: ownGrid && { own: ownGrid, usual, taken: gridOf(ownGrid, state.nodes ?? usual) },
     title: brought?.title ?? entry?.title ?? state.scene,
     description: file.description ?? "",
@@ -152,8 +159,10 @@ function trianglesOf(mesh: Bytes): number {
 }
 
 function valueAt(file: unknown, key: string): unknown {
-  return key.split(".").reduce<unknown>((at, part) =>
-    (typeof at === "object" && at !== null ? (at as Record<string, unknown>)[part] : undefined), file);
+  return key.split(".").reduce<unknown>(
+    (at, part) => (typeof at === "object" && at !== null ? (at as Record<string, unknown>)[part] : undefined),
+    file,
+  );
 }
 
 const fallbackOf = (schema: Schema, key: string): unknown => schemaOf(schema, key)?.default;

@@ -7,7 +7,8 @@ export interface Missing {
 
 const BROWSERS = "Use a current Chrome or Edge, Firefox 141 or later on Windows, or Safari 26 or later.";
 const LINUX = "In Chrome on Linux, open chrome://flags/#enable-unsafe-webgpu, enable it and restart the browser.";
-const HARDWARE = "Turn on “Use graphics acceleration when available” in the browser's settings under System, restart the " +
+const HARDWARE =
+  "Turn on “Use graphics acceleration when available” in the browser's settings under System, restart the " +
   "browser, and bring the graphics driver up to date.";
 
 const onLinux = (): boolean => /Linux/.test(navigator.userAgent) && !/Android/.test(navigator.userAgent);

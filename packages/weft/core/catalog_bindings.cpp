@@ -28,7 +28,8 @@ nlohmann::ordered_json methods_json() {
       settings.kind = method.kind;
       settings.forces = static_cast<weft::scene::Forces>(i);
       const weft::SolverMemory memory = method.memory(settings);
-      row["memory"][method.settings_word(settings)] = {{"node", memory.node}, {"buffer", memory.largest_buffer}};
+      row["memory"][method.settings_word(settings)] = {{"node", memory.node},
+                                                       {"buffer", memory.largest_buffer}};
     }
     rows.push_back(std::move(row));
   }

@@ -31,8 +31,7 @@ Result<Inputs> read_inputs(const std::string& text, std::span<const scene::Overr
   WEFT_TRY(scene, scene::parse_scene(text, kSceneName, changes));
   const auto find_mesh = [](const std::string& name) { return meshes().find(name); };
   WEFT_TRY(assets, load_assets(scene, find_mesh));
-  WEFT_CHECK(
-      check_memory(scene, assets, bytes_per_node, emscripten_get_heap_max(), "the module's"));
+  WEFT_CHECK(check_memory(scene, assets, bytes_per_node, emscripten_get_heap_max(), "the module's"));
   return Inputs{std::move(scene), std::move(assets)};
 }
 

@@ -12,9 +12,9 @@
 #include "base/result.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "method/step_limit.hpp"
+#include "model/assets.hpp"
 #include "scene/override.hpp"
 #include "scene/scene.hpp"
-#include "model/assets.hpp"
 
 namespace weft::web {
 

@@ -54,18 +54,23 @@ export function catalog(): Promise<Catalog> {
     };
     return { schema: told("schema") as Schema, ...(told("catalog") as Omit<Catalog, "schema">) };
   });
-  read.catch(() => { read = null; }); // the next call tries again
+  read.catch(() => {
+    read = null;
+  }); // the next call tries again
   return read;
 }
 
 /** The schema of a dotted key as `set` takes it ("cloths.0.stiffness.shear"); null where scenes have no such key. */
 export function schemaOf(root: Schema, key: string): Schema | null {
-  const resolved = (schema: Schema | undefined): Schema | undefined =>
-    (schema?.$ref ? root.$defs?.[schema.$ref.replace("#/$defs/", "")] : schema);
+  const resolved = (
+    schema: Schema | undefined,
+  ): Schema | undefined => (schema?.$ref ? root.$defs?.[schema.$ref.replace("#/$defs/", "")] : schema);
   let at: Schema | undefined = root;
   for (const part of key.split(".")) {
-    const inner: Schema | undefined = /^\d+$/.test(part) ? at?.items
-      : [at, ...(at?.oneOf ?? [])].find((way) => way?.properties && Object.hasOwn(way.properties, part))?.properties?.[part];
+    const inner: Schema | undefined = /^\d+$/.test(part) ?
+      at?.items :
+      [at, ...(at?.oneOf ?? [])].find((way) => way?.properties && Object.hasOwn(way.properties, part))?.properties
+        ?.[part];
     if (!inner) return null;
     at = { ...resolved(inner), ...inner }; // what stands beside a reference is of this key
   }

@@ -20,7 +20,9 @@ const WASM = new URL("core_module.wasm", import.meta.url);
 async function load(): Promise<BufferSource | Response> {
   if (WASM.protocol !== "file:") return fetch(WASM);
   const name = "node:fs/promises"; // a variable, so that bundlers for the browser leave it alone
-  const { readFile } = (await import(/* @vite-ignore */ name)) as { readFile(file: URL): Promise<Uint8Array<ArrayBuffer>> };
+  const { readFile } = (await import(/* @vite-ignore */ name)) as {
+    readFile(file: URL): Promise<Uint8Array<ArrayBuffer>>;
+  };
   return readFile(WASM);
 }
 
@@ -46,14 +48,17 @@ export class Core {
     compiled ??= compile();
     const wasm = await compiled.catch((reason: unknown) => {
       compiled = null; // the next try fetches again
-      throw reason instanceof WeftError ? reason : new WeftError("failure", `The core cannot be loaded: ${String(reason)}.`);
+      throw reason instanceof WeftError ?
+        reason :
+        new WeftError("failure", `The core cannot be loaded: ${String(reason)}.`);
     });
     const backend = new GpuBackend(gpu);
     const module = await new Promise<CoreModule>((resolve, reject) => {
       createCore({
         gpu: backend,
         instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
-          WebAssembly.instantiate(wasm, imports).then(done, (reason: unknown) => // most likely there is no room for it
+          WebAssembly.instantiate(wasm, imports).then(done, (reason: unknown) =>
+            // most likely there is no room for it
             reject(new WeftError("out-of-memory", `The core cannot be started: ${String(reason)}.`)));
           return {};
         },
@@ -64,9 +69,13 @@ export class Core {
   }
 
   /** Whether a call sleeps; until it returns, no other may be made. */
-  get busy(): boolean { return this.inFlight; }
+  get busy(): boolean {
+    return this.inFlight;
+  }
   /** Whether a trap has ended the module: every call throws. */
-  get stopped(): boolean { return this.dead !== null; }
+  get stopped(): boolean {
+    return this.dead !== null;
+  }
 
   /** Carries something out after all that was asked before and before all that will be asked. */
   turn<T>(action: () => T | Promise<T>): Promise<T> {
@@ -133,8 +142,12 @@ export class Core {
   }
 
   /** A call that may fail. */
-  check(name: string, ...args: (number | string)[]): void { this.throwIf(this.call(name, ...args)); }
-  checkNow(name: `_weft_${string}`): void { this.throwIf(this.now(name)); }
+  check(name: string, ...args: (number | string)[]): void {
+    this.throwIf(this.call(name, ...args));
+  }
+  checkNow(name: `_weft_${string}`): void {
+    this.throwIf(this.now(name));
+  }
 
   /** The sentence or text of the last call. */
   text(): string {

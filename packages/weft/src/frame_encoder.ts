@@ -2,8 +2,18 @@ import type { GpuObjects } from "./gpu_objects.js";
 import type { Memory } from "./gpu_tables.js";
 
 // Where a Command and a RenderTarget have what (src/gpu/web/layout.hpp); tests/web/layouts_backend.test.ts compares them.
-const enum Kind { BeginCompute, EndCompute, Dispatch, CopyBuffer, ClearBuffer, ResolveQueries, BeginRender,
-  EndRender, Draw, CopyTexture }
+const enum Kind {
+  BeginCompute,
+  EndCompute,
+  Dispatch,
+  CopyBuffer,
+  ClearBuffer,
+  ResolveQueries,
+  BeginRender,
+  EndRender,
+  Draw,
+  CopyTexture,
+}
 const COMMAND_WORDS = 16; // kind 0, ids 1 to 3, args 4 to 8, sizes (two words each) 10 to 15
 const TARGET_WORDS = 14; // color, resolve, depth; clear colour (f64) from 4; store_depth 12
 const NO_TIMESTAMP = 0xffffffff;
@@ -19,9 +29,17 @@ export class FrameEncoder {
   // Filled in and used again for every pass: a frame makes no objects of its own.
   private readonly computePass: GPUComputePassDescriptor = {};
   private readonly color: GPURenderPassColorAttachment = {
-    view: null as unknown as GPUTextureView, loadOp: "clear", storeOp: "store", clearValue: [0, 0, 0, 1] };
+    view: null as unknown as GPUTextureView,
+    loadOp: "clear",
+    storeOp: "store",
+    clearValue: [0, 0, 0, 1],
+  };
   private readonly depth: GPURenderPassDepthStencilAttachment = {
-    view: null as unknown as GPUTextureView, depthLoadOp: "clear", depthStoreOp: "store", depthClearValue: 1 };
+    view: null as unknown as GPUTextureView,
+    depthLoadOp: "clear",
+    depthStoreOp: "store",
+    depthClearValue: 1,
+  };
   private readonly colors: GPURenderPassColorAttachment[] = [];
   private readonly renderPass: GPURenderPassDescriptor = { colorAttachments: this.colors };
 
@@ -84,9 +102,11 @@ export class FrameEncoder {
           render!.end();
           break;
         case Kind.CopyTexture:
-          encoder.copyTextureToBuffer({ texture: this.objects.get<GPUTexture>(words[at + 1]!) },
-            { buffer: this.objects.get<GPUBuffer>(words[at + 2]!), bytesPerRow: words[at + 6]!, rowsPerImage: words[at + 5]! },
-            [words[at + 4]!, words[at + 5]!]);
+          encoder.copyTextureToBuffer({ texture: this.objects.get<GPUTexture>(words[at + 1]!) }, {
+            buffer: this.objects.get<GPUBuffer>(words[at + 2]!),
+            bytesPerRow: words[at + 6]!,
+            rowsPerImage: words[at + 5]!,
+          }, [words[at + 4]!, words[at + 5]!]);
           break;
       }
     }
@@ -95,8 +115,10 @@ export class FrameEncoder {
   private describeCompute(words: Uint32Array, at: number): GPUComputePassDescriptor {
     if (words[at + 1] === 0) return this.computePass;
     const time = (word: number) => (words[word] === NO_TIMESTAMP ? undefined : words[word]);
-    return { timestampWrites: { querySet: this.objects.get<GPUQuerySet>(words[at + 1]!),
-      beginningOfPassWriteIndex: time(at + 5), endOfPassWriteIndex: time(at + 6) } } as GPUComputePassDescriptor;
+    return {
+      timestampWrites: { querySet: this.objects.get<GPUQuerySet>(words[at + 1]!),
+        beginningOfPassWriteIndex: time(at + 5), endOfPassWriteIndex: time(at + 6) },
+    } as GPUComputePassDescriptor;
   }
 
   private describeRender(words: Uint32Array, at: number): GPURenderPassDescriptor {
@@ -128,4 +150,6 @@ export class FrameEncoder {
 }
 
 /** A u64 of the module's memory; all of weft's are below 2^53. */
-function size(words: Uint32Array, at: number): number { return words[at]! + words[at + 1]! * 0x100000000; }
+function size(words: Uint32Array, at: number): number {
+  return words[at]! + words[at + 1]! * 0x100000000;
+}

@@ -31,12 +31,16 @@ export class GpuBackend {
   private canvasHandle = 0;
   private readonly canvasView: GPUTextureViewDescriptor = {};
   private readonly encoder = new FrameEncoder(this.objects, () => this.heap(), {
-    handle: () => this.canvasHandle, view: () => this.canvas!.getCurrentTexture().createView(this.canvasView) });
+    handle: () => this.canvasHandle,
+    view: () => this.canvas!.getCurrentTexture().createView(this.canvasView),
+  });
   private readonly submitted: GPUCommandBuffer[] = [];
 
   constructor(private readonly gpu: GPU | undefined) {}
 
-  attach(memory: Memory): void { this.memory = memory; }
+  attach(memory: Memory): void {
+    this.memory = memory;
+  }
 
   /** Draws on this canvas from now on: a handle whose texture is new in every frame, and its format's index. */
   attachCanvas(context: GPUCanvasContext): { handle: number; format: number } {
@@ -80,16 +84,19 @@ export class GpuBackend {
       const value = adapter.limits[key as keyof GPUSupportedLimits];
       if (typeof value === "number") requiredLimits[key] = value;
     }
-    const requiredFeatures: GPUFeatureName[] =
-      timestamps && adapter.features.has("timestamp-query") ? ["timestamp-query"] : [];
+    const requiredFeatures: GPUFeatureName[] = timestamps && adapter.features.has("timestamp-query") ?
+      ["timestamp-query"] :
+      [];
     try {
       this.device = await adapter.requestDevice({ label: "weft", requiredLimits, requiredFeatures });
     } catch (reason) {
       return fail("failure", `Adapter ${name} gives no device: ${String(reason)}.`);
     }
     this.watch(this.device);
-    this.setText([name, info.vendor, info.description, "WebGPU",
-      (info as { isFallbackAdapter?: boolean }).isFallbackAdapter ? "CPU" : "unknown"].join("\n"));
+    this.setText(
+      [name, info.vendor, info.description, "WebGPU",
+        (info as { isFallbackAdapter?: boolean }).isFallbackAdapter ? "CPU" : "unknown"].join("\n"),
+    );
     return 0;
   }
 
@@ -133,8 +140,8 @@ export class GpuBackend {
     const { limits } = device;
     this.heap().HEAPF64.set([limits.maxBufferSize, limits.maxStorageBufferBindingSize,
       limits.maxStorageBuffersPerShaderStage, limits.maxComputeInvocationsPerWorkgroup,
-      limits.maxComputeWorkgroupsPerDimension, limits.maxTextureDimension2D,
-      limits.minUniformBufferOffsetAlignment], target >>> 3);
+      limits.maxComputeWorkgroupsPerDimension, limits.maxTextureDimension2D, limits.minUniformBufferOffsetAlignment],
+      target >>> 3);
     return device.features.has("timestamp-query") ? 1 : 0;
   }
 
@@ -205,15 +212,19 @@ export class GpuBackend {
     return device;
   }
 
-  release(kind: number, id: number): void { this.objects.release(kind, id); }
+  release(kind: number, id: number): void {
+    this.objects.release(kind, id);
+  }
 
   buffer(size: number, usage: number, label: number): number {
-    return this.objects.keep(this.make().createBuffer({ label: this.string(label), size, usage: flags(usage, BUFFER_USAGE) }));
+    return this.objects.keep(
+      this.make().createBuffer({ label: this.string(label), size, usage: flags(usage, BUFFER_USAGE) }),
+    );
   }
 
   write(buffer: number, offset: number, bytes: number, size: number): void {
-    this.need().queue.writeBuffer(this.objects.get<GPUBuffer>(buffer), offset, this.heap().HEAPU8 as Uint8Array<ArrayBuffer>,
-      bytes >>> 0, size);
+    this.need().queue.writeBuffer(this.objects.get<GPUBuffer>(buffer), offset,
+      this.heap().HEAPU8 as Uint8Array<ArrayBuffer>, bytes >>> 0, size);
   }
 
   shaderModule(source: number, label: number): number {
@@ -256,12 +267,14 @@ export class GpuBackend {
     for (let i = 0; i < count; i++) {
       const word = (at >>> 2) + 8 * i;
       const object = this.objects.get<GPUBuffer | GPUTextureView | GPUSampler>(HEAPU32[word + 2]!);
-      const resource = OBJECT_KINDS[HEAPU32[word + 1]!] === "buffer"
-        ? { buffer: object as GPUBuffer, offset: HEAPF64[(word >>> 1) + 2]!, size: HEAPF64[(word >>> 1) + 3]! }
-        : (object as GPUTextureView | GPUSampler);
+      const resource = OBJECT_KINDS[HEAPU32[word + 1]!] === "buffer" ?
+        { buffer: object as GPUBuffer, offset: HEAPF64[(word >>> 1) + 2]!, size: HEAPF64[(word >>> 1) + 3]! } :
+        (object as GPUTextureView | GPUSampler);
       entries.push({ binding: HEAPU32[word]!, resource });
     }
-    return this.objects.keep(this.make().createBindGroup({ label: this.string(label), layout: this.objects.get(layout), entries }));
+    return this.objects.keep(
+      this.make().createBindGroup({ label: this.string(label), layout: this.objects.get(layout), entries }),
+    );
   }
 
   private constants(at: number, count: number): Record<string, number> {
@@ -274,8 +287,10 @@ export class GpuBackend {
   computePipeline(layout: number, module: number, entry: number, constants: number, count: number,
     label: number): number {
     return this.objects.keep(this.make().createComputePipeline({
-      label: this.string(label), layout: this.objects.get<GPUPipelineLayout>(layout),
-      compute: { module: this.objects.get(module), entryPoint: this.string(entry), constants: this.constants(constants, count) },
+      label: this.string(label),
+      layout: this.objects.get<GPUPipelineLayout>(layout),
+      compute: { module: this.objects.get(module), entryPoint: this.string(entry),
+        constants: this.constants(constants, count) },
     }));
   }
 
@@ -292,16 +307,23 @@ export class GpuBackend {
     };
     const fragmentEntry = this.string(at + 48);
     return this.objects.keep(this.make().createRenderPipeline({
-      label: this.string(label), layout: this.objects.get<GPUPipelineLayout>(layout),
+      label: this.string(label),
+      layout: this.objects.get<GPUPipelineLayout>(layout),
       vertex: { module: this.objects.get(module), entryPoint: this.string(at + 40), constants },
-      primitive: { topology: HEAPU32[word] ? "line-list" : "triangle-list", cullMode: HEAPU32[word + 1] ? "back" : "none" },
+      primitive: { topology: HEAPU32[word] ? "line-list" : "triangle-list",
+        cullMode: HEAPU32[word + 1] ? "back" : "none" },
       multisample: { count: HEAPU32[word + 4]! },
       ...(depth && { depthStencil: {
-        format: depth, depthWriteEnabled: HEAPU32[word + 5] !== 0, depthCompare: HEAPU32[word + 6] ? "less-equal" : "less",
-        depthBias: HEAP32[word + 8]!, depthBiasSlopeScale: HEAPF32[word + 9]!,
+        format: depth,
+        depthWriteEnabled: HEAPU32[word + 5] !== 0,
+        depthCompare: HEAPU32[word + 6] ? "less-equal" : "less",
+        depthBias: HEAP32[word + 8]!,
+        depthBiasSlopeScale: HEAPF32[word + 9]!,
       } }),
       ...(fragmentEntry && { fragment: {
-        module: this.objects.get(module), entryPoint: fragmentEntry, constants,
+        module: this.objects.get(module),
+        entryPoint: fragmentEntry,
+        constants,
         targets: color ? [{ format: color, ...(HEAPU32[word + 7] && { blend: over }) }] : [],
       } }),
     } as GPURenderPipelineDescriptor));
@@ -309,7 +331,10 @@ export class GpuBackend {
 
   texture(width: number, height: number, sampleCount: number, format: number, usage: number, label: number): number {
     return this.objects.keep(this.make().createTexture({
-      label: this.string(label), size: [width, height], sampleCount, format: TEXTURE_FORMATS[format]!,
+      label: this.string(label),
+      size: [width, height],
+      sampleCount,
+      format: TEXTURE_FORMATS[format]!,
       usage: flags(usage, TEXTURE_USAGE),
     }));
   }
@@ -323,7 +348,11 @@ export class GpuBackend {
     const filter = linear ? "linear" : "nearest";
     const address = repeat ? "repeat" : "clamp-to-edge";
     return this.objects.keep(this.make().createSampler({
-      label: this.string(label), magFilter: filter, minFilter: filter, addressModeU: address, addressModeV: address,
+      label: this.string(label),
+      magFilter: filter,
+      minFilter: filter,
+      addressModeU: address,
+      addressModeV: address,
       ...(comparison && { compare: "less-equal" as const }),
     }));
   }
@@ -394,5 +423,7 @@ export class GpuBackend {
     return this.decode(words[at >>> 2]!, words[(at >>> 2) + 1]!);
   }
 
-  private setText(text: string): void { this.text = new TextEncoder().encode(text); }
+  private setText(text: string): void {
+    this.text = new TextEncoder().encode(text);
+  }
 }

@@ -14,7 +14,9 @@ export class GpuObjects {
     return id;
   }
 
-  get<T extends GpuObject>(id: number): T { return this.objects[id] as T; }
+  get<T extends GpuObject>(id: number): T {
+    return this.objects[id] as T;
+  }
 
   release(kind: number, id: number): void {
     const object = this.objects[id];

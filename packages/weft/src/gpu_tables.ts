@@ -17,13 +17,13 @@ export type ErrorKind = (typeof ERROR_KINDS)[number];
 
 export const OBJECT_KINDS = ["none", "buffer", "texture", "texture-view", "sampler", "shader-module",
   "bind-group-layout", "pipeline-layout", "bind-group", "compute-pipeline", "render-pipeline", "query-set"] as const;
-export const TEXTURE_FORMATS: readonly (GPUTextureFormat | undefined)[] =
-  [undefined, "rgba8unorm-srgb", "bgra8unorm-srgb", "rgba8unorm", "depth32float"];
+export const TEXTURE_FORMATS: readonly (GPUTextureFormat | undefined)[] = [undefined, "rgba8unorm-srgb",
+  "bgra8unorm-srgb", "rgba8unorm", "depth32float"];
 export const COMMAND_KINDS = ["begin-compute", "end-compute", "dispatch", "copy-buffer", "clear-buffer",
   "resolve-queries", "begin-render", "end-render", "draw", "copy-texture"] as const;
 
-export type GpuObject = GPUBuffer | GPUTexture | GPUTextureView | GPUSampler | GPUShaderModule | GPUBindGroupLayout |
-  GPUPipelineLayout | GPUBindGroup | GPUComputePipeline | GPURenderPipeline | GPUQuerySet;
+export type GpuObject = GPUBuffer | GPUTexture | GPUTextureView | GPUSampler | GPUShaderModule | GPUBindGroupLayout
+  | GPUPipelineLayout | GPUBindGroup | GPUComputePipeline | GPURenderPipeline | GPUQuerySet;
 
 /** What BufferUsage and TextureUsage mean, bit by bit, as WebGPU's flags. */
 export const BUFFER_USAGE = [0x80, 0x40, 0x04, 0x08, 0x10, 0x100, 0x01, 0x200] as const; // STORAGE … QUERY_RESOLVE

@@ -40,7 +40,9 @@ export class Reference {
   }
 
   /** Back to the rest state at time 0. */
-  reset(): void { this.live().call("reference_reset"); }
+  reset(): void {
+    this.live().call("reference_reset");
+  }
 
   /** x, y, z of every node in model order [m]. */
   positions(): Float32Array {
@@ -55,7 +57,9 @@ export class Reference {
   }
 
   /** Simulated time [s]. */
-  get seconds(): number { return this.live().call("reference_seconds"); }
+  get seconds(): number {
+    return this.live().call("reference_seconds");
+  }
 
   dispose(): void {
     if (this.disposed) return;

@@ -10,13 +10,17 @@ export type Bytes = ArrayBuffer | Uint8Array;
 /** The meshes that a scene names, each once: what `meshes` must hold. */
 export function meshNames(scene: Scene): string[] {
   const json = (typeof scene === "string" ? JSON.parse(scene) : scene) as Record<string, unknown>;
-  const entries = (list: unknown) => (Array.isArray(list) ? list : []) as ({ mesh?: unknown; keyframes?: unknown } | null)[];
-  const parts = [...entries(json["cloths"]), ...entries(json["colliders"]).flatMap((part) => [part, ...entries(part?.keyframes)])];
+  const entries = (list: unknown) =>
+    (Array.isArray(list) ? list : []) as ({ mesh?: unknown; keyframes?: unknown } | null)[];
+  const parts = [...entries(json["cloths"]),
+    ...entries(json["colliders"]).flatMap((part) => [part, ...entries(part?.keyframes)])];
   const names = parts.map((part) => part?.mesh);
   return [...new Set(names.filter((name) => typeof name === "string"))];
 }
 
-export function sceneText(scene: Scene): string { return typeof scene === "string" ? scene : JSON.stringify(scene); }
+export function sceneText(scene: Scene): string {
+  return typeof scene === "string" ? scene : JSON.stringify(scene);
+}
 
 /** Lines of KEY=JSON, as `weft run --set` takes them. */
 export function changeLines(set: Readonly<Record<string, unknown>>): string {

@@ -2,8 +2,9 @@ import { Core } from "./core.js";
 import { WeftError } from "./error.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
 import { schedule, unschedule } from "./ticks.js";
-import { VIEWS, type Camera, type Events, type MemoryUse, type PassTime, type Pick, type Point, type SceneOptions, type Snapshot,
-  type Statistics, type StepOptions, type View, type WorldInfo, type WorldOptions } from "./world_types.js";
+import { VIEWS, type Camera, type Events, type MemoryUse, type PassTime, type Pick, type Point, type SceneOptions,
+  type Snapshot, type Statistics, type StepOptions, type View, type WorldInfo,
+  type WorldOptions } from "./world_types.js";
 
 /** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
 export async function createWorld(options: WorldOptions): Promise<World> {
@@ -27,7 +28,9 @@ export class World {
   private readonly canvas: WorldOptions["canvas"];
   private readonly adapter: string;
   private readonly listeners: { [name in keyof Events]: Set<(event: Events[name]) => void> } = {
-    frame: new Set(), error: new Set() };
+    frame: new Set(),
+    error: new Set(),
+  };
   private current: WorldInfo | null = null;
   private scene: { scene: Scene; set: Readonly<Record<string, unknown>> } = { scene: "", set: {} };
   private readonly totals: Statistics = { frames: 0, seconds: 0, contacts: 0, contactHash: 0, contactOverflow: 0,
@@ -67,15 +70,27 @@ export class World {
     if (!this.current) throw new WeftError("failure", "No scene is loaded.");
     return this.current;
   }
-  get statistics(): Readonly<Statistics> { return this.totals; }
+  get statistics(): Readonly<Statistics> {
+    return this.totals;
+  }
   /** What the last frame of run cost this thread, JavaScript and WebAssembly, drawing included [ms]. */
-  get hostMilliseconds(): number { return this.hostTime; }
-  get running(): boolean { return this.playing; }
+  get hostMilliseconds(): number {
+    return this.hostTime;
+  }
+  get running(): boolean {
+    return this.playing;
+  }
   /** Whether a call is under way; what returns at once then throws. */
-  get busy(): boolean { return this.core.busy; }
+  get busy(): boolean {
+    return this.core.busy;
+  }
   /** Whether the module has ended, most likely for want of memory: every call fails, and only a new world helps. */
-  get stopped(): boolean { return this.core.stopped; }
-  get view(): View { return this.shownView; }
+  get stopped(): boolean {
+    return this.core.stopped;
+  }
+  get view(): View {
+    return this.shownView;
+  }
 
   on<Name extends keyof Events>(name: Name, listener: (event: Events[Name]) => void): () => void {
     this.listeners[name].add(listener);
@@ -181,8 +196,8 @@ export class World {
   /** The node of the cloth under a place on the canvas. */
   async pick(x: number, y: number): Promise<Pick | null> {
     this.loaded();
-    const [node, ...point] = await this.core.sleep("pick", [x, y], () => this.numbers("picked", 4)) as
-      [number, number, number, number];
+    const [node, ...point] = await this.core.sleep("pick", [x, y], () => this.numbers("picked", 4)) as [number, number,
+      number, number];
     return node < 0 ? null : { node, point };
   }
 
@@ -192,24 +207,34 @@ export class World {
   }
 
   /** Where a point is seen on the canvas. */
-  project(point: Point): [x: number, y: number] { return this.numbers("project", 2, ...point) as [number, number]; }
+  project(point: Point): [x: number, y: number] {
+    return this.numbers("project", 2, ...point) as [number, number];
+  }
 
   get camera(): Camera {
     const n = this.numbers("camera", 7) as [number, number, number, number, number, number, number];
     return { eye: [n[0], n[1], n[2]], target: [n[3], n[4], n[5]], fov: n[6] };
   }
-  set camera({ eye, target, fov }: Camera) { this.look("set_camera", ...eye, ...target, fov); }
+  set camera({ eye, target, fov }: Camera) {
+    this.look("set_camera", ...eye, ...target, fov);
+  }
   /** Turns the eye about the target, to the right and upwards [rad]: for a scene that follows a pointer, negate. */
-  orbit(dx: number, dy: number): void { this.look("orbit", dx, dy); }
+  orbit(dx: number, dy: number): void {
+    this.look("orbit", dx, dy);
+  }
   /** Moves the picture to the right and upwards, in picture heights. */
-  pan(dx: number, dy: number): void { this.look("pan", dx, dy); }
+  pan(dx: number, dy: number): void {
+    this.look("pan", dx, dy);
+  }
   /** What is looked at becomes `factor` times as large. */
   zoom(factor: number): void {
     if (!(factor > 0)) throw new WeftError("input", `A picture cannot become ${factor} times as large.`);
     this.look("zoom", factor);
   }
   /** The camera of the scene again, or one that has all in view. */
-  resetCamera(): void { this.look("reset_camera"); }
+  resetCamera(): void {
+    this.look("reset_camera");
+  }
 
   async setView(view: View): Promise<void> {
     await this.core.sleep("view", [VIEWS.indexOf(known(view))]);
@@ -253,7 +278,9 @@ export class World {
   }
 
   /** x, y, z of every node in model order [m]. */
-  async positions(): Promise<Float32Array> { return (await this.snapshot()).positions; }
+  async positions(): Promise<Float32Array> {
+    return (await this.snapshot()).positions;
+  }
 
   /**
    * What each kernel takes on the GPU, over a few frames of two steps whose passes are apart: shares, not totals. The
@@ -283,7 +310,9 @@ export class World {
   }
 
   /** The device underneath, for tests of its loss and for tools. */
-  get device(): GPUDevice | null { return this.core.backend.device; }
+  get device(): GPUDevice | null {
+    return this.core.backend.device;
+  }
 
   dispose(): void {
     if (this.disposed) return;
@@ -375,7 +404,9 @@ export class World {
     this.core.sleep(name, args).then(() => this.changed(), (reason: unknown) => this.fail(reason));
   }
 
-  private loaded(): void { void this.info; }
+  private loaded(): void {
+    void this.info;
+  }
 
   private fail(reason: unknown): void {
     this.playing = false;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "contact/proximity/feature_owners.hpp"
 #include "contact/object_tree.hpp"
+#include "contact/proximity/feature_owners.hpp"
 #include "contact/proximity/triangle_order.hpp"
 #include "mesh/sheet_rim.hpp"
 #include "scene/motion.hpp"

@@ -15,7 +15,6 @@ struct SearchParams {  // mirror: src/contact/proximity/pair_search.hpp
 }
 const kNoCorner = 0xffffffffu;
 
-
 // A candidate: a cloth triangle and, in the upper four bits, what it may be near; then which one.
 const kNearCloth = 0u;      // a cloth triangle, by its place in the tree's order
 const kNearRigid = 1u;      // a triangle of a rigid mesh, by its first word of `trees`

@@ -30,7 +30,8 @@ void CheckedStages::answer(gpu::ComputePass& pass) const {
 }
 
 void CheckedStages::hold_back(gpu::ComputePass& pass) const {
-  expect(last_ == Stage::Measured || last_ == Stage::Answered, "holds back what it has not measured, or twice");
+  expect(last_ == Stage::Measured || last_ == Stage::Answered,
+         "holds back what it has not measured, or twice");
   last_ = Stage::HeldBack;
   stages_.hold_back(pass);
 }

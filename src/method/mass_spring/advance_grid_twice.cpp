@@ -13,8 +13,8 @@ constexpr std::uint32_t kTileWidth = 16, kTileHeight = 8, kInvocations = 256;
 Result<AdvanceGridTwice> AdvanceGridTwice::create(gpu::Device& device, const Model& model, const State& state,
                                                   const ClothModel& cloth) {
   AdvanceGridTwice made;
-  WEFT_TRY(kernel, gpu::Kernel::create(device, "method/mass_spring/advance_grid_twice.wgsl", grid_constants(cloth),
-                                       kInvocations));
+  WEFT_TRY(kernel, gpu::Kernel::create(device, "method/mass_spring/advance_grid_twice.wgsl",
+                                       grid_constants(cloth), kInvocations));
   made.kernel_ = std::move(kernel);
   const GridParams params = grid_params(cloth, kInvocations);
   WEFT_TRY(buffer, gpu::Buffer<GridParams>::create_from(device, std::span(&params, 1), "grid params",

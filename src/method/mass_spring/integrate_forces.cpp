@@ -7,7 +7,8 @@ Result<IntegrateForces> IntegrateForces::create(gpu::Device& device, const Model
                                                 const gpu::Buffer<std::int32_t>& force,
                                                 std::uint32_t workgroup_size) {
   IntegrateForces made;
-  WEFT_TRY(kernel, gpu::Kernel::create(device, "method/mass_spring/integrate_forces.wgsl", {}, workgroup_size));
+  WEFT_TRY(kernel,
+           gpu::Kernel::create(device, "method/mass_spring/integrate_forces.wgsl", {}, workgroup_size));
   made.kernel_ = std::move(kernel);
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, made.kernel_.bind({state.steps, state.position[parity], state.velocity[parity],

@@ -20,7 +20,7 @@ Method mass_spring_method() {
   row.auto_substeps = choose_substeps;
   row.auto_verdict = [](const HostModel&) { return AutoVerdict{true, ""}; };
   row.memory = [](const scene::Solver& settings) {
-    const double springs = settings.forces == scene::Forces::SpringCentric ? 84
+    const double springs = settings.forces == scene::Forces::SpringCentric  ? 84
                            : settings.forces == scene::Forces::SpringBlocks ? 67
                                                                             : 0;
     return SolverMemory{springs, 16};

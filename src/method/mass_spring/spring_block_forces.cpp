@@ -16,7 +16,8 @@ Result<SpringBlockForces> SpringBlockForces::create(gpu::Device& device, const M
   made.springs_ = std::move(block_springs);
   WEFT_TRY(kinds, gpu::Buffer<SpringKind>::create_from(device, built.kinds, "spring kinds"));
   made.kinds_ = std::move(kinds);
-  WEFT_TRY(kernel, gpu::Kernel::create(device, "method/mass_spring/spring_block_forces.wgsl", {}, workgroup_size));
+  WEFT_TRY(kernel,
+           gpu::Kernel::create(device, "method/mass_spring/spring_block_forces.wgsl", {}, workgroup_size));
   made.kernel_ = std::move(kernel);
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, made.kernel_.bind({state.steps, state.position[parity], state.velocity[parity],

@@ -19,14 +19,12 @@ Result<FramePlan> FramePlan::create(const scene::Scene& scene, const HostModel& 
   plan.substeps_ = substeps;
   if (scene.contact.method == scene::ContactMethod::Proximity)
     plan.movers_ = contact_movers(scene, model, assets.objects, assets.keyframes);
-  plan.most_substeps_ =
-      substeps * contact_step_factor(plan.movers_, plan.thickness_, 0, kEver, plan.step());
+  plan.most_substeps_ = substeps * contact_step_factor(plan.movers_, plan.thickness_, 0, kEver, plan.step());
   return plan;
 }
 
 std::uint32_t FramePlan::substeps_of(std::uint32_t frame) const {
-  return substeps_ *
-         contact_step_factor(movers_, thickness_, begin_of(frame), begin_of(frame + 1), step());
+  return substeps_ * contact_step_factor(movers_, thickness_, begin_of(frame), begin_of(frame + 1), step());
 }
 
 double FramePlan::step_ratio_of(std::uint32_t frame) const {

@@ -1,4 +1,5 @@
 """docs/performance.md, its plots and README's figures are what the stored results say, and change when they do."""
+
 import json
 import pathlib
 import re
@@ -26,7 +27,11 @@ def slower(value, key=""):
 class Docs(unittest.TestCase):
     def test_files_are_what_the_stored_results_say(self):
         for name, text in docs.generate().items():
-            self.assertEqual((ROOT / name).read_text(encoding="utf-8"), text, f"{name} differs: ./dev bench paper --stored writes it.")
+            self.assertEqual(
+                (ROOT / name).read_text(encoding="utf-8"),
+                text,
+                f"{name} differs: ./dev bench paper --stored writes it.",
+            )
 
     def test_other_results_make_another_page_plot_and_readme(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -55,7 +60,9 @@ class Docs(unittest.TestCase):
             Facts("h100").step("grid", 4097)
 
     def test_every_stored_file_of_results_is_read_by_something(self):
-        used = "".join(path.read_text() for path in (ROOT / "bench/paper").rglob("*.*") if path.suffix in (".py", ".j2"))
+        used = "".join(
+            path.read_text() for path in (ROOT / "bench/paper").rglob("*.*") if path.suffix in (".py", ".j2")
+        )
         for path in RESULTS.glob("*.json"):
             machine = json.loads(path.read_text()).get("format") == "weft-bench/1"
             self.assertTrue(machine or path.name in used, f"nothing reads {path.name}")

@@ -1,4 +1,5 @@
 """Fits find what the points were made of; the time left follows from the time taken."""
+
 import math
 import unittest
 
@@ -35,7 +36,9 @@ class Fits(unittest.TestCase):
         self.assertIsNone(fits.crossing([(100, 0.5), (400, 0.1)], 1))
 
     def test_numbers_in_sentences_have_no_powers_of_ten(self):
-        self.assertEqual([wording.rounded(x) for x in (1414, 0.0000123, 0.01416, 26)], ["1,400", "0.000012", "0.014", "26"])
+        self.assertEqual(
+            [wording.rounded(x) for x in (1414, 0.0000123, 0.01416, 26)], ["1,400", "0.000012", "0.014", "26"]
+        )
         self.assertEqual(wording.span((9.73, 20.1)), "9.7 to 20")
 
 
@@ -50,11 +53,17 @@ class TimeIsLeft(unittest.TestCase):
         self.assertAlmostEqual(clock.left([1, 9]), 60)
 
     def test_words(self):
-        self.assertEqual([in_words(s) for s in (None, 42.4, 600, 7200)],
-                         ["time left not known yet", "about 42 s left", "about 10 min left", "about 2.0 h left"])
+        self.assertEqual(
+            [in_words(s) for s in (None, 42.4, 600, 7200)],
+            ["time left not known yet", "about 42 s left", "about 10 min left", "about 2.0 h left"],
+        )
 
     def test_brute_force_costs_by_pairs(self):
-        costs = {case.side: case.weight for case in cases.plan(["pull"], False, 800) if case.brute_force and case.object == "dragon"}
+        costs = {
+            case.side: case.weight
+            for case in cases.plan(["pull"], False, 800)
+            if case.brute_force and case.object == "dragon"
+        }
         self.assertGreater(costs[800] / costs[400], 3)
         self.assertTrue(math.isfinite(sum(costs.values())))
 

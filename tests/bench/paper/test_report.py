@@ -1,4 +1,5 @@
 """report/index.html from stored results: one file, everything labelled, everything with its source."""
+
 import html.parser
 import pathlib
 import re
@@ -56,7 +57,9 @@ class Report(unittest.TestCase):
     def test_ids_are_unique_and_what_names_them_exists(self):
         self.assertEqual(len(self.page.ids), len(set(self.page.ids)))
         for _, attrs in self.page.elements:
-            named = attrs.get("aria-labelledby", "").split() + ([attrs["href"][1:]] if attrs.get("href", "").startswith("#") else [])
+            named = attrs.get("aria-labelledby", "").split() + (
+                [attrs["href"][1:]] if attrs.get("href", "").startswith("#") else []
+            )
             for one in named:
                 self.assertIn(one, self.page.ids)
 
@@ -90,9 +93,13 @@ class Report(unittest.TestCase):
             self.assertRegex(one, r"<title id=.*?>.+?</title><desc id=.*?>.+?</desc>")
 
     def test_axes_are_labelled_with_units(self):
-        drawn = re.findall(r"<svg.*?</svg>", self.html, re.S) + [text for name, text in generate().items() if name.endswith(".svg")]
+        drawn = re.findall(r"<svg.*?</svg>", self.html, re.S) + [
+            text for name, text in generate().items() if name.endswith(".svg")
+        ]
         for one in drawn:
-            labels = [node for node in ElementTree.fromstring(one).iter() if node.get("class") in ("x-label", "y-label")]
+            labels = [
+                node for node in ElementTree.fromstring(one).iter() if node.get("class") in ("x-label", "y-label")
+            ]
             kinds = [label.get("class") for label in labels]
             self.assertIn("x-label", kinds)
             if "<rect" not in one:  # bars have names on the other side
@@ -117,7 +124,12 @@ class Report(unittest.TestCase):
             bare.data["hardware"] = {"gpu": "Loom 3000"}
             bare.save()
             text = report.write(folder, folder).read_text()
-        for said in ("The native sheet has not been measured", "The pulls have not been measured", "not recorded", "No pictures"):
+        for said in (
+            "The native sheet has not been measured",
+            "The pulls have not been measured",
+            "not recorded",
+            "No pictures",
+        ):
             self.assertIn(said, text)
         self.assertNotIn("<svg", text)
 
@@ -130,18 +142,35 @@ class Media(unittest.TestCase):
             named = {name for row in machine.rows("pictures") for name in row["files"].values()}
             self.assertEqual(named, {path.name for path in folder.glob("*")})
             for path in folder.glob("*"):
-                self.assertLessEqual(path.stat().st_size, media.VIDEO_BYTES if path.suffix == ".mp4" else media.PICTURE_BYTES, path)
+                self.assertLessEqual(
+                    path.stat().st_size, media.VIDEO_BYTES if path.suffix == ".mp4" else media.PICTURE_BYTES, path
+                )
                 whole += path.stat().st_size
         self.assertLess(whole, 6_000_000)  # 3 MB a machine
 
     def test_a_picture_is_made_as_small_as_it_must_be_and_no_smaller(self):
         with tempfile.TemporaryDirectory() as folder:
             noise, small = pathlib.Path(folder) / "noise.png", pathlib.Path(folder) / "small.jpg"
-            subprocess.run(["ffmpeg", "-v", "error", "-f", "lavfi", "-i", "nullsrc=s=320x180,geq=lum='random(1)*255':cb=128:cr=128", "-frames:v", "1",
-                            str(noise)], check=True)
+            subprocess.run(
+                [
+                    "ffmpeg",
+                    "-v",
+                    "error",
+                    "-f",
+                    "lavfi",
+                    "-i",
+                    "nullsrc=s=320x180,geq=lum='random(1)*255':cb=128:cr=128",
+                    "-frames:v",
+                    "1",
+                    str(noise),
+                ],
+                check=True,
+            )
             sizes = []
             for most in (10_000_000, 20_000):
-                media.shrink(["-i", str(noise)], ["-frames:v", "1"], small, most, [["-q:v", str(q)] for q in (3, 8, 25)])
+                media.shrink(
+                    ["-i", str(noise)], ["-frames:v", "1"], small, most, [["-q:v", str(q)] for q in (3, 8, 25)]
+                )
                 sizes.append(small.stat().st_size)
             self.assertGreater(sizes[0], 20_000)
             self.assertLessEqual(sizes[1], 20_000)
@@ -159,8 +188,10 @@ class Media(unittest.TestCase):
 
 class Parts(unittest.TestCase):
     def test_a_column_that_no_row_has_is_left_out_and_named(self):
-        table, missing = built([{"a": 1}, {"a": 2, "b": 3}], [(key, "right", lambda row, key=key: str(row[key]) if key in row else None)
-                                                               for key in ("a", "b", "c")])
+        table, missing = built(
+            [{"a": 1}, {"a": 2, "b": 3}],
+            [(key, "right", lambda row, key=key: str(row[key]) if key in row else None) for key in ("a", "b", "c")],
+        )
         self.assertEqual(table.rows, [["1", "not measured"], ["2", "3"]])
         self.assertEqual(missing, ["c"])
 
@@ -174,8 +205,11 @@ class Parts(unittest.TestCase):
     def test_points_lie_where_the_axes_say(self):
         plot = svg.Plot("t", "nodes", "a step [ms]", [svg.Line("a", [(100, 1), (10_000, 100)], 0)])
         text = svg.drawing("p", [plot])
-        ticks = {node.text: float(node.get("x")) for node in ElementTree.fromstring(text).iter()
-                 if node.get("class") == "small" and node.get("text-anchor") == "middle"}
+        ticks = {
+            node.text: float(node.get("x"))
+            for node in ElementTree.fromstring(text).iter()
+            if node.get("class") == "small" and node.get("text-anchor") == "middle"
+        }
         line = re.search(r'class="line" d="M([\d.]+) ([\d.]+)L([\d.]+) ([\d.]+)"', text)
         self.assertAlmostEqual(float(line[1]), ticks["100"], delta=0.2)
         self.assertAlmostEqual(float(line[3]), ticks["10K"], delta=0.2)

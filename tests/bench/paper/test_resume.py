@@ -1,4 +1,5 @@
 """A run that is cut off leaves whole results, and the next one measures only what is missing."""
+
 import json
 import os
 import pathlib
@@ -24,9 +25,30 @@ class Resume(unittest.TestCase):
         """Exit code, what was said, calls of the binary."""
         log = self.folder / "calls"
         log.write_text("")
-        done = subprocess.run([sys.executable, "-B", "-m", "bench.paper", "--machine", "loom", "--only", only, "--weft", str(self.weft), "--results",
-                               str(self.folder), "--out", str(self.folder / "report"), *options], cwd=ROOT, capture_output=True, text=True,
-                              env={**os.environ, "FAKE_LOG": str(log), "FAKE_DO": do, "CHROMIUM": "true", **environment}, check=False)
+        done = subprocess.run(
+            [
+                sys.executable,
+                "-B",
+                "-m",
+                "bench.paper",
+                "--machine",
+                "loom",
+                "--only",
+                only,
+                "--weft",
+                str(self.weft),
+                "--results",
+                str(self.folder),
+                "--out",
+                str(self.folder / "report"),
+                *options,
+            ],
+            cwd=ROOT,
+            capture_output=True,
+            text=True,
+            env={**os.environ, "FAKE_LOG": str(log), "FAKE_DO": do, "CHROMIUM": "true", **environment},
+            check=False,
+        )
         return done.returncode, done.stderr, log.read_text().splitlines()
 
     def stored(self):
@@ -93,7 +115,9 @@ class Resume(unittest.TestCase):
         code, said, calls = self.run_bench("--most", "128", only="pull")
         self.assertEqual(code, 0, said)
         brute = [call for call in calls if call.endswith("--only paper")]
-        self.assertEqual(brute, [f"pull --objects {thing} --sides 64 --only paper" for thing in ("sphere", "armadillo", "dragon")])
+        self.assertEqual(
+            brute, [f"pull --objects {thing} --sides 64 --only paper" for thing in ("sphere", "armadillo", "dragon")]
+        )
         skipped = [row for row in self.rows("pull") if "skipped" in row]
         self.assertEqual([(row["side"], row["variant"]) for row in skipped], [(100, "paper"), (128, "paper")] * 3)
         self.assertIn("12.3 s", skipped[0]["skipped"])
@@ -128,8 +152,11 @@ class Resume(unittest.TestCase):
 
     def test_a_machine_has_a_name_of_its_own(self):
         from bench.paper import hardware
+
         found = hardware.describe(self.weft)
-        self.assertEqual((found["gpu"], found["gpu_type"], found["driver"]), ("Loom 3000", "CPU", "Mesa 22.3.6 (LLVM 15.0.6)"))
+        self.assertEqual(
+            (found["gpu"], found["gpu_type"], found["driver"]), ("Loom 3000", "CPU", "Mesa 22.3.6 (LLVM 15.0.6)")
+        )
         self.assertEqual(hardware.slug(found), f"loom-3000-{os.cpu_count()}core")
 
     def test_unknown_parts_are_refused(self):

@@ -25,7 +25,8 @@ const WIDTH = 300; // m
  */
 const TOLERANCE = 1e-6 * WIDTH;
 
-const positionsAfter = (page: Page, name: PathName, grid: readonly [number, number], steps: number, from = scene): Promise<number[]> =>
+const positionsAfter = (page: Page, name: PathName, grid: readonly [number, number], steps: number,
+  from = scene): Promise<number[]> =>
   page.evaluate(async ([name, grid, steps, from]) => {
     const path = await window.compare.open(name, grid, from);
     await path.simulate(steps);
@@ -34,7 +35,8 @@ const positionsAfter = (page: Page, name: PathName, grid: readonly [number, numb
     return positions;
   }, [name, grid, steps, from] as const);
 
-const furthest = (a: readonly number[], b: readonly number[]) => Math.max(...a.map((value, i) => Math.abs(value - b[i]!)));
+const furthest = (a: readonly number[], b: readonly number[]) =>
+  Math.max(...a.map((value, i) => Math.abs(value - b[i]!)));
 
 /** The scene's own damping of 3 N·s/m moves nothing by more than the tolerance; in this sheet damping rules. */
 function syrup(): string {
@@ -44,7 +46,8 @@ function syrup(): string {
   return JSON.stringify(changed);
 }
 
-for (const [nx, ny, what, from] of [[32, 32, "", scene], [21, 34, "", scene], [17, 12, "soft and damped ", syrup()]] as const)
+for (const [nx, ny, what, from] of [[32, 32, "", scene], [21, 34, "", scene], [17, 12, "soft and damped ",
+  syrup()]] as const)
   test(`after 100 steps of ${nx} × ${ny} ${what}nodes all paths are where weft's core is`, async () => {
     const seen = await compared(here.browser, here.site, "");
     const core = await positionsAfter(seen.page, "weft-node", [nx, ny], 100, from);
@@ -100,9 +103,13 @@ function cloth(image: Uint8Array): { image: Uint8Array; share: number } {
 test("no spring of the CPU's sheet pushes it as a whole: without pins its momentum is that of gravity", () => {
   const sheet = { ...sheetOf(scene, 13, 9), pinned: [] };
   const cloth = new CpuSheet(sheet);
-  cloth.velocity.forEach((_, at) => { cloth.velocity[at] = 5 * Math.sin(97.3 * at); }); // m/s
-  const momentum = () => [0, 1, 2].map((axis) =>
-    cloth.velocity.reduce((sum, value, at) => sum + (at % 3 === axis ? sheet.nodeMass * value : 0), 0));
+  cloth.velocity.forEach((_, at) => {
+    cloth.velocity[at] = 5 * Math.sin(97.3 * at);
+  }); // m/s
+  const momentum = () =>
+    [0, 1, 2].map((axis) =>
+      cloth.velocity.reduce((sum, value, at) => sum + (at % 3 === axis ? sheet.nodeMass * value : 0), 0)
+    );
   const before = momentum();
   for (let step = 0; step < 50; step++) cloth.step();
   momentum().forEach((value, axis) => {

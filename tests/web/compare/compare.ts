@@ -10,8 +10,10 @@ declare const window: { readonly compare: CompareHandle }; // in the functions t
 export const openedWithBoth = () => opened(WEBGL_TOO_FLAGS);
 
 /** The page with this address, once it knows whether it can measure. */
-export async function compared(browser: Browser, site: Site, query: string, options: BrowserContextOptions = {}): Promise<Visit> {
-  const seen = await visit(browser, `${site.address}compare/${query}`, { viewport: { width: 1280, height: 900 }, ...options });
+export async function compared(browser: Browser, site: Site, query: string,
+  options: BrowserContextOptions = {}): Promise<Visit> {
+  const seen = await visit(browser, `${site.address}compare/${query}`, { viewport: { width: 1280, height: 900 },
+    ...options });
   await seen.page.evaluate(() => window.compare.ready.catch(() => undefined));
   return seen;
 }

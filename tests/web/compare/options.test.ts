@@ -17,9 +17,11 @@ test("the address chooses paths in the table's order, sizes, the most nodes and 
 test.each([
   ["?paths=cpu,cuda", `There is no path "cuda"; there are weft-node, weft-spring, three-webgpu, webgl2, cpu.`],
   ["?paths=", `There is no path ""; there are weft-node, weft-spring, three-webgpu, webgl2, cpu.`],
-  ["?paths=<img src=x onerror=alert(1)>, and so on and on", `There is no path "<img src=x onerror=alert(1)>"; there are ` +
+  ["?paths=<img src=x onerror=alert(1)>, and so on and on",
+    `There is no path "<img src=x onerror=alert(1)>"; there are ` +
     "weft-node, weft-spring, three-webgpu, webgl2, cpu."],
-  [`?paths=${"x".repeat(10_000)}`, `There is no path "${"x".repeat(40)}…"; there are weft-node, weft-spring, three-webgpu, webgl2, cpu.`],
+  [`?paths=${"x".repeat(10_000)}`,
+    `There is no path "${"x".repeat(40)}…"; there are weft-node, weft-spring, three-webgpu, webgl2, cpu.`],
   ["?budget=1e9", `In the address, budget is "1e9", not a whole number from 10 to 60000.`],
   ["?budget=-5", `In the address, budget is "-5", not a whole number from 10 to 60000.`],
   ["?most=Infinity", `In the address, most is "Infinity", not a whole number from 16 to 1048576.`],

@@ -22,7 +22,9 @@ async function downloaded(page: Page, name: string): Promise<string> {
 }
 
 test("table, plots and downloads fill in, and can be read again", async () => {
-  const seen = await compared(here.browser, here.site, "?sizes=16,24&budget=20", { permissions: ["clipboard-read", "clipboard-write"] });
+  const seen = await compared(here.browser, here.site, "?sizes=16,24&budget=20", {
+    permissions: ["clipboard-read", "clipboard-write"],
+  });
   const { page } = seen;
   await button(page, "Start").click();
   await finished(page);
@@ -37,8 +39,11 @@ test("table, plots and downloads fill in, and can be read again", async () => {
   const report = JSON.parse(await downloaded(page, "Download JSON")) as Report;
   expect(report.hardware.webgpu?.architecture).toBe("swiftshader");
   expect(report.hardware.webgl2).toContain("SwiftShader");
-  expect(report.rows.map(({ path, nodes }) => `${path} ${nodes}`)).toEqual([256, 576].flatMap((nodes) =>
-    ["weft-node", "weft-spring", "three-webgpu", "webgl2", "cpu"].map((path) => `${path} ${nodes}`)));
+  expect(report.rows.map(({ path, nodes }) => `${path} ${nodes}`)).toEqual(
+    [256, 576].flatMap((nodes) =>
+      ["weft-node", "weft-spring", "three-webgpu", "webgl2", "cpu"].map((path) => `${path} ${nodes}`)
+    ),
+  );
   for (const { ms_per_step: step, ms_per_frame: frame, fps, note } of report.rows) {
     expect(note).toBe(null);
     expect(step!.min).toBeGreaterThan(0);
@@ -46,7 +51,9 @@ test("table, plots and downloads fill in, and can be read again", async () => {
     expect(fps).toBeCloseTo(1000 / frame!.median, 9);
   }
 
-  const [head, ...lines] = (await downloaded(page, "Download CSV")).trimEnd().split("\r\n").map((line) => line.split(","));
+  const [head, ...lines] = (await downloaded(page, "Download CSV")).trimEnd().split("\r\n").map((line) =>
+    line.split(",")
+  );
   expect(lines).toHaveLength(report.rows.length);
   lines.forEach((line, i) => {
     const row = Object.fromEntries(head!.map((name, k) => [name, line[k]]));
@@ -112,22 +119,29 @@ test("without WebGPU its paths say so and the others run; without WebGL 2 likewi
   }
 });
 
-for (const [device, viewport, colorScheme] of [["desktop", { width: 1440, height: 900 }, "dark"],
-  ["phone", { width: 390, height: 844 }, "light"]] as const)
+for (const [device, viewport, colorScheme] of [["desktop", { width: 1440, height: 900 }, "dark"], ["phone", {
+  width: 390,
+  height: 844,
+}, "light"]] as const)
   test(`on a ${device} the page has no fault that axe knows, and nothing sticks out`, async () => {
-    const seen = await compared(here.browser, here.site, "?sizes=16,24&budget=10&paths=cpu,webgl2", { viewport, colorScheme, bypassCSP: true });
+    const seen = await compared(here.browser, here.site, "?sizes=16,24&budget=10&paths=cpu,webgl2", { viewport,
+      colorScheme, bypassCSP: true });
     const { page } = seen;
     await button(page, "Start").click();
     await finished(page);
     await page.addScriptTag({ content: readFileSync(join(ROOT, "node_modules/axe-core/axe.min.js"), "utf8") });
     const faults = await page.evaluate(async () => {
-      const { axe } = window as unknown as { axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> } };
+      const { axe } = window as unknown as {
+        axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+      };
       return (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
     });
     expect(faults).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
-    const small = await page.locator("button, .home").evaluateAll((all) => all.map((one) => [one.textContent, one.getBoundingClientRect()] as const)
-      .filter(([, box]) => box.width < 44 || box.height < 44).map(([name]) => name));
+    const small = await page.locator("button, .home").evaluateAll((all) =>
+      all.map((one) => [one.textContent, one.getBoundingClientRect()] as const)
+        .filter(([, box]) => box.width < 44 || box.height < 44).map(([name]) => name)
+    );
     expect(small).toEqual([]);
     await page.context().close();
   });
@@ -139,8 +153,11 @@ test("the pages lead to each other, and the main page loads nothing of three.js 
   await page.waitForURL(here.site.address);
   await page.waitForLoadState("networkidle");
   const main = seen.requests.slice(seen.requests.lastIndexOf(here.site.address));
-  const own = await Promise.all(main.filter((address) => !/\.(ply|json)$/.test(address)).map(async (address) =>
-    Buffer.from(await (await fetch(address)).arrayBuffer())));
+  const own = await Promise.all(
+    main.filter((address) => !/\.(ply|json)$/.test(address)).map(async (address) =>
+      Buffer.from(await (await fetch(address)).arrayBuffer())
+    ),
+  );
   expect(main.filter((address) => address.endsWith(".js")).length).toBeGreaterThan(1);
   for (const file of own) expect(file.includes("WebGLRenderer")).toBe(false);
   expect(own.reduce((sum, file) => sum + gzipSync(file).length, 0)).toBeLessThan(1e6);

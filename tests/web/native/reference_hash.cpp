@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "model/assets.hpp"
 #include "reference/simulation.hpp"
 #include "scene/load.hpp"
-#include "model/assets.hpp"
 #include "source_path.hpp"
 
 namespace {
@@ -19,8 +19,7 @@ weft::Result<std::string> hash_after(const std::string& path, long frames,
   }
   WEFT_TRY(scene, weft::scene::load_scene(path, overrides));
   WEFT_TRY(assets, weft::load_assets(scene, weft::source_path("models")));
-  WEFT_TRY(simulation,
-           weft::reference::Simulation::create(scene, assets));
+  WEFT_TRY(simulation, weft::reference::Simulation::create(scene, assets));
   for (long frame = 0; frame < frames; ++frame) WEFT_CHECK(simulation.advance_frame());
   return simulation.hash();
 }

@@ -16,7 +16,10 @@ afterEach(async () => {
 });
 
 async function open(options: Parameters<typeof visit>[2]): Promise<Page> {
-  seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=16&view=stretch&drag=2`, { reducedMotion: "reduce", ...options });
+  seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=16&view=stretch&drag=2`, {
+    reducedMotion: "reduce",
+    ...options,
+  });
   await ready(seen.page);
   return seen.page;
 }
@@ -24,8 +27,11 @@ async function open(options: Parameters<typeof visit>[2]): Promise<Page> {
 /** What axe-core finds, as "rule: elements". */
 async function violations(page: Page): Promise<string[]> {
   await page.addScriptTag({ content: AXE });
-  return page.evaluate(async () => (await axe.run()).violations.map(({ id, nodes }) =>
-    `${id}: ${nodes.map(({ target }) => target.join(" ")).join(", ")}`));
+  return page.evaluate(async () =>
+    (await axe.run()).violations.map(({ id, nodes }) =>
+      `${id}: ${nodes.map(({ target }) => target.join(" ")).join(", ")}`
+    )
+  );
 }
 
 for (const colorScheme of ["dark", "light"] as const)
@@ -65,9 +71,13 @@ test("the help takes the focus, keeps it, and gives it back", async () => {
 test("every control is reached by the Tab key", async () => {
   const page = await open({});
   for (const summary of await page.locator("summary").all()) await summary.click();
-  const wanted = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>("button, select, input, summary, a[href], canvas[tabindex]")]
-    .filter((one) => one.checkVisibility() && !(one as HTMLButtonElement).disabled && !one.closest("dialog") &&
-      !((one as HTMLInputElement).type === "radio" && !(one as HTMLInputElement).checked)).length);
+  const wanted = await page.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>("button, select, input, summary, a[href], canvas[tabindex]")]
+      .filter((one) =>
+        one.checkVisibility() && !(one as HTMLButtonElement).disabled && !one.closest("dialog") &&
+        !((one as HTMLInputElement).type === "radio" && !(one as HTMLInputElement).checked)
+      ).length
+  );
   const reached = new Set<string>();
   await page.locator(".skip").focus();
   for (let i = 0; i < wanted + 4; i++) {

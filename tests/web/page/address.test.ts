@@ -14,7 +14,8 @@ afterEach(async () => {
 });
 
 async function open(query: string): Promise<Page> {
-  seen = await visit(here.browser, `${here.site.address}${query}`, { reducedMotion: "reduce", permissions: ["clipboard-read", "clipboard-write"] });
+  seen = await visit(here.browser, `${here.site.address}${query}`, { reducedMotion: "reduce",
+    permissions: ["clipboard-read", "clipboard-write"] });
   await ready(seen.page);
   return seen.page;
 }
@@ -67,7 +68,9 @@ test("an address draws and exports the cloth finer than it is simulated", async 
 
 test("a view that the scene has nothing to show in is said, and another is shown", async () => {
   const page = await open("?v=1&scene=hanging&nodes=16&view=contacts");
-  expect(await notice(page)).toBe("View contacts shows the pairs of contact method proximity, and this scene has none.");
+  expect(await notice(page)).toBe(
+    "View contacts shows the pairs of contact method proximity, and this scene has none.",
+  );
   expect((await state(page)).view).toBe("textured");
   expect(await page.evaluate(() => window.weft.world!.view)).toBe("textured");
   expect(await page.locator("#views input:checked").inputValue()).toBe("textured");
@@ -81,16 +84,23 @@ test("the readings are copied as JSON, with what was loaded and how it went", as
   await page.getByRole("button", { name: "Copy readings" }).click();
   await until("it is said", async () => /readings is copied/.test((await notice(page)) ?? ""));
   const copied = JSON.parse(await clipboard(page)) as Record<string, unknown>;
-  expect(copied).toMatchObject({ weft: 1, state: { scene: "hanging", nodes: 16 }, loaded: { nodes: 256, substeps: await page.evaluate(() => window.weft.world!.info.substeps) },
+  expect(copied).toMatchObject({ weft: 1, state: { scene: "hanging", nodes: 16 },
+    loaded: { nodes: 256, substeps: await page.evaluate(() => window.weft.world!.info.substeps) },
     statistics: { frames: 4, nonfinite: 0 } });
-  expect((copied["passes"] as { kernel: string; milliseconds: number }[]).map(({ kernel }) => kernel)).toContain("advance_grid");
+  expect((copied["passes"] as { kernel: string; milliseconds: number }[]).map(({ kernel }) => kernel)).toContain(
+    "advance_grid",
+  );
 });
 
 for (const [query, said, kept] of [
   ["?v=1&scene=hanging&nodes=16&drag=1e9", "drag is “1e9”, but must be a number from 0 to 10000 1/s", {}],
-  ["?v=1&scene=hanging&nodes=16&gravity=0,-3&drag=2", "gravity is “0,-3”, but must be 3 numbers, each from -10000 to 10000 m/s²", { drag: 2 }],
-  ["?v=1&scene=hanging&nodes=16&contact.method=<script>&time.substeps=1.5", "contact.method is “<script>”, but must be one of “none”, “paper”, “bvh”, “proximity”, and one more value is refused", {}],
-  ["?v=1&scene=hanging&nodes=16&eye=1,2,3&target=1,2,3&fov=40", "eye is “1,2,3”, but must be another point than target", {}],
+  ["?v=1&scene=hanging&nodes=16&gravity=0,-3&drag=2",
+    "gravity is “0,-3”, but must be 3 numbers, each from -10000 to 10000 m/s²", { drag: 2 }],
+  ["?v=1&scene=hanging&nodes=16&contact.method=<script>&time.substeps=1.5",
+    "contact.method is “<script>”, but must be one of “none”, “paper”, “bvh”, “proximity”, and one more value is refused",
+    {}],
+  ["?v=1&scene=hanging&nodes=16&eye=1,2,3&target=1,2,3&fov=40", "eye is “1,2,3”, but must be another point than target",
+    {}],
   ["?v=1&scene=hanging&nodes=16&view=__proto__", "view is “__proto__”, but must be one of textured", {}],
 ] as const)
   test(`an address that says ${query.split("&").slice(3).join("&")} is refused in one sentence`, async () => {
@@ -106,7 +116,9 @@ test("a version, scene or size that the page does not know is refused", async ()
   expect(await notice(page)).toContain("v is “2”, but must be 1");
   await page.goto(`${here.site.address}?scene=../../etc/passwd&nodes=99999999`);
   await ready(page);
-  expect(await notice(page)).toContain("scene is “../../etc/passwd”, but must be one of the page's list, and one more value is refused");
+  expect(await notice(page)).toContain(
+    "scene is “../../etc/passwd”, but must be one of the page's list, and one more value is refused",
+  );
   expect(await state(page)).toMatchObject({ scene: "breeze", nodes: null });
 });
 
@@ -118,6 +130,8 @@ test("values that are each good but that the core refuses together leave the sce
 
 test("more nodes than the adapter has room for are refused with both numbers, before anything is taken", async () => {
   const page = await open("?v=1&scene=hanging&nodes=16000");
-  expect(await notice(page)).toMatch(/^A cloth of 256,000,000 nodes needs a buffer of [\d.]+ GB, more than this adapter's [\d.]+ [MG]B\.$/);
+  expect(await notice(page)).toMatch(
+    /^A cloth of 256,000,000 nodes needs a buffer of [\d.]+ GB, more than this adapter's [\d.]+ [MG]B\.$/,
+  );
   expect(await state(page)).toMatchObject({ scene: "hanging", nodes: null });
 });

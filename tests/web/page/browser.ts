@@ -56,7 +56,9 @@ export async function visit(browser: Browser, address: string, options: BrowserC
   const page = await context.newPage();
   const errors: string[] = [];
   const requests: string[] = [];
-  page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
+  page.on("console", (message) => {
+    if (message.type() === "error") errors.push(message.text());
+  });
   page.on("pageerror", (error) => errors.push(String(error)));
   page.on("request", (request) => requests.push(request.url()));
   await page.goto(address);
@@ -79,7 +81,8 @@ export async function ready(page: Page): Promise<void> {
 
 export const frames = (page: Page): Promise<number> => page.evaluate(() => window.weft.world!.statistics.frames);
 export const running = (page: Page): Promise<boolean> => page.evaluate(() => window.weft.world!.running);
-export const hash = (page: Page): Promise<string> => page.evaluate(async () => (await window.weft.world!.snapshot()).hash);
+export const hash = (page: Page): Promise<string> =>
+  page.evaluate(async () => (await window.weft.world!.snapshot()).hash);
 /** x, y, z of every node [m]. */
 export const positions = (page: Page): Promise<number[]> =>
   page.evaluate(async () => Array.from((await window.weft.world!.snapshot()).positions));
@@ -91,8 +94,8 @@ export async function play(page: Page, count: number): Promise<void> {
 }
 
 /** Returns when the browser has composed what the page has given it. */
-export const composed = (page: Page): Promise<void> => page.evaluate(() =>
-  new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+export const composed = (page: Page): Promise<void> =>
+  page.evaluate(() => new Promise<void>((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 
 /** Returns when the page's last change is on the screen: drawn, through the queue of the GPU, and composed. */
 export async function drawn(page: Page): Promise<void> {

@@ -1,6 +1,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { difference, drawn, expectClean, frames, opened, picture, play, ready, running, until, visit, type Visit } from "./browser.js";
+import { difference, drawn, expectClean, frames, opened, picture, play, ready, running, until, visit,
+  type Visit } from "./browser.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
@@ -36,10 +37,11 @@ test("keys play, pause, step and reset", async () => {
 });
 
 test("a tab that is hidden stops, and goes on when it is seen", async () => {
-  const hide = (hidden: boolean) => page.evaluate((value) => {
-    Object.defineProperty(document, "hidden", { value, configurable: true });
-    document.dispatchEvent(new Event("visibilitychange"));
-  }, hidden);
+  const hide = (hidden: boolean) =>
+    page.evaluate((value) => {
+      Object.defineProperty(document, "hidden", { value, configurable: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+    }, hidden);
   await page.keyboard.press("Space");
   await hide(true);
   expect(await running(page)).toBe(false);

@@ -10,7 +10,9 @@ import type { PageHandle } from "../../../apps/web/src/main.js";
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
 let site: Site;
-beforeAll(async () => { site = await serve(); });
+beforeAll(async () => {
+  site = await serve();
+});
 afterAll(() => site.close());
 
 async function withBrowser(gpu: boolean, use: (browser: Browser) => Promise<void>): Promise<void> {
@@ -22,45 +24,50 @@ async function withBrowser(gpu: boolean, use: (browser: Browser) => Promise<void
   }
 }
 
-test("a device that is lost is reported, and the cloth runs on", () => withBrowser(true, async (browser) => {
-  const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`);
-  const { page } = seen;
-  await ready(page);
-  await page.keyboard.press("2");
-  await page.locator("#contact").selectOption("bvh");
-  await until("it is loaded", () => page.evaluate(() => window.weft.state!.set["contact.method"] === "bvh"));
-  await page.getByLabel("Gravity", { exact: true }).fill("3");
-  await until("gravity is 3", () => page.evaluate(() => String(window.weft.state!.set["gravity"]) === "0,-3,0"));
-  await play(page, 3);
-  await page.evaluate(() => window.weft.world!.device!.destroy());
-  await until("it is said", async () => /lost.*opened again/.test((await page.locator("#notice").textContent())!));
-  await until("it runs again", async () => (await running(page)) && (await frames(page)) > 3);
-  expect(await page.evaluate(() => window.weft.world!.view)).toBe("wireframe");
-  expect(await page.evaluate(() => window.weft.state!.set)).toEqual({ "contact.method": "bvh", gravity: [0, -3, 0] });
-  const falling = (await meanVelocity(page))[1]; // m/s after a sixtieth of a second
-  expect(falling).toBeLessThan(-0.7 * 3 / 60);
-  expect(falling).toBeGreaterThan(-3 / 60);
-  expectClean(seen, site);
+test("a device that is lost is reported, and the cloth runs on", () =>
+  withBrowser(true, async (browser) => {
+    const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`);
+    const { page } = seen;
+    await ready(page);
+    await page.keyboard.press("2");
+    await page.locator("#contact").selectOption("bvh");
+    await until("it is loaded", () => page.evaluate(() => window.weft.state!.set["contact.method"] === "bvh"));
+    await page.getByLabel("Gravity", { exact: true }).fill("3");
+    await until("gravity is 3", () => page.evaluate(() => String(window.weft.state!.set["gravity"]) === "0,-3,0"));
+    await play(page, 3);
+    await page.evaluate(() => window.weft.world!.device!.destroy());
+    await until("it is said", async () => /lost.*opened again/.test((await page.locator("#notice").textContent())!));
+    await until("it runs again", async () => (await running(page)) && (await frames(page)) > 3);
+    expect(await page.evaluate(() => window.weft.world!.view)).toBe("wireframe");
+    expect(await page.evaluate(() => window.weft.state!.set)).toEqual({ "contact.method": "bvh", gravity: [0, -3, 0] });
+    const falling = (await meanVelocity(page))[1]; // m/s after a sixtieth of a second
+    expect(falling).toBeLessThan(-0.7 * 3 / 60);
+    expect(falling).toBeGreaterThan(-3 / 60);
+    expectClean(seen, site);
 
-  await page.keyboard.press("Space"); // a paused one is told too
-  await page.locator("#notice-text").evaluate((line) => { line.textContent = ""; });
-  await page.evaluate(() => window.weft.world!.device!.destroy());
-  await until("it is said again", async () => /opened again/.test((await page.locator("#notice-text").textContent())!));
-  expect(await running(page)).toBe(false);
-  expectClean(seen, site);
-}));
+    await page.keyboard.press("Space"); // a paused one is told too
+    await page.locator("#notice-text").evaluate((line) => {
+      line.textContent = "";
+    });
+    await page.evaluate(() => window.weft.world!.device!.destroy());
+    await until("it is said again",
+      async () => /opened again/.test((await page.locator("#notice-text").textContent())!));
+    expect(await running(page)).toBe(false);
+    expectClean(seen, site);
+  }));
 
-test("a scene that cannot be fetched is reported, and the one before stays", () => withBrowser(true, async (browser) => {
-  const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`);
-  const { page } = seen;
-  await ready(page);
-  await page.route("**/dragon*.ply", (route) => route.fulfill({ status: 404, body: "" }));
-  await page.locator("#scene").selectOption("pull-dragon");
-  await until("it is said", async () => /dragon.*404/.test((await page.locator("#notice").textContent())!));
-  await until("the scene before is back", async () => (await page.locator("#scene").inputValue()) === "hanging");
-  await play(page, 2);
-  expect(seen.errors.filter((error) => !error.includes("404"))).toEqual([]);
-}));
+test("a scene that cannot be fetched is reported, and the one before stays", () =>
+  withBrowser(true, async (browser) => {
+    const seen = await visit(browser, `${site.address}?scene=hanging&nodes=24`);
+    const { page } = seen;
+    await ready(page);
+    await page.route("**/dragon*.ply", (route) => route.fulfill({ status: 404, body: "" }));
+    await page.locator("#scene").selectOption("pull-dragon");
+    await until("it is said", async () => /dragon.*404/.test((await page.locator("#notice").textContent())!));
+    await until("the scene before is back", async () => (await page.locator("#scene").inputValue()) === "hanging");
+    await play(page, 2);
+    expect(seen.errors.filter((error) => !error.includes("404"))).toEqual([]);
+  }));
 
 test("a scene that the core refuses is reported, and the one before is opened again as it was", () =>
   withBrowser(true, async (browser) => {
@@ -73,41 +80,47 @@ test("a scene that the core refuses is reported, and the one before is opened ag
     await page.locator("#scene").selectOption("pull-sphere");
     await until("it is said", async () => (await page.locator("#notice").textContent())!.includes("gravty"));
     await until("the scene before is back", async () => (await page.locator("#scene").inputValue()) === "hanging");
-    expect(await page.evaluate(() => [window.weft.world!.info.nodes, window.weft.state!.set])).toEqual([576, { gravity: [0, -3, 0] }]);
+    expect(await page.evaluate(() => [window.weft.world!.info.nodes, window.weft.state!.set])).toEqual([576, {
+      gravity: [0, -3, 0],
+    }]);
     await play(page, 2);
     expectClean(seen, site);
   }));
 
-test("where the first scene fails, another can be chosen", () => withBrowser(true, async (browser) => {
-  const hanging = readFileSync(join(import.meta.dirname, "../../../scenes/hanging.json"), "utf8");
-  const context = await browser.newContext({ viewport: { width: 800, height: 400 } });
-  const page = await context.newPage();
-  await page.route("**/pull-sphere*.json", (route) => route.fulfill({ json: {} }));
-  await page.route("**/hanging*.json", (route) => route.fulfill({ body: hanging.replace("[64, 64]", "[24, 24]") }));
-  await page.goto(`${site.address}?scene=pull-sphere`);
-  await until("it is said", () => page.locator("#notice").isVisible());
-  await page.locator("#scene").selectOption("hanging");
-  await until("it runs", () => page.evaluate(() => (window.weft.world?.statistics.frames ?? 0) > 1));
-  expect(await page.locator("#notice").isVisible()).toBe(false);
-}));
+test("where the first scene fails, another can be chosen", () =>
+  withBrowser(true, async (browser) => {
+    const hanging = readFileSync(join(import.meta.dirname, "../../../scenes/hanging.json"), "utf8");
+    const context = await browser.newContext({ viewport: { width: 800, height: 400 } });
+    const page = await context.newPage();
+    await page.route("**/pull-sphere*.json", (route) => route.fulfill({ json: {} }));
+    await page.route("**/hanging*.json", (route) => route.fulfill({ body: hanging.replace("[64, 64]", "[24, 24]") }));
+    await page.goto(`${site.address}?scene=pull-sphere`);
+    await until("it is said", () => page.locator("#notice").isVisible());
+    await page.locator("#scene").selectOption("hanging");
+    await until("it runs", () => page.evaluate(() => (window.weft.world?.statistics.frames ?? 0) > 1));
+    expect(await page.locator("#notice").isVisible()).toBe(false);
+  }));
 
-test("after a trap of the module what is chosen next opens in a new one", () => withBrowser(true, async (browser) => {
-  const seen = await visit(browser, `${site.address}?scene=hanging&nodes=16`);
-  const { page } = seen;
-  await ready(page);
-  await play(page, 2);
-  await page.evaluate(() => {
-    const { core } = window.weft.world as unknown as { core: { module: Record<string, () => number> } };
-    core.module["_weft_advance_and_draw"] = () => { throw new WebAssembly.RuntimeError("unreachable"); };
-  });
-  await until("it is said", async () => /module has stopped/.test((await page.locator("#notice").textContent())!));
-  await until("it stops", async () => !(await running(page)));
-  await page.locator("#resolution").selectOption("32");
-  await until("it is open", () => page.evaluate(() => window.weft.world?.info.nodes === 1024), 60_000);
-  await page.getByRole("button", { name: "Play" }).click();
-  await play(page, 2);
-  expectClean(seen, site);
-}));
+test("after a trap of the module what is chosen next opens in a new one", () =>
+  withBrowser(true, async (browser) => {
+    const seen = await visit(browser, `${site.address}?scene=hanging&nodes=16`);
+    const { page } = seen;
+    await ready(page);
+    await play(page, 2);
+    await page.evaluate(() => {
+      const { core } = window.weft.world as unknown as { core: { module: Record<string, () => number> } };
+      core.module["_weft_advance_and_draw"] = () => {
+        throw new WebAssembly.RuntimeError("unreachable");
+      };
+    });
+    await until("it is said", async () => /module has stopped/.test((await page.locator("#notice").textContent())!));
+    await until("it stops", async () => !(await running(page)));
+    await page.locator("#resolution").selectOption("32");
+    await until("it is open", () => page.evaluate(() => window.weft.world?.info.nodes === 1024), 60_000);
+    await page.getByRole("button", { name: "Play" }).click();
+    await play(page, 2);
+    expectClean(seen, site);
+  }));
 
 const TALL = { width: 800, height: 900 }; // so that the whole card is in view
 
@@ -115,7 +128,8 @@ const TALL = { width: 800, height: 900 }; // so that the whole card is in view
 async function expectReference(page: Page): Promise<void> {
   const still = () => picture(page, "#reference-canvas");
   const label = page.locator("#reference-label");
-  await until("the label", async () => /CPU reference, 24.×.18 nodes, double precision/.test((await label.textContent())!));
+  await until("the label",
+    async () => /CPU reference, 24.×.18 nodes, double precision/.test((await label.textContent())!));
   expect(await page.locator("#reference-note").textContent()).toContain("Without WebGPU");
   const before = await still();
   await until("the cloth moves", async () => difference(before, await still()) > 0.01);
@@ -124,29 +138,33 @@ async function expectReference(page: Page): Promise<void> {
   expect(deviation).toBeGreaterThan(8); // nor a single colour
 }
 
-test("without a graphics adapter one sentence says so, and what to do", () => withBrowser(false, async (browser) => {
-  const seen = await visit(browser, site.address, { viewport: TALL });
-  const cause = seen.page.locator("#fallback-cause");
-  await until("the sentence", () => cause.isVisible());
-  expect(await cause.textContent()).toContain("no graphics adapter");
-  expect(await seen.page.locator("#fallback-advice").textContent()).toContain("graphics acceleration");
-  expect(await seen.page.locator("#canvas").isVisible()).toBe(false);
-  await expectReference(seen.page);
-  expectClean(seen, site);
-}));
+test("without a graphics adapter one sentence says so, and what to do", () =>
+  withBrowser(false, async (browser) => {
+    const seen = await visit(browser, site.address, { viewport: TALL });
+    const cause = seen.page.locator("#fallback-cause");
+    await until("the sentence", () => cause.isVisible());
+    expect(await cause.textContent()).toContain("no graphics adapter");
+    expect(await seen.page.locator("#fallback-advice").textContent()).toContain("graphics acceleration");
+    expect(await seen.page.locator("#canvas").isVisible()).toBe(false);
+    await expectReference(seen.page);
+    expectClean(seen, site);
+  }));
 
-test("without WebGPU one sentence says so, and what to do", () => withBrowser(false, async (browser) => {
-  const context = await browser.newContext({ viewport: TALL });
-  const page = await context.newPage();
-  // Chromium of today has no flag that takes navigator.gpu away altogether.
-  await page.addInitScript(() => { Reflect.deleteProperty(Navigator.prototype, "gpu"); });
-  await page.goto(site.address);
-  const cause = page.locator("#fallback-cause");
-  await until("the sentence", () => cause.isVisible());
-  expect(await cause.textContent()).toContain("no WebGPU");
-  expect(await page.locator("#fallback-advice").textContent()).toContain("Chrome");
-  await expectReference(page);
-}));
+test("without WebGPU one sentence says so, and what to do", () =>
+  withBrowser(false, async (browser) => {
+    const context = await browser.newContext({ viewport: TALL });
+    const page = await context.newPage();
+    // Chromium of today has no flag that takes navigator.gpu away altogether.
+    await page.addInitScript(() => {
+      Reflect.deleteProperty(Navigator.prototype, "gpu");
+    });
+    await page.goto(site.address);
+    const cause = page.locator("#fallback-cause");
+    await until("the sentence", () => cause.isVisible());
+    expect(await cause.textContent()).toContain("no WebGPU");
+    expect(await page.locator("#fallback-advice").textContent()).toContain("Chrome");
+    await expectReference(page);
+  }));
 
 test("the reference stops when it is told to, in a hidden tab and where less motion is asked for", () =>
   withBrowser(false, async (browser) => {
@@ -157,10 +175,11 @@ test("the reference stops when it is told to, in a hidden tab and where less mot
       await page.waitForTimeout(400);
       return difference(before, await picture(page, "#reference-canvas"));
     };
-    const hide = (hidden: boolean) => page.evaluate((hidden) => {
-      Object.defineProperty(document, "hidden", { value: hidden, configurable: true });
-      document.dispatchEvent(new Event("visibilitychange"));
-    }, hidden);
+    const hide = (hidden: boolean) =>
+      page.evaluate((hidden) => {
+        Object.defineProperty(document, "hidden", { value: hidden, configurable: true });
+        document.dispatchEvent(new Event("visibilitychange"));
+      }, hidden);
     await until("it waits", async () => /press Play/.test((await page.locator("#reference-note").textContent())!));
     expect(await change()).toBe(0);
     await page.getByRole("button", { name: "Play" }).click();
@@ -183,17 +202,22 @@ test("the reference stops when it is told to, in a hidden tab and where less mot
   }));
 
 for (const colorScheme of ["dark", "light"] as const)
-  test(`without WebGPU nothing is wider than a ${colorScheme} phone`, () => withBrowser(false, async (browser) => {
-    const seen = await visit(browser, site.address, { viewport: { width: 390, height: 844 }, colorScheme });
-    const { page } = seen;
-    await until("the label", async () => (await page.locator("#reference-label").textContent()) !== "");
-    expect(await page.evaluate(() => [...document.querySelectorAll("html, #fallback, #reference")].filter((element) =>
-      element.scrollWidth > element.clientWidth).length)).toBe(0);
-    const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-    const before = await ground();
-    await page.locator("#theme").click();
-    expect(await ground()).not.toBe(before);
-    const box = (await page.locator("#reference-play").boundingBox())!;
-    expect(box.x >= 0 && box.x + box.width <= 390 && box.height >= 44).toBe(true);
-    expectClean(seen, site);
-  }));
+  test(`without WebGPU nothing is wider than a ${colorScheme} phone`, () =>
+    withBrowser(false, async (browser) => {
+      const seen = await visit(browser, site.address, { viewport: { width: 390, height: 844 }, colorScheme });
+      const { page } = seen;
+      await until("the label", async () => (await page.locator("#reference-label").textContent()) !== "");
+      expect(await page.evaluate(() =>
+        [...document.querySelectorAll("html, #fallback, #reference")].filter((element) =>
+          element.scrollWidth > element.clientWidth
+        ).length
+      )).toBe(0);
+      const ground = () =>
+        page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+      const before = await ground();
+      await page.locator("#theme").click();
+      expect(await ground()).not.toBe(before);
+      const box = (await page.locator("#reference-play").boundingBox())!;
+      expect(box.x >= 0 && box.x + box.width <= 390 && box.height >= 44).toBe(true);
+      expectClean(seen, site);
+    }));

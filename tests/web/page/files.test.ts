@@ -28,16 +28,21 @@ afterAll(async () => {
 });
 
 const dialog = () => page.locator("#mesh-dialog");
-const notice = async () => (await page.locator("#notice").isVisible()) ? (await page.locator("#notice-text").textContent())! : "";
+const notice = async () =>
+  (await page.locator("#notice").isVisible()) ? (await page.locator("#notice-text").textContent())! : "";
 /** 0 while nothing is loaded. */
-const nodes = () => page.evaluate(() => {
-  try {
-    return window.weft.world!.info.nodes;
-  } catch {
-    return 0;
-  }
-});
-const closeNotice = () => page.locator("#notice").evaluate((box: HTMLElement) => { box.hidden = true; });
+const nodes = () =>
+  page.evaluate(() => {
+    try {
+      return window.weft.world!.info.nodes;
+    } catch {
+      return 0;
+    }
+  });
+const closeNotice = () =>
+  page.locator("#notice").evaluate((box: HTMLElement) => {
+    box.hidden = true;
+  });
 const give = (...files: readonly [string, Buffer][]) =>
   page.locator("#file-chooser").setInputFiles(files.map(([name, buffer]) => ({ name, mimeType: "", buffer })));
 
@@ -49,11 +54,16 @@ async function openHanging(): Promise<void> {
   await page.locator("#resolution").selectOption("32");
   await until("32 nodes a side", async () => (await nodes()) === 1024);
 }
-const title = () => page.evaluate(() => document.querySelector<HTMLSelectElement>("#scene")!.selectedOptions[0]?.textContent ?? "");
+const title = () =>
+  page.evaluate(() => document.querySelector<HTMLSelectElement>("#scene")!.selectedOptions[0]?.textContent ?? "");
 
 for (const [name, bytes, role] of [
-  ["dome.obj", obj(MESH), "Cloth"], ["dome.ply", ply(MESH), "Obstacle"], ["dome.stl", stl(MESH), "Cloth"],
-  ["dome.off", off(MESH), "Cloth"], ["dome.glb", glb(MESH), "Obstacle"], ["dome.GLB", glb(MESH), "Cloth"],
+  ["dome.obj", obj(MESH), "Cloth"],
+  ["dome.ply", ply(MESH), "Obstacle"],
+  ["dome.stl", stl(MESH), "Cloth"],
+  ["dome.off", off(MESH), "Cloth"],
+  ["dome.glb", glb(MESH), "Obstacle"],
+  ["dome.GLB", glb(MESH), "Cloth"],
   ["dome.obj.gz", packed(obj(MESH)), "Cloth"],
 ] as const)
   test(`${name} becomes ${role.toLowerCase()} and moves`, async () => {
@@ -114,11 +124,14 @@ test("on a phone what is asked is in the window, and can be touched", async () =
   await give(["a mesh with a name that is a good deal longer than a phone is wide.obj", obj(MESH)]);
   await until("the dialog", () => dialog().isVisible());
   const box = (await dialog().boundingBox())!;
-  expect([box.x >= 0, box.y >= 0, box.x + box.width <= 360, box.y + box.height <= 640]).toEqual([true, true, true, true]);
+  expect([box.x >= 0, box.y >= 0, box.x + box.width <= 360, box.y + box.height <= 640]).toEqual([true, true, true,
+    true]);
   expect(await dialog().evaluate((element) => element.scrollWidth - element.clientWidth)).toBeLessThanOrEqual(0);
-  const small = await dialog().locator("button, input").evaluateAll((controls) => controls
-    .map((control) => (control.closest("label") ?? control).getBoundingClientRect())
-    .filter(({ width, height }) => Math.min(width, height) < 44));
+  const small = await dialog().locator("button, input").evaluateAll((controls) =>
+    controls
+      .map((control) => (control.closest("label") ?? control).getBoundingClientRect())
+      .filter(({ width, height }) => Math.min(width, height) < 44)
+  );
   expect(small).toEqual([]);
   expect(await page.evaluate(() => document.activeElement?.closest("dialog")?.id)).toBe("mesh-dialog");
   await page.getByRole("button", { name: "Cancel" }).click();
@@ -126,9 +139,14 @@ test("on a phone what is asked is in the window, and can be touched", async () =
   await page.setViewportSize({ width, height });
 });
 
-const SCENE = (mesh: string, more = {}) => Buffer.from(JSON.stringify({
-  format: "weft-scene/1", title: "Brought along", contact: { method: "none" },
-  cloths: [{ mesh, density: 0.3, pins: [{ nodes: [0, 8] }] }], ...more }));
+const SCENE = (mesh: string, more = {}) =>
+  Buffer.from(JSON.stringify({
+    format: "weft-scene/1",
+    title: "Brought along",
+    contact: { method: "none" },
+    cloths: [{ mesh, density: 0.3, pins: [{ nodes: [0, 8] }] }],
+    ...more,
+  }));
 
 test("a scene is opened with the mesh that came along, and can be chosen again", async () => {
   await give(["mine.json", SCENE("meshes/dome.obj")], ["dome.obj.gz", packed(obj(MESH))]);
@@ -149,24 +167,35 @@ const loop = (json: string) => json.replace(`{"mesh":0}`, `{"mesh":0,"children":
 const text = (lines: string) => Buffer.from(lines);
 const HOSTILE: readonly [what: string, files: readonly [string, Buffer][], sentence: RegExp][] = [
   ["truncated", [["a.ply", ply(MESH).subarray(0, 900)]], /a\.ply: .*(ends|rows)/],
-  ["with a huge count", [["a.ply", text(`${ply(MESH)}`.replace("vertex 81", "vertex 4000000000"))]], /4000000000 rows.*at most/],
+  ["with a huge count", [["a.ply", text(`${ply(MESH)}`.replace("vertex 81", "vertex 4000000000"))]],
+    /4000000000 rows.*at most/],
   ["with NaN", [["a.obj", text("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")]], /a\.obj: Line 1 .*nan/],
   ["of an unknown kind", [["a.fbx", text("Kaydara")]], /a\.fbx: The name does not end in \.glb, \.obj/],
   ["without triangles", [["a.obj", text("v 0 0 0\n")]], /no triangles/],
-  ["without an area", [["a.obj", text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")]], /None of the 1 triangles of the mesh has an area/],
+  ["without an area", [["a.obj", text("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")]],
+    /None of the 1 triangles of the mesh has an area/],
   ["with a ring of nodes", [["a.glb", glb(MESH, loop)]], /nodes\[0\] is reached twice/],
-  ["with a count past its bytes", [["a.glb", glb(MESH, (json) => json.replace(`"count":81`, `"count":82`))]], /accessors\[0\]\.count is 82; .* 0 to 81/],
-  ["with broken gzip data", [["a.obj.gz", Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3])]], /a\.obj\.gz: its gzip data are broken/],
-  ["that unpacks to too much", [["a.obj.gz", packed(Buffer.alloc(70_000_000))]], /a\.obj\.gz unpacks to more than the limit of 64\.0 MB/],
+  ["with a count past its bytes", [["a.glb", glb(MESH, (json) => json.replace(`"count":81`, `"count":82`))]],
+    /accessors\[0\]\.count is 82; .* 0 to 81/],
+  ["with broken gzip data", [["a.obj.gz", Buffer.from([0x1f, 0x8b, 8, 0, 1, 2, 3])]],
+    /a\.obj\.gz: its gzip data are broken/],
+  ["that unpacks to too much", [["a.obj.gz", packed(Buffer.alloc(70_000_000))]],
+    /a\.obj\.gz unpacks to more than the limit of 64\.0 MB/],
   ["that are two meshes", [["a.obj", obj(MESH)], ["b.obj", obj(MESH)]], /one mesh at a time.*2 meshes/],
-  ["of a scene that is too long", [["a.json", Buffer.alloc(16_100_000, 32)]], /a\.json: 16\.1 MB are more than the limit of 16\.0 MB/],
+  ["of a scene that is too long", [["a.json", Buffer.alloc(16_100_000, 32)]],
+    /a\.json: 16\.1 MB are more than the limit of 16\.0 MB/],
   ["of JSON that is none", [["a.json", text("{")]], /line 1, column/],
-  ["of a scene with a key that is not known", [["a.json", SCENE("dome.obj", { gravty: 1 })], ["dome.obj", obj(MESH)]], /gravty/],
-  ["of a scene whose mesh is missing", [["a.json", SCENE("dome.obj")]], /a\.json names the mesh dome\.obj, which is neither/],
-  ["of a scene with too many nodes", [["a.json", text(JSON.stringify({ format: "weft-scene/1",
-    cloths: [{ grid: [1500, 1000], size: [1, 1], density: 1 }] }))]], /1,500,000 nodes are more than the limit of 1,048,576/],
-  ["of a scene with too many steps", [["a.json", text(JSON.stringify({ format: "weft-scene/1", time: { substeps: 5000 },
-    cloths: [{ grid: [4, 4], size: [1, 1], density: 1 }] }))]], /5000 steps a frame, more than the page's limit of 1024/],
+  ["of a scene with a key that is not known", [["a.json", SCENE("dome.obj", { gravty: 1 })], ["dome.obj", obj(MESH)]],
+    /gravty/],
+  ["of a scene whose mesh is missing", [["a.json", SCENE("dome.obj")]],
+    /a\.json names the mesh dome\.obj, which is neither/],
+  ["of a scene with too many nodes", [["a.json",
+    text(JSON.stringify({ format: "weft-scene/1", cloths: [{ grid: [1500, 1000], size: [1, 1], density: 1 }] }))]],
+    /1,500,000 nodes are more than the limit of 1,048,576/],
+  ["of a scene with too many steps", [["a.json", text(
+    JSON.stringify({ format: "weft-scene/1", time: { substeps: 5000 },
+      cloths: [{ grid: [4, 4], size: [1, 1], density: 1 }] }),
+  )]], /5000 steps a frame, more than the page's limit of 1024/],
 ];
 
 test("files that cannot be opened are refused with one sentence, and the scene before stays", async () => {
@@ -180,7 +209,8 @@ test("files that cannot be opened are refused with one sentence, and the scene b
     expect(said, what).toMatch(expected);
     expect(said.length, what).toBeLessThan(320);
     expect(said, what).toMatch(/[.?]$/);
-    await until("the scene before is there", async () => (await title()) === "Hanging" && !(await page.locator("#veil").isVisible()));
+    await until("the scene before is there", async () =>
+      (await title()) === "Hanging" && !(await page.locator("#veil").isVisible()));
     expect(await nodes(), what).toBe(before);
   }
   await step();
@@ -197,7 +227,8 @@ test("a file that is too large is refused before it is read", async () => {
 });
 
 test("reading that takes too long is ended, and the cloth moves on meanwhile", async () => {
-  await page.route("**/mesh_worker*.js", async (route) => route.fulfill({ response: await route.fetch(), body: "for (;;);" }));
+  await page.route("**/mesh_worker*.js",
+    async (route) => route.fulfill({ response: await route.fetch(), body: "for (;;);" }));
   await give(["slow.ply", ply(MESH)]);
   await until("it is being read", () => page.locator("#veil").isVisible());
   await page.getByRole("button", { name: "Play" }).click();
@@ -221,7 +252,10 @@ test("of two files that are read at the same time the one that was chosen last i
     await route.continue();
   });
   let ended = 0;
-  page.on("worker", (worker) => worker.on("close", () => { ended += 1; }));
+  page.on("worker", (worker) =>
+    worker.on("close", () => {
+      ended += 1;
+    }));
   await give(["first.ply", ply(MESH)]);
   await give(["last.ply", ply(MESH)]);
   await until("the dialog", () => dialog().isVisible());
@@ -283,17 +317,18 @@ test("the picture is saved as it is drawn", async () => {
 });
 
 /** Width, height and duration of a video, as this Chromium plays it. */
-async function played(bytes: Buffer, type: string):
-  Promise<{ width: number; height: number; seconds: number; bright: number }> {
+async function played(bytes: Buffer,
+  type: string): Promise<{ width: number; height: number; seconds: number; bright: number }> {
   const other = await here.browser.newPage(); // not ours: its policy plays nothing that was made there
   try {
     return await other.evaluate(async ([base64, type]) => {
       const file = Uint8Array.from(atob(base64!), (letter) => letter.charCodeAt(0));
       const video = document.createElement("video");
-      const event = (name: string) => new Promise((done, fail) => {
-        video.addEventListener(name, done, { once: true });
-        video.addEventListener("error", () => fail(new Error(video.error?.message)), { once: true });
-      });
+      const event = (name: string) =>
+        new Promise((done, fail) => {
+          video.addEventListener(name, done, { once: true });
+          video.addEventListener("error", () => fail(new Error(video.error?.message)), { once: true });
+        });
       const loaded = event("loadeddata");
       video.src = URL.createObjectURL(new Blob([file], { type: type! }));
       await loaded;
@@ -319,7 +354,8 @@ test("a video is recorded, started and stopped by hand, and plays", async () => 
   await page.getByRole("button", { name: "Play" }).click();
   await page.getByRole("button", { name: "Record a video" }).click();
   await play(page, 4);
-  await until("time is shown", async () => /Stop: 0:0[1-9] of 1:00/.test((await page.locator("#record").textContent())!));
+  await until("time is shown",
+    async () => /Stop: 0:0[1-9] of 1:00/.test((await page.locator("#record").textContent())!));
   const { name, bytes } = await saved(() => page.getByRole("button", { name: "Stop:" }).click());
   expect(name).toMatch(/^hanging-\d{5}\.webm$/);
   const video = await played(bytes, "video/webm");
@@ -340,16 +376,20 @@ test("a recording ends by itself when the longest time is over", async () => {
   await page.getByRole("button", { name: "Record a video" }).click();
   await play(page, 4);
   await until("time is shown", async () => /Stop: 0:0[1-9]/.test((await page.locator("#record").textContent())!));
-  const { bytes } = await saved(() => page.evaluate(() => {
-    const now = performance.now.bind(performance);
-    performance.now = () => now() + 60_000;
-  }));
+  const { bytes } = await saved(() =>
+    page.evaluate(() => {
+      const now = performance.now.bind(performance);
+      performance.now = () => now() + 60_000;
+    })
+  );
   expect(bytes.length).toBeGreaterThan(1000);
   await until("it says so", () => page.getByRole("button", { name: "Record a video" }).isVisible());
 });
 
 test("where the browser cannot record, a sentence says so", async () => {
-  await page.evaluate(() => { Reflect.deleteProperty(window, "MediaRecorder"); });
+  await page.evaluate(() => {
+    Reflect.deleteProperty(window, "MediaRecorder");
+  });
   await page.getByRole("button", { name: "Record a video" }).click();
   expect(await notice()).toBe("This browser cannot record a canvas: it has no MediaRecorder for it.");
 });

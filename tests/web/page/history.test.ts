@@ -15,9 +15,10 @@ async function open(query: string): Promise<Page> {
   return seen.page;
 }
 const state = (page: Page) => page.evaluate(() => window.weft.state!);
-const opens = (page: Page, scene: string) => until(`${scene} is open`, async () =>
-  (await state(page)).scene === scene && (await page.locator("#scene").inputValue()) === scene &&
-  new URL(page.url()).searchParams.get("scene") === scene);
+const opens = (page: Page, scene: string) =>
+  until(`${scene} is open`, async () =>
+    (await state(page)).scene === scene && (await page.locator("#scene").inputValue()) === scene &&
+    new URL(page.url()).searchParams.get("scene") === scene);
 const go = (page: Page, by: number) => page.evaluate((entries) => history.go(entries), by);
 const length = (page: Page) => page.evaluate(() => history.length);
 
@@ -77,12 +78,14 @@ test("Back returns to a scene of the visitor's own", async () => {
   const scene = { format: "weft-scene/1", title: "Mine", contact: { method: "none" },
     cloths: [{ grid: [9, 9], size: [1, 1], density: 0.2, pins: ["top"] }] };
   await page.locator("#file-chooser").setInputFiles(
-    { name: "mine.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(scene)) });
+    { name: "mine.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(scene)) },
+  );
   await until("it is open", async () => (await state(page)).scene === "own");
   await page.locator("#scene").selectOption("breeze");
   await opens(page, "breeze");
   await go(page, -1);
-  await until("it is back", async () => (await state(page)).scene === "own" &&
+  await until("it is back", async () =>
+    (await state(page)).scene === "own" &&
     (await page.locator("#scene-title").textContent()) === "Mine");
   await go(page, -1);
   await opens(page, "hanging");

@@ -18,8 +18,13 @@ test(`what the list names for a resolution is what the GPU's buffers take, withi
   const seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=8`, { reducedMotion: "reduce" });
   const { page } = seen;
   await ready(page);
-  for (const [query, finer] of [["scene=hanging&solver.forces=spring_centric", "100"], ["scene=hanging&solver.forces=spring_blocks", "128"],
-    ["scene=sheet", "100"], ["scene=pull-sphere&contact.method=bvh", "64"], ["scene=stack", "24"], ["scene=pull-armadillo", "64"]] as const) {
+  for (const [query, finer] of [["scene=hanging&solver.forces=spring_centric", "100"], [
+    "scene=hanging&solver.forces=spring_blocks",
+    "128",
+  ], ["scene=sheet", "100"], ["scene=pull-sphere&contact.method=bvh", "64"], ["scene=stack", "24"], [
+    "scene=pull-armadillo",
+    "64",
+  ]] as const) {
     await page.goto(`${here.site.address}?v=1&${query}&nodes=8`);
     await ready(page);
     const named = bytes((await page.locator(`#resolution option[value="${finer}"]`).textContent())!);

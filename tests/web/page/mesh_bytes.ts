@@ -17,7 +17,8 @@ export function dome(n: number): Mesh {
   return { positions, triangles: cells.flatMap((a) => [[a, a + n, a + 1], [a + 1, a + n, a + n + 1]] as const) };
 }
 
-const rows = (values: readonly (readonly number[])[], before = "") => values.map((row) => `${before}${row.join(" ")}\n`).join("");
+const rows = (values: readonly (readonly number[])[], before = "") =>
+  values.map((row) => `${before}${row.join(" ")}\n`).join("");
 
 export function obj({ positions, triangles }: Mesh): Buffer {
   return Buffer.from(rows(positions, "v ") + rows(triangles.map((t) => t.map((v) => v + 1)), "f "));
@@ -37,8 +38,11 @@ export function ply({ positions, triangles }: Mesh): Buffer {
 export function stl({ positions, triangles }: Mesh): Buffer {
   const bytes = Buffer.alloc(84 + 50 * triangles.length);
   bytes.writeUInt32LE(triangles.length, 80);
-  triangles.forEach((corners, t) => corners.forEach((vertex, c) =>
-    positions[vertex]!.forEach((value, axis) => bytes.writeFloatLE(value, 84 + 50 * t + 12 * (c + 1) + 4 * axis))));
+  triangles.forEach((corners, t) =>
+    corners.forEach((vertex, c) =>
+      positions[vertex]!.forEach((value, axis) => bytes.writeFloatLE(value, 84 + 50 * t + 12 * (c + 1) + 4 * axis))
+    )
+  );
   return bytes;
 }
 
@@ -47,11 +51,15 @@ export function glb({ positions, triangles }: Mesh, change = (json: string) => j
   const points = Buffer.from(new Float32Array(positions.flat()).buffer);
   const corners = Buffer.from(new Uint32Array(triangles.flat()).buffer);
   const json = change(JSON.stringify({
-    asset: { version: "2.0" }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
+    asset: { version: "2.0" },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
     meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
-    accessors: [{ bufferView: 0, componentType: 5126, count: positions.length, type: "VEC3" },
-      { bufferView: 1, componentType: 5125, count: 3 * triangles.length, type: "SCALAR" }],
-    bufferViews: [{ buffer: 0, byteLength: points.length }, { buffer: 0, byteOffset: points.length, byteLength: corners.length }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: positions.length, type: "VEC3" }, { bufferView: 1,
+      componentType: 5125, count: 3 * triangles.length, type: "SCALAR" }],
+    bufferViews: [{ buffer: 0, byteLength: points.length }, { buffer: 0, byteOffset: points.length,
+      byteLength: corners.length }],
     buffers: [{ byteLength: points.length + corners.length }],
   }));
   const text = Buffer.from(json.padEnd(4 * Math.ceil(json.length / 4)));

@@ -18,7 +18,8 @@ for (const [scene, nodes, moved] of [["hanging", 24, 0.01], ["pull-sphere", 32, 
     await drawn(page);
     const after = { positions: await positions(page), picture: await picture(page) };
 
-    const largest = after.positions.reduce((most, value, i) => Math.max(most, Math.abs(value - before.positions[i]!)), 0);
+    const largest = after.positions.reduce((most, value, i) => Math.max(most, Math.abs(value - before.positions[i]!)),
+      0);
     expect(largest).toBeGreaterThan(moved); // m
     for (const { picture } of [before, after]) {
       const { mean, deviation } = brightness(picture);

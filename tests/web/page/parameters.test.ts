@@ -78,9 +78,9 @@ test("cloth, contact and time start the scene anew with what was entered", async
   await enter("Steps a frame", "40");
   await has("time.substeps", 40);
   expect((await info()).substeps).toBe(40);
-  for (const [label, key, value] of [["Density", "cloths.0.density", 0.5], ["Shear stiffness", "cloths.0.stiffness.shear", 300],
-    ["Bend stiffness", "cloths.0.stiffness.bend", 20], ["Damping", "cloths.0.damping", 0.02],
-    ["Thickness", "contact.thickness", 0.01], ["Friction", "cloths.0.friction", 0.7]] as const) {
+  for (const [label, key, value] of [["Density", "cloths.0.density", 0.5], ["Shear stiffness",
+    "cloths.0.stiffness.shear", 300], ["Bend stiffness", "cloths.0.stiffness.bend", 20], ["Damping", "cloths.0.damping",
+    0.02], ["Thickness", "contact.thickness", 0.01], ["Friction", "cloths.0.friction", 0.7]] as const) {
     const last = await page.evaluate(async () => {
       await window.weft.world!.reset();
       await window.weft.world!.step(2);
@@ -97,7 +97,8 @@ test("cloth, contact and time start the scene anew with what was entered", async
   await has("time.substeps", "auto");
   for (const group of ["cloth", "contact", "time"]) {
     await page.getByRole("button", { name: `Reset ${group}`, exact: true }).click();
-    await until(`${group} is reset`, async () => !(await page.getByRole("button", { name: `Reset ${group}`, exact: true }).isVisible()));
+    await until(`${group} is reset`, async () =>
+      !(await page.getByRole("button", { name: `Reset ${group}`, exact: true }).isVisible()));
   }
   expect(await set()).toEqual({});
   expect((await info()).stableStepSeconds).toBe(before.stableStepSeconds);
@@ -109,13 +110,16 @@ test("a value past the core's limits is refused in one sentence, and the field s
   await density.fill("-1");
   await page.keyboard.press("Enter");
   await until("it is said", async () =>
-    (await page.locator("#notice").textContent())!.includes("Density is “-1”, but must be a number from 0.000001 to 1000000 kg/m²."));
+    (await page.locator("#notice").textContent())!.includes(
+      "Density is “-1”, but must be a number from 0.000001 to 1000000 kg/m².",
+    ));
   expect(await density.inputValue()).toBe(own);
   expect(await set()).toEqual({});
 });
 
 test("formulation and contact method are the core's, by its names, and change what is loaded", async () => {
-  const options = (id: string) => page.locator(`#${id} option`).evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value));
+  const options = (id: string) =>
+    page.locator(`#${id} option`).evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value));
   expect(await options("formulation")).toEqual(["node_centric", "spring_centric", "spring_blocks"]);
   expect(await options("contact")).toEqual(["none", "paper", "bvh", "proximity"]);
   const nodewise = (await info()).gpuBytes;
@@ -127,10 +131,11 @@ test("formulation and contact method are the core's, by its names, and change wh
 
   await page.goto(`${here.site.address}?scene=pull-sphere&nodes=16`);
   await ready(page);
-  const fall = async () => page.evaluate(async () => {
-    await window.weft.world!.reset();
-    return (await window.weft.world!.step(4)).contacts;
-  });
+  const fall = async () =>
+    page.evaluate(async () => {
+      await window.weft.world!.reset();
+      return (await window.weft.world!.step(4)).contacts;
+    });
   expect(await fall()).toBeGreaterThan(0);
   await page.locator("#contact").selectOption("none");
   await has("contact.method", "none");

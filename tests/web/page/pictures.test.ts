@@ -27,8 +27,11 @@ function decoded(page: Page, png: Buffer, smaller: number): Promise<{ png: Buffe
       for (let i = 0; i < all.length; i += 4096) letters += String.fromCharCode(...all.subarray(i, i + 4096));
       return btoa(letters);
     };
-    return { png: text(new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())), rgba: text(context.getImageData(0, 0, width, height).data) };
-  }, [png.toString("base64"), smaller] as const).then(({ png, rgba }) => ({ png: Buffer.from(png, "base64"), rgba: Buffer.from(rgba, "base64") }));
+    return { png: text(new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer())),
+      rgba: text(context.getImageData(0, 0, width, height).data) };
+  }, [png.toString("base64"), smaller] as const).then(({ png, rgba }) => ({ png: Buffer.from(png, "base64"),
+    rgba: Buffer.from(rgba, "base64") })
+  );
 }
 
 function differing(a: Uint8Array, b: Uint8Array): number {
@@ -40,7 +43,8 @@ function differing(a: Uint8Array, b: Uint8Array): number {
 
 for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]] as const)
   test(`at ${width} × ${height} the page looks as stored, in both themes`, async () => {
-    const seen = await visit(here.browser, `${here.site.address}?scene=breeze&nodes=32`, { viewport: { width, height }, reducedMotion: "reduce", colorScheme: "dark" });
+    const seen = await visit(here.browser, `${here.site.address}?scene=breeze&nodes=32`, { viewport: { width, height },
+      reducedMotion: "reduce", colorScheme: "dark" });
     const { page } = seen;
     await ready(page);
     await page.locator("#notice-close").evaluate((button: HTMLElement) => button.click()); // it may have gone by itself

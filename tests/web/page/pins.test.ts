@@ -17,7 +17,8 @@ afterAll(() => expectClean(seen, here.site));
 
 const pins = () => page.evaluate(() => [...window.weft.pins]);
 const markers = () => page.locator("#pins circle").count();
-const at = (node: number) => page.evaluate(async (n) => [...(await window.weft.world!.positions()).subarray(3 * n, 3 * n + 3)], node);
+const at = (node: number) =>
+  page.evaluate(async (n) => [...(await window.weft.world!.positions()).subarray(3 * n, 3 * n + 3)], node);
 const way = (from: readonly number[], to: readonly number[]) => Math.hypot(...from.map((value, i) => value - to[i]!));
 const step = (frames: number) => page.evaluate((count) => window.weft.world!.step(count).then(() => undefined), frames);
 const spot = { x: 240, y: 220 }; // on the sheet, [CSS pixels]
@@ -75,7 +76,8 @@ test("pins are set by key and by click, up to what the core holds, and go togeth
   }
   expect(await markers()).toBe(3);
   await page.mouse.click(...places[3]);
-  await until("it is refused", async () => /3 nodes are pinned.*the core holds 4/.test((await page.locator("#notice").textContent())!));
+  await until("it is refused",
+    async () => /3 nodes are pinned.*the core holds 4/.test((await page.locator("#notice").textContent())!));
   await page.getByRole("button", { name: "Remove all" }).click();
   await until("none is pinned", async () => (await pins()).length === 0 && (await markers()) === 0);
   await page.getByRole("button", { name: "Pin by click" }).click();

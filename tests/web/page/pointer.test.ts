@@ -20,12 +20,16 @@ afterEach(async () => {
 });
 
 const NODES = 24;
-interface Pull { seconds: number; target: Point; }
+interface Pull {
+  seconds: number;
+  target: Point;
+}
 const gesture = () => page.locator("#canvas").getAttribute("data-gesture");
-const camera = () => page.evaluate(async () => {
-  while (window.weft.world!.busy) await new Promise((wake) => setTimeout(wake, 5));
-  return window.weft.world!.camera;
-});
+const camera = () =>
+  page.evaluate(async () => {
+    while (window.weft.world!.busy) await new Promise((wake) => setTimeout(wake, 5));
+    return window.weft.world!.camera;
+  });
 const distance = (from: readonly number[], to: readonly number[]) =>
   Math.hypot(...from.map((value, i) => value - to[i]!));
 
@@ -115,13 +119,15 @@ test("on a machine that is slower than real time a pull is in slow motion too", 
     await page.mouse.move(start.x, start.y - WAY * i);
     await page.waitForTimeout(PAUSE);
   }
-  const pulls = () => page.evaluate(async () => {
-    const world = window.weft.world!;
-    while (world.busy) await new Promise((wake) => setTimeout(wake, 5));
-    const { height } = document.querySelector("canvas")!.getBoundingClientRect();
-    return (window as unknown as { pulls: Pull[] }).pulls.map(({ seconds, target }) =>
-      ({ seconds, y: (height * (1 - world.project(target)[1])) / 2 }));
-  });
+  const pulls = () =>
+    page.evaluate(async () => {
+      const world = window.weft.world!;
+      while (world.busy) await new Promise((wake) => setTimeout(wake, 5));
+      const { height } = document.querySelector("canvas")!.getBoundingClientRect();
+      return (window as unknown as { pulls: Pull[] }).pulls.map(({ seconds, target }) => ({ seconds,
+        y: (height * (1 - world.project(target)[1])) / 2 })
+      );
+    });
   await until("the hand is at the pointer", async () => {
     const all = await pulls();
     return all[0]!.y - all.at(-1)!.y > MOVES * WAY - 1;

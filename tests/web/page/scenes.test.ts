@@ -14,7 +14,10 @@ const here = opened();
 let seen: Visit;
 let page: Page;
 beforeAll(async () => {
-  seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=16`, { viewport: { width: 780, height: 280 }, reducedMotion: "reduce" });
+  seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=16`, {
+    viewport: { width: 780, height: 280 },
+    reducedMotion: "reduce",
+  });
   page = seen.page;
   await ready(page);
 });
@@ -23,7 +26,9 @@ afterAll(() => expectClean(seen, here.site));
 const SCENES = readdirSync(join(import.meta.dirname, "../../../scenes")).map((file) => file.replace(".json", ""));
 
 test("the list has all scenes, in groups", async () => {
-  const names = await page.locator("#scene option").evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value));
+  const names = await page.locator("#scene option").evaluateAll((all) =>
+    all.map((one) => (one as HTMLOptionElement).value)
+  );
   expect([...names].sort()).toEqual([...SCENES].sort());
   expect(await page.locator("#scene optgroup").count()).toBe(4);
 });
@@ -51,8 +56,11 @@ test.for(SCENES)("%s loads, is drawn and moves", async (name) => {
 test.for(LONG ? SCENES : [])("long: %s is drawn in every window and theme", async (name) => {
   for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]] as const)
     for (const colorScheme of ["light", "dark"] as const) {
-      const other = await visit(here.browser, `${here.site.address}?scene=${name}&nodes=${name === "stack" ? 6 : 16}`,
-        { viewport: { width, height }, colorScheme, reducedMotion: "reduce" });
+      const other = await visit(here.browser, `${here.site.address}?scene=${name}&nodes=${name === "stack" ? 6 : 16}`, {
+        viewport: { width, height },
+        colorScheme,
+        reducedMotion: "reduce",
+      });
       await ready(other.page);
       await other.page.evaluate(async (frames) => void (await window.weft.world!.step(frames)), FRAMES);
       await until(`${name} is on the screen of ${width} × ${height}, ${colorScheme}`, async () => {
@@ -73,11 +81,13 @@ test(`${SWITCHES} scene switches leave no elements, listeners or pins behind on 
     await metrics.send("HeapProfiler.collectGarbage");
     const { metrics: all } = await metrics.send("Performance.getMetrics");
     const value = (name: string) => all.find((one) => one.name === name)!.value;
-    return { elements: await page.evaluate(() => document.querySelectorAll("*").length), nodes: value("Nodes"), listeners: value("JSEventListeners") };
+    return { elements: await page.evaluate(() => document.querySelectorAll("*").length), nodes: value("Nodes"),
+      listeners: value("JSEventListeners") };
   };
   const change = async (method: string) => {
     await page.locator("#contact").selectOption(method);
-    await until(`contact is ${method}`, () => page.evaluate((wanted) => window.weft.state!.set["contact.method"] === wanted, method));
+    await until(`contact is ${method}`,
+      () => page.evaluate((wanted) => window.weft.state!.set["contact.method"] === wanted, method));
     await page.keyboard.press("p");
     await until("a node is pinned", () => page.evaluate(() => window.weft.pins.length === 1));
   };

@@ -50,8 +50,9 @@ test("a view that the scene has nothing to show in cannot be chosen, says why, a
 /** Of WCAG, of two colours in sRGB from 0 to 255. */
 function contrast(a: readonly number[], b: readonly number[]): number {
   const luminance = (color: readonly number[]) => {
-    const [red, green, blue] = color.map((value) => value / 255).map((part) =>
-      (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+    const [red, green, blue] = color.map((value) => value / 255).map((
+      part,
+    ) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
     return 0.2126 * red! + 0.7152 * green! + 0.0722 * blue!;
   };
   const [lighter, darker] = [luminance(a), luminance(b)].sort((one, other) => other - one) as [number, number];
@@ -69,9 +70,13 @@ test("the scene's title is readable in every view", async () => {
     await until(name, async () => (await view(page)) === name.toLowerCase());
     await page.waitForTimeout(400); // for the picture to reach the screen
     const ink = (await title.evaluate((line) => getComputedStyle(line).color)).match(/\d+/g)!.map(Number);
-    await title.evaluate((line) => { line.style.visibility = "hidden"; });
+    await title.evaluate((line) => {
+      line.style.visibility = "hidden";
+    });
     const pixels = await picture(page);
-    await title.evaluate((line) => { line.style.visibility = ""; });
+    await title.evaluate((line) => {
+      line.style.visibility = "";
+    });
     let least = Infinity;
     for (let y = Math.floor(box.y); y < box.y + box.height; y++)
       for (let x = Math.floor(box.x); x < box.x + 120; x++) {

@@ -17,7 +17,8 @@ const out = mkdtempSync(join(tmpdir(), "weft-report-"));
 const address = pathToFileURL(join(out, "index.html")).href;
 let browser: Browser;
 beforeAll(async () => {
-  execFileSync("/usr/bin/python3", ["-B", "-m", "bench.paper", "--only", "report", "--out", out], { cwd: ROOT, stdio: "pipe" });
+  execFileSync("/usr/bin/python3", ["-B", "-m", "bench.paper", "--only", "report", "--out", out], { cwd: ROOT,
+    stdio: "pipe" });
   browser = await launch([]);
 });
 afterAll(async () => {
@@ -28,12 +29,17 @@ afterAll(async () => {
 /** What axe-core finds, as "rule: elements". */
 async function violations(page: Page): Promise<string[]> {
   await page.evaluate(AXE);
-  return page.evaluate(async () => (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(" ")).join(", ")}`));
+  return page.evaluate(async () =>
+    (await axe.run()).violations.map(({ id, nodes }) =>
+      `${id}: ${nodes.map(({ target }) => target.join(" ")).join(", ")}`
+    )
+  );
 }
 
 for (const colorScheme of ["light", "dark"] as const)
   test(`it opens without errors or requests, and axe finds nothing, in the ${colorScheme} theme`, async () => {
-    const { page, errors, requests } = await visit(browser, address, { viewport: { width: 1280, height: 900 }, colorScheme });
+    const { page, errors, requests } = await visit(browser, address, { viewport: { width: 1280, height: 900 },
+      colorScheme });
     expect(await page.locator("figure, table").count()).toBeGreaterThan(20);
     expect(await violations(page)).toEqual([]);
     expect(errors).toEqual([]);
@@ -47,11 +53,13 @@ test("every picture and every video is whole", async () => {
     const pictures = [...document.querySelectorAll("img")];
     await Promise.all(pictures.map((one) => one.decode().catch(() => undefined)));
     const videos = [...document.querySelectorAll("video")];
-    await Promise.all(videos.map((one) => new Promise((done) => {
-      one.onloadedmetadata = one.onerror = done;
-      one.preload = "metadata";
-      one.load();
-    })));
+    await Promise.all(videos.map((one) =>
+      new Promise((done) => {
+        one.onloadedmetadata = one.onerror = done;
+        one.preload = "metadata";
+        one.load();
+      })
+    ));
     return [pictures.length, videos.length, ...pictures.filter((one) => one.naturalWidth < 300).map((one) => one.alt),
       ...videos.filter((one) => !(one.duration > 1)).map((one) => one.getAttribute("aria-label"))];
   });
@@ -63,14 +71,24 @@ test("every picture and every video is whole", async () => {
 
 test("no text of a plot is cut off, and none lies on another", async () => {
   const { page } = await visit(browser, address, { viewport: { width: 1280, height: 900 } });
-  const faults = await page.evaluate(() => [...document.querySelectorAll("svg")].flatMap((svg) => {
-    const frame = svg.getBoundingClientRect();
-    const boxes = [...svg.querySelectorAll("text")].map((text) => ({ text: text.textContent!, box: text.getBoundingClientRect() }));
-    const cut = boxes.filter(({ box }) => box.left < frame.left || box.right > frame.right || box.top < frame.top || box.bottom > frame.bottom);
-    const over = boxes.flatMap((a, k) => boxes.slice(k + 1).filter((b) => a.box.left < b.box.right && b.box.left < a.box.right &&
-      a.box.top + 2 < b.box.bottom && b.box.top + 2 < a.box.bottom).map((b) => `${a.text} on ${b.text}`));
-    return [...cut.map(({ text }) => `cut: ${text}`), ...over];
-  }));
+  const faults = await page.evaluate(() =>
+    [...document.querySelectorAll("svg")].flatMap((svg) => {
+      const frame = svg.getBoundingClientRect();
+      const boxes = [...svg.querySelectorAll("text")].map((text) => ({ text: text.textContent!,
+        box: text.getBoundingClientRect() })
+      );
+      const cut = boxes.filter(({ box }) =>
+        box.left < frame.left || box.right > frame.right || box.top < frame.top || box.bottom > frame.bottom
+      );
+      const over = boxes.flatMap((a, k) =>
+        boxes.slice(k + 1).filter((b) =>
+          a.box.left < b.box.right && b.box.left < a.box.right &&
+          a.box.top + 2 < b.box.bottom && b.box.top + 2 < a.box.bottom
+        ).map((b) => `${a.text} on ${b.text}`)
+      );
+      return [...cut.map(({ text }) => `cut: ${text}`), ...over];
+    })
+  );
   expect(faults).toEqual([]);
   await page.context().close();
 });
@@ -85,8 +103,10 @@ for (const width of [320, 400, 1280])
 test("on paper every table fits", async () => {
   const { page } = await visit(browser, address, { viewport: { width: 1017, height: 718 } }); // A4 across, less its margins
   await page.emulateMedia({ media: "print" });
-  const wide = await page.evaluate(() => [...document.querySelectorAll("table, svg")].filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
-    .map((one) => one.textContent!.slice(0, 60)));
+  const wide = await page.evaluate(() =>
+    [...document.querySelectorAll("table, svg")].filter((one) => one.getBoundingClientRect().right > innerWidth + 1)
+      .map((one) => one.textContent!.slice(0, 60))
+  );
   expect(wide).toEqual([]);
   await page.context().close();
 });

@@ -1,6 +1,6 @@
 // The CPU baseline drawn by three.js on WebGL: positions and normals are uploaded for every picture.
-import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Mesh, type PerspectiveCamera, Scene, ShaderMaterial,
-  WebGLRenderer } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Mesh, type PerspectiveCamera, Scene,
+  ShaderMaterial, WebGLRenderer } from "three";
 import { CpuSheet } from "../cpu_sheet.js";
 import { triangles, type Sheet } from "../sheet.js";
 import { cameraOf } from "./camera.js";
@@ -23,8 +23,10 @@ export function gridNormals(position: Float64Array, nx: number, ny: number, out:
     const up = j > 0 ? -3 * nx : 0, down = j + 1 < ny ? 3 * nx : 0;
     for (let i = 0; i < nx; i++, at += 3) {
       const l = at - (i > 0 ? 3 : 0), r = at + (i + 1 < nx ? 3 : 0), u = at + up, d = at + down;
-      const ax = position[r]! - position[l]!, ay = position[r + 1]! - position[l + 1]!, az = position[r + 2]! - position[l + 2]!;
-      const bx = position[u]! - position[d]!, by = position[u + 1]! - position[d + 1]!, bz = position[u + 2]! - position[d + 2]!;
+      const ax = position[r]! - position[l]!, ay = position[r + 1]! - position[l + 1]!,
+        az = position[r + 2]! - position[l + 2]!;
+      const bx = position[u]! - position[d]!, by = position[u + 1]! - position[d + 1]!,
+        bz = position[u + 2]! - position[d + 2]!;
       out[at] = ay * bz - az * by;
       out[at + 1] = az * bx - ax * bz;
       out[at + 2] = ax * by - ay * bx;
@@ -74,7 +76,9 @@ class CpuPath implements Path {
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, this.pixel); // waits for all pictures (measure.ts)
   }
 
-  async positions(): Promise<Float32Array> { return Float32Array.from(this.cloth.position); }
+  async positions(): Promise<Float32Array> {
+    return Float32Array.from(this.cloth.position);
+  }
 
   dispose(): void {
     this.geometry.dispose();

@@ -2,8 +2,8 @@
 // kernels, one over springs that writes each spring's force, one over vertices that sums the forces of a vertex's list of
 // springs and moves it, and a node material that draws from the same buffer. The constants, the damping along the spring
 // and the integration are weft's (docs/solvers/mass_spring.md); the example's wind, sphere and environment are left out.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, LinearSRGBColorSpace, Mesh, MeshBasicNodeMaterial, Scene, type StorageBufferAttribute,
-  Vector3, WebGPURenderer, type Node } from "three/webgpu";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, LinearSRGBColorSpace, Mesh, MeshBasicNodeMaterial, Scene,
+  type StorageBufferAttribute, Vector3, WebGPURenderer, type Node } from "three/webgpu";
 import { cross, float, Fn, frontFacing, If, instanceIndex, instancedArray, Loop, Return, select, uint, uniform, varying,
   vec3, vec4, vertexIndex } from "three/tsl";
 import { restPositions, springCount, triangles, type Sheet } from "../sheet.js";
@@ -43,7 +43,9 @@ function kernels(sheet: Sheet) {
   const vertexForces = Fn(() => {
     const begin = vertexSpringPointer.element(instanceIndex).toVar();
     const count = vertexSpringCount.element(instanceIndex).toVar();
-    If(count.equal(uint(0)), () => { Return(); }); // pinned
+    If(count.equal(uint(0)), () => {
+      Return();
+    }); // pinned
     const force = vec3(0).toVar();
     Loop({ start: begin, end: begin.add(count), type: "uint", condition: "<" }, ({ i }) => {
       const spring = springList.element(i).toVar();
@@ -68,8 +70,12 @@ function clothMesh({ nx, ny }: Sheet, position: ReturnType<typeof kernels>["posi
   material.positionNode = Fn(() => {
     const i = vertexIndex.mod(uint(nx)).toVar(), j = vertexIndex.div(uint(nx)).toVar();
     const beside = (atEdge: Node<"bool">, node: Node<"uint">) => position.element(select(atEdge, vertexIndex, node));
-    const along = beside(i.equal(uint(nx - 1)), vertexIndex.add(uint(1))).sub(beside(i.equal(uint(0)), vertexIndex.sub(uint(1))));
-    const up = beside(j.equal(uint(0)), vertexIndex.sub(uint(nx))).sub(beside(j.equal(uint(ny - 1)), vertexIndex.add(uint(nx))));
+    const along = beside(i.equal(uint(nx - 1)), vertexIndex.add(uint(1))).sub(
+      beside(i.equal(uint(0)), vertexIndex.sub(uint(1))),
+    );
+    const up = beside(j.equal(uint(0)), vertexIndex.sub(uint(nx))).sub(
+      beside(j.equal(uint(ny - 1)), vertexIndex.add(uint(nx))),
+    );
     normal.assign(cross(along, up));
     return position.element(vertexIndex);
   })();

@@ -8,7 +8,11 @@ import { cameraOf } from "./camera.js";
 import { HEIGHT, Unavailable, WIDTH, type Open, type Path } from "./path.js";
 import { ADVANCE, CLOTH_FRAGMENT, CLOTH_VERTEX, COVER } from "./webgl2_shaders.js";
 
-interface State { position: WebGLTexture; velocity: WebGLTexture; target: WebGLFramebuffer }
+interface State {
+  position: WebGLTexture;
+  velocity: WebGLTexture;
+  target: WebGLFramebuffer;
+}
 
 class WebGl2Path implements Path {
   readonly leastSteps = 1;
@@ -24,7 +28,9 @@ class WebGl2Path implements Path {
     this.advance = program(gl, COVER, ADVANCE);
     this.cloth = program(gl, CLOTH_VERTEX, CLOTH_FRAGMENT);
     const rest = new Float32Array(4 * nx * ny);
-    restPositions(sheet).forEach((value, at) => { rest[4 * Math.floor(at / 3) + (at % 3)] = value; });
+    restPositions(sheet).forEach((value, at) => {
+      rest[4 * Math.floor(at / 3) + (at % 3)] = value;
+    });
     this.states = [state(gl, nx, ny, rest), state(gl, nx, ny, rest)];
     const index = triangles(nx, ny);
     this.indices = index.length;
@@ -59,7 +65,9 @@ class WebGl2Path implements Path {
     return texels.filter((_, at) => at % 4 !== 3);
   }
 
-  dispose(): void { this.gl.getExtension("WEBGL_lose_context")?.loseContext(); }
+  dispose(): void {
+    this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+  }
 
   private step(): void {
     const { gl, sheet: { nx, ny } } = this;

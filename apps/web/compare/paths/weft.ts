@@ -11,7 +11,8 @@ class WeftPath implements Path {
   private world: World | null = null;
   private opened = ""; // what `world` was opened for
 
-  constructor(private readonly sheet: Sheet, private readonly canvas: HTMLCanvasElement, private readonly forces: string) {}
+  constructor(private readonly sheet: Sheet, private readonly canvas: HTMLCanvasElement,
+    private readonly forces: string) {}
 
   /** Without a picture weft takes its steps as substeps of a frame, in one submit. */
   async simulate(count: number): Promise<void> {
@@ -24,9 +25,13 @@ class WeftPath implements Path {
     await (await this.open(this.canvas, 1)).step(count, { draw: true });
   }
 
-  async positions(): Promise<Float32Array> { return (this.world ?? await this.open(null, 1)).positions(); }
+  async positions(): Promise<Float32Array> {
+    return (this.world ?? await this.open(null, 1)).positions();
+  }
 
-  dispose(): void { this.world?.dispose(); }
+  dispose(): void {
+    this.world?.dispose();
+  }
 
   /** A world for drawing draws by itself too, whenever something is stale; so there is another one for steps alone. */
   private async open(canvas: HTMLCanvasElement | null, substeps: number): Promise<World> {
@@ -34,8 +39,9 @@ class WeftPath implements Path {
     if (this.world && this.opened === wanted) return this.world;
     this.world?.dispose();
     const { scene, nx, ny, step } = this.sheet;
-    this.world = await createWorld({ scene, canvas, view: "normals", set: { "cloths.0.grid": [nx, ny], "solver.forces": this.forces,
-      "time.frame": step * substeps, "time.substeps": substeps } });
+    this.world = await createWorld({ scene, canvas, view: "normals",
+      set: { "cloths.0.grid": [nx, ny], "solver.forces": this.forces, "time.frame": step * substeps,
+        "time.substeps": substeps } });
     this.opened = wanted;
     return this.world;
   }

@@ -17,5 +17,6 @@ export function offerCopies({ link, readings }: Copied, say: (sentence: string) 
     }
   };
   button("copy-link").addEventListener("click", () => void copy("The link", link()));
-  button("copy-readings").addEventListener("click", () => void copy("The list of readings", `${JSON.stringify(readings(), null, 2)}\n`));
+  button("copy-readings").addEventListener("click",
+    () => void copy("The list of readings", `${JSON.stringify(readings(), null, 2)}\n`));
 }

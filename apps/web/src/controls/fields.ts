@@ -39,8 +39,12 @@ export class Slider {
     this.row = box;
   }
 
-  set disabled(on: boolean) { this.input.disabled = on; }
-  get value(): number { return Number(this.input.value); }
+  set disabled(on: boolean) {
+    this.input.disabled = on;
+  }
+  get value(): number {
+    return Number(this.input.value);
+  }
 
   show(value: number, least: number, most: number): void {
     this.input.min = String(least);
@@ -92,7 +96,9 @@ export class NumberField {
     this.row = box;
   }
 
-  set disabled(on: boolean) { this.input.disabled = on; }
+  set disabled(on: boolean) {
+    this.input.disabled = on;
+  }
 
   /** A number; anything else is the word that stands for one. */
   show(value: unknown): void {

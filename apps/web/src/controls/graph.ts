@@ -28,7 +28,8 @@ export class Graph {
   /** Of the frames shown [ms]; null where there are none. */
   get medians(): { interval: number; host: number } | null {
     if (this.frames.length === 0) return null;
-    const median = (of: "interval" | "host") => this.frames.map((frame) => frame[of]).sort((a, b) => a - b)[this.frames.length >> 1]!;
+    const median = (of: "interval" | "host") =>
+      this.frames.map((frame) => frame[of]).sort((a, b) => a - b)[this.frames.length >> 1]!;
     return { interval: median("interval"), host: median("host") };
   }
 
@@ -42,7 +43,9 @@ export class Graph {
     const height = (ms: number) => canvas.height * (1 - Math.min(ms, TOP) / TOP);
     const width = canvas.width / FRAMES;
     context.fillStyle = color("--graph-host");
-    frames.forEach(({ host }, i) => context.fillRect(i * width, height(host), Math.max(width - 1, 1), canvas.height - height(host)));
+    frames.forEach(({ host }, i) =>
+      context.fillRect(i * width, height(host), Math.max(width - 1, 1), canvas.height - height(host))
+    );
     context.lineWidth = devicePixelRatio;
     context.strokeStyle = color("--graph-mark");
     context.setLineDash([3 * devicePixelRatio, 3 * devicePixelRatio]);
@@ -59,7 +62,9 @@ export class Graph {
     frames.forEach(({ interval }, i) => context.lineTo((i + 0.5) * width, height(interval)));
     context.stroke();
     const now = this.medians;
-    canvas.setAttribute("aria-label", now ? `Of the last ${frames.length} frames, half took less than ${now.interval.toFixed(1)} ms ` +
-      `from one to the next, and less than ${now.host.toFixed(1)} ms of the host.` : "No frames yet.");
+    canvas.setAttribute("aria-label", now ?
+      `Of the last ${frames.length} frames, half took less than ${now.interval.toFixed(1)} ms ` +
+      `from one to the next, and less than ${now.host.toFixed(1)} ms of the host.` :
+      "No frames yet.");
   }
 }

@@ -14,9 +14,15 @@ export class Help {
     });
   }
 
-  get shown(): boolean { return this.dialog.open; }
+  get shown(): boolean {
+    return this.dialog.open;
+  }
   /** Whether the page's keys are in use. */
-  get keysOn(): boolean { return input("shortcuts").checked; }
+  get keysOn(): boolean {
+    return input("shortcuts").checked;
+  }
 
-  open(): void { this.dialog.showModal(); }
+  open(): void {
+    this.dialog.showModal();
+  }
 }

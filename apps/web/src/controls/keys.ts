@@ -16,7 +16,8 @@ interface Parts {
 
 export function followKeys(parts: Parts): void {
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || parts.help.shown || !parts.help.keysOn) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || parts.help.shown || !parts.help.keysOn)
+      return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (target.closest("select, input[type=number]")) return; // letters and digits choose there
     if (event.key === " " && target.closest("button, summary, a, input:not([type=range])")) return; // it presses what has the focus
@@ -36,13 +37,21 @@ function sceneAction(key: string, { player, views, pins }: Parts): (() => void) 
   const view = VIEWS[Number(key) - 1];
   if (view) return () => views.choose(view);
   switch (key) {
-    case " ": return () => player.play(!player.playing);
-    case ".": return () => void player.step();
-    case "r": return () => void player.reset();
-    case "f": return () => void player.resetCamera();
-    case "x": return () => views.toggleWireframe();
-    case "p": return () => void pins.toggleUnderPointer();
-    case "u": return () => void pins.removeAll();
-    default: return null;
+    case " ":
+      return () => player.play(!player.playing);
+    case ".":
+      return () => void player.step();
+    case "r":
+      return () => void player.reset();
+    case "f":
+      return () => void player.resetCamera();
+    case "x":
+      return () => views.toggleWireframe();
+    case "p":
+      return () => void pins.toggleUnderPointer();
+    case "u":
+      return () => void pins.removeAll();
+    default:
+      return null;
   }
 }

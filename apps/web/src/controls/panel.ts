@@ -58,7 +58,9 @@ export class Panel {
     for (const part of [transport, picker, views, parameters, this.inputs.pins]) part.enable(on);
   }
 
-  opening(): void { this.enable(false); }
+  opening(): void {
+    this.enable(false);
+  }
 
   opened(scene: LoadedScene, info: WorldInfo): void {
     this.info = info;
@@ -79,20 +81,26 @@ export class Panel {
     element("scene-title", HTMLElement).textContent = "";
   }
 
-  changed(scene: LoadedScene, state: PageState): void { this.parameters.show(scene, state); }
+  changed(scene: LoadedScene, state: PageState): void {
+    this.parameters.show(scene, state);
+  }
 
   playing(on: boolean): void {
     this.transport.playing(on);
     this.readings.restart();
   }
 
-  viewed(view: View): void { this.views.viewed(view); }
+  viewed(view: View): void {
+    this.views.viewed(view);
+  }
 
-  frame(now: number, statistics: Readonly<Statistics>, host: number | null): void { this.readings.frame(now, statistics, host); }
+  frame(now: number, statistics: Readonly<Statistics>, host: number | null): void {
+    this.readings.frame(now, statistics, host);
+  }
 
   /** All that the panel says, for whoever reports how it went. */
   private report(): unknown {
-    return { weft: 1, page: this.inputs.link(), state: this.inputs.player.state, browser: navigator.userAgent, loaded: this.info, ...this.readings.values,
-      pins: this.inputs.pins.held, passes: this.passes.times };
+    return { weft: 1, page: this.inputs.link(), state: this.inputs.player.state, browser: navigator.userAgent,
+      loaded: this.info, ...this.readings.values, pins: this.inputs.pins.held, passes: this.passes.times };
   }
 }

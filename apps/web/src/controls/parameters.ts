@@ -19,7 +19,11 @@ interface Field {
   enable(on: boolean): void;
 }
 
-interface Shown { readonly group: Group; readonly fields: readonly Field[]; readonly reset: HTMLButtonElement; }
+interface Shown {
+  readonly group: Group;
+  readonly fields: readonly Field[];
+  readonly reset: HTMLButtonElement;
+}
 
 export class Parameters {
   private readonly schema: Schema;
@@ -57,7 +61,9 @@ export class Parameters {
 
   private build(group: Group): Shown {
     const place = element(`group-${group.name}`, HTMLElement);
-    const fields = group.parameters.map((parameter) => (group.live ? this.liveField(parameter) : this.numberField(parameter)));
+    const fields = group.parameters.map((
+      parameter,
+    ) => (group.live ? this.liveField(parameter) : this.numberField(parameter)));
     const reset = document.createElement("button");
     Object.assign(reset, { type: "button", className: "quiet", hidden: true });
     reset.textContent = `Reset ${group.title.toLowerCase()}`;
@@ -67,14 +73,14 @@ export class Parameters {
   }
 
   private resetGroup({ live, parameters }: Group): void {
-    if (live) for (const { key } of parameters) this.player.setLive(key, null);
+    if (live) { for (const { key } of parameters) this.player.setLive(key, null); }
     else this.open(parameters.reduce((state, { key }) => withKey(state, key, null), this.player.noteCamera()));
   }
 
   private look({ key, label }: Parameter) {
     const schema = schemaOf(this.schema, key) ?? {};
-    return { label, unit: unitOf(schema), hint: meaningOf(schema), ...(rangeOf(schema) ?? { least: 0, most: 0, whole: false }),
-      word: choicesOf(schema)[0] ?? null };
+    return { label, unit: unitOf(schema), hint: meaningOf(schema),
+      ...(rangeOf(schema) ?? { least: 0, most: 0, whole: false }), word: choicesOf(schema)[0] ?? null };
   }
 
   private numberField(parameter: Parameter): Field {
@@ -85,7 +91,9 @@ export class Parameters {
       else this.say(`${label} is “${text}”, but must ${found.must}.`);
       return "value" in found;
     });
-    return { key, rows: [field.row], show: (_, value) => field.show(value), enable: (on) => { field.disabled = !on; } };
+    return { key, rows: [field.row], show: (_, value) => field.show(value), enable: (on) => {
+      field.disabled = !on;
+    } };
   }
 
   /** A number as it is, a vector by its strength, and the wind by its direction too. */
@@ -95,18 +103,24 @@ export class Parameters {
     const set = (value: Value) => this.player.setLive(key, value);
     const own = (): Vector => (this.player.loaded?.own(key) as Vector | undefined) ?? STILL;
     const sliders: Slider[] = [];
-    const speed = new Slider({ ...look, step: look.unit ? 0.1 : 0.05 }, (value) => set(
-      key === GRAVITY ? scaled(own(), value) : key === WIND ? blowing(value, sliders[1]!.value, own()) : value));
+    const speed = new Slider({ ...look, step: look.unit ? 0.1 : 0.05 }, (value) =>
+      set(
+        key === GRAVITY ? scaled(own(), value) : key === WIND ? blowing(value, sliders[1]!.value, own()) : value,
+      ));
     sliders.push(speed);
     if (key === WIND)
-      sliders.push(new Slider({ label: "Direction", unit: "°", hint: "Where it blows to, about the vertical: 90° is along x.", step: 1 },
-        (heading) => set(blowing(speed.value, heading, own()))));
+      sliders.push(
+        new Slider({ label: "Direction", unit: "°", hint: "Where it blows to, about the vertical: 90° is along x.",
+          step: 1 }, (heading) => set(blowing(speed.value, heading, own()))),
+      );
     const show = (scene: LoadedScene, value: unknown) => {
       const strength = (of: unknown) => (Array.isArray(of) ? Math.hypot(...(of as number[])) : Number(of));
       const most = Math.max(REACH[key]!, 2 * strength(scene.own(key)), strength(value));
       speed.show(strength(value), 0, Math.min(look.most, Math.ceil(most)));
       if (strength(value) > 0 || !sliders[1]?.value) sliders[1]?.show(headingOf(value as Vector), -180, 180);
     };
-    return { key, rows: sliders.map(({ row }) => row), show, enable: (on) => { for (const slider of sliders) slider.disabled = !on; } };
+    return { key, rows: sliders.map(({ row }) => row), show, enable: (on) => {
+      for (const slider of sliders) slider.disabled = !on;
+    } };
   }
 }

@@ -14,16 +14,18 @@ export class Passes {
   }
 
   /** The last measurement of this scene. */
-  get times(): readonly PassTime[] | null { return this.times_; }
+  get times(): readonly PassTime[] | null {
+    return this.times_;
+  }
 
   /** null: nothing is loaded. */
   show(info: WorldInfo | null): void {
     this.times_ = null;
     fill(this.list, []);
     button("measure").disabled = !info?.timestamps;
-    this.note.textContent = !info || info.timestamps
-      ? "Plays a few frames with a pass for each kernel, and puts the cloth back: shares, not totals."
-      : "This adapter offers no timestamp queries, so passes cannot be timed here.";
+    this.note.textContent = !info || info.timestamps ?
+      "Plays a few frames with a pass for each kernel, and puts the cloth back: shares, not totals." :
+      "This adapter offers no timestamp queries, so passes cannot be timed here.";
   }
 
   private async measure(): Promise<void> {
@@ -40,6 +42,8 @@ export class Passes {
     this.times_ = times;
     const longest = [...times].sort((a, b) => b.milliseconds - a.milliseconds);
     fill(this.list, longest.map(({ kernel, per, dispatches, milliseconds }) => [
-      kernel.replaceAll("_", " "), `${milliseconds.toPrecision(2)} ms a ${per}${dispatches > 1 ? `, ${dispatches} dispatches` : ""}`]));
+      kernel.replaceAll("_", " "),
+      `${milliseconds.toPrecision(2)} ms a ${per}${dispatches > 1 ? `, ${dispatches} dispatches` : ""}`,
+    ]));
   }
 }

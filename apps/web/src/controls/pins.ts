@@ -6,10 +6,17 @@ import type { Player } from "../player.js";
 const STILL = 6; // a click that has moved no farther [CSS pixels]
 const SVG = "http://www.w3.org/2000/svg";
 
-interface Pin { readonly node: number; point: Point; readonly marker: SVGCircleElement; }
+interface Pin {
+  readonly node: number;
+  point: Point;
+  readonly marker: SVGCircleElement;
+}
 
 /** Clip coordinates, unless said otherwise. */
-export interface Place { readonly x: number; readonly y: number; }
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
 
 export class Pins {
   private readonly pins = new Map<number, Pin>();
@@ -18,10 +25,14 @@ export class Pins {
   private pointer: Place = { x: 0, y: 0 }; // where the pointer is on the canvas, or was
 
   /** `most`: nodes that the world holds at once; the hand needs one of them. */
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly player: Player, private readonly most: number,
-    private readonly say: (sentence: string) => void) {
-    canvas.addEventListener("pointermove", (event) => { this.pointer = this.clip(event); });
-    canvas.addEventListener("pointerdown", (event) => { this.down = { x: event.clientX, y: event.clientY }; });
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly player: Player,
+    private readonly most: number, private readonly say: (sentence: string) => void) {
+    canvas.addEventListener("pointermove", (event) => {
+      this.pointer = this.clip(event);
+    });
+    canvas.addEventListener("pointerdown", (event) => {
+      this.down = { x: event.clientX, y: event.clientY };
+    });
     canvas.addEventListener("click", (event) => {
       const way = Math.hypot(event.clientX - this.down.x, event.clientY - this.down.y);
       if (this.mode && way < STILL) void this.toggle(this.clip(event)); // else it was a pull, or turned the camera
@@ -35,20 +46,32 @@ export class Pins {
   }
 
   /** Whether a single click or tap pins and unpins. */
-  get mode(): boolean { return button("pin-mode").getAttribute("aria-pressed") === "true"; }
-  get count(): number { return this.pins.size; }
+  get mode(): boolean {
+    return button("pin-mode").getAttribute("aria-pressed") === "true";
+  }
+  get count(): number {
+    return this.pins.size;
+  }
   /** Nodes and where they are held [m]. */
-  get held(): { node: number; point: Point }[] { return [...this.pins.values()].map(({ node, point }) => ({ node, point })); }
-  has(node: number): boolean { return this.pins.has(node); }
+  get held(): { node: number; point: Point }[] {
+    return [...this.pins.values()].map(({ node, point }) => ({ node, point }));
+  }
+  has(node: number): boolean {
+    return this.pins.has(node);
+  }
 
   private setMode(on: boolean): void {
     button("pin-mode").setAttribute("aria-pressed", String(on));
     this.canvas.dataset["pinning"] = String(on);
   }
 
-  enable(on: boolean): void { button("pin-mode").disabled = !on; }
+  enable(on: boolean): void {
+    button("pin-mode").disabled = !on;
+  }
 
-  toggleUnderPointer(): Promise<void> { return this.toggle(this.pointer); }
+  toggleUnderPointer(): Promise<void> {
+    return this.toggle(this.pointer);
+  }
 
   /** Pins the node under a place on the canvas where it is now, or lets it go. */
   async toggle({ x, y }: Place): Promise<void> {
@@ -61,7 +84,11 @@ export class Pins {
         return { released: node };
       }
       if (this.pins.size + 1 >= this.most)
-        return { fault: `${this.pins.size} nodes are pinned, and there can be ${this.most - 1}: the core holds ${this.most}, and the hand needs one.` };
+        return {
+          fault: `${this.pins.size} nodes are pinned, and there can be ${
+            this.most - 1
+          }: the core holds ${this.most}, and the hand needs one.`,
+        };
       const positions = await world.positions();
       const point: Point = [positions[3 * node]!, positions[3 * node + 1]!, positions[3 * node + 2]!];
       return { ...(await held(world, node, point)), point };
@@ -82,11 +109,15 @@ export class Pins {
   async removeAll(): Promise<void> {
     const nodes = [...this.pins.keys()];
     this.forget();
-    await this.player.ask(async (world) => { for (const node of nodes) await world.release(node); });
+    await this.player.ask(async (world) => {
+      for (const node of nodes) await world.release(node);
+    });
   }
 
   /** The world holds nothing any more. */
-  forget(): void { for (const node of [...this.pins.keys()]) this.drop(node); }
+  forget(): void {
+    for (const node of [...this.pins.keys()]) this.drop(node);
+  }
 
   private put(node: number, point: Point): void {
     const marker = document.createElementNS(SVG, "circle");
@@ -105,9 +136,9 @@ export class Pins {
 
   private tell(): void {
     const count = this.pins.size;
-    element("pin-count", HTMLParagraphElement).textContent = count === 0
-      ? `Double-click the cloth, or press P over it: up to ${this.most - 1} nodes stay where they are.`
-      : `${count} of ${this.most - 1} pinned. Drag a pin to move it.`;
+    element("pin-count", HTMLParagraphElement).textContent = count === 0 ?
+      `Double-click the cloth, or press P over it: up to ${this.most - 1} nodes stay where they are.` :
+      `${count} of ${this.most - 1} pinned. Drag a pin to move it.`;
     button("unpin").disabled = count === 0;
   }
 
@@ -135,7 +166,8 @@ async function held(world: World, node: number, point: Point): Promise<{ node: n
     await world.grab(node, point);
     return { node };
   } catch (reason) {
-    if (reason instanceof WeftError && (reason.kind === "input" || reason.kind === "limit")) return { fault: reason.message };
+    if (reason instanceof WeftError && (reason.kind === "input" || reason.kind === "limit"))
+      return { fault: reason.message };
     throw reason;
   }
 }

@@ -9,8 +9,11 @@ const REFRESH = 250; // numbers that change faster cannot be read [ms]
 const NONE = "–";
 
 const whole = new Intl.NumberFormat("en", { maximumFractionDigits: 0 });
-const fixed = (digits: number) => new Intl.NumberFormat("en", {
-  minimumFractionDigits: digits, maximumFractionDigits: digits });
+const fixed = (digits: number) =>
+  new Intl.NumberFormat("en", {
+    minimumFractionDigits: digits,
+    maximumFractionDigits: digits,
+  });
 const [one, two] = [fixed(1), fixed(2)];
 
 export function fill(list: HTMLDListElement, rows: readonly (readonly [name: string, value: string])[]): void {
@@ -37,16 +40,18 @@ export class Readings {
 
   /** What was loaded; null: nothing is. */
   showFacts(info: WorldInfo | null): void {
-    fill(this.facts, info ? [
-      ["Adapter", info.adapter],
-      ["Nodes", whole.format(info.nodes)],
-      ["Triangles", whole.format(info.triangles)],
-      ["Springs", whole.format(info.springs)],
-      ["Steps a frame", whole.format(info.substeps)],
-      ["Step", `${two.format(1000 * info.stepSeconds)} ms`],
-      ["Largest stable step", `${two.format(1000 * info.stableStepSeconds)} ms`],
-      ["Buffers on the GPU", inBytes(info.gpuBytes)],
-    ] : []);
+    fill(this.facts, info ?
+      [
+        ["Adapter", info.adapter],
+        ["Nodes", whole.format(info.nodes)],
+        ["Triangles", whole.format(info.triangles)],
+        ["Springs", whole.format(info.springs)],
+        ["Steps a frame", whole.format(info.substeps)],
+        ["Step", `${two.format(1000 * info.stepSeconds)} ms`],
+        ["Largest stable step", `${two.format(1000 * info.stableStepSeconds)} ms`],
+        ["Buffers on the GPU", inBytes(info.gpuBytes)],
+      ] :
+      []);
     this.statistics = null;
     this.restart();
     this.show();
@@ -84,8 +89,9 @@ export class Readings {
   /** What is shown, as numbers. */
   get values() {
     const now = this.graph.medians;
-    return { statistics: this.statistics && { ...this.statistics }, realTimeFactor: this.rate("seconds"), framesPerSecond: this.rate("frames"),
-      medianFrameMilliseconds: now?.interval ?? null, medianHostMilliseconds: now?.host ?? null };
+    return { statistics: this.statistics && { ...this.statistics }, realTimeFactor: this.rate("seconds"),
+      framesPerSecond: this.rate("frames"), medianFrameMilliseconds: now?.interval ?? null,
+      medianHostMilliseconds: now?.host ?? null };
   }
 
   private show(): void {

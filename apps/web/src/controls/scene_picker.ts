@@ -11,14 +11,21 @@ const RESOLUTIONS = [32, 64, 100, 128, 200, 256, 400, 512, 800, 1024, 1600, 2048
 
 /** What the schema's words are called here; one that is not, by itself. */
 const NAMES: Readonly<Record<string, string>> = {
-  node_centric: "Node-centric (gather)", spring_centric: "Spring-centric (scatter)", spring_blocks: "Spring blocks (scatter, summed in groups)",
-  none: "None", proximity: "Proximity", bvh: "BVH (the paper's pairs, by a tree)", paper: "Paper (all pairs)" };
+  node_centric: "Node-centric (gather)",
+  spring_centric: "Spring-centric (scatter)",
+  spring_blocks: "Spring blocks (scatter, summed in groups)",
+  none: "None",
+  proximity: "Proximity",
+  bvh: "BVH (the paper's pairs, by a tree)",
+  paper: "Paper (all pairs)",
+};
 
 /** What a contact method costs or leaves out. */
 const REMARKS: Readonly<Record<string, string>> = {
   none: "Nothing holds the cloth up: it falls through everything.",
   bvh: "Cloth meets obstacles, not itself.",
-  paper: "Tests every cloth triangle against every triangle of the obstacle in every step: slow, for comparison." };
+  paper: "Tests every cloth triangle against every triangle of the obstacle in every step: slow, for comparison.",
+};
 
 /** Whether the scene's solver has formulations to choose from. */
 const hasFormulations = (scene: LoadedScene): boolean =>
@@ -47,7 +54,9 @@ export class ScenePicker {
   }
 
   /** Another resolution has other nodes, and steps that "auto" chooses anew. */
-  private refined(nodes: number): PageState { return { ...withKey(this.current(), SUBSTEPS, null), nodes }; }
+  private refined(nodes: number): PageState {
+    return { ...withKey(this.current(), SUBSTEPS, null), nodes };
+  }
 
   enable(on: boolean): void {
     this.scene.disabled = false; // another choice may replace one that takes long
@@ -66,7 +75,8 @@ export class ScenePicker {
     contact.textContent = remark;
     contact.hidden = remark === "";
     const asked = demandOf(scene);
-    element("memory", HTMLParagraphElement).textContent = `${info.nodes.toLocaleString("en")} nodes: ${inBytes(info.gpuBytes)} on the GPU` +
+    element("memory", HTMLParagraphElement).textContent =
+      `${info.nodes.toLocaleString("en")} nodes: ${inBytes(info.gpuBytes)} on the GPU` +
       (asked ? `, ${inBytes(asked.module)} at most of the module.` : ".");
   }
 
@@ -88,8 +98,14 @@ export class ScenePicker {
       const [along, down] = gridOf(own, count);
       const asked = demand(along * down * copies, scene);
       const fault = tooLarge(asked, this.limits);
-      const option = new Option(`${along} × ${down}${copies > 1 ? ` × ${copies} sheets` : ""}, ${fault ? "too large" : `about ${inBytes(asked.gpu)}`}`,
-        String(count), false, count === chosen);
+      const option = new Option(
+        `${along} × ${down}${copies > 1 ? ` × ${copies} sheets` : ""}, ${
+          fault ? "too large" : `about ${inBytes(asked.gpu)}`
+        }`,
+        String(count),
+        false,
+        count === chosen,
+      );
       option.disabled = fault !== null;
       return option;
     }));

@@ -27,7 +27,9 @@ export class Theme {
     this.show();
   }
 
-  private get now(): Look { return this.chosen ?? (system.matches ? "light" : "dark"); }
+  private get now(): Look {
+    return this.chosen ?? (system.matches ? "light" : "dark");
+  }
 
   toggle(): void {
     this.chosen = this.now === "dark" ? "light" : "dark";

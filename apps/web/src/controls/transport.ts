@@ -17,7 +17,9 @@ export class Transport {
     });
   }
 
-  enable(on: boolean): void { for (const each of this.buttons) each.disabled = !on; }
+  enable(on: boolean): void {
+    for (const each of this.buttons) each.disabled = !on;
+  }
 
   playing(on: boolean): void {
     element("play-label", HTMLSpanElement).textContent = on ? "Pause" : "Play";

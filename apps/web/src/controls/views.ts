@@ -34,8 +34,9 @@ export class Views {
       label.append(radio, name);
       return label;
     }));
-    element("legend-bar", HTMLDivElement).style.backgroundImage = `linear-gradient(to right, ${catalog.colors.map((color) =>
-      `rgb(${color.map((part) => Math.round(255 * part)).join(" ")})`).join(", ")})`;
+    element("legend-bar", HTMLDivElement).style.backgroundImage = `linear-gradient(to right, ${
+      catalog.colors.map((color) => `rgb(${color.map((part) => Math.round(255 * part)).join(" ")})`).join(", ")
+    })`;
     button("reset-camera").addEventListener("click", () => void player.resetCamera());
   }
 
@@ -56,7 +57,9 @@ export class Views {
     this.remark.hidden = this.remark.textContent === "";
   }
 
-  private refusal(view: View): string | null { return this.refused[view] ?? null; }
+  private refusal(view: View): string | null {
+    return this.refused[view] ?? null;
+  }
 
   /** By pointer or by key. */
   choose(view: View): void {

@@ -8,7 +8,9 @@ export const SHAPES = Object.keys(TYPES) as Shape[];
 
 /** The name of a file: the scene and the frame, as breeze-00120.obj. */
 export function fileName({ state, title }: LoadedScene, frame: number, end: string): string {
-  const name = state.scene === OWN ? title.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "").toLowerCase() : state.scene;
+  const name = state.scene === OWN ?
+    title.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "").toLowerCase() :
+    state.scene;
   return `${name || OWN}-${String(frame).padStart(5, "0")}.${end}`;
 }
 

@@ -31,8 +31,10 @@ export class Files {
       if (!document.body.classList.contains("without-gpu")) void opener.open(files);
     });
     for (const shape of SHAPES)
-      button(`save-${shape}`).addEventListener("click", () => void this.save((world, scene) => saveShape(world, scene, shape)));
-    button("save-png").addEventListener("click", () => void this.save((world, scene) => savePicture(world, scene, canvas)));
+      button(`save-${shape}`).addEventListener("click",
+        () => void this.save((world, scene) => saveShape(world, scene, shape)));
+    button("save-png").addEventListener("click",
+      () => void this.save((world, scene) => savePicture(world, scene, canvas)));
     button("record").addEventListener("click", () => void this.record());
   }
 
@@ -69,7 +71,8 @@ export class Files {
   /** Null: nothing is recorded. */
   private showTime(seconds: number | null): void {
     button("record").dataset["recording"] = String(seconds !== null);
-    element("record-label", HTMLSpanElement).textContent =
-      seconds === null ? "Record a video" : `Stop: ${clock(seconds)} of ${clock(MOST_VIDEO_SECONDS)}`;
+    element("record-label", HTMLSpanElement).textContent = seconds === null ?
+      "Record a video" :
+      `Stop: ${clock(seconds)} of ${clock(MOST_VIDEO_SECONDS)}`;
   }
 }

@@ -16,7 +16,9 @@ export class MeshDialog {
   private readonly dialog = element("mesh-dialog", HTMLDialogElement);
   private readonly length = input("mesh-length");
   private readonly roles: Readonly<Record<Role, HTMLInputElement>> = {
-    obstacle: input("mesh-obstacle"), cloth: input("mesh-cloth") };
+    obstacle: input("mesh-obstacle"),
+    cloth: input("mesh-cloth"),
+  };
   private mesh: MeshFile | null = null;
   private answer: ((use: Use | null) => void) | null = null;
 
@@ -45,13 +47,17 @@ export class MeshDialog {
     const fits = { cloth: mesh.vertices <= MOST_CLOTH_NODES, obstacle: mesh.triangles <= MOST_OBSTACLE_TRIANGLES };
     for (const role of ["obstacle", "cloth"] as const) this.roles[role].disabled = !fits[role];
     this.roles[fits.obstacle ? "obstacle" : "cloth"].checked = true;
-    element("mesh-limit", HTMLParagraphElement).textContent =
-      !fits.cloth ? `A cloth may have ${count(MOST_CLOTH_NODES)} vertices at most.`
-      : !fits.obstacle ? `An obstacle may have ${count(MOST_OBSTACLE_TRIANGLES)} triangles at most.` : "";
+    element("mesh-limit", HTMLParagraphElement).textContent = !fits.cloth ?
+      `A cloth may have ${count(MOST_CLOTH_NODES)} vertices at most.` :
+      !fits.obstacle ?
+      `An obstacle may have ${count(MOST_OBSTACLE_TRIANGLES)} triangles at most.` :
+      "";
     this.length.value = String(LENGTH.first);
     this.showSize();
     this.dialog.showModal();
-    return new Promise((resolve) => { this.answer = resolve; });
+    return new Promise((resolve) => {
+      this.answer = resolve;
+    });
   }
 
   private close(use: Use | null): void {

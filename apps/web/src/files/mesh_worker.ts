@@ -22,7 +22,9 @@ async function bytesOf(file: File): Promise<{ name: string; bytes: Uint8Array<Ar
   let size = 0;
   const reader = file.stream().pipeThrough(new DecompressionStream("gzip")).getReader();
   for (;;) {
-    const { done, value } = await reader.read().catch(() => { throw new Error(`${file.name}: its gzip data are broken.`); });
+    const { done, value } = await reader.read().catch(() => {
+      throw new Error(`${file.name}: its gzip data are broken.`);
+    });
     if (done) break;
     size += value.length;
     if (size > MOST_BYTES) {
@@ -55,5 +57,7 @@ async function answer(request: Request): Promise<Answer> {
 addEventListener("message", (event: MessageEvent<Request>) => {
   answer(event.data).then(
     (done) => postMessage(done),
-    (reason: unknown) => postMessage({ kind: "failed", sentence: reason instanceof Error ? reason.message : String(reason) }));
+    (reason: unknown) =>
+      postMessage({ kind: "failed", sentence: reason instanceof Error ? reason.message : String(reason) }),
+  );
 });

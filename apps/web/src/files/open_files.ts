@@ -45,7 +45,9 @@ export class FileOpener {
     if (another) throw new Error(`Open one scene at a time: ${scene!.name} and ${another.name} are two.`);
     if (scene) return this.readScene(scene, files.filter((file) => file !== scene), late);
     if (files.length > 1)
-      throw new Error(`Open one mesh at a time, or a scene with the meshes that it names: these are ${files.length} meshes.`);
+      throw new Error(
+        `Open one mesh at a time, or a scene with the meshes that it names: these are ${files.length} meshes.`,
+      );
     return this.readMesh(files[0]!, late);
   }
 
@@ -59,8 +61,7 @@ export class FileOpener {
     return use && sceneOfMesh(file.name, mesh, use.role, use.length);
   }
 
-  private async readScene(file: File, others: readonly File[], late: () => boolean):
-    Promise<OwnScene | null> {
+  private async readScene(file: File, others: readonly File[], late: () => boolean): Promise<OwnScene | null> {
     checkLimit(file.name, file.size, MOST_SCENE_BYTES);
     this.notice.wait(`Reading ${file.name} …`);
     const text = await file.text();
@@ -70,9 +71,11 @@ export class FileOpener {
       const brought = others.find((other) => [name, `${name}.ply`].map(bare).includes(bare(other.name)));
       if (brought) files[name] = brought;
       else models[name] = await fetchModel(name).catch(() => {
-        throw new Error(`${file.name} names the mesh ${name}, which is neither part of this page nor among the files: ` +
-          "open it along with the scene.");
-      });
+          throw new Error(
+            `${file.name} names the mesh ${name}, which is neither part of this page nor among the files: ` +
+              "open it along with the scene.",
+          );
+        });
     }
     const { size, meshes } = await readApart(file.name, { kind: "scene", scene: text, files, models });
     if (late()) return null;

@@ -13,8 +13,9 @@ const DAMPING = 0.09; // of a spring, as a part of sqrt(stiffness * mass): the s
 const number = (value: number): number => Number(value.toPrecision(6));
 const point = (...values: number[]): number[] => values.map(number);
 
-export const sides = ({ low, high }: MeshFile): [number, number, number] =>
-  [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
+export const sides = (
+  { low, high }: MeshFile,
+): [number, number, number] => [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
 
 /** Centred over the origin, its longest side this long and its lowest point at `floor`. */
 function placed({ low, high }: MeshFile, scale: number, floor: number): Record<string, unknown> {
@@ -24,11 +25,15 @@ function placed({ low, high }: MeshFile, scale: number, floor: number): Record<s
 
 const stiffnessOf = (length: number) =>
   Object.fromEntries(Object.entries(STIFFNESS).map(([kind, value]) => [kind, number(value * length)]));
-const dampingOf = (length: number, nodeMass: number) => number(DAMPING * Math.sqrt(STIFFNESS.structural * length * nodeMass));
+const dampingOf = (length: number, nodeMass: number) =>
+  number(DAMPING * Math.sqrt(STIFFNESS.structural * length * nodeMass));
 
 const common = (title: string, thickness: number) => ({
-  format: "weft-scene/1", title: title.slice(0, 200), drag: 0.5,
-  time: { substeps: "auto", frames: 150 }, solver: { kind: "mass_spring" },
+  format: "weft-scene/1",
+  title: title.slice(0, 200),
+  drag: 0.5,
+  time: { substeps: "auto", frames: 150 },
+  solver: { kind: "mass_spring" },
   contact: { method: "proximity", thickness: number(thickness) },
 });
 const FLOOR = { kind: "plane", point: [0, 0, 0], normal: [0, 1, 0] };
@@ -41,14 +46,22 @@ function overObstacle(title: string, mesh: MeshFile, length: number): object {
   return {
     ...common(title, 0.003 * width),
     cloths: [{
-      name: "sheet", grid: [GRID, GRID], size: point(width, width), plane: "xz",
+      name: "sheet",
+      grid: [GRID, GRID],
+      size: point(width, width),
+      plane: "xz",
       transform: { translate: point(0, height + 0.08 * length, 0) },
-      density: DENSITY, stiffness: stiffnessOf(length), friction: 0.4,
+      density: DENSITY,
+      stiffness: stiffnessOf(length),
+      friction: 0.4,
       damping: dampingOf(length, (DENSITY * width * width) / (GRID * GRID)),
     }],
     colliders: [{ kind: "mesh", mesh: MESH, transform: placed(mesh, scale, 0) }, FLOOR],
     camera: {
-      eye: point(1.35 * length, height + 0.45 * length, 2.1 * length), target: point(0, 0.42 * height, 0), fov_degrees: 38 },
+      eye: point(1.35 * length, height + 0.45 * length, 2.1 * length),
+      target: point(0, 0.42 * height, 0),
+      fov_degrees: 38,
+    },
   };
 }
 
@@ -65,13 +78,20 @@ function asCloth(title: string, mesh: MeshFile, length: number): object {
   return {
     ...common(title, Math.min(0.005 * length, 0.3 * edge)),
     cloths: [{
-      name: "mesh", mesh: MESH, transform: placed(mesh, scale, floor),
-      node_mass: number(nodeMass), stiffness: stiffnessOf(length), friction: 0.4, damping: dampingOf(length, nodeMass),
+      name: "mesh",
+      mesh: MESH,
+      transform: placed(mesh, scale, floor),
+      node_mass: number(nodeMass),
+      stiffness: stiffnessOf(length),
+      friction: 0.4,
+      damping: dampingOf(length, nodeMass),
     }],
     colliders: [{ kind: "sphere", center: point(0, radius, 0), radius: number(radius) }, FLOOR],
     camera: {
-      eye: point(0.44 * distance, 0.5 * top + 0.25 * distance, 0.86 * distance), target: point(0, 0.5 * top, 0),
-      fov_degrees: 38 },
+      eye: point(0.44 * distance, 0.5 * top + 0.25 * distance, 0.86 * distance),
+      target: point(0, 0.5 * top, 0),
+      fov_degrees: 38,
+    },
   };
 }
 
@@ -83,10 +103,13 @@ export function sceneOfMesh(name: string, mesh: MeshFile, role: Role, length: nu
 }
 
 /** A scene that the core has accepted, with the meshes that came with it, which are PLY now whatever they were. */
-export function sceneOfJson(name: string, json: string, meshes: Readonly<Record<string, Uint8Array<ArrayBuffer>>>): OwnScene {
+export function sceneOfJson(name: string, json: string,
+  meshes: Readonly<Record<string, Uint8Array<ArrayBuffer>>>): OwnScene {
   const names = new Map(Object.keys(meshes).map((from, index) => [from, `own-${index}.ply`]));
-  const scene = JSON.parse(json, (key, value: unknown) =>
-    key === "mesh" && typeof value === "string" ? names.get(value) ?? value : value) as { title?: string };
+  const scene = JSON.parse(json,
+    (key, value: unknown) => key === "mesh" && typeof value === "string" ? names.get(value) ?? value : value) as {
+      title?: string;
+    };
   return {
     title: scene.title ?? name,
     json: JSON.stringify(scene),

@@ -33,13 +33,16 @@ export class Recorder {
     const type = TYPES.find((each) => MediaRecorder.isTypeSupported(each))!;
     const stream = canvas.captureStream();
     this.recorder = new MediaRecorder(stream, {
-      mimeType: type, videoBitsPerSecond: Math.round(BITS_PER_PIXEL * canvas.width * canvas.height) });
+      mimeType: type,
+      videoBitsPerSecond: Math.round(BITS_PER_PIXEL * canvas.width * canvas.height),
+    });
     this.recorder.addEventListener("dataavailable", ({ data }) => {
       if (data.size > 0) this.pieces.push(data);
       this.stopIfDue();
     });
     this.done = new Promise<Recording>((resolve, reject) => {
-      this.recorder.addEventListener("error", () => reject(new Error("The browser's encoder has failed; there is no video.")));
+      this.recorder.addEventListener("error",
+        () => reject(new Error("The browser's encoder has failed; there is no video.")));
       this.recorder.addEventListener("stop", () => {
         const content = new Blob(this.pieces, { type: type.replace(/;.*/, "") });
         if (content.size === 0) reject(new Error("The video is empty: the browser has encoded no picture."));
@@ -63,7 +66,9 @@ export class Recorder {
     this.stopIfDue();
   }
 
-  private get seconds(): number { return (performance.now() - this.start) / 1000; }
+  private get seconds(): number {
+    return (performance.now() - this.start) / 1000;
+  }
 
   private stopIfDue(): void {
     const due = this.stopping && (this.pieces.length > 0 || this.seconds > FIRST_PIECE);

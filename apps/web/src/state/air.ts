@@ -21,5 +21,6 @@ export function blowing(speed: number, heading: number, own: Vector): Vector {
   const length = Math.hypot(...own);
   const climb = length > 0 ? own[1] / length : 0;
   const level = speed * Math.sqrt(1 - climb * climb);
-  return [rounded(level * Math.sin(heading * DEGREE)), rounded(speed * climb), rounded(level * Math.cos(heading * DEGREE))];
+  return [rounded(level * Math.sin(heading * DEGREE)), rounded(speed * climb),
+    rounded(level * Math.cos(heading * DEGREE))];
 }

@@ -15,7 +15,9 @@ export function meaningOf(schema: Schema): string {
 const ways = (schema: Schema): readonly Schema[] => schema.anyOf ?? [schema];
 
 /** What may be chosen, where it is one of a few words. */
-export function choicesOf(schema: Schema): readonly string[] { return ways(schema).flatMap((way) => way.enum ?? []); }
+export function choicesOf(schema: Schema): readonly string[] {
+  return ways(schema).flatMap((way) => way.enum ?? []);
+}
 
 /** The numbers that are allowed, where it is a number or a list of them. */
 export function rangeOf(schema: Schema): { least: number; most: number; whole: boolean } | null {
@@ -42,8 +44,8 @@ export function parsed(root: Schema, key: string, text: string): { value: Value 
   const must = `be ${[`${count > 1 ? `${count} numbers, each` : number} ${bounds}`, ...words].join(" or ")}`;
   const parts = text.split(",");
   const numbers = parts.map((part) => (part.trim() === "" ? NaN : Number(part)));
-  const good = numbers.length === count && numbers.every((n) =>
-    n >= range.least && n <= range.most && (!range.whole || Number.isInteger(n)));
+  const good = numbers.length === count &&
+    numbers.every((n) => n >= range.least && n <= range.most && (!range.whole || Number.isInteger(n)));
   if (!good) return { must };
   return { value: list ? numbers : numbers[0]! };
 }

@@ -26,4 +26,6 @@ export function withKey(state: PageState, key: string, value: Value | null): Pag
   return { ...state, set: value === null ? rest : { ...rest, [key]: value } };
 }
 
-export function equal(a: unknown, b: unknown): boolean { return JSON.stringify(a) === JSON.stringify(b); }
+export function equal(a: unknown, b: unknown): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}

@@ -49,8 +49,8 @@ export const GROUPS: readonly Group[] = [
 ];
 
 /** All keys that the page changes. */
-export const KEYS: readonly string[] =
-  [FORMULATION, CONTACT_METHOD, SUBDIVIDE, ...GROUPS.flatMap(({ parameters }) => parameters.map(({ key }) => key))];
+export const KEYS: readonly string[] = [FORMULATION, CONTACT_METHOD, SUBDIVIDE,
+  ...GROUPS.flatMap(({ parameters }) => parameters.map(({ key }) => key))];
 
 const LIVE = new Set(GROUPS.filter(({ live }) => live).flatMap(({ parameters }) => parameters.map(({ key }) => key)));
 export const isLive = (key: string): boolean => LIVE.has(key);

@@ -26,7 +26,8 @@ export interface Asked {
 export function read(address: string, { schema, scenes, view, mostNodes }: Offer): Asked {
   const asked = new URL(address).searchParams;
   const faults: string[] = [];
-  const refuse = (name: string, must: string) => faults.push(`${name} is ${shown(asked.get(name) ?? "")}, but must ${must}`);
+  const refuse = (name: string, must: string) =>
+    faults.push(`${name} is ${shown(asked.get(name) ?? "")}, but must ${must}`);
   let state = plain(scenes[0] ?? "", view);
 
   const version = asked.get("v");
@@ -53,7 +54,8 @@ export function read(address: string, { schema, scenes, view, mostNodes }: Offer
   }
   const shownView = VIEWS.find((one) => one === asked.get("view"));
   if (asked.has("view") && !shownView) refuse("view", `be one of ${VIEWS.join(", ")}`);
-  return { state: { ...state, set, view: shownView ?? view, camera: cameraOf(asked, schema, refuse) }, refused: said(faults) };
+  return { state: { ...state, set, view: shownView ?? view, camera: cameraOf(asked, schema, refuse) },
+    refused: said(faults) };
 }
 
 function cameraOf(asked: URLSearchParams, schema: Schema, refuse: (name: string, must: string) => void): Camera | null {
@@ -74,12 +76,18 @@ function cameraOf(asked: URLSearchParams, schema: Schema, refuse: (name: string,
 }
 
 /** A value of an address, short enough for a sentence. */
-function shown(text: string): string { return `“${text.length > 24 ? `${text.slice(0, 24)}…` : text}”`; }
+function shown(text: string): string {
+  return `“${text.length > 24 ? `${text.slice(0, 24)}…` : text}”`;
+}
 
 function said(faults: readonly string[]): string | null {
   const [first, ...more] = faults;
   if (first === undefined) return null;
-  const others = more.length === 0 ? "" : more.length === 1 ? ", and one more value is refused" : `, and ${more.length} more values are refused`;
+  const others = more.length === 0 ?
+    "" :
+    more.length === 1 ?
+    ", and one more value is refused" :
+    `, and ${more.length} more values are refused`;
   return `In the page's address ${first}${others}; what the scene has is used instead.`;
 }
 
@@ -91,6 +99,8 @@ export function write({ scene, nodes, set, view, camera }: PageState, usual: Vie
   if (nodes !== null) parts.push(`nodes=${nodes}`);
   for (const key of KEYS) if (set[key] !== undefined) parts.push(`${key}=${String(set[key])}`);
   if (view !== usual) parts.push(`view=${view}`);
-  if (camera) parts.push(`eye=${point(camera.eye)}`, `target=${point(camera.target)}`, `fov=${Number(camera.fov.toFixed(DIGITS))}`);
+  if (camera)
+    parts.push(`eye=${point(camera.eye)}`, `target=${point(camera.target)}`,
+      `fov=${Number(camera.fov.toFixed(DIGITS))}`);
   return `?${parts.join("&")}`;
 }

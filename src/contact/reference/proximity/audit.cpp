@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesh/adjacency.hpp"
-#include "contact/reference/pushes/winding.hpp"
 #include "contact/reference/proximity/closest.hpp"
+#include "contact/reference/pushes/winding.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace weft::reference {
 namespace {

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
 #include "contact/reference/box_tree.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::reference {

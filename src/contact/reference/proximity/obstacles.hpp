@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
 #include "contact/reference/proximity/pairs.hpp"
+#include "mesh/triangle_mesh.hpp"
 #include "scene/motion.hpp"
 #include "scene/scene.hpp"
 

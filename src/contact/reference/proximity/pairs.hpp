@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/adjacency.hpp"
 #include "contact/reference/box_tree.hpp"
+#include "mesh/adjacency.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::reference {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/reference/proximity/audit.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "mesh/sheet_rim.hpp"
-#include "contact/reference/proximity/audit.hpp"
 
 namespace weft::reference {
 namespace {

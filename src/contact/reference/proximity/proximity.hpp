@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "model/host_model.hpp"
 #include "contact/reference/proximity/near_list.hpp"
 #include "contact/reference/proximity/obstacles.hpp"
 #include "contact/reference/proximity/press.hpp"
 #include "contact/reference/proximity/respond.hpp"
 #include "contact/reference/proximity/truncate.hpp"
 #include "contact/reference/proximity/untangle.hpp"
+#include "model/host_model.hpp"
 
 namespace weft::reference {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/rules/contact_law.hpp"
-#include "mesh/sheet_rim.hpp"
 #include "contact/reference/proximity/audit.hpp"
 #include "contact/reference/proximity/closest.hpp"
+#include "contact/rules/contact_law.hpp"
+#include "mesh/sheet_rim.hpp"
 
 namespace weft::reference {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
 #include "contact/reference/pushes/crossing.hpp"
 #include "contact/reference/pushes/pairs.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace weft::reference {
 

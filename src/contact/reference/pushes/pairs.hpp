@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
 #include "contact/reference/pushes/segment_triangle.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace weft::reference {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
 #include "contact/reference/pushes/pairs.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace weft::reference {
 

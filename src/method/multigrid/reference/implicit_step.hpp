@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "model/host_model.hpp"
 #include "contact/reference/proximity/press.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "method/multigrid/reference/cycle.hpp"
 #include "method/stepper.hpp"
+#include "model/host_model.hpp"
 
 namespace weft::reference {
 
