@@ -24,11 +24,8 @@ class SolverMultigrid : public Solver {
   bool reads_step_before() const override { return true; }
 
  private:
-  Result<void> add_grid(const SolverInputs& inputs, const ClothModel& cloth);
-  Result<void> add_mesh(const SolverInputs& inputs, const ClothModel& cloth);
+  Result<void> create_cycles(const CycleInputs& inputs);
 
-  MultigridKernels kernels_;  // made where there is a grid
-  MeshKernels mesh_kernels_;  // likewise, a mesh
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
   ContactAnswer contact_answer_;
