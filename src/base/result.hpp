@@ -87,6 +87,14 @@ class [[nodiscard]] Result<void> {
     return ::weft::Error(WEFT_CONCAT(weft_result_, __LINE__).error()); \
   auto name = std::move(WEFT_CONCAT(weft_result_, __LINE__)).value()
 
+/// Assigns the value of `expression` to `target`, or returns its error.
+#define WEFT_SET(target, expression)                         \
+  do {                                                       \
+    auto weft_set_ = (expression);                           \
+    if (!weft_set_) return ::weft::Error(weft_set_.error()); \
+    target = std::move(weft_set_).value();                   \
+  } while (false)
+
 /// Returns the error of `expression`, a Result<void>, if it has one.
 #define WEFT_CHECK(expression)                                                                    \
   do {                                                                                            \

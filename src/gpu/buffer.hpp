@@ -79,4 +79,10 @@ class Buffer : public RawBuffer {
   std::size_t count_ = 0;
 };
 
+/// A uniform block that holds `value`.
+template <class T>
+Result<Buffer<T>> create_uniform(Device& device, const T& value, const std::string& label) {
+  return Buffer<T>::create_from(device, std::span(&value, 1), label, kUniform | kCopyTarget);
+}
+
 }  // namespace weft::gpu

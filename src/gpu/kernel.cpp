@@ -6,7 +6,7 @@
 namespace weft::gpu {
 
 Result<BindGroup> BindGroup::create(Device& device, Id layout, std::span<const BindingLayout> bindings,
-                                    std::initializer_list<Binding> sources, const std::string& label) {
+                                    std::span<const Binding> sources, const std::string& label) {
   if (sources.size() != bindings.size())
     return shape_error("Shader %s binds %zu things, not %zu.", label.c_str(), bindings.size(),
                        sources.size());
@@ -50,19 +50,22 @@ Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vect
   return kernel;
 }
 
-Result<BindGroup> Kernel::bind(std::initializer_list<Binding> sources) const {
+Result<BindGroup> Kernel::bind(std::span<const Binding> sources) const {
   return BindGroup::create(*device_, group_layout_.id(), bindings_, sources, label_);
 }
 
 void Kernel::dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const {
+  const auto [x, y] = workgroups_of(count);
+  dispatch_groups(pass, group, x, y);
+}
+
+std::array<std::uint32_t, 2> Kernel::workgroups_of(std::uint64_t count) const {
   const std::uint64_t groups = (count + workgroup_size_ - 1) / workgroup_size_;
-  if (groups <= device_->limits().max_workgroups_per_dimension) {
-    dispatch_groups(pass, group, static_cast<std::uint32_t>(groups));
-    return;
-  }
+  if (groups <= device_->limits().max_workgroups_per_dimension)
+    return {static_cast<std::uint32_t>(groups), 1};
   const std::uint64_t rows = (groups + kGroupsPerRow - 1) / kGroupsPerRow;
   assert(rows <= device_->limits().max_workgroups_per_dimension);
-  dispatch_groups(pass, group, kGroupsPerRow, static_cast<std::uint32_t>(rows));
+  return {kGroupsPerRow, static_cast<std::uint32_t>(rows)};
 }
 
 void Kernel::dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const {

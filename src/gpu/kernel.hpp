@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <initializer_list>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,7 +29,7 @@ class BindGroup {
   Id id() const { return object_.id(); }
 
   static Result<BindGroup> create(Device& device, Id layout, std::span<const BindingLayout> bindings,
-                                  std::initializer_list<Binding> sources, const std::string& label);
+                                  std::span<const Binding> sources, const std::string& label);
 
  private:
   Object object_;
@@ -40,13 +42,16 @@ class Kernel {
  public:
   Kernel() = default;
 
-  /// Compiles src/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its
+  /// Compiles shaders/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its
   /// fixed workgroup size. Errors  Shader: it does not compile, or its bindings exceed the adapter's limits.
   static Result<Kernel> create(Device& device, const std::string& path, std::vector<Constant> constants = {},
                                std::uint32_t workgroup_size = kDefaultWorkgroupSize);
 
   /// Errors  Shape: another number of buffers than the shader binds.
-  Result<BindGroup> bind(std::initializer_list<Binding> sources) const;
+  Result<BindGroup> bind(std::span<const Binding> sources) const;
+  Result<BindGroup> bind(std::initializer_list<Binding> sources) const {
+    return bind(std::span(sources.begin(), sources.size()));
+  }
 
   /// One invocation for each of `count` elements. The kernel finds its element by flat_index
   /// (gpu/index.wgsl), since past 65,535 workgroups the dispatch gets a second dimension.
@@ -55,6 +60,8 @@ class Kernel {
   /// whose number only the GPU knows.
   void dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const;
   void dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x, std::uint32_t y = 1) const;
+  /// How many workgroups `dispatch` makes of `count` invocations, along x and y.
+  std::array<std::uint32_t, 2> workgroups_of(std::uint64_t count) const;
 
   std::uint32_t workgroup_size() const { return workgroup_size_; }
 
@@ -66,6 +73,9 @@ class Kernel {
   std::uint32_t workgroup_size_ = kDefaultWorkgroupSize;
   bool reads_step_ = false;
 };
+
+/// A kernel that several dispatches share: the last one ends it.
+using SharedKernel = std::shared_ptr<const Kernel>;
 
 /// Workgroups along x once a dispatch has a second dimension; the same number stands in gpu/index.wgsl.
 inline constexpr std::uint32_t kGroupsPerRow = 32768;

@@ -22,7 +22,8 @@ Result<RenderPipeline> RenderPipeline::create(Device& device, const std::string&
 }
 
 Result<BindGroup> RenderPipeline::bind(std::initializer_list<Binding> sources) const {
-  return BindGroup::create(*device_, group_layout_.id(), bindings_, sources, label_);
+  return BindGroup::create(*device_, group_layout_.id(), bindings_,
+                           std::span(sources.begin(), sources.size()), label_);
 }
 
 }  // namespace weft::gpu

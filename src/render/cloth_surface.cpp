@@ -69,8 +69,7 @@ Result<std::vector<gpu::Buffer<WeaveParams>>> create_weaves(gpu::Device& device,
   std::vector<gpu::Buffer<WeaveParams>> weaves;
   for (const ClothRange& range : ranges) {
     const WeaveParams params = weave_of(range, weaves.size());
-    WEFT_TRY(weave, gpu::Buffer<WeaveParams>::create_from(device, {&params, 1}, "weave",
-                                                          gpu::kUniform | gpu::kCopyTarget));
+    WEFT_TRY(weave, gpu::create_uniform(device, params, "weave"));
     weaves.push_back(std::move(weave));
   }
   return weaves;

@@ -97,9 +97,7 @@ Result<void> FineCloth::create_parts(gpu::Device& device, std::uint32_t level) {
                                 grid.ny, level};
     Part part;
     part.vertex_count = std::uint64_t{fine.nx} * fine.ny;
-    WEFT_TRY(buffer, gpu::Buffer<FineGridParams>::create_from(device, {&params, 1}, "fine grid",
-                                                              gpu::kUniform | gpu::kCopyTarget));
-    part.params = std::move(buffer);
+    WEFT_SET(part.params, gpu::create_uniform(device, params, "fine grid"));
     for (std::size_t parity = 0; parity < 2; ++parity) {
       WEFT_TRY(group, kernel_.bind({part.params, *coarse_.position[parity], position_, normal_}));
       part.groups[parity] = std::move(group);

@@ -32,8 +32,7 @@ Result<std::vector<gpu::Buffer<PlaneParams>>> create_planes(gpu::Device& device,
                                                             const std::vector<PlaneParams>& planes) {
   std::vector<gpu::Buffer<PlaneParams>> buffers;
   for (const PlaneParams& params : planes) {
-    WEFT_TRY(buffer, gpu::Buffer<PlaneParams>::create_from(device, {&params, 1}, "plane",
-                                                           gpu::kUniform | gpu::kCopyTarget));
+    WEFT_TRY(buffer, gpu::create_uniform(device, params, "plane"));
     buffers.push_back(std::move(buffer));
   }
   return buffers;

@@ -1,10 +1,11 @@
-// Semi-implicit Euler for one node: v += dt (a + f/m - drag (v - w)), then x += dt v. Kinematic nodes follow their motion.
-// Source: docs/solvers/mass_spring.md, equations 3 to 5. The including kernel binds `step` and `motions`.
+// One substep of one node, whatever moves it: its motion, a hand, or forces.
+// Source: docs/solvers/mass_spring.md, equations 3 to 5. The including kernel binds `step`, `rest` and `motions`.
 #include "state/grab.wgsl"
 #include "state/node_state.wgsl"
 #include "state/step.wgsl"
 #include "state/wind.wgsl"
 
+// Semi-implicit Euler: v += dt (a + f/m - drag (v - w)), then x += dt v.
 fn integrate_free(before : NodeState, force : vec3f) -> NodeState {
   let inverse_mass = before.position.w;
   let v = before.velocity.xyz;
@@ -14,13 +15,26 @@ fn integrate_free(before : NodeState, force : vec3f) -> NodeState {
   return NodeState(vec4f(before.position.xyz + step.dt * velocity, inverse_mass), vec4f(velocity, 0.0));
 }
 
-// A kinematic node: `place` is its rest position and, in w, its motion (HostModel::motion). The rows of
-// `motions` are x, y and z of R·rest + t at the end of the substep.
-fn integrate_held(before : NodeState, place : vec4f) -> NodeState {
-  let motion = u32(place.w);
+// A node that is pinned or moved. rest[node].w is its motion (HostModel::motion); the rows of `motions` are x, y and z
+// of R·rest + t at the end of the substep.
+fn integrate_kinematic(node : u32, before : NodeState) -> NodeState {
+  let motion = u32(rest[node].w);
   if (motion < 2u) { return NodeState(before.position, vec4f(0.0)); }  // pinned
   let row = step.first_motion + 3u * (motion - 2u);
-  let rest = vec4f(place.xyz, 1.0);
-  let position = vec3f(dot(rest, motions[row]), dot(rest, motions[row + 1u]), dot(rest, motions[row + 2u]));
+  let place = vec4f(rest[node].xyz, 1.0);
+  let position = vec3f(dot(place, motions[row]), dot(place, motions[row + 1u]), dot(place, motions[row + 2u]));
   return NodeState(vec4f(position, 0.0), vec4f((position - before.position.xyz) / step.dt, 0.0));
+}
+
+// Whether forces do not move the node: it is pinned, moved or grabbed.
+fn is_prescribed(node : u32, before : NodeState) -> bool { return before.position.w == 0.0 || is_grabbed(node); }
+
+fn integrate_prescribed(node : u32, before : NodeState) -> NodeState {
+  if (before.position.w == 0.0) { return integrate_kinematic(node, before); }
+  return integrate_grabbed(node, before);
+}
+
+fn integrate_node(node : u32, before : NodeState, force : vec3f) -> NodeState {
+  if (is_prescribed(node, before)) { return integrate_prescribed(node, before); }
+  return integrate_free(before, force);
 }

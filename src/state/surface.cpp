@@ -21,8 +21,7 @@ Result<Surface> Surface::create(gpu::Device& device, const Model& model, const S
     ClothPart part;
     part.vertex_count = cloth.vertex_count;
     const SurfaceParams params{cloth.first_vertex, cloth.vertex_count, cloth.grid ? cloth.grid->nx : 0};
-    WEFT_TRY(buffer, gpu::Buffer<SurfaceParams>::create_from(device, std::span(&params, 1), "surface params",
-                                                             gpu::kUniform | gpu::kCopyTarget));
+    WEFT_TRY(buffer, gpu::create_uniform(device, params, "surface params"));
     for (std::size_t parity = 0; parity < 2; ++parity) {
       WEFT_TRY(group, made.kernel_.bind({buffer, state.position[parity], model.rest_position, model.triangles,
                                          made.offsets_, made.around_, made.normal_, made.stretch_,

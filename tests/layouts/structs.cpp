@@ -16,11 +16,11 @@
 #include "element/spring/neighbours.hpp"
 #include "element/spring/packed_springs.hpp"
 #include "element/spring/spring_blocks.hpp"
+#include "element/spring/spring_grid.hpp"
+#include "state/surface.hpp"
 #include "gpu/kernel.hpp"
 #include "mesh/sheet_rim.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
-#include "method/mass_spring/grid_params.hpp"
-#include "method/multigrid/cloth_nodes.hpp"
 #include "method/multigrid/level.hpp"
 #include "method/multigrid/mesh_lists.hpp"
 #include "model/host_model.hpp"
@@ -30,10 +30,10 @@
 #include "render/frame_params.hpp"
 #include "scene/grab.hpp"
 #include "scene/scene.hpp"
+#include "method/multigrid/cycle.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
-#include "state/surface.hpp"
 
 namespace weft {
 namespace {
@@ -110,12 +110,6 @@ Json neighbour() {
   return row("Neighbour", "element/spring/neighbour.wgsl", sizeof(T), kExact,
              {M(node_and_kind), M(rest_length)});
 }
-Json grid_params_row() {
-  using T = GridParams;
-  return row("GridParams", "method/mass_spring/grid_springs.wgsl", sizeof(T), kUniform,
-             {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(damping), M(rest_length),
-              M(bending), M(tile_width), M(tiles_x)});
-}
 Json mesh_params() {
   using T = MeshParams;
   return row("MeshParams", "method/mass_spring/advance_mesh.wgsl", sizeof(T), kUniform,
@@ -123,23 +117,23 @@ Json mesh_params() {
 }
 Json spring_grid_row() {
   using T = SpringGrid;
-  return row("SpringGrid", "method/multigrid/spring_grid.wgsl", sizeof(T), kExact,
-             {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(rest_length), M(damping)});
+  return row("SpringGrid", "element/spring/spring_grid.wgsl", sizeof(T), kUniform,
+             {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(damping), M(rest_length),
+              M(bending)});
 }
-Json multigrid_level() {
-  using T = MultigridLevel;
-  return row("Level", "method/multigrid/level.wgsl", sizeof(T), kExact,
+Json level_of_grid() {
+  using T = LevelOfGrid;
+  return row("LevelOfGrid", "method/multigrid/grid_level.wgsl", sizeof(T), kExact,
              {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(bend_end_i),
               M(bend_end_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
 }
 Json cloth_nodes() {
   using T = ClothNodes;
-  return row("ClothNodes", "method/multigrid/cloth_nodes.wgsl", sizeof(T), kUniform,
-             {M(first_vertex), M(count)});
+  return row("ClothNodes", "method/multigrid/cloth.wgsl", sizeof(T), kUniform, {M(first_vertex), M(count)});
 }
-Json mesh_level() {
-  using T = MultigridMeshLevel;
-  return row("MeshLevel", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact,
+Json level_of_mesh() {
+  using T = LevelOfMesh;
+  return row("LevelOfMesh", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact,
              {M(node_count), M(block_count), M(first_vector), M(first_block), M(first_row), M(first_source),
               M(first_product), M(first_taps)});
 }
@@ -247,12 +241,12 @@ Json statistic(const char* name, std::size_t offset) {
 
 Json struct_layouts() {
   return Json::array(
-      {step_params(),     spring(),          spring_kind(), spring_block(),   block_spring(),
-       neighbour(),       grid_params_row(), mesh_params(), surface_params(), object_triangle(),
-       spring_grid_row(), multigrid_level(), tree_node(),   pair_range(),     analytic_collider(),
-       contact_of_pair(), search_params(),   tree_params(), colliders(),      collider_place(),
-       frame(),           weave(),           plane(),       fine_grid(),      cloth_nodes(),
-       mesh_level(),      coupling(),        share()});
+      {step_params(),   spring(),      spring_kind(),    spring_block(),      block_spring(),
+       neighbour(),     mesh_params(), surface_params(), object_triangle(),   spring_grid_row(),
+       level_of_grid(), tree_node(),   pair_range(),     analytic_collider(), contact(),
+       search_params(), tree_params(), colliders(),      collider_place(),    frame(),
+       weave(),         plane(),       fine_grid(),      cloth_nodes(),       level_of_mesh(),
+       coupling(),      share()});
 }
 
 Json shared_constants() {
@@ -263,12 +257,12 @@ Json shared_constants() {
       constant("kAnalyticId", "contact/pushes/analytic.wgsl", contact::kAnalyticId),
       constant("kStackSize", "contact/pushes/bvh.wgsl", contact::kStackSize),
       constant("kWireframe", "render/frame.wgsl", static_cast<double>(scene::View::Wireframe)),
-      constant("kResidual", "method/multigrid/vectors.wgsl", multigrid::kResidual),
-      constant("kInverse", "method/multigrid/vectors.wgsl", multigrid::kInverse),
-      constant("kDirection", "method/multigrid/vectors.wgsl", multigrid::kDirection),
-      constant("kFirst", "method/multigrid/vectors.wgsl", multigrid::kFirst),
-      constant("kSecond", "method/multigrid/vectors.wgsl", multigrid::kSecond),
-      constant("kVectors", "method/multigrid/vectors.wgsl", multigrid::kVectors),
+      constant("kResidual", "method/multigrid/cloth.wgsl", multigrid::kResidual),
+      constant("kInverse", "method/multigrid/cloth.wgsl", multigrid::kInverse),
+      constant("kDirection", "method/multigrid/cloth.wgsl", multigrid::kDirection),
+      constant("kFirst", "method/multigrid/cloth.wgsl", multigrid::kFirst),
+      constant("kSecond", "method/multigrid/cloth.wgsl", multigrid::kSecond),
+      constant("kVectors", "method/multigrid/cloth.wgsl", multigrid::kVectors),
       constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::kTaps),
       statistic("kStatHits", offsetof(Statistics, hits)),
       statistic("kStatHitHash", offsetof(Statistics, hit_hash)),

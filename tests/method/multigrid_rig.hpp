@@ -9,7 +9,7 @@
 
 namespace weft {
 
-template <class Cycle, class Kernels>
+template <class ClothCycle, class Kernels>
 class ImplicitRig {
  public:
   /// `presses`: whether obstacles may hold nodes.
@@ -26,14 +26,15 @@ class ImplicitRig {
     auto state = State::create(device, model_.host, 1);
     REQUIRE_OK(state);
     state_ = std::move(*state);
-    auto kernels = Kernels::create(device, presses, workgroup_size);
-    REQUIRE_OK(kernels);
-    kernels_ = std::move(*kernels);
     auto sums = gpu::Buffer<std::int32_t>::create(device, kPressWords * model_.vertex_count(), "presses");
     REQUIRE_OK(sums);
     press_sums_ = std::move(*sums);
-    auto cycle = Cycle::create(device, kernels_, model_, state_, {&state_.velocity[1], &state_.velocity[0]},
-                               presses ? &press_sums_ : nullptr, model_.host.cloths[0]);
+    const Predicted predicted = {&state_.velocity[1], &state_.velocity[0]};
+    const CycleInputs inputs{device,        model_, state_, predicted, presses ? &press_sums_ : nullptr,
+                             workgroup_size};
+    const auto kernels = Kernels::create(inputs);
+    REQUIRE_OK(kernels);
+    auto cycle = ClothCycle::create(inputs, *kernels, model_.host.cloths[0]);
     REQUIRE_OK(cycle);
     cycle_ = std::move(*cycle);
     params_.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
@@ -149,15 +150,10 @@ class ImplicitRig {
     const auto submitted = device_.submit(list);
     REQUIRE_OK(submitted);
   }
-  /// One of the vectors of a level, as src/method/multigrid/level.wgsl numbers them.
+  /// One of the vectors of a level, as src/method/multigrid/cloth.wgsl numbers them.
   std::vector<Vec4f> vector(std::size_t level, std::uint32_t number) {
-    const auto& l = cycle_.levels()[level];
-    std::uint32_t count = 0;
-    if constexpr (kIsMesh) {
-      count = l.node_count;
-    } else {
-      count = l.node_count();
-    }
+    const auto& l = cycle_.shapes()[level];
+    const std::uint32_t count = node_count(l);
     const std::vector<Vec4f> all = download(cycle_.vectors());
     const auto begin = all.begin() + static_cast<std::ptrdiff_t>(l.first_vector + number * count);
     return {begin, begin + static_cast<std::ptrdiff_t>(count)};
@@ -183,14 +179,13 @@ class ImplicitRig {
     return system;
   }
 
-  const Cycle& cycle() const { return cycle_; }
-  const Kernels& kernels() const { return kernels_; }
+  const ClothCycle& cycle() const { return cycle_; }
   const State& state() const { return state_; }
   const Model& model() const { return model_; }
   const reference::MassSpringSystem& system() const { return system_; }
 
  private:
-  static constexpr bool kIsMesh = std::is_same_v<Cycle, MeshCycle>;
+  static constexpr bool kIsMesh = std::is_same_v<ClothCycle, MeshCycle>;
 
   gpu::Device& device_;
   gpu::Buffer<std::int32_t> press_sums_;
@@ -200,20 +195,19 @@ class ImplicitRig {
   StepParams params_;
   Model model_;
   State state_;
-  Kernels kernels_;
-  Cycle cycle_;
+  ClothCycle cycle_;
   reference::MassSpringSystem system_;
   std::optional<reference::ImplicitStepper> stepper_;
 };
 
-using MultigridRig = ImplicitRig<GridCycle, MultigridKernels>;
+using MultigridRig = ImplicitRig<GridCycle, GridKernels>;
 using MeshRig = ImplicitRig<MeshCycle, MeshKernels>;
 
 /// After its whole substep the rig's nodes have come where the reference's have, and as fast; those that are
 /// `pressed`, if any may be, begin anew.
 template <class Rig>
 void check_substep(Rig& rig, const std::vector<bool>& pressed = {}) {
-  rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+  rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass); });
   const reference::MassSpringSystem expected = rig.advanced();
   const reference::Field after = field(rig.download(rig.state().position[1]));
   const std::vector<Vec4f> velocity = rig.download(rig.state().velocity[1]);

@@ -5,7 +5,7 @@
 #include "gpu/gpu_fixture.hpp"
 #include "mesh/primitives.hpp"
 #include "method/mass_spring/fixed_point.hpp"
-#include "method/mass_spring/grid_params.hpp"
+#include "element/spring/spring_grid.hpp"
 #include "method/mass_spring/spring_forces.hpp"
 #include "solver_rig.hpp"
 
@@ -100,14 +100,14 @@ void check_one_step(SolverRig& rig, double force_unit) {
 
 }  // namespace
 
-TEST_CASE("a grid's parameters have the stiffness of each kind, and its damping where there is any") {
+TEST_CASE("the springs of a grid have the stiffness of each kind, and its damping where there is any") {
   ClothModel cloth;
   cloth.grid = mesh::Grid{5, 4, 1.0, 0.75};
   cloth.stiffness.structural = 50;
   cloth.stiffness.shear = 0;
   cloth.stiffness.bend = 7;
   cloth.damping = 0.5;
-  const GridParams params = grid_params(cloth, 64);
+  const SpringGrid params = spring_grid(cloth);
   const auto numbers = [](const Vec4f& v) { return std::array{v.x, v.y, v.z, v.w}; };
   CHECK(numbers(params.stiffness) == std::array{50.0F, 0.0F, 7.0F, 0.0F});
   CHECK(numbers(params.damping) == std::array{0.5F, 0.0F, 0.5F, 0.0F});

@@ -26,17 +26,17 @@ const std::string kNodeMass =
 
 /// What a matrix of one level does to a random vector, block by block as kernels have stored it.
 Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
-  const MultigridLevel& level = rig.cycle().levels()[l];
+  const LevelOfGrid& level = rig.cycle().shapes()[l];
   const std::vector<BlockPart> all = rig.download(rig.cycle().operators());
   GridOperator stored;
   stored.nx = level.nx;
   stored.ny = level.ny;
-  stored.rows.resize(level.node_count());
-  stored.held.assign(level.node_count(), false);
+  stored.rows.resize(node_count(level));
+  stored.held.assign(node_count(level), false);
   const auto part = [&](std::uint32_t p, std::uint32_t n) {
-    return all[level.first_operator + p * level.node_count() + n];
+    return all[level.first_operator + p * node_count(level) + n];
   };
-  for (std::uint32_t n = 0; n < level.node_count(); ++n)
+  for (std::uint32_t n = 0; n < node_count(level); ++n)
     for (std::uint32_t b = 0; b < kBlocks; ++b) {
       const auto xx_yy = part(kBlockParts * b, n), zz_yz = part(kBlockParts * b + 1, n),
                  xz_xy = part(kBlockParts * b + 2, n);
@@ -66,7 +66,7 @@ TEST_CASE("the residual, the diagonal and the first step of smoothing equal the 
     rig.perturb(c.nx, c.amount, c.speed);
     rig.set_ratio(c.ratio);
     if (c.nx > 9) rig.hold(10, {0.1, 0.2, 0.3});
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record_system(pass, rig.kernels()); });
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record_system(pass); });
     const reference::LinearStep expected = rig.linearise();
     CHECK(difference(field(rig.vector(0, kResidual)), expected.residual) < 2e-5);
     // By what D⁻¹ does to a vector with D in it: both may be far apart where a block is nearly singular.
@@ -97,12 +97,12 @@ TEST_CASE("the matrices of coarse levels equal the reference's") {
     MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth));
     rig.perturb(c.ny, 0.01, 1);
     rig.run([&](gpu::ComputePass& pass) {
-      rig.cycle().record_system(pass, rig.kernels());
-      rig.cycle().record_matrices(pass, rig.kernels());
+      rig.cycle().record_system(pass);
+      rig.cycle().record_matrices(pass);
     });
     const reference::LinearStep step = rig.linearise();
     const reference::Hierarchy hierarchy(step.matrix, step.source);
-    REQUIRE(hierarchy.levels().size() == rig.cycle().levels().size());
+    REQUIRE(hierarchy.levels().size() == rig.cycle().shapes().size());
     for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
       CAPTURE(l);
       GridOperator plain = hierarchy.levels()[l];
@@ -129,9 +129,9 @@ TEST_CASE("smoothing, restriction and the cycle of the coarsest levels equal the
     MultigridRig rig(fixture.device(), cloth(nx, ny, material));
     rig.perturb(nx, 0.005, 1);
     rig.run([&](gpu::ComputePass& pass) {
-      rig.cycle().record_system(pass, rig.kernels());
-      rig.cycle().record_matrices(pass, rig.kernels());
-      rig.cycle().record_down(pass, rig.kernels());
+      rig.cycle().record_system(pass);
+      rig.cycle().record_matrices(pass);
+      rig.cycle().record_down(pass);
     });
     const reference::LinearStep step = rig.linearise();
     const reference::Hierarchy hierarchy(step.matrix, step.source);
@@ -192,8 +192,8 @@ TEST_CASE("what obstacles hold is in the matrix, and a pressed node begins anew,
     CHECK(pressed > step.pressed.size() / (4 * c.every));
     CHECK(pressed < step.pressed.size() / c.every);  // some are not, or agree on nothing
     rig.run([&](gpu::ComputePass& pass) {
-      rig.cycle().record_system(pass, rig.kernels());
-      rig.cycle().record_matrices(pass, rig.kernels());
+      rig.cycle().record_system(pass);
+      rig.cycle().record_matrices(pass);
     });
     CHECK(difference(field(rig.vector(0, kResidual)), step.residual) < 2e-5);
     const reference::Hierarchy hierarchy(step.matrix, step.source);
@@ -215,7 +215,7 @@ TEST_CASE("an implicit substep has the same bits for every workgroup, and on eve
   for (const std::uint32_t size : {64U, 64U, 128U, 256U}) {
     MultigridRig rig(fixture.device(), cloth(71, 60, kPlain), 1.0 / 480, size);
     rig.perturb(4, 0.01, 2);
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass); });
     positions.push_back(rig.download(rig.state().position[1]));
     CHECK(same_bits(positions.back(), positions.front()));
   }

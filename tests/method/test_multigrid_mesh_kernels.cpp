@@ -42,7 +42,7 @@ std::vector<Case> cases() {
 
 std::vector<Sym3> blocks_of(MeshRig& rig, std::size_t l) {
   const std::vector<Vec4f> all = rig.download(rig.cycle().blocks());
-  const MultigridMeshLevel& level = rig.cycle().levels()[l];
+  const LevelOfMesh& level = rig.cycle().shapes()[l];
   std::vector<Sym3> blocks;
   for (std::size_t b = level.first_block; b < level.first_block + level.block_count; ++b)
     blocks.push_back(sym3(all[2 * b], all[2 * b + 1].x, all[2 * b + 1].y));
@@ -74,13 +74,13 @@ TEST_CASE("a mesh's residual, matrices, diagonals and first step of smoothing eq
     rig.set_ratio(c.ratio);
     if (c.mesh.positions.size() > 9) rig.hold(9, {0.1, 0.2, 0.3});
     rig.run([&](gpu::ComputePass& pass) {
-      rig.cycle().record_system(pass, rig.kernels());
-      rig.cycle().record_matrices(pass, rig.kernels());
+      rig.cycle().record_system(pass);
+      rig.cycle().record_matrices(pass);
     });
     const reference::MeshStep expected = rig.linearise();
     CHECK(difference(field(rig.vector(0, kResidual)), expected.residual) < 2e-5);
     const reference::MeshHierarchy hierarchy(expected.matrix);
-    REQUIRE(hierarchy.levels().size() == rig.cycle().levels().size());
+    REQUIRE(hierarchy.levels().size() == rig.cycle().shapes().size());
     for (std::size_t l = 0; l < hierarchy.levels().size(); ++l) {
       CAPTURE(l);
       const MeshOperator& level = hierarchy.levels()[l];
@@ -103,9 +103,9 @@ TEST_CASE("smoothing, restriction and the cycle of a mesh's coarsest levels equa
     MeshRig rig(fixture.device(), cloth(material), 1.0 / 480, 64, false, {mesh});
     rig.perturb(4, 0.005, 1);
     rig.run([&](gpu::ComputePass& pass) {
-      rig.cycle().record_system(pass, rig.kernels());
-      rig.cycle().record_matrices(pass, rig.kernels());
-      rig.cycle().record_down(pass, rig.kernels());
+      rig.cycle().record_system(pass);
+      rig.cycle().record_matrices(pass);
+      rig.cycle().record_down(pass);
     });
     const reference::MeshStep step = rig.linearise();
     const reference::MeshHierarchy hierarchy(step.matrix);
@@ -124,7 +124,7 @@ TEST_CASE("smoothing, restriction and the cycle of a mesh's coarsest levels equa
       CHECK(difference(field(rig.vector(l + 1, kResidual)), restricted(left, matrix)) < 1e-3);
     }
     const Field below = hierarchy.cycle_from(tail, field(rig.vector(tail, kResidual)));
-    CHECK(difference(field(rig.vector(tail, kSecond)), below) < 1e-3);
+    CHECK(difference(field(rig.vector(tail, kFirst)), below) < 1e-3);
   }
 }
 
@@ -153,8 +153,8 @@ TEST_CASE("what obstacles hold is in a mesh's matrix, and a pressed node begins 
     CHECK(pressed > step.pressed.size() / (4 * every));
     CHECK(pressed < step.pressed.size() / every);  // some are not, or agree on nothing
     rig.run([&](gpu::ComputePass& pass) {
-      rig.cycle().record_system(pass, rig.kernels());
-      rig.cycle().record_matrices(pass, rig.kernels());
+      rig.cycle().record_system(pass);
+      rig.cycle().record_matrices(pass);
     });
     CHECK(difference(field(rig.vector(0, kResidual)), step.residual) < 2e-5);
     const reference::MeshHierarchy hierarchy(step.matrix);
@@ -177,7 +177,7 @@ TEST_CASE("an implicit substep of a mesh has the same bits for every workgroup, 
   for (const std::uint32_t size : {64U, 64U, 128U, 256U}) {
     MeshRig rig(fixture.device(), cloth(kPlain), 1.0 / 480, size, false, {jittered_sheet(51, 40, 2, 2)});
     rig.perturb(4, 0.01, 2);
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.kernels()); });
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass); });
     positions.push_back(rig.download(rig.state().position[1]));
     CHECK(same_bits(positions.back(), positions.front()));
   }

@@ -139,9 +139,7 @@ Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, con
   params.flat_reach = setup_.flat_reach;
   params.first_opposite = first_opposite_;
   params.first_rim = first_rim_;
-  WEFT_TRY(buffer, gpu::Buffer<SearchParams>::create_from(device, std::span(&params, 1), "search params",
-                                                          gpu::kUniform | gpu::kCopyTarget));
-  params_ = std::move(buffer);
+  WEFT_SET(params_, gpu::create_uniform(device, params, "search params"));
   using Candidate = std::array<std::uint32_t, 2>;
   candidates_ = {};  // given back before more is asked for
   WEFT_TRY(candidates, gpu::Buffer<Candidate>::create(device, room_.candidates, "contact candidates"));

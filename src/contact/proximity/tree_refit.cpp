@@ -21,8 +21,7 @@ Result<void> TreeRefit::add(gpu::Device& device, const gpu::Buffer<StepParams>& 
   part.leaf_count = tree.leaf_count();
   part.top = tree.top();
   const TreeParams params{tree.first, tree.top(), first_triangle, triangle_count};
-  WEFT_TRY(buffer, gpu::Buffer<TreeParams>::create_from(device, std::span(&params, 1), "tree params",
-                                                        gpu::kUniform | gpu::kCopyTarget));
+  WEFT_TRY(buffer, gpu::create_uniform(device, params, "tree params"));
   WEFT_TRY(leaves, leaf_boxes_.bind({steps, buffer, positions, triangles, statistics, trees}));
   part.leaves = std::move(leaves);
   WEFT_TRY(upper, upper_boxes_.bind({buffer, statistics, trees}));

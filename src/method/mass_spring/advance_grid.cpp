@@ -1,29 +1,48 @@
 #include "method/mass_spring/advance_grid.hpp"
 
-#include "method/mass_spring/grid_params.hpp"
+#include <algorithm>
+
+#include "element/spring/spring_grid.hpp"
 
 namespace weft {
+namespace {
 
-Result<AdvanceGrid> AdvanceGrid::create(gpu::Device& device, const Model& model, const State& state,
-                                        const Predicted& predicted, const ClothModel& cloth,
-                                        std::uint32_t workgroup_size) {
+std::uint32_t tiles_of(std::uint32_t nodes, std::uint32_t width) { return (nodes + width - 1) / width; }
+
+}  // namespace
+
+std::vector<gpu::Constant> grid_constants(const ClothModel& cloth) {
+  return {{"kDamped", cloth.damping > 0 ? 1.0 : 0.0},
+          {"kBend", cloth.stiffness.bend > 0 ? 1.0 : 0.0},
+          {"kBending", cloth.stiffness.bending > 0 ? 1.0 : 0.0}};
+}
+
+Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const ClothModel& cloth) {
+  const State& state = inputs.state;
+  const std::uint32_t nx = cloth.grid->nx, ny = cloth.grid->ny, size = inputs.workgroup_size;
+  // Workgroups are 64 or 32 nodes wide: what leaves fewer of them without a node.
+  const std::uint32_t narrow = std::min(32U, size), wide = std::min(64U, size);
+  const std::uint32_t width = tiles_of(nx, wide) * wide > tiles_of(nx, narrow) * narrow ? narrow : wide;
+  std::vector<gpu::Constant> constants = grid_constants(cloth);
+  constants.push_back({"kTileWidth", static_cast<double>(width)});
+  constants.push_back({"kTilesX", static_cast<double>(tiles_of(nx, width))});
+  WEFT_TRY(kernel,
+           gpu::create_shared_kernel(inputs.device, "method/mass_spring/advance_grid.wgsl", constants, size));
+  const std::uint64_t tiles = std::uint64_t{tiles_of(nx, width)} * tiles_of(ny, size / width);
+  const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(tiles * size);
   AdvanceGrid made;
-  WEFT_TRY(kernel, gpu::Kernel::create(device, "method/mass_spring/advance_grid.wgsl", grid_constants(cloth),
-                                       workgroup_size));
-  made.kernel_ = std::move(kernel);
-  const GridParams params = grid_params(cloth, workgroup_size);
-  WEFT_TRY(buffer, gpu::Buffer<GridParams>::create_from(device, std::span(&params, 1), "grid params",
-                                                        gpu::kUniform | gpu::kCopyTarget));
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group, made.kernel_.bind({state.steps, buffer, state.position[parity], state.velocity[parity],
-                                       model.rest_position, state.motions, state.position[1 - parity],
-                                       *predicted[parity]}));
-    made.groups_[parity] = std::move(group);
-  }
-  made.params_ = std::move(buffer);
-  const std::uint32_t tile_height = workgroup_size / params.tile_width;
-  const std::uint64_t tiles_y = (params.ny + tile_height - 1) / tile_height;
-  made.count_ = params.tiles_x * tiles_y * workgroup_size;
+  WEFT_SET(made.grid_, gpu::create_uniform(inputs.device, spring_grid(cloth), "spring grid"));
+  WEFT_SET(made.dispatch_,
+           gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
+             return {state.steps,
+                     made.grid_,
+                     state.position[p],
+                     state.velocity[p],
+                     inputs.model.rest_position,
+                     state.motions,
+                     state.position[1 - p],
+                     *inputs.predicted()[p]};
+           }));
   return made;
 }
 

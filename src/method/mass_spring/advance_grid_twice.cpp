@@ -1,6 +1,7 @@
 #include "method/mass_spring/advance_grid_twice.hpp"
 
-#include "method/mass_spring/grid_params.hpp"
+#include "element/spring/spring_grid.hpp"
+#include "method/mass_spring/advance_grid.hpp"
 
 namespace weft {
 namespace {
@@ -10,24 +11,25 @@ constexpr std::uint32_t kTileWidth = 16, kTileHeight = 8, kInvocations = 256;
 
 }  // namespace
 
-Result<AdvanceGridTwice> AdvanceGridTwice::create(gpu::Device& device, const Model& model, const State& state,
-                                                  const ClothModel& cloth) {
+Result<AdvanceGridTwice> AdvanceGridTwice::create(const SolverInputs& inputs, const ClothModel& cloth) {
+  const State& state = inputs.state;
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/advance_grid_twice.wgsl",
+                                             grid_constants(cloth), kInvocations));
+  const gpu::Dispatch::Workgroups tiles = {(cloth.grid->nx + kTileWidth - 1) / kTileWidth,
+                                           (cloth.grid->ny + kTileHeight - 1) / kTileHeight};
   AdvanceGridTwice made;
-  WEFT_TRY(kernel, gpu::Kernel::create(device, "method/mass_spring/advance_grid_twice.wgsl",
-                                       grid_constants(cloth), kInvocations));
-  made.kernel_ = std::move(kernel);
-  const GridParams params = grid_params(cloth, kInvocations);
-  WEFT_TRY(buffer, gpu::Buffer<GridParams>::create_from(device, std::span(&params, 1), "grid params",
-                                                        gpu::kUniform | gpu::kCopyTarget));
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group, made.kernel_.bind({state.steps, buffer, state.position[parity], state.velocity[parity],
-                                       model.rest_position, state.motions, state.position[1 - parity],
-                                       state.velocity[1 - parity]}));
-    made.groups_[parity] = std::move(group);
-  }
-  made.params_ = std::move(buffer);
-  made.tiles_x_ = (params.nx + kTileWidth - 1) / kTileWidth;
-  made.tiles_y_ = (params.ny + kTileHeight - 1) / kTileHeight;
+  WEFT_SET(made.grid_, gpu::create_uniform(inputs.device, spring_grid(cloth), "spring grid"));
+  WEFT_SET(made.dispatch_,
+           gpu::Dispatch::create_by_parity(kernel, tiles, [&](std::size_t p) -> gpu::Dispatch::Bindings {
+             return {state.steps,
+                     made.grid_,
+                     state.position[p],
+                     state.velocity[p],
+                     inputs.model.rest_position,
+                     state.motions,
+                     state.position[1 - p],
+                     state.velocity[1 - p]};
+           }));
   return made;
 }
 

@@ -1,18 +1,18 @@
 // Two substeps of a grid cloth in one dispatch, where a dispatch costs more than the step: the same bits as two of
-// advance_grid. One workgroup per tile of 16 x 8 nodes. It reads the tile and four nodes around it, advances the tile and
-// two nodes around it, and from those the tile: nodes between tiles are advanced more than once, each time alike.
+// advance_grid. One workgroup per tile of 16 x 8 nodes. It reads the tile and four nodes around it, advances the tile
+// and two nodes around it, and from those the tile: nodes between tiles are advanced more than once, each time alike.
 // Source: docs/solvers/mass_spring.md, "Two steps at once".
-#include "method/mass_spring/grid_springs.wgsl"
+#include "method/mass_spring/grid_force.wgsl"
 #include "state/integrate.wgsl"
-//                                                                                        elements            unit
+//                                                                               elements            unit
 @group(0) @binding(0) var<uniform>             steps        : array<StepParams, 2>;
-@group(0) @binding(1) var<uniform>             grid         : GridParams;
-@group(0) @binding(2) var<storage, read>       position_in  : array<vec4f>;            // vertex_count        m (w: inverse mass, 1/kg)
-@group(0) @binding(3) var<storage, read>       velocity_in  : array<vec4f>;            // vertex_count        m/s
-@group(0) @binding(4) var<storage, read>       rest         : array<vec4f>;            // vertex_count        m (w: motion)
-@group(0) @binding(5) var<storage, read>       motions      : array<vec4f>;            // 3 * motions * substeps
-@group(0) @binding(6) var<storage, read_write> position_out : array<vec4f>;            // vertex_count        m
-@group(0) @binding(7) var<storage, read_write> velocity_out : array<vec4f>;            // vertex_count        m/s
+@group(0) @binding(1) var<uniform>             grid         : SpringGrid;
+@group(0) @binding(2) var<storage, read>       position_in  : array<vec4f>;   // vertex_count        m (w: 1/kg)
+@group(0) @binding(3) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count        m/s
+@group(0) @binding(4) var<storage, read>       rest         : array<vec4f>;   // vertex_count        m (w: motion)
+@group(0) @binding(5) var<storage, read>       motions      : array<vec4f>;   // 3 * motions * substeps
+@group(0) @binding(6) var<storage, read_write> position_out : array<vec4f>;   // vertex_count        m
+@group(0) @binding(7) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count        m/s
 
 const kTileWidth = 16u;   // kTileWidth in src/method/mass_spring/advance_grid_twice.cpp
 const kTileHeight = 8u;
@@ -61,9 +61,8 @@ fn site_of(tile : vec2u, index : u32, inset : u32) -> Site {
 
 fn advance(site : Site) -> NodeState {
   let before = NodeState(tile_position[site.place], vec4f(velocity_at(site.place), 0.0));
-  if (before.position.w == 0.0) { return integrate_held(before, rest[site.node]); }
-  if (is_grabbed(site.node)) { return integrate_grabbed(site.node, before); }
-  return integrate_free(before, grid_force(before.position.xyz, before.velocity.xyz, site.place, kRow, site.i, site.j));
+  let own = Own(before.position.xyz, before.velocity.xyz);
+  return integrate_node(site.node, before, grid_force(own, site.place, kRow, site.i, site.j));
 }
 
 @compute @workgroup_size(kInvocations)

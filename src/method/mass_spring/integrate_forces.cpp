@@ -2,21 +2,20 @@
 
 namespace weft {
 
-Result<IntegrateForces> IntegrateForces::create(gpu::Device& device, const Model& model, const State& state,
-                                                const Predicted& predicted,
-                                                const gpu::Buffer<std::int32_t>& force,
-                                                std::uint32_t workgroup_size) {
+Result<IntegrateForces> IntegrateForces::create(const SolverInputs& inputs,
+                                                const gpu::Buffer<std::int32_t>& force) {
+  const State& state = inputs.state;
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/integrate_forces.wgsl", {},
+                                             inputs.workgroup_size));
+  const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(inputs.model.vertex_count());
   IntegrateForces made;
-  WEFT_TRY(kernel,
-           gpu::Kernel::create(device, "method/mass_spring/integrate_forces.wgsl", {}, workgroup_size));
-  made.kernel_ = std::move(kernel);
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group, made.kernel_.bind({state.steps, state.position[parity], state.velocity[parity],
-                                       model.rest_position, state.motions, force, state.position[1 - parity],
-                                       *predicted[parity]}));
-    made.groups_[parity] = std::move(group);
-  }
-  made.count_ = model.vertex_count();
+  WEFT_SET(made.dispatch_,
+           gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
+             return {state.steps,           state.position[p],
+                     state.velocity[p],     inputs.model.rest_position,
+                     state.motions,         force,
+                     state.position[1 - p], *inputs.predicted()[p]};
+           }));
   return made;
 }
 

@@ -1,14 +1,14 @@
-// Integrates every node under the forces that spring_forces summed, and clears them for the next substep. One
+// Integrates every node under the forces that spring_forces summed (all x, then all y, then all z), and clears them. One
 // invocation per node. Source: Sung et al., Algorithm 1, second part.
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
 //                                                                               elements          unit
 @group(0) @binding(0) var<uniform>             step         : StepParams;
-@group(0) @binding(1) var<storage, read>       position_in  : array<vec4f>;   // vertex_count      m (w: inverse mass)
+@group(0) @binding(1) var<storage, read>       position_in  : array<vec4f>;   // vertex_count      m (w: 1/kg)
 @group(0) @binding(2) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count      m/s
 @group(0) @binding(3) var<storage, read>       rest         : array<vec4f>;   // vertex_count      m (w: motion)
 @group(0) @binding(4) var<storage, read>       motions      : array<vec4f>;   // 3 * motions * substeps
-@group(0) @binding(5) var<storage, read_write> force        : array<i32>;     // 3 * vertex_count  N * step.force_scale: all x, all y, all z
+@group(0) @binding(5) var<storage, read_write> force        : array<i32>;     // 3 * vertex_count  N * step.force_scale
 @group(0) @binding(6) var<storage, read_write> position_out : array<vec4f>;   // vertex_count      m
 @group(0) @binding(7) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count      m/s
 
@@ -22,14 +22,7 @@ fn integrate_forces(@builtin(global_invocation_id) id : vec3u) {
   force[n + node] = 0;
   force[2u * n + node] = 0;
   let before = NodeState(position_in[node], velocity_in[node]);
-  var after : NodeState;
-  if (before.position.w == 0.0) {
-    after = integrate_held(before, rest[node]);
-  } else if (is_grabbed(node)) {
-    after = integrate_grabbed(node, before);
-  } else {
-    after = integrate_free(before, sum / step.force_scale);
-  }
+  let after = integrate_node(node, before, sum / step.force_scale);
   position_out[node] = after.position;
   velocity_out[node] = after.velocity;
 }

@@ -65,9 +65,7 @@ Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settin
              SpringForces::create(inputs.device, inputs.state, springs, made.force, inputs.workgroup_size));
     made.spring_forces = std::move(forces);
   }
-  WEFT_TRY(integrate, IntegrateForces::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
-                                              made.force, inputs.workgroup_size));
-  made.integrate_forces = std::move(integrate);
+  WEFT_SET(made.integrate_forces, IntegrateForces::create(inputs, made.force));
   spring_centric_ = std::move(made);
   return {};
 }
@@ -79,16 +77,14 @@ Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
                                [](const ClothModel& cloth) { return cloth.grid.has_value(); });
   for (const ClothModel& cloth : cloths) {
     if (!cloth.grid) {
-      WEFT_TRY(advance, AdvanceMesh::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
-                                            cloth, inputs.workgroup_size));
+      WEFT_TRY(advance, AdvanceMesh::create(inputs, cloth));
       meshes_.push_back(std::move(advance));
       continue;
     }
-    WEFT_TRY(advance, AdvanceGrid::create(inputs.device, inputs.model, inputs.state, inputs.predicted(),
-                                          cloth, inputs.workgroup_size));
+    WEFT_TRY(advance, AdvanceGrid::create(inputs, cloth));
     grids_.push_back(std::move(advance));
     if (!two) continue;
-    WEFT_TRY(twice, AdvanceGridTwice::create(inputs.device, inputs.model, inputs.state, cloth));
+    WEFT_TRY(twice, AdvanceGridTwice::create(inputs, cloth));
     twice_.push_back(std::move(twice));
   }
   return {};

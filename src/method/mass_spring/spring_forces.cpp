@@ -11,18 +11,14 @@ Result<SpringForces> SpringForces::create(gpu::Device& device, const State& stat
                        state.position[0].size());
   SpringForces made;
   WEFT_TRY(packed, pack_springs(springs, static_cast<std::uint32_t>(state.position[0].size())));
-  WEFT_TRY(spring_buffer, gpu::Buffer<PackedSpring>::create_from(device, packed.springs, "springs"));
-  made.springs_ = std::move(spring_buffer);
-  WEFT_TRY(kinds, gpu::Buffer<SpringKind>::create_from(device, packed.kinds, "spring kinds"));
-  made.kinds_ = std::move(kinds);
-  WEFT_TRY(kernel, gpu::Kernel::create(device, "method/mass_spring/spring_forces.wgsl", {}, workgroup_size));
-  made.kernel_ = std::move(kernel);
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group, made.kernel_.bind({state.steps, state.position[parity], state.velocity[parity],
-                                       made.springs_, made.kinds_, force}));
-    made.groups_[parity] = std::move(group);
-  }
-  made.count_ = springs.size();
+  WEFT_SET(made.springs_, gpu::Buffer<PackedSpring>::create_from(device, packed.springs, "springs"));
+  WEFT_SET(made.kinds_, gpu::Buffer<SpringKind>::create_from(device, packed.kinds, "spring kinds"));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/mass_spring/spring_forces.wgsl", {}, workgroup_size));
+  const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(springs.size());
+  WEFT_SET(made.dispatch_,
+           gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
+             return {state.steps, state.position[p], state.velocity[p], made.springs_, made.kinds_, force};
+           }));
   return made;
 }
 

@@ -1,20 +1,26 @@
-// Quadratic bending of a level: k/2 |x(m-1) - 2 x(m) + x(m+1)|² about the nodes m of each row and column. The including file has the field
-// that it is applied to, operand(level, node).
-#include "method/multigrid/bending_diagonal.wgsl"
+// Quadratic bending of a level: k/2 |x(m-1) - 2 x(m) + x(m+1)|² about the nodes m of each row and column. The including
+// file has the field that it is applied to, operand(level, x, node).
+#include "method/multigrid/grid_level.wgsl"
 
-fn line_bending(level : Level, at : u32, end : u32, node : u32, step_to_next : u32) -> vec3f {
-  let x = operand(level, node);
+fn line_bending(level : Level, x : u32, at : u32, end : u32, node : u32, to_next : u32) -> vec3f {
+  let own = operand(level, x, node);
   var sum = vec3f(0.0);
-  if (at > 1u && at <= end) { sum += operand(level, node - 2u * step_to_next) - 2.0 * operand(level, node - step_to_next) + x; }
-  if (at > 0u && at < end) { sum -= 2.0 * (operand(level, node - step_to_next) - 2.0 * x + operand(level, node + step_to_next)); }
-  if (at + 1u < end) { sum += x - 2.0 * operand(level, node + step_to_next) + operand(level, node + 2u * step_to_next); }
+  if (at > 1u && at <= end) {
+    sum += operand(level, x, node - 2u * to_next) - 2.0 * operand(level, x, node - to_next) + own;
+  }
+  if (at > 0u && at < end) {
+    sum -= 2.0 * (operand(level, x, node - to_next) - 2.0 * own + operand(level, x, node + to_next));
+  }
+  if (at + 1u < end) {
+    sum += own - 2.0 * operand(level, x, node + to_next) + operand(level, x, node + 2u * to_next);
+  }
   return sum;
 }
 
 // Where nothing bends there are no second differences: lines end at 0.
-fn bending_product(level : Level, i : u32, j : u32, node : u32) -> vec3f {
+fn bending_product(level : Level, x : u32, i : u32, j : u32, node : u32) -> vec3f {
   let end_i = select(0u, level.bend_end_i, level.bending_i > 0.0);
   let end_j = select(0u, level.bend_end_j, level.bending_j > 0.0);
-  return level.bending_i * select(1.0, level.rim, on_rim(j, level.ny)) * line_bending(level, i, end_i, node, 1u) +
-         level.bending_j * select(1.0, level.rim, on_rim(i, level.nx)) * line_bending(level, j, end_j, node, level.nx);
+  return level.bending_i * select(1.0, level.rim, on_rim(j, level.ny)) * line_bending(level, x, i, end_i, node, 1u) +
+         level.bending_j * select(1.0, level.rim, on_rim(i, level.nx)) * line_bending(level, x, j, end_j, node, level.nx);
 }

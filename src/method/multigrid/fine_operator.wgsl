@@ -1,25 +1,33 @@
-// A x on the finest level, where A is not stored: each spring's block is made anew from where its nodes are. The including kernel binds
-// `step`, `grid`, `place` and `holds`, and has the field, operand(level, node).
+// A x on the finest level of a grid, where A is not stored: each spring's block is made anew from where its nodes are.
+// The including kernel binds `step`, `grid`, `place`, `holds` and `vectors`.
 #include "method/multigrid/bending.wgsl"
 #include "method/multigrid/hold.wgsl"
-#include "method/multigrid/springs_of_node.wgsl"
-var<private> here : vec3f;   // of the node whose springs are summed
-var<private> value : vec3f;
-var<private> rate : f32;     // 1/s: what a displacement is as a velocity
-var<private> finest : Level;
+#include "method/multigrid/operand.wgsl"
+#include "method/multigrid/spring.wgsl"
+#include "element/spring/springs_of_node.wgsl"
 
-fn pull(neighbour : u32, rest_length : f32, stiffness : f32, damping : f32) -> vec3f {
-  let hessian = spring_block(place[neighbour].xyz - here, rest_length, stiffness, rate * damping);
-  return block_times(hessian, value - operand(finest, neighbour));
+struct Own {  // the node whose springs are summed
+  place : vec3f,  // m
+  value : vec3f,  // of x
+  rate : f32,     // 1/s: what a displacement is as a velocity
+  level : Level,
+  x : u32,
 }
 
-fn fine_product(level : Level, i : u32, j : u32, node : u32) -> vec3f {
-  let own = place[node];
-  here = own.xyz;
-  value = operand(level, node);
-  rate = 1.0 / formula_of(step.step_ratio).he;
-  finest = level;
-  let product = own.w * value + sum_of_springs(grid, i, j, node) + bending_product(level, i, j, node);
-  if (!kHolds) { return product; }
-  return product + hold_product(node, value);
+fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32, damping : f32) -> vec3f {
+  if (stiffness == 0.0) { return vec3f(0.0); }
+  let span = place[other].xyz - own.place;
+  let hessian = spring_block(span, rest_length, weight * stiffness, own.rate * (weight * damping));
+  return block_times(hessian, own.value - operand(own.level, own.x, other));
+}
+
+fn product(level : Level, x : u32, node : u32) -> vec3f {
+  let j = node / level.nx;
+  let i = node - j * level.nx;
+  let here = place[node];
+  let own = Own(here.xyz, operand(level, x, node), 1.0 / formula_of(step.step_ratio).he, level, x);
+  let springs = sum_of_springs(own, grid, node, grid.nx, i, j);
+  let sum = here.w * own.value + springs + bending_product(level, x, i, j, node);
+  if (!kHolds) { return sum; }
+  return sum + hold_product(node, own.value);
 }

@@ -1,8 +1,9 @@
-// The end of a substep for one node: its new position and velocity. The including kernel binds `step`, `nodes`, `place`, `holds`,
-// `position_in`, `velocity_in`, `position_out` and `velocity_out`. Source: docs/solvers/multigrid.md, equation 9.
-#include "method/multigrid/cloth_nodes.wgsl"
+// The end of a substep for one node: its new position and velocity. The including kernel binds `step`, `nodes`,
+// `place`, `holds`, `position_in`, `velocity_in`, `position_out` and `velocity_out`. Source: docs/solvers/multigrid.md,
+// equation 9.
+#include "method/multigrid/cloth.wgsl"
 #include "method/multigrid/hold.wgsl"
-#include "method/multigrid/spring_block.wgsl"
+#include "method/multigrid/spring.wgsl"
 
 fn finish_held(index : u32) {
   let node = nodes.first_vertex + index;

@@ -1,21 +1,21 @@
-// The matrix of the first coarse level, Pᵀ A P of masses and springs, and the inverse of its diagonal. One invocation per coarse node: it
-// gathers the springs about its nine fine nodes. Bend springs count as structural ones that are stiffer by twice their stiffness each:
-// exact where both that they span are stretched alike. Source: docs/solvers/multigrid.md, equation 10.
+// The matrix of the first coarse level, Pᵀ A P of masses and springs, and the inverse of its diagonal. One invocation
+// per coarse node: it gathers the springs about its nine fine nodes. Bend springs count as structural ones that are
+// stiffer by twice their stiffness each: exact where both that they span are stretched alike. Source:
+// docs/solvers/multigrid.md, equation 10.
 #include "gpu/index.wgsl"
-#include "method/multigrid/bending_diagonal.wgsl"
+#include "method/multigrid/grid_store_block.wgsl"
+#include "method/multigrid/grid_transfer.wgsl"
 #include "method/multigrid/hold.wgsl"
-#include "method/multigrid/spring_grid.wgsl"
-#include "method/multigrid/store_block.wgsl"
-#include "method/multigrid/store_inverse.wgsl"
-#include "method/multigrid/transfer.wgsl"
+#include "method/multigrid/spring.wgsl"
+#include "element/spring/spring_grid.wgsl"
 //                                                                            elements       unit
 @group(0) @binding(0) var<uniform>             step      : StepParams;
 @group(0) @binding(1) var<uniform>             grid      : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels    : array<Level, 2>;
+@group(0) @binding(2) var<uniform>             levels    : array<LevelOfGrid, 2>;
 @group(0) @binding(3) var<storage, read>       place     : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
 @group(0) @binding(4) var<storage, read>       holds     : array<vec4f>;   // method/multigrid/hold.wgsl
-@group(0) @binding(5) var<storage, read_write> vectors   : array<vec4f>;   // method/multigrid/level.wgsl
-@group(0) @binding(6) var<storage, read_write> operators : array<vec2f>;   // method/multigrid/coarse_block.wgsl
+@group(0) @binding(5) var<storage, read_write> vectors   : array<vec4f>;   // method/multigrid/cloth.wgsl
+@group(0) @binding(6) var<storage, read_write> operators : array<vec2f>;   // method/multigrid/grid_block.wgsl
 var<private> blocks : array<Symmetric, 5>;
 var<private> rate : f32;  // 1/s
 
@@ -29,8 +29,8 @@ fn line_taps(at : i32, center : i32, coarse : i32, n : i32, m : i32, regular : b
 }
 fn is_regular(center : i32, n : i32, m : i32) -> bool { return n != m && center > 3 && center + 4 < n; }
 
-// What a fine node takes from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w), and to the left
-// of that.
+// What a fine node takes from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w),
+// and to the left of that.
 struct Taps { right : vec4f, left : f32, at : vec4f }
 
 fn taps_at(x : i32, y : i32, column : vec3f, row : vec3f) -> Taps {
@@ -59,8 +59,8 @@ fn add_spring(a : Taps, b : Taps, rest_length : f32, stiffness : f32, damping : 
 fn add_structural(a : Taps, b : Taps, rest_length : f32, at : i32, side : i32, weight : f32) {
   let above = 2.0 * weight * (select(0.0, 1.0, at > 0) + select(0.0, 1.0, at + 2 < side));
   let bend = grid.stiffness.z;
-  let damping = select(0.0, weight, grid.stiffness.x > 0.0) + select(0.0, above, bend > 0.0);
-  add_spring(a, b, rest_length, weight * grid.stiffness.x + above * bend, damping * grid.damping);
+  let damping = weight * grid.damping.x + above * grid.damping.z;
+  add_spring(a, b, rest_length, weight * grid.stiffness.x + above * bend, damping);
 }
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -94,7 +94,9 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
     var below_b = b;
     if (down) {
       below_b = taps_at(left, y + 1, line_taps(left, center_i, i, nx, mx, regular_i), below_row);
-      if (left > 0) { below_a = taps_at(left - 1, y + 1, line_taps(left - 1, center_i, i, nx, mx, regular_i), below_row); }
+      if (left > 0) {
+        below_a = taps_at(left - 1, y + 1, line_taps(left - 1, center_i, i, nx, mx, regular_i), below_row);
+      }
     }
     for (var x = left; x <= min(center_i + 2, nx - 1); x++) {
       let a = b;
@@ -109,12 +111,12 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
         add_structural(a, b, grid.rest_length.x, x, nx, row_weight);
         if (down) {
           below_b = taps_at(x + 1, y + 1, column, below_row);
-          add_spring(a, below_b, grid.rest_length.z, grid.stiffness.y, grid.damping);
+          add_spring(a, below_b, grid.rest_length.z, grid.stiffness.y, grid.damping.y);
         }
       }
       if (down) {
         add_structural(a, below_a, grid.rest_length.y, y, ny, line_weight(grid, u32(x), grid.nx));
-        if (x > 0) { add_spring(a, before, grid.rest_length.z, grid.stiffness.y, grid.damping); }
+        if (x > 0) { add_spring(a, before, grid.rest_length.z, grid.stiffness.y, grid.damping.y); }
       }
     }
   }

@@ -1,33 +1,41 @@
-// What is left of the equation at the start of the unknown, the inverse of the matrix's diagonal, and the first step of smoothing. One
-// invocation per node. Sums run in a fixed order: the same bits every run. Source: docs/solvers/multigrid.md, equations 5 and 6.
+// What is left of the equation at the start of the unknown, the inverse of the matrix's diagonal, and the first step of
+// smoothing. One invocation per node. Sums run in a fixed order: the same bits every run. Source:
+// docs/solvers/multigrid.md, equations 5 and 6.
 #include "gpu/index.wgsl"
 #include "method/multigrid/bending.wgsl"
-#include "method/multigrid/chebyshev.wgsl"
 #include "method/multigrid/hold_at_obstacles.wgsl"
-#include "method/multigrid/spring_pull.wgsl"
-#include "method/multigrid/springs_of_node.wgsl"
-#include "method/multigrid/store_inverse.wgsl"
+#include "method/multigrid/level_start.wgsl"
+#include "method/multigrid/spring.wgsl"
+#include "element/spring/springs_of_node.wgsl"
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepParams;
 @group(0) @binding(1) var<uniform>             grid        : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels      : array<Level, 2>;
+@group(0) @binding(2) var<uniform>             levels      : array<LevelOfGrid, 2>;
 @group(0) @binding(3) var<storage, read>       place       : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
 @group(0) @binding(4) var<storage, read_write> holds       : array<vec4f>;   // method/multigrid/hold.wgsl
-@group(0) @binding(5) var<storage, read_write> vectors     : array<vec4f>;   // method/multigrid/level.wgsl
+@group(0) @binding(5) var<storage, read_write> vectors     : array<vec4f>;   // method/multigrid/cloth.wgsl
 @group(0) @binding(6) var<storage, read_write> presses     : array<i32>;     // kPressWords * vertex_count
-var<private> here : vec3f;
-var<private> start : vec3f;
-var<private> start_velocity : vec3f;
-var<private> rate : f32;            // 1/s
 var<private> diagonal : Symmetric;
 
-fn operand(level : Level, node : u32) -> vec3f { return place[node].xyz + vectors[vector_at(level, kFirst, node)].xyz; }
+struct Own {  // the node whose springs are summed
+  place : vec3f,           // m
+  start : vec3f,           // m
+  start_velocity : vec3f,  // m/s
+  rate : f32,              // 1/s
+}
 
-fn pull(neighbour : u32, rest_length : f32, stiffness : f32, damping : f32) -> vec3f {
-  let span_step = vectors[vector_at(levels[0], kFirst, neighbour)].xyz - start;
+// Bending acts on where the nodes have come.
+fn operand(level : Level, x : u32, node : u32) -> vec3f {
+  return place[node].xyz + vectors[vector_at(level, x, node)].xyz;
+}
+
+fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32, damping : f32) -> vec3f {
+  if (stiffness == 0.0) { return vec3f(0.0); }
+  let span_step = vectors[vector_at(levels[0], kFirst, other)].xyz - own.start;
   var rate_of_span = vec3f(0.0);
-  if (damping > 0.0) { rate_of_span = vectors[vector_at(levels[0], kSecond, neighbour)].xyz - start_velocity; }
-  let pulled = pull_of(place[neighbour].xyz - here, span_step, rate_of_span, rest_length, stiffness, damping, rate);
+  if (damping > 0.0) { rate_of_span = vectors[vector_at(levels[0], kSecond, other)].xyz - own.start_velocity; }
+  let span = place[other].xyz - own.place;
+  let pulled = pull_of(span, span_step, rate_of_span, rest_length, weight * stiffness, weight * damping, own.rate);
   diagonal = sum_of(diagonal, sum_of(outer(pulled.block.direction, pulled.block.along), identity(pulled.block.across)));
   return pulled.force;
 }
@@ -37,8 +45,8 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= grid.nx * grid.ny) { return; }
   let level = levels[0];
-  let own = place[node];
-  if (own.w == 0.0) {
+  let here = place[node];
+  if (here.w == 0.0) {
     store_inverse(level, node, zero_matrix());
     vectors[vector_at(level, kDirection, node)] = vec4f(0.0);
     if (kHolds) { free_of_obstacles(node, grid.first_vertex); }
@@ -46,20 +54,18 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   }
   let j = node / grid.nx;
   let i = node - j * grid.nx;
-  here = own.xyz;
-  start = vectors[vector_at(level, kFirst, node)].xyz;
-  start_velocity = vectors[vector_at(level, kSecond, node)].xyz;
-  rate = 1.0 / formula_of(step.step_ratio).he;
-  diagonal = identity(own.w + bending_diagonal(level, i, j));
-  let residual_at = vector_at(level, kResidual, node);
-  var residual = vectors[residual_at].xyz + sum_of_springs(grid, i, j, node) - bending_product(level, i, j, node);
+  let start = vectors[vector_at(level, kFirst, node)].xyz;
+  let start_velocity = vectors[vector_at(level, kSecond, node)].xyz;
+  let own = Own(here.xyz, start, start_velocity, 1.0 / formula_of(step.step_ratio).he);
+  diagonal = identity(here.w + bending_diagonal(level, i, j));
+  var residual = vectors[vector_at(level, kResidual, node)].xyz + sum_of_springs(own, grid, node, grid.nx, i, j) -
+                 bending_product(level, kFirst, i, j, node);
   if (kHolds) {
-    let hold = hold_at_obstacles(node, grid.first_vertex, own.w, residual, start, diagonal);
+    let hold = hold_at_obstacles(node, grid.first_vertex, here.w, residual, start, diagonal);
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }
   let inverted = inverse(diagonal);
-  vectors[residual_at] = vec4f(residual, 0.0);
   store_inverse(level, node, inverted);
-  vectors[vector_at(level, kDirection, node)] = vec4f(kBegin * times(inverted, residual), 0.0);
+  start_level(level, node, residual, inverted);
 }

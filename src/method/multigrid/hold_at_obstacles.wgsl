@@ -1,4 +1,5 @@
-// What obstacles do to a node: equation 11 of docs/solvers/multigrid.md. The including kernel binds `step`, `holds` and `presses`.
+// What obstacles do to a node: equation 11 of docs/solvers/multigrid.md. The including kernel binds `step`, `holds` and
+// `presses`.
 #include "contact/proximity/press_sums.wgsl"
 #include "method/multigrid/hold.wgsl"
 #include "state/step.wgsl"
@@ -11,16 +12,20 @@ fn free_of_obstacles(node : u32, first_vertex : u32) {
   holds[node] = vec4f(0.0);
 }
 
-fn press_vector(word : u32) -> vec3f { return vec3f(f32(presses[word]), f32(presses[word + 1u]), f32(presses[word + 2u])) / kPressUnits; }
+fn press_vector(word : u32) -> vec3f {
+  return vec3f(f32(presses[word]), f32(presses[word + 1u]), f32(presses[word + 2u])) / kPressUnits;
+}
 
 struct Hold {
   force : vec3f,      // N: to where the node belongs
   block : Symmetric,  // N/m: what it adds to the matrix
 }
 
-// Where the node would come nearer to obstacles than the thickness, or is there and pressed on: what holds it, also in `holds`. `inertia` is
-// what that resists with, N/m; `residual` and `diagonal` are the node's without it; `start` is where its unknown starts, m.
-fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : vec3f, start : vec3f, diagonal : Symmetric) -> Hold {
+// Where the node would come nearer to obstacles than the thickness, or is there and pressed on: what holds it, also in
+// `holds`. `inertia` is what that resists with, N/m; `residual` and `diagonal` are the node's without it; `start` is
+// where its unknown starts, m.
+fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : vec3f, start : vec3f,
+                     diagonal : Symmetric) -> Hold {
   let none = Hold(vec3f(0.0), zero_matrix());
   let word = kPressWords * (first_vertex + node);
   if (presses[word + kPressWeight] == 0) {

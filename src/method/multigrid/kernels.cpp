@@ -1,39 +1,93 @@
 #include "method/multigrid/kernels.hpp"
 
-#include "method/multigrid/kernel_set.hpp"
-#include "method/multigrid/level.hpp"
+#include <algorithm>
 
 namespace weft {
+namespace {
 
-Result<MultigridKernels> MultigridKernels::create(gpu::Device& device, bool holds,
-                                                  std::uint32_t workgroup_size) {
-  const std::uint32_t one_group = lone_workgroup_size(device);
-  const std::vector<gpu::Constant> hold = hold_constant(holds);
-  using K = MultigridKernels;
-  const WantedKernel<K> table[] = {
-      {&K::predict, "predict", workgroup_size},
-      {&K::gradient, "gradient", workgroup_size, hold},
-      {&K::galerkin_fine, "galerkin_fine", workgroup_size, hold},
-      {&K::galerkin, "galerkin", workgroup_size},
-      {&K::smooth_fine, "smooth_fine", workgroup_size, hold},
-      {&K::residual_fine, "residual_fine", workgroup_size, hold},
-      {&K::correct_fine, "correct_fine", workgroup_size},
-      {&K::prolong_fine, "prolong_fine", workgroup_size, hold},
-      {&K::finish, "finish", workgroup_size, hold},
-      {&K::smooth_down,
-       "smooth_coarse",
-       workgroup_size,
-       {{"kFrom", multigrid::kDirection}, {"kTo", multigrid::kFirst}}},
-      {&K::residual, "residual_coarse", workgroup_size},
-      {&K::prolong, "prolong_coarse", workgroup_size},
-      {&K::smooth_up,
-       "smooth_coarse",
-       workgroup_size,
-       {{"kFrom", multigrid::kSecond}, {"kTo", multigrid::kFirst}}},
-      {&K::restrict_residual, "restrict_residual", workgroup_size},
-      {&K::cycle_tail, "cycle_tail", one_group},
+template <class Set>
+struct Row {
+  gpu::SharedKernel Set::*kernel;
+  const char* name;  // shaders/multigrid/NAME.wgsl
+  std::uint32_t size;
+  std::vector<gpu::Constant> constants = {};
+};
+
+template <class Set>
+Result<Set> create_all(gpu::Device& device, std::span<const Row<Set>> table) {
+  Set made;
+  for (const Row<Set>& row : table) {
+    const std::string path = std::string("multigrid/") + row.name + ".wgsl";
+    WEFT_SET(made.*row.kernel, gpu::create_shared_kernel(device, path, row.constants, row.size));
+  }
+  return made;
+}
+
+/// The size of a workgroup that does all by itself.
+std::uint32_t lone_workgroup_size(const gpu::Device& device) {
+  return std::min(gpu::kDefaultWorkgroupSize, device.limits().max_invocations_per_workgroup);
+}
+
+/// Whether contact may hold nodes at obstacles, for the kernels that read what holds them.
+gpu::Constant holds(const CycleInputs& inputs) { return {"kHolds", inputs.presses != nullptr ? 1.0 : 0.0}; }
+
+/// Whether a grid has bend springs, for the kernels that sum over the springs of a node.
+gpu::Constant bend(const CycleInputs& inputs) {
+  const auto& cloths = inputs.model.host.cloths;
+  const bool any = std::any_of(cloths.begin(), cloths.end(), [](const ClothModel& cloth) {
+    return cloth.grid && cloth.stiffness.bend > 0;
+  });
+  return {"kBend", any ? 1.0 : 0.0};
+}
+
+/// The vector in which the second step of smoothing finds the solution: the first step itself on the way
+/// down.
+gpu::Constant down() { return {"kFrom", multigrid::kDirection}; }
+gpu::Constant up() { return {"kFrom", multigrid::kSecond}; }
+
+}  // namespace
+
+Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
+  const std::uint32_t size = inputs.workgroup_size;
+  const std::vector<gpu::Constant> of_springs = {holds(inputs), bend(inputs)};
+  using K = GridKernels;
+  const Row<K> table[] = {
+      {&K::predict, "predict", size},
+      {&K::gradient, "gradient", size, of_springs},
+      {&K::galerkin_fine, "galerkin_fine", size, {holds(inputs)}},
+      {&K::galerkin, "galerkin", size},
+      {&K::smooth_fine, "smooth_fine", size, of_springs},
+      {&K::residual_fine, "residual_fine", size, of_springs},
+      {&K::correct_fine, "correct_fine", size},
+      {&K::prolong_fine, "prolong_fine", size, of_springs},
+      {&K::finish, "finish", size, of_springs},
+      {&K::smooth_down, "smooth_coarse", size, {down()}},
+      {&K::residual, "residual_coarse", size},
+      {&K::prolong, "prolong_coarse", size},
+      {&K::smooth_up, "smooth_coarse", size, {up()}},
+      {&K::restrict_residual, "restrict_residual", size},
+      {&K::cycle_tail, "cycle_tail", lone_workgroup_size(inputs.device)},
   };
-  return make_kernels<K>(device, table);
+  return create_all<K>(inputs.device, table);
+}
+
+Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
+  const std::uint32_t size = inputs.workgroup_size;
+  using K = MeshKernels;
+  const Row<K> table[] = {
+      {&K::predict, "predict", size},
+      {&K::gradient, "mesh_gradient", size, {holds(inputs)}},
+      {&K::galerkin, "mesh_galerkin", size},
+      {&K::smooth_down, "mesh_smooth_end", size, {down()}},
+      {&K::residual, "mesh_residual", size},
+      {&K::restrict_residual, "mesh_restrict", size},
+      {&K::tail, "mesh_tail", lone_workgroup_size(inputs.device)},
+      {&K::prolong, "mesh_prolong", size},
+      {&K::smooth_begin, "mesh_smooth_begin", size},
+      {&K::smooth_up, "mesh_smooth_end", size, {up()}},
+      {&K::finish, "mesh_finish", size, {holds(inputs)}},
+  };
+  return create_all<K>(inputs.device, table);
 }
 
 }  // namespace weft

@@ -1,22 +1,33 @@
 #pragma once
 
-#include "gpu/kernel.hpp"
+#include "method/multigrid/cycle.hpp"
 
 namespace weft {
 
-/// The kernels of the multigrid solver, one for all cloths. Those of the finest level make its matrix anew
+/// The kernels of cloths that are grids, one for all of them. Those of the finest level make its matrix anew
 /// from where the nodes are; the others read that of their level. Source: docs/solvers/multigrid.md.
-struct MultigridKernels {
-  gpu::Kernel predict, gradient;                          // the linear system
-  gpu::Kernel galerkin_fine, galerkin;                    // matrices of coarse levels
-  gpu::Kernel smooth_fine, residual_fine;                 // the cycle on the finest level, down
-  gpu::Kernel correct_fine, prolong_fine, finish;         // and up
-  gpu::Kernel smooth_down, residual, prolong, smooth_up;  // on those between
-  gpu::Kernel restrict_residual;                          // from level to level
-  gpu::Kernel cycle_tail;                                 // on the coarsest
+struct GridKernels {
+  gpu::SharedKernel predict, gradient;                          // the linear system
+  gpu::SharedKernel galerkin_fine, galerkin;                    // matrices of coarse levels
+  gpu::SharedKernel smooth_fine, residual_fine;                 // the cycle on the finest level, down
+  gpu::SharedKernel correct_fine, prolong_fine, finish;         // and up
+  gpu::SharedKernel smooth_down, residual, prolong, smooth_up;  // on those between
+  gpu::SharedKernel restrict_residual;                          // from level to level
+  gpu::SharedKernel cycle_tail;                                 // on the coarsest
 
-  /// `holds`: whether contact may hold nodes at obstacles. Errors  Shader.
-  static Result<MultigridKernels> create(gpu::Device& device, bool holds, std::uint32_t workgroup_size);
+  /// Errors  Shader.
+  static Result<GridKernels> create(const CycleInputs& inputs);
+};
+
+/// Likewise of cloths that are meshes: the same for all levels.
+struct MeshKernels {
+  gpu::SharedKernel predict, gradient, galerkin;               // the linear system, and its coarse levels
+  gpu::SharedKernel smooth_down, residual, restrict_residual;  // the cycle: down
+  gpu::SharedKernel tail;                                      // on the coarsest levels
+  gpu::SharedKernel prolong, smooth_begin, smooth_up, finish;  // up
+
+  /// Errors  Shader.
+  static Result<MeshKernels> create(const CycleInputs& inputs);
 };
 
 }  // namespace weft

@@ -1,15 +1,15 @@
-// The matrix of a coarse level of a mesh, Pᵀ A P, and the inverse of its diagonal. One invocation per block: a sum of blocks of the
-// finer level. Source: docs/solvers/multigrid.md, equation 12.
+// The matrix of a coarse level of a mesh, Pᵀ A P, and the inverse of its diagonal. One invocation per block: a sum of
+// blocks of the finer level. Source: docs/solvers/multigrid.md, equation 12.
 #include "gpu/index.wgsl"
 #include "method/multigrid/mesh_block.wgsl"
 #include "method/multigrid/mesh_store_block.wgsl"
-#include "method/multigrid/store_inverse.wgsl"
-//                                                                                    elements
-@group(0) @binding(0) var<uniform>             levels         : array<MeshLevel, 2>;
-@group(0) @binding(1) var<storage, read_write> vectors        : array<vec4f>;      // method/multigrid/vectors.wgsl
-@group(0) @binding(2) var<storage, read_write> blocks         : array<vec4f>;      // method/multigrid/mesh_block.wgsl
-@group(0) @binding(3) var<storage, read>       product_starts : array<u32>;        // block_count + 1 of each level
-@group(0) @binding(4) var<storage, read>       products       : array<Share>;      // of blocks of the finer level
+#include "method/multigrid/level_start.wgsl"
+//                                                                                      elements
+@group(0) @binding(0) var<uniform>             levels         : array<LevelOfMesh, 2>;
+@group(0) @binding(1) var<storage, read_write> vectors        : array<vec4f>;        // method/multigrid/cloth.wgsl
+@group(0) @binding(2) var<storage, read_write> blocks         : array<vec4f>;        // method/multigrid/mesh_block.wgsl
+@group(0) @binding(3) var<storage, read>       product_starts : array<u32>;          // block_count + 1 of each level
+@group(0) @binding(4) var<storage, read>       products       : array<Share>;        // of blocks of the finer level
 
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_galerkin(@builtin(global_invocation_id) id : vec3u) {

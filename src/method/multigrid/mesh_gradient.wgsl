@@ -1,25 +1,22 @@
-// What is left of a mesh's equation at the start of the unknown, its matrix, the inverse of the diagonal, and the first step of
-// smoothing. One invocation per node, which also keeps the blocks that it shares with nodes of higher number. Sums run in a fixed order.
-// Source: docs/solvers/multigrid.md, equations 5, 6 and 11.
+// What is left of a mesh's equation at the start of the unknown, its matrix, the inverse of the diagonal, and the first
+// step of smoothing. One invocation per node, which also keeps the blocks that it shares with nodes of higher number.
+// Sums run in a fixed order. Source: docs/solvers/multigrid.md, equations 5, 6 and 11.
 #include "gpu/index.wgsl"
-#include "method/multigrid/chebyshev.wgsl"
-#include "method/multigrid/cloth_nodes.wgsl"
 #include "method/multigrid/hold_at_obstacles.wgsl"
-#include "method/multigrid/mesh_level.wgsl"
-#include "method/multigrid/spring_pull.wgsl"
+#include "method/multigrid/level_start.wgsl"
 #include "method/multigrid/mesh_store_block.wgsl"
-#include "method/multigrid/store_inverse.wgsl"
-//                                                                                elements               unit
+#include "method/multigrid/spring.wgsl"
+//                                                                                elements           unit
 @group(0) @binding(0) var<uniform>             step       : StepParams;
 @group(0) @binding(1) var<uniform>             nodes      : ClothNodes;
-@group(0) @binding(2) var<uniform>             levels     : array<MeshLevel, 2>;
-@group(0) @binding(3) var<storage, read>       place      : array<vec4f>;      // node_count             m (w: N/m; 0: held)
+@group(0) @binding(2) var<uniform>             levels     : array<LevelOfMesh, 2>;
+@group(0) @binding(3) var<storage, read>       place      : array<vec4f>;      // node_count         m (w: N/m; 0: held)
 @group(0) @binding(4) var<storage, read_write> holds      : array<vec4f>;      // method/multigrid/hold.wgsl
-@group(0) @binding(5) var<storage, read_write> vectors    : array<vec4f>;      // method/multigrid/vectors.wgsl
+@group(0) @binding(5) var<storage, read_write> vectors    : array<vec4f>;      // method/multigrid/cloth.wgsl
 @group(0) @binding(6) var<storage, read_write> blocks     : array<vec4f>;      // method/multigrid/mesh_block.wgsl
 @group(0) @binding(7) var<storage, read>       row_starts : array<u32>;        // node_count + 1 of each level
 @group(0) @binding(8) var<storage, read>       rows       : array<Coupling>;
-@group(0) @binding(9) var<storage, read>       springs    : array<vec4f>;      // of each block after the diagonal: m, N/m, N·s/m
+@group(0) @binding(9) var<storage, read>       springs    : array<vec4f>;      // of each coupling: m, N/m, N·s/m
 @group(0) @binding(10) var<storage, read_write> presses   : array<i32>;        // kPressWords * vertex_count
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -58,6 +55,5 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
   let inverted = inverse(diagonal);
   store_block(level, node, diagonal);
   store_inverse(level, node, inverted);
-  vectors[vector_at(level, kResidual, node)] = vec4f(residual, 0.0);
-  vectors[vector_at(level, kDirection, node)] = vec4f(kBegin * times(inverted, residual), 0.0);
+  start_level(level, node, residual, inverted);
 }

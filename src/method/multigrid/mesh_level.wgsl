@@ -1,8 +1,8 @@
-// A level of the hierarchy of a cloth that is a mesh, and its place in the buffers of all its levels. Its matrix is symmetric, of
-// symmetric blocks: first those of the diagonal, node by node, then one for each two nodes that are coupled.
-// Source: docs/solvers/multigrid.md.
-#include "method/multigrid/vectors.wgsl"
-struct MeshLevel {  // mirror: src/method/multigrid/mesh_lists.hpp
+// A level of the hierarchy of a cloth that is a mesh, and its place in the buffers of all its levels. Its matrix is
+// symmetric, of symmetric blocks: first those of the diagonal, node by node, then one for each two nodes that are
+// coupled. Source: docs/solvers/multigrid.md.
+#include "method/multigrid/cloth.wgsl"
+struct LevelOfMesh {  // mirror: src/method/multigrid/mesh_lists.hpp
   node_count : u32,     // 0: there is no such level
   block_count : u32,
   first_vector : u32,   // in `vectors`, in vec4f
@@ -12,8 +12,9 @@ struct MeshLevel {  // mirror: src/method/multigrid/mesh_lists.hpp
   first_product : u32,  // of its blocks, in `product_starts`
   first_taps : u32,     // of the next finer level's nodes, in `taps`
 }
-alias Level = MeshLevel;
-// A kernel's uniform `levels` has the level that it works on, and the next coarser one.
+// What the files that grids and meshes share mean by a level. A kernel's uniform `levels` has the level that it works
+// on, and the next coarser one.
+alias Level = LevelOfMesh;
 
 // What of a matrix's row stands beside its diagonal. Mirror: src/method/multigrid/mesh_levels.hpp.
 struct Coupling { node : u32, block : u32 }
@@ -21,4 +22,7 @@ struct Coupling { node : u32, block : u32 }
 struct Share { index : u32, weight : f32 }
 const kTaps = 3u;  // of a node
 
-fn vector_at(level : Level, vector : u32, node : u32) -> u32 { return level.first_vector + vector * level.node_count + node; }
+fn node_count(level : Level) -> u32 { return level.node_count; }
+fn vector_at(level : Level, vector : u32, node : u32) -> u32 {
+  return level.first_vector + vector * level.node_count + node;
+}

@@ -1,21 +1,22 @@
-// Where a substep is linearised, where its unknown starts from, and what inertia, air and gravity leave of the equation there. One
-// invocation per node of a cloth. Source: docs/solvers/multigrid.md, equations 1 to 4.
+// Where a substep is linearised, where its unknown starts from, and what inertia, air and gravity leave of the equation
+// there. One invocation per node of a cloth. A velocity's w is 1 where the state before it is that of the step before;
+// a place's w is what inertia resists with, 0 where the node is held. Source: docs/solvers/multigrid.md, equations 1 to
+// 4.
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
-#include "method/multigrid/cloth_nodes.wgsl"
-#include "method/multigrid/spring_block.wgsl"
-#include "method/multigrid/vectors.wgsl"
+#include "method/multigrid/cloth.wgsl"
+#include "method/multigrid/spring.wgsl"
 //                                                                                  elements       unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
 @group(0) @binding(1) var<uniform>             nodes           : ClothNodes;
-@group(0) @binding(2) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: inverse mass, 1/kg)
-@group(0) @binding(3) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: 1 where the state before it is that of the step before)
+@group(0) @binding(2) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: 1/kg)
+@group(0) @binding(3) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: 0 or 1)
 @group(0) @binding(4) var<storage, read>       position_before : array<vec4f>;   // vertex_count   m
 @group(0) @binding(5) var<storage, read>       velocity_before : array<vec4f>;   // vertex_count   m/s
 @group(0) @binding(6) var<storage, read>       rest            : array<vec4f>;   // vertex_count   m (w: motion)
 @group(0) @binding(7) var<storage, read>       motions         : array<vec4f>;   // 3 * motions * substeps
-@group(0) @binding(8) var<storage, read_write> place           : array<vec4f>;   // count          m (w: what inertia resists with, N/m; 0: held)
-@group(0) @binding(9) var<storage, read_write> vectors         : array<vec4f>;   // method/multigrid/vectors.wgsl: of the finest level
+@group(0) @binding(8) var<storage, read_write> place           : array<vec4f>;   // count          m (w: N/m)
+@group(0) @binding(9) var<storage, read_write> vectors         : array<vec4f>;   // method/multigrid/cloth.wgsl: the finest
 
 @compute @workgroup_size(kWorkgroupSize)
 fn predict(@builtin(global_invocation_id) id : vec3u) {
@@ -23,13 +24,11 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   if (index >= nodes.count) { return; }
   let node = nodes.first_vertex + index;
   let now = NodeState(position_in[node], velocity_in[node]);
-  let inverse_mass = now.position.w;
   let residual_at = kResidual * nodes.count + index;
   let start_at = kFirst * nodes.count + index;
   let start_velocity_at = kSecond * nodes.count + index;
-  if (inverse_mass == 0.0 || is_grabbed(node)) {
-    var after : NodeState;
-    if (inverse_mass == 0.0) { after = integrate_held(now, rest[node]); } else { after = integrate_grabbed(node, now); }
+  if (is_prescribed(node, now)) {
+    let after = integrate_prescribed(node, now);
     place[index] = vec4f(after.position.xyz, 0.0);
     vectors[residual_at] = vec4f(0.0);
     vectors[start_at] = vec4f(0.0);
@@ -39,7 +38,7 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   let formula = formula_of(step.step_ratio * now.velocity.w);
   let x = now.position.xyz;
   let v = now.velocity.xyz;
-  let mass = 1.0 / inverse_mass;
+  let mass = 1.0 / now.position.w;
   let start = step.dt * v;
   let base_velocity = v + formula.c * (v - velocity_before[node].xyz);
   let start_velocity = (start - formula.c * (x - position_before[node].xyz)) / formula.he;

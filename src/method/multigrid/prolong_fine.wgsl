@@ -1,28 +1,8 @@
-// The first step of smoothing on the finest level after its correction. One invocation per node. Source: docs/solvers/multigrid.md,
-// equation 8.
-#include "gpu/index.wgsl"
-#include "method/multigrid/chebyshev.wgsl"
-#include "method/multigrid/fine_operator.wgsl"
-//                                                                          elements       unit
-@group(0) @binding(0) var<uniform>             step    : StepParams;
-@group(0) @binding(1) var<uniform>             grid    : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels  : array<Level, 2>;
-@group(0) @binding(3) var<storage, read>       place   : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
-@group(0) @binding(4) var<storage, read>       holds   : array<vec4f>;   // method/multigrid/hold.wgsl
-@group(0) @binding(5) var<storage, read_write> vectors : array<vec4f>;   // method/multigrid/level.wgsl
-
-fn operand(level : Level, node : u32) -> vec3f {
-  return vectors[vector_at(level, kFirst, node)].xyz;
-}
+// The first step of smoothing on the finest level of a grid after its correction. One invocation per node.
+#include "method/multigrid/fine_level.wgsl"
 
 @compute @workgroup_size(kWorkgroupSize)
 fn prolong_fine(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node >= grid.nx * grid.ny) { return; }
-  let level = levels[0];
-  let j = node / grid.nx;
-  let left = vectors[vector_at(level, kResidual, node)].xyz - fine_product(level, node - j * grid.nx, j, node);
-  let d = kBegin * times(inverse_at(level, node), left);
-  vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
-  vectors[vector_at(level, kSecond, node)] = vec4f(operand(level, node) + d, 0.0);
+  if (node < node_count(levels[0])) { begin_smoothing(levels[0], kFirst, kSecond, node); }
 }

@@ -1,25 +1,13 @@
-// The second step of smoothing on the finest level: x += keep d + take D⁻¹ (r - A x) with x = d, the first step. One invocation per
-// node. Source: docs/solvers/multigrid.md, equation 8.
-#include "gpu/index.wgsl"
-#include "method/multigrid/chebyshev.wgsl"
-#include "method/multigrid/fine_operator.wgsl"
-//                                                                          elements       unit
-@group(0) @binding(0) var<uniform>             step    : StepParams;
-@group(0) @binding(1) var<uniform>             grid    : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels  : array<Level, 2>;
-@group(0) @binding(3) var<storage, read>       place   : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
-@group(0) @binding(4) var<storage, read>       holds   : array<vec4f>;   // method/multigrid/hold.wgsl
-@group(0) @binding(5) var<storage, read_write> vectors : array<vec4f>;   // method/multigrid/level.wgsl
-
-fn operand(level : Level, node : u32) -> vec3f { return vectors[vector_at(level, kDirection, node)].xyz; }
+// The second step of smoothing on the finest level of a grid: x += keep d + take D⁻¹ (r - A x) with x = d, the first
+// step. One invocation per node. Source: docs/solvers/multigrid.md, equation 8.
+#include "method/multigrid/fine_level.wgsl"
 
 @compute @workgroup_size(kWorkgroupSize)
 fn smooth_fine(@builtin(global_invocation_id) id : vec3u) {
-  let node = flat_index(id);
-  if (node >= grid.nx * grid.ny) { return; }
   let level = levels[0];
-  let j = node / grid.nx;
-  let d = operand(level, node);
-  let left = vectors[vector_at(level, kResidual, node)].xyz - fine_product(level, node - j * grid.nx, j, node);
-  vectors[vector_at(level, kFirst, node)] = vec4f(d + kKeep * d + kTake * times(inverse_at(level, node), left), 0.0);
+  let node = flat_index(id);
+  if (node >= node_count(level)) { return; }
+  let d = operand(level, kDirection, node);
+  let x = d + kKeep * d + kTake * times(inverse_at(level, node), left_of(level, kDirection, node));
+  vectors[vector_at(level, kFirst, node)] = vec4f(x, 0.0);
 }

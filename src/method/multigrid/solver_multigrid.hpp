@@ -17,11 +17,8 @@ class SolverMultigrid : public Solver {
   void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
 
  private:
-  Result<void> add_grid(const SolverInputs& inputs, const ClothModel& cloth);
-  Result<void> add_mesh(const SolverInputs& inputs, const ClothModel& cloth);
+  Result<void> create_cycles(const CycleInputs& inputs);
 
-  MultigridKernels kernels_;  // made where there is a grid
-  MeshKernels mesh_kernels_;  // likewise, a mesh
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
 };

@@ -14,8 +14,8 @@ fn times(a : Symmetric, v : vec3f) -> vec3f {
   return a.diagonal * v + a.mixed.zzy * v.yxx + a.mixed.yxx * v.zzy;
 }
 
-// The inverse, of the matrix with its diagonal a little larger: f32 knows it to some 10^-7 of its largest part, and the smallest must
-// stay positive. Of a matrix that is 0, 0.
+// The inverse, of the matrix with its diagonal a little larger: f32 knows it to some 10^-7 of its largest part, and the
+// smallest must stay positive. Of a matrix that is 0, 0.
 const kDiagonalMargin = 4e-6;
 fn inverse(matrix : Symmetric) -> Symmetric {
   let trace = matrix.diagonal.x + matrix.diagonal.y + matrix.diagonal.z;

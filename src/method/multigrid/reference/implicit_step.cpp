@@ -95,13 +95,6 @@ void hold_at_obstacles(StepStart& step, std::span<const Sym3> diagonal, std::spa
 
 }  // namespace
 
-GridBending bending_of(const ClothModel& cloth) {
-  const double di = cloth.grid->width / (cloth.grid->nx - 1), dj = cloth.grid->height / (cloth.grid->ny - 1);
-  const double b = cloth.stiffness.bending;
-  return {b * dj / (di * di * di), b * di / (dj * dj * dj), true, true,
-          cloth.weights == mesh::BoundaryWeights::Uniform};
-}
-
 StepFormula step_formula(double dt, double ratio) {
   return {dt * (1 + ratio) / (1 + 2 * ratio), ratio * ratio / (1 + 2 * ratio)};
 }
@@ -114,7 +107,8 @@ ImplicitStepper::ImplicitStepper(const HostModel& model)
     if (cloth.grid) {
       made.nx = cloth.grid->nx;
       made.ny = cloth.grid->ny;
-      made.bending = bending_of(cloth);
+      const auto [along_i, along_j] = bending_stiffness(cloth);
+      made.bending = {along_i, along_j, true, true, cloth.weights == mesh::BoundaryWeights::Uniform};
       springs += mesh::grid_spring_count(*cloth.grid);
     } else {
       const std::vector<Spring> own = build_springs(model, cloth);

@@ -86,8 +86,4 @@ class ImplicitStepper : public Stepper {
   std::vector<bool> known_;  // whether they are those of the step before
 };
 
-/// The bending of a grid cloth, in its springs' unit: (B / a²) of a square cell, B dj / di³ along i of
-/// others.
-GridBending bending_of(const ClothModel& cloth);
-
 }  // namespace weft::reference

@@ -1,5 +1,5 @@
-// Keeps a block of a coarse level's matrix, as coarse_block.wgsl reads it. The including kernel binds `operators`.
-#include "method/multigrid/coarse_block.wgsl"
+// Keeps a block of a coarse level's matrix, as grid_block.wgsl reads it. The including kernel binds `operators`.
+#include "method/multigrid/grid_block.wgsl"
 
 fn store_block(level : Level, node : u32, number : u32, value : Symmetric) {
   operators[operator_at(level, kBlockParts * number, node)] = value.diagonal.xy;

@@ -1,6 +1,7 @@
-// Blocks of the matrices of coarse levels: of a node its own, and those towards (i+1, j), (i, j+1), (i+1, j+1) and (i-1, j+1); 0 where
-// there is no such node. A block is six numbers in three vec2f. The including kernel binds `operators`.
-#include "method/multigrid/level.wgsl"
+// Blocks of the matrices of a grid's coarse levels: of a node its own, and those towards (i+1, j), (i, j+1), (i+1, j+1)
+// and (i-1, j+1); 0 where there is no such node. A block is six numbers in three vec2f. The including kernel binds
+// `operators`.
+#include "method/multigrid/grid_level.wgsl"
 #include "method/multigrid/symmetric.wgsl"
 const kBlocks = 5u;
 const kBlockParts = 3u;

@@ -1,0 +1,29 @@
+#include "element/spring/spring_grid.hpp"
+
+#include <cmath>
+
+namespace weft {
+
+SpringGrid spring_grid(const ClothModel& cloth) {
+  const mesh::Grid& grid = *cloth.grid;
+  const double di = grid.width / (grid.nx - 1), dj = grid.height / (grid.ny - 1);
+  const auto [bending_i, bending_j] = bending_stiffness(cloth);
+  const auto damping = [&](double stiffness) {
+    return static_cast<float>(stiffness > 0 ? cloth.damping : 0);
+  };
+  const scene::Stiffness& k = cloth.stiffness;
+  SpringGrid made;
+  made.first_vertex = cloth.first_vertex;
+  made.nx = grid.nx;
+  made.ny = grid.ny;
+  made.uniform_weights = cloth.weights == mesh::BoundaryWeights::Uniform ? 1 : 0;
+  made.stiffness = {static_cast<float>(k.structural), static_cast<float>(k.shear), static_cast<float>(k.bend),
+                    0};
+  made.damping = {damping(k.structural), damping(k.shear), damping(k.bend), 0};
+  made.rest_length = {static_cast<float>(di), static_cast<float>(dj),
+                      static_cast<float>(std::sqrt(di * di + dj * dj)), 0};
+  made.bending = {static_cast<float>(bending_i), static_cast<float>(bending_j)};
+  return made;
+}
+
+}  // namespace weft

@@ -1,0 +1,16 @@
+// The springs of a grid: which there are, and how stiff, follows from a node's place.
+struct SpringGrid {  // mirror: src/element/spring/spring_grid.hpp
+  first_vertex : u32,
+  nx : u32,
+  ny : u32,
+  uniform_weights : u32,  // 1: springs along the boundary count in full
+  stiffness : vec4f,      // N/m: structural, shear, bend
+  damping : vec4f,        // N·s/m: the same; 0 where the stiffness is 0
+  rest_length : vec4f,    // m: structural along i, along j, shear
+  bending : vec2f,        // N/m: of second differences along i, along j
+}
+
+// Part of the stiffness along line `at` of `side` lines: a boundary spring has cloth on one side only.
+fn line_weight(grid : SpringGrid, at : u32, side : u32) -> f32 {
+  return select(0.5, 1.0, grid.uniform_weights == 1u || (at > 0u && at + 1u < side));
+}

@@ -1,0 +1,33 @@
+// The springs of one node of a grid. The including file says what it knows of the node, Own, and what a spring adds to
+// the sum, pull(own, other, rest_length, weight, stiffness, damping): `other` is the place of the spring's other end,
+// `weight` the part of stiffness and damping that counts.
+#include "element/spring/spring_grid.wgsl"
+override kBend : bool = true;  // false: there are no bend springs
+
+// The sum over the springs of node (i, j), which stands at place `at`; a row is `row` places long. The order is fixed:
+// the same bits on every run.
+fn sum_of_springs(own : Own, grid : SpringGrid, at : u32, row : u32, i : u32, j : u32) -> vec3f {
+  let nx = grid.nx;
+  let ny = grid.ny;
+  let along_i = line_weight(grid, j, ny);
+  let along_j = line_weight(grid, i, nx);
+  let length0 = grid.rest_length;
+  let k = grid.stiffness;
+  let c = grid.damping;
+  var sum = vec3f(0.0);
+  if (i > 0u) { sum += pull(own, at - 1u, length0.x, along_i, k.x, c.x); }
+  if (i + 1u < nx) { sum += pull(own, at + 1u, length0.x, along_i, k.x, c.x); }
+  if (j > 0u) { sum += pull(own, at - row, length0.y, along_j, k.x, c.x); }
+  if (j + 1u < ny) { sum += pull(own, at + row, length0.y, along_j, k.x, c.x); }
+  if (i > 0u && j > 0u) { sum += pull(own, at - row - 1u, length0.z, 1.0, k.y, c.y); }
+  if (i + 1u < nx && j > 0u) { sum += pull(own, at - row + 1u, length0.z, 1.0, k.y, c.y); }
+  if (i > 0u && j + 1u < ny) { sum += pull(own, at + row - 1u, length0.z, 1.0, k.y, c.y); }
+  if (i + 1u < nx && j + 1u < ny) { sum += pull(own, at + row + 1u, length0.z, 1.0, k.y, c.y); }
+  if (kBend) {
+    if (i > 1u) { sum += pull(own, at - 2u, 2.0 * length0.x, along_i, k.z, c.z); }
+    if (i + 2u < nx) { sum += pull(own, at + 2u, 2.0 * length0.x, along_i, k.z, c.z); }
+    if (j > 1u) { sum += pull(own, at - 2u * row, 2.0 * length0.y, along_j, k.z, c.z); }
+    if (j + 2u < ny) { sum += pull(own, at + 2u * row, 2.0 * length0.y, along_j, k.z, c.z); }
+  }
+  return sum;
+}

@@ -1,0 +1,13 @@
+// One cloth's nodes, and the vectors that each level of its hierarchy has.
+struct ClothNodes {  // mirror: src/method/multigrid/cycle.hpp
+  first_vertex : u32,  // where they begin among the vertices
+  count : u32,
+}
+
+// The vectors of a level in the buffer `vectors`: node after node, one vector after the other.
+const kResidual = 0u;   // N; of the finest level: first what the inertia leaves
+const kInverse = 1u;    // m/N: inverse of the diagonal's block: xx, yy, zz, yz; in the next: xz, xy
+const kDirection = 3u;  // m: the last step of smoothing; between: the residual that is handed down, N
+const kFirst = 4u;      // m: the solution; of the finest level: first the step's start
+const kSecond = 5u;     // m: the solution, while smoothing; of the finest level: first the start's velocity, m/s
+const kVectors = 6u;

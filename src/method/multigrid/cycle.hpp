@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "gpu/dispatch.hpp"
+#include "method/predicted.hpp"
+#include "state/state.hpp"
+
+namespace weft {
+
+namespace multigrid {
+
+/// Vectors that each level has, one vec4f a node each: src/method/multigrid/cloth.wgsl.
+inline constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFirst = 4, kSecond = 5;
+inline constexpr std::uint32_t kVectors = 6;
+
+}  // namespace multigrid
+
+/// Mirror of src/method/multigrid/cloth.wgsl: the nodes of one cloth among the vertices.
+struct ClothNodes {
+  std::uint32_t first_vertex = 0, count = 0;
+  std::uint32_t padding[2] = {};
+};
+static_assert(sizeof(ClothNodes) == 16);
+
+/// What the cycles of a model's cloths are made of.
+struct CycleInputs {
+  gpu::Device& device;
+  const Model& model;
+  const State& state;
+  Predicted predicted;
+  const gpu::Buffer<std::int32_t>* presses = nullptr;  // what obstacles do to vertices; null: nothing
+  std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+};
+
+/// One implicit substep of a cloth: the linear system, one V-cycle, the new state. What its levels are and
+/// which kernels do each step, GridCycle and MeshCycle say.
+/// Source  docs/solvers/multigrid.md.
+/// Reads   steps, motions; position and velocity of both parities, of which [1 - parity] are those of a step
+///         before; rest_position.
+/// Writes  position[1 - parity] [m], predicted[parity] [m/s] of the cloth's vertices.
+class Cycle {
+ public:
+  void record(gpu::ComputePass& pass) const {
+    record_system(pass);
+    record_matrices(pass);
+    record_down(pass);
+    record_up(pass);
+  }
+  // Its parts.
+  void record_system(gpu::ComputePass& pass) const;
+  void record_matrices(gpu::ComputePass& pass) const;
+  void record_down(gpu::ComputePass& pass) const;
+  void record_up(gpu::ComputePass& pass) const;
+
+  // What they leave on the GPU, for tests.
+  const gpu::Buffer<Vec4f>& vectors() const { return vectors_; }
+  /// The first of the levels whose cycle one workgroup does.
+  std::size_t tail() const { return tail_; }
+
+ protected:
+  /// A level with the next coarser one. A step that another dispatch takes too is none; those of the tail
+  /// have `coarsen` alone.
+  struct Level {
+    gpu::RawBuffer levels;                               // both, a uniform
+    gpu::Dispatch coarsen;                               // the coarser level's matrix
+    gpu::Dispatch smooth_down, residual, restrict_down;  // down: x = 0 smoothed, r - A x, its Pᵀ
+    gpu::Dispatch correct, smooth_begin, smooth_up;      // up: x + P e, smoothed in two steps
+  };
+
+  /// What both kinds of cloth have: `shapes` are the levels as kernels read them, the finest first.
+  template <class Shape>
+  Result<void> create_buffers(const CycleInputs& inputs, const ClothModel& cloth,
+                              const std::vector<Shape>& shapes, std::uint32_t tail_nodes);
+  /// What `presses` stands for where nothing presses.
+  const gpu::RawBuffer& presses(const CycleInputs& inputs) const {
+    return inputs.presses != nullptr ? *inputs.presses : no_presses_;
+  }
+  gpu::Dispatch::Bindings predict_bindings(const CycleInputs& inputs, std::size_t parity) const;
+
+  std::vector<Level> levels_;  // all but the coarsest; at least one
+  std::size_t tail_ = 1;
+  gpu::RawBuffer nodes_, tail_levels_;
+  gpu::Buffer<std::int32_t> no_presses_;
+  gpu::Buffer<Vec4f> place_, holds_, vectors_;
+  gpu::Dispatch predict_, gradient_, tail_cycle_, finish_;
+};
+
+template <class Shape>
+Result<void> Cycle::create_buffers(const CycleInputs& inputs, const ClothModel& cloth,
+                                   const std::vector<Shape>& shapes, std::uint32_t tail_nodes) {
+  gpu::Device& device = inputs.device;
+  while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > tail_nodes) ++tail_;
+  std::size_t vectors = 0;
+  for (std::size_t l = 0; l < shapes.size(); ++l) {
+    vectors += std::size_t{multigrid::kVectors} * node_count(shapes[l]);
+    if (l > 0 && l + 1 == shapes.size()) continue;
+    std::array<Shape, 2> pair = {shapes[l]};
+    if (l + 1 < shapes.size()) pair[1] = shapes[l + 1];
+    Level level;
+    WEFT_SET(level.levels, gpu::create_uniform(device, pair, "multigrid levels"));
+    levels_.push_back(std::move(level));
+  }
+  WEFT_SET(tail_levels_, gpu::Buffer<Shape>::create_from(device, std::span(shapes).subspan(tail_),
+                                                         "coarsest multigrid levels"));
+  WEFT_SET(nodes_,
+           gpu::create_uniform(device, ClothNodes{cloth.first_vertex, cloth.vertex_count}, "cloth nodes"));
+  WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, cloth.vertex_count, "multigrid place"));
+  // One element each where nothing holds: kernels bind what they do not read.
+  const std::size_t held = inputs.presses != nullptr ? cloth.vertex_count : 1;
+  WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, held, "multigrid holds"));
+  WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
+  WEFT_SET(vectors_, gpu::Buffer<Vec4f>::create(device, vectors, "multigrid vectors"));
+  return {};
+}
+
+}  // namespace weft

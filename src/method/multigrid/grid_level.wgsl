@@ -1,0 +1,42 @@
+// A level of a grid's hierarchy, and its place in the buffers `vectors` and `operators`. Source:
+// docs/solvers/multigrid.md.
+#include "method/multigrid/cloth.wgsl"
+struct LevelOfGrid {  // mirror: src/solver/multigrid/grid_levels.hpp
+  nx : u32,
+  ny : u32,              // nodes; 0: there is no such level
+  first_vector : u32,    // in `vectors`, in vec4f
+  first_operator : u32,  // in `operators`, in vec2f
+  bending_i : f32,       // N/m: resistance to second differences along i
+  bending_j : f32,
+  bend_end_i : u32,      // they are taken about nodes 1 to this, exclusive
+  bend_end_j : u32,
+  rim : f32,             // part of the bending that lines along the boundary have
+  padding_a : u32,
+  padding_b : u32,
+  padding_c : u32,
+}
+// What the files that grids and meshes share mean by a level. A kernel's uniform `levels` has the level that it works
+// on, and the next coarser one.
+alias Level = LevelOfGrid;
+
+fn node_count(level : Level) -> u32 { return level.nx * level.ny; }
+fn vector_at(level : Level, vector : u32, node : u32) -> u32 {
+  return level.first_vector + vector * (level.nx * level.ny) + node;
+}
+fn operator_at(level : Level, part : u32, node : u32) -> u32 {
+  return level.first_operator + part * (level.nx * level.ny) + node;
+}
+
+// The squares of what a node counts in the second differences of its line.
+fn line_squares(at : u32, end : u32) -> f32 {
+  return select(0.0, 1.0, at > 1u && at <= end) + select(0.0, 4.0, at > 0u && at < end) +
+         select(0.0, 1.0, at + 1u < end);
+}
+
+fn on_rim(at : u32, side : u32) -> bool { return at == 0u || at + 1u == side; }
+
+// What quadratic bending adds to the diagonal: bending.wgsl.
+fn bending_diagonal(level : Level, i : u32, j : u32) -> f32 {
+  return level.bending_i * select(1.0, level.rim, on_rim(j, level.ny)) * line_squares(i, level.bend_end_i) +
+         level.bending_j * select(1.0, level.rim, on_rim(i, level.nx)) * line_squares(j, level.bend_end_j);
+}

@@ -1,0 +1,49 @@
+// What a substep's formula makes of its length, and of a spring: equations 1, 5 and 6 of docs/solvers/multigrid.md. The
+// including kernel binds `step`.
+#include "element/spring/law.wgsl"
+#include "state/step.wgsl"
+
+// BDF2 with a step that is `step_ratio` of the one before it: x' = x + c (x - x before) + he v'. Ratio 0: backward
+// Euler.
+struct Formula { he : f32, c : f32 }
+fn formula_of(ratio : f32) -> Formula {
+  return Formula(step.dt * (1.0 + ratio) / (1.0 + 2.0 * ratio), ratio * ratio / (1.0 + 2.0 * ratio));
+}
+
+// How a spring's force changes: k [(1 - b) n nᵀ + b I] + c/he n nᵀ with b = max(0, 1 - l0 / l): its Hessian where it is
+// stretched, and where it is pressed without what would make it indefinite.
+struct SpringBlock {
+  direction : vec3f,
+  along : f32,   // N/m
+  across : f32,  // N/m
+}
+fn spring_block(span : vec3f, rest_length : f32, stiffness : f32, damping : f32) -> SpringBlock {
+  let len = length(span);
+  if (len < kMinLength) { return SpringBlock(vec3f(0.0), 0.0, 0.0); }
+  let b = max(0.0, 1.0 - rest_length / len);
+  return SpringBlock(span / len, stiffness * (1.0 - b) + damping, stiffness * b);
+}
+fn block_times(hessian : SpringBlock, v : vec3f) -> vec3f {
+  return hessian.along * dot(hessian.direction, v) * hessian.direction + hessian.across * v;
+}
+
+// What a spring does to a node.
+struct Pull {
+  force : vec3f,        // N: on the node, where both have come to place + start
+  block : SpringBlock,  // N/m: what it adds to the matrix
+}
+
+// From the node to its neighbour: span, m; how much it changes by the start of the unknown, m; and by the velocity that
+// this would be, m/s.
+fn pull_of(span : vec3f, span_step : vec3f, rate_of_span : vec3f, rest_length : f32, stiffness : f32, damping : f32,
+           rate : f32) -> Pull {
+  let hessian = spring_block(span, rest_length, stiffness, 0.0);
+  let tension = stiffness * (length(span) - rest_length);
+  var force = tension * hessian.direction + block_times(hessian, span_step);
+  if (damping > 0.0) {  // along the spring as it will be: along its direction now, of first order in the step
+    let later = span + span_step;
+    let square = max(dot(later, later), kMinLength * kMinLength);
+    force += (damping * dot(later, rate_of_span) / square) * later;
+  }
+  return Pull(force, SpringBlock(hessian.direction, hessian.along + damping * rate, hessian.across));
+}

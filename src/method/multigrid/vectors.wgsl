@@ -1,7 +1,0 @@
-// The vectors of a level in the buffer `vectors`: node after node, one after the other.
-const kResidual = 0u;   // N; of the finest level: first what the inertia leaves
-const kInverse = 1u;    // m/N: inverse of the diagonal's block: xx, yy, zz, yz; in the next: xz, xy
-const kDirection = 3u;  // m: the last step of smoothing; between: the residual that is handed down, N
-const kFirst = 4u;      // m: the solution; of the finest level: first the step's start
-const kSecond = 5u;     // m: the solution; of the finest level: first the start's velocity, m/s
-const kVectors = 6u;
