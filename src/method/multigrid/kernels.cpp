@@ -8,7 +8,7 @@ namespace {
 template <class Set>
 struct Row {
   gpu::SharedKernel Set::*kernel;
-  const char* name;  // shaders/multigrid/NAME.wgsl
+  const char* name;  // src/method/multigrid/NAME.wgsl
   std::uint32_t size;
   std::vector<gpu::Constant> constants = {};
 };
@@ -17,7 +17,7 @@ template <class Set>
 Result<Set> create_all(gpu::Device& device, std::span<const Row<Set>> table) {
   Set made;
   for (const Row<Set>& row : table) {
-    const std::string path = std::string("multigrid/") + row.name + ".wgsl";
+    const std::string path = std::string("method/multigrid/") + row.name + ".wgsl";
     WEFT_SET(made.*row.kernel, gpu::create_shared_kernel(device, path, row.constants, row.size));
   }
   return made;
