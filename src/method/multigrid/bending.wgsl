@@ -17,10 +17,15 @@ fn line_bending(level : Level, x : u32, at : u32, end : u32, node : u32, to_next
   return sum;
 }
 
-// Where nothing bends there are no second differences: lines end at 0.
 fn bending_product(level : Level, x : u32, i : u32, j : u32, node : u32) -> vec3f {
-  let end_i = select(0u, level.bend_end_i, level.bending_i > 0.0);
-  let end_j = select(0u, level.bend_end_j, level.bending_j > 0.0);
-  return level.bending_i * select(1.0, level.rim, on_rim(j, level.ny)) * line_bending(level, x, i, end_i, node, 1u) +
-         level.bending_j * select(1.0, level.rim, on_rim(i, level.nx)) * line_bending(level, x, j, end_j, node, level.nx);
+  var sum = vec3f(0.0);
+  if (level.bending_i > 0.0) {
+    sum += level.bending_i * select(1.0, level.rim, on_rim(j, level.ny)) *
+           line_bending(level, x, i, level.bend_end_i, node, 1u);
+  }
+  if (level.bending_j > 0.0) {
+    sum += level.bending_j * select(1.0, level.rim, on_rim(i, level.nx)) *
+           line_bending(level, x, j, level.bend_end_j, node, level.nx);
+  }
+  return sum;
 }
