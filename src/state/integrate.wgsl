@@ -1,5 +1,5 @@
-// Semi-implicit Euler for one node: v += dt (a + f/m - drag (v - w)), then x += dt v. Kinematic nodes follow their motion.
-// Source: docs/solvers/mass_spring.md, equations 3 to 5. The including kernel binds `step` and `motions`.
+// Semi-implicit Euler for one node: v += dt (a + f/m - drag (v - w)), then x += dt v. Kinematic nodes follow their
+// motion. Source: docs/solvers/mass_spring.md, equations 3 to 5. The including kernel binds `step` and `motions`.
 #include "state/grab.wgsl"
 #include "state/node_state.wgsl"
 #include "state/step.wgsl"
