@@ -3,7 +3,8 @@
 # How this machine reaches its package registries; a user's machine may have none of these.
 bare_settings() { # bare_settings ROOT
   local root=$1 file
-  apt-config dump | grep -E '^Acquire::(Check-|http|https|Retries|ForceIP)' >"$root/etc/apt/apt.conf.d/99machine" || true
+  apt-config dump | grep -E '^Acquire::(Check-|http|https|Retries|ForceIP)' \
+    >"$root/etc/apt/apt.conf.d/99machine" || true
   for file in /etc/pip.conf ~/.npmrc /etc/resolv.conf /etc/hosts \
     "${PIP_CERT:-}" "${SSL_CERT_FILE:-}" "${NODE_EXTRA_CA_CERTS:-}"; do
     if [ -f "$file" ]; then mkdir -p "$root$(dirname "$file")" && cp -L "$file" "$root$file"; fi
@@ -17,7 +18,8 @@ bare_root() {
     if [ -s "$file" ]; then sources+=("$file"); fi
   done
   say "making a bare Debian 12 in $root"
-  quietly mmdebstrap --variant=minbase --include=ca-certificates,git --dpkgopt=force-unsafe-io bookworm "$root" "${sources[@]}"
+  quietly mmdebstrap --variant=minbase --include=ca-certificates,git --dpkgopt=force-unsafe-io \
+    bookworm "$root" "${sources[@]}"
   bare_settings "$root"
   quietly git clone --depth 1 "file://$PWD" "$root/weft"
 }

@@ -21,7 +21,8 @@ timed ./dev web --port "$port" &
 server=$!
 # A time limit for a hang only: ten times what a machine of two cores takes.
 for _ in $(seq 3600); do
-  if page=$(python3 -c "import urllib.request; print(urllib.request.urlopen('http://127.0.0.1:$port/').read().decode())" 2>/dev/null); then
+  fetch="import urllib.request; print(urllib.request.urlopen('http://127.0.0.1:$port/').read().decode())"
+  if page=$(python3 -c "$fetch" 2>/dev/null); then
     [[ $page == *"<title>weft"* ]] || {
       echo "weft: the page at port $port is another: $page" >&2
       exit 1

@@ -82,7 +82,8 @@ setup_node() {
   chmod +x "$root/bin/node"
   mkdir -p "$SETUP/bin"
   ln -sfn "$root/bin/node" "$SETUP/bin/node"
-  printf '#!/bin/sh\nexec "%s/bin/node" "%s/lib/node_modules/npm/bin/npm-cli.js" "$@"\n' "$root" "$root" >"$SETUP/bin/npm"
+  printf '#!/bin/sh\nexec "%s/bin/node" "%s/lib/node_modules/npm/bin/npm-cli.js" "$@"\n' "$root" "$root" \
+    >"$SETUP/bin/npm"
   chmod +x "$SETUP/bin/npm"
   export PATH=$SETUP/bin:$PATH
 }

@@ -7,7 +7,9 @@ build_folder() { [ "$1" = release ] && echo build || echo "build/$1"; }
 configure() {
   local folder
   folder=$(build_folder "$1")
-  if [ -e "$folder/build.ninja" ] && { [ $# -eq 1 ] || grep -qs "^$2:BOOL=ON$" "$folder/CMakeCache.txt"; }; then return; fi
+  if [ -e "$folder/build.ninja" ] && { [ $# -eq 1 ] || grep -qs "^$2:BOOL=ON$" "$folder/CMakeCache.txt"; }; then
+    return
+  fi
   quietly cmake --preset "$1" ${2:+-D "$2=ON"}
 }
 
@@ -70,8 +72,8 @@ task_web() {
 # Debian's Python, for which setup_packages installs.
 paper() { /usr/bin/python3 -m bench.paper "$@"; }
 
-# Measuring needs the binary; only the report needs jinja2, and only the browser's part the page and a browser, which are
-# built where they are asked for by name, or where a browser is there already.
+# Measuring needs the binary; only the report needs jinja2, and only the browser's part the page and a browser, which
+# are built where they are asked for by name, or where a browser is there already.
 bench_paper() {
   setup_packages "${REPORT_PACKAGES[@]}"
   case " $* " in *" --help "* | *" -h "* | *" --stored "* | *" --only report "*)
@@ -150,5 +152,6 @@ task_sanitize() {
   setup_wgpu
   configure sanitize
   compile sanitize all
-  ctest --test-dir build/sanitize --output-on-failure -j "$(nproc)" --no-tests=error -L short -E '^(lavapipe|swiftshader|tint)'
+  ctest --test-dir build/sanitize --output-on-failure -j "$(nproc)" --no-tests=error -L short \
+    -E '^(lavapipe|swiftshader|tint)'
 }

@@ -17,7 +17,10 @@ constexpr const char* kBash = R"(_weft() {
   case "$previous" in
     --out) COMPREPLY=($(compgen -d -- "$word")); return ;;
     --solver) COMPREPLY=($(compgen -W "@SOLVERS@" -- "$word")); return ;;
-    --json) [ "$command" = bench ] && [ "${COMP_WORDS[2]}" != compare ] && { COMPREPLY=($(compgen -f -- "$word")); return; } ;;
+    --json)
+      if [ "$command" = bench ] && [ "${COMP_WORDS[2]}" != compare ]; then
+        COMPREPLY=($(compgen -f -- "$word")); return
+      fi ;;
     --set|--frames|--adapter|--sides|--memory|--seconds) return ;;
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
     --only) case "${COMP_WORDS[2]}" in
@@ -54,13 +57,20 @@ complete -c weft -n "__fish_seen_subcommand_from run" -l out -r
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
 set -l experiments hanging pull contact multigrid copy largest compare
-complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" -a "$experiments"
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull contact multigrid copy" -l quick
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull multigrid" -l sides -x
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging largest" -l only -x -a "grid mesh springs blocks"
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" -l only -x -a "none bvh proximity proximity_self paper"
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from multigrid" -l only -x -a "multigrid multigrid4 multigrid16 explicit null drape"
-complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" -l objects -x -a "sphere armadillo dragon"
+complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" \
+  -a "$experiments"
+complete -c weft -l quick \
+  -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull contact multigrid copy"
+complete -c weft -l sides -x \
+  -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull multigrid"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging largest" \
+  -l only -x -a "grid mesh springs blocks"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" \
+  -l only -x -a "none bvh proximity proximity_self paper"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from multigrid" \
+  -l only -x -a "multigrid multigrid4 multigrid16 explicit null drape"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" \
+  -l objects -x -a "sphere armadillo dragon"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l memory -x
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l seconds -x
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from compare" -F -l fail

@@ -1,6 +1,7 @@
 // The page /compare, headless: the paper's hanging cloth on WebGPU, WebGL 2 and the processor, in one browser.
-//   node bench/web/compare.ts [--quick] [--json FILE] [--paths weft-node,cpu] [--sizes 64,128] [--most NODES] [--budget MS]
-// It needs Node 24, node_modules/playwright-core, apps/web/dist (./dev bench web builds it) and a Chromium, nothing else.
+//   node bench/web/compare.ts [--quick] [--json FILE] [--paths weft-node,cpu] [--sizes 64,128] [--most NODES]
+//                             [--budget MS]
+// It needs Node 24, node_modules/playwright-core, apps/web/dist (./dev bench web builds it) and a Chromium.
 // CHROMIUM names another browser; WEBGPU_FLAGS, separated by spaces, replace the flags of the software adapters.
 //
 // On a machine with an NVIDIA GPU and its Vulkan driver, from the folder of the repository:

@@ -1,6 +1,8 @@
-// The page as a visitor has it, headless: from opening to the first frame that moves, then how fast it plays, and a picture of it.
+// The page as a visitor has it, headless: from opening to the first frame that moves, then how fast it plays, and a
+// picture of it.
 //   node bench/web/page.ts [--json FILE] [--pictures FOLDER] [--seconds S] [QUERY …]
-// QUERY: of the page's address, as "scene=breeze". What it needs, and how another browser is named: bench/web/compare.ts.
+// QUERY: of the page's address, as "scene=breeze". What it needs, and how another browser is named:
+// bench/web/compare.ts.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { parseArgs } from "node:util";

@@ -1,5 +1,6 @@
-// apps/web/dist as its users get it: plain files with the headers of apps/web/vite.config.ts, on 127.0.0.1, where WebGPU and an
-// unblurred clock may be used. Nothing of Vite is needed, so that it runs on a machine with little more than Node.
+// apps/web/dist as its users get it: plain files with the headers of apps/web/vite.config.ts, on 127.0.0.1, where
+// WebGPU and an unblurred clock may be used. Nothing of Vite is needed, so that it runs on a machine with little more
+// than Node.
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
@@ -15,7 +16,8 @@ const HEADERS = {
 
 export async function serveFiles(folder: string): Promise<{ address: string; close(): void }> {
   const server = createServer((request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://localhost").pathname)); // leaves no ".."
+    const { pathname } = new URL(request.url ?? "/", "http://localhost");
+    const path = normalize(decodeURIComponent(pathname)); // leaves no ".."
     const file = path.endsWith("/") ? `${path}index.html` : path;
     readFile(join(folder, file)).then((bytes) => {
       response.writeHead(200, { ...HEADERS, "Content-Type": TYPES[extname(file)] ?? "application/octet-stream" });

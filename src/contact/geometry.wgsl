@@ -1,7 +1,8 @@
 // What tests on triangles and boxes have in common.
 struct Box { low : vec3f, high : vec3f }
 
-// Of a determinant of differences, a sum of six products, in parts of the product of the largest components: contact/pushes/triangle_pair.wgsl.
+// Of a determinant of differences, a sum of six products, in parts of the product of the largest components:
+// contact/pushes/triangle_pair.wgsl.
 const kRounding = 3.814697265625e-06;  // 64 * 2^-24
 
 fn largest(a : vec3f) -> f32 { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }

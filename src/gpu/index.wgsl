@@ -1,5 +1,5 @@
-// The element or the block of elements that an invocation or a workgroup works on. Past 65,535 workgroups a dispatch has
-// rows of 32,768 (gpu/kernel.hpp).
+// The element or the block of elements that an invocation or a workgroup works on. Past 65,535 workgroups a dispatch
+// has rows of 32,768 (gpu/kernel.hpp).
 override kWorkgroupSize : u32 = 256;
 const kGroupsPerRow = 32768u;
 

@@ -1,5 +1,6 @@
 // A finer grid through the nodes of a grid: a cubic along the rows and the columns, which goes through the nodes.
-// Source: Keys, "Cubic convolution interpolation for digital image processing" (1981); in double: mesh/subdivided_grid.hpp.
+// Source: Keys, "Cubic convolution interpolation for digital image processing" (1981); in double:
+// mesh/subdivided_grid.hpp.
 struct FineGrid {  // mirror: src/render/fine_cloth.hpp
   first_node : u32,    // of the simulated cloth
   first_vertex : u32,  // of the drawn one

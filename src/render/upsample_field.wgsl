@@ -1,4 +1,5 @@
-// What a view shows of each vertex, on a cloth that is drawn finer than it is simulated. One invocation per drawn vertex.
+// What a view shows of each vertex, on a cloth that is drawn finer than it is simulated. One invocation per drawn
+// vertex.
 #include "gpu/index.wgsl"
 #include "render/fine_grid.wgsl"
 //                                                                      elements

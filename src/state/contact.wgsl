@@ -40,17 +40,18 @@ fn weights_of(ids : vec4u, s : f32, t : f32) -> vec4f {
   return vec4f(1.0, s + t - 1.0, -s, -t);
 }
 
-// How much of a vertex's mass a pair may use, among others that act: the more, the deeper its features will be in each other's
-// thickness. In whole numbers, so that sums do not hang on their order.
+// How much of a vertex's mass a pair may use, among others that act: the more, the deeper its features will be in each
+// other's thickness. In whole numbers, so that sums do not hang on their order.
 const kMostUrgent = 255.0;
 fn urgency_of(gap : f32, thickness : f32) -> u32 {
   let depth = clamp(1.0 - gap / thickness, 0.0, 1.0);
   return 1u + u32(kMostUrgent * depth * depth);
 }
 
-// What each vertex has: where its entries begin, how many they are; of this substep the sum of its pairs' urgencies, and by how much
-// the nearest plane of a near pair is nearer than free_way, m, as the bits of a positive f32; a count that the listing needs; and the
-// sum of the changes of velocity that pairs give it, in kSpeedUnits: of integers, since pairs have no order.
+// What each vertex has: where its entries begin, how many they are; of this substep the sum of its pairs' urgencies,
+// and by how much the nearest plane of a near pair is nearer than free_way, m, as the bits of a positive f32; a count
+// that the listing needs; and the sum of the changes of velocity that pairs give it, in kSpeedUnits: of integers, since
+// pairs have no order.
 const kVertexWords = 8u;
 const kUrgencyWord = 2u;
 const kTightWord = 3u;

@@ -19,7 +19,8 @@ const kStatFound = 15u;          // crossings of this detection
 const kStatReach = 16u;          // how far a collider may go until the next detection, m, as the bits of a positive f32
 const kStatTravel = 17u;         // how far one may have gone since this detection, m, likewise
 
-// A hash of two numbers. Source: Pcg3d's mixing step (Jarzynski, Olano: Hash Functions for GPU Rendering, 2020), cut to two words.
+// A hash of two numbers. Source: Pcg3d's mixing step (Jarzynski, Olano: Hash Functions for GPU Rendering, 2020), cut to
+// two words.
 fn hash_pair(a : u32, b : u32) -> u32 {
   var h = a * 1664525u + 1013904223u;
   h = (h ^ b) * 2246822519u;

@@ -64,7 +64,8 @@ TEST_CASE("rows are paired by what is not measured; the rest of both files is li
   const auto after = files.rows(single(
       R"({"object": "dragon", "variant": "bvh", "nodes": 4096}, {"side": 64, )" + sphere + times(2, 2, 2) +
       R"(, "contacts": 4, "crossings": 0, "crossings_left": 0, "reference_substeps": 8,
-                 "repeated_frames": 1, "simulated_nodes": 9, "command": "x", "binary": "sha256:1", "state_hash": "b"})"));
+                 "repeated_frames": 1, "simulated_nodes": 9, "command": "x", "binary": "sha256:1",
+                 "state_hash": "b"})"));
   CHECK(before[0].name == "sphere, bvh, nodes 4096");
   const bench::Comparison made = bench::compare(before, after);
   REQUIRE(made.pairs.size() == 1);

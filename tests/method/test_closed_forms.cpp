@@ -98,7 +98,8 @@ TEST_CASE("a hanging node stretches its spring by m g / k") {
             R"("solver": {"kind": "mass_spring", "forces": ")" + std::string(forces) + R"("}, )" +
             grid(
                 2, 2, 1, 1,
-                R"("density": 0.4, "damping": 0.8, "pins": ["top"], "stiffness": {"structural": 100, "shear": 0, "bend": 0})")),
+                R"("density": 0.4, "damping": 0.8, "pins": ["top"],
+                   "stiffness": {"structural": 100, "shear": 0, "bend": 0})")),
         1e-3);
     const auto start = rig.positions();
     rig.advance(20000);  // 20 s: forty decay times of 2 m / c = 0.5 s
@@ -118,7 +119,8 @@ TEST_CASE("a strip under its own weight lengthens by the sum over its springs, n
           R"("drag": 3, )" +
           grid(
               5, ny, 0.2, length,
-              R"("density": 0.2, "damping": 0, "pins": ["top"], "stiffness": {"structural": 200, "shear": 0, "bend": 0})")),
+              R"("density": 0.2, "damping": 0, "pins": ["top"],
+                 "stiffness": {"structural": 200, "shear": 0, "bend": 0})")),
       1e-3);
   rig.advance(12000);  // 12 s; the slowest mode decays as exp(-1.5 t)
   const auto end = rig.positions();

@@ -158,7 +158,8 @@ TEST_CASE("all formulations equal the reference on a mesh of any shape") {
       CAPTURE(forces);
       const auto scene = scene_of(R"("solver": {"kind": "mass_spring", "forces": ")" + std::string(forces) +
                                   R"("}, "cloths": [{"mesh": "a.obj", "density": 0.3, "damping": 0.01,
-                                  "stiffness": {"structural": 300, "shear": 100, "bend": 30}, "pins": [{"nodes": [3]}]}])");
+                                  "stiffness": {"structural": 300, "shear": 100, "bend": 30},
+                                  "pins": [{"nodes": [3]}]}])");
       SolverRig rig(fixture.device(), scene, 1e-4, {mesh});
       rig.perturb(5, 0.03, 0.5);
       const auto fixed_point = force_fixed_point(build_springs(rig.model().host), rig.model().vertex_count());

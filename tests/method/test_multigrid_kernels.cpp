@@ -20,7 +20,8 @@ std::string cloth(std::uint32_t nx, std::uint32_t ny, const std::string& more) {
 const std::string kPlain =
     R"("density": 0.2, "pins": ["top_left", {"nodes": [3]}])";  // with the default stiffness
 const std::string kBending =
-    R"("density": 0.1, "damping": 0, "pins": ["left"], "stiffness": {"structural": 800, "shear": 100, "bend": 0, "bending": 0.01})";
+    R"("density": 0.1, "damping": 0, "pins": ["left"],
+       "stiffness": {"structural": 800, "shear": 100, "bend": 0, "bending": 0.01})";
 const std::string kNodeMass =
     R"("node_mass": 0.002, "damping": 2, "stiffness": {"structural": 0, "shear": 900, "bend": 300, "bending": 1e-3})";
 

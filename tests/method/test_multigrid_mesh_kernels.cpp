@@ -18,7 +18,8 @@ std::string cloth(const std::string& more) {
 }
 const std::string kPlain = R"("density": 0.2, "pins": [{"nodes": [0, 3]}])";  // with the default stiffness
 const std::string kSoft =
-    R"("density": 0.1, "damping": 0, "stiffness": {"structural": 800, "shear": 100, "bend": 0}, "pins": [{"nodes": [1]}])";
+    R"("density": 0.1, "damping": 0, "stiffness": {"structural": 800, "shear": 100, "bend": 0},
+       "pins": [{"nodes": [1]}])";
 const std::string kFree =
     R"("node_mass": 0.002, "damping": 2, "stiffness": {"structural": 900, "shear": 0, "bend": 300})";
 

@@ -75,7 +75,8 @@ TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they rea
     "colliders": [{"kind": "sphere", "center": [3, 0, 0], "radius": 1},
       {"kind": "sphere", "center": [3, 9, 0], "radius": 1,
        "motion": {"kind": "rotation", "axis": [0, 1, 0], "center": [0, 0, 0], "speed": 2}},
-      {"kind": "mesh", "mesh": "a.ply", "keyframes": [{"time": 0.5, "mesh": "b.ply"}, {"time": 1, "mesh": "c.ply"}]}]})",
+      {"kind": "mesh", "mesh": "a.ply", "keyframes": [{"time": 0.5, "mesh": "b.ply"},
+      {"time": 1, "mesh": "c.ply"}]}]})",
                                         "test.json");
   REQUIRE_MESSAGE(scene, scene.error().message);
   const auto model = build_model(*scene, {{}});

@@ -90,7 +90,8 @@ inline std::string thin_sheet(std::uint32_t nx, std::uint32_t ny, const std::str
   return R"("cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
          R"(], "size": [2, 2], "plane": "xz", "bump": 0.001, "density": 0.15, "damping": 0,
             "stiffness": {"structural": 1500, "shear": 750, "bend": 0, "bending": 1e-5},
-            "pins": [{"near": {"point": [-1, 0, -1], "radius": 0.05}}, {"near": {"point": [1, 0, -1], "radius": 0.05}}])" +
+            "pins": [{"near": {"point": [-1, 0, -1], "radius": 0.05}},
+            {"near": {"point": [1, 0, -1], "radius": 0.05}}])" +
          more + "}]";
 }
 

@@ -292,7 +292,8 @@ TEST_CASE(
   for (const bool obstacles : {true, false}) {
     const std::string soft =
         R"("cloths": [{"grid": [65, 65], "size": [2, 2], "plane": "xz", "density": 0.15, "damping": 0,
-        "stiffness": {"structural": 2000, "shear": 200, "bend": 0, "bending": 1e-5}, "pins": ["top_left", "top_right"]}])";
+        "stiffness": {"structural": 2000, "shear": 200, "bend": 0, "bending": 1e-5},
+        "pins": ["top_left", "top_right"]}])";
     Sheet sheet(obstacles ? thin_sheet(65, 65) : soft);
     sheet.wrinkle(2, 0.02);
     sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});

@@ -155,7 +155,8 @@ TEST_CASE("sheets survive stiffness, lightness, soft shear and violent pins for 
   };
   const std::string usual = R"("structural": 5000, "shear": 2000, "bend": 500)";
   const std::string jump =
-      R"("motions": [{"nodes": "top", "kind": "path", "points": [[0.1, [0, 0, 0]], [0.1167, [1, 0, 0]], [0.5, [1, 0, 0]], [0.5167, [0, 0.5, -0.5]]]}])";
+      R"("motions": [{"nodes": "top", "kind": "path",
+         "points": [[0.1, [0, 0, 0]], [0.1167, [1, 0, 0]], [0.5, [1, 0, 0]], [0.5167, [0, 0.5, -0.5]]]}])";
   const std::string pins = R"("pins": ["top_left", "top_right"])";
   for (const Case& c :
        {Case{"100 times the stiffness", R"("structural": 5e5, "shear": 2e5, "bend": 5e4)", "0.2", pins},
@@ -166,7 +167,8 @@ TEST_CASE("sheets survive stiffness, lightness, soft shear and violent pins for 
         {"0.01 of the density and pins moved", usual, "0.002", jump}}) {
     CAPTURE(c.name);
     auto simulation = simulation_of_text(
-        R"("solver": {"kind": "multigrid"}, "contact": {"method": "none"}, "cloths": [{"grid": [33, 25], "size": [2, 1.5], "density": )" +
+        R"("solver": {"kind": "multigrid"}, "contact": {"method": "none"},
+           "cloths": [{"grid": [33, 25], "size": [2, 1.5], "density": )" +
         c.density + R"(, "damping": 0.01, "stiffness": {)" + c.stiffness + "}, " + c.motion + "}]");
     advance(simulation, 63);  // of 8 steps
     CHECK(all_finite(simulation.positions(), 5));

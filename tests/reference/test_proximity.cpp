@@ -142,7 +142,8 @@ TEST_CASE("a sheet over a ball, a capsule, a box and a floor passes through none
       "transform": {"translate": [0, 0.33, 0]}, "stiffness": {"structural": 80, "shear": 40, "bend": 0.5}}],
     "colliders": [{"kind": "sphere", "center": [-0.15, 0.15, 0.15], "radius": 0.12},
       {"kind": "capsule", "a": [-0.3, 0.2, -0.2], "b": [0.1, 0.25, -0.2], "radius": 0.03},
-      {"kind": "box", "center": [0.2, 0.12, 0.1], "size": [0.1, 0.3, 0.1], "rotate": [0, 0.382683432365, 0, 0.923879532511]},
+      {"kind": "box", "center": [0.2, 0.12, 0.1], "size": [0.1, 0.3, 0.1],
+      "rotate": [0, 0.382683432365, 0, 0.923879532511]},
       {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])");
   for (int frame = 0; frame < 36; ++frame) {
     advance(simulation, 1);

@@ -106,7 +106,8 @@ TEST_CASE("in double, crossed sheets come apart and a sheet comes out of a box, 
   for (const bool box : {false, true}) {
     CAPTURE(box);
     Simulation simulation = simulation_of_text(
-        R"("gravity": [0, 0, 0], "time": {"substeps": 8}, "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
+        R"("gravity": [0, 0, 0], "time": {"substeps": 8}, "contact": {"method": "proximity", "thickness": 0.01},
+           "cloths": [)" +
         sheet(8, "[0.03, 0.04, 0.02]", 0) +
         (box ? R"(], "colliders": [{"kind": "box", "center": [-0.2, 0, 0], "size": [0.2, 0.2, 0.2]}])"
              : "," + sheet(7, "[0.1, 0.03, 0.05]", 0.5) + "]"));

@@ -90,10 +90,13 @@ TEST_CASE("a default-made Scene has the same defaults as one that is read") {
 TEST_CASE("every key arrives where it belongs") {
   const Scene scene = parsed(R"({
     "format": "weft-scene/1", "title": "T", "description": "D", "gravity": [1, 2, 3], "external_force": [4, 5, 6],
-    "drag": 0.5, "wind": {"velocity": [7, 8, 9], "gusts": 0.25, "wavelength": 3}, "time": {"frame": 0.02, "substeps": 12, "frames": 7},
-    "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "contact": {"method": "proximity", "thickness": 0.01, "self": false, "restitution": 0.5},
+    "drag": 0.5, "wind": {"velocity": [7, 8, 9], "gusts": 0.25, "wavelength": 3},
+    "time": {"frame": 0.02, "substeps": 12, "frames": 7},
+    "solver": {"kind": "mass_spring", "forces": "spring_centric"},
+    "contact": {"method": "proximity", "thickness": 0.01, "self": false, "restitution": 0.5},
     "cloths": [
-      {"name": "flag", "grid": [5, 3], "size": [4, 2], "plane": "xz", "bump": 0.02, "node_mass": 0.1, "damping": 2, "friction": 0.7,
+      {"name": "flag", "grid": [5, 3], "size": [4, 2], "plane": "xz", "bump": 0.02, "node_mass": 0.1, "damping": 2,
+      "friction": 0.7,
        "transform": {"scale": 2, "rotate": [0, 0, 0.6, 0.8], "translate": [1, 2, 3]},
        "stiffness": {"structural": 1, "shear": 2, "bend": 3}, "color": [0.1, 0.2, 0.3],
        "pins": ["top_left", {"box": {"min": [0, 1, 2], "max": [3, 4, 5]}}, {"nodes": [7, 8]},
@@ -218,7 +221,8 @@ TEST_CASE("every key arrives where it belongs") {
 TEST_CASE("a collider gives no friction of its own, stays and has one shape unless it says so") {
   const Scene scene = parsed(scene_with(R"("colliders": [{"kind": "mesh", "mesh": "dragon"},
     {"kind": "sphere", "center": [0, 0, 0], "radius": 1}, {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]},
-    {"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0], "radius": 1}, {"kind": "box", "center": [0, 0, 0], "size": [1, 1, 1]}],
+    {"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0], "radius": 1},
+    {"kind": "box", "center": [0, 0, 0], "size": [1, 1, 1]}],
     "contact": {"method": "proximity"})"));
   for (const Collider& collider : scene.colliders) {
     CHECK_FALSE(friction_of(collider));

@@ -129,7 +129,8 @@ std::vector<Hostile> hostile_scenes() {
            R"("grabs": [{"node": "top_left", "start": 2, "end": 2, "path": [{"time": 0, "point": [0, 0, 0]}]}])"),
        "cloths[0].grabs[0].end is 2 s, not after the start at 2 s", false},
       {cloth_with(
-           R"("grabs": [{"node": "top_left", "path": [{"time": 1, "point": [0, 0, 0]}, {"time": 1, "point": [0, 0, 0]}]}])"),
+           R"("grabs": [{"node": "top_left", "path": [{"time": 1, "point": [0, 0, 0]},
+              {"time": 1, "point": [0, 0, 0]}]}])"),
        "cloths[0].grabs[0].path[1].time is 1 s, not after the 1 s of the point before it", false},
       // A cloth's shape and mass.
       {cloth_of(R"("density": 0.2)"), R"(cloths[0] has neither "grid" nor "mesh"; it must have one of them)"},

@@ -63,7 +63,8 @@ void check_survival(const std::string& stiffness, const std::string& density, co
 const std::string kUsual = R"("structural": 5000, "shear": 2000, "bend": 500)";
 const std::string kPins = R"("pins": ["top_left", "top_right"])";
 const std::string kJump =
-    R"("motions": [{"nodes": "top", "kind": "path", "points": [[0.1, [0, 0, 0]], [0.1167, [1, 0, 0]], [0.5, [1, 0, 0]], [0.5167, [0, 0.5, -0.5]]]}])";
+    R"("motions": [{"nodes": "top", "kind": "path",
+       "points": [[0.1, [0, 0, 0]], [0.1167, [1, 0, 0]], [0.5, [1, 0, 0]], [0.5167, [0, 0.5, -0.5]]]}])";
 
 void check_stiff(std::uint32_t frames) {
   check_survival(R"("structural": 5e5, "shear": 2e5, "bend": 5e4)", "0.2", kPins, frames);
@@ -81,7 +82,8 @@ TEST_CASE("frames of the implicit sheet are the reference's, with wind, a motion
   GpuFixture fixture;
   const scene::Scene scene = sheet(
       R"("drag": 0.5, "wind": {"velocity": [1, 0, 2], "gusts": 0.5},)",
-      R"("density": 0.2, "pins": ["top_left"], "motions": [{"nodes": "top_right", "kind": "line", "direction": [-1, 0, 0], "speed": 0.5}],
+      R"("density": 0.2, "pins": ["top_left"], "motions": [{"nodes": "top_right", "kind": "line",
+         "direction": [-1, 0, 0], "speed": 0.5}],
          "grabs": [{"node": "bottom_left", "start": 0.05, "end": 0.15, "path": [{"time": 0, "point": [0, 0.5, 1]}]}])");
   auto world = world_of(fixture.device(), scene);
   auto exact = reference::Simulation::create(scene, world->assets());

@@ -52,7 +52,8 @@ TEST_CASE("frames of an implicit mesh are the reference's, beside a grid, with w
                  {R"({"grid": [12, 9], "size": [2, 1.5], "density": 0.2, "pins": ["top_left"]})",
                   mesh_cloth(kThin + R"("pins": [{"nodes": [0]}],
          "motions": [{"nodes": {"nodes": [24]}, "kind": "line", "direction": [-1, 0, 0], "speed": 0.5}],
-         "grabs": [{"node": {"nodes": [400]}, "start": 0.05, "end": 0.15, "path": [{"time": 0, "point": [0, 0.5, 1]}]}])")});
+         "grabs": [{"node": {"nodes": [400]}, "start": 0.05, "end": 0.15,
+         "path": [{"time": 0, "point": [0, 0.5, 1]}]}])")});
   const std::vector<mesh::TriangleMesh> cloths = {{}, jittered_sheet(25, 21, 2, 1.5)};
   auto world = world_of(fixture.device(), scene, cloths);
   auto exact = reference::Simulation::create(scene, {.cloths = cloths});
@@ -167,7 +168,8 @@ TEST_CASE(
     "implicit meshes fall on a sphere, a floor and each other, pass through nothing, the same bits twice") {
   GpuFixture fixture;
   const std::string soft =
-      R"("density": 0.3, "damping": 0.01, "stiffness": {"structural": 40, "shear": 10, "bend": 0.3}, "transform": {"translate": )";
+      R"("density": 0.3, "damping": 0.01, "stiffness": {"structural": 40, "shear": 10, "bend": 0.3},
+         "transform": {"translate": )";
   const scene::Scene scene = scene_with("multigrid", R"("contact": {"method": "proximity", "thickness": 0.01},
       "colliders": [{"kind": "sphere", "center": [0.01, 0.1, 0.02], "radius": 0.1},
                     {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}], )",
@@ -196,15 +198,18 @@ TEST_CASE("an implicit mesh meets a box and a ball that turns as the reference d
   for (const Case& c :
        {Case{R"({"kind": "box", "center": [0.02, 0.1, 0.01], "size": [0.2, 0.2, 0.2]})", 1e-3},
         {R"({"kind": "sphere", "center": [0.01, 0.1, 0.02], "radius": 0.1, "friction": 0.8,
-             "motion": {"kind": "rotation", "axis": [0, 1, 0], "center": [0.01, 0.1, 0.02], "speed": 3, "angle": 100}})",
+             "motion": {"kind": "rotation", "axis": [0, 1, 0], "center": [0.01, 0.1, 0.02], "speed": 3,
+             "angle": 100}})",
          0.02}}) {
     CAPTURE(c.colliders);
     const scene::Scene scene = scene_with(
         "multigrid",
-        R"("time": {"substeps": 8}, "drag": 0.5, "contact": {"method": "proximity", "thickness": 0.01}, "colliders": [)" +
+        R"("time": {"substeps": 8}, "drag": 0.5, "contact": {"method": "proximity", "thickness": 0.01},
+           "colliders": [)" +
             c.colliders + "], ",
         {mesh_cloth(
-            R"("density": 0.3, "damping": 0.01, "friction": 0.3, "stiffness": {"structural": 40, "shear": 10, "bend": 0.3})")});
+            R"("density": 0.3, "damping": 0.01, "friction": 0.3,
+               "stiffness": {"structural": 40, "shear": 10, "bend": 0.3})")});
     mesh::TriangleMesh mesh = jittered_sheet(9, 9, 0.4, 0.4);
     for (Vec3f& x : mesh.positions) x.y = 0.215F;
     auto assets = load_assets(scene, [&](const std::string&) -> Result<mesh::TriangleMesh> { return mesh; });
@@ -244,7 +249,8 @@ void check_survival(const mesh::TriangleMesh& mesh, const std::string& stiffness
 const std::string kUsual = R"("structural": 5000, "shear": 2000, "bend": 500)";
 const std::string kStiff = R"("structural": 5e5, "shear": 2e5, "bend": 5e4)";
 const std::string kJump =
-    R"("motions": [{"nodes": {"nodes": [0, 1, 2]}, "kind": "path", "points": [[0.1, [0, 0, 0]], [0.1167, [1, 0, 0]], [0.5, [1, 0, 0]], [0.5167, [0, 0.5, -0.5]]]}])";
+    R"("motions": [{"nodes": {"nodes": [0, 1, 2]}, "kind": "path",
+       "points": [[0.1, [0, 0, 0]], [0.1167, [1, 0, 0]], [0.5, [1, 0, 0]], [0.5167, [0, 0.5, -0.5]]]}])";
 
 void check_all(std::uint32_t frames) {
   const mesh::TriangleMesh thin = jittered_sheet(21, 17, 2, 2, 0.45);

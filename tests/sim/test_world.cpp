@@ -107,7 +107,8 @@ TEST_CASE("a moved edge is where its motion says at the end of every frame") {
   GpuFixture fixture;
   auto parsed =
       scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "none"}, "time": {"substeps": 5},
-    "cloths": [{"grid": [5, 5], "size": [1, 1], "density": 1, "damping": 0, "stiffness": {"structural": 20, "shear": 10, "bend": 1},
+    "cloths": [{"grid": [5, 5], "size": [1, 1], "density": 1, "damping": 0,
+    "stiffness": {"structural": 20, "shear": 10, "bend": 1},
     "motions": [{"nodes": "top", "kind": "line", "direction": [1, 0, 0], "speed": 0.6},
                 {"nodes": "bottom", "kind": "rotation", "axis": [0, 1, 0], "center": [0, 0, 0], "speed": 2}]}]})",
                          "moved.json");
@@ -137,9 +138,11 @@ TEST_CASE("a sheet that falls on a plane and a sphere stays on their outer side"
   GpuFixture fixture;
   auto parsed =
       scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "bvh", "thickness": 0.01},
-    "cloths": [{"grid": [20, 20], "size": [1, 1], "plane": "xz", "density": 0.3, "damping": 0.01, "transform": {"translate": [0, 0.55, 0]},
+    "cloths": [{"grid": [20, 20], "size": [1, 1], "plane": "xz", "density": 0.3, "damping": 0.01,
+    "transform": {"translate": [0, 0.55, 0]},
     "stiffness": {"structural": 100, "shear": 50, "bend": 5}}],
-    "colliders": [{"kind": "sphere", "center": [0, 0.2, 0], "radius": 0.3}, {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}]})",
+    "colliders": [{"kind": "sphere", "center": [0, 0.2, 0], "radius": 0.3},
+    {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}]})",
                          "fall.json");
   REQUIRE_OK(parsed);
   auto world = world_of(fixture.device(), *parsed);

@@ -169,7 +169,7 @@ interface Written {
 function submit(commands: Written[], targets: (at: number) => void = () => undefined): Call[] {
   commands.forEach(({ kind, ids = [], args = [], sizes = [] }, i) => {
     const at = COMMANDS + i * cpp.command.size;
-    for (let word = 0; word < cpp.command.size; word += 4) view.setUint32(at + word, 0xcdcdcdcd, true); // padding is not zero
+    for (let word = 0; word < cpp.command.size; word += 4) view.setUint32(at + word, 0xcdcdcdcd, true); // padding
     view.setUint8(at, cpp.enums.CommandKind[kind]!);
     [0, 1, 2].forEach((k) => {
       view.setUint32(at + cpp.command.ids + 4 * k, ids[k] ?? 0, true);

@@ -319,7 +319,8 @@ describe("a world", () => {
   });
 
   it("reads a mesh file without a world, and gives its size and the mesh as PLY", async () => {
-    const obj = new TextEncoder().encode("v 0 0 0\nv 2 0 0\nv 0 3 0\nv 9 9 9\nv 1 0 0\nf 1 2 3\nf 1 5 2\n"); // one triangle is a line
+    // The second triangle is degenerate: its corners lie on a line.
+    const obj = new TextEncoder().encode("v 0 0 0\nv 2 0 0\nv 0 3 0\nv 9 9 9\nv 1 0 0\nf 1 2 3\nf 1 5 2\n");
     const whole = await readMesh("a.obj", obj);
     expect([whole.vertices, whole.triangles, whole.dropped, whole.area, whole.low, whole.high]).toEqual([5, 2, 0, 3, [0,
       0, 0], [9, 9, 9]]);

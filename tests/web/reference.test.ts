@@ -13,7 +13,7 @@ interface Case {
 }
 const CASES: Case[] = [
   { scene: "hanging", frames: 5, set: { "cloths.0.grid": [16, 16] } },
-  { scene: "pull-sphere", frames: 12, set: { "cloths.0.grid": [16, 16], "contact.method": "bvh" } }, // 200 contacts and more
+  { scene: "pull-sphere", frames: 12, set: { "cloths.0.grid": [16, 16], "contact.method": "bvh" } }, // 200 contacts
   { scene: "pull-sphere", frames: 12, set: { "cloths.0.grid": [16, 16], "contact.method": "proximity" } },
   { scene: "sheet", frames: 5, set: { "cloths.0.grid": [16, 16] } },
   { scene: "breeze", frames: 10, set: { "cloths.0.grid": [24, 16] } },

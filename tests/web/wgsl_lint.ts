@@ -12,8 +12,9 @@ const call = (names: string) => new RegExp(`\\b(${names.trim().split(/\s+/).join
 
 const operand = (text = "") => text.replace(/\breturn\b|\s/g, "");
 
-// WGSL gives these an error bound or leaves their steps to the driver (WGSL §15.7.4). Not in the list: what is exact, and
-// sqrt, length, distance, dot, cross and fract: the state needs some of them, and hosts.test.ts finds its bits equal.
+// WGSL gives these an error bound or leaves their steps to the driver (WGSL §15.7.4). Not in the list: what is exact,
+// and sqrt, length, distance, dot, cross and fract: the state needs some of them, and hosts.test.ts finds its bits
+// equal.
 const RULES: readonly Rule[] = [
   { name: "inexact", why: "each driver rounds it its own way",
     forbidden: call(`sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp exp2 log log2 pow
@@ -29,8 +30,8 @@ const RULES: readonly Rule[] = [
     forbidden: /\batomicCompareExchangeWeak\b/g },
 ];
 
-// contact/pushes/ adds every product by fma, so that `paper` and `bvh`, where they share a function, leave a compiler nothing to
-// choose (triangle_pair.wgsl says more).
+// contact/pushes/ adds every product by fma, so that `paper` and `bvh`, where they share a function, leave a compiler
+// nothing to choose (triangle_pair.wgsl says more).
 const ALLOWED: Readonly<Record<string, readonly string[]>> = {
   "contact/pushes/triangle_pair.wgsl": ["fma"],
   "contact/pushes/analytic.wgsl": ["fma"],

@@ -26,7 +26,8 @@ export const CATALOG = [
     waits: "as by node", load: async () => (await import("./paths/weft.js")).openSpringCentric },
   { name: "three-webgpu", title: "three.js, WebGPU",
     computes:
-      "WebGPU: three.js r187's kernels in TSL, as in its cloth example: a kernel over springs, then one over nodes with lists",
+      "WebGPU: three.js r187's kernels in TSL, as in its cloth example: " +
+      "a kernel over springs, then one over nodes with lists",
     draws: "three.js on WebGPU, from the same buffer", waits: WEBGPU_WAIT,
     load: async () => (await import("./paths/three_webgpu.js")).open },
   { name: "webgl2", title: "WebGL 2 shaders",

@@ -1,10 +1,11 @@
-// Baseline: mass-spring cloth on the CPU in JavaScript, on one thread: what Sung et al. (arXiv 2507.11794, experiment 1) set
-// WebGPU against. The same step as src/method/mass_spring/reference/mass_spring.cpp: forces at the state before the step,
-// damping along the spring, semi-implicit Euler. Source of the equations: docs/solvers/mass_spring.md, (1) to (4).
+// Baseline: mass-spring cloth on the CPU in JavaScript, on one thread: what Sung et al. (arXiv 2507.11794, experiment
+// 1) set WebGPU against. The same step as src/method/mass_spring/reference/mass_spring.cpp: forces at the state before
+// the step, damping along the spring, semi-implicit Euler. Source of the equations: docs/solvers/mass_spring.md, (1) to
+// (4).
 //
-// Written for speed: flat typed arrays, each spring once, no lists of springs on a grid, row by row so that what a row's
-// springs touch is still in the cache, nothing allocated in a step. Doubles throughout: at 64² to 512² nodes Float32Array
-// took 20 % longer for the conversions (V8 of Node 24), and half the memory did not make up for it.
+// Written for speed: flat typed arrays, each spring once, no lists of springs on a grid, row by row so that what a
+// row's springs touch is still in the cache, nothing allocated in a step. Doubles throughout: at 64² to 512² nodes
+// Float32Array took 20 % longer for the conversions (V8 of Node 24), and half the memory did not make up for it.
 import { restPositions, type Sheet } from "./sheet.js";
 
 const MIN_LENGTH = 1e-9; // m; a shorter spring has no direction, and pulls nowhere

@@ -19,7 +19,7 @@ export interface CompareHandle {
   report(): Report;
   /** The same as a table for people. */
   text(): string;
-  /** A sheet at rest, to be stepped by hand; what it draws is shown on the page. `scene`: another with the keys of hanging-paper. */
+  /** A sheet at rest, to be stepped by hand and shown on the page. `scene`: another with the keys of hanging-paper. */
   open(path: PathName, grid: readonly [number, number], scene?: string): Promise<Path>;
 }
 

@@ -1,9 +1,9 @@
 // Time a step, drained and not held back by the display.
 //
-// Steps are handed over in batches without waiting, then the last is waited for: on WebGPU by onSubmittedWorkDone, on WebGL by
-// readPixels of one pixel. WebGL's own fence would be the milder way, but its state may change only between two tasks of the
-// page, and a timer's 4 ms are longer than many a batch; readPixels returns when all that was asked before is done. No batch
-// waits for the display's next picture, so frames a second may well exceed its rate.
+// Steps are handed over in batches without waiting, then the last is waited for: on WebGPU by onSubmittedWorkDone, on
+// WebGL by readPixels of one pixel. WebGL's own fence would be the milder way, but its state may change only between
+// two tasks of the page, and a timer's 4 ms are longer than many a batch; readPixels returns when all that was asked
+// before is done. No batch waits for the display's next picture, so frames a second may well exceed its rate.
 import type { Gate } from "./gate.js";
 
 /** Of one step, or of one step and its picture [ms]. */

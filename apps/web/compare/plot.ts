@@ -1,5 +1,6 @@
-// A plot of milliseconds over nodes, both logarithmic, as SVG. Series differ by marker and dash as well as by colour, which
-// the style sheet gives to series-NAME. The figures stand in the table too, so to a screen reader the plot is one picture.
+// A plot of milliseconds over nodes, both logarithmic, as SVG. Series differ by marker and dash as well as by colour,
+// which the style sheet gives to series-NAME. The figures stand in the table too, so to a screen reader the plot is one
+// picture.
 
 export interface Series {
   readonly name: string;

@@ -63,7 +63,7 @@ export class Runner {
     await gate.pass();
     const path = await openPath(cell.path, this.scene, [cell.side, cell.side], canvas);
     try {
-      cell.frame = await measure((steps) => path.animate(steps), budget, gate); // first, so that there is something to see
+      cell.frame = await measure((steps) => path.animate(steps), budget, gate); // first, to show a picture
       this.listener.changed(cell);
       cell.step = await measure((steps) => path.simulate(steps), budget, gate, path.leastSteps);
       if (!(await path.positions()).every(Number.isFinite)) cell.note = "In the end the state was not finite.";

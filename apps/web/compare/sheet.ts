@@ -1,5 +1,6 @@
-// The sheet that every path simulates: scenes/hanging-paper.json at any resolution, as plain numbers in SI units. What the
-// core makes of the same scene is in src/scene/scene.cpp (places) and src/mesh/grid_springs.cpp (springs, uniform weights).
+// The sheet that every path simulates: scenes/hanging-paper.json at any resolution, as plain numbers in SI units. What
+// the core makes of the same scene is in src/scene/scene.cpp (places) and src/mesh/grid_springs.cpp (springs, uniform
+// weights).
 import sceneAddress from "../../../scenes/hanging-paper.json?url";
 
 type Vector = readonly [x: number, y: number, z: number];

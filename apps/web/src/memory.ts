@@ -29,8 +29,8 @@ export async function adapterLimits(): Promise<Limits> {
   return { buffer: adapter?.limits.maxStorageBufferBindingSize ?? 0, module: MODULE_MOST };
 }
 
-// Bytes a node, and a triangle of an obstacle, measured at 32² to 256² nodes; tests/web/page/memory.test.ts holds the sum
-// to info.gpuBytes within 10 %.
+// Bytes a node, and a triangle of an obstacle, measured at 32² to 256² nodes; tests/web/page/memory.test.ts holds the
+// sum to info.gpuBytes within 10 %.
 const NODE = { all: 189, proximity: 154, pushes: 17 }; // beside what the solver asks for: catalog().methods
 const OBSTACLE = { drawn: 29, proximity: 85, pushes: 71 };
 // The lists of first_room (src/contact/scene_contact.cpp): pairs and candidates. They grow where they are short.

@@ -83,7 +83,7 @@ export class Player {
     return this.scene;
   }
 
-  /** Shows a scene; where it cannot be opened, the one before. Rejects only the first time, when there is nothing to show. */
+  /** Shows a scene, or the previous one if it cannot be opened. Rejects only the first time, with nothing to show. */
   open(state: PageState): Promise<void> {
     const number = ++this.newest;
     return this.inTurn(async () => {

@@ -27,7 +27,7 @@ type Gesture =
   | { kind: "pinch" };
 
 const HALF_TURN = Math.PI; // of the camera, for a drag over the canvas's height [rad]
-const AT_ONCE = 3; // frames whose reports may come together; what has passed while the hand rested is no time to move in
+const AT_ONCE = 3; // frames whose reports may come together; time in which the hand rested is no time to move in
 const WHEEL = 0.0015; // zoom exponent per pixel of the wheel
 const WHEEL_PINCH = 0.01; // a trackpad's pinch comes as a wheel with Ctrl, in smaller numbers
 const LINE = 16; // pixels, for wheels that count lines

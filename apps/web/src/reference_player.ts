@@ -5,7 +5,7 @@ import { ClothSketch, type Look } from "./cloth_sketch.js";
 import { fetchScene, type Grid } from "./scenes.js";
 import { plain } from "./state/page_state.js";
 
-/** Never at rest. 24 × 18 nodes take a fifth of a frame, with the drawing (docs/reference.md): slower machines keep up too. */
+/** Always in motion. 24 × 18 nodes take a fifth of a frame with drawing (docs/reference.md), for slower machines. */
 const SHOWN = { ...plain("breeze", VIEWS[0]), nodes: 24 };
 const HALF_TURN = Math.PI; // of the camera, for a drag over the canvas's height [rad]
 const KEY_TURN = 0.1; // of the camera, for an arrow key [rad]

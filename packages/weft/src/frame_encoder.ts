@@ -1,7 +1,8 @@
 import type { GpuObjects } from "./gpu_objects.js";
 import type { Memory } from "./gpu_tables.js";
 
-// Where a Command and a RenderTarget have what (src/gpu/web/layout.hpp); tests/web/layouts_backend.test.ts compares them.
+// Where a Command and a RenderTarget have what (src/gpu/web/layout.hpp); tests/web/layouts_backend.test.ts compares
+// them.
 const enum Kind {
   BeginCompute,
   EndCompute,

@@ -1,5 +1,5 @@
-// The JavaScript side of the browser back end (src/gpu/web/imports.hpp has the C++ side): the device, its errors and its
-// loss, what is made on it, and the one call that submits a frame.
+// The JavaScript side of the browser back end (src/gpu/web/imports.hpp has the C++ side): the device, its errors and
+// its loss, what is made on it, and the one call that submits a frame.
 import { FrameEncoder } from "./frame_encoder.js";
 import { GpuObjects } from "./gpu_objects.js";
 import { BUFFER_USAGE, ERROR_KINDS, flags, OBJECT_KINDS, TEXTURE_FORMATS, TEXTURE_USAGE, type ErrorKind,

@@ -3,7 +3,8 @@
 var<workgroup> sums : array<u32, kWorkgroupSize>;
 var<workgroup> base : u32;
 
-// The first of `own` places for this invocation; `statistic` counts all that were asked for. The includer declares `statistics`.
+// The first of `own` places for this invocation; `statistic` counts all that were asked for. The includer declares
+// `statistics`.
 fn allocate(thread : u32, own : u32, statistic : u32) -> u32 {
   sums[thread] = own;
   workgroupBarrier();

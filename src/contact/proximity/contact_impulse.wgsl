@@ -1,5 +1,5 @@
-// Gives the vertices of each pair that acts their changes of velocity. An invocation takes every so-manieth pair. Source:
-// docs/contact.md, equations (2) to (5) and (7).
+// Gives the vertices of each pair that acts their changes of velocity. An invocation takes every so-manieth pair.
+// Source: docs/contact.md, equations (2) to (5) and (7).
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"

@@ -1,7 +1,7 @@
-// Whether a segment passes through a triangle: its ends lie on two sides of the triangle, and the triangle's edges pass it on
-// one and the same side. Source: signed volumes, as in Segura and Feito 2001. Each is a sum of six products of three
-// coordinate differences, so what is below 64 roundings of the largest product may be nothing (docs/collision.md, "Tolerance"):
-// touching is not crossing, and neither is lying in one plane.
+// Whether a segment passes through a triangle: its ends lie on two sides of the triangle, and the triangle's edges pass
+// it on one and the same side. Source: signed volumes, as in Segura and Feito 2001. Each is a sum of six products of
+// three coordinate differences, so what is below 64 roundings of the largest product may be nothing (docs/collision.md,
+// "Tolerance"): touching is not crossing, and neither is lying in one plane.
 #include "contact/geometry.wgsl"
 
 fn volume(a : vec3f, b : vec3f, c : vec3f) -> f32 { return dot(a, cross(b, c)); }

@@ -1,5 +1,6 @@
-// Begins a detection, if one is due: by the step's own will or because a vertex is about to leave its reach. Says for each vertex
-// where it is and how far it may go until the next, and clears what the lists will count. One invocation per vertex.
+// Begins a detection, if one is due: by the step's own will or because a vertex is about to leave its reach. Says for
+// each vertex where it is and how far it may go until the next, and clears what the lists will count. One invocation
+// per vertex.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
@@ -12,8 +13,8 @@
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;        // kVertexWords * vertex_count
 @group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
 
-// A slow vertex keeps its reach for kReachSteps substeps. A fast one has no more than lets flat cloth list nothing of itself, unless
-// it would leave that before the next detection.
+// A slow vertex keeps its reach for kReachSteps substeps. A fast one has no more than lets flat cloth list nothing of
+// itself, unless it would leave that before the next detection.
 const kReachSteps = 10.0;
 const kFastest = 4.0;  // of most_reach
 fn reach_of(v : vec3f) -> f32 {

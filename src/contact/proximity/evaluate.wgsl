@@ -1,5 +1,5 @@
-// Measures every listed pair at the start of a substep, and says which act: equation (1) of docs/contact.md. An invocation takes
-// every so-manieth pair. Its vertices count it, and their entries bear its marks.
+// Measures every listed pair at the start of a substep, and says which act: equation (1) of docs/contact.md. An
+// invocation takes every so-manieth pair. Its vertices count it, and their entries bear its marks.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"

@@ -1,7 +1,7 @@
-// The broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation per
-// cloth triangle; it walks the cloths' own tree for later triangles, and every collider, once to count and, where that has found many, once to write.
-// Where a triangle's candidates stand in the list hangs on the order of workgroups, and nothing hangs on that.
-// Source: docs/contact.md.
+// The broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation
+// per cloth triangle; it walks the cloths' own tree for later triangles, and every collider, once to count and, where
+// that has found many, once to write. Where a triangle's candidates stand in the list hangs on the order of workgroups,
+// and nothing hangs on that. Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -49,8 +49,8 @@ fn emit(kind : u32, place : u32) {
   }
 }
 
-// Two triangles of a sheet that share an edge are no nearer than their altitudes until the sheet is folded there by more than
-// a right angle or so; slow and flat cloth has nothing else within its radius.
+// Two triangles of a sheet that share an edge are no nearer than their altitudes until the sheet is folded there by
+// more than a right angle or so; slow and flat cloth has nothing else within its radius.
 fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f) -> bool {
   let same_a = vec3<bool>(corners.x == other.x || corners.x == other.y || corners.x == other.z,
                           corners.y == other.x || corners.y == other.y || corners.y == other.z,
@@ -103,8 +103,8 @@ fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
   }
 }
 
-// Walks an implicit tree. What is left of each level waits as eight bits: of the lower four levels in one word, of the upper
-// four in another.
+// Walks an implicit tree. What is left of each level waits as eight bits: of the lower four levels in one word, of the
+// upper four in another.
 fn walk_implicit(tree : u32, first : u32, count : u32, deforming : bool, after : u32, box : Box) {
   let top = trees[tree].x;
   var waiting = vec2u(0u);

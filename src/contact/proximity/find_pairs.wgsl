@@ -1,7 +1,7 @@
-// The narrow phase: lists the pairs of features nearer than thickness and reaches, out of the candidates. An invocation takes every so-manieth
-// candidate. A vertex or edge belongs to one of its triangles, so that each pair of features is found once (Curtis et al. 2008, Fast
-// Collision Detection for Deformable Models using Representative-Triangles). An edge that passes through a triangle is counted, and
-// listed with the way by which both come apart.
+// The narrow phase: lists the pairs of features nearer than thickness and reaches, out of the candidates. An invocation
+// takes every so-manieth candidate. A vertex or edge belongs to one of its triangles, so that each pair of features is
+// found once (Curtis et al. 2008, Fast Collision Detection for Deformable Models using Representative-Triangles). An
+// edge that passes through a triangle is counted, and listed with the way by which both come apart.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -107,7 +107,8 @@ fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool
   return crosses(p, q, b.a, b.b, b.c);
 }
 
-// Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's ends, 3 a ball.
+// Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's ends, 3 a
+// ball.
 fn near_shape(a : Face, kind : u32, point : u32) -> u32 {
   let p = points[point];
   let reach = a.reach + vec3f(params.thickness + bitcast<f32>(atomicLoad(&statistics[kStatReach])));
@@ -163,8 +164,8 @@ fn kind_of(id : u32) -> u32 {
   return select(kFromOpenMesh, kFromClosedMesh, points[id & kIdBits].w < 0.0);
 }
 
-// Lists that edge `k` of `own`, a cloth triangle of this number or one of a collider, passes through `onto`; by its first or its
-// second end.
+// Lists that edge `k` of `own`, a cloth triangle of this number or one of a collider, passes through `onto`; by its
+// first or its second end.
 fn list_crossing(own : Face, number : u32, k : u32, onto : Face, second : bool, pair : u32) {
   let pq = edge_ids(own.ids, k);
   let p = select(select(own.c, own.b, k == 1u), own.a, k == 0u);
@@ -197,8 +198,8 @@ fn mark_tangled(id : u32, mark : u32) {
   if ((id & kColliderPoint) == 0u) { atomicOr(&vertex_contacts[kVertexWords * id + kCursorWord], mark); }
 }
 
-// Crossings as bits of what is listed: 15 to 17 the edges of a through b, 18 to 20 of b through a, each by its first end; six further by
-// its second. An edge of a collider is listed once: the collider does not feel it.
+// Crossings as bits of what is listed: 15 to 17 the edges of a through b, 18 to 20 of b through a, each by its first
+// end; six further by its second. An edge of a collider is listed once: the collider does not feel it.
 const kFirstCrossing = 15u;
 const kByOtherEnd = 6u;
 

@@ -5,7 +5,8 @@
 #include "contact/proximity/planes.wgsl"
 const kPushes = 4u;
 
-// Of two pushes, direction and depth: the deeper; of equally deep ones, so that the order of entries does not matter, by direction.
+// Of two pushes, direction and depth: the deeper; of equally deep ones, so that the order of entries does not matter,
+// by direction.
 fn comes_first(a : vec4f, b : vec4f) -> bool {
   if (a.w != b.w) { return a.w > b.w; }
   if (a.x != b.x) { return a.x > b.x; }
@@ -30,8 +31,8 @@ fn deepest_push(begin : u32, end : u32, far : bool, x : vec3f) -> vec4f {
   return deepest;
 }
 
-// How much of a way takes a vertex past no plane that it has been short of by `now` and would be by `then`; one that it is past already it
-// passes no further where that `binds`.
+// How much of a way takes a vertex past no plane that it has been short of by `now` and would be by `then`; one that it
+// is past already it passes no further where that `binds`.
 fn part_before(now : f32, then : f32, binds : bool) -> f32 {
   if (then <= 0.0) { return 1.0; }
   if (now < 0.0) { return now / (now - then); }

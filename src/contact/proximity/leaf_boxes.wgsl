@@ -1,5 +1,5 @@
-// The boxes of an implicit tree's leaves and of the two levels above them, of cloth grown by what its vertices may go. One
-// invocation per leaf; a workgroup's leaves are
+// The boxes of an implicit tree's leaves and of the two levels above them, of cloth grown by what its vertices may go.
+// One invocation per leaf; a workgroup's leaves are
 // whole nodes of those levels, since its size is a multiple of 64.
 #include "gpu/index.wgsl"
 #include "contact/proximity/tree.wgsl"

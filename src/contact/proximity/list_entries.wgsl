@@ -1,5 +1,5 @@
-// Enters every pair with each of its cloth vertices, in whatever order invocations come: sums over them are of integers. An invocation
-// takes every so-manieth pair.
+// Enters every pair with each of its cloth vertices, in whatever order invocations come: sums over them are of
+// integers. An invocation takes every so-manieth pair.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"

@@ -1,5 +1,6 @@
-// How the two features of a listed pair lie to each other at the start of a substep, and how a collider's moves. The including kernel binds
-// `step`, `previous` and `points`, and has the velocities of cloth, velocity_of(vertex). Source: docs/contact.md.
+// How the two features of a listed pair lie to each other at the start of a substep, and how a collider's moves. The
+// including kernel binds `step`, `previous` and `points`, and has the velocities of cloth, velocity_of(vertex). Source:
+// docs/contact.md.
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "contact/proximity/closest.wgsl"

@@ -1,5 +1,5 @@
-// Gives each vertex room for its entries. One invocation per vertex. Where a vertex's room lies hangs on the order of workgroups,
-// and nothing hangs on that.
+// Gives each vertex room for its entries. One invocation per vertex. Where a vertex's room lies hangs on the order of
+// workgroups, and nothing hangs on that.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"

@@ -1,4 +1,5 @@
-// The plane between the two sides of a listed pair, that neither may pass in a substep: equation (6) of docs/contact.md.
+// The plane between the two sides of a listed pair, that neither may pass in a substep: equation (6) of
+// docs/contact.md.
 const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
 const kFloor = 0.1;     // of the thickness: likewise; nearer, f32 does not know the plane well enough along a whole edge
 

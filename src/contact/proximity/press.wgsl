@@ -1,5 +1,5 @@
-// Which vertices come against an obstacle in a substep that is about to be solved, and how. An invocation takes every so-manieth pair.
-// Source: docs/solvers/multigrid.md, Contact.
+// Which vertices come against an obstacle in a substep that is about to be solved, and how. An invocation takes every
+// so-manieth pair. Source: docs/solvers/multigrid.md, Contact.
 #include "gpu/index.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/measure.wgsl"

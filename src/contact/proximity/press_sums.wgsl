@@ -1,5 +1,5 @@
-// What the pairs that a vertex has with obstacles say of it before a substep is solved, each weighted by how much of the pair the vertex
-// carries: sums of integers, since pairs have no order. `press` writes them, `gradient` takes them.
+// What the pairs that a vertex has with obstacles say of it before a substep is solved, each weighted by how much of
+// the pair the vertex carries: sums of integers, since pairs have no order. `press` writes them, `gradient` takes them.
 const kPressWords = 12u;
 const kPressNormal = 0u;    // three: the direction that they press in; kPressUnits
 const kPressLack = 3u;      // how much further along it the vertex has to go than its velocity takes it; kLackUnits in a thickness

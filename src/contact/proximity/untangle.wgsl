@@ -1,5 +1,5 @@
-// Which way an edge and the triangle that it passes through have to go to come apart. Equations, and what they are taken
-// from: docs/contact.md, "Untangling".
+// Which way an edge and the triangle that it passes through have to go to come apart. Equations, and what they are
+// taken from: docs/contact.md, "Untangling".
 
 const kFromCloth = 0u;
 const kFromOpenMesh = 1u;    // has a rim
@@ -54,7 +54,8 @@ fn rim_pull(own : Sheet, other : Sheet) -> vec3f {
 }
 fn rim_way(own : Sheet, other : Sheet) -> f32 { return own.rim / max(abs(dot(own.inward, other.normal)), kLeastSlope); }
 
-// Equation (7c): cloth that has its own rim inside a body is drawn out, and other cloth goes the way by which the body leaves it.
+// Equation (7c): cloth that has its own rim inside a body is drawn out, and other cloth goes the way by which the body
+// leaves it.
 fn outward(cloth : Sheet, body : Sheet) -> vec3f {
   let slope = dot(cloth.normal, body.normal);
   if (abs(slope) > kLeastOutward) { return select(-1.0, 1.0, slope > 0.0) * cloth.normal + kOutwardPart * body.normal; }

@@ -1,7 +1,7 @@
 // Contacts through the tree over the object triangles: the pairs and pushes of paper.wgsl, bit for bit, in
-// O(log) visits. One invocation for kTrianglesEach cloth triangles, 1 or 2: one walk with the box of both costs little more
-// than either alone, which pays where the card is full of invocations anyway (src/contact/pushes/pairs_bvh.cpp chooses).
-// Source: docs/collision.md.
+// O(log) visits. One invocation for kTrianglesEach cloth triangles, 1 or 2: one walk with the box of both costs little
+// more than either alone, which pays where the card is full of invocations anyway (src/contact/pushes/pairs_bvh.cpp
+// chooses). Source: docs/collision.md.
 //
 // Leaves that the walk finds wait in a short list and are tested together, so that invocations of a wave, which find
 // theirs at different times, spend the costly test at the same time.

@@ -8,13 +8,14 @@
 // Tolerance. Each of the four is a sum of six products x_i y_j z_k of components of three vectors. Each component is a
 // difference of two f32, rounded once (3 roundings a product); the product is rounded twice, the difference in the
 // cross product once, the two sums of the dot product twice: 8 factors (1 + e), |e| <= 2^-24. With M the product of
-// the three vectors' largest components as rounded, the error is at most 6 M ((1 + e)^5 / (1 - e)^3 - 1) < 49 * 2^-24 M.
-// kRounding is 64 * 2^-24, the next power of two: room for the rounding of M itself. A sum of n determinants has n times
-// the largest of their tolerances. On integer coordinates every value is exact below 2^24, so where the tolerances are
-// below 1 the test equals the exact one: true if no difference of coordinates exceeds 44 (3 * 64 * 2^-24 * 44^3 = 0.97).
+// the three vectors' largest components as rounded, the error is at most 6 M ((1 + e)^5 / (1 - e)^3 - 1) < 49 * 2^-24
+// M. kRounding is 64 * 2^-24, the next power of two: room for the rounding of M itself. A sum of n determinants has n
+// times the largest of their tolerances. On integer coordinates every value is exact below 2^24, so where the
+// tolerances are below 1 the test equals the exact one: true if no difference of coordinates exceeds 44 (3 * 64 * 2^-24
+// * 44^3 = 0.97).
 //
-// All products are added by fma(), and tolerances are products only: with `a * b + c` a compiler may or may not fuse, and
-// might choose differently in two kernels; here nothing is left to choose, so `paper` and `bvh` see the same bits.
+// All products are added by fma(), and tolerances are products only: with `a * b + c` a compiler may or may not fuse,
+// and might choose differently in two kernels; here nothing is left to choose, so `paper` and `bvh` see the same bits.
 #include "contact/geometry.wgsl"
 
 struct TrianglePoints { a : vec3f, b : vec3f, c : vec3f }

@@ -19,9 +19,10 @@ const here = openedWithBoth();
 
 const WIDTH = 300; // m
 /**
- * Positions of up to 150 m are rounded to 2^-16 m in every step, by half of that: over 100 steps by 7.6e-4 m if all fall the
- * same way, some 4e-5 m if they do not. Seen on SwiftShader are 1.1e-4 m at most, between f32 and the CPU's doubles. Divisions
- * and roots may be 2.5 units off on other GPUs, so nearly three times that is allowed: a millionth of the width.
+ * Positions of up to 150 m are rounded to 2^-16 m in every step, by half of that: over 100 steps by 7.6e-4 m if all
+ * fall the same way, some 4e-5 m if they do not. Seen on SwiftShader are 1.1e-4 m at most, between f32 and the CPU's
+ * doubles. Divisions and roots may be 2.5 units off on other GPUs, so nearly three times that is allowed: a millionth
+ * of the width.
  */
 const TOLERANCE = 1e-6 * WIDTH;
 
@@ -70,7 +71,8 @@ test("all paths draw the same sheet, a step further with each picture", async ()
       await path.animate(6);
       return path;
     }, name);
-    const positions = await path.evaluate(async (path) => Array.from(await path.positions())); // and what is drawn is done
+    // Reading the positions also waits for the picture.
+    const positions = await path.evaluate(async (path) => Array.from(await path.positions()));
     await composed(page);
     const image = await picture(page, "#live canvas");
     await path.evaluate((path) => path.dispose());

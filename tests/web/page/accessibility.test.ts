@@ -113,7 +113,8 @@ test("the legend shows the core's range and colours, where the view has a scale"
   const legend = page.locator("#legend");
   expect(await legend.innerText()).toMatch(/Length over rest length\s+0\.95\s+1\.15/);
   const bar = await page.locator("#legend-bar").evaluate((one) => getComputedStyle(one).backgroundImage);
-  expect(bar).toMatch(/^linear-gradient\(to right, rgb\(68, 1, 84\).*rgb\(253, 231, 37\)\)$/); // viridis, src/render/color_map.hpp
+  // viridis, src/render/color_map.hpp
+  expect(bar).toMatch(/^linear-gradient\(to right, rgb\(68, 1, 84\).*rgb\(253, 231, 37\)\)$/);
   await page.keyboard.press("1");
   await until("it is gone", async () => !(await legend.isVisible()));
 });

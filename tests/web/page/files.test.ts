@@ -16,7 +16,8 @@ const MESH = dome(9); // 81 vertices, 128 triangles
 let seen: Visit;
 let page: Page;
 beforeAll(async () => {
-  // Less motion: the page waits for Play, so that what is opened costs this software adapter no frame that is not asked for.
+  // Less motion: the page waits for Play, so that what is opened costs this software adapter no frame that is not asked
+  // for.
   seen = await visit(here.browser, `${here.site.address}?scene=hanging&nodes=24`, { reducedMotion: "reduce" });
   page = seen.page;
   await ready(page);

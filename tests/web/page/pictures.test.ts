@@ -1,5 +1,5 @@
-// The page at rest against stored pictures, at an eighth of its size: of letters only their grey is left, so that fonts'
-// antialiasing does not count. To store new ones: WEFT_STORE_PICTURES=1.
+// The page at rest against stored pictures, at an eighth of its size: of letters only their grey is left, so that
+// fonts' antialiasing does not count. To store new ones: WEFT_STORE_PICTURES=1.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
@@ -8,7 +8,8 @@ import { drawn, expectClean, opened, ready, visit } from "./browser.js";
 
 const FOLDER = join(import.meta.dirname, "pictures");
 const SMALLER = 8;
-const MOST_DIFFERING = 0.01; // of the pixels, by more than 24 of 765 in their colour: a line of text that wraps otherwise is more
+// Part of the pixels that may differ by more than 24 of 765 in colour; a line of text that wraps elsewhere is more.
+const MOST_DIFFERING = 0.01;
 
 const here = opened();
 

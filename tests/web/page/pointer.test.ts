@@ -155,7 +155,7 @@ test("a pointer that is up before the cloth answers holds nothing", async () => 
   expect(await gesture()).toBe("none");
 });
 
-test("beside the cloth a drag turns the camera, the right button moves it, the wheel zooms, F brings it back", async () => {
+test("beside the cloth a drag turns the camera, the right button moves it, the wheel zooms, F resets it", async () => {
   const first = await camera();
   await page.mouse.move(60, 370);
   await page.mouse.down();

@@ -1,4 +1,5 @@
-// report/index.html, made from the stored results, in a browser: by itself, without complaints, and to be read by everyone.
+// report/index.html, made from the stored results, in a browser: by itself, without complaints, and to be read by
+// everyone.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -101,7 +102,7 @@ for (const width of [320, 400, 1280])
   });
 
 test("on paper every table fits", async () => {
-  const { page } = await visit(browser, address, { viewport: { width: 1017, height: 718 } }); // A4 across, less its margins
+  const { page } = await visit(browser, address, { viewport: { width: 1017, height: 718 } }); // A4 less margins
   await page.emulateMedia({ media: "print" });
   const wide = await page.evaluate(() =>
     [...document.querySelectorAll("table, svg")].filter((one) => one.getBoundingClientRect().right > innerWidth + 1)

@@ -15,8 +15,8 @@ varying vec3 n;
 void main() { vec3 m = normalize(n); gl_FragColor = vec4(0.5 + 0.5 * (gl_FrontFacing ? m : -m), 1.0); }`;
 
 /**
- * Normals of a grid, not of unit length: the span of the neighbours in a row times that of those in a column. A tenth of the
- * cost of three.js's computeVertexNormals, which visits every triangle.
+ * Normals of a grid, not of unit length: the span of the neighbours in a row times that of those in a column. A tenth
+ * of the cost of three.js's computeVertexNormals, which visits every triangle.
  */
 export function gridNormals(position: Float64Array, nx: number, ny: number, out: Float32Array): void {
   for (let j = 0, at = 0; j < ny; j++) {

@@ -1,7 +1,8 @@
-// Baseline: three.js's own way to compute on WebGPU, as its example webgpu_compute_cloth is built (three.js r187, MIT): TSL
-// kernels, one over springs that writes each spring's force, one over vertices that sums the forces of a vertex's list of
-// springs and moves it, and a node material that draws from the same buffer. The constants, the damping along the spring
-// and the integration are weft's (docs/solvers/mass_spring.md); the example's wind, sphere and environment are left out.
+// Baseline: three.js's own way to compute on WebGPU, as its example webgpu_compute_cloth is built (three.js r187, MIT):
+// TSL kernels, one over springs that writes each spring's force, one over vertices that sums the forces of a vertex's
+// list of springs and moves it, and a node material that draws from the same buffer. The constants, the damping along
+// the spring and the integration are weft's (docs/solvers/mass_spring.md); the example's wind, sphere and environment
+// are left out.
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, LinearSRGBColorSpace, Mesh, MeshBasicNodeMaterial, Scene,
   type StorageBufferAttribute, Vector3, WebGPURenderer, type Node } from "three/webgpu";
 import { cross, float, Fn, frontFacing, If, instanceIndex, instancedArray, Loop, Return, select, uint, uniform, varying,

@@ -1,7 +1,7 @@
-// Baseline that the paper leaves out: mass-spring on the GPU without WebGPU, by fragment shaders of WebGL 2. Positions and
-// velocities lie in float textures, a step is one draw into the other pair, and the picture reads the textures: nothing
-// comes back. GPU cloth of this kind is older than compute shaders in browsers (C. Zeller, "Cloth Simulation on the GPU",
-// SIGGRAPH 2005 sketches). The physics is weft's: docs/solvers/mass_spring.md, node-centric.
+// Baseline that the paper leaves out: mass-spring on the GPU without WebGPU, by fragment shaders of WebGL 2. Positions
+// and velocities lie in float textures, a step is one draw into the other pair, and the picture reads the textures:
+// nothing comes back. GPU cloth of this kind is older than compute shaders in browsers (C. Zeller, "Cloth Simulation on
+// the GPU", SIGGRAPH 2005 sketches). The physics is weft's: docs/solvers/mass_spring.md, node-centric.
 import { Matrix4 } from "three";
 import { restPositions, triangles, type Sheet } from "../sheet.js";
 import { cameraOf } from "./camera.js";

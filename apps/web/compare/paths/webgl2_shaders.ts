@@ -5,8 +5,8 @@ export const COVER = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
 /**
- * One step of a node: gathers the forces of its up to twelve springs and integrates it. The same step, and the same order of
- * neighbours, as src/method/mass_spring/advance_grid.wgsl.
+ * One step of a node: gathers the forces of its up to twelve springs and integrates it. The same step, and the same
+ * order of neighbours, as src/method/mass_spring/advance_grid.wgsl.
  */
 export const ADVANCE = `#version 300 es
 precision highp float;

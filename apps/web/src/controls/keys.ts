@@ -20,7 +20,8 @@ export function followKeys(parts: Parts): void {
       return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (target.closest("select, input[type=number]")) return; // letters and digits choose there
-    if (event.key === " " && target.closest("button, summary, a, input:not([type=range])")) return; // it presses what has the focus
+    // The space bar presses the control that has the focus.
+    if (event.key === " " && target.closest("button, summary, a, input:not([type=range])")) return;
     const action = pageAction(event.key, parts) ?? (parts.player.live && sceneAction(event.key.toLowerCase(), parts));
     if (!action) return;
     event.preventDefault();

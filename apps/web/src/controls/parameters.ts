@@ -10,7 +10,8 @@ import { applies, DRAG, GRAVITY, GROUPS, GUSTS, WIND, type Group, type Parameter
 import { NumberField, Slider } from "./fields.js";
 
 const STILL: Vector = [0, 0, 0];
-const REACH: Readonly<Record<string, number>> = { [GRAVITY]: 20, [DRAG]: 10, [WIND]: 15, [GUSTS]: 1 }; // of sliders, at least
+// The least range of a slider.
+const REACH: Readonly<Record<string, number>> = { [GRAVITY]: 20, [DRAG]: 10, [WIND]: 15, [GUSTS]: 1 };
 
 interface Field {
   readonly key: string;

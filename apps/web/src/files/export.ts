@@ -29,7 +29,7 @@ export async function saveShape(world: World, scene: LoadedScene, shape: Shape):
   return name;
 }
 
-/** A canvas of WebGPU has its picture only until the task that drew it ends, so the next one is taken as it is drawn. */
+/** A WebGPU canvas keeps its picture only until the task that drew it ends, so the next one is taken as it is drawn. */
 export async function savePicture(world: World, scene: LoadedScene, canvas: HTMLCanvasElement): Promise<string> {
   let frame = 0;
   const picture = await new Promise<Blob | null>((resolve) => {

@@ -7,7 +7,8 @@ export type Role = "obstacle" | "cloth";
 const MESH = "own.ply"; // one name for all, so that the core keeps the last one only
 const GRID = 64; // nodes a side of the sheet; the panel offers more
 const DENSITY = 0.3; // [kg/m²]
-const STIFFNESS = { structural: 375, shear: 50, bend: 1.7 }; // [N/m] for a mesh of 1 m: with the length, it sags alike at any
+// [N/m] for a mesh of 1 m; scaled with the length, so that a mesh of any size sags by the same fraction.
+const STIFFNESS = { structural: 375, shear: 50, bend: 1.7 };
 const DAMPING = 0.09; // of a spring, as a part of sqrt(stiffness * mass): the same at any resolution
 
 const number = (value: number): number => Number(value.toPrecision(6));
@@ -65,7 +66,7 @@ function overObstacle(title: string, mesh: MeshFile, length: number): object {
   };
 }
 
-/** The mesh is a cloth that falls on a ball. Each node weighs the same, so that small triangles ask for no smaller step. */
+/** The mesh is a cloth that falls on a ball. All nodes weigh the same, so that small triangles need no smaller step. */
 function asCloth(title: string, mesh: MeshFile, length: number): object {
   const scale = length / Math.max(...sides(mesh));
   const area = mesh.area * scale * scale;

@@ -1,7 +1,8 @@
 // The canvas as a video, by the browser's own encoder.
 import { MOST_VIDEO_SECONDS } from "./limits.js";
 
-const TYPES = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"]; // the first that the browser has
+// The first that the browser supports is used.
+const TYPES = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
 const BITS_PER_PIXEL = 6; // a second: fine folds stay, 8 Mbit/s at 1440 × 900
 const PIECE = 1000; // [ms], so that the encoder need not keep it all
 const FIRST_PIECE = 3; // [s]; an encoder needs its time to start, and what is stopped before that is empty

@@ -1,5 +1,5 @@
-// The page's state as its address has it: ?v=1&scene=hanging&nodes=64&drag=0.5&view=stretch. What an address asks for is
-// checked by the core's schema; what does not pass is left out, and said.
+// The page's state as its address has it: ?v=1&scene=hanging&nodes=64&drag=0.5&view=stretch. What an address asks for
+// is checked by the core's schema; what does not pass is left out, and said.
 import { VIEWS, type Camera, type Schema, type View } from "weft-cloth";
 import { parsed } from "./limits.js";
 import { plain, type PageState, type Value } from "./page_state.js";
