@@ -5,37 +5,25 @@
 #include <limits>
 
 namespace weft::mesh {
-namespace {
 
-// Counting sort: count, sum, fill in the order of the items, which leaves each row ascending.
-template <class Item, class Rows>
-Adjacency build(std::size_t row_count, std::span<const Item> items, Rows rows_of) {
+// Counting sort: count, sum, fill in the order of the triangles, which leaves each row ascending.
+Adjacency triangle_adjacency(std::size_t vertex_count, std::span<const Triangle> triangles) {
   Adjacency adjacency;
-  adjacency.offsets.assign(row_count + 1, 0);
+  adjacency.offsets.assign(vertex_count + 1, 0);
   std::size_t entry_count = 0;
-  for (const Item& item : items)
-    for (const std::uint32_t row : rows_of(item)) {
-      assert(row < row_count);
+  for (const Triangle& triangle : triangles)
+    for (const std::uint32_t row : triangle) {
+      assert(row < vertex_count);
       ++adjacency.offsets[row + 1];
       ++entry_count;
     }
   assert(entry_count <= std::numeric_limits<std::uint32_t>::max());
-  for (std::size_t row = 0; row < row_count; ++row) adjacency.offsets[row + 1] += adjacency.offsets[row];
+  for (std::size_t row = 0; row < vertex_count; ++row) adjacency.offsets[row + 1] += adjacency.offsets[row];
   adjacency.entries.resize(entry_count);
   std::vector<std::uint32_t> next(adjacency.offsets.begin(), adjacency.offsets.end() - 1);
-  for (std::uint32_t index = 0; index < items.size(); ++index)
-    for (const std::uint32_t row : rows_of(items[index])) adjacency.entries[next[row]++] = index;
+  for (std::uint32_t index = 0; index < triangles.size(); ++index)
+    for (const std::uint32_t row : triangles[index]) adjacency.entries[next[row]++] = index;
   return adjacency;
-}
-
-}  // namespace
-
-Adjacency spring_adjacency(std::size_t node_count, std::span<const MeshSpring> springs) {
-  return build(node_count, springs, [](const MeshSpring& s) { return Edge{s.node_a, s.node_b}; });
-}
-
-Adjacency triangle_adjacency(std::size_t vertex_count, std::span<const Triangle> triangles) {
-  return build(vertex_count, triangles, [](const Triangle& t) { return t; });
 }
 
 std::vector<Edge> mesh_edges(std::span<const Triangle> triangles) {

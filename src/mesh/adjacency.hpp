@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/springs.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace weft::mesh {
@@ -23,9 +22,6 @@ struct Adjacency {
                                                            offsets[index + 1] - offsets[index]);
   }
 };
-
-/// Node -> the springs at it. Twice the number of springs is below 2^32.
-Adjacency spring_adjacency(std::size_t node_count, std::span<const MeshSpring> springs);
 
 /// Vertex -> the triangles at it. Three times the number of triangles is below 2^32.
 Adjacency triangle_adjacency(std::size_t vertex_count, std::span<const Triangle> triangles);

@@ -1,28 +1,37 @@
 #include "model/host_model.hpp"
 
-#include <algorithm>
-#include <cmath>
-
+#include "element/triple/triple.hpp"
 #include "mesh/lumped.hpp"
 #include "scene/select.hpp"
 
 namespace weft {
 namespace {
 
-/// A cloth before it is appended to the model.
-struct PlacedCloth {
+/// A body before it is appended to the model. Where its mass comes from is its own matter: that of a cloth from its
+/// triangles, so that each of its vertices needs one; a node inside a solid would have it from its elements.
+struct PlacedBody {
   std::vector<Vec3d> positions, starts;  // [m]
   std::vector<mesh::Triangle> triangles;
   std::vector<std::array<float, 2>> uv;  // [m]
-  std::vector<double> areas;             // [m²]
+  std::vector<double> mass;              // [kg]
 };
 
-PlacedCloth place_grid(const scene::Cloth& cloth, const mesh::Grid& grid) {
-  PlacedCloth placed;
+/// Errors  Input: a vertex has no area.
+Result<std::vector<double>> cloth_masses(const scene::Cloth& cloth, const std::vector<double>& areas) {
+  if (auto checked = mesh::check_vertex_areas(areas); !checked)
+    return checked.error().while_doing("building " + cloth.where);
+  std::vector<double> masses;
+  masses.reserve(areas.size());
+  for (const double area : areas)
+    masses.push_back(cloth.node_mass ? *cloth.node_mass : *cloth.density * area);
+  return masses;
+}
+
+PlacedBody place_grid(const scene::Cloth& cloth, const mesh::Grid& grid) {
+  PlacedBody placed;
   placed.positions = scene::grid_positions(*cloth.grid, cloth.transform);
   placed.starts = scene::grid_start_positions(*cloth.grid, cloth.transform);
   placed.triangles = mesh::grid_triangles(grid);
-  placed.areas = mesh::vertex_areas(grid);
   for (std::uint32_t j = 0; j < grid.ny; ++j)
     for (std::uint32_t i = 0; i < grid.nx; ++i) {
       const mesh::RestPoint point = mesh::rest_point(grid, i, j);
@@ -32,10 +41,9 @@ PlacedCloth place_grid(const scene::Cloth& cloth, const mesh::Grid& grid) {
 }
 
 /// A mesh has no sheet coordinates: the two axes along which it is largest serve.
-PlacedCloth place_mesh(const mesh::TriangleMesh& mesh) {
-  PlacedCloth placed;
+PlacedBody place_mesh(const mesh::TriangleMesh& mesh) {
+  PlacedBody placed;
   placed.triangles = mesh.triangles;
-  placed.areas = mesh::vertex_areas(mesh);
   const mesh::Bounds box = mesh::bounds(mesh);
   const Vec3f size = box.high - box.low;
   const int thin = size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2);
@@ -48,7 +56,7 @@ PlacedCloth place_mesh(const mesh::TriangleMesh& mesh) {
   return placed;
 }
 
-void append(HostModel& model, const scene::Cloth& cloth, const PlacedCloth& placed, ClothModel part) {
+void append(HostModel& model, const scene::Cloth& cloth, const PlacedBody& placed, ClothModel part) {
   part.first_vertex = static_cast<std::uint32_t>(model.vertex_count());
   part.vertex_count = static_cast<std::uint32_t>(placed.positions.size());
   part.first_triangle = static_cast<std::uint32_t>(model.triangles.size());
@@ -61,8 +69,7 @@ void append(HostModel& model, const scene::Cloth& cloth, const PlacedCloth& plac
   model.start_position.insert(model.start_position.end(), placed.starts.begin(), placed.starts.end());
   model.uv.insert(model.uv.end(), placed.uv.begin(), placed.uv.end());
   model.motion.resize(model.vertex_count(), 0);
-  for (const double area : placed.areas)
-    model.mass.push_back(cloth.node_mass ? *cloth.node_mass : *cloth.density * area);
+  model.mass.insert(model.mass.end(), placed.mass.begin(), placed.mass.end());
   for (mesh::Triangle triangle : placed.triangles) {
     for (std::uint32_t& vertex : triangle) vertex += part.first_vertex;
     model.triangles.push_back(triangle);
@@ -99,7 +106,7 @@ Result<HostModel> build_model(const scene::Scene& scene,
   for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
     const scene::Cloth& cloth = scene.cloths[c];
     ClothModel part;
-    PlacedCloth placed;
+    PlacedBody placed;
     scene::Selection selection;
     if (cloth.grid) {
       const double scale = cloth.transform.scale;
@@ -111,8 +118,9 @@ Result<HostModel> build_model(const scene::Scene& scene,
     } else {
       placed = place_mesh(cloth_meshes[c]);
     }
-    if (auto areas = mesh::check_vertex_areas(placed.areas); !areas)
-      return areas.error().while_doing("building " + cloth.where);
+    WEFT_TRY(masses, cloth_masses(cloth, part.grid ? mesh::vertex_areas(*part.grid)
+                                                   : mesh::vertex_areas(cloth_meshes[c])));
+    placed.mass = std::move(masses);
     selection.positions = placed.positions;
     WEFT_TRY(held, scene::held_nodes(cloth, selection));
     append(model, cloth, placed, part);
@@ -130,67 +138,21 @@ Result<HostModel> build_model(const scene::Scene& scene,
   return model;
 }
 
-std::vector<Spring> build_springs(const HostModel& model, const ClothModel& cloth) {
-  std::vector<mesh::MeshSpring> springs;
-  if (cloth.grid) {
-    springs = mesh::grid_springs(*cloth.grid, cloth.weights);
-  } else {
-    mesh::TriangleMesh mesh;
-    for (std::uint32_t v = 0; v < cloth.vertex_count; ++v)
-      mesh.positions.push_back(model.rest_position[cloth.first_vertex + v].to<float>());
-    for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
-      mesh::Triangle triangle = model.triangles[cloth.first_triangle + t];
-      for (std::uint32_t& vertex : triangle) vertex -= cloth.first_vertex;
-      mesh.triangles.push_back(triangle);
-    }
-    springs = mesh::mesh_springs(mesh, cloth.weights);
+mesh::TriangleMesh cloth_mesh(const HostModel& model, const ClothModel& cloth) {
+  mesh::TriangleMesh mesh;
+  for (std::uint32_t v = 0; v < cloth.vertex_count; ++v)
+    mesh.positions.push_back(model.rest_position[cloth.first_vertex + v].to<float>());
+  for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
+    mesh::Triangle triangle = model.triangles[cloth.first_triangle + t];
+    for (std::uint32_t& vertex : triangle) vertex -= cloth.first_vertex;
+    mesh.triangles.push_back(triangle);
   }
-  std::vector<Spring> built;
-  built.reserve(springs.size());
-  for (const mesh::MeshSpring& spring : springs) {
-    const double stiffness = spring.kind == mesh::SpringKind::Structural ? cloth.stiffness.structural
-                             : spring.kind == mesh::SpringKind::Shear    ? cloth.stiffness.shear
-                                                                         : cloth.stiffness.bend;
-    built.push_back({cloth.first_vertex + spring.node_a, cloth.first_vertex + spring.node_b,
-                     static_cast<float>(spring.rest_length), static_cast<float>(spring.weight * stiffness),
-                     static_cast<float>(stiffness > 0 ? spring.weight * cloth.damping : 0)});
-  }
-  return built;
+  return mesh;
 }
 
 std::array<double, 2> bending_stiffness(const ClothModel& cloth) {
   if (!cloth.grid) return {};
-  const double di = cloth.grid->width / (cloth.grid->nx - 1), dj = cloth.grid->height / (cloth.grid->ny - 1);
-  const double bending = cloth.stiffness.bending;
-  return {bending * dj / (di * di * di), bending * di / (dj * dj * dj)};
-}
-
-std::vector<BendTriple> build_bending(const ClothModel& cloth) {
-  std::vector<BendTriple> triples;
-  const auto [along_i, along_j] = bending_stiffness(cloth);
-  if (!(along_i > 0)) return triples;
-  const std::uint32_t nx = cloth.grid->nx, ny = cloth.grid->ny, first = cloth.first_vertex;
-  const double rim = cloth.weights == mesh::BoundaryWeights::Uniform ? 1 : 0.5;
-  for (std::uint32_t j = 0; j < ny; ++j)
-    for (std::uint32_t i = 1; i + 1 < nx; ++i) {
-      const std::uint32_t node = first + j * nx + i;
-      triples.push_back({node - 1, node, node + 1, (j == 0 || j + 1 == ny ? rim : 1) * along_i});
-    }
-  for (std::uint32_t i = 0; i < nx; ++i)
-    for (std::uint32_t j = 1; j + 1 < ny; ++j) {
-      const std::uint32_t node = first + j * nx + i;
-      triples.push_back({node - nx, node, node + nx, (i == 0 || i + 1 == nx ? rim : 1) * along_j});
-    }
-  return triples;
-}
-
-std::vector<Spring> build_springs(const HostModel& model) {
-  std::vector<Spring> all;
-  for (const ClothModel& cloth : model.cloths) {
-    const std::vector<Spring> springs = build_springs(model, cloth);
-    all.insert(all.end(), springs.begin(), springs.end());
-  }
-  return all;
+  return triple_stiffness(*cloth.grid, cloth.stiffness.bending);
 }
 
 }  // namespace weft

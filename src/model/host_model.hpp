@@ -10,37 +10,27 @@
 
 #include "base/result.hpp"
 #include "base/vec.hpp"
+#include "element/spring/build.hpp"
 #include "mesh/grid.hpp"
 #include "mesh/springs.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "model/elements.hpp"
 #include "scene/grab.hpp"
 
 namespace weft {
 
-/// One spring, as the kernels read it (src/element/spring/packed_spring.wgsl).
-struct Spring {
-  std::uint32_t node_a = 0, node_b = 0;
-  float rest_length = 0;  // [m]
-  float stiffness = 0;    // [N/m]
-  float damping = 0;      // [N·s/m]
-};
-static_assert(sizeof(Spring) == 20);
-
-/// Three nodes of a grid in a row: resistance to bending has the energy k/2 |x_a - 2 x_b + x_c|².
-struct BendTriple {
-  std::uint32_t node_a = 0, node_b = 0, node_c = 0;
-  double stiffness = 0;  // k [N/m]
-};
-
-/// The part of the model that one cloth of the scene became.
+/// The part of the model that one cloth of the scene became: a range of nodes, triangles and elements (HostModel).
 struct ClothModel {
   std::uint32_t first_vertex = 0, vertex_count = 0;
   std::uint32_t first_triangle = 0, triangle_count = 0;
-  std::optional<mesh::Grid> grid;  // in the world's metres; a cloth without one is a mesh
+  std::optional<mesh::Grid>
+      grid;  // in the world's metres; a hint for fast paths. A cloth without one is a mesh
   mesh::BoundaryWeights weights = mesh::BoundaryWeights::Area;
   scene::Stiffness stiffness;  // [N/m]
   double damping = 0;          // [N·s/m]
   std::optional<Vec3d> color;
+
+  SpringMaterial material() const { return {stiffness, damping, weights}; }
 };
 
 /// A grab of the scene, and the node that it means.
@@ -49,7 +39,7 @@ struct NodeGrab {
   scene::Grab grab;
 };
 
-/// The model on the host. Vertices, triangles and springs of all cloths are numbered through, cloth after
+/// The model on the host. Vertices, triangles and elements of all cloths are numbered through, cloth after
 /// cloth.
 struct HostModel {
   std::vector<ClothModel> cloths;
@@ -66,6 +56,24 @@ struct HostModel {
   bool kinematic(std::size_t vertex) const { return motion[vertex] != 0; }
   /// 1/mass, and 0 for a node that is pinned or moved [1/kg].
   double inverse_mass(std::size_t vertex) const { return kinematic(vertex) ? 0.0 : 1.0 / mass[vertex]; }
+
+  /// How many elements of a kind there are. Makes no table of a grid.
+  std::uint64_t count(ElementKind kind) const;
+  /// All elements of a kind, or those of one of `cloths`, with the model's node numbers. Made once, when first asked
+  /// for; the model's cloths, places and triangles stay as they are from then on.
+  const ElementTable& elements(ElementKind kind) const;
+  const ElementTable& elements(ElementKind kind, const ClothModel& cloth) const;
+  /// Node -> elements of one of `cloths`, by its own numbers of both.
+  const mesh::Adjacency& incidence(ElementKind kind, const ClothModel& cloth) const;
+  /// Of elements(kind).
+  const Colors& colors(ElementKind kind) const;
+
+  Springs springs() const { return Springs(elements(ElementKind::Spring)); }
+  Springs springs(const ClothModel& cloth) const { return Springs(elements(ElementKind::Spring, cloth)); }
+
+ private:
+  std::size_t number_of(const ClothModel& cloth) const;
+  ElementStore store_;
 };
 
 /// Places the scene's cloths in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for a
@@ -73,15 +81,10 @@ struct HostModel {
 /// moved, a grab does not mean one free node or shares it with another.
 Result<HostModel> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes);
 
-/// The springs of one cloth in the order of mesh/springs.hpp, with the model's node numbers.
-std::vector<Spring> build_springs(const HostModel& model, const ClothModel& cloth);
-/// The springs of all cloths.
-std::vector<Spring> build_springs(const HostModel& model);
+/// The mesh of a cloth, numbered from 0, at rest.
+mesh::TriangleMesh cloth_mesh(const HostModel& model, const ClothModel& cloth);
 
-/// The stiffness of a grid cloth's triples along i and along j: B dj / di³ and B di / dj³ [N/m], where B is
-/// stiffness.bending [N·m]. Triples along the boundary count as its springs do.
+/// The stiffness of a grid cloth's triples along i and along j [N/m] (element/triple/triple.hpp); of a mesh 0.
 std::array<double, 2> bending_stiffness(const ClothModel& cloth);
-/// The triples of one cloth, row by row, then column by column; none without stiffness.bending.
-std::vector<BendTriple> build_bending(const ClothModel& cloth);
 
 }  // namespace weft

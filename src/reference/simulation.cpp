@@ -16,16 +16,18 @@ namespace {
 
 std::vector<BendLink> bending_of(const HostModel& model) {
   std::vector<BendLink> links;
-  for (const ClothModel& cloth : model.cloths)
-    for (const BendTriple& t : build_bending(cloth))
-      links.push_back({t.node_a, t.node_b, t.node_c, static_cast<double>(static_cast<float>(t.stiffness))});
+  const ElementTable& triples = model.elements(ElementKind::Triple);
+  for (std::size_t t = 0; t < triples.size(); ++t) {
+    const auto nodes = triples.nodes_of(t);
+    links.push_back({nodes[0], nodes[1], nodes[2], static_cast<double>(triples.material[t])});
+  }
   return links;
 }
 
 /// The springs with the very numbers that the kernels get: f32, here widened.
 std::vector<SpringLink> links_of(const HostModel& model) {
   std::vector<SpringLink> links;
-  for (const Spring& s : build_springs(model))
+  for (const Spring s : model.springs())
     links.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length), static_cast<double>(s.stiffness),
                      static_cast<double>(s.damping)});
   return links;

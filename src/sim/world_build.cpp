@@ -2,16 +2,6 @@
 #include "sim/world.hpp"
 
 namespace weft::sim {
-namespace {
-
-std::size_t count_springs(const HostModel& model) {
-  std::size_t count = 0;
-  for (const ClothModel& cloth : model.cloths)
-    count += cloth.grid ? mesh::grid_spring_count(*cloth.grid) : build_springs(model, cloth).size();
-  return count;
-}
-
-}  // namespace
 
 Result<void> check_node_count(std::uint64_t nodes, const gpu::Device& device) {
   const std::uint64_t bytes = nodes * sizeof(Vec4f), limit = device.limits().max_storage_binding_size;
@@ -27,7 +17,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_CHECK(check_node_count(node_count(scene_, assets), device_));
   assets_ = assets;
   WEFT_TRY(host, build_model(scene_, assets.cloths));
-  spring_count_ = count_springs(host);
+  spring_count_ = host.count(ElementKind::Spring);
   WEFT_TRY(plan, FramePlan::create(scene_, host, assets_));
   plan_ = std::move(plan);
   WEFT_TRY(model, Model::create(device_, std::move(host)));

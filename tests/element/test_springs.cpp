@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/random.hpp"
+#include "element/incidence.hpp"
 #include "element/spring/neighbours.hpp"
 #include "element/spring/packed_springs.hpp"
 #include "element/spring/spread_order.hpp"
@@ -20,23 +21,24 @@ using Seen = std::tuple<std::uint32_t, std::uint32_t, float, float, float>;
 
 /// `count` nodes at random, and springs between nodes of neighbouring numbers, of five kinds.
 struct Network {
-  HostModel model;
-  std::vector<Spring> springs;
+  std::vector<Vec3d> rest_position;
+  ElementTable table{ElementKind::Spring, {}, {}, {}};
 
   Network(std::uint32_t count, std::uint32_t spring_count, std::uint64_t seed) {
     Random random(seed);
     for (std::uint32_t i = 0; i < count; ++i)
-      model.rest_position.push_back({random.uniform(0, 1), random.uniform(0, 2), random.uniform(0, 0.1)});
+      rest_position.push_back({random.uniform(0, 1), random.uniform(0, 2), random.uniform(0, 0.1)});
     for (std::uint32_t s = 0; s < spring_count; ++s) {
       const std::uint32_t a = random.below(count - 1);
       const std::uint32_t b = a + 1 + random.below(std::min(40U, count - 1 - a));
       const auto kind = static_cast<float>(1 + random.below(5));
-      springs.push_back({a, b, static_cast<float>(random.uniform(0.1, 1)), 10 * kind, kind});
+      append(table, {a, b, static_cast<float>(random.uniform(0.1, 1)), 10 * kind, kind});
     }
   }
+  Springs springs() const { return Springs(table); }
   std::multiset<Seen> all() const {
     std::multiset<Seen> seen;
-    for (const Spring& s : springs) seen.insert({s.node_a, s.node_b, s.rest_length, s.stiffness, s.damping});
+    for (const Spring s : springs()) seen.insert({s.node_a, s.node_b, s.rest_length, s.stiffness, s.damping});
     return seen;
   }
 };
@@ -47,7 +49,7 @@ TEST_CASE("blocks have every spring once, and no more nodes than a workgroup hol
   for (const auto& [count, springs] : {std::pair{2U, 1U}, {50U, 300U}, {5000U, 30000U}}) {
     CAPTURE(count);
     const Network network(count, springs, count);
-    const auto built = build_spring_blocks(network.model, network.springs);
+    const auto built = build_spring_blocks(network.rest_position, network.springs());
     REQUIRE(built);
     std::multiset<Seen> seen;
     for (const SpringBlock& block : built->blocks) {
@@ -68,7 +70,7 @@ TEST_CASE("blocks have every spring once, and no more nodes than a workgroup hol
 
 TEST_CASE("packed springs are the springs, in another order") {
   const Network network(3000, 17000, 4);
-  const auto packed = pack_springs(network.springs, 3000);
+  const auto packed = pack_springs(network.springs(), atomic_order(network.springs()), 3000);
   REQUIRE(packed);
   std::multiset<Seen> seen;
   for (const PackedSpring& spring : packed->springs) {
@@ -80,13 +82,14 @@ TEST_CASE("packed springs are the springs, in another order") {
 }
 
 TEST_CASE("what does not fit into a packed spring is a limit, with both numbers") {
-  CHECK(pack_springs({}, (1U << 24U) + 1).error().message ==
-        "Spring-centric forces take at most 16777216 nodes, not 16777217.");
-  std::vector<Spring> springs;
-  for (std::uint32_t s = 0; s < 256; ++s) springs.push_back({0, 1, 1, static_cast<float>(s), 0});
-  CHECK(pack_springs(springs, 2));
-  springs.push_back({0, 1, 1, 256, 0});
-  CHECK(pack_springs(springs, 2).error().kind == ErrorKind::Limit);
+  ElementTable table{ElementKind::Spring, {}, {}, {}};
+  const Springs springs(table);
+  CHECK(pack_springs(springs, {}, (1U << 24U) + 1).error().message ==
+        "Packed springs number at most 16777216 nodes, not 16777217.");
+  for (std::uint32_t s = 0; s < 256; ++s) append(table, {0, 1, 1, static_cast<float>(s), 0});
+  CHECK(pack_springs(springs, atomic_order(springs), 2));
+  append(table, {0, 1, 1, 256, 0});
+  CHECK(pack_springs(springs, atomic_order(springs), 2).error().kind == ErrorKind::Limit);
 }
 
 TEST_CASE("a node's entries are its springs in their order, and what fills its slice pulls nowhere") {
@@ -95,13 +98,12 @@ TEST_CASE("a node's entries are its springs in their order, and what fills its s
     constexpr std::uint32_t kFirst = 70;  // other cloths come before
     Network network(count, 6 * count, count);
     std::map<std::uint32_t, std::vector<Seen>> expected;
-    for (Spring& s : network.springs) {
-      s.node_a += kFirst;
-      s.node_b += kFirst;
+    for (std::uint32_t& node : network.table.nodes) node += kFirst;
+    for (const Spring s : network.springs()) {
       expected[s.node_a].push_back({s.node_a, s.node_b, s.rest_length, s.stiffness, s.damping});
       expected[s.node_b].push_back({s.node_b, s.node_a, s.rest_length, s.stiffness, s.damping});
     }
-    const auto built = build_neighbours(network.springs, kFirst, count);
+    const auto built = build_neighbours(network.springs(), incidence(network.table, kFirst, count), kFirst);
     REQUIRE(built);
     REQUIRE(built->slices.size() == (count + kSlice - 1) / kSlice + 1);
     REQUIRE(built->entries.size() == built->slices.back());

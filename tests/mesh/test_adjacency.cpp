@@ -9,22 +9,6 @@
 using namespace weft;
 using namespace weft::mesh;
 
-TEST_CASE("every spring is in the rows of its two nodes, and rows ascend") {
-  const Grid grid{8, 5, 1.0, 1.0};
-  const auto springs = grid_springs(grid, BoundaryWeights::Area);
-  const Adjacency at = spring_adjacency(node_count(grid), springs);
-  REQUIRE(at.row_count() == 40);
-  CHECK(at.entries.size() == 2 * springs.size());
-  CHECK(at.offsets.back() == at.entries.size());
-  for (std::size_t node = 0; node < at.row_count(); ++node) {
-    CHECK(std::is_sorted(at.row(node).begin(), at.row(node).end()));
-    CHECK(std::adjacent_find(at.row(node).begin(), at.row(node).end()) == at.row(node).end());
-    for (const auto s : at.row(node)) CHECK((springs[s].node_a == node || springs[s].node_b == node));
-  }
-  CHECK(at.row(node_index(grid, 3, 2)).size() == 12);  // four of each kind, inside
-  CHECK(at.row(0).size() == 5);                        // two, one and two, at a corner
-}
-
 TEST_CASE("every triangle is in the rows of its vertices, and a vertex without any has an empty row") {
   TriangleMesh mesh = cube();
   mesh.positions.push_back({5, 5, 5});

@@ -79,7 +79,7 @@ class ImplicitRig {
       before.push_back(x_before[n].xyz().to<double>());
       velocity_before.push_back(v_before[n].xyz().to<double>());
     }
-    for (const Spring& s : build_springs(model_.host))
+    for (const Spring s : model_.host.springs())
       system_.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                                  static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
     system_.acceleration = scene_.gravity + scene_.external_force;

@@ -115,10 +115,12 @@ class SolverRig {
       system.inverse_mass.push_back(static_cast<double>(x.w));
     }
     for (const Vec4f& v : velocities()) system.velocity.push_back(v.xyz().to<double>());
-    for (const ClothModel& cloth : model_.host.cloths)
-      for (const BendTriple& t : build_bending(cloth))
-        system.bending.push_back({t.node_a, t.node_b, t.node_c, t.stiffness});
-    for (const Spring& s : build_springs(model_.host))
+    const ElementTable& triples = model_.host.elements(ElementKind::Triple);
+    for (std::size_t t = 0; t < triples.size(); ++t) {
+      const auto nodes = triples.nodes_of(t);
+      system.bending.push_back({nodes[0], nodes[1], nodes[2], static_cast<double>(triples.material[t])});
+    }
+    for (const Spring s : model_.host.springs())
       system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
     system.acceleration = scene_.gravity + scene_.external_force;

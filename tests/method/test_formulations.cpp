@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/spring/spring_grid.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "mesh/primitives.hpp"
 #include "method/mass_spring/fixed_point.hpp"
-#include "element/spring/spring_grid.hpp"
 #include "method/mass_spring/spring_forces.hpp"
 #include "solver_rig.hpp"
 
@@ -107,7 +107,7 @@ TEST_CASE("the springs of a grid have the stiffness of each kind, and its dampin
   cloth.stiffness.shear = 0;
   cloth.stiffness.bend = 7;
   cloth.damping = 0.5;
-  const SpringGrid params = spring_grid(cloth);
+  const SpringGrid params = spring_grid(*cloth.grid, cloth.material(), cloth.first_vertex);
   const auto numbers = [](const Vec4f& v) { return std::array{v.x, v.y, v.z, v.w}; };
   CHECK(numbers(params.stiffness) == std::array{50.0F, 0.0F, 7.0F, 0.0F});
   CHECK(numbers(params.damping) == std::array{0.5F, 0.0F, 0.5F, 0.0F});
@@ -125,8 +125,7 @@ TEST_CASE("all formulations equal the reference within the rounding of one step,
         SolverRig rig(fixture.device(), scene_of(cloth(nx, ny, forces)), 1e-4);
         rig.perturb(seed, 0.3 / nx, 1.0);
         const bool spring_centric = std::string(forces) != "node_centric";
-        const auto fixed_point =
-            force_fixed_point(build_springs(rig.model().host), rig.model().vertex_count());
+        const auto fixed_point = force_fixed_point(rig.model().host.springs(), rig.model().vertex_count());
         check_one_step(rig, spring_centric ? 1 / static_cast<double>(fixed_point.scale) : 0);
       }
     }
@@ -162,7 +161,7 @@ TEST_CASE("all formulations equal the reference on a mesh of any shape") {
                                   "pins": [{"nodes": [3]}]}])");
       SolverRig rig(fixture.device(), scene, 1e-4, {mesh});
       rig.perturb(5, 0.03, 0.5);
-      const auto fixed_point = force_fixed_point(build_springs(rig.model().host), rig.model().vertex_count());
+      const auto fixed_point = force_fixed_point(rig.model().host.springs(), rig.model().vertex_count());
       check_one_step(rig,
                      std::string(forces) != "node_centric" ? 1 / static_cast<double>(fixed_point.scale) : 0);
     }
@@ -182,7 +181,7 @@ TEST_CASE("in gusts of any direction all three paths equal the reference") {
     SolverRig springs(fixture.device(), scene_of(air + cloth(17, 11, "spring_centric")), 1e-4);
     springs.perturb(4, 0.02, 1.0);
     const auto fixed_point =
-        force_fixed_point(build_springs(springs.model().host), springs.model().vertex_count());
+        force_fixed_point(springs.model().host.springs(), springs.model().vertex_count());
     check_one_step(springs, 1 / static_cast<double>(fixed_point.scale));
     SolverRig mesh(
         fixture.device(),
@@ -209,8 +208,7 @@ TEST_CASE("with held nodes all three paths equal the reference, and a pinned nod
   SolverRig grid(fixture.device(), scene_of(cloth(9, 11, "node_centric")), 1e-4);
   check(grid, 0);
   SolverRig springs(fixture.device(), scene_of(cloth(9, 11, "spring_centric")), 1e-4);
-  const auto fixed_point =
-      force_fixed_point(build_springs(springs.model().host), springs.model().vertex_count());
+  const auto fixed_point = force_fixed_point(springs.model().host.springs(), springs.model().vertex_count());
   check(springs, 1 / static_cast<double>(fixed_point.scale));
   SolverRig mesh(fixture.device(),
                  scene_of(R"("cloths": [{"mesh": "a.obj", "density": 0.3, "pins": [{"nodes": [0]}]}])"), 1e-4,
@@ -255,12 +253,13 @@ TEST_CASE("spring-centric forces of any cloth sum to exactly zero") {
     const auto draw = [&](double size) { return static_cast<float>(random.uniform(-size, size)); };
     for (Vec4f& x : position) x = {draw(1), draw(1), draw(1), 1};
     for (Vec4f& v : velocity) v = {draw(10), draw(10), draw(10), 0};
-    std::vector<Spring> springs;
+    ElementTable table{ElementKind::Spring, {}, {}, {}};
     for (std::uint32_t s = 0; s < 5 * count; ++s) {
       const std::uint32_t a = random.below(count), b = random.below(count);
       if (a != b)
-        springs.push_back({a, b, 0.1F + draw(0.1), 100.0F * static_cast<float>(1 + random.below(100)), 1.0F});
+        append(table, {a, b, 0.1F + draw(0.1), 100.0F * static_cast<float>(1 + random.below(100)), 1.0F});
     }
+    const Springs springs(table);
     auto force = gpu::Buffer<std::int32_t>::create(device, 3UL * count, "force");
     REQUIRE_OK(force);
     const ForceFixedPoint fixed_point = force_fixed_point(springs, count);
@@ -330,16 +329,18 @@ TEST_CASE("a force buffer of the wrong size is a shape error with both sizes") {
   host.motion.assign(8, 0);
   auto state = State::create(fixture.device(), host, 1);
   auto force = gpu::Buffer<std::int32_t>::create(fixture.device(), 12, "force");
-  const auto made = SpringForces::create(fixture.device(), *state, {{0, 1, 1, 1, 0}}, *force, 256);
+  ElementTable table{ElementKind::Spring, {}, {}, {}};
+  append(table, {0, 1, 1, 1, 0});
+  const auto made = SpringForces::create(fixture.device(), *state, Springs(table), *force, 256);
   REQUIRE_FALSE(made);
   CHECK(made.error().message == "Buffer force (12) is not three times buffer position (8).");
 }
 
 TEST_CASE("the fixed-point scale is the largest power of two for which the worst sum fits") {
   // A hub with 12 springs that all pull along x at the limit.
-  std::vector<Spring> springs;
-  for (std::uint32_t s = 1; s <= 12; ++s) springs.push_back({0, s, 0.02F, 1000, 0});
-  const ForceFixedPoint fixed_point = force_fixed_point(springs, 13);
+  ElementTable table{ElementKind::Spring, {}, {}, {}};
+  for (std::uint32_t s = 1; s <= 12; ++s) append(table, {0, s, 0.02F, 1000, 0});
+  const ForceFixedPoint fixed_point = force_fixed_point(Springs(table), 13);
   const double largest = 12 * std::round(static_cast<double>(fixed_point.scale * fixed_point.limit));
   CHECK(fixed_point.limit == doctest::Approx(20));
   CHECK(largest < 2147483648.0);

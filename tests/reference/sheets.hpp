@@ -24,7 +24,7 @@ struct Sheet {
     system.velocity.resize(model.vertex_count());
     for (std::size_t node = 0; node < model.vertex_count(); ++node)
       system.inverse_mass.push_back(model.inverse_mass(node));
-    for (const Spring& s : build_springs(model))
+    for (const Spring s : model.springs())
       system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
     system.acceleration = {0, -9.81, 0};

@@ -39,7 +39,7 @@ double energy_of(sim::World& world) {
     system.velocity.push_back(snapshot->velocity[i].xyz().to<double>());
     system.inverse_mass.push_back(static_cast<double>(snapshot->position[i].w));
   }
-  for (const Spring& s : build_springs(world.model().host))
+  for (const Spring s : world.model().host.springs())
     system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                               static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
   system.acceleration = world.scene().gravity;

@@ -128,7 +128,7 @@ TEST_CASE("a tube that hangs by its upper rim comes to rest where springs carry 
   reference::MassSpringSystem system;
   system.position = now.position;
   system.velocity.resize(now.position.size());
-  for (const Spring& s : build_springs(world->model().host))
+  for (const Spring s : world->model().host.springs())
     system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                               static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
   const std::vector<Vec3d> forces = spring_forces(system);

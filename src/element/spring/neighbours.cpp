@@ -7,11 +7,12 @@ namespace weft {
 namespace {
 
 /// Where each slice begins: its nodes have as many entries each as the one with the most springs.
-std::vector<std::uint64_t> slice_starts(const std::vector<std::uint32_t>& degrees) {
+std::vector<std::uint64_t> slice_starts(const mesh::Adjacency& incidence) {
   std::vector<std::uint64_t> starts = {0};
-  for (std::size_t first = 0; first < degrees.size(); first += kSlice) {
-    const std::size_t end = std::min<std::size_t>(first + kSlice, degrees.size());
-    const std::uint32_t most = *std::max_element(&degrees[first], &degrees[first] + (end - first));
+  for (std::size_t first = 0; first < incidence.row_count(); first += kSlice) {
+    const std::size_t end = std::min<std::size_t>(first + kSlice, incidence.row_count());
+    std::size_t most = 0;
+    for (std::size_t node = first; node < end; ++node) most = std::max(most, incidence.row(node).size());
     starts.push_back(starts.back() + static_cast<std::uint64_t>(most) * kSlice);
   }
   return starts;
@@ -19,17 +20,13 @@ std::vector<std::uint64_t> slice_starts(const std::vector<std::uint32_t>& degree
 
 }  // namespace
 
-Result<Neighbours> build_neighbours(const std::vector<Spring>& springs, std::uint32_t first,
-                                    std::uint32_t count) {
+Result<Neighbours> build_neighbours(const Springs& springs, const mesh::Adjacency& incidence,
+                                    std::uint32_t first) {
+  const auto count = static_cast<std::uint32_t>(incidence.row_count());
   if (static_cast<std::uint64_t>(first) + count > 1U << kNeighbourNodeBits)
     return make_error(ErrorKind::Limit, "Cloths of any shape number at most %u nodes in a scene, not %u.",
                       1U << kNeighbourNodeBits, first + count);
-  std::vector<std::uint32_t> degrees(count, 0);
-  for (const Spring& spring : springs) {
-    ++degrees[spring.node_a - first];
-    ++degrees[spring.node_b - first];
-  }
-  const std::vector<std::uint64_t> starts = slice_starts(degrees);
+  const std::vector<std::uint64_t> starts = slice_starts(incidence);
   if (starts.back() > 0xffffffffU)
     return make_error(ErrorKind::Limit, "The lists of the nodes' springs have %llu entries, more than %u.",
                       static_cast<unsigned long long>(starts.back()), 0xffffffffU);
@@ -42,16 +39,16 @@ Result<Neighbours> build_neighbours(const std::vector<Spring>& springs, std::uin
     for (std::uint32_t entry = built.slices[slice]; entry < built.slices[slice + 1]; ++entry)
       built.entries[entry].node_and_kind =
           (first + std::min(slice * kSlice + entry % kSlice, count - 1)) | (nothing << kNeighbourNodeBits);
-  std::vector<std::uint32_t> next(count);
-  for (std::uint32_t i = 0; i < count; ++i) next[i] = built.slices[i / kSlice] + i % kSlice;
-  const auto add = [&](std::uint32_t node, std::uint32_t other, const Spring& spring) {
-    std::uint32_t& entry = next[node - first];
-    built.entries[entry] = {other | (kinds.number_of(spring) << kNeighbourNodeBits), spring.rest_length};
-    entry += kSlice;
-  };
-  for (const Spring& spring : springs) {
-    add(spring.node_a, spring.node_b, spring);
-    add(spring.node_b, spring.node_a, spring);
+  std::vector<std::uint32_t> kind_of(springs.size());
+  for (std::size_t s = 0; s < springs.size(); ++s) kind_of[s] = kinds.number_of(springs[s]);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::uint32_t entry = built.slices[i / kSlice] + i % kSlice;
+    for (const std::uint32_t s : incidence.row(i)) {
+      const Spring spring = springs[s];
+      const std::uint32_t other = spring.node_a == first + i ? spring.node_b : spring.node_a;
+      built.entries[entry] = {other | (kind_of[s] << kNeighbourNodeBits), spring.rest_length};
+      entry += kSlice;
+    }
   }
   built.kinds = kinds.all();
   assert(built.kinds.size() <= kNeighbourKinds);

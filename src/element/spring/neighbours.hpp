@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/result.hpp"
 #include "element/spring/spring_kinds.hpp"
+#include "mesh/adjacency.hpp"
 
 namespace weft {
 
@@ -27,9 +29,9 @@ struct Neighbours {
   std::vector<SpringKind> kinds;  // at most kNeighbourKinds
 };
 
-/// The springs of one cloth, which has at most six kinds. Errors  Limit: more than 2^28 nodes in the scene,
-/// or more than 2^32 entries.
-Result<Neighbours> build_neighbours(const std::vector<Spring>& springs, std::uint32_t first,
-                                    std::uint32_t count);
+/// The springs of one cloth, which has at most six kinds, and their incidence. Errors  Limit: more than 2^28 nodes in
+/// the scene, or more than 2^32 entries.
+Result<Neighbours> build_neighbours(const Springs& springs, const mesh::Adjacency& incidence,
+                                    std::uint32_t first);
 
 }  // namespace weft

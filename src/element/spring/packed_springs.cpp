@@ -10,8 +10,9 @@ namespace {
 constexpr std::size_t kWindow =
     4096;  // springs: near each other on the sheet, and more than a workgroup takes
 
-/// The springs as they come, spread within windows.
-std::vector<std::uint32_t> order_of(const std::vector<Spring>& springs) {
+}  // namespace
+
+std::vector<std::uint32_t> atomic_order(const Springs& springs) {
   std::vector<std::uint32_t> order;
   order.reserve(springs.size());
   std::vector<std::uint32_t> nodes;
@@ -24,24 +25,23 @@ std::vector<std::uint32_t> order_of(const std::vector<Spring>& springs) {
   return order;
 }
 
-}  // namespace
-
-Result<PackedSprings> pack_springs(const std::vector<Spring>& springs, std::uint32_t vertex_count) {
+Result<PackedSprings> pack_springs(const Springs& springs, std::span<const std::uint32_t> order,
+                                   std::uint32_t vertex_count) {
   constexpr std::uint32_t kMostNodes = 1U << kSpringNodeBits;
   constexpr std::size_t kMostKinds = 1U << (32 - kSpringNodeBits);
   if (vertex_count > kMostNodes)
-    return make_error(ErrorKind::Limit, "Spring-centric forces take at most %u nodes, not %u.", kMostNodes,
+    return make_error(ErrorKind::Limit, "Packed springs number at most %u nodes, not %u.", kMostNodes,
                       vertex_count);
   PackedSprings packed;
   packed.springs.reserve(springs.size());
   SpringKinds kinds;
-  for (const std::uint32_t index : order_of(springs)) {
-    const Spring& spring = springs[index];
+  for (const std::uint32_t index : order) {
+    const Spring spring = springs[index];
     const std::uint32_t kind = kinds.number_of(spring);
     packed.springs.push_back({spring.node_a, spring.node_b | (kind << kSpringNodeBits), spring.rest_length});
     if (kinds.all().size() > kMostKinds)
       return make_error(ErrorKind::Limit,
-                        "Spring-centric forces take at most %zu pairs of stiffness and damping in a scene.",
+                        "Packed springs have at most %zu pairs of stiffness and damping in a scene.",
                         kMostKinds);
   }
   packed.kinds = kinds.all();

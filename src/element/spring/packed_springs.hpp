@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/result.hpp"
@@ -21,7 +22,11 @@ struct PackedSprings {
   std::vector<SpringKind> kinds;
 };
 
-/// In an order that suits atomics. Errors  Limit: more than 2^24 nodes, or more than 256 kinds.
-Result<PackedSprings> pack_springs(const std::vector<Spring>& springs, std::uint32_t vertex_count);
+/// An order that suits atomics: as they come, spread within windows.
+std::vector<std::uint32_t> atomic_order(const Springs& springs);
+
+/// The springs in this order. Errors  Limit: more than 2^24 nodes, or more than 256 kinds.
+Result<PackedSprings> pack_springs(const Springs& springs, std::span<const std::uint32_t> order,
+                                   std::uint32_t vertex_count);
 
 }  // namespace weft

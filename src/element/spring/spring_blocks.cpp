@@ -1,7 +1,5 @@
 #include "element/spring/spring_blocks.hpp"
 
-#include <span>
-
 #include "element/spring/spread_order.hpp"
 #include "mesh/morton_order.hpp"
 
@@ -10,11 +8,11 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 
-std::vector<std::uint32_t> order_of(const HostModel& model, const std::vector<Spring>& springs) {
+std::vector<std::uint32_t> order_of(std::span<const Vec3d> rest_position, const Springs& springs) {
   std::vector<Vec3d> middles;
   middles.reserve(springs.size());
-  for (const Spring& spring : springs)
-    middles.push_back(0.5 * (model.rest_position[spring.node_a] + model.rest_position[spring.node_b]));
+  for (const Spring spring : springs)
+    middles.push_back(0.5 * (rest_position[spring.node_a] + rest_position[spring.node_b]));
   return mesh::morton_order(middles);
 }
 
@@ -65,13 +63,13 @@ class Filling {
 
 }  // namespace
 
-Result<SpringBlocks> build_spring_blocks(const HostModel& model, const std::vector<Spring>& springs) {
+Result<SpringBlocks> build_spring_blocks(std::span<const Vec3d> rest_position, const Springs& springs) {
   constexpr std::size_t kMostKinds = 1U << (32 - 2 * kPlaceBits);
   SpringBlocks built;
   built.springs.reserve(springs.size());
   SpringKinds kinds;
-  Filling filling(built, model.vertex_count());
-  for (const std::uint32_t index : order_of(model, springs)) {
+  Filling filling(built, rest_position.size());
+  for (const std::uint32_t index : order_of(rest_position, springs)) {
     const std::uint32_t kind = kinds.number_of(springs[index]);
     if (kinds.all().size() > kMostKinds)
       return make_error(ErrorKind::Limit,

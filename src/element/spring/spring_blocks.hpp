@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/result.hpp"
+#include "base/vec.hpp"
 #include "element/spring/spring_kinds.hpp"
 
 namespace weft {
@@ -35,6 +37,6 @@ struct SpringBlocks {
 
 /// Cuts the springs into blocks of at most kBlockNodes nodes along a Morton curve over their middles at rest.
 /// Errors  Limit: more than 4,096 kinds.
-Result<SpringBlocks> build_spring_blocks(const HostModel& model, const std::vector<Spring>& springs);
+Result<SpringBlocks> build_spring_blocks(std::span<const Vec3d> rest_position, const Springs& springs);
 
 }  // namespace weft

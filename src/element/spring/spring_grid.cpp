@@ -2,21 +2,22 @@
 
 #include <cmath>
 
+#include "element/triple/triple.hpp"
+
 namespace weft {
 
-SpringGrid spring_grid(const ClothModel& cloth) {
-  const mesh::Grid& grid = *cloth.grid;
+SpringGrid spring_grid(const mesh::Grid& grid, const SpringMaterial& material, std::uint32_t first_vertex) {
   const double di = grid.width / (grid.nx - 1), dj = grid.height / (grid.ny - 1);
-  const auto [bending_i, bending_j] = bending_stiffness(cloth);
+  const auto [bending_i, bending_j] = triple_stiffness(grid, material.stiffness.bending);
   const auto damping = [&](double stiffness) {
-    return static_cast<float>(stiffness > 0 ? cloth.damping : 0);
+    return static_cast<float>(stiffness > 0 ? material.damping : 0);
   };
-  const scene::Stiffness& k = cloth.stiffness;
+  const scene::Stiffness& k = material.stiffness;
   SpringGrid made;
-  made.first_vertex = cloth.first_vertex;
+  made.first_vertex = first_vertex;
   made.nx = grid.nx;
   made.ny = grid.ny;
-  made.uniform_weights = cloth.weights == mesh::BoundaryWeights::Uniform ? 1 : 0;
+  made.uniform_weights = material.weights == mesh::BoundaryWeights::Uniform ? 1 : 0;
   made.stiffness = {static_cast<float>(k.structural), static_cast<float>(k.shear), static_cast<float>(k.bend),
                     0};
   made.damping = {damping(k.structural), damping(k.shear), damping(k.bend), 0};

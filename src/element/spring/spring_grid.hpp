@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "model/host_model.hpp"
+#include "base/vec.hpp"
+#include "element/spring/build.hpp"
 
 namespace weft {
 
@@ -20,6 +21,6 @@ struct SpringGrid {
 };
 static_assert(sizeof(SpringGrid) == 80 && offsetof(SpringGrid, bending) == 64);
 
-SpringGrid spring_grid(const ClothModel& cloth);
+SpringGrid spring_grid(const mesh::Grid& grid, const SpringMaterial& material, std::uint32_t first_vertex);
 
 }  // namespace weft

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/host_model.hpp"
+#include "element/spring/spring.hpp"
 
 namespace weft {
 

@@ -31,7 +31,9 @@ Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const ClothM
   const std::uint64_t tiles = std::uint64_t{tiles_of(nx, width)} * tiles_of(ny, size / width);
   const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(tiles * size);
   AdvanceGrid made;
-  WEFT_SET(made.grid_, gpu::create_uniform(inputs.device, spring_grid(cloth), "spring grid"));
+  WEFT_SET(made.grid_,
+           gpu::create_uniform(inputs.device, spring_grid(*cloth.grid, cloth.material(), cloth.first_vertex),
+                               "spring grid"));
   WEFT_SET(made.dispatch_,
            gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
              return {state.steps,

@@ -18,7 +18,9 @@ Result<AdvanceGridTwice> AdvanceGridTwice::create(const SolverInputs& inputs, co
   const gpu::Dispatch::Workgroups tiles = {(cloth.grid->nx + kTileWidth - 1) / kTileWidth,
                                            (cloth.grid->ny + kTileHeight - 1) / kTileHeight};
   AdvanceGridTwice made;
-  WEFT_SET(made.grid_, gpu::create_uniform(inputs.device, spring_grid(cloth), "spring grid"));
+  WEFT_SET(made.grid_,
+           gpu::create_uniform(inputs.device, spring_grid(*cloth.grid, cloth.material(), cloth.first_vertex),
+                               "spring grid"));
   WEFT_SET(made.dispatch_,
            gpu::Dispatch::create_by_parity(kernel, tiles, [&](std::size_t p) -> gpu::Dispatch::Bindings {
              return {state.steps,

@@ -5,8 +5,9 @@ namespace weft {
 Result<AdvanceMesh> AdvanceMesh::create(const SolverInputs& inputs, const ClothModel& cloth) {
   gpu::Device& device = inputs.device;
   const State& state = inputs.state;
-  const std::vector<Spring> springs = build_springs(inputs.model.host, cloth);
-  WEFT_TRY(built, build_neighbours(springs, cloth.first_vertex, cloth.vertex_count));
+  const HostModel& model = inputs.model.host;
+  WEFT_TRY(built, build_neighbours(model.springs(cloth), model.incidence(ElementKind::Spring, cloth),
+                                   cloth.first_vertex));
   MeshParams params;
   params.first = cloth.first_vertex;
   params.count = cloth.vertex_count;
@@ -17,8 +18,8 @@ Result<AdvanceMesh> AdvanceMesh::create(const SolverInputs& inputs, const ClothM
   WEFT_SET(made.neighbours_, gpu::Buffer<Neighbour>::create_from(device, built.entries, "neighbours"));
   WEFT_SET(made.params_, gpu::create_uniform(device, params, "mesh params"));
   const double damped = cloth.damping > 0 ? 1 : 0;
-  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/mass_spring/advance_mesh.wgsl", {{"kDamped", damped}},
-                                             inputs.workgroup_size));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/mass_spring/advance_mesh.wgsl",
+                                             {{"kDamped", damped}}, inputs.workgroup_size));
   const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(cloth.vertex_count);
   WEFT_SET(made.dispatch_,
            gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {

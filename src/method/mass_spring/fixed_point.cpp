@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace weft {
 
-ForceFixedPoint force_fixed_point(const std::vector<Spring>& springs, std::uint32_t vertex_count) {
+ForceFixedPoint force_fixed_point(const Springs& springs, std::uint32_t vertex_count) {
   std::vector<std::uint32_t> valence(vertex_count, 0);
   double limit = 0;
-  for (const Spring& spring : springs) {
+  for (const Spring spring : springs) {
     ++valence[spring.node_a];
     ++valence[spring.node_b];
     limit = std::max(limit, static_cast<double>(spring.stiffness) * static_cast<double>(spring.rest_length));

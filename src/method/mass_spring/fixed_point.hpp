@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "model/host_model.hpp"
+#include "element/spring/spring.hpp"
 
 namespace weft {
 
@@ -20,6 +19,6 @@ struct ForceFixedPoint {
 /// scale · limit + 1/2 per axis, and scale · limit · v + v / 2 < 2^31 holds for scale < (2^31 - v / 2) /
 /// (limit · v). A direction is a quotient of a span by its f32 length, each within 2.5 ulp: a component can
 /// exceed 1, by less than the 2^-20 that is left for it.
-ForceFixedPoint force_fixed_point(const std::vector<Spring>& springs, std::uint32_t vertex_count);
+ForceFixedPoint force_fixed_point(const Springs& springs, std::uint32_t vertex_count);
 
 }  // namespace weft

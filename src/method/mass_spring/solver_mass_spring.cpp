@@ -50,7 +50,7 @@ void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
 Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settings,
                                                      const SolverInputs& inputs) {
   SpringCentric made;
-  const std::vector<Spring> springs = build_springs(inputs.model.host);
+  const Springs springs = inputs.model.host.springs();
   spring_count_ = static_cast<std::uint32_t>(springs.size());
   fixed_point_ = force_fixed_point(springs, inputs.model.vertex_count());
   WEFT_TRY(force,

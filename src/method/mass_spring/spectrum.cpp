@@ -22,7 +22,7 @@ struct Row {
 
 std::vector<Row> rows_of(const SpringNetwork& network, float Spring::*strength) {
   std::vector<Row> rows;
-  for (const Spring& spring : network.springs) {
+  for (const Spring spring : Springs(network.springs)) {
     const Vec4f &a = network.position[spring.node_a], &b = network.position[spring.node_b];
     const Vec3d span = b.xyz().to<double>() - a.xyz().to<double>();
     const double len = length(span), k = static_cast<double>(spring.*strength);
@@ -43,10 +43,12 @@ struct TripleRow {
 
 std::vector<TripleRow> triple_rows_of(const SpringNetwork& network) {
   std::vector<TripleRow> rows;
-  for (const BendTriple& triple : network.bending) {
-    TripleRow row{{triple.node_a, triple.node_b, triple.node_c}, {1, -2, 1}};
+  for (std::size_t triple = 0; triple < network.triples.size(); ++triple) {
+    const auto nodes = network.triples.nodes_of(triple);
+    TripleRow row{{nodes[0], nodes[1], nodes[2]}, {1, -2, 1}};
+    const auto stiffness = static_cast<double>(network.triples.material[triple]);
     for (std::size_t k = 0; k < 3; ++k)
-      row.parts[k] *= std::sqrt(triple.stiffness * static_cast<double>(network.position[row.nodes[k]].w));
+      row.parts[k] *= std::sqrt(stiffness * static_cast<double>(network.position[row.nodes[k]].w));
     rows.push_back(row);
   }
   return rows;

@@ -15,8 +15,7 @@ namespace weft {
 class SpringBlockForces {
  public:
   static Result<SpringBlockForces> create(gpu::Device& device, const Model& model, const State& state,
-                                          const std::vector<Spring>& springs,
-                                          const gpu::Buffer<std::int32_t>& force,
+                                          const Springs& springs, const gpu::Buffer<std::int32_t>& force,
                                           std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const { dispatch_.record(pass); }
 

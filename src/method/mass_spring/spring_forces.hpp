@@ -14,8 +14,7 @@ namespace weft {
 /// Errors  Shader, OutOfMemory. Limit: pack_springs. Shape: force is not three times position.
 class SpringForces {
  public:
-  static Result<SpringForces> create(gpu::Device& device, const State& state,
-                                     const std::vector<Spring>& springs,
+  static Result<SpringForces> create(gpu::Device& device, const State& state, const Springs& springs,
                                      const gpu::Buffer<std::int32_t>& force, std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const { dispatch_.record(pass); }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "element/triple/triple.hpp"
 #include "mesh/lumped.hpp"
 
 namespace weft {
@@ -13,19 +14,13 @@ constexpr std::uint32_t kLargestPart = 64;  // nodes a side
 
 SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth) {
   SpringNetwork network;
-  HostModel part_model;
-  ClothModel part = cloth;
   const std::uint32_t first = cloth.first_vertex;
-  part.first_vertex = 0;
-  part.first_triangle = 0;
   if (cloth.grid) {
     mesh::Grid grid = *cloth.grid;
     grid.nx = std::min(grid.nx, kLargestPart);
     grid.ny = std::min(grid.ny, kLargestPart);
     grid.width *= static_cast<double>(grid.nx - 1) / (cloth.grid->nx - 1);
     grid.height *= static_cast<double>(grid.ny - 1) / (cloth.grid->ny - 1);
-    part.grid = grid;
-    part.vertex_count = mesh::node_count(grid);
     const double corner_area = mesh::vertex_areas(*cloth.grid)[0];
     const double density = model.mass[first] / corner_area;  // unused where every node weighs the same
     const std::vector<double> areas = mesh::vertex_areas(grid);
@@ -37,20 +32,15 @@ SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth) {
                                 : density * areas[mesh::node_index(grid, i, j)];
         network.position.push_back(Vec4f::from(Vec3d{p.x, p.y, 0}.to<float>(), static_cast<float>(1 / mass)));
       }
+    network.springs = build_springs(grid, cloth.material(), 0);
+    network.triples = build_triples(grid, cloth.stiffness.bending, cloth.weights, 0);
   } else {
-    for (std::uint32_t v = first; v < first + cloth.vertex_count; ++v) {
+    for (std::uint32_t v = first; v < first + cloth.vertex_count; ++v)
       network.position.push_back(
           Vec4f::from(model.rest_position[v].to<float>(), static_cast<float>(1 / model.mass[v])));
-      part_model.rest_position.push_back(model.rest_position[v]);
-    }
-    for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
-      mesh::Triangle triangle = model.triangles[cloth.first_triangle + t];
-      for (std::uint32_t& vertex : triangle) vertex -= first;
-      part_model.triangles.push_back(triangle);
-    }
+    network.springs = model.elements(ElementKind::Spring, cloth);
+    for (std::uint32_t& node : network.springs.nodes) node -= first;
   }
-  network.springs = build_springs(part_model, part);
-  network.bending = build_bending(part);
   return network;
 }
 

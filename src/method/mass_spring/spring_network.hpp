@@ -9,8 +9,9 @@ namespace weft {
 /// The network of springs whose highest frequency is asked for.
 struct SpringNetwork {
   std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
-  std::vector<Spring> springs;  // nodes count from 0
-  std::vector<BendTriple> bending;
+  // Their nodes count from 0.
+  ElementTable springs{ElementKind::Spring, {}, {}, {}};
+  ElementTable triples{ElementKind::Triple, {}, {}, {}};
 };
 
 /// The part of a cloth that decides its highest frequency: a mesh whole; of a grid at most 64 x 64 nodes with

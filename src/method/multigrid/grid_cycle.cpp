@@ -11,7 +11,9 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
   GridCycle made;
   made.shapes_ = levels_of_grid(cloth);
   WEFT_CHECK(made.create_buffers(inputs, cloth, made.shapes_, multigrid::kTailNodes));
-  WEFT_SET(made.grid_, gpu::create_uniform(inputs.device, spring_grid(cloth), "spring grid"));
+  WEFT_SET(made.grid_,
+           gpu::create_uniform(inputs.device, spring_grid(*cloth.grid, cloth.material(), cloth.first_vertex),
+                               "spring grid"));
   std::size_t operators = 0;
   for (std::size_t l = 1; l < made.shapes_.size(); ++l)
     operators += std::size_t{multigrid::kOperatorParts} * node_count(made.shapes_[l]);

@@ -7,7 +7,7 @@ using gpu::Dispatch;
 Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels,
                                     const ClothModel& cloth) {
   MeshCycle made;
-  const std::vector<Spring> springs = build_springs(inputs.model.host, cloth);
+  const Springs springs = inputs.model.host.springs(cloth);
   const MeshLists lists = mesh_lists(mesh_levels(inputs.model.host, cloth, springs));
   made.shapes_ = lists.levels;
   WEFT_CHECK(made.create_buffers(inputs, cloth, made.shapes_, multigrid::kMeshTailNodes));
@@ -17,8 +17,7 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
   return made;
 }
 
-Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists,
-                                     const std::vector<Spring>& springs) {
+Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists, const Springs& springs) {
   const auto make = [&](auto& buffer, const auto& values, const char* label) -> Result<void> {
     using Made = std::remove_reference_t<decltype(buffer)>;
     WEFT_SET(buffer, Made::create_from(device, values, label));
@@ -26,7 +25,7 @@ Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists
   };
   std::vector<Vec4f> of_blocks;
   of_blocks.reserve(springs.size());
-  for (const Spring& s : springs) of_blocks.push_back({s.rest_length, s.stiffness, s.damping, 0});
+  for (const Spring s : springs) of_blocks.push_back({s.rest_length, s.stiffness, s.damping, 0});
   WEFT_CHECK(make(lists_.row_starts, lists.row_starts, "multigrid row starts"));
   WEFT_CHECK(make(lists_.rows, lists.rows, "multigrid rows"));
   WEFT_CHECK(make(lists_.source_starts, lists.source_starts, "multigrid source starts"));

@@ -10,11 +10,7 @@ mesh::Network network_of(const HostModel& model, const ClothModel& cloth) {
   mesh::Network network;
   for (std::uint32_t v = 0; v < cloth.vertex_count; ++v)
     network.positions.push_back(model.rest_position[cloth.first_vertex + v]);
-  for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
-    mesh::Triangle triangle = model.triangles[cloth.first_triangle + t];
-    for (std::uint32_t& vertex : triangle) vertex -= cloth.first_vertex;
-    network.triangles.push_back(triangle);
-  }
+  network.triangles = cloth_mesh(model, cloth).triangles;
   network.edges = mesh::mesh_edges(network.triangles);
   return network;
 }
@@ -100,11 +96,10 @@ void set_products(const MeshLevel& fine, MeshLevel& coarse) {
 
 }  // namespace
 
-std::vector<MeshLevel> mesh_levels(const HostModel& model, const ClothModel& cloth,
-                                   const std::vector<Spring>& springs) {
+std::vector<MeshLevel> mesh_levels(const HostModel& model, const ClothModel& cloth, const Springs& springs) {
   mesh::Network network = network_of(model, cloth);
   std::vector<mesh::Edge> pairs;
-  for (const Spring& spring : springs)
+  for (const Spring spring : springs)
     pairs.push_back({spring.node_a - cloth.first_vertex, spring.node_b - cloth.first_vertex});
   std::vector<MeshLevel> levels(1);
   levels[0].node_count = cloth.vertex_count;

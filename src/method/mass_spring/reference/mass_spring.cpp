@@ -2,14 +2,10 @@
 
 #include <cmath>
 
+#include "element/spring/law.hpp"
+
 namespace weft::reference {
 namespace {
-
-const Follower* follower(const MassSpringSystem& system, std::size_t node) {
-  for (const Follower& held : system.grabs)
-    if (held.node == node) return &held;
-  return nullptr;
-}
 
 Vec3d curvature_of(const MassSpringSystem& system, const BendLink& triple) {
   return (system.position[triple.node_a] - system.position[triple.node_b]) +
@@ -20,15 +16,13 @@ Vec3d curvature_of(const MassSpringSystem& system, const BendLink& triple) {
 
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
   std::vector<Vec3d> forces(system.position.size());
-  for (const SpringLink& spring : system.springs) {
-    const Vec3d span = system.position[spring.node_b] - system.position[spring.node_a];
-    const double len = length(span);
-    if (len == 0) continue;
-    const Vec3d direction = span / len;
-    const double rate = dot(system.velocity[spring.node_b] - system.velocity[spring.node_a], direction);
-    const Vec3d force = (spring.stiffness * (len - spring.rest_length) + spring.damping * rate) * direction;
-    forces[spring.node_a] += force;
-    forces[spring.node_b] -= force;
+  for (const SpringLink& s : system.springs) {
+    const spring::Pull pull = spring::pull(system.position[s.node_b] - system.position[s.node_a],
+                                           system.velocity[s.node_b] - system.velocity[s.node_a],
+                                           s.rest_length, s.stiffness, s.damping);
+    const Vec3d force = pull.tension * pull.direction;
+    forces[s.node_a] += force;
+    forces[s.node_b] -= force;
   }
   for (const BendLink& triple : system.bending) {
     const Vec3d force = triple.stiffness * curvature_of(system, triple);
@@ -48,6 +42,17 @@ Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time) {
   return sum;
 }
 
+std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t node) {
+  for (const Follower& grabbed : system.grabs) {
+    if (grabbed.node != node) continue;
+    Vec3d velocity = system.grab_rate * (grabbed.target - system.position[node]);
+    const double speed = length(velocity);
+    if (speed > system.grab_speed) velocity *= system.grab_speed / speed;
+    return velocity;
+  }
+  return std::nullopt;
+}
+
 void advance(MassSpringSystem& system, double dt) {
   const std::vector<Vec3d> forces = spring_forces(system);
   for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -55,12 +60,9 @@ void advance(MassSpringSystem& system, double dt) {
       system.velocity[i] = {};
       continue;
     }
-    if (const Follower* held = follower(system, i)) {
-      Vec3d velocity = system.grab_rate * (held->target - system.position[i]);
-      const double speed = length(velocity);
-      if (speed > system.grab_speed) velocity *= system.grab_speed / speed;
-      system.velocity[i] = velocity;
-      system.position[i] += dt * velocity;
+    if (const auto velocity = grab_velocity(system, i)) {
+      system.velocity[i] = *velocity;
+      system.position[i] += dt * *velocity;
       continue;
     }
     const Vec3d slip = system.velocity[i] - wind_at(system.wind, system.position[i], system.time);
@@ -79,11 +81,8 @@ double energy(const MassSpringSystem& system) {
     sum += 0.5 * mass * dot(system.velocity[i], system.velocity[i]) -
            mass * dot(system.acceleration, system.position[i]);
   }
-  for (const SpringLink& spring : system.springs) {
-    const double elongation =
-        length(system.position[spring.node_b] - system.position[spring.node_a]) - spring.rest_length;
-    sum += 0.5 * spring.stiffness * elongation * elongation;
-  }
+  for (const SpringLink& s : system.springs)
+    sum += spring::energy(system.position[s.node_b] - system.position[s.node_a], s.rest_length, s.stiffness);
   for (const BendLink& triple : system.bending) {
     const Vec3d curvature = curvature_of(system, triple);
     sum += 0.5 * triple.stiffness * dot(curvature, curvature);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -48,6 +49,9 @@ std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
 
 /// The wind at a place and time [m/s].
 Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time);
+
+/// How fast a node that is grabbed goes to its target; none: it is not grabbed [m/s].
+std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t node);
 
 /// One step of semi-implicit Euler: v += dt (a + f/m - drag (v - w)), then x += dt v. A held node
 /// has v = rate (target - x), cut to the grabs' speed, instead.

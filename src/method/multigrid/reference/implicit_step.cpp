@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/spring/law.hpp"
+
 namespace weft::reference {
 namespace {
-
-constexpr double kMinLength = 1e-9;  // m; a shorter spring has no direction
 
 struct Link {
   std::uint32_t a = 0, b = 0;  // of the cloth
@@ -23,13 +23,10 @@ Link link_of(const SpringLink& spring, std::uint32_t first, std::uint32_t nx) {
 
 bool is_far(const Link& link) { return std::abs(link.di) > 1 || link.dj > 1; }
 
-/// k [(1 - b) n nᵀ + b I] + c/he n nᵀ with b = max(0, 1 - l0/l): the spring's Hessian where it is stretched,
-/// and where it is pressed without what would make it indefinite.
+/// The spring's block, and c/he n nᵀ.
 Sym3 spring_block(const Vec3d& span, double rest_length, double stiffness, double damping) {
-  const double len = length(span);
-  if (len < kMinLength) return {};
-  const double b = std::max(0.0, 1 - rest_length / len);
-  return Sym3::outer(span / len, stiffness * (1 - b) + damping) + Sym3::identity(stiffness * b);
+  const spring::Block block = spring::block(span, rest_length, stiffness);
+  return Sym3::outer(block.direction, block.along + damping) + Sym3::identity(block.across);
 }
 
 struct SpringTerms {
@@ -40,16 +37,15 @@ struct SpringTerms {
 SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t a, std::size_t b,
                          double rate) {
   const Vec3d span = step.place[b] - step.place[a];
-  const double len = length(span);
-  if (len < kMinLength) return {};
-  const Vec3d n = span / len, step_of_span = step.start[b] - step.start[a];
+  if (length(span) < spring::kMinLength) return {};
+  const auto [tension, n] = spring::pull(span, {}, s.rest_length, s.stiffness, 0);
+  const Vec3d step_of_span = step.start[b] - step.start[a];
   const Sym3 elastic = spring_block(span, s.rest_length, s.stiffness, 0);
   // Damping acts along the spring as it will be: along n it would be of first order in the step.
   const Vec3d later = span + step_of_span;
-  const Vec3d damping = Sym3::outer(later / std::max(length(later), kMinLength), s.damping) *
+  const Vec3d damping = Sym3::outer(later / std::max(length(later), spring::kMinLength), s.damping) *
                         (step.start_velocity[b] - step.start_velocity[a]);
-  return {s.stiffness * (len - s.rest_length) * n + damping + elastic * step_of_span,
-          elastic + Sym3::outer(n, s.damping * rate)};
+  return {tension * n + damping + elastic * step_of_span, elastic + Sym3::outer(n, s.damping * rate)};
 }
 
 std::size_t place_of(const Link& link) { return link.dj == 0 ? 1 : link.di < 0 ? 4 : link.di == 0 ? 2 : 3; }
@@ -58,12 +54,6 @@ void add_near(GridOperator& matrix, const Link& link, const Sym3& block) {
   matrix.rows[link.a][0] += block;
   matrix.rows[link.b][0] += block;
   if (!matrix.held[link.a] && !matrix.held[link.b]) matrix.rows[link.a][place_of(link)] += -1.0 * block;
-}
-
-const Follower* follower(const MassSpringSystem& system, std::size_t node) {
-  for (const Follower& held : system.grabs)
-    if (held.node == node) return &held;
-  return nullptr;
 }
 
 /// Where a node would come nearer to obstacles than the thickness, or is there and pressed on: add(node,
@@ -111,7 +101,7 @@ ImplicitStepper::ImplicitStepper(const HostModel& model)
       made.bending = {along_i, along_j, true, true, cloth.weights == mesh::BoundaryWeights::Uniform};
       springs += mesh::grid_spring_count(*cloth.grid);
     } else {
-      const std::vector<Spring> own = build_springs(model, cloth);
+      const Springs own = model.springs(cloth);
       made.levels = mesh_levels(model, cloth, own);
       made.first_spring = springs;
       springs += own.size();
@@ -145,11 +135,8 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
     step.place[a] = x;
     if (system.inverse_mass[node] == 0) {
       step.place[a] = places[node];
-    } else if (const Follower* held = follower(system, node)) {
-      Vec3d velocity = system.grab_rate * (held->target - x);
-      const double speed = length(velocity);
-      if (speed > system.grab_speed) velocity *= system.grab_speed / speed;
-      step.place[a] = x + dt * velocity;
+    } else if (const auto velocity = grab_velocity(system, node)) {
+      step.place[a] = x + dt * *velocity;
     } else {
       const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
       const double he = formula.he, mass = 1 / system.inverse_mass[node];

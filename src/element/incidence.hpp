@@ -1,0 +1,11 @@
+#pragma once
+
+#include "element/table.hpp"
+#include "mesh/adjacency.hpp"
+
+namespace weft {
+
+/// Node -> the elements at it, ascending: row i is that of node first + i, of `count` nodes that all elements lie in.
+mesh::Adjacency incidence(const ElementTable& table, std::uint32_t first, std::size_t count);
+
+}  // namespace weft

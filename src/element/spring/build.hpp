@@ -1,0 +1,21 @@
+#pragma once
+
+#include "element/spring/spring.hpp"
+#include "mesh/springs.hpp"
+#include "scene/scene.hpp"
+
+namespace weft {
+
+/// What the springs of a cloth are made of.
+struct SpringMaterial {
+  scene::Stiffness stiffness;  // [N/m]
+  double damping = 0;          // [N·s/m]; a spring without stiffness has none
+  mesh::BoundaryWeights weights = mesh::BoundaryWeights::Area;
+};
+
+/// The springs of a grid or a mesh, in the order of mesh/springs.hpp. Nodes are numbered from `first`.
+ElementTable build_springs(const mesh::Grid& grid, const SpringMaterial& material, std::uint32_t first);
+ElementTable build_springs(const mesh::TriangleMesh& mesh, const SpringMaterial& material,
+                           std::uint32_t first);
+
+}  // namespace weft
