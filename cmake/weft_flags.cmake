@@ -4,7 +4,11 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror
+option(WEFT_WERROR "Warnings end the build" ${PROJECT_IS_TOP_LEVEL})
+if(WEFT_WERROR)
+  add_compile_options(-Werror)
+endif()
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
   -Wno-missing-field-initializers)  # designated initializers name what differs from the default
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   add_compile_options(-Wno-restrict)  # GCC 12 warns about std::string's own operator+ (its bug 105651)

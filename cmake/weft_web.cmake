@@ -1,6 +1,6 @@
 # The WebAssembly build, with Debian's Emscripten. Header-only libraries of the system are linked one by one into a
 # folder of their own: /usr/include as a whole would bring glibc's headers.
-set(headers ${CMAKE_BINARY_DIR}/system)
+set(headers ${PROJECT_BINARY_DIR}/system)
 file(MAKE_DIRECTORY ${headers})
 foreach(library nlohmann xxhash.h)
   if(NOT EXISTS /usr/include/${library})

@@ -6,9 +6,9 @@ namespace weft::cli {
 namespace {
 
 /// The kernels of a part of a frame on one line.
-void print_kernels(const std::vector<bench::KernelTime>& kernels, const char* per) {
+void print_kernels(const std::vector<sim::KernelTime>& kernels, const char* per) {
   std::string line;
-  for (const bench::KernelTime& kernel : kernels) {
+  for (const sim::KernelTime& kernel : kernels) {
     char text[64];
     std::snprintf(text, sizeof text, " %s %.4f", kernel.kernel.c_str(), kernel.milliseconds);
     if (kernel.per == per) line += text;
@@ -18,12 +18,12 @@ void print_kernels(const std::vector<bench::KernelTime>& kernels, const char* pe
 
 }  // namespace
 
-void print_kernels(const std::vector<bench::KernelTime>& kernels) {
+void print_kernels(const std::vector<sim::KernelTime>& kernels) {
   for (const char* per : {"search", "step", "frame"}) print_kernels(kernels, per);
 }
 
-void add_kernels(nlohmann::ordered_json& json, const std::vector<bench::KernelTime>& kernels) {
-  for (const bench::KernelTime& kernel : kernels)
+void add_kernels(nlohmann::ordered_json& json, const std::vector<sim::KernelTime>& kernels) {
+  for (const sim::KernelTime& kernel : kernels)
     json["kernels"].push_back({{"kernel", kernel.kernel},
                                {"per", kernel.per},
                                {"dispatches", kernel.dispatches},

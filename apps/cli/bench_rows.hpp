@@ -14,9 +14,9 @@ namespace weft::cli {
 nlohmann::ordered_json json_of(const bench::Timing& timing);
 
 /// The kernels of each part of a frame on a line of its own.
-void print_kernels(const std::vector<bench::KernelTime>& kernels);
+void print_kernels(const std::vector<sim::KernelTime>& kernels);
 /// Adds `kernels`, where the adapter has timestamps.
-void add_kernels(nlohmann::ordered_json& json, const std::vector<bench::KernelTime>& kernels);
+void add_kernels(nlohmann::ordered_json& json, const std::vector<sim::KernelTime>& kernels);
 
 void print_head();
 void print(const bench::Row& row);

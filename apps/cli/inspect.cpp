@@ -5,7 +5,7 @@
 #include "memory.hpp"
 #include "model/assets.hpp"
 #include "model/host_model.hpp"
-#include "scene/schema.hpp"
+#include "weft/weft.hpp"
 
 namespace weft::cli {
 namespace {
@@ -36,20 +36,20 @@ int check(const SceneOptions& options) {
 }
 
 int list_adapters() {
-  const auto adapters = gpu::Device::adapters();
+  const auto adapters = weft::adapters();
   if (!adapters) return report(adapters.error());
   if (adapters->empty())
     return report(
         make_error(ErrorKind::NoAdapter,
                    "No WebGPU adapter was found: this machine has no Vulkan, Metal or D3D12 driver."));
-  for (const gpu::AdapterInfo& adapter : *adapters)
+  for (const AdapterInfo& adapter : *adapters)
     std::printf("%s (%s, %s, %s)\n", adapter.name.c_str(), adapter.type.c_str(), adapter.backend.c_str(),
                 adapter.driver.c_str());
   return 0;
 }
 
 int print_schema() {
-  std::fputs(scene::schema_json().c_str(), stdout);
+  std::fputs(scene_schema().c_str(), stdout);
   return 0;
 }
 

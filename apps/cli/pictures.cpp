@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "render/scene_inputs.hpp"
+#include "view/world_inputs.hpp"
 
 namespace weft::cli {
 namespace {
@@ -19,19 +19,8 @@ Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world, const std:
   auto made = std::make_unique<Pictures>();
   made->device_ = &world.device();
   const scene::Render& wanted = world.scene().render;
-  const std::vector<mesh::TriangleMesh>& objects = world.assets().objects;
-  render::Settings settings;
-  settings.width = wanted.width;
-  settings.height = wanted.height;
-  settings.view = wanted.view;
-  settings.camera = world.scene().camera;
-  settings.subdivide = wanted.subdivide;
-  settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
-  const render::Inputs inputs =
-      render::inputs_of(world.model(), world.state(),
-                        {world.surface().normal(), world.surface().stretch(), world.contact_counts()},
-                        world.scene(), objects, world.assets().keyframes);
-  WEFT_TRY(offscreen, picture::Offscreen::create(world.device(), settings, inputs));
+  WEFT_TRY(offscreen,
+           picture::Offscreen::create(world.device(), view::settings_of(world), view::inputs_of(world)));
   made->offscreen_ = std::move(offscreen);
   WEFT_TRY(taken, OutFolder::take(folder));  // only now: what is refused leaves no folder behind
   made->folder_.emplace(std::move(taken));

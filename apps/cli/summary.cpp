@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bench_rows.hpp"
+#include "session/describe.hpp"
 
 namespace weft::cli {
 namespace {
@@ -17,12 +18,10 @@ double real_time_factor(const Summary& summary, double simulated) {
   return spent > 0 ? simulated / (spent / 1000) : 0;
 }
 
-std::string solver_name(const sim::World& world) {
-  const Method& method = world.plan().method();
-  const std::string settings = method.settings_word(world.scene().solver), reason = world.plan().reason();
-  std::string name = scene::name_of(method.kind);
-  if (!settings.empty()) name += " (" + settings + ")";
-  return reason.empty() ? name : name + ", chosen since " + reason;
+std::string solver_name(const Description& about) {
+  std::string name = about.solver;
+  if (!about.solver_settings.empty()) name += " (" + about.solver_settings + ")";
+  return about.solver_reason.empty() ? name : name + ", chosen since " + about.solver_reason;
 }
 
 template <class... Values>
@@ -42,20 +41,19 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   nlohmann::ordered_json json;
   json["scene"] = summary.scene;
   json["end"] = summary.end;
-  const Method& method = world.plan().method();
-  json["solver"] = scene::name_of(method.kind);
-  if (!world.plan().reason().empty()) json["solver_reason"] = world.plan().reason();
-  if (const std::string settings = method.settings_word(world.scene().solver); !settings.empty())
-    json["forces"] = settings;
-  json["contact_method"] = scene::name_of(world.scene().contact.method);
+  const Description about = describe(world);
+  json["solver"] = about.solver;
+  if (!about.solver_reason.empty()) json["solver_reason"] = about.solver_reason;
+  if (!about.solver_settings.empty()) json["forces"] = about.solver_settings;
+  json["contact_method"] = about.contact_method;
   json["adapter"] = world.device().adapter().name;
-  json["nodes"] = world.model().vertex_count();
-  json["triangles"] = world.model().triangle_count();
-  json["springs"] = world.spring_count();
+  json["nodes"] = about.nodes;
+  json["triangles"] = about.triangles;
+  json["springs"] = about.springs;
   json["frames"] = totals.frames;
-  json["substeps"] = world.substeps();
-  json["step_s"] = world.step();
-  json["stable_step_s"] = world.plan().limit().largest_step;
+  json["substeps"] = about.substeps;
+  json["step_s"] = about.step_seconds;
+  json["stable_step_s"] = about.stable_step_seconds;
   json["simulated_s"] = simulated;
   json["wall_s"] = summary.wall_s;
   json["ms_per_frame"] = json_of(frame);
@@ -86,21 +84,22 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   std::string text;
   line(text, "%s: %s", summary.scene.c_str(), summary.end.c_str());
   line(text, "  adapter     %s", world.device().adapter().name.c_str());
-  line(text, "  cloth       %u nodes, %u triangles, %zu springs", world.model().vertex_count(),
-       world.model().triangle_count(), world.spring_count());
-  line(text, "  solver      %s; %u substeps a frame", solver_name(world).c_str(), world.substeps());
-  if (world.plan().limit().largest_step == 0) {
-    line(text, "  step        %.4g ms; stable at any length", 1e3 * world.step());
+  const Description about = describe(world);
+  line(text, "  cloth       %zu nodes, %zu triangles, %zu springs", about.nodes, about.triangles,
+       about.springs);
+  line(text, "  solver      %s; %u substeps a frame", solver_name(about).c_str(), about.substeps);
+  if (about.stable_step_seconds == 0) {
+    line(text, "  step        %.4g ms; stable at any length", 1e3 * about.step_seconds);
   } else {
     line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)",
-         1e3 * world.step(), 1e3 * world.plan().limit().largest_step, world.plan().limit().highest_frequency);
+         1e3 * about.step_seconds, 1e3 * about.stable_step_seconds, world.plan().limit().highest_frequency);
   }
   line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
   char pace[64] = "";
   if (const double factor = real_time_factor(summary, simulated); factor > 0)
     std::snprintf(pace, sizeof pace, ": %.3g x real time", factor);
   line(text, "  time        %.3f ms a frame (median), %.3f ms (least)%s", frame.median, frame.least, pace);
-  line(text, "  contact     %s: %llu hits, overflow %llu", scene::name_of(world.scene().contact.method),
+  line(text, "  contact     %s: %llu hits, overflow %llu", about.contact_method.c_str(),
        static_cast<unsigned long long>(totals.contacts),
        static_cast<unsigned long long>(totals.contact_overflow));
   line(text, "  stretch     at most %.4f of the rest length", static_cast<double>(totals.max_stretch));

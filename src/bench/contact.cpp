@@ -115,7 +115,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
     const auto chances = [&](std::uint32_t steps) { return (steps - 1) / interval; };
     row.searches_per_frame = 1 + (in_submit - 1) * chances(row.substeps) / chances(effort.steps);
   }
-  WEFT_TRY(kernels, time_kernels(*world, effort.least_submits));
+  WEFT_TRY(kernels, sim::time_kernels(*world, effort.least_submits));
   row.kernels = std::move(kernels);
   return row;
 }

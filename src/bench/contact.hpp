@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "bench/kernel_times.hpp"
+#include "bench/search_times.hpp"
 
 namespace weft::bench {
 
@@ -22,7 +22,7 @@ struct ContactRow {
   std::uint32_t counted_steps = 0;
   std::uint32_t pairs = 0, candidates = 0;  // that this search lists
   std::uint32_t crossings = 0;              // the most that any search found
-  std::vector<KernelTime> kernels;          // empty: the adapter has no timestamps
+  std::vector<sim::KernelTime> kernels;     // empty: the adapter has no timestamps
   std::string state_hash;                   // after the counted submit, before the timed ones
   std::string skipped;                      // why this row was not run; empty where it was
 };

@@ -4,7 +4,7 @@
 
 #include "gpu/texture.hpp"
 #include "render/renderer.hpp"
-#include "render/scene_inputs.hpp"
+#include "view/world_inputs.hpp"
 
 namespace weft::bench {
 namespace {
@@ -17,15 +17,12 @@ struct Drawing {
 };
 
 Result<Drawing> make_drawing(const sim::World& world) {
-  render::Settings settings;  // 1280 x 720, textured
-  settings.camera = world.scene().camera;
-  settings.subdivide = world.scene().render.subdivide;
-  settings.bounds = render::scene_bounds(world.model().host, world.scene(), world.assets().objects);
-  const render::Inputs inputs = render::inputs_of(
-      world.model(), world.state(), {world.surface().normal(), world.surface().stretch(), nullptr},
-      world.scene(), world.assets().objects, world.assets().keyframes);
+  render::Settings settings = view::settings_of(world);
+  settings.width = 1280;
+  settings.height = 720;
+  settings.view = scene::View::Textured;
   Drawing made;
-  WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs));
+  WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, view::inputs_of(world)));
   made.renderer = std::move(renderer);
   WEFT_TRY(target, gpu::Texture::create(
                        world.device(),

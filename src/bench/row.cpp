@@ -38,7 +38,7 @@ Result<void> time_row(Row& row, sim::World& world, double budget_ms, std::uint32
   WEFT_TRY(step, time_steps(world, budget_ms, least_submits));
   row.step = step;
   row.real_time_factor = 1000.0 / 60 / (step.median * row.substeps);
-  WEFT_TRY(kernels, time_kernels(world, least_submits));
+  WEFT_TRY(kernels, sim::time_kernels(world, least_submits));
   row.kernels = std::move(kernels);
   return {};
 }

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "bench/kernel_times.hpp"
+#include "bench/search_times.hpp"
 
 namespace weft::bench {
 
@@ -21,16 +21,16 @@ struct Row {
   std::uint64_t nodes = 0, springs = 0, object_triangles = 0;
   std::uint32_t substeps = 0;  // of a 60 Hz frame, chosen by "auto"
   double dispatches_per_step = 0;
-  Timing step;                      // ms a step, over whole submits, queue drained after each
-  double real_time_factor = 0;      // simulated seconds per wall second
-  double bytes_per_step = 0;        // that the state alone must move: read once, written once
-  std::uint64_t contacts = 0;       // hits of the counted frames
-  std::optional<Outcome> outcome;   // of rows with something to meet
-  Timing paper_frame;               // ms a frame as the paper counts it: time_drawn_frames
-  std::uint64_t gpu_bytes = 0;      // that the timed world holds
-  std::vector<KernelTime> kernels;  // empty: the adapter has no timestamps
-  std::string state_hash;           // after the counted frames, before the timed ones
-  std::string skipped;              // why this row was not run; empty where it was
+  Timing step;                           // ms a step, over whole submits, queue drained after each
+  double real_time_factor = 0;           // simulated seconds per wall second
+  double bytes_per_step = 0;             // that the state alone must move: read once, written once
+  std::uint64_t contacts = 0;            // hits of the counted frames
+  std::optional<Outcome> outcome;        // of rows with something to meet
+  Timing paper_frame;                    // ms a frame as the paper counts it: time_drawn_frames
+  std::uint64_t gpu_bytes = 0;           // that the timed world holds
+  std::vector<sim::KernelTime> kernels;  // empty: the adapter has no timestamps
+  std::string state_hash;                // after the counted frames, before the timed ones
+  std::string skipped;                   // why this row was not run; empty where it was
 };
 
 /// A row that says why it was not run; `begun` has its names.

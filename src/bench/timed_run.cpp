@@ -43,7 +43,7 @@ Result<TimedRun> run_timed(gpu::Device& device, const scene::Scene& scene, const
   run.frame = timing_of(std::move(times));
   run.totals = world->totals();
   run.gpu_bytes = device.allocated_bytes() - before;
-  WEFT_TRY(kernels, time_kernels(*world, kKernelRepeats));
+  WEFT_TRY(kernels, sim::time_kernels(*world, kKernelRepeats));
   run.kernels = std::move(kernels);
   return run;
 }

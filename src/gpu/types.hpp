@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "weft/adapter.hpp"
+
 namespace weft::gpu {
 
 /// A WebGPU object as its back end names it; 0 is none.
@@ -25,13 +27,7 @@ enum class ObjectKind : std::uint8_t {
   QuerySet,
 };
 
-struct AdapterInfo {
-  std::string name;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
-  std::string vendor;
-  std::string driver;   // the driver's own description
-  std::string backend;  // "Vulkan"
-  std::string type;     // "discrete GPU", "integrated GPU", "CPU"
-};
+using weft::AdapterInfo;
 
 /// The limits that weft checks itself, before anything is allocated.
 struct Limits {

@@ -1,19 +1,9 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include "weft/image.hpp"
 
 namespace weft::picture {
 
-/// A picture: rows from top to bottom, each pixel red, green, blue, alpha, in sRGB.
-struct Image {
-  std::uint32_t width = 0, height = 0;  // [pixel]
-  std::vector<std::uint8_t> rgba;       // 4 * width * height
-
-  std::uint8_t* pixel(std::uint32_t x, std::uint32_t y) { return &rgba[4 * (std::size_t{y} * width + x)]; }
-  const std::uint8_t* pixel(std::uint32_t x, std::uint32_t y) const {
-    return &rgba[4 * (std::size_t{y} * width + x)];
-  }
-};
+using weft::Image;
 
 }  // namespace weft::picture

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "weft/view.hpp"
 
 namespace weft::scene {
 
@@ -229,12 +230,8 @@ struct Contact {
   double restitution = 0;  // of the normal velocity, 0 to 1
 };
 
-struct Camera {
-  Vec3d eye, target;        // [m]
-  double fov_degrees = 35;  // vertical
-};
-
-enum class View { Textured, Wireframe, Normals, Stretch, Velocity, Contacts };
+using weft::Camera;
+using weft::View;
 struct Render {
   View view = View::Textured;
   std::uint32_t width = 1280, height = 720;  // [pixel]

@@ -10,13 +10,14 @@
 #include "inputs.hpp"
 #include "message.hpp"
 #include "render/orbit.hpp"
-#include "session.hpp"
+#include "session/describe.hpp"
+#include "session/session.hpp"
 
 namespace {
 
+using weft::Session;
 using weft::web::code;
 using weft::web::message;
-using weft::web::Session;
 using weft::web::text;
 
 Session* session = nullptr;
@@ -37,7 +38,42 @@ std::uint32_t with_world(Use use) {
   return code(use(*session));
 }
 
-weft::web::View* view() { return session != nullptr ? session->view() : nullptr; }
+weft::view::CanvasView* view() { return session != nullptr ? session->canvas_view() : nullptr; }
+
+weft::Result<void> load(const std::string& text, const std::string& changes) {
+  WEFT_TRY(source, weft::web::scene_text(text, changes));
+  return session->load(std::move(source), [](const weft::SceneText& given) {
+    return weft::web::read_inputs(given, weft::kWorldBytesPerNode);
+  });
+}
+
+std::string describe() {
+  nlohmann::ordered_json json = weft::web::json_of(weft::describe(*session->world()));
+  json["view"] = weft::scene::name_of(session->shown());
+  json["refusedViews"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; view() != nullptr && i < weft::render::kViewCount; ++i) {
+    const auto shown = static_cast<weft::scene::View>(i);
+    if (const auto can = view()->can_show(shown); !can)
+      json["refusedViews"][weft::scene::name_of(shown)] = can.error().message;
+  }
+  json["adapter"] = session->device().adapter().name;
+  json["gpuBytes"] = session->device().allocated_bytes();
+  json["timestamps"] = session->device().has_timestamps();
+  return json.dump();
+}
+
+/// Leaves the times as JSON in `message`.
+weft::Result<void> time_passes(Session& of) {
+  WEFT_TRY(kernels, of.time_passes());
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const weft::sim::KernelTime& one : kernels)
+    json.push_back({{"kernel", one.kernel},
+                    {"per", one.per},
+                    {"dispatches", one.dispatches},
+                    {"milliseconds", one.milliseconds}});
+  message = json.dump();
+  return {};
+}
 
 }  // namespace
 
@@ -68,10 +104,10 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_add_mesh(const char* name, std::uint32_t
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_load(const char* scene, std::uint32_t scene_size, const char* changes,
                                              std::uint32_t changes_size) {
   if (session == nullptr) session = new Session;
-  return code(session->load(text(scene, scene_size), text(changes, changes_size)));
+  return code(load(text(scene, scene_size), text(changes, changes_size)));
 }
 EMSCRIPTEN_KEEPALIVE void weft_describe() {
-  if (session != nullptr && session->world() != nullptr) message = session->describe();
+  if (session != nullptr && session->world() != nullptr) message = describe();
 }
 
 /// Whether weft_advance would go without waiting.
@@ -134,11 +170,7 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_snapshot() {
   return failed;
 }
 /// Sleeps. Leaves the times in weft_message.
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_time_passes() {
-  const std::uint32_t failed = with_world([](Session& s) { return s.time_passes(); });
-  if (failed == 0) message = session->pass_times();
-  return failed;
-}
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_time_passes() { return with_world(time_passes); }
 /// After weft_open and before weft_load. `format`: a gpu::TextureFormat.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_canvas(std::uint32_t target, std::uint32_t format,
                                                std::uint32_t width, std::uint32_t height) {

@@ -51,7 +51,8 @@ weft::Result<void> read(const std::string& name, std::span<const std::byte> byte
 }
 
 weft::Result<void> check(const std::string& text) {
-  WEFT_TRY(inputs, weft::web::read_inputs(text, {}, weft::sim::kWorldBytesPerNode));
+  WEFT_TRY(source, weft::web::scene_text(text, {}));
+  WEFT_TRY(inputs, weft::web::read_inputs(source, weft::kWorldBytesPerNode));
   std::size_t triangles = 0;
   for (const auto& object : inputs.assets.objects) triangles += object.triangles.size();
   message = nlohmann::json{{"nodes", weft::node_count(inputs.scene, inputs.assets)},

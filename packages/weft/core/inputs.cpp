@@ -26,23 +26,36 @@ Meshes& meshes() {
   return all;
 }
 
-Result<Inputs> read_inputs(const std::string& text, std::span<const scene::Override> changes,
-                           std::uint64_t bytes_per_node) {
-  WEFT_TRY(scene, scene::parse_scene(text, kSceneName, changes));
+Result<Inputs> read_inputs(const SceneText& source, std::uint64_t bytes_per_node) {
+  WEFT_TRY(scene, scene::parse_scene(source.text, source.file, source.changes));
   const auto find_mesh = [](const std::string& name) { return meshes().find(name); };
   WEFT_TRY(assets, load_assets(scene, find_mesh));
   WEFT_CHECK(check_memory(scene, assets, bytes_per_node, emscripten_get_heap_max(), "the module's"));
   return Inputs{std::move(scene), std::move(assets)};
 }
 
-Result<std::vector<scene::Override>> parse_changes(const std::string& lines) {
-  std::vector<scene::Override> changes;
-  std::istringstream stream(lines);
+nlohmann::ordered_json json_of(const Description& description) {
+  const std::string& unstable = description.unstable_step;
+  return {{"nodes", description.nodes},
+          {"triangles", description.triangles},
+          {"springs", description.springs},
+          {"substeps", description.substeps},
+          {"frameSeconds", description.frame_seconds},
+          {"stepSeconds", description.step_seconds},
+          {"stableStepSeconds", description.stable_step_seconds},
+          {"unstableStep", unstable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(unstable)},
+          {"frames", description.frames},
+          {"droppedTriangles", description.dropped_triangles}};
+}
+
+Result<SceneText> scene_text(std::string text, const std::string& changes) {
+  SceneText made{std::move(text), "scene", {}};
+  std::istringstream stream(changes);
   for (std::string line; std::getline(stream, line);) {
     WEFT_TRY(change, scene::parse_override(line));
-    changes.push_back(change);
+    made.changes.push_back(change);
   }
-  return changes;
+  return made;
 }
 
 }  // namespace weft::web

@@ -11,14 +11,12 @@
 
 #include "base/result.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "method/step_limit.hpp"
-#include "model/assets.hpp"
 #include "scene/override.hpp"
 #include "scene/scene.hpp"
+#include "session/session.hpp"
+#include "weft/report.hpp"
 
 namespace weft::web {
-
-constexpr const char* kSceneName = "scene";  // what messages call the text that a page hands over
 
 /// The meshes that scenes may name. They need no device.
 class Meshes {
@@ -36,37 +34,14 @@ class Meshes {
 /// Those of this module.
 Meshes& meshes();
 
-/// A scene and its meshes, read and checked.
-struct Inputs {
-  scene::Scene scene;
-  Assets assets;
-};
 /// Reads a scene with its changes, and finds its meshes. What would end the module for want of memory is
 /// refused, since a failed allocation is a trap: `bytes_per_node` are needed. Errors  Input, Limit.
-Result<Inputs> read_inputs(const std::string& text, std::span<const scene::Override> changes,
-                           std::uint64_t bytes_per_node);
+Result<Inputs> read_inputs(const SceneText& source, std::uint64_t bytes_per_node);
 
-/// What was loaded, as the JSON that a world and a reference have in common. `Running` is either.
-template <class Running>
-nlohmann::ordered_json describe(const Running& running, std::size_t nodes, std::size_t triangles,
-                                std::size_t dropped_triangles) {
-  nlohmann::ordered_json json;
-  json["nodes"] = nodes;
-  json["triangles"] = triangles;
-  json["springs"] = running.spring_count();
-  json["substeps"] = running.substeps();
-  json["frameSeconds"] = running.scene().time.frame;
-  json["stepSeconds"] = running.step();
-  json["stableStepSeconds"] = running.plan().limit().largest_step;
-  const std::string unstable =
-      unstable_step(running.plan().limit(), running.scene().time.frame, running.substeps());
-  json["unstableStep"] = unstable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(unstable);
-  json["frames"] = running.scene().time.frames;
-  json["droppedTriangles"] = dropped_triangles;
-  return json;
-}
+/// What was loaded, in the words of the package.
+nlohmann::ordered_json json_of(const Description& description);
 
-/// Lines of KEY=JSON. Errors  Usage: a line has no equals sign.
-Result<std::vector<scene::Override>> parse_changes(const std::string& lines);
+/// What a page hands over: a scene, and changes as lines of KEY=JSON. Errors  Usage: a line has no equals sign.
+Result<SceneText> scene_text(std::string text, const std::string& changes);
 
 }  // namespace weft::web

@@ -7,6 +7,7 @@
 #include "inputs.hpp"
 #include "message.hpp"
 #include "reference/simulation.hpp"
+#include "session/describe.hpp"
 
 namespace {
 
@@ -22,8 +23,8 @@ std::vector<weft::Vec3f> positions;  // as f32, kept until the next call
 
 weft::Result<void> load(const std::string& text, const std::string& lines) {
   simulation.reset();
-  WEFT_TRY(changes, weft::web::parse_changes(lines));
-  WEFT_TRY(inputs, weft::web::read_inputs(text, changes, kBytesPerNode));
+  WEFT_TRY(source, weft::web::scene_text(text, lines));
+  WEFT_TRY(inputs, weft::web::read_inputs(source, kBytesPerNode));
   WEFT_TRY(made, Simulation::create(inputs.scene, inputs.assets));
   simulation.emplace(std::move(made));
   dropped_triangles = inputs.assets.dropped_triangles;
@@ -40,8 +41,8 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reference_load(const char* scene, std::u
 }
 /// What was loaded, as JSON.
 EMSCRIPTEN_KEEPALIVE void weft_reference_describe() {
-  message = weft::web::describe(*simulation, simulation->positions().size(), simulation->triangles().size(),
-                                dropped_triangles)
+  message = weft::web::json_of(weft::describe(*simulation, simulation->positions().size(),
+                                              simulation->triangles().size(), dropped_triangles))
                 .dump();
 }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reference_advance() {

@@ -10,7 +10,7 @@ export interface Memory {
   readonly HEAPF64: Float64Array;
 }
 
-/** The kinds of base/result.hpp, in their order. */
+/** The kinds of include/weft/result.hpp, in their order. */
 export const ERROR_KINDS = ["failure", "usage", "input", "shape", "shader", "no-adapter", "limit", "out-of-memory",
   "device-lost", "diverged", "interrupted"] as const;
 export type ErrorKind = (typeof ERROR_KINDS)[number];

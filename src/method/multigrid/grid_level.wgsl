@@ -1,7 +1,7 @@
 // A level of a grid's hierarchy, and its place in the buffers `vectors` and `operators`. Source:
 // docs/solvers/multigrid.md.
 #include "method/multigrid/cloth.wgsl"
-struct LevelOfGrid {  // mirror: src/solver/multigrid/grid_levels.hpp
+struct LevelOfGrid {  // mirror: src/method/multigrid/level.hpp
   nx : u32,
   ny : u32,              // nodes; 0: there is no such level
   first_vector : u32,    // in `vectors`, in vec4f

@@ -1,4 +1,4 @@
-// What a page sees of a world: the renderer on the canvas, its recorded lists and the camera.
+// What a page or a window shows of a world: the renderer on its canvas, the recorded lists and the camera.
 #pragma once
 
 #include <array>
@@ -8,19 +8,19 @@
 #include "render/renderer.hpp"
 #include "sim/world.hpp"
 
-namespace weft::web {
+namespace weft::view {
 
-/// Where a page draws: a texture view that is another texture in every frame (gpu/web/imports.hpp).
+/// Where it draws: a texture view that is another texture in every frame (gpu/web/imports.hpp).
 struct Canvas {
   gpu::Id target = 0;  // 0: none
   gpu::TextureFormat format = gpu::TextureFormat::Rgba8UnormSrgb;
   std::uint32_t width = 0, height = 0;  // [pixel]
 };
 
-class View {
+class CanvasView {
  public:
   /// Errors  Limit, Shader, OutOfMemory.
-  static Result<View> create(const sim::World& world, const Canvas& canvas, scene::View view);
+  static Result<CanvasView> create(const sim::World& world, const Canvas& canvas, scene::View view);
 
   Result<void> resize(std::uint32_t width, std::uint32_t height);
   Result<void> can_show(scene::View view) const { return renderer_.can_show(view); }
@@ -52,4 +52,4 @@ class View {
   std::array<gpu::CommandList, 2> lists_;  // by parity
 };
 
-}  // namespace weft::web
+}  // namespace weft::view

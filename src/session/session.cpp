@@ -1,16 +1,14 @@
-#include "session.hpp"
+#include "session/session.hpp"
 
 #include <algorithm>
 
-#include "bench/kernel_times.hpp"
-#include "inputs.hpp"
 #include "mesh/glb.hpp"
 #include "mesh/obj.hpp"
 #include "mesh/ply.hpp"
 #include "model/drawn_mesh.hpp"
 #include "scene/load.hpp"
 
-namespace weft::web {
+namespace weft {
 namespace {
 
 constexpr std::uint32_t kTimedFrames = 9;  // the median of so many
@@ -34,9 +32,9 @@ void Session::close() {
   device_.reset();
 }
 
-Result<void> Session::load(const std::string& text, const std::string& changes) {
+Result<void> Session::load(SceneText source, const ReadInputs& read) {
   if (!device_) return make_error(ErrorKind::DeviceLost, "There is no GPU device; open one first.");
-  auto built = build(text, changes);
+  auto built = build(std::move(source), read);
   if (built) return built;
   view_.reset();
   world_.reset();
@@ -45,40 +43,39 @@ Result<void> Session::load(const std::string& text, const std::string& changes) 
   return built;
 }
 
-Result<void> Session::build(const std::string& text, const std::string& changes) {
+Result<void> Session::build(SceneText source, const ReadInputs& read) {
   view_.reset();
   world_.reset();
   snapshot_ = {};
   exported_ = {};
-  text_ = text;
-  WEFT_TRY(parsed, parse_changes(changes));
-  changes_ = std::move(parsed);
-  WEFT_TRY(inputs, read_inputs(text_, changes_, sim::kWorldBytesPerNode));
+  source_ = std::move(source);
+  WEFT_TRY(inputs, read(source_));
   WEFT_CHECK(device_->status());
   WEFT_TRY(world, sim::World::create(*device_, std::move(inputs.scene), inputs.assets));
   world_ = std::move(world);
   if (canvas_.target == 0) return {};
   if (shown_ == scene::View::Contacts && world_->contact_counts() == nullptr) shown_ = scene::View::Textured;
-  WEFT_TRY(view, View::create(*world_, canvas_, shown_));
+  WEFT_TRY(view, view::CanvasView::create(*world_, canvas_, shown_));
   view_.emplace(std::move(view));
   WEFT_CHECK(world_->count_contacts(shown_ == scene::View::Contacts));
   return device_->wait();  // now it is known whether all of it could be made
 }
 
 Result<void> Session::set(const std::string& key, const std::string& value) {
-  std::vector<scene::Override> before = changes_;
-  changes_.push_back({key, value});
-  const auto changed = [this]() -> Result<void> {
-    WEFT_TRY(scene, scene::parse_scene(text_, kSceneName, changes_));
+  std::vector<scene::Override>& changes = source_.changes;
+  std::vector<scene::Override> before = changes;
+  changes.push_back({key, value});
+  const auto changed = [&]() -> Result<void> {
+    WEFT_TRY(scene, scene::parse_scene(source_.text, source_.file, changes));
     return world_->change(scene);
   }();
   if (!changed) {
-    changes_ = std::move(before);  // the world stays as it is
+    changes = std::move(before);  // the world stays as it is
     return changed;
   }
-  const auto last = changes_.end() - 1;  // a slider sets one key a thousand times
-  changes_.erase(
-      std::remove_if(changes_.begin(), last, [&](const auto& change) { return change.key == key; }), last);
+  const auto last = changes.end() - 1;  // a slider sets one key a thousand times
+  changes.erase(std::remove_if(changes.begin(), last, [&](const auto& change) { return change.key == key; }),
+                last);
   return {};
 }
 
@@ -143,40 +140,16 @@ Result<void> Session::export_mesh(const std::string& format) {
   return {};
 }
 
-Result<void> Session::time_passes() {
+Result<std::vector<sim::KernelTime>> Session::time_passes() {
   WEFT_CHECK(world_->finish());
   if (world_->frame() == 0)
     return make_error(ErrorKind::Failure, "Nothing has been simulated yet: passes are timed after a frame.");
   if (world_->substeps() < 2)
     return make_error(ErrorKind::Failure, "A frame of this scene has 1 step; passes are timed over 2.");
   WEFT_TRY(before, world_->snapshot());
-  WEFT_TRY(kernels, bench::time_kernels(*world_, kTimedFrames));
+  WEFT_TRY(kernels, sim::time_kernels(*world_, kTimedFrames));
   world_->restore(before);
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const bench::KernelTime& one : kernels)
-    json.push_back({{"kernel", one.kernel},
-                    {"per", one.per},
-                    {"dispatches", one.dispatches},
-                    {"milliseconds", one.milliseconds}});
-  pass_times_ = json.dump();
-  return {};
+  return kernels;
 }
 
-std::string Session::describe() const {
-  const sim::World& world = *world_;
-  nlohmann::ordered_json json = web::describe(
-      world, world.model().vertex_count(), world.model().triangle_count(), world.assets().dropped_triangles);
-  json["view"] = scene::name_of(shown_);
-  json["refusedViews"] = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; view_ && i < render::kViewCount; ++i) {
-    const auto view = static_cast<scene::View>(i);
-    if (const auto can = view_->can_show(view); !can)
-      json["refusedViews"][scene::name_of(view)] = can.error().message;
-  }
-  json["adapter"] = device_->adapter().name;
-  json["gpuBytes"] = device_->allocated_bytes();
-  json["timestamps"] = device_->has_timestamps();
-  return json.dump();
-}
-
-}  // namespace weft::web
+}  // namespace weft

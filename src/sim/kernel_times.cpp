@@ -1,18 +1,17 @@
-#include "bench/kernel_times.hpp"
+#include "sim/kernel_times.hpp"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "gpu/readback.hpp"
 #include "gpu/timer.hpp"
 
-namespace weft::bench {
+namespace weft::sim {
 namespace {
 
 using gpu::Command, gpu::CommandKind;
 
 /// A frame of two substeps.
-const gpu::CommandList& two_steps(sim::World& world) { return world.frame_commands(world.parity(), 2); }
+const gpu::CommandList& two_steps(World& world) { return world.frame_commands(world.parity(), 2); }
 
 /// "find_candidates" of contact/proximity/find_candidates.wgsl.
 std::string kernel_name(const gpu::CommandList& list, const Command& dispatch) {
@@ -47,7 +46,7 @@ Plan plan_of(const gpu::CommandList& frame) {
 }
 
 /// The frame of two steps with a pass and a span for each dispatch.
-Result<std::vector<gpu::Timer::Span>> run_timed(sim::World& world, gpu::Timer& timer) {
+Result<std::vector<gpu::Timer::Span>> run_timed(World& world, gpu::Timer& timer) {
   gpu::CommandList list;
   const gpu::CommandList& frame = two_steps(world);
   for (const Command& command : frame.commands()) {
@@ -64,40 +63,7 @@ Result<std::vector<gpu::Timer::Span>> run_timed(sim::World& world, gpu::Timer& t
 
 }  // namespace
 
-std::vector<Command> search_dispatches(sim::World& world) {
-  const gpu::CommandList& frame = two_steps(world);
-  std::vector<Command> search;
-  for (std::size_t at = 0; at < frame.commands().size(); ++at) {
-    if (frame.phase_of(at) != "search") {
-      if (!search.empty()) break;  // of the first substep alone
-    } else if (frame.commands()[at].kind == CommandKind::Dispatch) {
-      search.push_back(frame.commands()[at]);
-    }
-  }
-  return search;
-}
-
-Result<SearchCost> time_search(sim::World& world, const Effort& effort) {
-  gpu::CommandList list;
-  {
-    gpu::ComputePass pass(list, "searches");
-    const std::vector<Command> dispatches = search_dispatches(world);
-    for (std::uint32_t k = 0; k < effort.searches; ++k)
-      for (const Command& dispatch : dispatches) pass.repeat(two_steps(world), dispatch);
-  }
-  WEFT_TRY(timing,
-           time_repeats(effort.budget_ms, effort.least_submits, effort.searches, [&]() -> Result<void> {
-             WEFT_CHECK(world.device().submit(list));
-             return world.device().wait();
-           }));
-  WEFT_TRY(words, gpu::download(world.device(), world.state().statistics));
-  const auto read = [&](std::size_t offset) { return words[offset / sizeof(std::uint32_t)]; };
-  if (read(offsetof(Statistics, held)) != 0)
-    return make_error(ErrorKind::Limit, "A list was too short while searches were timed.");
-  return SearchCost{timing, read(offsetof(Statistics, pairs)), read(offsetof(Statistics, candidates))};
-}
-
-Result<std::vector<KernelTime>> time_kernels(sim::World& world, std::uint32_t repeats) {
+Result<std::vector<KernelTime>> time_kernels(World& world, std::uint32_t repeats) {
   if (!world.device().has_timestamps()) return std::vector<KernelTime>{};
   const gpu::CommandList& frame = two_steps(world);
   Plan plan = plan_of(frame);
@@ -118,4 +84,4 @@ Result<std::vector<KernelTime>> time_kernels(sim::World& world, std::uint32_t re
   return plan.kernels;
 }
 
-}  // namespace weft::bench
+}  // namespace weft::sim

@@ -1,8 +1,7 @@
-// A world's frame taken apart: what a search for pairs costs, and each kernel.
+// What a search for pairs costs.
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "bench/measure.hpp"
@@ -30,18 +29,5 @@ struct SearchCost {
 /// Searches anew and anew in the state at the end of the last frame, which stays as it is.
 /// Errors  Limit: a list is too short for what there is to find. DeviceLost.
 Result<SearchCost> time_search(sim::World& world, const Effort& effort);
-
-/// What the dispatches of a kernel took together.
-struct KernelTime {
-  std::string kernel;     // "find_candidates"
-  std::string per;        // "search", "step" or "frame"
-  double dispatches = 0;  // a half where one is for two steps
-  double milliseconds = 0;
-};
-
-/// Runs a frame of two substeps, the first of which searches, with a pass and a pair of timestamps for each
-/// dispatch; medians over `repeats` of them. The state goes on by as many frames. Empty where the adapter has
-/// no timestamps. Errors  DeviceLost.
-Result<std::vector<KernelTime>> time_kernels(sim::World& world, std::uint32_t repeats);
 
 }  // namespace weft::bench

@@ -1,26 +1,18 @@
-#include "view.hpp"
+#include "view/canvas_view.hpp"
 
-#include "render/scene_inputs.hpp"
+#include "view/world_inputs.hpp"
 
-namespace weft::web {
+namespace weft::view {
 
-Result<View> View::create(const sim::World& world, const Canvas& canvas, scene::View view) {
-  View made;
+Result<CanvasView> CanvasView::create(const sim::World& world, const Canvas& canvas, scene::View view) {
+  CanvasView made;
   made.canvas_ = canvas;
-  const std::vector<mesh::TriangleMesh>& objects = world.assets().objects;
-  render::Settings settings;
+  render::Settings settings = settings_of(world);
   settings.width = canvas.width;
   settings.height = canvas.height;
   settings.view = view;
   settings.color_format = canvas.format;
-  settings.camera = world.scene().camera;
-  settings.subdivide = world.scene().render.subdivide;
-  settings.bounds = render::scene_bounds(world.model().host, world.scene(), objects);
-  const render::Inputs inputs =
-      render::inputs_of(world.model(), world.state(),
-                        {world.surface().normal(), world.surface().stretch(), world.contact_counts()},
-                        world.scene(), objects, world.assets().keyframes);
-  WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs));
+  WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs_of(world)));
   made.renderer_ = std::move(renderer);
   WEFT_TRY(present, render::Present::create(world.device(), canvas.format, canvas.width, canvas.height));
   made.present_ = std::move(present);
@@ -29,7 +21,7 @@ Result<View> View::create(const sim::World& world, const Canvas& canvas, scene::
   return made;
 }
 
-void View::record() {
+void CanvasView::record() {
   for (std::uint32_t parity = 0; parity < 2; ++parity) {
     lists_[parity].reset();
     renderer_.record(lists_[parity], parity, present_.picture());
@@ -37,7 +29,7 @@ void View::record() {
   }
 }
 
-Result<void> View::resize(std::uint32_t width, std::uint32_t height) {
+Result<void> CanvasView::resize(std::uint32_t width, std::uint32_t height) {
   WEFT_CHECK(renderer_.resize(width, height));
   WEFT_CHECK(present_.resize(width, height));
   canvas_.width = width;
@@ -46,17 +38,17 @@ Result<void> View::resize(std::uint32_t width, std::uint32_t height) {
   return {};
 }
 
-Result<void> View::set_view(scene::View view) {
+Result<void> CanvasView::set_view(scene::View view) {
   WEFT_CHECK(renderer_.set_view(view));
   record();
   return {};
 }
 
-Vec3d View::point_at(double x, double y, const Vec3d& reference) const {
+Vec3d CanvasView::point_at(double x, double y, const Vec3d& reference) const {
   const render::Ray towards = ray(x, y);
   const Vec3d forward = camera().target - camera().eye;
   const double depth = dot(reference - towards.origin, forward) / dot(towards.direction, forward);
   return towards.origin + depth * towards.direction;
 }
 
-}  // namespace weft::web
+}  // namespace weft::view

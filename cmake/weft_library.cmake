@@ -1,0 +1,47 @@
+# The engine as one static library, weft::weft, and what `cmake --install` puts beside it.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+find_package(Threads REQUIRED)
+
+# All rooms that weft_NAME links, itself among them, in RESULT.
+function(weft_rooms_below NAME RESULT)
+  set(found weft_${NAME})
+  set(open weft_${NAME})
+  while(open)
+    list(POP_FRONT open room)
+    get_target_property(linked ${room} LINK_LIBRARIES)
+    foreach(library IN LISTS linked)
+      if(TARGET ${library} AND library MATCHES "^weft_" AND NOT library IN_LIST found AND NOT library STREQUAL weft_leaves)
+        list(APPEND found ${library})
+        list(APPEND open ${library})
+      endif()
+    endforeach()
+  endwhile()
+  set(${RESULT} ${found} PARENT_SCOPE)
+endfunction()
+
+weft_rooms_below(api rooms)
+list(TRANSFORM rooms REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
+add_library(weft_library STATIC ${objects})
+add_library(weft::weft ALIAS weft_library)
+set_target_properties(weft_library PROPERTIES OUTPUT_NAME weft EXPORT_NAME weft LINKER_LANGUAGE CXX)
+target_compile_features(weft_library PUBLIC cxx_std_20)
+target_include_directories(weft_library INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(weft_library PRIVATE Threads::Threads
+  $<BUILD_INTERFACE:wgpu_native> $<INSTALL_INTERFACE:weft::wgpu_native>
+  $<BUILD_INTERFACE:z> $<INSTALL_INTERFACE:ZLIB::ZLIB>)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/weft)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/weft DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS weft_library EXPORT weft ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES ${PROJECT_BINARY_DIR}/libwgpu_native.so DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE ${PROJECT_SOURCE_DIR}/THIRD_PARTY.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(EXPORT weft NAMESPACE weft:: FILE weft-targets.cmake DESTINATION ${package})
+set(wgpu_native ${CMAKE_INSTALL_LIBDIR}/libwgpu_native.so)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/weft-config.cmake.in ${PROJECT_BINARY_DIR}/weft-config.cmake
+  INSTALL_DESTINATION ${package} PATH_VARS wgpu_native)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/weft-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/weft-config.cmake ${PROJECT_BINARY_DIR}/weft-config-version.cmake
+        DESTINATION ${package})

@@ -1,0 +1,14 @@
+// Real-time cloth: all of the public interface. docs/cpp.md is its guide.
+//
+// Units are SI. Sizes are checked, and every failure is a Result; no function throws. Headers need C++20 and nothing
+// but the standard library.
+#pragma once
+
+#include "weft/adapter.hpp"
+#include "weft/image.hpp"
+#include "weft/report.hpp"
+#include "weft/result.hpp"
+#include "weft/scene.hpp"
+#include "weft/vec.hpp"
+#include "weft/view.hpp"
+#include "weft/world.hpp"

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "weft/adapter.hpp"
+#include "weft/image.hpp"
+#include "weft/report.hpp"
+#include "weft/result.hpp"
+#include "weft/scene.hpp"
+#include "weft/vec.hpp"
+#include "weft/view.hpp"
+
+namespace weft {
+
+/// The GPUs of this machine that weft can use, software rasterizers among them. Errors  Failure.
+Result<std::vector<AdapterInfo>> adapters();
+
+struct WorldOptions {
+  std::string adapter;  // part of the GPU's name, in any case; empty: the fastest kind there is
+};
+
+/// What of a world a picture shows.
+struct PictureOptions {
+  std::optional<std::uint32_t> width, height;  // [pixel]; none: the scene's render.size
+  std::optional<View> view;                    // none: the scene's render.view
+  std::optional<Camera> camera;                // none: the scene's, or one that has all of it in the frame
+  bool legend = true;                          // what the colours of a view mean, in the picture's corner
+};
+
+struct RunningWorld;  // what a World hides
+
+/// One of a world's buffers on the GPU. Its elements are the nodes of all cloths, cloth after cloth: row by row on a
+/// grid (node j * nx + i), in the order of its vertices on a mesh. Valid for as long as its World lives, also when
+/// that is moved; reading always gives the state at the end of the last frame.
+class Buffer {
+ public:
+  std::size_t count() const;  ///< elements
+  std::size_t width() const;  ///< floats of an element: 3 of a vector, 1 of a number
+
+  /// Copies the whole buffer to the host, element after element, and waits for it.
+  /// Errors  Shape: values.size() is not count() * width(). DeviceLost, OutOfMemory.
+  Result<void> read(std::span<float> values) const;
+  /// The same for a buffer of vectors. Errors  Shape too where its width is not 3.
+  Result<void> read(std::span<Vec3f> values) const;
+
+ private:
+  friend class World;
+  enum class Quantity { Position, Velocity, Normal, Stretch };
+  Buffer(RunningWorld* world, Quantity quantity) : world_(world), quantity_(quantity) {}
+  RunningWorld* world_;
+  Quantity quantity_;
+};
+
+/// A running scene on a GPU of its own. It can be moved but not copied. Of one World, one thread at a time may call
+/// functions; different Worlds need no lock between them. A World that was moved from may only be assigned to or
+/// destroyed.
+class World {
+ public:
+  /// Opens the GPU, reads the scene's meshes and makes all that a frame needs. State: at rest, time 0.
+  /// Errors  NoAdapter: there is no GPU of this name. Input: a mesh is missing or malformed, or the model cannot be
+  ///         built. Limit: larger than the GPU allows. OutOfMemory, Shader, DeviceLost.
+  static Result<World> create(const Scene& scene, const WorldOptions& options = {});
+  World(World&& other) noexcept;
+  World& operator=(World&& other) noexcept;
+  ~World();
+
+  /// Simulates frames: each of describe().frame_seconds. They are handed to the GPU; the host waits only where more
+  /// than three are under way.
+  /// Errors  Diverged: a node of an earlier frame is not finite; the state is that before this frame, and stays.
+  ///         DeviceLost, OutOfMemory: only a new World goes on.
+  Result<void> advance(std::uint32_t frames = 1);
+  /// Waits until all frames are done and have reported. Errors  as advance.
+  Result<void> finish();
+  /// Back to the rest state at time 0, without grabs; values of change() stay. Errors  DeviceLost.
+  Result<void> reset();
+
+  std::uint32_t frame() const;  ///< frames so far
+  double time() const;          ///< simulated [s]
+
+  /// Changes a value of the running scene from the next frame on, as Scene::set: gravity, external_force, drag, wind.
+  /// Errors  Input: not a valid scene, or the key cannot change while the cloth moves. Limit: the drag makes the step
+  ///         unstable. The world stays as it was.
+  Result<void> change(const std::string& key, const std::string& value);
+
+  /// Holds a free node and pulls it to `target` [m] from the next frame on, with limited speed; the cloth follows.
+  /// Errors  Input: no such node; it is pinned, moved or held already. Limit: too many are held.
+  Result<void> grab(std::uint32_t node, const Vec3d& target);
+  /// Pulls a held node elsewhere [m]. Errors  Input: it is not held.
+  Result<void> drag(std::uint32_t node, const Vec3d& target);
+  /// Lets a held node go on with its velocity. Errors  Input: it is not held.
+  Result<void> release(std::uint32_t node);
+
+  Buffer position() const;  ///< [m]
+  Buffer velocity() const;  ///< [m/s]
+  Buffer normal() const;    ///< unit vectors
+  Buffer stretch() const;   ///< length / rest length of the most stretched edge at the node
+  /// The triangles of all cloths; they number nodes as the buffers do.
+  std::span<const Triangle> triangles() const;
+
+  /// XXH3-64 of the bits of all positions and velocities, as 16 hexadecimal digits: the same for the same scene,
+  /// GPU, driver and version. Errors  DeviceLost.
+  Result<std::string> state_hash();
+  /// The present shape as a file of the format "obj", "ply" or "glb".
+  /// Errors  Input: another format. DeviceLost, OutOfMemory.
+  Result<std::vector<std::byte>> mesh_file(const std::string& format);
+
+  /// What was loaded, and what was chosen for it.
+  Description describe() const;
+  /// Sums over the frames that have reported: after finish(), all.
+  const Totals& totals() const;
+  const AdapterInfo& adapter() const;
+  std::uint64_t gpu_bytes() const;  ///< that this world's device holds
+
+  /// Draws the state at the end of the last frame, and waits for the picture. The first call of a size and view makes
+  /// what it needs, later ones use it.
+  /// Errors  Input: a side is 0. Limit: larger than the GPU can draw. Shape: the scene lacks what the view shows.
+  ///         DeviceLost, OutOfMemory, Shader.
+  Result<Image> draw(const PictureOptions& options = {});
+
+ private:
+  explicit World(std::unique_ptr<RunningWorld> running);
+  std::unique_ptr<RunningWorld> running_;
+};
+
+/// Writes a picture as a PNG file, whole or not at all. Errors  Failure: the place cannot be written.
+Result<void> write_png(const std::string& path, const Image& image);
+
+}  // namespace weft

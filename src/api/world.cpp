@@ -1,0 +1,106 @@
+#include "weft/world.hpp"
+
+#include "api/running_world.hpp"
+#include "api/scene_content.hpp"
+#include "picture/png.hpp"
+#include "session/describe.hpp"
+#include "view/world_inputs.hpp"
+
+namespace weft {
+
+Result<void> RunningWorld::settle() {
+  const Result<void> finished = world().finish();
+  if (!finished && finished.error().kind != ErrorKind::Diverged) return finished;
+  return {};
+}
+
+Result<std::vector<AdapterInfo>> adapters() { return gpu::Device::adapters(); }
+
+World::World(std::unique_ptr<RunningWorld> running) : running_(std::move(running)) {}
+World::World(World&& other) noexcept = default;
+World& World::operator=(World&& other) noexcept = default;
+World::~World() = default;
+
+Result<World> World::create(const Scene& scene, const WorldOptions& options) {
+  auto running = std::make_unique<RunningWorld>();
+  WEFT_CHECK(running->session.open(options.adapter));
+  const auto read = [&](const SceneText& source) { return scene.content_->read(source); };
+  WEFT_CHECK(running->session.load(scene.content_->source, read));
+  return World(std::move(running));
+}
+
+Result<void> World::advance(std::uint32_t frames) {
+  for (std::uint32_t frame = 0; frame < frames; ++frame) WEFT_CHECK(running_->world().advance_frame());
+  return {};
+}
+Result<void> World::finish() { return running_->world().finish(); }
+Result<void> World::reset() { return running_->world().reset(); }
+
+std::uint32_t World::frame() const { return running_->world().frame(); }
+double World::time() const { return running_->world().time(); }
+
+Result<void> World::change(const std::string& key, const std::string& value) {
+  return running_->session.set(key, value);
+}
+
+Result<void> World::grab(std::uint32_t node, const Vec3d& target) {
+  return running_->world().grab(node, target);
+}
+Result<void> World::drag(std::uint32_t node, const Vec3d& target) {
+  return running_->world().drag(node, target);
+}
+Result<void> World::release(std::uint32_t node) { return running_->world().release(node); }
+
+Buffer World::position() const { return {running_.get(), Buffer::Quantity::Position}; }
+Buffer World::velocity() const { return {running_.get(), Buffer::Quantity::Velocity}; }
+Buffer World::normal() const { return {running_.get(), Buffer::Quantity::Normal}; }
+Buffer World::stretch() const { return {running_.get(), Buffer::Quantity::Stretch}; }
+std::span<const Triangle> World::triangles() const { return running_->world().model().host.triangles; }
+
+Result<std::string> World::state_hash() {
+  WEFT_CHECK(running_->settle());
+  WEFT_CHECK(running_->session.take_snapshot());
+  return running_->session.snapshot().hash();
+}
+
+Result<std::vector<std::byte>> World::mesh_file(const std::string& format) {
+  WEFT_CHECK(running_->settle());
+  WEFT_CHECK(running_->session.export_mesh(format));
+  return running_->session.exported();
+}
+
+Description World::describe() const { return weft::describe(running_->world()); }
+const Totals& World::totals() const { return running_->world().totals(); }
+const AdapterInfo& World::adapter() const { return running_->session.device().adapter(); }
+std::uint64_t World::gpu_bytes() const { return running_->session.device().allocated_bytes(); }
+
+Result<Image> World::draw(const PictureOptions& options) {
+  WEFT_CHECK(running_->settle());
+  sim::World& world = running_->world();
+  render::Settings settings = view::settings_of(world);
+  settings.width = options.width.value_or(settings.width);
+  settings.height = options.height.value_or(settings.height);
+  settings.view = options.view.value_or(settings.view);
+  if (settings.width == 0 || settings.height == 0)
+    return input_error("A picture of %u x %u pixels is empty.", settings.width, settings.height);
+  std::optional<RunningWorld::Drawing>& drawing = running_->drawing;
+  if (!drawing || drawing->width != settings.width || drawing->height != settings.height ||
+      drawing->view != settings.view || drawing->legend != options.legend) {
+    drawing.reset();
+    WEFT_TRY(made,
+             picture::Offscreen::create(world.device(), settings, view::inputs_of(world), options.legend));
+    const Camera first = made.camera();
+    drawing.emplace(RunningWorld::Drawing{settings.width, settings.height, settings.view, options.legend,
+                                          std::move(made), first});
+    WEFT_CHECK(world.count_contacts(settings.view == View::Contacts));
+  }
+  drawing->offscreen.set_camera(options.camera.value_or(drawing->first_camera));
+  drawing->offscreen.set_time(world.time());
+  return drawing->offscreen.draw(world.parity());
+}
+
+Result<void> write_png(const std::string& path, const Image& image) {
+  return picture::write_png(path, image);
+}
+
+}  // namespace weft

@@ -1,0 +1,25 @@
+#include "view/world_inputs.hpp"
+
+#include "render/scene_inputs.hpp"
+
+namespace weft::view {
+
+render::Settings settings_of(const sim::World& world) {
+  const scene::Render& wanted = world.scene().render;
+  render::Settings settings;
+  settings.width = wanted.width;
+  settings.height = wanted.height;
+  settings.view = wanted.view;
+  settings.camera = world.scene().camera;
+  settings.subdivide = wanted.subdivide;
+  settings.bounds = render::scene_bounds(world.model().host, world.scene(), world.assets().objects);
+  return settings;
+}
+
+render::Inputs inputs_of(const sim::World& world) {
+  return render::inputs_of(world.model(), world.state(),
+                           {world.surface().normal(), world.surface().stretch(), world.contact_counts()},
+                           world.scene(), world.assets().objects, world.assets().keyframes);
+}
+
+}  // namespace weft::view
