@@ -42,7 +42,7 @@ class Kernel {
  public:
   Kernel() = default;
 
-  /// Compiles shaders/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its
+  /// Compiles src/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its
   /// fixed workgroup size. Errors  Shader: it does not compile, or its bindings exceed the adapter's limits.
   static Result<Kernel> create(Device& device, const std::string& path, std::vector<Constant> constants = {},
                                std::uint32_t workgroup_size = kDefaultWorkgroupSize);
