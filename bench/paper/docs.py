@@ -18,7 +18,7 @@ from .svg import drawing
 from .wording import number, rounded, span
 
 TEMPLATES = ROOT / "bench/paper/templates"
-README_BLOCK = re.compile(r"(<!-- results (\w+) -->).*?(<!-- end -->)", re.S)
+README_BLOCK = re.compile(r"(<!--\s+results\s+(\w+)\s+-->).*?(<!--\s+end\s+-->)", re.S)
 
 
 def environment(folder):
