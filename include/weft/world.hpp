@@ -119,7 +119,7 @@ class World {
 
   /// Draws the state at the end of the last frame, and waits for the picture. The first call of a size and view makes
   /// what it needs, later ones use it.
-  /// Errors  Input: a side is 0. Limit: larger than the GPU can draw. Shape: the scene lacks what the view shows.
+  /// Errors  Input: a side is 0, or the scene lacks what the view shows. Limit: larger than the GPU can draw.
   ///         DeviceLost, OutOfMemory, Shader.
   Result<Image> draw(const PictureOptions& options = {});
 

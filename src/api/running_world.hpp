@@ -21,7 +21,7 @@ struct RunningWorld {
   Session session;
   std::optional<Drawing> drawing;  // draws from the session's buffers: goes before it
 
-  sim::World& world() const { return *session.world(); }
+  sim::World& world() { return *session.world(); }
   /// Waits for all frames. A diverged world has its last good state to show, so that is no error here.
   Result<void> settle();
 };

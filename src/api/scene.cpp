@@ -2,6 +2,7 @@
 
 #include "api/scene_content.hpp"
 #include "base/file.hpp"
+#include "base/json.hpp"
 #include "mesh/read_mesh.hpp"
 #include "scene/load.hpp"
 #include "scene/schema.hpp"
@@ -36,7 +37,7 @@ Result<Scene> Scene::from_text(std::string json, std::string name) {
 
 Result<Scene> Scene::from_file(const std::string& path) {
   WEFT_TRY(bytes, read_file(path, kMaxJsonBytes));
-  return from_text({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
+  return from_text(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), path);
 }
 
 Result<void> Scene::set(const std::string& key, const std::string& value) {

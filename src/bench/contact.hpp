@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "bench/search_times.hpp"
+#include "sim/kernel_times.hpp"
 
 namespace weft::bench {
 

@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "bench/search_times.hpp"
+#include "bench/measure.hpp"
+#include "sim/kernel_times.hpp"
 
 namespace weft::bench {
 

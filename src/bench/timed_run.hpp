@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/search_times.hpp"
+#include "bench/measure.hpp"
+#include "sim/kernel_times.hpp"
 
 namespace weft::bench {
 

@@ -20,7 +20,7 @@ const SceneText kSheet{
     "sheet",
     {}};
 
-Result<Inputs> read(const SceneText& source) {
+Result<Inputs> read_inputs(const SceneText& source) {
   WEFT_TRY(scene, scene::parse_scene(source.text, source.file, source.changes));
   WEFT_TRY(assets, load_assets(scene, std::string()));
   return Inputs{std::move(scene), std::move(assets)};
@@ -29,7 +29,7 @@ Result<Inputs> read(const SceneText& source) {
 void open_and_load(Session& session) {
   const auto opened = session.open("");
   REQUIRE_OK(opened);
-  const auto loaded = session.load(kSheet, read);
+  const auto loaded = session.load(kSheet, read_inputs);
   REQUIRE_OK(loaded);
 }
 
@@ -53,9 +53,9 @@ TEST_CASE("a scene that cannot be loaded leaves no world, and the next one can")
   open_and_load(session);
   SceneText bad = kSheet;
   bad.changes.push_back({"cloths.0.density", "-1"});
-  CHECK(session.load(bad, read).error().kind == ErrorKind::Input);
+  CHECK(session.load(bad, read_inputs).error().kind == ErrorKind::Input);
   CHECK(session.world() == nullptr);
-  const auto again = session.load(kSheet, read);
+  const auto again = session.load(kSheet, read_inputs);
   REQUIRE_OK(again);
   CHECK(session.world() != nullptr);
 }
