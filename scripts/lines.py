@@ -45,27 +45,27 @@ def mended(path, text):
     return "\n".join(lines).rstrip("\n") + "\n"
 
 
-def filled(lines):
-    """Lines of Markdown, those paragraphs filled anew that have a line too wide."""
+def filled(lines, always=False):
+    """Lines of Markdown, with each paragraph that has a line too wide filled again, or each one at all."""
     out, paragraph, fence = [], [], None
     for line in [*lines, ""]:
         opened = re.match(r"\s*(```|~~~)", line)
         if fence or opened or re.match(r"\s*(?:$|\||#|<|>)", line):
-            out += fill(paragraph)
+            out += fill(paragraph, always)
             paragraph = []
             out.append(line)
             if opened and fence in (None, opened.group(1)):
                 fence = None if fence else opened.group(1)
         elif ITEM.match(line):
-            out += fill(paragraph)
+            out += fill(paragraph, always)
             paragraph = [line]
         else:
             paragraph.append(line)
     return out[:-1]
 
 
-def fill(paragraph):
-    if all(len(line) <= COLUMNS for line in paragraph):
+def fill(paragraph, always):
+    if not paragraph or not always and all(len(line) <= COLUMNS for line in paragraph):
         return paragraph
     item = ITEM.match(paragraph[0])
     lead = item.group() if item else re.match(r"\s*", paragraph[0]).group()

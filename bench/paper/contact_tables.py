@@ -1,5 +1,7 @@
-"""The tables of docs/performance.md that are not of the paper's experiments: contact by itself, the implicit solver, hosts, the page, Embree,
-Newton."""
+"""The tables of docs/performance.md beyond the paper's experiments.
+
+They compare contact by itself, the implicit solver, hosts, the page, Embree and Newton.
+"""
 
 from .fits import power_law
 from .table import Table, left, right
@@ -43,7 +45,7 @@ def newton(results):
 
 
 def implicit(results):
-    """The study's sheet: time and error of the implicit solver, of explicit steps, and of coarser sheets drawn finely."""
+    """The study's sheet: time and error of the implicit solver, explicit steps, and coarser sheets drawn finely."""
     lines = []
     for row in results["rows"]:
         if row["object"] != "sheet" or "skipped" in row:

@@ -1,7 +1,7 @@
 """Writes what the repository shows of the stored results: docs/performance.md, its plots, and README's figures.
 
-Every number in docs/performance.md comes from a stored row or from bench/results/aims.json; a test fails where the files
-differ from what this writes.
+Every number in docs/performance.md comes from a stored row or from bench/results/aims.json; a test fails where the
+files differ from what this writes.
 """
 
 import json
@@ -48,7 +48,8 @@ def environment(folder):
             if "embree" in results
             else ""
         )
-        return f"{host}{results['adapter']}{driver}{', kernels without run-time checks' if results.get('unchecked') else ''}:"
+        unchecked = ", kernels without run-time checks" if results.get("unchecked") else ""
+        return f"{host}{results['adapter']}{driver}{unchecked}:"
 
     def table(results, of):
         made_table = of(results)
@@ -84,7 +85,7 @@ def environment(folder):
 
 
 def readme(text, macros):
-    """README's marked blocks, filled anew."""
+    """README with its marked blocks written again."""
     return README_BLOCK.sub(lambda match: match[1] + str(getattr(macros, match[2])()) + match[3], text)
 
 
@@ -102,7 +103,13 @@ def generate(folder=RESULTS):
         "docs/images/contact-search.svg": plots.contact_kernels(contact, "search") + "\n",
         "docs/images/contact-step.svg": plots.contact_kernels(contact, "step") + "\n",
     }
-    return {name: lines.mended(pathlib.Path(name), text) for name, text in texts.items()}  # as ./dev format leaves it
+    # Paragraphs are filled here: in a template figures stand for longer expressions.
+    texts |= {
+        name: "\n".join(lines.filled(text.split("\n"), always=True))
+        for name, text in texts.items()
+        if name.endswith(".md")
+    }
+    return {name: lines.mended(pathlib.Path(name), text) for name, text in texts.items()}
 
 
 def write(folder=RESULTS):

@@ -14,7 +14,7 @@ def power_law(points):
 
 
 def base_and_slope(points):
-    """y = base + slope x with the least sum of squared relative errors, so that small sizes count as much as large ones."""
+    """y = base + slope x by least squares of relative errors, so that small sizes count as much as large ones."""
     s = [1 / (y * y) for _, y in points]
     sx, sxx = sum(w * x for w, (x, _) in zip(s, points)), sum(w * x * x for w, (x, _) in zip(s, points))
     sy, sxy = sum(w * y for w, (_, y) in zip(s, points)), sum(w * x * y for w, (x, y) in zip(s, points))

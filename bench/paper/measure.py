@@ -75,7 +75,8 @@ def skip(case, before):
         "variant": "paper",
         "side": case.side,
         "nodes": case.side**2,
-        "skipped": f"at {before['nodes']:,} nodes a step took {seconds:.1f} s, under {1000 / SLOWEST_STEP_MS:g} frames a second",
+        "skipped": f"at {before['nodes']:,} nodes a step took {seconds:.1f} s, "
+        f"under {1000 / SLOWEST_STEP_MS:g} frames a second",
     }
 
 
@@ -119,5 +120,6 @@ def check_adapter(machine, experiment, answer):
     if stored and stored != answer.get("adapter"):
         raise Failed(
             3,
-            f"{machine.path} holds rows of {stored}, not of {answer.get('adapter')}; name another --machine, or an --adapter.",
+            f"{machine.path} holds rows of {stored}, not of {answer.get('adapter')}; "
+            "name another --machine, or an --adapter.",
         )

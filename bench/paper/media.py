@@ -1,7 +1,7 @@
 """The pictures and videos of the experiments: drawn by `weft run`, made small by ffmpeg.
 
-What is drawn goes to OUT/media/MACHINE/NAME-VIEW/, whole frames; what the report shows, and the repository keeps, is packed
-from it into RESULTS/media/MACHINE/. A machine without ffmpeg only draws.
+Whole frames go to OUT/media/MACHINE/NAME-VIEW/. From them the small pictures of the report, which the repository keeps,
+are packed into RESULTS/media/MACHINE/. A machine without ffmpeg only draws.
 """
 
 import json

@@ -278,7 +278,10 @@ def contact_over_contacts(machine):
 
 
 def two_parts(rows):
-    """ms a step = launch + bytes over bandwidth, of rows of one formulation: (launch [ms], GB/s, nodes where both are equal)."""
+    """ms a step = launch + bytes over bandwidth, of rows of one formulation.
+
+    Returns (launch [ms], GB/s, nodes where both are equal).
+    """
     launch, per_node = base_and_slope(series(rows))
     if launch <= 0 or per_node <= 0:
         return None

@@ -41,14 +41,16 @@ class Report:
 
     def figure(self, content, caption, source, kind=""):
         self.figures += 1
-        return f'<figure class="{kind}">{content}<figcaption><b>Figure {self.figures}.</b> {caption} {source}</figcaption></figure>'
+        words = f"<figcaption><b>Figure {self.figures}.</b> {caption} {source}</figcaption>"
+        return f'<figure class="{kind}">{content}{words}</figure>'
 
     def plot(self, plot, caption, source):
         """Nothing where there is nothing to plot: the tables say what was not measured."""
         if plot is None:
             return ""
         name = f"plot-{self.figures + 1}"
-        scroll = f'<div class="scroll" role="group" tabindex="0" aria-label="{html.escape(plot.title)}">{drawing(name, [plot])}</div>'
+        label = html.escape(plot.title)
+        scroll = f'<div class="scroll" role="group" tabindex="0" aria-label="{label}">{drawing(name, [plot])}</div>'
         return self.figure(scroll, f"{html.escape(plot.title)}. {caption}", source, "plot")
 
     @staticmethod
@@ -133,7 +135,8 @@ def kernels(report, machine, rows, source):
     if not any(row.get("kernels") for row in rows):
         return "<p>Times of kernels have not been measured on this machine.</p>"
     software = (
-        " A software driver's timestamps say when work was handed over; compare their sum with ms a step before using them."
+        " A software driver's timestamps say when work was handed over; "
+        "compare their sum with ms a step before using them."
         if machine.hardware.get("gpu_type") == "CPU"
         else ""
     )
@@ -233,8 +236,9 @@ def pull(report, machine, figures):
         parts.append(
             report.table(
                 table,
-                f"Pull over the {name} ({same[0].get('object_triangles', 0):,} triangles). The paper's fps (one detection, one step and "
-                "one picture a frame) stand beside simulated real time." + not_measured(missing),
+                f"Pull over the {name} ({same[0].get('object_triangles', 0):,} triangles). The paper's fps "
+                "(one detection, one step and one picture a frame) stand beside simulated real time."
+                + not_measured(missing),
                 source_of(report, machine, "pull"),
             )
         )
@@ -336,9 +340,11 @@ def pictures(report, machine, experiment):
     videos = [row for row in rows if media.file_of(machine, row["files"].get("video"))]
     for row in videos:
         poster = media.file_of(machine, row["files"].get("middle"))
+        clip = media.file_of(machine, row["files"]["video"])
         video = (
-            f'<video controls muted playsinline preload="none" width="640" height="360" poster="{data_address(poster)}" '
-            f'src="{data_address(media.file_of(machine, row["files"]["video"]))}" aria-label="{row["name"]}, the whole run"></video>'
+            '<video controls muted playsinline preload="none" width="640" height="360" '
+            f'poster="{data_address(poster)}" '
+            f'src="{data_address(clip)}" aria-label="{row["name"]}, the whole run"></video>'
         )
         parts.append(
             report.figure(
@@ -355,11 +361,14 @@ def published(report, machine, figures):
     parts = []
     meshes = figures["meshes"]
     caption = (
-        f"The paper's figures beside ours on {html.escape(str(machine.hardware.get('gpu')))}. What differs: the GPU ({figures['machine']['gpu']} there); "
-        f"fps (the paper: {html.escape(figures['fps'])}; ours drain the queue after each frame and know no display); the armadillo "
-        f"({meshes['armadillo']['weft'] / 1000:.1f}K triangles here, {meshes['armadillo']['paper'].split()[0]} there), the dragon "
-        f"({meshes['dragon']['weft']:,} here, {meshes['dragon']['paper'].split()[0]} there); their sphere has {meshes['sphere']['code']} triangles, where the text says "
-        f"{meshes['sphere']['paper'].split()[0]}. Our sheets have units and a step that stays stable, so springs and steps are not theirs. {figures['not_published']}"
+        f"The paper's figures beside ours on {html.escape(str(machine.hardware.get('gpu')))}. What differs: "
+        f"the GPU ({figures['machine']['gpu']} there); fps (the paper: {html.escape(figures['fps'])}; "
+        "ours drain the queue after each frame and know no display); the armadillo "
+        f"({meshes['armadillo']['weft'] / 1000:.1f}K triangles here, {meshes['armadillo']['paper'].split()[0]} there), "
+        f"the dragon ({meshes['dragon']['weft']:,} here, {meshes['dragon']['paper'].split()[0]} there); "
+        f"their sphere has {meshes['sphere']['code']} triangles, where the text says "
+        f"{meshes['sphere']['paper'].split()[0]}. Our sheets have units and a step that stays stable, "
+        f"so springs and steps are not theirs. {figures['not_published']}"
     )
     parts.append(
         report.table(
@@ -373,7 +382,8 @@ def published(report, machine, figures):
         parts.append(
             report.table(
                 tables.authors_code(figures, machine.rows("hanging"), machine.rows("pull")),
-                f"On the same kind of card: {html.escape(code['source'])}. In brackets, how many times less weft's whole step takes; its scenes are its own.",
+                f"On the same kind of card: {html.escape(code['source'])}. "
+                "In brackets, how many times less weft's whole step takes; its scenes are its own.",
                 '<span class="source">Source: bench/results/published.json.</span>',
             )
         )
@@ -425,12 +435,16 @@ def write(results=RESULTS, out=ROOT / "report", first=None):
     return out / "index.html"
 
 
-HANGING = """The paper's first experiment: a sheet held at two corners. A step is one substep, timed over submits of many, the queue drained after each.
-“Real time” is simulated seconds per wall second at the step that the sheet's stiffness allows; “paper's fps” counts one step a frame, whatever time it simulates."""
-PULL = """The paper's second experiment: a sheet laid over an object is pulled by its right edge. <i>none</i> is the same step without contact; <i>paper</i> is the paper's brute force,
-<i>bvh</i> finds its very hits through a tree; <i>proximity</i> keeps a distance, with friction; <i>proximity_self</i> keeps it from the sheet itself too. All start from the same state. Brute
-force is asked for larger sheets until it falls under 0.1 frames a second."""
-SCALING = """How cost grows, with exponents by least squares of the logarithms; and what a step cannot be faster than: the launch of its dispatches, and the bytes of its state."""
-IMPLICIT = """Beyond the paper: eight substeps a frame whatever the resolution, beside explicit steps. A position error alone shows little, since the coarsest sheets have it small too, so the
-mean angle between normals and the stretch of the free sides stand beside it, and coarser explicit sheets drawn finely (<i>null</i>) are the lines to beat."""
+HANGING = """The paper's first experiment: a sheet held at two corners. A step is one substep, timed over submits of
+many, the queue drained after each. “Real time” is simulated seconds per wall second at the step that the sheet's
+stiffness allows; “paper's fps” counts one step a frame, whatever time it simulates."""
+PULL = """The paper's second experiment: a sheet laid over an object is pulled by its right edge. <i>none</i> is the
+same step without contact; <i>paper</i> is the paper's brute force, <i>bvh</i> finds the same hits through a tree;
+<i>proximity</i> keeps a distance, with friction; <i>proximity_self</i> keeps it from the sheet itself too. All start
+from the same state. Brute force is measured on larger sheets until it falls under 0.1 frames a second."""
+SCALING = """How cost grows, with exponents by least squares of the logarithms; and the lower bounds of a step: the
+launch of its dispatches, and the bytes of its state."""
+IMPLICIT = """Beyond the paper: eight substeps a frame whatever the resolution, beside explicit steps. A position error
+alone shows little, since the coarsest sheets have it small too, so the mean angle between normals and the stretch of
+the free sides stand beside it, and coarser explicit sheets drawn finely (<i>null</i>) are the lines to beat."""
 PUBLISHED = """What the paper says, beside the same sizes here."""

@@ -154,8 +154,8 @@ def section(report, machine, _):
         (exponents, "Exponents of cost. The upper half of the sizes is fitted where small ones cost their launches."),
         (
             launch_and_bandwidth,
-            "Where launch ends and bandwidth begins: time = launch + bytes of state over bandwidth, by least relative squares; "
-            "below “equal at nodes” a step costs mostly its launch.",
+            "Where launch ends and bandwidth begins: time = launch + bytes of state over bandwidth, "
+            "by least relative squares; below “equal at nodes” a step costs mostly its launch.",
         ),
         (
             largest_at,

@@ -1,5 +1,7 @@
-"""Plots as SVG, written here rather than by a library: the same results give the same bytes on every machine, text stays text,
-and colours follow the page's theme (or, in a file of its own, the reader's).
+"""Plots as SVG, written here rather than by a library.
+
+The same results give the same bytes on every machine, text stays text, and colours follow the page's theme (or, in a
+file of its own, the reader's).
 
 A plot has logarithmic axes whose labels name a unit, lines with markers of their own shape, and a legend below.
 """
@@ -139,14 +141,18 @@ def body(plot):
         x, _ = at(value, y_low)
         yield f'<path class="{"grid" if labelled else "fine"}" d="M{x:.1f} {top}v{high}"/>'
         if labelled:
-            yield f'<text class="small" x="{x:.1f}" y="{top + high + 18}" text-anchor="middle">{tick_text(value)}</text>'
+            below = top + high + 18
+            yield f'<text class="small" x="{x:.1f}" y="{below}" text-anchor="middle">{tick_text(value)}</text>'
     for value, labelled in ticks(y_low, y_high):
         _, y = at(x_low, value)
         yield f'<path class="{"grid" if labelled else "fine"}" d="M{left} {y:.1f}h{wide}"/>'
         if labelled:
             yield f'<text class="small" x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">{tick_text(value)}</text>'
     yield f'<path class="frame" d="M{left} {top}v{high}h{wide}"/>'
-    yield f'<text class="x-label" x="{left + wide / 2:.0f}" y="{plot.height - 8}" text-anchor="middle">{html.escape(plot.x_label)}</text>'
+    yield (
+        f'<text class="x-label" x="{left + wide / 2:.0f}" y="{plot.height - 8}" text-anchor="middle">'
+        f"{html.escape(plot.x_label)}</text>"
+    )
     middle = top + high / 2
     yield (
         f'<text class="y-label" x="16" y="{middle:.0f}" text-anchor="middle" transform="rotate(-90 16 {middle:.0f})">'
@@ -188,7 +194,8 @@ def wrap(name, width, height, title, description, data, content, alone):
     spaces = ' xmlns="http://www.w3.org/2000/svg"' if alone else ""
     style = f"<style>{theme_style()}</style>" if alone else ""
     return (
-        f'<svg{spaces} viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img" aria-labelledby="{name}-title {name}-desc">'
+        f'<svg{spaces} viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img" '
+        f'aria-labelledby="{name}-title {name}-desc">'
         f'<title id="{name}-title">{html.escape(title)}</title><desc id="{name}-desc">{html.escape(description)}</desc>'
         f"<metadata>{html.escape(data, quote=False)}</metadata>{style}\n{content}\n</svg>"
     )
@@ -210,8 +217,8 @@ def bars(name, title, unit, rows, alone=False):
         for part, value in values:
             length = wide * value / whole
             content.append(
-                f'<rect x="{x:.1f}" y="{y}" width="{length:.1f}" height="18" style="fill:var(--s{parts.index(part) % COLOURS});'
-                'stroke:var(--paper,#fff);stroke-width:1"/>'
+                f'<rect x="{x:.1f}" y="{y}" width="{length:.1f}" height="18" '
+                f'style="fill:var(--s{parts.index(part) % COLOURS});stroke:var(--paper,#fff);stroke-width:1"/>'
             )
             x += length
     for k, part in enumerate(parts):

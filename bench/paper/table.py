@@ -8,7 +8,10 @@ SHORT = 20  # rows: such a table is not divided on paper
 
 
 class Table:
-    """Columns are (title, "left" or "right"); a cell is text, `code` in backticks. The last cell of a short row spans the rest."""
+    """Columns are (title, "left" or "right"); a cell is text, `code` in backticks.
+
+    The last cell of a short row spans the rest.
+    """
 
     def __init__(self, columns, rows):
         self.columns, self.rows = columns, rows
@@ -22,7 +25,10 @@ class Table:
     def html(self, caption, name):
         """The caption is HTML; `name` makes the ids of the page."""
         short = ' class="short"' if len(self.rows) <= SHORT else ""
-        yield f'<div class="scroll" role="group" tabindex="0" aria-labelledby="{name}"><table{short}><caption id="{name}"><span class="words">{caption}</span></caption><thead><tr>'
+        yield (
+            f'<div class="scroll" role="group" tabindex="0" aria-labelledby="{name}"><table{short}>'
+            f'<caption id="{name}"><span class="words">{caption}</span></caption><thead><tr>'
+        )
         yield "".join(f'<th scope="col" class="{side}">{cell_html(title)}</th>' for title, side in self.columns)
         yield "</tr></thead><tbody>"
         for row in self.rows:
@@ -49,8 +55,10 @@ def right(*titles):
 
 
 def built(items, columns):
-    """Columns are (title, side, cell of an item, or None where it was not measured). One that no item has is left out; the
-    second answer names those."""
+    """Columns are (title, side, cell of an item, or None where it was not measured).
+
+    A column that no item has is left out; the second result names those.
+    """
     texts = [[cell(item) for _, _, cell in columns] for item in items]
     seen = [any(row[k] is not None for row in texts) for k in range(len(columns))]
     table = Table(

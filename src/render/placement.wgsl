@@ -11,5 +11,6 @@ fn placed(position : vec4f) -> vec3f {
 fn turned(normal : vec3f, position : vec4f) -> vec3f {
   if (kMoves == 0u) { return normal; }
   let row = 3u * u32(position.w);
-  return vec3f(dot(placement[row].xyz, normal), dot(placement[row + 1u].xyz, normal), dot(placement[row + 2u].xyz, normal));
+  return vec3f(dot(placement[row].xyz, normal), dot(placement[row + 1u].xyz, normal),
+               dot(placement[row + 2u].xyz, normal));
 }

@@ -7,12 +7,12 @@ struct Contact {
   place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(how far a solid side comes), m
   surface : vec4f,  // what the collider adds to the relative velocity, m/s; w: friction
   urgency : f32,    // its share of its vertices' masses, before they are shared; 0: it does not act, equation (1)
-  solid : u32,      // the side that goes its way whatever comes: 1 A, 2 B, 0 neither; colliders, and vertices that are held; or kUntangles
+  solid : u32,      // the side that contact cannot move (collider, fixed vertex): 1 A, 2 B, 0 neither; or kUntangles
   near : u32,       // what its entries bear: kEntryNear or 0
   other_end : u32,  // of a crossing: the id of the edge's other end
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
-const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; of neither: vertex and triangle
+const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; else vertex and triangle
 const kCrossingFlag = 0x40000000u;   // of ids.z: an end of an edge, and the triangle that the edge passes through
 const kIdBits = 0x3fffffffu;
 const kUntangles = 4u;               // of `solid`: it moves apart what is on the wrong side, equation (7)
@@ -41,7 +41,7 @@ fn weights_of(ids : vec4u, s : f32, t : f32) -> vec4f {
 }
 
 // How much of a vertex's mass a pair may use, among others that act: the more, the deeper its features will be in each
-// other's thickness. In whole numbers, so that sums do not hang on their order.
+// other's thickness. In whole numbers, so that sums do not depend on their order.
 const kMostUrgent = 255.0;
 fn urgency_of(gap : f32, thickness : f32) -> u32 {
   let depth = clamp(1.0 - gap / thickness, 0.0, 1.0);

@@ -11,7 +11,8 @@ const kExponent = 0x7f800000u;
 @compute @workgroup_size(kWorkgroupSize)
 fn guard(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node >= arrayLength(&position) || atomicLoad(&statistics[kStatHeld]) != 0u) { return; }  // a held frame counts for nothing
+  // A frame that is to be run again does not count.
+  if (node >= arrayLength(&position) || atomicLoad(&statistics[kStatHeld]) != 0u) { return; }
   let x = (position[node].xyz & vec3u(kExponent)) == vec3u(kExponent);
   let v = (velocity[node].xyz & vec3u(kExponent)) == vec3u(kExponent);
   if (any(x) || any(v)) { atomicAdd(&statistics[kStatNonfinite], 1u); }

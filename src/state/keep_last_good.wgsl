@@ -1,6 +1,6 @@
-// Keeps the state of the last frame in which all nodes were finite and all contacts were listed. Once guard has found
-// one that is not, puts that state back instead, in this frame and all that follow: the state is frozen. Likewise where
-// a list was too short, until the host has made it longer. One invocation per node.
+// Saves the state of the last frame in which all nodes were finite and all contacts were listed. Once guard has found a
+// node that is not finite, restores the saved state in this frame and all that follow: the state is frozen. The same
+// where a list was too short, until the host has made it longer. One invocation per node.
 #include "gpu/index.wgsl"
 #include "state/statistics.wgsl"
 //                                                                                 elements

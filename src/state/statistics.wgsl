@@ -8,16 +8,16 @@ const kStatDetections = 4u;      // how often pairs were looked for
 const kStatCrossings = 5u;       // edges that pass through triangles, the most that a detection has found
 const kStatTruncated = 6u;       // vertices that were held back, summed over substeps
 const kStatPairs = 7u;           // pairs that are listed, or ought to be
-const kStatCandidates = 8u;      // likewise, of the pairs of triangles before them
-const kStatEntries = 9u;         // of the pairs' lists by vertex, likewise
+const kStatCandidates = 8u;      // the same of the candidate pairs of triangles
+const kStatEntries = 9u;         // the same of the pairs' entries by vertex
 const kStatNonfinite = 10u;      // nodes that were not finite, in all frames so far
 const kStatFrozen = 11u;         // 1 once the state is frozen at the last good frame
-const kStatHeld = 12u;           // 1 once a list was too short: frames end as they begin until the host has made it longer
+const kStatHeld = 12u;           // 1 once a list was too short: no frame advances until the host makes it longer
 const kStatDetect = 13u;         // 1: a vertex is about to leave its reach
 const kStatDue = 14u;            // 1: a detection is under way
 const kStatFound = 15u;          // crossings of this detection
-const kStatReach = 16u;          // how far a collider may go until the next detection, m, as the bits of a positive f32
-const kStatTravel = 17u;         // how far one may have gone since this detection, m, likewise
+const kStatReach = 16u;          // how far a collider may go until the next search, m, as the bits of a positive f32
+const kStatTravel = 17u;         // how far one may have gone since this search, m, in the same form
 
 // A hash of two numbers. Source: Pcg3d's mixing step (Jarzynski, Olano: Hash Functions for GPU Rendering, 2020), cut to
 // two words.

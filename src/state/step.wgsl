@@ -3,7 +3,8 @@
 const kMaxGrabs = 4u;
 const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
 const kDetectAlways = 2u;
-override kDetectInterval : f32 = 4.0;  // substeps from one that may to the next: Method::search_interval in src/method/method.hpp
+// Substeps from one that may search to the next: Method::search_interval in src/method/method.hpp.
+override kDetectInterval : f32 = 4.0;
 const kReachMargin = 1.25;    // what is on its way may speed up until then
 
 struct StepParams {

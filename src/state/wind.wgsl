@@ -14,5 +14,6 @@ fn wind_wave(form : vec4f, x : vec3f) -> f32 {
 
 fn wind_at(x : vec3f) -> vec3f {
   if (step.wind.w == 0.0) { return vec3f(0.0); }
-  return step.wind.xyz + wind_wave(step.wind_wave_a, x) * step.gust_a.xyz + wind_wave(step.wind_wave_b, x) * step.gust_b.xyz;
+  return step.wind.xyz + wind_wave(step.wind_wave_a, x) * step.gust_a.xyz +
+         wind_wave(step.wind_wave_b, x) * step.gust_b.xyz;
 }

@@ -80,9 +80,9 @@ constexpr std::uint32_t kFrames = 63, kManyFrames = 1250;  // of 8 steps: 500, a
 
 TEST_CASE("frames of the implicit sheet are the reference's, with wind, a motion and a hand") {
   GpuFixture fixture;
-  const scene::Scene scene = sheet(
-      R"("drag": 0.5, "wind": {"velocity": [1, 0, 2], "gusts": 0.5},)",
-      R"("density": 0.2, "pins": ["top_left"], "motions": [{"nodes": "top_right", "kind": "line",
+  const scene::Scene scene =
+      sheet(R"("drag": 0.5, "wind": {"velocity": [1, 0, 2], "gusts": 0.5},)",
+            R"("density": 0.2, "pins": ["top_left"], "motions": [{"nodes": "top_right", "kind": "line",
          "direction": [-1, 0, 0], "speed": 0.5}],
          "grabs": [{"node": "bottom_left", "start": 0.05, "end": 0.15, "path": [{"time": 0, "point": [0, 0.5, 1]}]}])");
   auto world = world_of(fixture.device(), scene);

@@ -67,6 +67,7 @@ class Lines(unittest.TestCase):
         self.assertLessEqual(max(map(len, rest)), lines.COLUMNS)
         self.assertEqual([line for line in rest if line.startswith("- ")], rest[-2:-1])  # the item and no other
         self.assertEqual(lines.mended(pathlib.Path("a.md"), made), made)
+        self.assertEqual(lines.filled(["- a", "  b", "", "c", "d"], always=True), ["- a b", "", "c d"])
 
 
 if __name__ == "__main__":

@@ -339,7 +339,7 @@ export class Player {
       for (const key of Object.keys(scene.state.set))
         if (isLive(key) && !(key in set)) await world.setParameter(key, scene.own(key));
       await this.settle(scene, this.state_);
-      this.events.said(`The GPU device was lost and has been opened again; the scene starts anew. (${cause})`);
+      this.events.said(`The GPU device was lost and has been opened again; the scene was restarted. (${cause})`);
     } catch (reason) {
       this.discard();
       this.events.empty();

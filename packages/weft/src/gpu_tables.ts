@@ -1,7 +1,7 @@
 // What the module's memory and the browser's GPU have in common: numbers of C++, and what they stand for here.
 // Mirrors of src/gpu/types.hpp and command_list.hpp; tests/web/layouts_backend.test.ts compares them.
 
-/** What the back end needs of the WebAssembly module; views change when its memory grows, so they are read anew. */
+/** What the back end needs of the WebAssembly module; views change when its memory grows, so they are read again. */
 export interface Memory {
   readonly HEAPU8: Uint8Array;
   readonly HEAP32: Int32Array;

@@ -118,7 +118,7 @@ export interface Events {
   frame: Readonly<Statistics>;
   /**
    * Something failed that no promise tells of: while running, or the device was lost. The world is paused. After
-   * "device-lost", `recover` starts anew.
+   * "device-lost", `recover` starts again.
    */
   error: WeftError;
 }

@@ -1,13 +1,13 @@
-// Gives the vertices of each pair that acts their changes of velocity. An invocation takes every so-manieth pair.
+// Adds the velocity change of each acting pair to its vertices. Grid-stride loop over the pairs.
 // Source: docs/contact.md, equations (2) to (5) and (7).
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
-//                                                                                     elements              unit
+//                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m (w: inverse mass, 1/kg)
-@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m
+@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read>       statistics      : array<u32>;
@@ -49,7 +49,9 @@ fn impulse(contact : Contact) -> vec3f {
   let sliding = u - speed * n;
   let slip = length(sliding);
   var friction = vec3f(0.0);
-  if (slip > 0.0 && contact.solid != kUntangles) { friction = (min(contact.surface.w * change, slip) / slip) * sliding; }
+  if (slip > 0.0 && contact.solid != kUntangles) {
+    friction = (min(contact.surface.w * change, slip) / slip) * sliding;
+  }
   return (change * n - friction) / mobility;
 }
 
@@ -68,7 +70,9 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
       let change = kSpeedUnits * (previous[vertex].w * weights[role]) * on_a;
       let units = vec3i(round(clamp(change, vec3f(-kMostUnits), vec3f(kMostUnits))));
       for (var axis = 0u; axis < 3u; axis++) {
-        if (units[axis] != 0) { atomicAdd(&vertex_contacts[kVertexWords * vertex + kChangeWord + axis], bitcast<u32>(units[axis])); }
+        if (units[axis] != 0) {
+          atomicAdd(&vertex_contacts[kVertexWords * vertex + kChangeWord + axis], bitcast<u32>(units[axis]));
+        }
       }
     }
   }

@@ -8,15 +8,15 @@
 #include "contact/proximity/leave_bodies.wgsl"
 #include "contact/proximity/hold_back.wgsl"
 #include "contact/proximity/schedule_search.wgsl"
-//                                                                                     elements              unit
+//                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m (w: inverse mass, 1/kg)
-@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m: state/contact.wgsl
+@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
 @group(0) @binding(4) var<storage, read>       entries         : array<u32>;
-@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<vec4u>;        // 2 * vertex_count: state/contact.wgsl
-@group(0) @binding(6) var<storage, read_write> position        : array<vec4f>;        // vertex_count          m
-@group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>;        // vertex_count          m/s
+@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<vec4u>; // 2 * vertex_count: state/contact.wgsl
+@group(0) @binding(6) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
+@group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 
 // What `contact_impulse` has added up for a vertex, taken away [m/s].
@@ -36,7 +36,8 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let end = begin + words.y;
   let acted_on = words[kUrgencyWord] != 0u;
   let tight = bitcast<f32>(words[kTightWord]);
-  if (acted_on || tight > 0.0) { vertex_contacts[2u * vertex] = vec4u(begin, words.y, 0u, 0u); }  // for the next substep
+  // Cleared for the next substep.
+  if (acted_on || tight > 0.0) { vertex_contacts[2u * vertex] = vec4u(begin, words.y, 0u, 0u); }
   if (vertex == 0u) { schedule_for_colliders(); }
 
   let found = predicted[step.vertex_count + vertex];

@@ -7,7 +7,8 @@
 fn volume(a : vec3f, b : vec3f, c : vec3f) -> f32 { return dot(a, cross(b, c)); }
 
 fn crosses(p : vec3f, q : vec3f, a : vec3f, b : vec3f, c : vec3f) -> bool {
-  let size = max(max(largest(a - p), largest(b - p)), max(max(largest(c - p), largest(q - p)), max(largest(a - q), largest(b - q))));
+  let size = max(max(largest(a - p), largest(b - p)),
+                 max(max(largest(c - p), largest(q - p)), max(largest(a - q), largest(b - q))));
   let none = kRounding * size * size * size;
   let from_p = volume(a - p, b - p, c - p);
   let from_q = volume(a - q, b - q, c - q);

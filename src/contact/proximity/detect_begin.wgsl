@@ -1,16 +1,15 @@
-// Begins a detection, if one is due: by the step's own will or because a vertex is about to leave its reach. Says for
-// each vertex where it is and how far it may go until the next, and clears what the lists will count. One invocation
-// per vertex.
+// Begins a search if one is due: the step demands it, or a vertex is about to leave its reach. Records where each
+// vertex is and how far it may go until the next search, and clears the counts of the lists. One invocation per vertex.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
-//                                                                                     elements           unit
+//                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
-@group(0) @binding(1) var<storage, read>       position        : array<vec4f>;      // vertex_count       m
-@group(0) @binding(2) var<storage, read>       velocity        : array<vec4f>;      // vertex_count       m/s
-@group(0) @binding(3) var<storage, read_write> predicted       : array<vec4f>;      // 2 * vertex_count   m/s, then m: state/contact.wgsl
-@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;        // kVertexWords * vertex_count
+@group(0) @binding(1) var<storage, read>       position        : array<vec4f>; // vertex_count      m
+@group(0) @binding(2) var<storage, read>       velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(3) var<storage, read_write> predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
+@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;   // kVertexWords * vertex_count
 @group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
 
 // A slow vertex keeps its reach for kReachSteps substeps. A fast one has no more than lets flat cloth list nothing of
@@ -25,13 +24,15 @@ fn reach_of(v : vec3f) -> f32 {
 
 // How far a collider, or a vertex that the scene moves, may go.
 fn scripted_reach() -> f32 {
-  return max(min(kReachSteps * step.acceleration.w, step.most_reach), kReachMargin * kDetectInterval * step.acceleration.w);
+  let travel = step.acceleration.w;
+  return max(min(kReachSteps * travel, step.most_reach), kReachMargin * kDetectInterval * travel);
 }
 
 @compute @workgroup_size(kWorkgroupSize)
 fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
-  let wanted = step.detect == kDetectAlways || (step.detect == kDetectIfDue && atomicLoad(&statistics[kStatDetect]) != 0u);
+  let wanted = step.detect == kDetectAlways ||
+               (step.detect == kDetectIfDue && atomicLoad(&statistics[kStatDetect]) != 0u);
   let due = wanted && atomicLoad(&statistics[kStatHeld]) == 0u;
   if (vertex == 0u) {
     atomicStore(&statistics[kStatDue], select(0u, 1u, due));

@@ -7,11 +7,11 @@
 #include "contact/proximity/crossing.wgsl"
 #include "contact/proximity/measure.wgsl"
 #include "contact/proximity/planes.wgsl"
-//                                                                                     elements              unit
+//                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepParams;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;        // vertex_count          m
-@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count      m/s, then m
-@group(0) @binding(3) var<storage, read>       points          : array<vec4f>;        // of colliders: contact/proximity/move_points.wgsl
+@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m
+@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
+@group(0) @binding(3) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
 @group(0) @binding(4) var<storage, read_write> contacts        : array<Contact>;
 @group(0) @binding(5) var<storage, read_write> entries         : array<u32>;
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
@@ -53,7 +53,9 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
 fn tangles_of(ids : vec4u, first : u32, end : u32) -> u32 {
   var marks = 0u;
   for (var role = first; role < end; role++) {
-    if (!is_collider(ids[role])) { marks |= atomicLoad(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kCursorWord]); }
+    if (!is_collider(ids[role])) {
+      marks |= atomicLoad(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kCursorWord]);
+    }
   }
   return marks & ~kCursorBits;
 }
@@ -97,7 +99,8 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       let p2 = start_of(ids.z).xyz;
       let p3 = start_of(ids.w).xyz;
       let at = crossing_place(p, q, p1, p2, p3);
-      measured = Measured(at.x, at.y, crosses(p, q, p1, p2, p3), contacts[pair].normal.xyz, contacts[pair].normal.w, 0.0, 0.0);
+      let way = contacts[pair].normal;
+      measured = Measured(at.x, at.y, crosses(p, q, p1, p2, p3), way.xyz, way.w, 0.0, 0.0);
       untangles = true;
     } else {
       measured = measure(ids);

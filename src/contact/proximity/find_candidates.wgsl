@@ -1,7 +1,7 @@
-// The broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation
-// per cloth triangle; it walks the cloths' own tree for later triangles, and every collider, once to count and, where
-// that has found many, once to write. Where a triangle's candidates stand in the list hangs on the order of workgroups,
-// and nothing hangs on that. Source: docs/contact.md.
+// Broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation per
+// cloth triangle. It walks the cloths' own tree for later triangles, and every collider: once to count and, if it found
+// many, once more to write. The list's order depends on scheduling; no result depends on the order.
+// Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -10,21 +10,21 @@
 #include "contact/proximity/allocate.wgsl"
 // A collider: its kind, then
 const kColliderTree = 0u;       // a rigid mesh: first word of its nodes, first word of its triangles, its number
-const kColliderImplicit = 1u;   // a mesh that deforms: first word of its tree, its first triangle of `triangles`, their number
+const kColliderImplicit = 1u;   // a deforming mesh: first word of its tree, first of its `triangles`, their number
 const kColliderSphere = 2u;     // its point
 const kColliderCapsule = 3u;    // its point; the other end is two further
 const kColliderPlane = 4u;      // its point; the normal is the next
 const kMostColliders = 1024u;
 struct Colliders { list : array<vec4u, kMostColliders> }
-//                                                                                   elements
-@group(0) @binding(0) var<uniform>             params        : SearchParams;
-@group(0) @binding(1) var<uniform>             colliders     : Colliders;
-@group(0) @binding(2) var<storage, read>       predicted     : array<vec4f>;        // 2 * vertex_count: contact/proximity/tree.wgsl
-@group(0) @binding(3) var<storage, read>       triangles     : array<vec4u>;        // in tree order: corners; w: what it owns, friction
-@group(0) @binding(4) var<storage, read>       trees         : array<vec4u>;
-@group(0) @binding(5) var<storage, read>       points        : array<vec4f>;        // of colliders; see contact/proximity/move_points.wgsl
-@group(0) @binding(6) var<storage, read_write> candidates    : array<vec2u>;        // candidate_capacity
-@group(0) @binding(7) var<storage, read_write> statistics    : array<atomic<u32>>;
+//                                                                           elements
+@group(0) @binding(0) var<uniform>             params     : SearchParams;
+@group(0) @binding(1) var<uniform>             colliders  : Colliders;
+@group(0) @binding(2) var<storage, read>       predicted  : array<vec4f>; // 2 * vertex_count: tree.wgsl
+@group(0) @binding(3) var<storage, read>       triangles  : array<vec4u>; // corners; w: owned, friction
+@group(0) @binding(4) var<storage, read>       trees      : array<vec4u>;
+@group(0) @binding(5) var<storage, read>       points     : array<vec4f>; // of colliders: move_points.wgsl
+@group(0) @binding(6) var<storage, read_write> candidates : array<vec2u>; // candidate_capacity
+@group(0) @binding(7) var<storage, read_write> statistics : array<atomic<u32>>;
 
 const kMostKept = 16u;
 var<private> found : u32;
@@ -57,7 +57,8 @@ fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f) -> bool {
                           corners.z == other.x || corners.z == other.y || corners.z == other.z);
   let shared_count = select(0u, 1u, same_a.x) + select(0u, 1u, same_a.y) + select(0u, 1u, same_a.z);
   if (shared_count != 2u) { return false; }
-  let middle = 0.5 * (select(vec3f(0.0), a, same_a.x) + select(vec3f(0.0), b, same_a.y) + select(vec3f(0.0), c, same_a.z));
+  let middle = 0.5 * (select(vec3f(0.0), a, same_a.x) + select(vec3f(0.0), b, same_a.y) +
+                      select(vec3f(0.0), c, same_a.z));
   let tip = (a + b + c) - 2.0 * middle;
   let other_tip = (d + e + f) - 2.0 * middle;
   let u = tip - middle;
@@ -89,7 +90,8 @@ fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
       let d = points[other.x].xyz;
       let e = points[other.y].xyz;
       let f = points[other.z].xyz;
-      if (overlap(box, box_of(d, e, f)) && is_finite(d) && is_finite(e) && is_finite(f)) { emit(kNearDeforming, first + t); }
+      let finite = is_finite(d) && is_finite(e) && is_finite(f);
+      if (overlap(box, box_of(d, e, f)) && finite) { emit(kNearDeforming, first + t); }
       continue;
     }
     let d = predicted[params.vertex_count + other.x];
@@ -159,9 +161,12 @@ fn walk_rigid(collider : vec4u, radius : f32) {
     size--;
     let node = collider.y + 8u * stack[size];
     let child = trees[node + 6u];
-    let hit = (vec4f(box.low.x) <= bitcast<vec4f>(trees[node + 3u])) & (bitcast<vec4f>(trees[node]) <= vec4f(box.high.x)) &
-              (vec4f(box.low.y) <= bitcast<vec4f>(trees[node + 4u])) & (bitcast<vec4f>(trees[node + 1u]) <= vec4f(box.high.y)) &
-              (vec4f(box.low.z) <= bitcast<vec4f>(trees[node + 5u])) & (bitcast<vec4f>(trees[node + 2u]) <= vec4f(box.high.z));
+    let hit = (vec4f(box.low.x) <= bitcast<vec4f>(trees[node + 3u])) &
+              (bitcast<vec4f>(trees[node]) <= vec4f(box.high.x)) &
+              (vec4f(box.low.y) <= bitcast<vec4f>(trees[node + 4u])) &
+              (bitcast<vec4f>(trees[node + 1u]) <= vec4f(box.high.y)) &
+              (vec4f(box.low.z) <= bitcast<vec4f>(trees[node + 5u])) &
+              (bitcast<vec4f>(trees[node + 2u]) <= vec4f(box.high.z));
     for (var k = 0u; k < 4u; k++) {
       if (!hit[k]) { continue; }
       let count = child[k] % 8u;
@@ -172,7 +177,8 @@ fn walk_rigid(collider : vec4u, radius : f32) {
       }
       for (var t = index; t < index + count; t++) {
         let word = collider.z + 3u * t;
-        let other = box_of(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz), bitcast<vec3f>(trees[word + 2u].xyz));
+        let other = box_of(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz),
+                           bitcast<vec3f>(trees[word + 2u].xyz));
         if (overlap(box, other)) { emit(kNearRigid, word); }
       }
     }
@@ -197,7 +203,8 @@ fn meet_all(scripted_reach : f32) {
     if (collider.x == kColliderCapsule) {
       let start = points[collider.y];
       let far = points[collider.y + 2u];
-      if (overlap(grown(Box(min(start.xyz, far.xyz), max(start.xyz, far.xyz)), start.w), wide)) { emit(kNearCapsule, collider.y); }
+      let bounds = grown(Box(min(start.xyz, far.xyz), max(start.xyz, far.xyz)), start.w);
+      if (overlap(bounds, wide)) { emit(kNearCapsule, collider.y); }
     }
     if (collider.x == kColliderPlane) {
       let q = points[collider.y].xyz;

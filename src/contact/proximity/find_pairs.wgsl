@@ -1,7 +1,7 @@
-// The narrow phase: lists the pairs of features nearer than thickness and reaches, out of the candidates. An invocation
-// takes every so-manieth candidate. A vertex or edge belongs to one of its triangles, so that each pair of features is
-// found once (Curtis et al. 2008, Fast Collision Detection for Deformable Models using Representative-Triangles). An
-// edge that passes through a triangle is counted, and listed with the way by which both come apart.
+// Narrow phase: lists the feature pairs of the candidates that are nearer than thickness and reaches. Grid-stride loop
+// over the candidates. A vertex or edge belongs to one of its triangles, so that each pair of features is found once
+// (Curtis et al. 2008, Fast Collision Detection for Deformable Models using Representative-Triangles). An edge that
+// passes through a triangle is counted, and listed with the direction in which both come apart.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -11,15 +11,15 @@
 #include "contact/proximity/crossing.wgsl"
 #include "contact/proximity/untangle.wgsl"
 #include "contact/proximity/allocate.wgsl"
-//                                                                                     elements
+//                                                                                      elements
 @group(0) @binding(0) var<uniform>             params          : SearchParams;
-@group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;        // 2 * vertex_count: contact/proximity/tree.wgsl
-@group(0) @binding(2) var<storage, read>       triangles       : array<vec4u>;        // in tree order: corners; w: what it owns, friction
+@group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;       // 2 * vertex_count: tree.wgsl
+@group(0) @binding(2) var<storage, read>       triangles       : array<vec4u>;       // corners; w: owned, friction
 @group(0) @binding(3) var<storage, read>       trees           : array<vec4u>;
-@group(0) @binding(4) var<storage, read>       points          : array<vec4f>;        // of colliders; see contact/proximity/move_points.wgsl
+@group(0) @binding(4) var<storage, read>       points          : array<vec4f>;       // of colliders: move_points.wgsl
 @group(0) @binding(5) var<storage, read>       candidates      : array<vec2u>;
-@group(0) @binding(6) var<storage, read_write> contacts        : array<Contact>;      // pair_capacity
-@group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>;  // see state/contact.wgsl
+@group(0) @binding(6) var<storage, read_write> contacts        : array<Contact>;     // pair_capacity
+@group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>; // see state/contact.wgsl
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 
 // A triangle and what it owns: bits 0 to 2 its corners, 3 to 5 the edges from them.
@@ -53,7 +53,7 @@ fn other_face(candidate : vec2u) -> Face {
   } else {
     let w = vec3u(trees[candidate.y].w, trees[candidate.y + 1u].w, trees[candidate.y + 2u].w);
     ids = w & vec3u(kIdBits);
-    let corners = ((w >> vec3u(30u)) & vec3u(1u)) << vec3u(0u, 1u, 2u);  // bit 30: it owns the corner; 31: the edge from it
+    let corners = ((w >> vec3u(30u)) & vec3u(1u)) << vec3u(0u, 1u, 2u);  // bit 30: owns the corner; 31: its edge
     let edges = (w >> vec3u(31u)) << vec3u(3u, 4u, 5u);
     owned = corners.x | corners.y | corners.z | edges.x | edges.y | edges.z;
   }
@@ -86,20 +86,29 @@ fn near_features(a : Face, b : Face, thickness : f32) -> u32 {
   if ((b.owned & 4u) != 0u) { hits |= bit(5u, corner_near(b.c, b.reach.z, b.ids.z, a, thickness)); }
   if ((a.owned & 8u) != 0u) { hits |= near_edges(a.a, a.b, a.ids.xy, b, thickness + max(a.reach.x, a.reach.y)) << 6u; }
   if ((a.owned & 16u) != 0u) { hits |= near_edges(a.b, a.c, a.ids.yz, b, thickness + max(a.reach.y, a.reach.z)) << 9u; }
-  if ((a.owned & 32u) != 0u) { hits |= near_edges(a.c, a.a, a.ids.zx, b, thickness + max(a.reach.z, a.reach.x)) << 12u; }
+  if ((a.owned & 32u) != 0u) {
+    hits |= near_edges(a.c, a.a, a.ids.zx, b, thickness + max(a.reach.z, a.reach.x)) << 12u;
+  }
   return hits;
 }
 fn near_edges(p : vec3f, q : vec3f, pq : vec2u, b : Face, radius : f32) -> u32 {
   var hits = 0u;
-  if ((b.owned & 8u) != 0u) { hits |= bit(0u, edges_near(p, q, pq, b.a, b.b, b.ids.xy, radius + max(b.reach.x, b.reach.y))); }
-  if ((b.owned & 16u) != 0u) { hits |= bit(1u, edges_near(p, q, pq, b.b, b.c, b.ids.yz, radius + max(b.reach.y, b.reach.z))); }
-  if ((b.owned & 32u) != 0u) { hits |= bit(2u, edges_near(p, q, pq, b.c, b.a, b.ids.zx, radius + max(b.reach.z, b.reach.x))); }
+  if ((b.owned & 8u) != 0u) {
+    hits |= bit(0u, edges_near(p, q, pq, b.a, b.b, b.ids.xy, radius + max(b.reach.x, b.reach.y)));
+  }
+  if ((b.owned & 16u) != 0u) {
+    hits |= bit(1u, edges_near(p, q, pq, b.b, b.c, b.ids.yz, radius + max(b.reach.y, b.reach.z)));
+  }
+  if ((b.owned & 32u) != 0u) {
+    hits |= bit(2u, edges_near(p, q, pq, b.c, b.a, b.ids.zx, radius + max(b.reach.z, b.reach.x)));
+  }
   return hits;
 }
 
 // The edges of `a`, each found by its owner, that pass through `b`, as bits.
 fn crossing_edges(a : Face, b : Face) -> u32 {
-  return bit(0u, edge_crosses(a.a, a.b, a.ids.xy, a.owned & 8u, b)) | bit(1u, edge_crosses(a.b, a.c, a.ids.yz, a.owned & 16u, b)) |
+  return bit(0u, edge_crosses(a.a, a.b, a.ids.xy, a.owned & 8u, b)) |
+         bit(1u, edge_crosses(a.b, a.c, a.ids.yz, a.owned & 16u, b)) |
          bit(2u, edge_crosses(a.c, a.a, a.ids.zx, a.owned & 32u, b));
 }
 fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool {
@@ -107,8 +116,8 @@ fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool
   return crosses(p, q, b.a, b.b, b.c);
 }
 
-// Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's ends, 3 a
-// ball.
+// Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's
+// ends, 3 a ball.
 fn near_shape(a : Face, kind : u32, point : u32) -> u32 {
   let p = points[point];
   let reach = a.reach + vec3f(params.thickness + bitcast<f32>(atomicLoad(&statistics[kStatReach])));
@@ -176,14 +185,17 @@ fn list_crossing(own : Face, number : u32, k : u32, onto : Face, second : bool, 
   let weights = vec3f(1.0 - at.x - at.y, at);
   let through = weights.x * onto.a + weights.y * onto.b + weights.z * onto.c;
   let s = place_on_segment(through, p, q - p);
-  let edge_at = select(select(vec3f(s, 0.0, 1.0 - s), vec3f(0.0, 1.0 - s, s), k == 1u), vec3f(1.0 - s, s, 0.0), k == 0u);
+  let edge_at = select(select(vec3f(s, 0.0, 1.0 - s), vec3f(0.0, 1.0 - s, s), k == 1u),
+                       vec3f(1.0 - s, s, 0.0), k == 0u);
   let edge = sheet_of(own.a, own.b, own.c, rims_of(own.ids), edge_at, kind_of(pq.x));
   let face = sheet_of(onto.a, onto.b, onto.c, rims_of(onto.ids), weights, kind_of(onto.ids.x));
   var turn = vec3f(0.0);
   if (edge.kind == kFromCloth) {
     turn = contour_from_edge(p, e, tip, face.normal);
     let opposite = trees[params.first_opposite + number][k];
-    if (opposite != kNoCorner) { turn += contour_from_edge(p, e, predicted[params.vertex_count + opposite].xyz, face.normal); }
+    if (opposite != kNoCorner) {
+      turn += contour_from_edge(p, e, predicted[params.vertex_count + opposite].xyz, face.normal);
+    }
   }
   let way = untangling(edge, e, turn, face);
   contacts[pair].ids = vec4u(select(pq.x, pq.y, second), onto.ids.x, onto.ids.y | kCrossingFlag, onto.ids.z);

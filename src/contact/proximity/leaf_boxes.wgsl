@@ -1,18 +1,17 @@
-// The boxes of an implicit tree's leaves and of the two levels above them, of cloth grown by what its vertices may go.
-// One invocation per leaf; a workgroup's leaves are
-// whole nodes of those levels, since its size is a multiple of 64.
+// The boxes of an implicit tree's leaves and of the two levels above them, for cloth grown by its vertices' reaches.
+// One invocation per leaf; a workgroup's leaves fill whole nodes of those levels, since its size is a multiple of 64.
 #include "gpu/index.wgsl"
 #include "contact/proximity/tree.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/tree_params.wgsl"
 #include "state/step.wgsl"
-//                                                                               elements
-@group(0) @binding(0) var<uniform>             step      : StepParams;
-@group(0) @binding(1) var<uniform>             params    : TreeParams;
-@group(0) @binding(2) var<storage, read>       position  : array<vec4f>;      // m; of cloth: contact/proximity/tree.wgsl
-@group(0) @binding(3) var<storage, read>       triangles : array<vec4u>;      // corners; w: contact/proximity/find_pairs.wgsl
+//                                                                           elements
+@group(0) @binding(0) var<uniform>             step       : StepParams;
+@group(0) @binding(1) var<uniform>             params     : TreeParams;
+@group(0) @binding(2) var<storage, read>       position   : array<vec4f>; // m; of cloth: tree.wgsl
+@group(0) @binding(3) var<storage, read>       triangles  : array<vec4u>; // corners; w: find_pairs.wgsl
 @group(0) @binding(4) var<storage, read_write> statistics : array<u32>;
-@group(0) @binding(5) var<storage, read_write> trees     : array<vec4u>;
+@group(0) @binding(5) var<storage, read_write> trees      : array<vec4u>;
 var<workgroup> low : array<vec4f, kWorkgroupSize>;
 var<workgroup> high : array<vec4f, kWorkgroupSize>;
 

@@ -1,5 +1,5 @@
-// Enters every pair with each of its cloth vertices, in whatever order invocations come: sums over them are of
-// integers. An invocation takes every so-manieth pair.
+// Enters every pair in the list of each of its cloth vertices. Grid-stride loop over the pairs. The order depends on
+// scheduling; no result depends on it, since sums over a list are of integers.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -18,7 +18,8 @@ fn list_entries(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
       let word = kVertexWords * (ids[role] & kIdBits);
-      let slot = atomicLoad(&vertex_contacts[word]) + (atomicAdd(&vertex_contacts[word + kCursorWord], 1u) & kCursorBits);
+      let cursor = atomicAdd(&vertex_contacts[word + kCursorWord], 1u) & kCursorBits;
+      let slot = atomicLoad(&vertex_contacts[word]) + cursor;
       entries[slot] = kEntryPair * pair + role;
       contacts[pair].slots[role] = slot;
     }

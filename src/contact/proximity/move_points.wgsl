@@ -1,4 +1,4 @@
-// Takes the points of colliders to where they are at the start and at the end of a substep. One invocation per point.
+// Moves the colliders' points to their places at the start and at the end of a substep. One invocation per point.
 // `points` holds all starts, all ends, then for each collider three rows: x, y and z of R·p + t at the start.
 // w of a start is the point's radius, of an end its friction; both stay.
 #include "gpu/index.wgsl"
@@ -8,11 +8,11 @@ struct ColliderPlace {  // mirror: src/contact/proximity/collider_set.hpp
   shape : vec4f,  // first point of the shape before in `shapes` and of the one after, how far between; w: unused
   spin : vec4f,   // rad/s
 }
-//                                                                             elements                                  unit
+//                                                                               elements                         unit
 @group(0) @binding(0) var<uniform>             step   : StepParams;
 @group(0) @binding(1) var<storage, read>       places : array<ColliderPlace>; // colliders * (substeps + 1)
-@group(0) @binding(2) var<storage, read>       shapes : array<vec4f>;         // points, then those of keyframes         m; w: collider + a kind
-@group(0) @binding(3) var<storage, read_write> points : array<vec4f>;         // 2 * point_count + 3 * colliders         m
+@group(0) @binding(2) var<storage, read>       shapes : array<vec4f>;         // m, then keyframes; w: collider + a kind
+@group(0) @binding(3) var<storage, read_write> points : array<vec4f>;         // 2 * point_count + 3 * colliders  m
 const kDirection = 0.25;  // of w: it turns but does not move
 const kSpin = 0.5;        // of w: it is a collider's spin
 
@@ -28,7 +28,9 @@ fn placed(place : ColliderPlace, point : u32, kind : f32) -> vec3f {
 fn move_points(@builtin(global_invocation_id) id : vec3u) {
   let point = flat_index(id);
   let count = (arrayLength(&points) - 2u * step.point_count) / 3u;
-  if (point < 3u * count) { points[2u * step.point_count + point] = places[step.first_place + point / 3u].rows[point % 3u]; }
+  if (point < 3u * count) {
+    points[2u * step.point_count + point] = places[step.first_place + point / 3u].rows[point % 3u];
+  }
   if (point >= step.point_count) { return; }
   let owner = shapes[point].w;
   let collider = u32(owner);

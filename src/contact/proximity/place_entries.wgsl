@@ -1,5 +1,5 @@
-// Gives each vertex room for its entries. One invocation per vertex. Where a vertex's room lies hangs on the order of
-// workgroups, and nothing hangs on that.
+// Allocates room for each vertex's entries. One invocation per vertex. The order of the rooms depends on scheduling; no
+// result depends on it.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -16,7 +16,11 @@ fn place_entries(@builtin(global_invocation_id) id : vec3u, @builtin(local_invoc
   let word = kVertexWords * flat_index(id);
   var own = 0u;
   if (word < arrayLength(&vertex_contacts)) {
-    if (atomicLoad(&statistics[kStatHeld]) == 0u) { own = vertex_contacts[word + 1u]; } else { vertex_contacts[word + 1u] = 0u; }
+    if (atomicLoad(&statistics[kStatHeld]) == 0u) {
+      own = vertex_contacts[word + 1u];
+    } else {
+      vertex_contacts[word + 1u] = 0u;
+    }
   }
   let first = allocate(thread, own, kStatEntries);
   if (own > 0u) { vertex_contacts[word] = first; }

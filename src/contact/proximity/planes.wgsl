@@ -1,7 +1,6 @@
-// The plane between the two sides of a listed pair, that neither may pass in a substep: equation (6) of
-// docs/contact.md.
+// The plane between the two sides of a listed pair, which neither may pass in a substep: docs/contact.md, equation (6).
 const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
-const kFloor = 0.1;     // of the thickness: likewise; nearer, f32 does not know the plane well enough along a whole edge
+const kFloor = 0.1;     // of the thickness, the same; nearer, f32 loses the plane along a whole edge
 
 fn thickness_of(ids : vec4u) -> f32 { return select(step.thickness, step.self_thickness, is_self_pair(ids)); }
 
@@ -18,5 +17,7 @@ fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
   return side * (plane - dot(contact.normal.xyz, place));
 }
 
-// What moves no further than this in a substep passes nothing that is not near.
-fn free_way() -> f32 { return 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0); }
+// A vertex that moves no further than this in a substep passes nothing that is not near.
+fn free_way() -> f32 {
+  return 0.45 * select(step.thickness, min(step.thickness, step.self_thickness), step.self_thickness > 0.0);
+}

@@ -1,17 +1,17 @@
-// Which vertices come against an obstacle in a substep that is about to be solved, and how. An invocation takes every
-// so-manieth pair. Source: docs/solvers/multigrid.md, Contact.
+// Finds the vertices that come against an obstacle in the substep about to be solved, and how. Grid-stride loop over
+// the pairs. Source: docs/solvers/multigrid.md, Contact.
 #include "gpu/index.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/measure.wgsl"
 #include "contact/proximity/press_sums.wgsl"
-//                                                                            elements                       unit
+//                                                                                 elements      unit
 @group(0) @binding(0) var<uniform>             step       : StepParams;
-@group(0) @binding(1) var<storage, read>       previous   : array<vec4f>;   // vertex_count                   m (w: inverse mass, 1/kg)
-@group(0) @binding(2) var<storage, read>       velocity   : array<vec4f>;   // vertex_count                   m/s
-@group(0) @binding(3) var<storage, read>       points     : array<vec4f>;   // of colliders: contact/proximity/move_points.wgsl
+@group(0) @binding(1) var<storage, read>       previous   : array<vec4f>;       // vertex_count  m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       velocity   : array<vec4f>;       // vertex_count  m/s
+@group(0) @binding(3) var<storage, read>       points     : array<vec4f>;       // of colliders: move_points.wgsl
 @group(0) @binding(4) var<storage, read>       contacts   : array<Contact>;
 @group(0) @binding(5) var<storage, read>       statistics : array<u32>;
-@group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>;  // kPressWords * vertex_count
+@group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>; // kPressWords * vertex_count
 
 fn velocity_of(vertex : u32) -> vec3f { return velocity[vertex].xyz; }
 

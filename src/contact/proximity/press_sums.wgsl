@@ -1,8 +1,8 @@
-// What the pairs that a vertex has with obstacles say of it before a substep is solved, each weighted by how much of
-// the pair the vertex carries: sums of integers, since pairs have no order. `press` writes them, `gradient` takes them.
+// Sums over a vertex's pairs with obstacles before a substep is solved, each weighted by the vertex's part in the pair:
+// of integers, since pairs have no order. `press` writes them, `gradient` reads them.
 const kPressWords = 12u;
 const kPressNormal = 0u;    // three: the direction that they press in; kPressUnits
-const kPressLack = 3u;      // how much further along it the vertex has to go than its velocity takes it; kLackUnits in a thickness
+const kPressLack = 3u;      // how far along it the vertex has to go beyond its velocity; kLackUnits in a thickness
 const kPressWeight = 4u;    // kPressUnits
 const kPressSurface = 5u;   // three: the obstacle's velocity, m/s; kPressUnits
 const kPressFriction = 8u;  // kPressUnits

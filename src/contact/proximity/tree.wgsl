@@ -1,10 +1,10 @@
 // The implicit tree over triangles in a fixed order, in the buffer `trees` of 16-byte words: a node's children are the
-// eight boxes of the level below from 8 * its number on; a leaf is four triangles. A box is two words, low and high
-// [m]. Source: Chitalu et al. 2020, Binary Ostensibly-Implicit Trees for Fast Collision Detection. Mirror:
-// src/contact/proximity/implicit_tree.hpp.
+// eight boxes of the level below from 8 * its number on; a leaf is four triangles. A box is two words: low, high [m].
+// Source: Chitalu et al. 2020, Binary Ostensibly-Implicit Trees for Fast Collision Detection.
+// Mirror: src/contact/proximity/implicit_tree.hpp.
 //
-// The tree begins with a word (levels - 1, 0, 0, 0), then a word (first word of its boxes, their number, 0, 0) a level,
-// leaves first.
+// The tree begins with a word (levels - 1, 0, 0, 0). A word (first word of its boxes, their number, 0, 0) for each
+// level follows, leaves first.
 #include "contact/geometry.wgsl"
 const kLeafTriangles = 4u;
 const kTreeArity = 8u;
@@ -16,6 +16,6 @@ fn united(a : Box, b : Box) -> Box { return Box(min(a.low, b.low), max(a.high, b
 // Overlaps nothing, and leaves every box that it is united with as it is.
 fn empty_box() -> Box { return Box(vec3f(3e38), vec3f(-3e38)); }
 
-// Of a cloth triangle. From vertex_count on `predicted` has where vertices were found, m, and in w how far each may go
-// from there, m.
+// Of a cloth triangle. From vertex_count on `predicted` has the vertices' places at the search, m, and in w how far
+// each may go from there, m.
 fn largest_reach(a : vec4f, b : vec4f, c : vec4f) -> f32 { return max(max(a.w, b.w), c.w); }

@@ -12,11 +12,11 @@ struct Sheet {
   kind : u32,
 }
 
-const kContourGain = 4.0;   // of equation (7a): a contour that turns by a quarter of a radian in a crossing has the whole speed
+const kContourGain = 4.0;   // of equation (7a): a contour that turns by 1/4 rad in a crossing has the whole speed
 const kRimPart = 0.5;       // of the speed, where the contour says nothing
 const kOutwardPart = 0.25;
 const kLeastOutward = 0.25;
-const kLeastSlope = 0.1;    // below it a way is no longer for being oblique
+const kLeastSlope = 0.1;    // lower bound of the slope, so that grazing crossings give finite distances
 
 fn unit(v : vec3f) -> vec3f {
   let size = length(v);
@@ -72,7 +72,11 @@ fn untangling(edge : Sheet, e : vec3f, turn : vec3f, face : Sheet) -> vec3f {
     way = -outward(face, edge);
   } else {
     way = contour_pull(e, turn, face.normal) * face.normal;
-    if (rim_way(edge, face) <= rim_way(face, edge)) { way += kRimPart * rim_pull(edge, face); } else { way -= kRimPart * rim_pull(face, edge); }
+    if (rim_way(edge, face) <= rim_way(face, edge)) {
+      way += kRimPart * rim_pull(edge, face);
+    } else {
+      way -= kRimPart * rim_pull(face, edge);
+    }
   }
   return way / max(1.0, length(way));
 }

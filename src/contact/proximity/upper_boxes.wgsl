@@ -3,10 +3,9 @@
 #include "contact/proximity/tree.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/tree_params.wgsl"
-//                                                                           elements
-@group(0) @binding(0) var<uniform>             params : TreeParams;
+@group(0) @binding(0) var<uniform>             params     : TreeParams;
 @group(0) @binding(1) var<storage, read>       statistics : array<u32>;
-@group(0) @binding(2) var<storage, read_write> trees  : array<vec4u>;
+@group(0) @binding(2) var<storage, read_write> trees      : array<vec4u>;
 const kThreads = 256u;
 
 @compute @workgroup_size(kThreads)

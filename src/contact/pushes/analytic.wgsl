@@ -12,12 +12,12 @@ struct AnalyticCollider {
   normal : vec4f,  // the plane's unit normal; w: 0 for a sphere, 1 for a plane
 }
 const kAnalyticId = 0x80000000u;  // kAnalyticId of colliders_analytic.hpp: its pairs' ids differ from object triangles'
-//                                                                             elements            unit
+//                                                                                 elements      unit
 @group(0) @binding(0) var<uniform>             step       : StepParams;         // 1
-@group(0) @binding(1) var<storage, read>       predicted  : array<vec4f>;       // vertex_count       m (w: inverse mass, 1/kg)
-@group(0) @binding(2) var<storage, read>       previous   : array<vec4f>;       // vertex_count       m (w: inverse mass, 1/kg)
+@group(0) @binding(1) var<storage, read>       predicted  : array<vec4f>;       // vertex_count  m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       previous   : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(3) var<storage, read>       colliders  : array<AnalyticCollider>;
-@group(0) @binding(4) var<storage, read_write> pushes     : array<atomic<i32>>; // 4 * vertex_count   m * step.push_scale; count
+@group(0) @binding(4) var<storage, read_write> pushes     : array<atomic<i32>>; // 4 * vertex_count: push, count
 @group(0) @binding(5) var<storage, read_write> statistics : array<atomic<u32>>; // state/statistics.wgsl
 
 // xyz: the outward normal of the nearest surface point; w: the signed distance, m. A sphere's centre is pushed up.

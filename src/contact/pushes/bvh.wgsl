@@ -12,17 +12,17 @@
 struct TreeNode {
   low_x : vec4f, low_y : vec4f, low_z : vec4f,     // m
   high_x : vec4f, high_y : vec4f, high_z : vec4f,  // m
-  child : vec4u,  // 8 * a leaf's first triangle + their number, 1 to 4; 8 * an inner node; 0: none, as no child is the root
+  child : vec4u,  // leaf: 8 * its first triangle + their number, 1 to 4; inner node: 8 * node; 0: none
   spare : vec4u,  // fills the node up to a cache line of 128 bytes
 }
-//                                                                                   elements            unit
+//                                                                                       elements      unit
 @group(0) @binding(0) var<uniform>             step             : StepParams;         // 1
-@group(0) @binding(1) var<storage, read>       predicted        : array<vec4f>;       // vertex_count       m (w: inverse mass, 1/kg)
-@group(0) @binding(2) var<storage, read>       previous         : array<vec4f>;       // vertex_count       m (w: inverse mass, 1/kg)
+@group(0) @binding(1) var<storage, read>       predicted        : array<vec4f>;       // vertex_count  m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       previous         : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(3) var<storage, read>       cloth_triangles  : array<u32>;         // 3 * cloth triangles
-@group(0) @binding(4) var<storage, read>       object_triangles : array<ObjectTriangle>;  // in the order of leaves
-@group(0) @binding(5) var<storage, read>       object_ids       : array<u32>;         // object triangles   their number in the meshes
-@group(0) @binding(6) var<storage, read_write> pushes           : array<atomic<i32>>; // 4 * vertex_count   m * step.push_scale; count
+@group(0) @binding(4) var<storage, read>       object_triangles : array<ObjectTriangle>;
+@group(0) @binding(5) var<storage, read>       object_ids       : array<u32>;         // number in the meshes
+@group(0) @binding(6) var<storage, read_write> pushes           : array<atomic<i32>>; // 4 * vertex_count: push, count
 @group(0) @binding(7) var<storage, read_write> statistics       : array<atomic<u32>>; // state/statistics.wgsl
 @group(0) @binding(8) var<storage, read>       tree             : array<TreeNode>;
 
@@ -89,7 +89,8 @@ fn bvh(@builtin(global_invocation_id) id : vec3u) {
       let k = firstTrailingBit(select(marks_b, marks_a, in_a));
       marks_b = select(marks_b & (marks_b - 1u), marks_b, in_a);
       marks_a &= marks_a - 1u;
-      add_pair(&found, select(pair.second, pair.first, in_a), select(pair.nodes_b, pair.nodes_a, in_a), leaves[k / 4u].x + k % 4u);
+      add_pair(&found, select(pair.second, pair.first, in_a), select(pair.nodes_b, pair.nodes_a, in_a),
+               leaves[k / 4u].x + k % 4u);
     }
   }
   write_count(found);

@@ -2,12 +2,12 @@
 // Source: Sung et al., Algorithm 2: the mean push from the previous position; velocity × -0.5.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
-//                                                                            elements          unit
-@group(0) @binding(0) var<uniform>             step      : StepParams;
-@group(0) @binding(1) var<storage, read>       previous  : array<vec4f>;   // vertex_count      m
-@group(0) @binding(2) var<storage, read_write> pushes    : array<vec4i>;   // vertex_count      m * step.push_scale (w: count)
-@group(0) @binding(3) var<storage, read_write> position  : array<vec4f>;   // vertex_count      m
-@group(0) @binding(4) var<storage, read_write> velocity  : array<vec4f>;   // vertex_count      m/s
+//                                                                         elements      unit
+@group(0) @binding(0) var<uniform>             step     : StepParams;
+@group(0) @binding(1) var<storage, read>       previous : array<vec4f>; // vertex_count  m
+@group(0) @binding(2) var<storage, read_write> pushes   : array<vec4i>; // vertex_count  m * step.push_scale; w: count
+@group(0) @binding(3) var<storage, read_write> position : array<vec4f>; // vertex_count  m
+@group(0) @binding(4) var<storage, read_write> velocity : array<vec4f>; // vertex_count  m/s
 const kRestitution = -0.5;
 
 @compute @workgroup_size(kWorkgroupSize)

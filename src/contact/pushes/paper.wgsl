@@ -9,14 +9,14 @@ struct PairRange {
   count : u32,
   chunk : u32,  // object triangles an invocation
 }
-//                                                                                   elements            unit
+//                                                                                       elements      unit
 @group(0) @binding(0) var<uniform>             step             : StepParams;         // 1
-@group(0) @binding(1) var<storage, read>       predicted        : array<vec4f>;       // vertex_count       m (w: inverse mass, 1/kg)
-@group(0) @binding(2) var<storage, read>       previous         : array<vec4f>;       // vertex_count       m (w: inverse mass, 1/kg)
+@group(0) @binding(1) var<storage, read>       predicted        : array<vec4f>;       // vertex_count  m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       previous         : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(3) var<storage, read>       cloth_triangles  : array<u32>;         // 3 * cloth triangles
 @group(0) @binding(4) var<storage, read>       object_triangles : array<ObjectTriangle>;
-@group(0) @binding(5) var<storage, read>       object_ids       : array<u32>;         // object triangles   their number in the meshes
-@group(0) @binding(6) var<storage, read_write> pushes           : array<atomic<i32>>; // 4 * vertex_count   m * step.push_scale; count
+@group(0) @binding(5) var<storage, read>       object_ids       : array<u32>;         // number in the meshes
+@group(0) @binding(6) var<storage, read_write> pushes           : array<atomic<i32>>; // 4 * vertex_count: push, count
 @group(0) @binding(7) var<storage, read_write> statistics       : array<atomic<u32>>; // state/statistics.wgsl
 @group(0) @binding(8) var<uniform>             range            : PairRange;          // 1
 

@@ -1,15 +1,13 @@
-// Closest points and crossings on a list of features, one result each: for the tests of contact/proximity/closest.wgsl and
-// contact/proximity/crossing.wgsl.
+// Closest points and crossings on a list of features: for the tests of contact/proximity/{closest,crossing}.wgsl. A
+// case has five words of results, four used. For the first point and the triangle of the next three: apart; (s, t,
+// crosses, 0), crosses being of the segment from the first point to the fifth. For the edges of the first and second
+// two points: apart; (s, t, both places inside, 0).
 #include "gpu/index.wgsl"
 #include "contact/proximity/closest.wgsl"
 #include "contact/proximity/crossing.wgsl"
 //                                                                        elements
 @group(0) @binding(0) var<storage, read>       points  : array<vec4f>;  // 5 * cases: m
-@group(0) @binding(1) var<storage, read_write> results : array<vec4f>;  // 5 * cases: of the first point and the triangle of the next
-                                                                        // three apart, then (s, t, crosses, 0), where the segment from
-                                                                        // the first to the fifth crosses that triangle; the same of
-                                                                        // the edges of the first and second two, with whether both
-                                                                        // places are inside
+@group(0) @binding(1) var<storage, read_write> results : array<vec4f>;  // 5 * cases
 
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_features(@builtin(global_invocation_id) id : vec3u) {

@@ -1,6 +1,9 @@
 #!/usr/bin/python3
-"""Answers as `weft` does, at once. FAKE_LOG: where each call of bench is written down; FAKE_DO: "NUMBER WHAT", what the call
-of this number does instead: "interrupt" its caller, "kill" it, "rebuild" itself and answer, or exit with a code."""
+"""Answers as `weft` does, at once.
+
+FAKE_LOG: the file that logs each call of bench. FAKE_DO: "NUMBER WHAT", what the call of this number does instead:
+"interrupt" its caller, "kill" it, "rebuild" itself and answer, or exit with a code.
+"""
 
 import json
 import os

@@ -87,7 +87,7 @@ test("keys leave a control that has the focus alone, and can be turned off", asy
 });
 
 test("another resolution and another scene are loaded, and the page's address names them", async () => {
-  await page.getByLabel("Nodes of the cloth").selectOption("32");
+  await page.getByLabel("Resolution").selectOption("32");
   await until("1,024 nodes", async () => (await page.locator("#facts").textContent())!.includes("1,024"));
   await until("the address", async () => new URL(page.url()).search === "?v=1&scene=hanging&nodes=32");
 });

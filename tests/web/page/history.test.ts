@@ -61,7 +61,7 @@ test("a scene that Back cannot open any more is said, and the one that is shown 
   expect(await length(page)).toBe(entries);
 });
 
-test("a link within the page opens nothing anew", async () => {
+test("a link within the page reloads nothing", async () => {
   const page = await open("?scene=hanging&nodes=16");
   await until("the address", async () => new URL(page.url()).search === "?v=1&scene=hanging&nodes=16");
   await page.evaluate(() => window.weft.world!.step(3));

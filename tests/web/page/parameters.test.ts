@@ -57,7 +57,7 @@ test("wind that nothing feels says why", async () => {
   await has("drag", undefined);
 });
 
-test("cloth, contact and time start the scene anew with what was entered", async () => {
+test("cloth, contact and time restart the scene with the values entered", async () => {
   const before = await info();
   const enter = async (label: string, value: string) => {
     await page.getByLabel(label, { exact: true }).fill(value);
@@ -75,7 +75,7 @@ test("cloth, contact and time start the scene anew with what was entered", async
   await has("cloths.0.stiffness.structural", 500);
   expect((await info()).stableStepSeconds).toBeGreaterThan(before.stableStepSeconds);
   expect(await stretched()).toBeGreaterThan(firm);
-  await enter("Steps a frame", "40");
+  await enter("Substeps per frame", "40");
   await has("time.substeps", 40);
   expect((await info()).substeps).toBe(40);
   for (const [label, key, value] of [["Density", "cloths.0.density", 0.5], ["Shear stiffness",
@@ -93,7 +93,7 @@ test("cloth, contact and time start the scene anew with what was entered", async
     expect(await hash(page)).not.toBe(last);
   }
 
-  await enter("Steps a frame", "");
+  await enter("Substeps per frame", "");
   await has("time.substeps", "auto");
   for (const group of ["cloth", "contact", "time"]) {
     await page.getByRole("button", { name: `Reset ${group}`, exact: true }).click();

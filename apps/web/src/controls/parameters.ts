@@ -1,4 +1,4 @@
-// The scene's parameters in groups: some change while the cloth moves, the others start the scene anew.
+// The scene's parameters in groups: some change while the cloth moves, the others restart the scene.
 import { schemaOf, type Catalog, type Schema } from "weft-cloth";
 import { element } from "../elements.js";
 import type { Player } from "../player.js";

@@ -38,7 +38,7 @@ export class Readings {
 
   constructor(private readonly graph: Graph) {}
 
-  /** What was loaded; null: nothing is. */
+  /** Facts of the loaded scene; null: none is loaded. */
   showFacts(info: WorldInfo | null): void {
     fill(this.facts, info ?
       [
@@ -46,7 +46,7 @@ export class Readings {
         ["Nodes", whole.format(info.nodes)],
         ["Triangles", whole.format(info.triangles)],
         ["Springs", whole.format(info.springs)],
-        ["Steps a frame", whole.format(info.substeps)],
+        ["Substeps per frame", whole.format(info.substeps)],
         ["Step", `${two.format(1000 * info.stepSeconds)} ms`],
         ["Largest stable step", `${two.format(1000 * info.stableStepSeconds)} ms`],
         ["Buffers on the GPU", inBytes(info.gpuBytes)],
@@ -57,7 +57,7 @@ export class Readings {
     this.show();
   }
 
-  /** Rates begin anew: after a pause, a reset, another scene. */
+  /** Restarts the rates: after a pause, a reset, another scene. */
   restart(): void {
     clearTimeout(this.late);
     this.samples = [];
@@ -105,8 +105,8 @@ export class Readings {
       ["Simulated time", `${two.format(statistics?.seconds ?? 0)} s`],
       ["Speed against real time", factor],
       ["Frames a second", rate],
-      ["Host, of a frame", medianHostMilliseconds === null ? NONE : `${two.format(medianHostMilliseconds)} ms`],
-      ["Left out, being late", `${two.format(statistics?.droppedSeconds ?? 0)} s`],
+      ["CPU per frame", medianHostMilliseconds === null ? NONE : `${two.format(medianHostMilliseconds)} ms`],
+      ["Dropped time", `${two.format(statistics?.droppedSeconds ?? 0)} s`],
       ["Largest stretch", `${one.format(100 * stretch)} %`],
       ["Contacts", whole.format(statistics?.contacts ?? 0)],
       ["Pairs, at most", whole.format(statistics?.pairs ?? 0)],

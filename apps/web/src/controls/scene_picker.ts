@@ -1,7 +1,7 @@
 // Which scene, how fine, and by which methods. What there is of each comes from the page's list and the core's schema.
 import { schemaOf, type Catalog, type WorldInfo } from "weft-cloth";
 import { element, select } from "../elements.js";
-import { demand, demandOf, inBytes, tooLarge, type Limits } from "../memory.js";
+import { demand, inBytes, tooLarge, type Limits } from "../memory.js";
 import { gridOf, SCENE_GROUPS, type LoadedScene } from "../scenes.js";
 import { choicesOf } from "../state/limits.js";
 import { plain, withKey, type PageState } from "../state/page_state.js";
@@ -53,7 +53,7 @@ export class ScenePicker {
     this.resolution.addEventListener("change", () => open(this.refined(Number(this.resolution.value))));
   }
 
-  /** Another resolution has other nodes, and steps that "auto" chooses anew. */
+  /** Another resolution has other nodes, and "auto" chooses its steps again. */
   private refined(nodes: number): PageState {
     return { ...withKey(this.current(), SUBSTEPS, null), nodes };
   }
@@ -74,10 +74,8 @@ export class ScenePicker {
     const contact = element("contact-remark", HTMLParagraphElement);
     contact.textContent = remark;
     contact.hidden = remark === "";
-    const asked = demandOf(scene);
     element("memory", HTMLParagraphElement).textContent =
-      `${info.nodes.toLocaleString("en")} nodes: ${inBytes(info.gpuBytes)} on the GPU` +
-      (asked ? `, ${inBytes(asked.module)} at most of the module.` : ".");
+      `${info.nodes.toLocaleString("en")} nodes: ${inBytes(info.gpuBytes)} on the GPU.`;
   }
 
   empty(): void {

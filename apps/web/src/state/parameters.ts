@@ -8,7 +8,7 @@ export interface Parameter {
 export interface Group {
   readonly name: string;
   readonly title: string;
-  /** Whether its keys change while the cloth moves; else the scene starts anew. */
+  /** Whether its keys change while the cloth moves; else they restart the scene. */
   readonly live: boolean;
   readonly parameters: readonly Parameter[];
 }
@@ -45,7 +45,7 @@ export const GROUPS: readonly Group[] = [
     { key: "contact.thickness", label: "Thickness" },
     { key: "cloths.0.friction", label: "Friction" },
   ] },
-  { name: "time", title: "Time", live: false, parameters: [{ key: SUBSTEPS, label: "Steps a frame" }] },
+  { name: "time", title: "Time", live: false, parameters: [{ key: SUBSTEPS, label: "Substeps per frame" }] },
 ];
 
 /** All keys that the page changes. */
