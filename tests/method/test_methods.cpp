@@ -20,11 +20,11 @@ TEST_CASE("every kind of solver but auto has one row that answers all that is as
     CHECK(count == (kind == scene::SolverKind::Auto ? 0 : 1));
     if (count == 0) continue;
     const Method& method = method_of(kind);
-    CHECK(method.step_limit != nullptr);
-    CHECK(method.with_drag != nullptr);
-    CHECK(method.auto_substeps != nullptr);
-    CHECK(method.memory != nullptr);
-    CHECK(method.settings_word != nullptr);
+    CHECK(static_cast<bool>(method.step_limit));
+    CHECK(static_cast<bool>(method.with_drag));
+    CHECK(static_cast<bool>(method.auto_substeps));
+    CHECK(static_cast<bool>(method.memory));
+    CHECK(static_cast<bool>(method.settings_word));
     CHECK(method.search_interval >= 1);
     CHECK(method.history <=
           1);  // State has two buffers: the state before the current one is all that is left
