@@ -263,7 +263,8 @@ void ImplicitStepper::advance(const Substep& substep) {
   const auto& [system, places, dt, ratio, presses] = substep;
   std::vector<Vec3d> position = system.position, velocity = system.velocity;
   std::vector<std::size_t> stopped;
-  const auto finish = [&](const Cloth& cloth, const StepStart& step, const Field& dz) {
+  const auto finish = [&, dt = dt, ratio = ratio](const Cloth& cloth, const StepStart& step,
+                                                  const Field& dz) {
     for (std::size_t a = 0; a < dz.size(); ++a) {
       const std::size_t node = cloth.first + a;
       const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
