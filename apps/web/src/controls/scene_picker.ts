@@ -74,8 +74,8 @@ export class ScenePicker {
     const contact = element("contact-remark", HTMLParagraphElement);
     contact.textContent = remark;
     contact.hidden = remark === "";
-    element("memory", HTMLParagraphElement).textContent =
-      `${info.nodes.toLocaleString("en")} nodes: ${inBytes(info.gpuBytes)} on the GPU.`;
+    const nodes = info.nodes.toLocaleString("en");
+    element("memory", HTMLParagraphElement).textContent = `${nodes} nodes: ${inBytes(info.gpuBytes)} on the GPU.`;
   }
 
   empty(): void {
