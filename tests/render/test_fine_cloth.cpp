@@ -202,7 +202,7 @@ TEST_CASE("a flat sheet looks the same however often its cells are halved, in ev
   const auto flat = [](double u, double v) { return Vec3d{2 * u - 1, 0.9 * v - 0.7, 1 - 2 * v}; };
   const GridSheet sheet(fixture.device(), 9, flat);
   for (const View view : {View::Textured, View::Normals, View::Stretch, View::Velocity, View::Contacts}) {
-    CAPTURE(std::string(name_of(view)));
+    CAPTURE(std::string(scene::name_of(view)));
     const Image once = picture_of(fixture.device(), sheet, view, 0);
     CHECK(color_count(once) > 20);
     CHECK(difference(once, picture_of(fixture.device(), sheet, view, 3), 6) <=

@@ -122,7 +122,7 @@ TEST_CASE("every view shows what moves") {
   for (const View view : {View::Textured, View::Wireframe, View::Normals, View::Stretch, View::Velocity}) {
     Offscreen offscreen = drawn.offscreen(moving, view);
     const Image first = value_of(offscreen.draw(0));
-    CAPTURE(name_of(view));
+    CAPTURE(scene::name_of(view));
     CHECK(difference(at(offscreen, 1), first, 12) > 200);
   }
 }

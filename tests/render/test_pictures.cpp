@@ -54,7 +54,7 @@ TEST_CASE("each view of a waved sheet over a sphere shows something, and somethi
         Camera{{1.5, 3.2, 2.6}, {0, 0, 0}, 35};  // from above: the sheet fills half of the picture
     auto offscreen = value_of(Offscreen::create(fixture.device(), settings, inputs));
     images.push_back(value_of(offscreen.draw(0)));
-    CAPTURE(name_of(view));
+    CAPTURE(scene::name_of(view));
     CHECK(images.back().rgba.size() == 200 * 150 * 4);
     CHECK(color_count(images.back()) > 200);
     CHECK(brightness(images.back(), 0.5, 0.5, 30) > 20);
@@ -141,7 +141,7 @@ TEST_CASE("every cloth of a state is drawn in its own colour") {
         for (std::uint32_t x = 70; x < 130; ++x) sum += int{image.pixel(x, y)[0]} - int{image.pixel(x, y)[2]};
       return sum;
     };
-    CAPTURE(name_of(view));
+    CAPTURE(scene::name_of(view));
     CHECK(red_less_blue(40) < 0);
     CHECK(red_less_blue(80) > 0);
   }

@@ -97,7 +97,7 @@ TEST_CASE("a view that is changed shows what a renderer of that view draws, and 
     Settings settings = small();
     settings.view = view;
     REQUIRE(renderer.set_view(view));
-    CAPTURE(name_of(view));
+    CAPTURE(scene::name_of(view));
     CHECK(renderer.view() == view);
     CHECK(drawn.fixture.device().allocated_bytes() == bytes);  // no view has buffers of its own
     CHECK(drawn.draw(renderer, settings).rgba == drawn.draw(drawn.renderer(settings), settings).rgba);
@@ -113,7 +113,7 @@ TEST_CASE("a view of a subdivided cloth that is chosen later draws what it draws
        {View::Wireframe, View::Stretch, View::Velocity, View::Contacts, View::Stretch, View::Textured}) {
     settings.view = view;
     REQUIRE(renderer.set_view(view));
-    CAPTURE(name_of(view));
+    CAPTURE(scene::name_of(view));
     const Image image = drawn.draw(renderer, settings);
     CHECK(image.rgba == drawn.draw(drawn.renderer(settings), settings).rgba);
     Settings coarse = settings;
@@ -142,7 +142,7 @@ TEST_CASE("the shadow map is drawn where something takes shadows, and only there
   CHECK(passes(over_floor, View::Normals) == 2);
   CHECK(passes(alone, View::Textured) == 2);
   for (const View view : {View::Wireframe, View::Normals, View::Stretch, View::Velocity}) {
-    CAPTURE(name_of(view));
+    CAPTURE(scene::name_of(view));
     CHECK(passes(alone, view) == 1);
   }
 }
