@@ -1,4 +1,4 @@
-// What the commands share: options, the scene, where things are.
+// Shared by the commands: options, the scene, where things are.
 #pragma once
 
 #include <memory>

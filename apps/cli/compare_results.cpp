@@ -21,7 +21,7 @@ std::string cell(double number, const char* format) {
 
 std::string time_cell(const bench::StoredRow& row) { return cell(row.time ? row.time->median : 0, "%.4f"); }
 
-/// What else is to be said of a pair; empty if nothing.
+/// Further remarks on a pair; empty if none.
 std::string remarks(const bench::Pair& pair) {
   std::string text;
   if (pair.other_bits) text += "; other bits: " + pair.before.state_hash + ", " + pair.after.state_hash;

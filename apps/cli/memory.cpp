@@ -11,7 +11,7 @@
 namespace weft::cli {
 namespace {
 
-/// What this process may still map: the limit that `ulimit -v` sets.
+/// Address space that this process may still map: the limit of `ulimit -v`.
 std::uint64_t mappable_bytes() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)

@@ -31,7 +31,7 @@ bool is_result(std::string_view name) {
          is_number(name.substr(kBegin.size(), name.size() - kBegin.size() - kEnd.size()));
 }
 
-/// Likewise, of a result that is not whole yet: write_file and VideoWriter.
+/// The same for a result that is not whole yet: write_file and VideoWriter.
 bool is_temporary_result(std::string_view name) {
   const std::size_t at = name.rfind(".tmp");
   return at != std::string_view::npos && is_number(name.substr(at + 4)) && is_result(name.substr(0, at));

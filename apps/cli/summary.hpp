@@ -7,7 +7,7 @@
 
 namespace weft::cli {
 
-/// What a run has to say for itself; docs/cli.md lists the members.
+/// The summary of a run; docs/cli.md lists the members.
 struct Summary {
   std::string scene;             // the path as given
   std::string end = "complete";  // or "interrupted", "diverged"

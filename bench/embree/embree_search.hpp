@@ -11,7 +11,7 @@ namespace weft {
 /// The same query by Embree: scenes of boxes, one a triangle, and rtcCollide.
 class EmbreeSearch {
  public:
-  /// How its tree follows the sheet: refitted, or built anew.
+  /// How its tree follows the sheet: refitted, or rebuilt.
   enum class Update { Refit, BuildFast, Build };
 
   /// The sheet's triangles stand in weft's `order`. The case must outlive this; `room`: for so many pairs.
@@ -25,7 +25,7 @@ class EmbreeSearch {
   void update();
   /// Finds the pairs.
   void collide();
-  /// What it found, sorted.
+  /// The pairs found, sorted.
   std::vector<PairKey> pairs() const;
 
  private:

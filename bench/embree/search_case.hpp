@@ -29,7 +29,7 @@ struct SearchCase {
 };
 
 /// A pair of triangles as one number: the sheet's by its place in weft's order, in the upper half; then the
-/// other, likewise or by its number in the object. Of two of the sheet the earlier comes first.
+/// other, in the same way or by its number in the object. Of two of the sheet the earlier comes first.
 using PairKey = std::uint64_t;
 inline PairKey pair_key(std::uint32_t own, std::uint32_t other) { return PairKey{own} << 32U | other; }
 

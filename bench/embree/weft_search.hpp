@@ -12,7 +12,7 @@ class WeftSearch {
   static Result<WeftSearch> create(gpu::Device& device, const SearchCase& search, std::uint32_t room);
   /// One search, waited for. Errors  DeviceLost.
   Result<void> run() const;
-  /// What it found, sorted. Errors  Limit: more than there is room for. DeviceLost.
+  /// The pairs found, sorted. Errors  Limit: more than there is room for. DeviceLost.
   Result<std::vector<PairKey>> pairs() const;
   /// The sheet's triangles in weft's order.
   const std::vector<std::uint32_t>& order() const { return search_.order(); }

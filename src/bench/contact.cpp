@@ -110,7 +110,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
   if (searches) {
     const double in_submit = static_cast<double>(after.detections - before.detections) /
                              static_cast<double>(after.frames - before.frames);
-    // The first step of a frame always searches, whatever its length; of the others every so-manieth may.
+    // The first step of a frame always searches, whatever its length; of the others one in search_interval may.
     const std::uint32_t interval = world->plan().method().search_interval;
     const auto chances = [&](std::uint32_t steps) { return (steps - 1) / interval; };
     row.searches_per_frame = 1 + (in_submit - 1) * chances(row.substeps) / chances(effort.steps);

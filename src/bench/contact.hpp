@@ -14,7 +14,7 @@ struct ContactRow {
   double part = 1;     // of the sheet, that is folded
   std::uint64_t sheets = 1, nodes = 0, cloth_triangles = 0, object_triangles = 0;
   std::uint32_t substeps = 0;      // of a 60 Hz frame, chosen by "auto"
-  double dispatches_per_step = 0;  // searches included, which are recorded in every so-manieth step
+  double dispatches_per_step = 0;  // searches included, recorded in one of search_interval steps
   Timing step;                     // ms a step, searches included, over whole submits
   Timing free_step;                // the same without contact
   Timing search;  // ms a search after the counted submit; 0 where the method has none of its own

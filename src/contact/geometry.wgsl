@@ -1,4 +1,4 @@
-// What tests on triangles and boxes have in common.
+// Shared by the tests on triangles and boxes.
 struct Box { low : vec3f, high : vec3f }
 
 // Of a determinant of differences, a sum of six products, in parts of the product of the largest components:

@@ -22,7 +22,7 @@ PushSetup push_setup(const scene::Scene& scene, const Assets& assets, std::uint3
   return setup;
 }
 
-/// What the lists have room for at first; make_room makes them longer when they are short.
+/// The initial capacity of the lists; make_room makes them longer when they are short.
 ContactRoom first_room(const Model& model) {
   return {std::max(32768U, 2 * model.triangle_count()), std::max(131072U, 12 * model.triangle_count())};
 }

@@ -15,7 +15,7 @@ namespace weft::contact {
 class Proximity;
 class Pushes;
 
-/// What a scene's contact is made of beside the scene itself.
+/// The inputs of a scene's contact besides the scene itself.
 struct SceneContactSetup {
   std::optional<ContactRoom> room;  // of proximity's lists at first; none: by the number of triangles
   std::uint32_t most_substeps = 1;  // of any frame

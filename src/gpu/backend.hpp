@@ -1,4 +1,4 @@
-// What a back end must provide: native/ on webgpu.h, web/ on the browser. Only gpu/ calls these.
+// The interface of a back end: native/ on webgpu.h, web/ on the browser. Only gpu/ calls these.
 #pragma once
 
 #include <cstddef>

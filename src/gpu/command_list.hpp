@@ -1,4 +1,4 @@
-// What the GPU is to do, as flat data: recorded once, replayed for every submit without allocation.
+// Commands for the GPU as flat data: recorded once, replayed for every submit without allocation.
 #pragma once
 
 #include <array>

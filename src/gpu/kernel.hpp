@@ -56,8 +56,8 @@ class Kernel {
   /// One invocation for each of `count` elements. The kernel finds its element by flat_index
   /// (gpu/index.wgsl), since past 65,535 workgroups the dispatch gets a second dimension.
   void dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const;
-  /// As many invocations as keep the adapter busy; each takes every so-manieth of up to `capacity` elements,
-  /// whose number only the GPU knows.
+  /// For a grid-stride loop over up to `capacity` elements, whose number only the GPU knows: as many invocations as
+  /// keep the adapter busy.
   void dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const;
   void dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x, std::uint32_t y = 1) const;
   /// How many workgroups `dispatch` makes of `count` invocations, along x and y.

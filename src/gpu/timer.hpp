@@ -28,7 +28,7 @@ class Timer {
   PassTimestamps span(const std::string& label);
   /// Records the resolve; call after the last timed pass.
   void finish(CommandList& list);
-  /// The times of all spans, waited for; then spans begin anew.
+  /// The times of all spans, waited for; then the spans are cleared.
   Result<std::vector<Span>> read();
 
  private:

@@ -59,7 +59,7 @@ enum TextureUsage : std::uint32_t {
 
 enum class TextureFormat : std::uint8_t { None, Rgba8UnormSrgb, Bgra8UnormSrgb, Rgba8Unorm, Depth32Float };
 
-/// What a binding of a shader is; read from its WGSL.
+/// The type of a shader's binding, read from its WGSL.
 enum class BindingKind : std::uint8_t {
   Uniform,
   StepUniform,  // a uniform of type StepParams, or an array of two: one block a substep, chosen by the
@@ -79,7 +79,7 @@ struct BindingLayout {
   std::uint32_t steps = 1;  // of a StepUniform: blocks that the kernel sees
 };
 
-/// What stands behind a binding: a buffer (range), a texture view or a sampler.
+/// The resource of a binding: a buffer (range), a texture view or a sampler.
 struct BindingSource {
   Id id = 0;
   ObjectKind kind = ObjectKind::None;

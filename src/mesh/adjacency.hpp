@@ -1,4 +1,4 @@
-// What touches what: compressed rows in a fixed order.
+// Adjacency in CSR form, in a fixed order.
 #pragma once
 
 #include <array>

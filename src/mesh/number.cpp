@@ -17,7 +17,7 @@ namespace {
 constexpr int kMaxDigits = 770;
 constexpr int kMaxExponent = 1'000'000;  // beyond: zero or infinite, whatever the digits
 
-/// A decimal number: digits × 10^exponent, without a point, so that strtod reads it alike in every locale.
+/// A decimal number: digits × 10^exponent, without a point, so that strtod reads it the same in every locale.
 struct Decimal {
   bool negative = false;
   int digit_count = 0;         // significant digits seen, leading zeros apart; at most kMaxDigits + 1

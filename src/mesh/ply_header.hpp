@@ -1,4 +1,4 @@
-// What a PLY file says about itself before its data.
+// The header of a PLY file.
 #pragma once
 
 #include <cstddef>

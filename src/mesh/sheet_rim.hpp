@@ -1,4 +1,4 @@
-// What a surface is like as a whole, for cloth that begins in a tangle: where its rim is, whether it has an
+// Global properties of a surface, for cloth that starts tangled: where its rim is, whether it has an
 // outside. One rule for the GPU and for the reference.
 #pragma once
 

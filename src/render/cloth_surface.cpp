@@ -40,7 +40,7 @@ const char* entry_of(scene::View view) {
   return "fragment_textured";
 }
 
-/// What the view shows at each vertex; where it shows no field, anything.
+/// The view's value at each vertex; arbitrary where it shows no field.
 const gpu::RawBuffer& field_buffer(const ClothDraw& cloth, scene::View view, std::size_t parity) {
   switch (view) {
     case scene::View::Stretch:

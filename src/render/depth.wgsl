@@ -1,4 +1,4 @@
-// What the sun sees: depth alone. One vertex per index of the triangle list.
+// Shadow map: depth as the sun sees it. One vertex per index of the triangle list.
 #include "render/frame.wgsl"
 #include "render/placement.wgsl"
 //                                                                            elements      unit

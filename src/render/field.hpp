@@ -17,7 +17,7 @@ struct Field {
   int decimals;       // of a legend's numbers
 };
 
-/// What a view shows; none: it shows no field.
+/// The field that a view shows; none: it shows no field.
 std::optional<Field> field_of(scene::View view);
 
 }  // namespace weft::render

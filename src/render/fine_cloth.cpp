@@ -7,7 +7,7 @@
 namespace weft::render {
 namespace {
 
-/// What a view shows of each vertex, by parity: where it lies, and who names the buffer that is drawn.
+/// A view's values by vertex and parity: where they lie, and who names the buffer that is drawn.
 struct FieldSource {
   std::array<const gpu::RawBuffer*, 2> from{};
   std::array<const gpu::RawBuffer**, 2> to{};

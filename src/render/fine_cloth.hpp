@@ -43,7 +43,7 @@ class FineCloth {
     std::array<gpu::BindGroup, 2> groups;  // by parity
     std::uint64_t vertex_count = 0;
   };
-  /// What a view shows: its kernel, and for each cloth and parity what it reads.
+  /// A view: its kernel, and its inputs for each cloth and parity.
   struct Field {
     gpu::Kernel kernel;
     gpu::RawBuffer values;

@@ -1,4 +1,4 @@
-// What every draw of a picture knows, and what all of them share: background, tone curve, colour of a normal.
+// The uniforms of every draw of a picture, and their shared functions: background, tone curve, colour of a normal.
 // Mirror: src/render/frame_params.hpp. The includer declares `frame`.
 struct Frame {
   view_projection : mat4x4f,   // world [m] to clip

@@ -1,4 +1,4 @@
-// What a picture is drawn from: buffers of the state, where they lie, and the obstacles.
+// The inputs of a picture: buffers of the state, where they lie, and the obstacles.
 #pragma once
 
 #include <array>

@@ -17,7 +17,7 @@ struct MovingObject {
   ObjectDraw draw;
 };
 
-/// What is drawn in one call.
+/// One draw call.
 struct ObjectGroup {
   bool moves = false, closed = false;  // closed: the inner side is never seen
   std::uint32_t first_index = 0, index_count = 0;

@@ -1,4 +1,4 @@
-// What lies under a pointer.
+// Picking: the point under a pointer.
 #pragma once
 
 #include <cstdint>

@@ -8,13 +8,13 @@ namespace weft::render {
 inline constexpr std::uint32_t kSamples = 4;
 inline constexpr auto kDepthFormat = gpu::TextureFormat::Depth32Float;
 
-/// What the pipelines that draw into a picture depend on.
+/// The parameters of the pipelines that draw into a picture.
 struct Look {
   scene::View view = scene::View::Textured;
   gpu::TextureFormat color_format = gpu::TextureFormat::Rgba8UnormSrgb;
 };
 
-/// What all of them have in common.
+/// Shared by all of them.
 inline gpu::RenderPipelineInfo picture_pipeline(const Look& look) {
   gpu::RenderPipelineInfo info;
   info.color = look.color_format;

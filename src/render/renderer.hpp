@@ -52,7 +52,7 @@ class Renderer {
   /// Whether there is something to show in a view. Errors  Input: what it shows is no part of the scene.
   /// Shape: the inputs lack it.
   Result<void> can_show(View view) const;
-  /// What the picture shows. The pipelines of a view are made when it is first asked for, and kept.
+  /// The view of the picture. The pipelines of a view are made on first use, and kept.
   /// Errors  Shape: the inputs lack what the view shows. Shader. After an error the view is as it was.
   Result<void> set_view(View view);
   View view() const { return settings_.view; }

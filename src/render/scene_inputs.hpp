@@ -10,14 +10,14 @@
 
 namespace weft::render {
 
-/// What is found of vertices for pictures.
+/// Derived data of vertices for pictures.
 struct VertexBuffers {
   const gpu::RawBuffer& normal;              // vertex_count x Vec4f, unit
   const gpu::RawBuffer& stretch;             // vertex_count x float
   const gpu::RawBuffer* contacts = nullptr;  // vertex_count x float; none where there are no pairs
 };
 
-/// What a picture of a running scene is drawn from.
+/// The inputs of a picture of a running scene.
 /// Reads   objects: in the world [m], one for each mesh and box collider in order, and of each the shapes of
 ///         its keyframes (or none at all). Model, state and buffers must outlive the renderer.
 Inputs inputs_of(const Model& model, const State& state, const VertexBuffers& buffers,

@@ -6,7 +6,7 @@
 @group(0) @binding(0) var<uniform>             grid     : FineGrid;      // 1
 @group(0) @binding(1) var<storage, read>       nodes    : array<vec4f>;  // of all cloths         m
 @group(0) @binding(2) var<storage, read_write> vertices : array<vec4f>;  // drawn, of all cloths  m (w: 1)
-@group(0) @binding(3) var<storage, read_write> normal   : array<vec4f>;  // likewise              unit
+@group(0) @binding(3) var<storage, read_write> normal   : array<vec4f>;  // the same              unit
 
 @compute @workgroup_size(kWorkgroupSize)
 fn upsample_cloth(@builtin(global_invocation_id) id : vec3u) {

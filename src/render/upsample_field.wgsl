@@ -1,5 +1,4 @@
-// What a view shows of each vertex, on a cloth that is drawn finer than it is simulated. One invocation per drawn
-// vertex.
+// The view's value at each vertex of a cloth that is drawn finer than it is simulated. One invocation per drawn vertex.
 #include "gpu/index.wgsl"
 #include "render/fine_grid.wgsl"
 //                                                                      elements

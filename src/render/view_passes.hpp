@@ -10,7 +10,7 @@
 
 namespace weft::render {
 
-/// What the passes of every view read.
+/// The inputs that the passes of all views share.
 struct DrawnScene {
   gpu::Buffer<FrameParams> frame;
   ClothDraw cloth;

@@ -20,7 +20,7 @@ Result<std::vector<ColliderKeyframe>> build_keyframes(const Json& json, const st
   return keyframes;
 }
 
-/// What only method proximity can do: the older ones know still objects with an inside. Method none meets
+/// Features of method proximity alone: the older ones know only still objects with an inside. Method none meets
 /// nothing, and draws all.
 Result<void> check_method(const Json& json, ContactMethod method, const std::string& file,
                           const std::string& path) {

@@ -1,4 +1,4 @@
-// What of a scene a running world can take over, and what not.
+// Which changes of a scene a running world can take over.
 #pragma once
 
 #include <optional>

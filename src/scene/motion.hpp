@@ -19,7 +19,7 @@ struct RigidTransform {
   }
 };
 
-/// What takes a rest position in the world to its place at `time` [s]. Of a collider, the place that the
+/// The transform from a rest position in the world to its place at `time` [s]. Of a collider, the place that the
 /// scene gives is the rest position.
 RigidTransform motion_at(const MotionShape& shape, double time);
 RigidTransform motion_at(const Motion& motion, double time);

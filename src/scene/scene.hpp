@@ -197,7 +197,7 @@ using Collider = std::variant<ColliderMesh, ColliderSphere, ColliderPlane, Colli
 const std::optional<double>& friction_of(const Collider& collider);
 const std::optional<ColliderMotion>& motion_of(const Collider& collider);
 
-/// What drag pulls towards. Gusts are two waves that travel through it (wind.hpp).
+/// The velocity that drag pulls towards. Gusts are two waves that travel through it (wind.hpp).
 struct Wind {
   Vec3d velocity;         // the mean [m/s]
   double gusts = 0;       // their strength, from 0 to 1 of the mean

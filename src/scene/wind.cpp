@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kGoldenRatio = 1.618033988749895;  // of the two lengths: the sum of the waves never repeats
 constexpr double kAcrossSpeed = 0.5;                // of the second wave, as a part of the wind's
-// What the waves push aside and up, as parts of the wind's speed: chosen by eye, so that cloth flutters that
+// The waves' push aside and up, as parts of the wind's speed: chosen by eye, so that cloth flutters that
 // hangs in the plane of the wind, and none is blown off its course.
 constexpr double kAside = 0.35, kLift = 0.2;
 

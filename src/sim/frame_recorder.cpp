@@ -5,7 +5,7 @@
 namespace weft::sim {
 namespace {
 
-// Lists of so many numbers of substeps are kept: a mover that speeds up asks for another one in each frame.
+// Lists for this many numbers of substeps are kept: a mover that speeds up asks for another one in each frame.
 constexpr std::size_t kMostKept = 8;
 
 }  // namespace

@@ -22,12 +22,12 @@ class FrameRecorder {
                                       const contact::SceneContact& contact, const LastGood& last_good,
                                       const Surface& surface);
 
-  /// The commands of a frame of so many substeps that begins with this parity, until the next call of forget or of
+  /// The commands of a frame of this many substeps that begins with this parity, until the next call of forget or of
   /// this with another number of substeps.
   const gpu::CommandList& commands(std::uint32_t parity, std::uint32_t substeps);
-  /// What is recorded is void: a buffer that it names was made again, or contacts are to be counted.
+  /// Discards what is recorded: a buffer that it names was made again, or contacts are to be counted.
   void forget() { lists_.clear(); }
-  /// How often the state changes buffers in so many substeps.
+  /// How often the state changes buffers in this many substeps.
   std::uint32_t turns_of(std::uint32_t substeps) const;
 
  private:

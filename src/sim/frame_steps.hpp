@@ -17,7 +17,7 @@ class FrameSteps {
  public:
   FrameSteps() = default;
   /// `frame` [s]; `base`: what all substeps have in common and no scene changes while it runs; pairs are
-  /// looked for in every so-manieth of them (search_interval).
+  /// looked for in one of every search_interval of them.
   FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::uint32_t interval,
              std::size_t motion_count, double frame);
 
@@ -33,7 +33,7 @@ class FrameSteps {
   };
   void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
              const Frame& frame);
-  /// Time begins anew at 0.
+  /// Restarts time at 0.
   void rewind();
 
  private:

@@ -9,7 +9,7 @@
 
 namespace weft::sim {
 
-/// What the dispatches of a kernel took together.
+/// The total time of a kernel's dispatches.
 struct KernelTime {
   std::string kernel;     // "find_candidates"
   std::string per;        // "search", "step" or "frame"

@@ -9,7 +9,7 @@
 
 namespace weft::sim {
 
-/// What a frame said when it was done.
+/// The report of a finished frame.
 struct Report {
   std::uint32_t frame = 0;
   std::uint32_t attempt = 0;  // which submission of frames that were repeated it is of

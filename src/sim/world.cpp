@@ -193,13 +193,13 @@ Result<void> World::release(std::uint32_t node) { return grabs_->release(node); 
 
 Result<void> World::change(const scene::Scene& scene) {
   if (const auto key = scene::fixed_difference(scene_, scene))
-    return input_error("%s cannot change while the cloth moves; load the scene anew.", key->c_str());
+    return input_error("%s cannot change while the cloth moves; load the scene again.", key->c_str());
   StepLimit limit = plan_.method().with_drag(plan_.limit(), scene.drag);
   // A step that a scene chose beyond its own limit is its affair; only a new drag is judged.
   if (scene.drag != scene_.drag && limit.largest_step > 0 && step() > limit.largest_step)
     return make_error(ErrorKind::Limit,
                       "With a drag of %g 1/s the largest stable step is %.4g s, less than the running one of "
-                      "%.4g s; load the scene anew.",
+                      "%.4g s; load the scene again.",
                       scene.drag, limit.largest_step, step());
   plan_.set_limit(std::move(limit));
   scene_.gravity = scene.gravity;

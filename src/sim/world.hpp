@@ -110,7 +110,7 @@ class World {
   std::uint32_t parity() const { return parity_; }
   /// Which it will be after one more frame.
   std::uint32_t parity_after() const { return parity_after_frames(asked_ + 1 - frame_); }
-  /// The commands of a frame of so many substeps that begins with this parity.
+  /// The commands of a frame of this many substeps that begins with this parity.
   const gpu::CommandList& frame_commands(std::uint32_t parity, std::uint32_t substeps) {
     return recorder_.commands(parity, substeps);
   }
@@ -122,7 +122,7 @@ class World {
   /// Goes back to before a frame whose lists were too short, with longer ones.
   Result<void> repeat_from(const Report& report);
   std::uint32_t parity_after_frames(std::uint32_t count) const;
-  /// What follows from the rest state, before the first frame.
+  /// Derived from the rest state before the first frame.
   Result<void> submit_rest();
   void write_motions(std::uint32_t substeps);
   void clear_statistics() const;

@@ -48,7 +48,7 @@ fn urgency_of(gap : f32, thickness : f32) -> u32 {
   return 1u + u32(kMostUrgent * depth * depth);
 }
 
-// What each vertex has: where its entries begin, how many they are; of this substep the sum of its pairs' urgencies,
+// The words of each vertex: where its entries begin, and their number; of this substep the sum of its pairs' urgencies,
 // and by how much the nearest plane of a near pair is nearer than free_way, m, as the bits of a positive f32; a count
 // that the listing needs; and the sum of the changes of velocity that pairs give it, in kSpeedUnits: of integers, since
 // pairs have no order.
@@ -66,4 +66,4 @@ const kMostUnits = 1.0e9;       // of one pair
 const kInBody = 3e38;           // in place of a plane's nearness: a pair brings the vertex out of a body
 
 const kUntanglePart = 0.125;  // of the thickness: how far apart what crosses comes in a substep
-const kUntangleRate = 120.0;  // thicknesses a second: likewise
+const kUntangleRate = 120.0;  // thicknesses a second: the same

@@ -31,7 +31,7 @@ inline constexpr std::uint32_t kVertexWords = 8, kCursorWord = 4;  // of Contact
 inline constexpr std::uint32_t kPressWords = 12;                   // of ContactPairs::presses
 inline constexpr std::uint32_t kCursorBits = 0x3fffffffU;  // of a vertex's kCursorWord; above: is it tangled
 
-/// What the lists of proximity contact have room for.
+/// The capacities of the lists of proximity contact.
 struct ContactRoom {
   std::uint32_t pairs = 0;       // of features
   std::uint32_t candidates = 0;  // pairs of triangles that may hold some
@@ -52,7 +52,7 @@ struct ContactPairs {
   gpu::Buffer<std::uint32_t> entries;          // 4 * room.pairs: src/state/contact.wgsl
   gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count
 
-  /// What pairs with obstacles say of each vertex before a substep is solved
+  /// Sums over each vertex's pairs with obstacles before a substep is solved
   /// (src/contact/proximity/press_sums.wgsl); kPressWords * vertex_count, or none where the solver asks for none.
   gpu::Buffer<std::int32_t> presses;
 

@@ -28,7 +28,7 @@ struct State {
   void reset(gpu::Device& device, const HostModel& model) const;
 };
 
-/// What collision hands to a solver: either of the two.
+/// The contacts for a solver: either of the two.
 struct Contacts {
   /// Of methods paper and bvh: for each vertex the sum of its pushes and their number, in fixed point
   /// (StepParams::push_scale), so that neither depends on the order of threads.

@@ -1,4 +1,4 @@
-// What a frame reports to the host. The first ten are cleared before each frame.
+// The report of a frame to the host. The first ten words are cleared before each frame.
 // Mirror: src/state/statistics.hpp. Kernels bind it as array<atomic<u32>>.
 const kStatHits = 0u;            // pairs that intersect or act, summed over the frame's substeps
 const kStatHitHash = 1u;         // wrapping sum of hash_pair over them: does not depend on their order

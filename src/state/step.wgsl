@@ -1,4 +1,4 @@
-// What a substep needs to know. One block a substep, 256 bytes apart (gpu/command_list.hpp, kStepStride).
+// The parameters of a substep. One block a substep, 256 bytes apart (gpu/command_list.hpp, kStepStride).
 // Mirror: src/state/step_params.hpp.
 const kMaxGrabs = 4u;
 const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
@@ -33,7 +33,7 @@ struct StepParams {
   most_reach : f32,        // m: a fast one, unless that is too little until the next detection
   contact_damping : f32,   // ζ of equation (3) of docs/contact.md
   detect : u32,            // kDetectIfDue or kDetectAlways; 0: not in this substep
-  step_ratio : f32,        // this substep's length by that of the one before; 0: an implicit solver begins anew
+  step_ratio : f32,        // this substep's length by that of the one before; 0: without history
   point_count : u32,       // of colliders
   first_place : u32,       // where this substep's block of `places` begins
 }

@@ -39,7 +39,7 @@ struct StepParams {
   float least_reach = 0, most_reach = 0;                 // [m]
   float contact_damping = 0;                             // ζ of docs/contact.md
   Detect detect = Detect::No;
-  float step_ratio = 1;  // this substep's length by that of the one before; 0: an implicit solver begins anew
+  float step_ratio = 1;           // this substep's length by that of the one before; 0: without history
   std::uint32_t point_count = 0;  // of colliders
   std::uint32_t first_place = 0;
 };

@@ -1,5 +1,5 @@
 // The wind at a place: equations 8 and 9 of docs/solvers/mass_spring.md. Nothing but + - *, floor and abs, and no sum
-// left to the compiler: these round alike on every driver, which dot, fract and sin need not do.
+// left to the compiler: these round the same on every driver, which dot, fract and sin need not do.
 #include "state/step.wgsl"
 
 // A parabola up and one down: period 1, height 1, within 0.06 of -sin(2 pi phase).

@@ -14,7 +14,8 @@ namespace weft {
 
 /// A sheet of 20 x 20 nodes by two corners, which swings down.
 inline constexpr const char* kSheet = R"({ "format": "weft-scene/1", "contact": { "method": "none" },
-  "cloths": [{ "grid": [20, 20], "size": [1, 1], "plane": "xz", "density": 0.2, "pins": ["top_left", "top_right"] }] })";
+  "cloths": [{ "grid": [20, 20], "size": [1, 1], "plane": "xz", "density": 0.2,
+                "pins": ["top_left", "top_right"] }] })";
 
 inline Scene scene_of(const char* text) {
   auto scene = Scene::from_text(text);

@@ -1,4 +1,4 @@
-// What `weft bench` measures, on small sizes: counts and sizes, never times.
+// The measurements of `weft bench`, on small sizes: counts and sizes, never times.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -141,7 +141,7 @@ std::string scene_with_cloth(const std::string& mesh) {
   return scene_of_cloth(R"("mesh": ")" + mesh + R"(", "density": 0.2)");
 }
 
-/// What weft check says about a scene of this folder.
+/// The output of weft check for a scene of this folder.
 Ended check(const TemporaryFolder& folder, const std::string& scene) {
   put(folder, "a.json", scene);
   return run_without_driver({"check", "a.json"}, {{}, folder.path(""), false});

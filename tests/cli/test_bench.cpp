@@ -44,7 +44,7 @@ void check_times(const nlohmann::json& times) {
   CHECK(times.at("median") <= times.at("spread").at("p95"));
 }
 
-/// What all rows of `hanging` and `pull` have.
+/// The members of all rows of `hanging` and `pull`.
 void check_row(const nlohmann::json& row) {
   CHECK(row.at("nodes") == row.at("side").get<int>() * row.at("side").get<int>());
   check_times(row.at("ms_per_step"));

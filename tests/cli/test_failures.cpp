@@ -61,7 +61,7 @@ struct LongRun {
   }
 };
 
-/// What this signal makes of a long run.
+/// The effect of this signal on a long run.
 void check_interrupt(int number) {
   LongRun run;
   run.child.signal(number);

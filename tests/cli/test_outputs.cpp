@@ -145,7 +145,7 @@ TEST_CASE("a run that does not end well leaves nothing of the run before it, who
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", tiny_scene()), out = folder.path("out");
   REQUIRE(run_weft({"run", scene, "--frames", "3", "--out", out}).code == 0);
-  // What a run that was killed leaves, and what is none of weft's.
+  // Leftovers of a killed run, and files that are not weft's.
   for (const char* name :
        {"run.mp4.tmp4711", "frame_00002.png.tmp4711", "summary.json.tmp4711", "final.obj.tmp4711",
         ".weft.lock", "notes.txt", "notes.tmp4711", "frame_last.png", "final.obj.tmp"})

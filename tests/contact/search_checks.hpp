@@ -1,4 +1,4 @@
-// What a search ought to find, and whether it did: triangles by their boxes in the arithmetic of the kernel,
+// The expected result of a search, and checks of the real one: triangles by their boxes in the kernel's arithmetic,
 // features by the reference in double.
 #pragma once
 

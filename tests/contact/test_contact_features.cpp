@@ -74,7 +74,7 @@ std::vector<Case> random_cases(std::uint32_t count, double scale, const Vec3d& o
   return cases;
 }
 
-/// What lengths are rounded to: by the size of the features, and, as WGSL lets a compiler take differences
+/// The rounding of lengths: by the size of the features, and, as WGSL lets a compiler take differences
 /// apart and put them together again, by the size of coordinates where that is larger.
 struct Sizes {
   double features = 0, rounding = 0;

@@ -1,4 +1,4 @@
-// What the search lists of edges that pass through triangles, against exact signs and the ways apart in
+// The search's crossings of edges and triangles, against exact signs and the ways apart in
 // double.
 #include <map>
 #include <set>
@@ -55,7 +55,7 @@ class Everything {
     return found;
   }
 
-  /// The ways apart by either triangle of the edge: which of them owns it hangs on the tree.
+  /// The ways apart by either triangle of the edge: which of them owns it depends on the tree.
   std::vector<Vec3d> ways(std::uint32_t p, std::uint32_t q, const std::array<std::uint32_t, 3>& face) const {
     std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>> owners;
     for (const auto& t : triangles_)
@@ -102,7 +102,7 @@ class Everything {
   std::map<std::uint32_t, double> rims;
 };
 
-/// What a search knew when it was made: the rims are those of the places at rest.
+/// Inputs of a search from its making: the rims are those of the places at rest.
 std::map<std::uint32_t, double> rims_of(const SearchRun& run, const SearchCase& rest) {
   std::map<std::uint32_t, double> rims;
   const std::vector<double> cloth = rim_distances(widened(rest.cloth.positions), rest.cloth.triangles);

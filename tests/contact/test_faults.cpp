@@ -1,4 +1,4 @@
-// What must not break: empty and tiny objects, values that are not finite, sums at their bound, a short
+// Inputs that must not break contact: empty and tiny objects, values that are not finite, sums at their bound, a short
 // stack.
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-// What must not mislead the search for pairs: shapes that break formulas, meshes that are no surfaces,
+// Inputs that must not mislead the search for pairs: shapes that break formulas, meshes that are no surfaces,
 // lengths far from a metre, and coordinates that are no numbers.
 #include <doctest/doctest.h>
 

@@ -9,7 +9,10 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
 # expect WHAT EXPECTED FOUND
-expect() { [ "$2" = "$3" ] || { printf '%s: expected "%s", found "%s"\n' "$1" "$2" "$3"; exit 1; }; }
+expect() { [ "$2" = "$3" ] || {
+  printf '%s: expected "%s", found "%s"\n' "$1" "$2" "$3"
+  exit 1
+}; }
 
 case_headers() {
   local headers=("$checkout"/include/weft/*.hpp) found
@@ -19,13 +22,16 @@ case_headers() {
   found=$(grep -nE 'webgpu\.h|wgpu|throw ' "${headers[@]}" || true)
   expect "words of the engine's inside" "" "$found"
   local header
-  for header in "${headers[@]}"; do  # each compiles by itself
+  for header in "${headers[@]}"; do # each compiles by itself
     g++ -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Werror -fno-exceptions -fsyntax-only -I "$checkout/include" \
       -x c++ -include "$header" /dev/null
   done
 }
 
-install_weft() { cmake --install "$build" --prefix "$folder/prefix" >install.log || { cat install.log; exit 1; }; }
+install_weft() { cmake --install "$build" --prefix "$folder/prefix" >install.log || {
+  cat install.log
+  exit 1
+}; }
 
 # The examples, away from this checkout.
 build_examples() {
@@ -34,7 +40,10 @@ build_examples() {
     cmake -G Ninja -S examples -B build -DCMAKE_PREFIX_PATH="$folder/prefix" -DCMAKE_BUILD_TYPE=Release \
       -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wshadow -Werror"
     cmake --build build
-  } >build.log 2>&1 || { cat build.log; exit 1; }
+  } >build.log 2>&1 || {
+    cat build.log
+    exit 1
+  }
 }
 
 case_package() {
@@ -70,7 +79,10 @@ add_subdirectory($checkout weft)
 add_executable(hello $checkout/examples/cpp/hello.cpp)
 target_link_libraries(hello PRIVATE weft::weft)
 END
-  cmake -G Ninja -S . -B build >configure.log 2>&1 || { cat configure.log; exit 1; }
+  cmake -G Ninja -S . -B build >configure.log 2>&1 || {
+    cat configure.log
+    exit 1
+  }
   expect "the option WEFT_WERROR" "WEFT_WERROR:BOOL=OFF" "$(grep WEFT_WERROR build/CMakeCache.txt)"
   ninja -C build -t targets all | grep -q '^hello:'
   expect "its tests" "" "$(ninja -C build -t targets all | grep -o 'test_[a-z]*:' | head -1)"

@@ -19,7 +19,7 @@ Network network_of(const TriangleMesh& mesh) {
   return network;
 }
 
-/// What interpolation makes of coarse nodes that have these values.
+/// The interpolation of these values of coarse nodes.
 Vec3d value_at(const CoarseMesh& coarse, std::size_t node, const std::vector<Vec3d>& values) {
   Vec3d sum;
   for (const Share& tap : coarse.taps[node]) sum += static_cast<double>(tap.weight) * values[tap.index];

@@ -413,7 +413,7 @@ std::string mutated(std::string bytes, Random& random) {
   return bytes;
 }
 
-// What is wrong with the answer to any bytes at all; empty if nothing.
+// The fault in the answer to arbitrary bytes; empty if none.
 std::string check_any(Reader reader, const std::string& bytes) {
   const AllocationMeter meter;
   const auto result = reader(bytes_of(bytes));

@@ -25,7 +25,7 @@ const std::string kBending =
 const std::string kNodeMass =
     R"("node_mass": 0.002, "damping": 2, "stiffness": {"structural": 0, "shear": 900, "bend": 300, "bending": 1e-3})";
 
-/// What a matrix of one level does to a random vector, block by block as kernels have stored it.
+/// The product of a level's matrix and a random vector, block by block as kernels have stored it.
 Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
   const LevelOfGrid& level = rig.cycle().shapes()[l];
   const std::vector<BlockPart> all = rig.download(rig.cycle().operators());

@@ -50,7 +50,7 @@ std::vector<Sym3> blocks_of(MeshRig& rig, std::size_t l) {
   return blocks;
 }
 
-/// What blocks do to vectors of random numbers.
+/// Products of blocks and random vectors.
 Field each_times(const std::vector<Sym3>& blocks, const Field& x) {
   Field made(blocks.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) made[b] = blocks[b] * x[b];

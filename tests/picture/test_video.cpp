@@ -21,7 +21,7 @@ Image colored(std::uint32_t width, std::uint32_t height, std::uint8_t red) {
   return image;
 }
 
-/// What a program prints.
+/// The output of a program.
 std::string output_of(const std::string& command) {
   std::string text;
   std::FILE* pipe = ::popen(command.c_str(), "r");

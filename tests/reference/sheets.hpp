@@ -30,11 +30,11 @@ struct Sheet {
     system.acceleration = {0, -9.81, 0};
   }
 
-  /// The linear system of the next step, 1/480 s long unless it is said.
+  /// The linear system of the next step, 1/480 s long by default.
   reference::LinearStep linearise(double dt = 1.0 / 480, double ratio = 1) const {
     return stepper.linearise(system, system.position, dt, ratio, 0);
   }
-  /// Likewise, of a cloth that is a mesh.
+  /// The same for a cloth that is a mesh.
   reference::MeshStep linearise_mesh(double dt = 1.0 / 480, double ratio = 1) const {
     return stepper.linearise_mesh(system, system.position, dt, ratio, 0);
   }

@@ -87,7 +87,7 @@ TEST_CASE("a pendulum loses the energy that BDF2 takes from its frequency") {
     sheet.system.position[node].y = 0.5 - std::cos(angle);
     sheet.system.position[node].z = std::sin(angle);
   }
-  // y'' = -w² y by BDF2: (3 x - 4 x' + x'') / 2h = v and likewise for v. The damping of its principal root
+  // y'' = -w² y by BDF2: (3 x - 4 x' + x'') / 2h = v and the same for v. The damping of its principal root
   // follows from the polynomial (z - 4/3 + 1/(3z)) ± i (2/3) w h z = 0.
   const double w = std::sqrt(9.81), wh = w * dt;
   const std::complex<double> lead(1, -2.0 / 3 * wh);

@@ -24,7 +24,7 @@ double lowest(const std::vector<Vec3d>& positions) {
   return least;
 }
 
-/// What must hold in every frame: no triangle passes through another, and features keep apart.
+/// Invariants of every frame: no triangle passes through another, and features keep apart.
 void check_surfaces(const reference::Simulation& simulation, double time) {
   CAPTURE(simulation.frame());
   const reference::Surfaces cloth{simulation.positions(), simulation.triangles()};

@@ -74,7 +74,7 @@ TEST_CASE("a pair acts when it touches, or would after the substep, and counts b
     return static_cast<bool>(response.acts[0]);
   };
   CHECK(acts(0.00999, -1));
-  // What is no further than a thousandth of the thickness beyond it touches, whatever its speed.
+  // Features no further than a thousandth of the thickness beyond it touch, whatever their speed.
   CHECK(acts(0.010009, -1));
   CHECK_FALSE(acts(0.010011, 0));
   CHECK_FALSE(acts(0.02, 0.009989 / kStep));

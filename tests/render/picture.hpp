@@ -1,4 +1,4 @@
-// What tests ask of a picture.
+// Queries of tests on a picture.
 #pragma once
 
 #include <algorithm>

@@ -67,7 +67,7 @@ TEST_CASE("a renderer of another size draws what one made at that size draws") {
   Drawn drawn;
   Settings settings = small();
   auto renderer = drawn.renderer(settings);
-  settings.camera = renderer.camera();  // one that is made anew would frame the bounds for its own aspect
+  settings.camera = renderer.camera();  // a new one would frame the bounds for its own aspect
   for (const auto& [width, height] : {std::pair{301U, 80U}, {64U, 200U}, {150U, 101U}}) {
     settings.width = width;
     settings.height = height;

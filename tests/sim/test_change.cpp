@@ -72,7 +72,7 @@ TEST_CASE("what shapes the model cannot change, and the message names it") {
   REQUIRE_FALSE(refused);
   CHECK(refused.error().kind == ErrorKind::Input);
   CHECK(refused.error().message ==
-        "cloths[0].stiffness cannot change while the cloth moves; load the scene anew.");
+        "cloths[0].stiffness cannot change while the cloth moves; load the scene again.");
   CHECK(world->scene().gravity == Vec3d{0, -9.81, 0});
 }
 

@@ -1,4 +1,4 @@
-// What contact by proximity must do, by closed forms: stick, slide, bounce, rest, keep momentum.
+// Contact by proximity against closed forms: stick, slide, bounce, rest, keep momentum.
 #include <cmath>
 
 #include "contact/reference/proximity/respond.hpp"

@@ -33,7 +33,7 @@ class Twins {
           doctest::Approx(world_->plan().limit().largest_step).epsilon(1e-4));
   }
 
-  /// The largest distance of a node from its twin after so many frames more [m].
+  /// The largest distance of a node from its twin after this many more frames [m].
   double advance(std::uint32_t frames) {
     weft::advance(*world_, frames);
     for (std::uint32_t frame = 0; frame < frames; ++frame) REQUIRE(exact_->advance_frame());

@@ -1,4 +1,4 @@
-// What C++ and WGSL both write down is the same: by the compiler's own offsets on one side, by reflection on the other.
+// Structs of C++ and WGSL agree: by the compiler's own offsets on one side, by reflection on the other.
 import { describe, expect, it } from "vitest";
 import { Const, Override, WgslParser, WgslReflect, type ArrayInfo, type LiteralExpr, type StructInfo,
   type TypeInfo } from "wgsl_reflect/wgsl_reflect.module.js";

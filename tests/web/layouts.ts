@@ -1,4 +1,4 @@
-// What the C++ compiler made of everything that it shares with WGSL and TypeScript, printed by tests/layouts.
+// The C++ compiler's layouts of everything shared with WGSL and TypeScript, printed by tests/layouts.
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 

@@ -1,4 +1,4 @@
-// What the page says besides its results: the machine, and what each path does.
+// Facts besides the results: the machine, and a description of each path.
 import { element } from "../src/elements.js";
 import { CATALOG } from "./catalog.js";
 import { adapterName, type Hardware } from "./hardware.js";

@@ -1,4 +1,4 @@
-// What the figures were measured on, as far as the browser says.
+// The hardware that was measured on, as far as the browser tells.
 
 export interface Hardware {
   readonly date: string;

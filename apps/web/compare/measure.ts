@@ -19,7 +19,7 @@ const LEAST_BATCHES = 3;
 const MOST_STEPS = 4096; // in a batch
 const LONGEST_BATCH = 120; // ms: the page answers between batches, and what a wait costs is small beside it
 
-/** `run` takes so many steps and waits for them; the first call with another number than before may take longer. */
+/** `run` takes this many steps and waits for them; the first call with another number than before may take longer. */
 export async function measure(run: (steps: number) => Promise<void>, budget: number, gate: Gate,
   least = 1): Promise<Timing> {
   const timed = async (steps: number) => {

@@ -1,4 +1,4 @@
-// What the page's address asks for: ?paths=weft-node,cpu&most=65536&budget=1000. An address that asks for something odd
+// Options from the page's address: ?paths=weft-node,cpu&most=65536&budget=1000. An address that asks for something odd
 // is refused with a sentence, not bent into something else: a measurement that was not asked for would be worse than
 // none.
 import { CATALOG, type PathName } from "./catalog.js";

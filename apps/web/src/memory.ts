@@ -1,4 +1,4 @@
-// What a scene will take, before it is taken: from measured bytes, beside the limits of adapter and module.
+// A scene's memory, estimated before it is allocated: from measured bytes, with the limits of adapter and module.
 import type { LoadedScene } from "./scenes.js";
 import { CONTACT_METHOD, FORMULATION, SOLVER } from "./state/parameters.js";
 

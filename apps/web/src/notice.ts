@@ -49,7 +49,7 @@ export class Notice {
     this.show(said);
   }
 
-  /** What is said over the cloth; null: nothing. */
+  /** The notice over the cloth; null: none. */
   get text(): string | null {
     return this.shown?.sentence ?? null;
   }

@@ -273,7 +273,7 @@ export class Player {
     else [this.canvas.width, this.canvas.height] = [width, height]; // where a world that opens now looks
   }
 
-  /** Asks the world for something, if there is one; what goes wrong is said. */
+  /** Asks the world for something, if there is one; errors are reported. */
   async ask<T>(action: (world: World) => Promise<T>): Promise<T | null> {
     const world = this.live;
     if (!world) return null;
@@ -289,7 +289,7 @@ export class Player {
 
   private async fail(reason: unknown): Promise<void> {
     if (reason instanceof WeftError && reason.kind === "device-lost") return this.recover(sentence(reason));
-    // A device that goes away can make other faults before it is said to be lost; then the loss is what to act on.
+    // A device that goes away can make other faults before its loss is reported; then the loss is what to act on.
     const lost = this.open_?.device?.lost.then(({ message }) => `The GPU device is lost: ${message}`);
     const wait = new Promise<null>((wake) => setTimeout(() => wake(null), LOSS_SHOWS_WITHIN));
     const cause = await Promise.race([lost ?? null, wait]);
@@ -335,7 +335,7 @@ export class Player {
       this.watch(world);
       const { set } = this.state_;
       for (const [key, value] of Object.entries(set)) if (isLive(key)) await world.setParameter(key, value);
-      // What the address had changed and was put back since, the world starts with again.
+      // The world starts again with the address's changes, those since undone included.
       for (const key of Object.keys(scene.state.set))
         if (isLive(key) && !(key in set)) await world.setParameter(key, scene.own(key));
       await this.settle(scene, this.state_);

@@ -30,7 +30,7 @@ const double* give(Numbers... numbers) {
   return given.data();
 }
 
-/// What `use` makes of the session, if it has a world.
+/// The result of `use` on the session, if it has a world.
 template <class Use>
 std::uint32_t with_world(Use use) {
   if (session == nullptr || session->world() == nullptr)

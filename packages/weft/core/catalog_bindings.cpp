@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kShades = 33;  // of the map: between them sRGB is close enough to linear
 
-/// What the rows of the methods say, and what their solvers ask for with each of their settings.
+/// The rows of the methods, and their solvers' needs with each of their settings.
 nlohmann::ordered_json methods_json() {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const weft::Method& method : weft::methods()) {

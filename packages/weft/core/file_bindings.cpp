@@ -20,7 +20,7 @@ std::vector<std::byte> file;  // the mesh as binary PLY, kept until the next cal
 
 nlohmann::json point(const weft::Vec3f& p) { return {p.x, p.y, p.z}; }
 
-/// What a cloth cannot use: triangles without area, then vertices without triangles.
+/// Counts of what a cloth cannot use: triangles without area, then vertices without triangles.
 weft::Result<void> clean(weft::mesh::TriangleMesh& mesh, std::size_t& dropped) {
   const std::size_t before = mesh.triangles.size();
   dropped = weft::mesh::drop_degenerate_triangles(mesh);

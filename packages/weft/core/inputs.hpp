@@ -1,4 +1,4 @@
-// What a page hands over with a scene; a world and a reference read the same.
+// The inputs that a page passes with a scene; a world and a reference read the same.
 #pragma once
 
 #include <cstddef>
@@ -38,10 +38,10 @@ Meshes& meshes();
 /// refused, since a failed allocation is a trap: `bytes_per_node` are needed. Errors  Input, Limit.
 Result<Inputs> read_inputs(const SceneText& source, std::uint64_t bytes_per_node);
 
-/// What was loaded, in the words of the package.
+/// Facts of the loaded scene, in the package's names.
 nlohmann::ordered_json json_of(const Description& description);
 
-/// What a page hands over: a scene, and changes as lines of KEY=JSON. Errors  Usage: a line has no equals sign.
+/// A page's inputs: a scene, and changes as lines of KEY=JSON. Errors  Usage: a line has no equals sign.
 Result<SceneText> scene_text(std::string text, const std::string& changes);
 
 }  // namespace weft::web

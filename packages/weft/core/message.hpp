@@ -8,7 +8,7 @@
 
 namespace weft::web {
 
-/// What weft_message gives: the sentence of the last error, or the text that was asked for.
+/// The result of weft_message: the sentence of the last error, or the text that was asked for.
 inline std::string message;
 
 /// 0, or 1 + the ErrorKind with its sentence in `message`.

@@ -39,7 +39,7 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reference_load(const char* scene, std::u
                                                        const char* changes, std::uint32_t changes_size) {
   return weft::web::code(load(weft::web::text(scene, scene_size), weft::web::text(changes, changes_size)));
 }
-/// What was loaded, as JSON.
+/// Facts of the loaded scene, as JSON.
 EMSCRIPTEN_KEEPALIVE void weft_reference_describe() {
   message = weft::web::json_of(weft::describe(*simulation, simulation->positions().size(),
                                               simulation->triangles().size(), dropped_triangles))

@@ -1,4 +1,4 @@
-// What there is to choose from, from the core's own tables: no world, device or scene is needed.
+// The choices, from the core's own tables: no world, device or scene is needed.
 import { Core } from "./core.js";
 import type { View } from "./world_types.js";
 

@@ -1,4 +1,4 @@
-// What Emscripten makes (packages/weft/core/CMakeLists.txt): build/core_module.js.
+// Emscripten's output (packages/weft/core/CMakeLists.txt): build/core_module.js.
 import type { CoreModule } from "./core.js";
 
 declare function createCore(options: Record<string, unknown>): Promise<CoreModule>;

@@ -1,4 +1,4 @@
-// What is in a file that a user brings, before a world gets it. Each call has a module of its own and no device, so
+// Inspects a user's file before a world gets it. Each call has a module of its own and no device, so
 // that it can be made in a worker, which can be ended where a file takes too long.
 import { Core } from "./core.js";
 import { sceneText, unpacked, type Bytes, type Scene } from "./scene.js";

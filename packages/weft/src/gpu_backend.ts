@@ -188,7 +188,7 @@ export class GpuBackend {
       this.scopesOpen = false;
       const scopes = [device.popErrorScope(), device.popErrorScope(), device.popErrorScope()] as const;
       const [validation, memory, internal] = await Promise.all(scopes.map((scope) => scope.catch(() => null)));
-      // What could not be made for want of memory is invalid wherever it is used: that is no error of its own.
+      // An object that could not be made for lack of memory is invalid wherever it is used: that is no further error.
       for (const error of [memory, internal, validation]) if (error) this.report(error);
     }
     await device.queue.onSubmittedWorkDone().catch(() => undefined);

@@ -1,4 +1,4 @@
-// What the module's memory and the browser's GPU have in common: numbers of C++, and what they stand for here.
+// Shared tables of the module's memory and the browser's GPU: numbers of C++, and their objects here.
 // Mirrors of src/gpu/types.hpp and command_list.hpp; tests/web/layouts_backend.test.ts compares them.
 
 /** What the back end needs of the WebAssembly module; views change when its memory grows, so they are read again. */

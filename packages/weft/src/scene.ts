@@ -1,4 +1,4 @@
-// What a scene is to this package: JSON of the format weft-scene/1, which the core checks. Names and bytes of its
+// A scene in this package: JSON of the format weft-scene/1, which the core checks. Names and bytes of its
 // meshes are all that is looked at here.
 
 /** A scene as JSON text or as the object it stands for (docs/scene.md). */

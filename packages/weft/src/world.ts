@@ -351,7 +351,7 @@ export class World {
     let advanced = false;
     if (this.playing) {
       const frameSeconds = this.info.frameSeconds;
-      // What is late by more than a frame is dropped: slower than real time, never a burst.
+      // Time that is late by more than a frame is dropped: slower than real time, never a burst.
       const due = this.due + (now - this.lastTick) / 1000;
       this.due = Math.min(due, 2 * frameSeconds);
       this.totals.droppedSeconds += due - this.due;

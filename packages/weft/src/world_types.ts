@@ -1,4 +1,4 @@
-// What a world is asked with and answers. Lengths are metres, times seconds.
+// The arguments and results of a world. Lengths are metres, times seconds.
 import type { WeftError } from "./error.js";
 import type { Bytes, Scene } from "./scene.js";
 

@@ -1,10 +1,9 @@
-// Room in a list for what the invocations of a workgroup have to write. Where it lies hangs on the order of workgroups.
+// Allocates room in a list for the invocations of a workgroup. The place depends on the order of workgroups.
 // All invocations of the workgroup call it, and no other part of it writes to these.
 var<workgroup> sums : array<u32, kWorkgroupSize>;
 var<workgroup> base : u32;
 
-// The first of `own` places for this invocation; `statistic` counts all that were asked for. The includer declares
-// `statistics`.
+// The first of `own` places for this invocation; `statistic` counts all requests. The includer declares `statistics`.
 fn allocate(thread : u32, own : u32, statistic : u32) -> u32 {
   sums[thread] = own;
   workgroupBarrier();

@@ -19,7 +19,7 @@
 @group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 
-// What `contact_impulse` has added up for a vertex, taken away [m/s].
+// Takes the sum that `contact_impulse` has left for a vertex, and clears it [m/s].
 fn take_impulses(vertex : u32) -> vec3f {
   let more = vertex_contacts[2u * vertex + 1u];
   vertex_contacts[2u * vertex + 1u] = vec4u(more.x, 0u, 0u, 0u);

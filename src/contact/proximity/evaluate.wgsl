@@ -1,5 +1,5 @@
-// Measures every listed pair at the start of a substep, and says which act: equation (1) of docs/contact.md. An
-// invocation takes every so-manieth pair. Its vertices count it, and their entries bear its marks.
+// Measures every listed pair at the start of a substep, and decides which act: equation (1) of docs/contact.md.
+// Grid-stride loop over the pairs. A pair's vertices count it, and their entries bear its marks.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
@@ -49,7 +49,7 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
   return sign * (reach + radius);
 }
 
-// What the last search has found at the cloth vertices from role `first` to before `end`: kTangledCloth, kTangledMesh.
+// Marks of the last search at the cloth vertices from role `first` to before `end`: kTangledCloth, kTangledMesh.
 fn tangles_of(ids : vec4u, first : u32, end : u32) -> u32 {
   var marks = 0u;
   for (var role = first; role < end; role++) {

@@ -2,7 +2,7 @@
 // Source: docs/contact.md, equation (7d).
 #include "state/contact.wgsl"
 
-// What pairs with bodies that a vertex is inside of ask of it, in sums of integers.
+// Sums of integers over a vertex's pairs with the bodies that it is inside of.
 struct OutOfBody {
   way : vec3i,      // 2^-16
   surface : vec3i,  // the bodies' velocity, 2^-16 m/s

@@ -22,7 +22,7 @@ struct SearchParams {
 };
 static_assert(sizeof(SearchParams) == 48);
 
-/// What a search looks for.
+/// The settings of a search.
 struct SearchSetup {
   float thickness = 0, self_thickness = 0;  // [m]; the second 0: cloth does not meet cloth
   float flat_reach = 0;                     // [m]; ProximityLengths::most_reach

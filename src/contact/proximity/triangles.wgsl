@@ -1,4 +1,4 @@
-// What the two halves of a search share: colliders, and pairs of triangles that may hold pairs of features.
+// Shared by broad and narrow phase: colliders, and pairs of triangles that may hold pairs of features.
 struct SearchParams {  // mirror: src/contact/proximity/pair_search.hpp
   triangle_count : u32,      // of the cloths
   collider_count : u32,

@@ -1,4 +1,4 @@
-// Which way an edge and the triangle that it passes through have to go to come apart. Equations, and what they are
+// The direction in which an edge and the triangle that it crosses come apart. Equations, and what they are
 // taken from: docs/contact.md, "Untangling".
 
 const kFromCloth = 0u;

@@ -1,7 +1,7 @@
-// What an intersecting pair adds to the three nodes of its cloth triangle. WGSL has no f32 atomics, so pushes are fixed
-// point at step.push_scale units per metre (src/contact/pushes/push_scale.hpp); integer sums do not depend on thread
-// order. The including kernel binds step, predicted, previous, cloth_triangles, object_triangles, object_ids, pushes,
-// statistics.
+// Adds the push of an intersecting pair to the three nodes of its cloth triangle. WGSL has no f32 atomics, so pushes
+// are fixed point at step.push_scale units per metre (src/contact/pushes/push_scale.hpp); integer sums do not depend on
+// thread order. The including kernel binds step, predicted, previous, cloth_triangles, object_triangles, object_ids,
+// pushes, statistics.
 #include "state/step.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/pushes/triangle_pair.wgsl"

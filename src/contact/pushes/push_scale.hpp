@@ -7,7 +7,7 @@
 
 namespace weft::contact {
 
-/// What can add up at one node.
+/// The largest sum at one node.
 struct PushBound {
   std::uint64_t triangles_at_vertex = 0;  // the most cloth triangles that share a node
   std::uint64_t object_triangles = 0;

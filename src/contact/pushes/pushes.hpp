@@ -17,7 +17,7 @@
 
 namespace weft::contact {
 
-/// What the cloth can touch, and how that is found. The last three change no result.
+/// The obstacles, and the way of finding hits. The last three change no result.
 struct PushSetup {
   scene::ContactMethod method = scene::ContactMethod::Bvh;  // or Paper
   double thickness = 0.005;                                 // [m]

@@ -12,7 +12,7 @@ namespace weft {
 inline constexpr double kContactSpring = 0.25;
 /// The part of the thickness at which the wall behind the spring stands.
 inline constexpr double kContactWall = 0.25;
-/// What is no further away than this many thicknesses is in contact, whatever the rounding of its place.
+/// A feature no further away than this many thicknesses is in contact, despite the rounding of its place.
 inline constexpr double kContactTouching = 1.001;
 /// A press says no more than this of how far a node has to go, in thicknesses, so that sums of integers hold:
 /// docs/solvers/multigrid.md, Contact.
@@ -32,7 +32,7 @@ inline constexpr double kRimPart = 0.5, kContourGain = 4, kLeastSlope = 0.1;
 /// Of cloth in a body: from which cosine between their normals on the cloth's own says where outside is, and
 /// how much the body's adds to it.
 inline constexpr double kLeastOutward = 0.25, kOutwardPart = 0.25;
-/// What is nearer to a body than this part of the thickness has no side of its own, and is sent outward.
+/// A vertex nearer to a body than this part of the thickness has no known side, and is sent outward.
 inline constexpr double kTouch = 0.01;
 
 /// s of docs/contact.md: what a pair asks of its vertices' masses, in whole numbers from 1 to 256. By the gap

@@ -41,7 +41,7 @@ Id id_of(Handle handle_) {
   return reinterpret_cast<Id>(handle_);
 }
 
-/// What a creating call made, or the error it left.
+/// The result of a creating call, or its error.
 template <class Handle>
 Result<Id> made(Context& context, Handle handle_, const char* what, const std::string& label) {
   if (auto error = context.take_error(); !error)

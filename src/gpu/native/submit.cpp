@@ -7,7 +7,7 @@
 namespace weft::gpu::backend {
 namespace {
 
-/// What is being encoded, and what is already set, so that repeats are left out.
+/// The encoder's state, so that repeated settings are skipped.
 class Encoder {
  public:
   explicit Encoder(Context& context) : encoder_(wgpuDeviceCreateCommandEncoder(context.device, nullptr)) {}

@@ -1,4 +1,4 @@
-// What the C++ side of the browser back end calls; gpu_backend.ts is the other side. Objects are handles:
+// The functions that the C++ side of the browser back end calls; gpu_backend.ts is the other side. Objects are handles:
 // small numbers that the JavaScript side keeps its GPU objects under. Texts are UTF-8 with a length. A
 // creating call always gives a handle: what was wrong with it is known after weft_gpu_wait.
 #pragma once

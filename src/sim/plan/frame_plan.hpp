@@ -33,7 +33,7 @@ class FramePlan {
   std::uint32_t substeps_of(std::uint32_t frame) const;
   /// The most of any frame.
   std::uint32_t most_substeps() const { return most_substeps_; }
-  /// The length of a frame's substeps by that of the frame before it; 0: a method with a history begins anew.
+  /// The length of a frame's substeps by that of the frame before it; 0: a method with a history starts without it.
   double step_ratio_of(std::uint32_t frame) const;
   /// The most that any point of a mover does in a frame [m/s].
   double fastest_mover(std::uint32_t frame) const;

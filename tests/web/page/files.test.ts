@@ -1,4 +1,4 @@
-// What a visitor brings and takes away: meshes and scenes in, shapes, pictures and videos out.
+// A visitor's files: meshes and scenes in, shapes, pictures and videos out.
 import { readFile } from "node:fs/promises";
 import { readMesh } from "weft-cloth";
 import type { Download, Page } from "playwright-core";

@@ -1,4 +1,4 @@
-// What each way of simulating the sheet offers to those who measure and test it.
+// The interface of each way of simulating the sheet, for measuring and testing.
 import type { Sheet } from "../sheet.js";
 
 /** Size of what is drawn, whatever the window [pixels]. */

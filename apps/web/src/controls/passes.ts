@@ -1,4 +1,4 @@
-// What each kernel takes on the GPU, measured when it is asked for.
+// The GPU time of each kernel, measured on demand.
 import type { PassTime, WorldInfo } from "weft-cloth";
 import { button, element } from "../elements.js";
 import type { Player } from "../player.js";

@@ -1,4 +1,4 @@
-// What is loaded, and how it goes: the lists of the panel, and all of it as JSON.
+// The scene's facts and running figures: the lists of the panel, and all of it as JSON.
 import type { Statistics, WorldInfo } from "weft-cloth";
 import { element } from "../elements.js";
 import { inBytes } from "../memory.js";

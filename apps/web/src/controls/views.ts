@@ -1,4 +1,4 @@
-// What is drawn, and what its colours mean.
+// The views and the legend of their colours.
 import { VIEWS, type Catalog, type View, type WorldInfo } from "weft-cloth";
 import { button, element } from "../elements.js";
 import type { Player } from "../player.js";

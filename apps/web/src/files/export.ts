@@ -1,4 +1,4 @@
-// What is shown, as files: shapes from the core, the picture from the canvas.
+// Exports: shapes from the core, the picture from the canvas.
 import type { World } from "weft-cloth";
 import { OWN, type LoadedScene } from "../scenes.js";
 

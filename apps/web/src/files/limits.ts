@@ -1,7 +1,7 @@
-// How much of a visitor's file the page takes on. Each is said with the value that is over it.
+// The page's limits on a visitor's file. Each is reported with the value that exceeds it.
 
 export const MOST_BYTES = 64_000_000; // of the files that are opened together, packed or not
-export const MOST_SCENE_BYTES = 16_000_000; // of a scene's JSON, which the core bounds likewise
+export const MOST_SCENE_BYTES = 16_000_000; // of a scene's JSON, the core's bound too
 export const MOST_SECONDS = 10; // that reading may take
 /** The core sorts a cloth's springs and finds its step on the page's own thread. */
 export const MOST_CLOTH_NODES = 200_000;

@@ -19,7 +19,7 @@ export function readApart<Kind extends Request["kind"]>(what: string,
       else resolve(data as Read<Kind>);
     });
     worker.addEventListener("error", (event) => {
-      event.preventDefault(); // it is said on the page
+      event.preventDefault(); // the page reports it
       clearTimeout(timer);
       reject(
         new Error(`${what} could not be read: the worker has stopped${event.message ? ` (${event.message})` : ""}.`),

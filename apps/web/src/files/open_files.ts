@@ -22,7 +22,7 @@ export class FileOpener {
   constructor(private readonly player: Player, private readonly notice: Notice,
     private readonly show: (state: PageState) => Promise<unknown>) {}
 
-  /** A mesh, or a scene with the meshes that it names. What cannot be opened is said; what is shown then stays. */
+  /** A mesh, or a scene with the meshes that it names. Failures are reported, and the scene that is shown stays. */
   async open(files: readonly File[]): Promise<void> {
     if (files.length === 0) return;
     const number = ++this.newest;

@@ -1,4 +1,4 @@
-// What a key of a scene may be, from the core's schema.
+// The allowed values of a scene's keys, from the core's schema.
 import { schemaOf, type Schema } from "weft-cloth";
 import type { Value } from "./page_state.js";
 

@@ -1,4 +1,4 @@
-// What the page shows, apart from where the cloth is: what its address says, its controls show and its player loads.
+// The page's state apart from the cloth's: its address holds it, its controls show it and its player loads it.
 import type { Camera, View } from "weft-cloth";
 
 /** The value of a scene's key. */

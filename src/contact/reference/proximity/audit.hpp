@@ -1,4 +1,4 @@
-// What contact must keep true of a state, measured without it: no surface passes through another, no vertex
+// Invariants that contact must keep, measured without it: no surface passes through another, no vertex
 // lies inside, and how near the nearest features are. In double, for tests and host tools.
 #pragma once
 

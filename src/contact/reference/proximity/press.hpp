@@ -1,4 +1,4 @@
-// What obstacles do to nodes in an implicit substep that is about to be solved, in double. Source:
+// The effect of obstacles on nodes in an implicit substep about to be solved, in double. Source:
 // docs/solvers/multigrid.md, Contact.
 #pragma once
 

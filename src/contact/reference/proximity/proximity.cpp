@@ -230,7 +230,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   for (const FeaturePair& pair : pairs) add_planes(pair, sides_of(pair), nodes, dt, planes);
   const std::vector<Vec3d> wanted(nodes.position.begin(), nodes.position.end());
   truncated_ += truncate(planes, nodes.previous, nodes.inverse_mass, most, nodes.position);
-  // What was held back has not moved as its velocity says. Kept, that velocity feeds the springs: in a pull
+  // A vertex that was held back has not moved by its velocity. Kept, that velocity feeds the springs: in a pull
   // over a ball at steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose.
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (nodes.position[i] != wanted[i]) nodes.velocity[i] = (nodes.position[i] - nodes.previous[i]) / dt;

@@ -33,7 +33,7 @@ class Proximity {
   /// pairs act.
   std::uint64_t answer(const Nodes& nodes, double begin, double dt);
 
-  /// What obstacles do to nodes in the substep from `begin`, of `dt` [s], before it is solved.
+  /// The effect of obstacles on nodes in the substep from `begin`, of `dt` [s], before it is solved.
   std::vector<Press> presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity, double begin,
                              double dt);
 

@@ -29,7 +29,7 @@ std::uint32_t truncate(std::span<const SidePlane> planes, std::span<const Vec3d>
   for (const SidePlane& plane : planes) {
     if (!plane.obstacle || inverse_mass[plane.node] == 0) continue;
     const double beyond = plane.offset - dot(plane.normal, position[plane.node]);
-    // What the line above has put onto the plane may be a rounding error behind it.
+    // A vertex that the line above has put onto the plane may be a rounding error behind it.
     if (!(beyond > 0)) continue;
     position[plane.node] += beyond * plane.normal;
     moved[plane.node] = true;

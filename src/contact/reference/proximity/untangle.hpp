@@ -30,7 +30,7 @@ std::array<double, 3> crossing_place(const Vec3d& p, const Vec3d& q, const std::
 Vec3d way_apart(const CrossingFace& edge, std::size_t side, const std::optional<Vec3d>& opposite,
                 const CrossingFace& face);
 
-/// What untangling needs to know of the cloth, or of all obstacles, beside their features.
+/// Data of the cloth, or of all obstacles, that untangling needs besides their features.
 struct SurfaceFacts {
   std::vector<double> rims;               // of each position [m]
   std::vector<SurfaceKind> kinds;         // of each position
