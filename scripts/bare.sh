@@ -53,7 +53,7 @@ bare_run() {
 }
 
 bare_end() { # bare_end ROOT
-  if [ -n "$bare_job" ]; then kill -KILL "$bare_job" 2>/dev/null && wait "$bare_job" 2>/dev/null || true; fi
+  if [ -n "$bare_job" ] && kill -KILL "$bare_job" 2>/dev/null; then wait "$bare_job" 2>/dev/null || true; fi
   rm -rf --one-file-system "$1" || {
     sleep 1
     rm -rf --one-file-system "$1"

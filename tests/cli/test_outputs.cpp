@@ -92,7 +92,8 @@ TEST_CASE("what the host has no memory for is refused with both numbers, by chec
   if (kSanitized) return;  // its shadow memory is larger than any limit here
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", tiny_scene()) + " --set cloths.0.grid=[8000,8000]";
-  const std::string limited = "ulimit -v 4194304; exec " WEFT_BINARY " ";  // KiB: a sixth of what it takes
+  const std::string limited =
+      "ulimit -v 4194304; exec " + weft_binary() + " ";  // KiB: a sixth of what it takes
   for (const std::string command : {"check ", "run "}) {
     const Ended ended = call({"/bin/sh", "-c", limited + command + scene}, on_lavapipe({}));
     CAPTURE(command);
@@ -118,7 +119,7 @@ TEST_CASE("a host that runs out of memory ends the program with exit code 4 and 
   for (int k = 0; k < 500000; ++k) numbers += ",0";
   const std::string scene = put(folder, "a.json", tiny_scene(R"("gravity": [)" + numbers + "], "));
   // KiB: enough to start, not for half a million values of JSON.
-  const Ended ended = call({"/bin/sh", "-c", "ulimit -v 40000; exec " WEFT_BINARY " check " + scene});
+  const Ended ended = call({"/bin/sh", "-c", "ulimit -v 40000; exec " + weft_binary() + " check " + scene});
   CHECK(ended.code == 4);
   CHECK(ended.out == "");
   CHECK(ended.err == "weft: The host has no memory left.\n");

@@ -17,10 +17,10 @@
 #include "element/spring/packed_springs.hpp"
 #include "element/spring/spring_blocks.hpp"
 #include "element/spring/spring_grid.hpp"
-#include "state/surface.hpp"
 #include "gpu/kernel.hpp"
 #include "mesh/sheet_rim.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
+#include "method/multigrid/cycle.hpp"
 #include "method/multigrid/level.hpp"
 #include "method/multigrid/mesh_lists.hpp"
 #include "model/host_model.hpp"
@@ -30,10 +30,10 @@
 #include "render/frame_params.hpp"
 #include "scene/grab.hpp"
 #include "scene/scene.hpp"
-#include "method/multigrid/cycle.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
+#include "state/surface.hpp"
 
 namespace weft {
 namespace {

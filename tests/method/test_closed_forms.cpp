@@ -94,11 +94,9 @@ TEST_CASE("a hanging node stretches its spring by m g / k") {
   for (const char* forces : {"node_centric", "spring_centric"}) {
     SolverRig rig(
         fixture.device(),
-        scene_of(
-            R"("solver": {"kind": "mass_spring", "forces": ")" + std::string(forces) + R"("}, )" +
-            grid(
-                2, 2, 1, 1,
-                R"("density": 0.4, "damping": 0.8, "pins": ["top"],
+        scene_of(R"("solver": {"kind": "mass_spring", "forces": ")" + std::string(forces) + R"("}, )" +
+                 grid(2, 2, 1, 1,
+                      R"("density": 0.4, "damping": 0.8, "pins": ["top"],
                    "stiffness": {"structural": 100, "shear": 0, "bend": 0})")),
         1e-3);
     const auto start = rig.positions();
@@ -113,15 +111,11 @@ TEST_CASE("a strip under its own weight lengthens by the sum over its springs, n
   GpuFixture fixture;
   const std::uint32_t ny = 41;
   const double density = 0.2, length = 2, k = 200;  // structural springs alone: E = k [N/m]
-  SolverRig rig(
-      fixture.device(),
-      scene_of(
-          R"("drag": 3, )" +
-          grid(
-              5, ny, 0.2, length,
-              R"("density": 0.2, "damping": 0, "pins": ["top"],
+  SolverRig rig(fixture.device(),
+                scene_of(R"("drag": 3, )" + grid(5, ny, 0.2, length,
+                                                 R"("density": 0.2, "damping": 0, "pins": ["top"],
                  "stiffness": {"structural": 200, "shear": 0, "bend": 0})")),
-      1e-3);
+                1e-3);
   rig.advance(12000);  // 12 s; the slowest mode decays as exp(-1.5 t)
   const auto end = rig.positions();
   // Spring n of a column carries the ny - n - 1 rows below it and half the last: a row weighs density·a·g per

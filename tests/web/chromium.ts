@@ -87,8 +87,8 @@ async function serve(scripts: ReadonlyMap<string, string>): Promise<Server> {
     if (path === "/") {
       response.setHeader("Content-Type", "text/html");
       response.end(
-        '<!doctype html><link rel="icon" href="data:,"><script type="module" src="/weft.js"></script>' +
-          '<canvas width="640" height="400"></canvas>',
+        "<!doctype html><link rel=\"icon\" href=\"data:,\"><script type=\"module\" src=\"/weft.js\"></script>" +
+          "<canvas width=\"640\" height=\"400\"></canvas>",
       );
       return;
     }

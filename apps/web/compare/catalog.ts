@@ -25,11 +25,9 @@ export const CATALOG = [
     computes: "WebGPU: the paper's algorithm, one invocation a spring, fixed-point atomics", draws: "as by node",
     waits: "as by node", load: async () => (await import("./paths/weft.js")).openSpringCentric },
   { name: "three-webgpu", title: "three.js, WebGPU",
-    computes:
-      "WebGPU: three.js r187's kernels in TSL, as in its cloth example: " +
-      "a kernel over springs, then one over nodes with lists",
-    draws: "three.js on WebGPU, from the same buffer", waits: WEBGPU_WAIT,
-    load: async () => (await import("./paths/three_webgpu.js")).open },
+    computes: "WebGPU: three.js r187's kernels in TSL, as in its cloth example: " +
+      "a kernel over springs, then one over nodes with lists", draws: "three.js on WebGPU, from the same buffer",
+    waits: WEBGPU_WAIT, load: async () => (await import("./paths/three_webgpu.js")).open },
   { name: "webgl2", title: "WebGL 2 shaders",
     computes: "WebGL 2: a fragment a node gathers its springs; the state in float textures",
     draws: "WebGL 2, from the same textures", waits: "readPixels of one pixel",

@@ -8,7 +8,8 @@ struct SpringState {
   per_length : f32,  // 1/m; 0 where the spring is too short to have a direction
 }
 
-fn spring_state(span : vec3f, velocity_difference : vec3f, rest_length : f32, stiffness : f32, damping : f32) -> SpringState {
+fn spring_state(span : vec3f, velocity_difference : vec3f, rest_length : f32, stiffness : f32,
+                damping : f32) -> SpringState {
   let len = sqrt(dot(span, span));
   let per_length = select(1.0 / max(len, kMinLength), 0.0, len < kMinLength);
   let stretch_rate = dot(velocity_difference, span) * per_length;  // m/s

@@ -1,4 +1,4 @@
-// Integrates every node under the forces that spring_forces summed (all x, then all y, then all z), and clears them. One
+// Integrates every node under the forces that spring_forces summed (all x, all y, all z), and clears them. One
 // invocation per node. Source: Sung et al., Algorithm 1, second part.
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"

@@ -22,7 +22,7 @@ struct BlockSpring {  // mirror: src/element/spring/spring_blocks.hpp
 @group(0) @binding(4) var<storage, read>       nodes    : array<u32>;
 @group(0) @binding(5) var<storage, read>       springs  : array<BlockSpring>;  // spring_count
 @group(0) @binding(6) var<storage, read>       kinds    : array<SpringKind>;
-@group(0) @binding(7) var<storage, read_write> force    : array<atomic<i32>>;  // 3 * vertex_count  N * step.force_scale: all x, all y, all z
+@group(0) @binding(7) var<storage, read_write> force    : array<atomic<i32>>;  // 3 * vertex_count  N * step.force_scale
 
 const kBlockNodes = 448u;  // kBlockNodes in src/element/spring/spring_blocks.hpp: 36 bytes each, 15.75 KiB
 const kPlaceBits = 10u;
@@ -30,8 +30,12 @@ var<workgroup> place : array<f32, 3u * kBlockNodes>;  // m: all x, all y, all z
 var<workgroup> speed : array<f32, 3u * kBlockNodes>;  // m/s
 var<workgroup> sum   : array<atomic<i32>, 3u * kBlockNodes>;
 
-fn place_of(node : u32) -> vec3f { return vec3f(place[node], place[kBlockNodes + node], place[2u * kBlockNodes + node]); }
-fn speed_of(node : u32) -> vec3f { return vec3f(speed[node], speed[kBlockNodes + node], speed[2u * kBlockNodes + node]); }
+fn place_of(node : u32) -> vec3f {
+  return vec3f(place[node], place[kBlockNodes + node], place[2u * kBlockNodes + node]);
+}
+fn speed_of(node : u32) -> vec3f {
+  return vec3f(speed[node], speed[kBlockNodes + node], speed[2u * kBlockNodes + node]);
+}
 fn put(node : u32, x : vec3f, v : vec3f) {
   place[node] = x.x;
   place[kBlockNodes + node] = x.y;
@@ -64,7 +68,8 @@ fn spring_block_forces(@builtin(workgroup_id) group : vec3u, @builtin(local_invo
     let a = s.nodes_and_kind & ((1u << kPlaceBits) - 1u);
     let b = (s.nodes_and_kind >> kPlaceBits) & ((1u << kPlaceBits) - 1u);
     let kind = kinds[s.nodes_and_kind >> (2u * kPlaceBits)];
-    let f = fixed_force(place_of(b) - place_of(a), speed_of(b) - speed_of(a), s.rest_length, kind.stiffness, kind.damping);
+    let f = fixed_force(place_of(b) - place_of(a), speed_of(b) - speed_of(a), s.rest_length, kind.stiffness,
+                        kind.damping);
     add_force(a, f);
     add_force(b, -f);
   }

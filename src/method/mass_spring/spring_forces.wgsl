@@ -11,7 +11,7 @@
 @group(0) @binding(2) var<storage, read>       velocity : array<vec4f>;       // vertex_count      m/s
 @group(0) @binding(3) var<storage, read>       springs  : array<Spring>;      // spring_count
 @group(0) @binding(4) var<storage, read>       kinds    : array<SpringKind>;
-@group(0) @binding(5) var<storage, read_write> force    : array<atomic<i32>>; // 3 * vertex_count  N * step.force_scale: all x, all y, all z
+@group(0) @binding(5) var<storage, read_write> force    : array<atomic<i32>>; // 3 * vertex_count  N * step.force_scale
 
 fn add_force(node : u32, f : vec3i) {
   atomicAdd(&force[node], f.x);

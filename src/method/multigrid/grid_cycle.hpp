@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "method/multigrid/level.hpp"
 #include "method/multigrid/kernels.hpp"
+#include "method/multigrid/level.hpp"
 
 namespace weft {
 

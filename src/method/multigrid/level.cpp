@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "method/multigrid/grid_levels.hpp"
 #include "method/multigrid/cycle.hpp"
+#include "method/multigrid/grid_levels.hpp"
 
 namespace weft {
 

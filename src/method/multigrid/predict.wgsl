@@ -16,7 +16,7 @@
 @group(0) @binding(6) var<storage, read>       rest            : array<vec4f>;   // vertex_count   m (w: motion)
 @group(0) @binding(7) var<storage, read>       motions         : array<vec4f>;   // 3 * motions * substeps
 @group(0) @binding(8) var<storage, read_write> place           : array<vec4f>;   // count          m (w: N/m)
-@group(0) @binding(9) var<storage, read_write> vectors         : array<vec4f>;   // method/multigrid/cloth.wgsl: the finest
+@group(0) @binding(9) var<storage, read_write> vectors         : array<vec4f>;   // cloth.wgsl: the finest
 
 @compute @workgroup_size(kWorkgroupSize)
 fn predict(@builtin(global_invocation_id) id : vec3u) {

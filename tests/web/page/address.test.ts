@@ -98,8 +98,7 @@ for (const [query, said, kept] of [
     "gravity is “0,-3”, but must be 3 numbers, each from -10000 to 10000 m/s²", { drag: 2 }],
   ["?v=1&scene=hanging&nodes=16&contact.method=<script>&time.substeps=1.5",
     "contact.method is “<script>”, but must be one of “none”, “paper”, “bvh”, “proximity”, " +
-      "and one more value is refused",
-    {}],
+    "and one more value is refused", {}],
   ["?v=1&scene=hanging&nodes=16&eye=1,2,3&target=1,2,3&fov=40", "eye is “1,2,3”, but must be another point than target",
     {}],
   ["?v=1&scene=hanging&nodes=16&view=__proto__", "view is “__proto__”, but must be one of textured", {}],
