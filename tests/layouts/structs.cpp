@@ -243,7 +243,7 @@ Json struct_layouts() {
   return Json::array(
       {step_params(),   spring(),      spring_kind(),    spring_block(),      block_spring(),
        neighbour(),     mesh_params(), surface_params(), object_triangle(),   spring_grid_row(),
-       level_of_grid(), tree_node(),   pair_range(),     analytic_collider(), contact(),
+       level_of_grid(), tree_node(),   pair_range(),     analytic_collider(), contact_of_pair(),
        search_params(), tree_params(), colliders(),      collider_place(),    frame(),
        weave(),         plane(),       fine_grid(),      cloth_nodes(),       level_of_mesh(),
        coupling(),      share()});
