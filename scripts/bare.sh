@@ -1,4 +1,4 @@
-# ./dev test --bare: README's first command and the page, on a bare Debian 12 in a folder of its own.
+# ./dev test --bare [--web]: README's first command, and with --web the page, on a bare Debian 12 in a folder of its own.
 
 # How this machine reaches its package registries; a user's machine may have none of these.
 bare_settings() { # bare_settings ROOT
@@ -70,5 +70,5 @@ task_bare() {
   trap 'exit 143' TERM HUP
   chmod 755 "$bare_folder"
   bare_root "$bare_folder"
-  bare_run "$bare_folder" /weft/scripts/bare_commands.sh
+  bare_run "$bare_folder" /weft/scripts/bare_commands.sh "$1"
 }

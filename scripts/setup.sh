@@ -82,9 +82,12 @@ setup_node() {
   chmod +x "$root/bin/node"
   mkdir -p "$SETUP/bin"
   ln -sfn "$root/bin/node" "$SETUP/bin/node"
-  printf '#!/bin/sh\nexec "%s/bin/node" "%s/lib/node_modules/npm/bin/npm-cli.js" "$@"\n' "$root" "$root" \
-    >"$SETUP/bin/npm"
-  chmod +x "$SETUP/bin/npm"
+  local tool
+  for tool in npm npx; do
+    printf '#!/bin/sh\nexec "%s/bin/node" "%s/lib/node_modules/npm/bin/%s-cli.js" "$@"\n' "$root" "$root" $tool \
+      >"$SETUP/bin/$tool"
+    chmod +x "$SETUP/bin/$tool"
+  done
   export PATH=$SETUP/bin:$PATH
 }
 

@@ -124,7 +124,7 @@ task_bench() {
 task_test() {
   local labels=(-L short)
   if [ "${1:-}" = --bare ]; then
-    task_bare
+    task_bare "${2:-}"
     return
   fi
   if [ "${1:-}" = --long ]; then
