@@ -1,4 +1,4 @@
-# ./dev test --bare [--web]: README's first command, and with --web the page, on a bare Debian 12 in a folder of its own.
+# ./dev test --bare [--web]: README's first command, and with --web the page, on a bare Debian 12 in its own folder.
 
 # How this machine reaches its package registries; a user's machine may have none of these.
 bare_settings() { # bare_settings ROOT
