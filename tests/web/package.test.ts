@@ -268,7 +268,7 @@ describe("a world", () => {
     expect(world.statistics.droppedSeconds).toBe(0);
   });
 
-  it("pulls a held node to its target, and lets it go", async () => {
+  it("pulls a grabbed node to its target, and lets it go", async () => {
     const world = await open();
     const node = 12 * 12 - 1; // the free corner at the right
     const rest = await world.positions();

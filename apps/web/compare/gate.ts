@@ -1,14 +1,14 @@
 /** Stops what is measured between two batches: for a while, where the page is hidden, or for good. */
 export class Gate {
-  private held = false;
+  private closed = false;
   private stopped = false;
   private wake: (() => void) | null = null;
 
   get paused(): boolean {
-    return this.held;
+    return this.closed;
   }
   set paused(on: boolean) {
-    this.held = on;
+    this.closed = on;
     this.look();
   }
 
@@ -20,7 +20,7 @@ export class Gate {
   /** Lets the page do its own work first. Errors  Stopped. */
   async pass(): Promise<void> {
     await new Promise((done) => setTimeout(done));
-    while (!this.stopped && (this.held || document.hidden))
+    while (!this.stopped && (this.closed || document.hidden))
       await new Promise<void>((done) => {
         this.wake = done;
         document.addEventListener("visibilitychange", () => done(), { once: true });

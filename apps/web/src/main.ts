@@ -162,7 +162,7 @@ const handle: PageHandle = {
     return page?.player.state ?? null;
   },
   get pins() {
-    return page?.pins.held.map(({ node }) => node) ?? [];
+    return page?.pins.pinned.map(({ node }) => node) ?? [];
   },
   ready,
 };

@@ -8,7 +8,7 @@ import { equal, withKey, type PageState, type Value } from "./state/page_state.j
 import { isLive } from "./state/parameters.js";
 
 export interface PlayerEvents {
-  /** The world is being built; whatever was held of it is void. */
+  /** The world is being built; its grabs are void. */
   opening(title: string): void;
   opened(scene: LoadedScene, info: WorldInfo): void;
   /** No scene could be opened, nor the one before. */
@@ -17,7 +17,7 @@ export interface PlayerEvents {
   viewed(view: View): void;
   /** The state differs from before: another scene, parameter, view or camera. */
   changed(state: PageState): void;
-  /** The cloth is at rest again, and nothing of it is held. */
+  /** The cloth is at rest again, and nothing of it is grabbed. */
   rested(): void;
   /** `host`: what a frame cost the page's thread [ms]; null where it was only drawn. */
   frame(statistics: Readonly<Statistics>, host: number | null): void;

@@ -59,7 +59,7 @@ export class Pointer {
     this.begin({ kind: "none" });
   }
 
-  /** The world is another one: nothing is held in it. */
+  /** The world is another one: nothing is grabbed in it. */
   forget(): void {
     this.down.clear();
     this.trailing.clear();
@@ -110,20 +110,20 @@ export class Pointer {
     const mine: Gesture = { kind: "deciding" };
     this.begin(mine);
     const { x, y } = this.clip(this.last);
-    const held = await this.player.ask(async (world) => {
+    const grabbed = await this.player.ask(async (world) => {
       const picked = await world.pick(x, y);
-      if (picked && this.pins.has(picked.node)) return picked; // it is held already
+      if (picked && this.pins.has(picked.node)) return picked; // grabbed already
       return picked && this.gesture === mine && (await free(world.grab(picked.node, picked.point))) ? picked : null;
     });
     if (this.gesture !== mine) { // the pointer is up again, or another came
-      if (held && !this.pins.has(held.node)) void this.player.ask((world) => world.release(held.node));
+      if (grabbed && !this.pins.has(grabbed.node)) void this.player.ask((world) => world.release(grabbed.node));
       return;
     }
-    if (!held) {
+    if (!grabbed) {
       this.last = this.centre();
       return this.begin({ kind: "orbit" });
     }
-    this.begin({ kind: "grab", pull: this.pullOf(held.node, held.point) });
+    this.begin({ kind: "grab", pull: this.pullOf(grabbed.node, grabbed.point) });
     this.schedule(); // it may have moved meanwhile
   }
 
@@ -143,12 +143,12 @@ export class Pointer {
     return pull;
   }
 
-  /** Whether the node is still held by the pointer or by its pin. */
+  /** Whether the node is still grabbed by the pointer or by its pin. */
   private draws(pull: Pull): boolean {
     return (this.gesture.kind === "grab" && this.gesture.pull === pull) || this.pins.has(pull.node);
   }
 
-  /** Every change of gesture goes through here, so that a node that is held is let go. */
+  /** Every change of gesture goes through here, so that a grabbed node is let go. */
   private begin(next: Gesture): void {
     const before = this.gesture;
     this.gesture = next;

@@ -44,7 +44,7 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE void weft_schema() { weft::web::message = weft::scene::schema_json(); }
 
 /// As JSON: the colour map as sRGB in [0, 1], from the lowest value to the highest, the values that stand at
-/// its ends by view, how many nodes can be held at once, and the methods.
+/// its ends by view, how many nodes can be grabbed at once, and the methods.
 EMSCRIPTEN_KEEPALIVE void weft_catalog() {
   nlohmann::ordered_json json;
   json["colors"] = nlohmann::ordered_json::array();

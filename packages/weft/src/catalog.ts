@@ -28,7 +28,7 @@ export interface Catalog {
   readonly colors: readonly (readonly [red: number, green: number, blue: number])[];
   /** What stands at the ends of the map, of the views that have one. */
   readonly ranges: Readonly<Partial<Record<View, readonly [lowest: number, highest: number]>>>;
-  /** Nodes that can be held at once. */
+  /** Nodes that can be grabbed at once. */
   readonly mostGrabs: number;
   /** What a scene's solver.kind can be, but for "auto". */
   readonly methods: readonly Method[];

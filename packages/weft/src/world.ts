@@ -181,7 +181,7 @@ export class World {
     this.loaded();
     await this.core.sleep("grab", [index(node), ...target]);
   }
-  /** Moves the target of a node that is held. */
+  /** Moves the target of a grabbed node. */
   async drag(node: number, target: Point): Promise<void> {
     this.loaded();
     await this.core.sleep("drag", [index(node), ...target]);

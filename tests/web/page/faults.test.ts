@@ -116,7 +116,7 @@ test("after a trap of the module what is chosen next opens in a new one", () =>
     await until("it is said", async () => /module has stopped/.test((await page.locator("#notice").textContent())!));
     await until("it stops", async () => !(await running(page)));
     await page.locator("#resolution").selectOption("32");
-    await until("it is open", () => page.evaluate(() => window.weft.world?.info.nodes === 1024), 60_000);
+    await until("it is open", () => page.evaluate(() => window.weft.world?.info.nodes === 1024));
     await page.getByRole("button", { name: "Play" }).click();
     await play(page, 2);
     expectClean(seen, site);

@@ -49,7 +49,7 @@ test("a pin that is dragged stays where it is left", async () => {
   const start = await at(node);
   await page.mouse.move(spot.x, spot.y);
   await page.mouse.down();
-  await until("it is held", async () => (await page.locator("#canvas").getAttribute("data-gesture")) === "grab");
+  await until("it is grabbed", async () => (await page.locator("#canvas").getAttribute("data-gesture")) === "grab");
   await page.mouse.move(spot.x + 30, spot.y - 30, { steps: 4 });
   await page.waitForTimeout(100);
   await page.mouse.up();

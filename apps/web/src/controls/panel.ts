@@ -101,6 +101,6 @@ export class Panel {
   /** All that the panel says, for whoever reports how it went. */
   private report(): unknown {
     return { weft: 1, page: this.inputs.link(), state: this.inputs.player.state, browser: navigator.userAgent,
-      loaded: this.info, ...this.readings.values, pins: this.inputs.pins.held, passes: this.passes.times };
+      loaded: this.info, ...this.readings.values, pins: this.inputs.pins.pinned, passes: this.passes.times };
   }
 }

@@ -52,8 +52,8 @@ export class Pins {
   get count(): number {
     return this.pins.size;
   }
-  /** Nodes and where they are held [m]. */
-  get held(): { node: number; point: Point }[] {
+  /** Pinned nodes and their places [m]. */
+  get pinned(): { node: number; point: Point }[] {
     return [...this.pins.values()].map(({ node, point }) => ({ node, point }));
   }
   has(node: number): boolean {
@@ -91,7 +91,7 @@ export class Pins {
         };
       const positions = await world.positions();
       const point: Point = [positions[3 * node]!, positions[3 * node + 1]!, positions[3 * node + 2]!];
-      return { ...(await held(world, node, point)), point };
+      return { ...(await grab(world, node, point)), point };
     });
     if (!found) return;
     if ("fault" in found) this.say(found.fault);
@@ -142,7 +142,7 @@ export class Pins {
     button("unpin").disabled = count === 0;
   }
 
-  /** Brings the markers to where their nodes are held. */
+  /** Brings the markers to their nodes. */
   draw(): void {
     const world = this.player.live;
     if (!world || world.busy || this.pins.size === 0) return;
@@ -160,8 +160,8 @@ export class Pins {
   }
 }
 
-/** The node once it is held; why it cannot be: a node that the scene pins or moves is no fault of the world. */
-async function held(world: World, node: number, point: Point): Promise<{ node: number } | { fault: string }> {
+/** The node once it is grabbed; why it cannot be: a node that the scene pins or moves is no fault of the world. */
+async function grab(world: World, node: number, point: Point): Promise<{ node: number } | { fault: string }> {
   try {
     await world.grab(node, point);
     return { node };
