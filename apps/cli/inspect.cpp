@@ -4,7 +4,7 @@
 
 #include "memory.hpp"
 #include "model/assets.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "weft/weft.hpp"
 
 namespace weft::cli {

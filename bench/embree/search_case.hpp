@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 
@@ -16,7 +16,7 @@ namespace weft {
 /// that lie flat (docs/contact.md).
 struct SearchCase {
   std::string pose;
-  HostModel model;
+  Model model;
   std::vector<Vec3f> positions;  // of the sheet's nodes [m]
   mesh::TriangleMesh object;     // without triangles: the sheet meets itself
   float thickness = 0;           // [m]

@@ -31,14 +31,14 @@ Result<WeftSearch> WeftSearch::create(gpu::Device& device, const SearchCase& sea
   WeftSearch made;
   made.device_ = &device;
   made.object_ = search.object;
-  WEFT_TRY(model, Model::create(device, HostModel(search.model)));
+  WEFT_TRY(model, GpuModel::create(device, Model(search.model)));
   made.model_ = std::move(model);
   WEFT_TRY(state, State::create(device, made.model_.host, 1));
   made.state_ = std::move(state);
   WEFT_TRY(pairs, ContactPairs::create(device, made.model_.host, {1024, room}));
   made.pairs_ = std::move(pairs);
   scene::Scene scene;
-  scene.cloths.resize(made.model_.host.cloths.size());
+  scene.cloths.resize(made.model_.host.bodies.size());
   std::vector<mesh::TriangleMesh> objects;
   std::vector<std::size_t> colliders;
   if (!search.self()) {
@@ -74,7 +74,7 @@ Result<void> WeftSearch::run() const {
 
 Result<std::vector<PairKey>> WeftSearch::pairs() const {
   WEFT_TRY(statistics, gpu::download(*device_, state_.statistics));
-  if (statistics[offsetof(Statistics, held) / sizeof(std::uint32_t)] != 0)
+  if (statistics[offsetof(Statistics, rolled_back) / sizeof(std::uint32_t)] != 0)
     return make_error(ErrorKind::Limit, "There is no room for %u candidates.",
                       statistics[offsetof(Statistics, candidates) / sizeof(std::uint32_t)]);
   WEFT_TRY(candidates, gpu::download(*device_, search_.candidates()));

@@ -19,7 +19,7 @@ class WeftSearch {
 
  private:
   gpu::Device* device_ = nullptr;
-  Model model_;
+  GpuModel model_;
   State state_;
   ContactPairs pairs_;
   contact::PairSearch search_;

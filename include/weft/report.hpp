@@ -29,7 +29,7 @@ struct Totals {
   std::uint32_t contact_hash = 0;  // wrapping sum over all hits
   std::uint64_t contact_overflow = 0;
   std::uint64_t detections = 0;       // by proximity: searches for pairs
-  std::uint64_t truncated = 0;        // vertices held back, summed over substeps
+  std::uint64_t truncated = 0;        // vertices truncated by contact, summed over substeps
   std::uint32_t pairs = 0;            // the most that were listed at the end of a frame
   std::uint32_t candidates = 0;       // likewise, pairs of triangles
   std::uint32_t crossings = 0;        // edges through triangles, the most of any search

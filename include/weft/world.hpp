@@ -88,12 +88,12 @@ class World {
   ///         unstable. The world stays as it was.
   Result<void> change(const std::string& key, const std::string& value);
 
-  /// Holds a free node and pulls it to `target` [m] from the next frame on, with limited speed; the cloth follows.
-  /// Errors  Input: no such node; it is pinned, moved or held already. Limit: too many are held.
+  /// Grabs a free node and pulls it to `target` [m] from the next frame on, with limited speed; the cloth follows.
+  /// Errors  Input: no such node; it is pinned, moved or grabbed already. Limit: too many are grabbed.
   Result<void> grab(std::uint32_t node, const Vec3d& target);
-  /// Pulls a held node elsewhere [m]. Errors  Input: it is not held.
+  /// Pulls a grabbed node elsewhere [m]. Errors  Input: it is not grabbed.
   Result<void> drag(std::uint32_t node, const Vec3d& target);
-  /// Lets a held node go on with its velocity. Errors  Input: it is not held.
+  /// Lets a grabbed node go on with its velocity. Errors  Input: it is not grabbed.
   Result<void> release(std::uint32_t node);
 
   Buffer position() const;  ///< [m]

@@ -24,7 +24,7 @@ Effort effort_of(bool quick) { return quick ? Effort{8, 1, 0, 1} : Effort{32, 16
 struct Setting {
   scene::Scene scene;
   Assets assets;
-  HostModel model;
+  Model model;
   std::uint32_t substeps = 0;  // of a 60 Hz frame
   Timing free_step;
 };
@@ -58,7 +58,7 @@ ContactRow begin_row(const Setting& setting, const char* pose, const Variant& va
   ContactRow row;
   row.pose = pose;
   row.method = variant.name;
-  row.sheets = setting.model.cloths.size();
+  row.sheets = setting.model.bodies.size();
   row.nodes = setting.model.vertex_count();
   row.cloth_triangles = setting.model.triangles.size();
   for (const mesh::TriangleMesh& object : setting.assets.objects)
@@ -144,11 +144,11 @@ Result<scene::Scene> load_sheets(const Sheets& sheets, const std::string& scenes
 }
 
 /// Each sheet folded alike, sheet upon sheet. `sway` is the slope of the folds along themselves.
-std::vector<Vec3d> folded_places(const HostModel& model, const Folds& folds, double sway) {
+std::vector<Vec3d> folded_places(const Model& model, const Folds& folds, double sway) {
   std::vector<Vec3d> places;
   const double sheet_height = static_cast<double>(folds.layers.size()) * folds.gap;
-  for (std::size_t c = 0; c < model.cloths.size(); ++c) {
-    const mesh::Grid& grid = *model.cloths[c].grid;
+  for (std::size_t c = 0; c < model.bodies.size(); ++c) {
+    const mesh::Grid& grid = *model.bodies[c].grid;
     const std::vector<Vec3d> row = fold_profile(grid.nx, grid.width / (grid.nx - 1), folds),
                              column = fold_column(grid.ny, grid.height / (grid.ny - 1), sway, kSeed);
     for (const Vec3d& along : column)
@@ -165,8 +165,8 @@ Result<void> run_sheets(gpu::Device& device, const Sheets& sheets, const std::ve
                         const std::string& scenes_folder, const Effort& effort, const Done& done) {
   WEFT_TRY(scene, load_sheets(sheets, scenes_folder));
   WEFT_TRY(setting, make_setting(device, std::move(scene), Assets{{{}}}, effort));
-  const HostModel& model = setting.model;
-  const double size = model.cloths[0].grid->width;  // m
+  const Model& model = setting.model;
+  const double size = model.bodies[0].grid->width;  // m
   const double gap = self_thickness(model, setting.scene.contact.thickness);
   const auto run = [&](const char* pose, const std::vector<Vec3d>& places, double part) {
     ContactRow row = begin_row(setting, pose, kSelf);

@@ -54,13 +54,13 @@ double mean_normal_angle(std::span<const Vec3d> x, std::span<const Vec3d> refere
   return sum / static_cast<double>(a.size()) * 180 / std::numbers::pi;
 }
 
-std::vector<Chain> free_sides(const HostModel& model, const ClothModel& cloth) {
-  const mesh::Grid& grid = *cloth.grid;
+std::vector<Chain> free_sides(const Model& model, const Body& body) {
+  const mesh::Grid& grid = *body.grid;
   std::vector<Chain> sides;
   for (const std::uint32_t i : {0U, grid.nx - 1}) {
     Chain chain;
     for (std::uint32_t j = 0; j < grid.ny; ++j) {
-      const std::uint32_t node = cloth.first_vertex + mesh::node_index(grid, i, j);
+      const std::uint32_t node = body.first_vertex + mesh::node_index(grid, i, j);
       if (model.kinematic(node)) chain.clear();
       chain.push_back(node);
     }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft::bench {
 
@@ -26,9 +26,9 @@ double mean_normal_angle(std::span<const Vec3d> x, std::span<const Vec3d> refere
 /// The nodes along an edge of a sheet, one after the other.
 using Chain = std::vector<std::uint32_t>;
 
-/// The two sides of a grid cloth (i = 0, and the last i), each from its last held node down to the bottom
-/// corner; from the top corner where none is held.
-std::vector<Chain> free_sides(const HostModel& model, const ClothModel& cloth);
+/// The two sides of a grid cloth (i = 0, and the last i), each from its last pinned node down to the bottom
+/// corner; from the top corner where none is pinned.
+std::vector<Chain> free_sides(const Model& model, const Body& body);
 
 /// What chains have in length, over the same at rest, less 1.
 double stretch_of(std::span<const Chain> chains, std::span<const Vec3d> x, std::span<const Vec3d> rest);

@@ -68,7 +68,7 @@ Result<void> report(Result<MultigridRow> measured, MultigridRow begun, const Don
 
 /// A run of the sheet, and its states at the times that are compared.
 struct SheetRun {
-  HostModel model;
+  Model model;
   TimedRun run;
   std::vector<SheetShape> shapes;
   std::string state_hash;

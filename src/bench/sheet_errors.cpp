@@ -4,7 +4,7 @@
 
 namespace weft::bench {
 
-SheetShape shape_of(const HostModel& model, const sim::Snapshot& state, double time) {
+SheetShape shape_of(const Model& model, const sim::Snapshot& state, double time) {
   SheetShape shape;
   shape.time = time;
   for (const Vec4f& node : state.position) shape.position.push_back(node.xyz().to<double>());
@@ -12,16 +12,16 @@ SheetShape shape_of(const HostModel& model, const sim::Snapshot& state, double t
   return shape;
 }
 
-SheetShape upsampled(const HostModel& coarse, const SheetShape& shape, const HostModel& fine) {
+SheetShape upsampled(const Model& coarse, const SheetShape& shape, const Model& fine) {
   SheetShape drawn = shape;
-  drawn.position = upsample(*coarse.cloths[0].grid, coarse.rest_position, shape.position,
-                            *fine.cloths[0].grid, fine.rest_position);
+  drawn.position = upsample(*coarse.bodies[0].grid, coarse.rest_position, shape.position,
+                            *fine.bodies[0].grid, fine.rest_position);
   return drawn;
 }
 
-std::vector<SheetError> sheet_errors(const HostModel& model, std::span<const SheetShape> shapes,
+std::vector<SheetError> sheet_errors(const Model& model, std::span<const SheetShape> shapes,
                                      std::span<const SheetShape> reference) {
-  const std::vector<Chain> sides = free_sides(model, model.cloths[0]);
+  const std::vector<Chain> sides = free_sides(model, model.bodies[0]);
   std::vector<SheetError> errors;
   for (std::size_t k = 0; k < reference.size(); ++k) {
     const SheetShape &shape = shapes[k], &exact = reference[k];

@@ -21,13 +21,13 @@ struct SheetError {
   double kinetic_energy = 0, kinetic_energy_reference = 0;  // [J]
 };
 
-SheetShape shape_of(const HostModel& model, const sim::Snapshot& state, double time);
+SheetShape shape_of(const Model& model, const sim::Snapshot& state, double time);
 
 /// The sheet of a coarse model's first cloth as a finer model's nodes draw it (upsample).
-SheetShape upsampled(const HostModel& coarse, const SheetShape& shape, const HostModel& fine);
+SheetShape upsampled(const Model& coarse, const SheetShape& shape, const Model& fine);
 
 /// Of shapes of a model's first cloth, at the reference's times.
-std::vector<SheetError> sheet_errors(const HostModel& model, std::span<const SheetShape> shapes,
+std::vector<SheetError> sheet_errors(const Model& model, std::span<const SheetShape> shapes,
                                      std::span<const SheetShape> reference);
 
 }  // namespace weft::bench

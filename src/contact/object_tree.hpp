@@ -41,7 +41,7 @@ struct ObjectTree {
 /// Let N(s) be the least number of inner nodes that need s entries. The child that decides, at place k > 0,
 /// needs s - k, and the k before it no less: N(s) >= min(2 N(s - 1), 3 N(s - 2), 4 N(s - 3)), N(1) = 1, so
 /// N(s) >= 4^((s - 1) / 3) by induction. To need 33 takes 4^(32 / 3) = 2.6 million nodes; a binding of 128
-/// MiB holds 1.05 million. On an adapter with larger bindings Collision::create refuses a tree that needs
+/// MiB holds 1.05 million. On an adapter with larger bindings PairsBvh::create refuses a tree that needs
 /// more.
 inline constexpr std::uint32_t kStackSize = 32;
 

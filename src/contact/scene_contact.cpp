@@ -23,7 +23,7 @@ PushSetup push_setup(const scene::Scene& scene, const Assets& assets, std::uint3
 }
 
 /// The initial capacity of the lists; make_room makes them longer when they are short.
-ContactRoom first_room(const Model& model) {
+ContactRoom first_room(const GpuModel& model) {
   return {std::max(32768U, 2 * model.triangle_count()), std::max(131072U, 12 * model.triangle_count())};
 }
 
@@ -34,7 +34,7 @@ SceneContact::SceneContact(SceneContact&&) noexcept = default;
 SceneContact& SceneContact::operator=(SceneContact&&) noexcept = default;
 SceneContact::~SceneContact() = default;
 
-Result<SceneContact> SceneContact::create(gpu::Device& device, const Model& model, const State& state,
+Result<SceneContact> SceneContact::create(gpu::Device& device, const GpuModel& model, const State& state,
                                           const scene::Scene& scene, const Assets& assets,
                                           const SceneContactSetup& setup) {
   SceneContact made;
@@ -54,7 +54,7 @@ Result<SceneContact> SceneContact::create(gpu::Device& device, const Model& mode
   return made;
 }
 
-Result<void> SceneContact::create_proximity(gpu::Device& device, const Model& model, const State& state,
+Result<void> SceneContact::create_proximity(gpu::Device& device, const GpuModel& model, const State& state,
                                             const scene::Scene& scene, const Assets& assets,
                                             const SceneContactSetup& setup) {
   const ContactRoom room = setup.room ? *setup.room : first_room(model);
@@ -69,7 +69,7 @@ Result<void> SceneContact::create_proximity(gpu::Device& device, const Model& mo
   return {};
 }
 
-Result<void> SceneContact::create_pushes(gpu::Device& device, const Model& model, const State& state,
+Result<void> SceneContact::create_pushes(gpu::Device& device, const GpuModel& model, const State& state,
                                          const scene::Scene& scene, const Assets& assets,
                                          const SceneContactSetup& setup) {
   WEFT_TRY(contacts, Contacts::create_pushes(device, model.host));

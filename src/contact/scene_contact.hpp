@@ -33,7 +33,7 @@ class SceneContact {
   ~SceneContact();
 
   /// Errors  Input, Limit, Shader, OutOfMemory.
-  static Result<SceneContact> create(gpu::Device& device, const Model& model, const State& state,
+  static Result<SceneContact> create(gpu::Device& device, const GpuModel& model, const State& state,
                                      const scene::Scene& scene, const Assets& assets,
                                      const SceneContactSetup& setup);
 
@@ -61,10 +61,10 @@ class SceneContact {
   void record_counts(gpu::ComputePass& pass) const;
 
  private:
-  Result<void> create_proximity(gpu::Device& device, const Model& model, const State& state,
+  Result<void> create_proximity(gpu::Device& device, const GpuModel& model, const State& state,
                                 const scene::Scene& scene, const Assets& assets,
                                 const SceneContactSetup& setup);
-  Result<void> create_pushes(gpu::Device& device, const Model& model, const State& state,
+  Result<void> create_pushes(gpu::Device& device, const GpuModel& model, const State& state,
                              const scene::Scene& scene, const Assets& assets, const SceneContactSetup& setup);
   Result<void> create_counter(gpu::Device& device);
 

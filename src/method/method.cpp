@@ -13,7 +13,7 @@ const Method& method_of(scene::SolverKind kind) {
   return *row;
 }
 
-MethodChoice choose_method(const scene::Scene& scene, const HostModel& model) {
+MethodChoice choose_method(const scene::Scene& scene, const Model& model) {
   if (scene.solver.kind != scene::SolverKind::Auto) return {&method_of(scene.solver.kind), ""};
   MethodChoice choice;
   for (const Method& method : methods()) {
@@ -27,7 +27,8 @@ MethodChoice choose_method(const scene::Scene& scene, const HostModel& model) {
   return choice;
 }
 
-Result<std::uint32_t> substeps_of(const scene::Scene& scene, const Method& method, const StepLimit& limit) {
+Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const Method& method,
+                                      const StepLimit& limit) {
   if (scene.time.substeps) return *scene.time.substeps;
   return method.auto_substeps(scene, limit);
 }

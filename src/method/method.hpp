@@ -7,7 +7,7 @@
 
 #include "base/result.hpp"
 #include "method/step_limit.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
 
 namespace weft {
@@ -28,13 +28,13 @@ struct Method {
   scene::SolverKind kind;  // its word: scene::name_of(kind)
 
   /// The largest stable step of a model; nothing in it where any step is stable.
-  StepLimit (*step_limit)(const scene::Scene& scene, const HostModel& model);
+  StepLimit (*step_limit)(const scene::Scene& scene, const Model& model);
   /// The limit of the same scene with another drag, without finding the spectrum again.
   StepLimit (*with_drag)(const StepLimit& limit, double drag);
   /// What time.substeps "auto" means. Errors  Limit: more than scenes allow.
   Result<std::uint32_t> (*auto_substeps)(const scene::Scene& scene, const StepLimit& limit);
   /// Null: "auto" never takes the method. The last row that has one takes every model.
-  AutoVerdict (*auto_verdict)(const HostModel& model);
+  AutoVerdict (*auto_verdict)(const Model& model);
   SolverMemory (*memory)(const scene::Solver& settings);
   /// How its settings read in a summary; "" without settings.
   const char* (*settings_word)(const scene::Solver& settings);
@@ -58,11 +58,12 @@ struct MethodChoice {
   const Method* method = nullptr;
   std::string reason;  // empty: the scene names it
 };
-MethodChoice choose_method(const scene::Scene& scene, const HostModel& model);
+MethodChoice choose_method(const scene::Scene& scene, const Model& model);
 
 /// The substeps of a frame: the scene's, or what its "auto" means with this method.
 /// Errors  Limit: more than scenes allow.
-Result<std::uint32_t> substeps_of(const scene::Scene& scene, const Method& method, const StepLimit& limit);
+Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const Method& method,
+                                      const StepLimit& limit);
 
 /// Whether obstacles stand in the matrix that the method solves in this scene. What bounces is left to impulses.
 bool solves_with_obstacles(const scene::Scene& scene, const Method& method);

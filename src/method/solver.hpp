@@ -34,7 +34,7 @@ class Solver {
 /// What a solver is made of. `contacts` is null where the scene has none.
 struct SolverInputs {
   gpu::Device& device;
-  const Model& model;
+  const GpuModel& model;
   const State& state;
   const Contacts* contacts = nullptr;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;

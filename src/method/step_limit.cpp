@@ -41,14 +41,14 @@ StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {
   return limit;
 }
 
-double contact_step(const scene::Scene& scene, const HostModel& model) {
+double contact_step(const scene::Scene& scene, const Model& model) {
   const bool meets = scene.contact.self || !scene.colliders.empty();
   if (scene.contact.method != scene::ContactMethod::Proximity || !meets) return 0;
   const double step = kFastest * flat_reach(model, scene.contact) / (kReachMargin * kFallSpeed);
   return std::max(step, kLeastContactStep);
 }
 
-Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const StepLimit& limit) {
+Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit& limit) {
   constexpr double kMostSubsteps = 65536;  // docs/scene.md, time.substeps
   if (limit.largest_step <= 0) return 1U;
   const double substeps = 4 * std::ceil(scene.time.frame / (kStepSafety * limit.largest_step) / 4);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
 
 namespace weft {
@@ -56,7 +56,7 @@ inline constexpr double kFallSpeed = 3;
 inline constexpr double kLeastContactStep = kImplicitStep / 16;
 /// A vertex at that speed comes no further in it than a search for pairs foresees [s]: docs/contact.md,
 /// Reach. 0 where the scene has no contact by proximity.
-double contact_step(const scene::Scene& scene, const HostModel& model);
+double contact_step(const scene::Scene& scene, const Model& model);
 
 /// By how much longer than the one before it a step of the implicit solver may be (BDF2 is stable up to 1 +
 /// √2); beyond it begins anew.
@@ -69,6 +69,6 @@ constexpr double step_ratio(std::uint32_t substeps_before, std::uint32_t substep
 
 /// The substeps of a frame that "auto" means for an explicit solver: the least multiple of 4 whose step is at
 /// most kStepSafety times the largest stable one. Errors  Limit: more than scenes allow.
-Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const StepLimit& limit);
+Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit& limit);
 
 }  // namespace weft

@@ -7,7 +7,7 @@
 
 #include "contact/reference/proximity/press.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::reference {
@@ -32,6 +32,6 @@ class Stepper {
 };
 
 /// Of a kind that is not Auto. The model must outlive it.
-std::unique_ptr<Stepper> make_stepper(scene::SolverKind kind, const HostModel& model);
+std::unique_ptr<Stepper> make_stepper(scene::SolverKind kind, const Model& model);
 
 }  // namespace weft::reference

@@ -5,7 +5,7 @@
 
 namespace weft::reference {
 
-std::unique_ptr<Stepper> make_stepper(scene::SolverKind kind, const HostModel& model) {
+std::unique_ptr<Stepper> make_stepper(scene::SolverKind kind, const Model& model) {
   switch (kind) {
     case scene::SolverKind::Multigrid:
       return std::make_unique<ImplicitStepper>(model);

@@ -3,57 +3,57 @@
 #include <cassert>
 
 #include "element/triple/triple.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 namespace {
 
-ElementTable build(const HostModel& model, ElementKind kind, const ClothModel& cloth) {
-  const std::uint32_t first = cloth.first_vertex;
+ElementTable build(const Model& model, ElementKind kind, const Body& body) {
+  const std::uint32_t first = body.first_vertex;
   if (kind == ElementKind::Spring)
-    return cloth.grid ? build_springs(*cloth.grid, cloth.material(), first)
-                      : build_springs(cloth_mesh(model, cloth), cloth.material(), first);
-  if (kind == ElementKind::Triple && cloth.grid)
-    return build_triples(*cloth.grid, cloth.stiffness.bending, cloth.weights, first);
+    return body.grid ? build_springs(*body.grid, body.material(), first)
+                     : build_springs(cloth_mesh(model, body), body.material(), first);
+  if (kind == ElementKind::Triple && body.grid)
+    return build_triples(*body.grid, body.stiffness.bending, body.weights, first);
   return {kind, {}, {}, {}};
 }
 
 }  // namespace
 
-std::size_t HostModel::number_of(const ClothModel& cloth) const {
-  const auto number = static_cast<std::size_t>(&cloth - cloths.data());
-  assert(number < cloths.size());  // a cloth of this model, not a copy of one
+std::size_t Model::number_of(const Body& body) const {
+  const auto number = static_cast<std::size_t>(&body - bodies.data());
+  assert(number < bodies.size());  // a body of this model, not a copy of one
   return number;
 }
 
-std::uint64_t HostModel::count(ElementKind kind) const {
+std::uint64_t Model::count(ElementKind kind) const {
   std::uint64_t sum = 0;
-  for (const ClothModel& cloth : cloths) {
-    if (kind == ElementKind::Spring && cloth.grid)
-      sum += mesh::grid_spring_count(*cloth.grid);
-    else if (kind == ElementKind::Triple && cloth.grid)
-      sum += triple_count(*cloth.grid, cloth.stiffness.bending);
+  for (const Body& body : bodies) {
+    if (kind == ElementKind::Spring && body.grid)
+      sum += mesh::grid_spring_count(*body.grid);
+    else if (kind == ElementKind::Triple && body.grid)
+      sum += triple_count(*body.grid, body.stiffness.bending);
     else
-      sum += elements(kind, cloth).size();
+      sum += elements(kind, body).size();
   }
   return sum;
 }
 
-const ElementTable& HostModel::elements(ElementKind kind, const ClothModel& cloth) const {
+const ElementTable& Model::elements(ElementKind kind, const Body& body) const {
   auto& tables = store_.of(kind).bodies;
-  tables.resize(cloths.size());
-  auto& table = tables[number_of(cloth)];
-  if (!table) table = std::make_unique<const ElementTable>(build(*this, kind, cloth));
+  tables.resize(bodies.size());
+  auto& table = tables[number_of(body)];
+  if (!table) table = std::make_unique<const ElementTable>(build(*this, kind, body));
   return *table;
 }
 
-const ElementTable& HostModel::elements(ElementKind kind) const {
-  if (cloths.size() == 1) return elements(kind, cloths[0]);
+const ElementTable& Model::elements(ElementKind kind) const {
+  if (bodies.size() == 1) return elements(kind, bodies[0]);
   auto& joined = store_.of(kind).joined;
   if (joined) return *joined;
   ElementTable all{kind, {}, {}, {}};
-  for (const ClothModel& cloth : cloths) {
-    const ElementTable& part = elements(kind, cloth);
+  for (const Body& body : bodies) {
+    const ElementTable& part = elements(kind, body);
     all.nodes.insert(all.nodes.end(), part.nodes.begin(), part.nodes.end());
     all.rest.insert(all.rest.end(), part.rest.begin(), part.rest.end());
     all.material.insert(all.material.end(), part.material.begin(), part.material.end());
@@ -62,17 +62,17 @@ const ElementTable& HostModel::elements(ElementKind kind) const {
   return *joined;
 }
 
-const mesh::Adjacency& HostModel::incidence(ElementKind kind, const ClothModel& cloth) const {
+const mesh::Adjacency& Model::incidence(ElementKind kind, const Body& body) const {
   auto& made = store_.of(kind).incidence;
-  made.resize(cloths.size());
-  auto& rows = made[number_of(cloth)];
+  made.resize(bodies.size());
+  auto& rows = made[number_of(body)];
   if (!rows)
     rows = std::make_unique<const mesh::Adjacency>(
-        weft::incidence(elements(kind, cloth), cloth.first_vertex, cloth.vertex_count));
+        weft::incidence(elements(kind, body), body.first_vertex, body.vertex_count));
   return *rows;
 }
 
-const Colors& HostModel::colors(ElementKind kind) const {
+const Colors& Model::colors(ElementKind kind) const {
   auto& made = store_.of(kind).colors;
   if (!made) made = std::make_unique<const Colors>(color_elements(elements(kind), vertex_count()));
   return *made;

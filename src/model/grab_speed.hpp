@@ -1,19 +1,19 @@
-// How a held node is pulled: the same by a kernel and by the reference.
+// How a grabbed node is pulled: the same by a kernel and by the reference.
 #pragma once
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 
-/// A held node closes in on its target by this part of the distance a second, so to 5 % in 0.15 s: quick
+/// A grabbed node closes in on its target by this part of the distance a second, so to 5 % in 0.15 s: quick
 /// under a hand, and slow enough that a hand's jump becomes a pull [1/s].
 inline constexpr double kGrabRate = 20;
-/// No held node is faster than the larger of these: what a hand can do [m/s], and, where the scene is large,
+/// No grabbed node is faster than the larger of these: what a hand can do [m/s], and, where the scene is large,
 /// this many lengths of its largest cloth a second [1/s].
 inline constexpr double kGrabSpeed = 10;
 inline constexpr double kGrabLengths = 5;
 
-/// The most that a held node of this model may move in a second [m/s].
-double grab_speed(const HostModel& model);
+/// The most that a grabbed node of this model may move in a second [m/s].
+double grab_speed(const Model& model);
 
 }  // namespace weft

@@ -14,7 +14,7 @@
 namespace weft::reference {
 namespace {
 
-std::vector<BendLink> bending_of(const HostModel& model) {
+std::vector<BendLink> bending_of(const Model& model) {
   std::vector<BendLink> links;
   const ElementTable& triples = model.elements(ElementKind::Triple);
   for (std::size_t t = 0; t < triples.size(); ++t) {
@@ -25,7 +25,7 @@ std::vector<BendLink> bending_of(const HostModel& model) {
 }
 
 /// The springs with the very numbers that the kernels get: f32, here widened.
-std::vector<SpringLink> links_of(const HostModel& model) {
+std::vector<SpringLink> links_of(const Model& model) {
   std::vector<SpringLink> links;
   for (const Spring s : model.springs())
     links.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length), static_cast<double>(s.stiffness),
@@ -70,8 +70,7 @@ Result<void> Simulation::add_colliders(const std::vector<mesh::TriangleMesh>& ob
       const TrianglePoints points = points_of(objects[o], static_cast<std::uint32_t>(t));
       const double area = length(cross(points.b - points.a, points.c - points.a));
       if (!(area > 0) || !std::isfinite(area))
-        return input_error("Triangle %zu of collision object %zu has no area, or one that is not finite.", t,
-                           o);
+        return input_error("Triangle %zu of collider mesh %zu has no area, or one that is not finite.", t, o);
       mesh::Triangle triangle = objects[o].triangles[t];
       for (std::uint32_t& vertex : triangle) vertex += first;
       object_.triangles.push_back(triangle);
@@ -147,7 +146,7 @@ std::vector<Vec3d> Simulation::places_at(double time, const std::vector<Vec3d>& 
 void Simulation::set_grabs(double time) {
   system_.grabs.clear();
   for (const NodeGrab& one : model_->grabs)
-    if (scene::holds_at(one.grab, time))
+    if (scene::active_at(one.grab, time))
       system_.grabs.push_back({one.node, scene::target_at(one.grab, time)});
 }
 

@@ -14,7 +14,7 @@
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "method/stepper.hpp"
 #include "model/assets.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
 #include "sim/plan/frame_plan.hpp"
 
@@ -55,13 +55,13 @@ class Simulation {
   const Proximity* proximity() const { return proximity_ ? &*proximity_ : nullptr; }
 
  private:
-  Simulation(const scene::Scene& scene, HostModel model)
-      : scene_(scene), model_(std::make_unique<HostModel>(std::move(model))) {}
+  Simulation(const scene::Scene& scene, Model model)
+      : scene_(scene), model_(std::make_unique<Model>(std::move(model))) {}
   Result<void> add_colliders(const std::vector<mesh::TriangleMesh>& objects);
 
   /// One of `count` of this frame.
   void substep(std::uint32_t number, std::uint32_t count);
-  /// Who is held by the scene in the substep that ends at `time` [s], and where they are pulled.
+  /// The nodes that the scene grabs in the substep that ends at `time` [s], and their targets.
   void set_grabs(double time);
   /// Where kinematic nodes are at `time` [s]; of all others the place that they had.
   std::vector<Vec3d> places_at(double time, const std::vector<Vec3d>& previous) const;
@@ -69,7 +69,7 @@ class Simulation {
   bool finite() const;
 
   scene::Scene scene_;
-  std::unique_ptr<HostModel> model_;  // where the stepper finds it, also once this is moved
+  std::unique_ptr<Model> model_;  // where the stepper finds it, also once this is moved
   MassSpringSystem system_;
   sim::FramePlan plan_;
   std::unique_ptr<Stepper> stepper_;

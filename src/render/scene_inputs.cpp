@@ -24,7 +24,7 @@ ObjectDraw object_of(const scene::ColliderMesh& collider, const mesh::TriangleMe
 
 }  // namespace
 
-Inputs inputs_of(const Model& model, const State& state, const VertexBuffers& buffers,
+Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers& buffers,
                  const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& objects,
                  const std::vector<std::vector<mesh::TriangleMesh>>& keyframes) {
   Inputs inputs;
@@ -35,14 +35,14 @@ Inputs inputs_of(const Model& model, const State& state, const VertexBuffers& bu
   inputs.cloth.contacts = buffers.contacts;
   inputs.cloth.uv = &model.uv;
   inputs.cloth.triangles = &model.triangles;
-  for (const ClothModel& cloth : model.host.cloths) {
+  for (const Body& body : model.host.bodies) {
     double size = 0;
-    for (std::uint32_t v = 0; v < cloth.vertex_count; ++v) {
-      const auto& uv = model.host.uv[cloth.first_vertex + v];
+    for (std::uint32_t v = 0; v < body.vertex_count; ++v) {
+      const auto& uv = model.host.uv[body.first_vertex + v];
       size = std::max({size, static_cast<double>(uv[0]), static_cast<double>(uv[1])});
     }
-    ClothRange range{cloth.first_triangle, cloth.triangle_count, cloth.color, size};
-    if (cloth.grid) range.grid = ClothGrid{*cloth.grid, cloth.first_vertex};
+    ClothRange range{body.first_triangle, body.triangle_count, body.color, size};
+    if (body.grid) range.grid = ClothGrid{*body.grid, body.first_vertex};
     inputs.cloth.ranges.push_back(range);
   }
   std::size_t object = 0;
@@ -65,11 +65,11 @@ Inputs inputs_of(const Model& model, const State& state, const VertexBuffers& bu
   return inputs;
 }
 
-mesh::Bounds scene_bounds(const HostModel& model, const scene::Scene& scene,
+mesh::Bounds scene_bounds(const Model& model, const scene::Scene& scene,
                           const std::vector<mesh::TriangleMesh>& objects) {
   mesh::Bounds bounds{model.rest_position[0].to<float>(), model.rest_position[0].to<float>()};
   const double end = scene.time.frames * scene.time.frame;
-  double sag = 0;  // how far a sheet can hang down from where it is held or lies [m]
+  double sag = 0;  // how far a sheet can hang down from where it is pinned or lies [m]
   for (const auto& uv : model.uv)
     sag = std::max({sag, static_cast<double>(uv[0]), static_cast<double>(uv[1])});
   const Vec3d pull = scene.gravity + scene.external_force;

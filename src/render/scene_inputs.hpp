@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "render/inputs.hpp"
-#include "state/model.hpp"
+#include "state/gpu_model.hpp"
 #include "state/state.hpp"
 
 namespace weft::render {
@@ -19,14 +19,14 @@ struct VertexBuffers {
 
 /// The inputs of a picture of a running scene.
 /// Reads   objects: in the world [m], one for each mesh and box collider in order, and of each the shapes of
-///         its keyframes (or none at all). Model, state and buffers must outlive the renderer.
-Inputs inputs_of(const Model& model, const State& state, const VertexBuffers& buffers,
+///         its keyframes (or none at all). The model, the state and the buffers must outlive the renderer.
+Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers& buffers,
                  const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& objects,
                  const std::vector<std::vector<mesh::TriangleMesh>>& keyframes = {});
 
 /// The box around all that a run is likely to show: objects, the cloth at rest, hanging down by its own
 /// length, and where motions take it; obstacles as they are at time 0 [m].
-mesh::Bounds scene_bounds(const HostModel& model, const scene::Scene& scene,
+mesh::Bounds scene_bounds(const Model& model, const scene::Scene& scene,
                           const std::vector<mesh::TriangleMesh>& objects);
 
 }  // namespace weft::render

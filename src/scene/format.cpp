@@ -189,7 +189,7 @@ constexpr Type kGrabPoint{.kind = Kind::Object, .keys = kGrabPointKeys};
 constexpr const Type* kGrabPointItem[] = {&kGrabPoint};
 constexpr Type kGrabPath{.kind = Kind::List, .count_least = 1, .count_most = 100000, .types = kGrabPointItem};
 constexpr Key kGrabKeys[] = {
-    {"node", &kSelector, "The node that is held: a selector of exactly one free node", nullptr, true},
+    {"node", &kSelector, "The node that is grabbed: a selector of exactly one free node", nullptr, true},
     {"start", &kInstant, "When it is taken", "0"},
     {"end", &kInstant, "When it is let go; without it never"},
     {"path", &kGrabPath, "Where it is pulled, times rising; straight between, still before and after",

@@ -4,7 +4,7 @@
 
 namespace weft::scene {
 
-bool holds_at(const Grab& grab, double time) { return time > grab.start && !(grab.end && time > *grab.end); }
+bool active_at(const Grab& grab, double time) { return time > grab.start && !(grab.end && time > *grab.end); }
 
 bool overlap(const Grab& a, const Grab& b) {
   return !(a.end && *a.end <= b.start) && !(b.end && *b.end <= a.start);

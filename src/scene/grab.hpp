@@ -8,10 +8,10 @@
 
 namespace weft::scene {
 
-inline constexpr std::size_t kMaxGrabs = 4;  // held at once; the same in src/state/step.wgsl
+inline constexpr std::size_t kMaxGrabs = 4;  // grabbed at once; the same in src/state/step.wgsl
 
-/// Whether the node is held in the substep that ends at `time` [s].
-bool holds_at(const Grab& grab, double time);
+/// Whether the grab is active in the substep that ends at `time` [s].
+bool active_at(const Grab& grab, double time);
 /// Whether there is a time in both grabs.
 bool overlap(const Grab& a, const Grab& b);
 /// Where the node is pulled at `time` [s]: straight between the path's points, still before and after them.

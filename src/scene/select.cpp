@@ -118,18 +118,18 @@ Result<std::vector<std::uint32_t>> select_nodes(std::span<const Selector> select
   return nodes;
 }
 
-Result<HeldNodes> held_nodes(const Cloth& cloth, const Selection& from) {
-  HeldNodes held;
+Result<KinematicNodes> kinematic_nodes(const Cloth& cloth, const Selection& from) {
+  KinematicNodes kinematic;
   std::vector<int> holders(from.positions.size(), -1);  // 0: pins, k + 1: motion k
   WEFT_TRY(pins, select_nodes(cloth.pins, from));
-  held.pins = std::move(pins);
-  WEFT_CHECK(hold(held.pins, 0, holders, cloth));
+  kinematic.pins = std::move(pins);
+  WEFT_CHECK(hold(kinematic.pins, 0, holders, cloth));
   for (std::size_t k = 0; k < cloth.motions.size(); ++k) {
     WEFT_TRY(moved, select_nodes(cloth.motions[k].nodes, from));
     WEFT_CHECK(hold(moved, static_cast<int>(k) + 1, holders, cloth));
-    held.motions.push_back(std::move(moved));
+    kinematic.motions.push_back(std::move(moved));
   }
-  return held;
+  return kinematic;
 }
 
 }  // namespace weft::scene

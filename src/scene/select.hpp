@@ -21,14 +21,14 @@ struct Selection {
 Result<std::vector<std::uint32_t>> select_nodes(const Selector& selector, const Selection& from);
 Result<std::vector<std::uint32_t>> select_nodes(std::span<const Selector> selectors, const Selection& from);
 
-/// The nodes of a cloth that do not follow the forces.
-struct HeldNodes {
+/// The nodes of a cloth that the scene pins or moves: no force reaches them.
+struct KinematicNodes {
   std::vector<std::uint32_t> pins;
   std::vector<std::vector<std::uint32_t>> motions;  // of each of Cloth::motions
 };
 
-/// All nodes that a cloth's pins and motions hold.
+/// A cloth's pinned and moved nodes.
 /// Errors  Input: as select_nodes; a node both pinned and moved, or moved twice.
-Result<HeldNodes> held_nodes(const Cloth& cloth, const Selection& from);
+Result<KinematicNodes> kinematic_nodes(const Cloth& cloth, const Selection& from);
 
 }  // namespace weft::scene

@@ -27,10 +27,10 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
 
 void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
                        const Frame& frame) {
-  const bool held = grabs.any(frame.time, frame.time + frame_);
+  const bool grabbed = grabs.any(frame.time, frame.time + frame_);
   const bool same = frame.substeps == substeps_ && frame.collider_speed == collider_speed_ &&
                     frame.step_ratio == step_ratio_;
-  if (!changed_ && !wind_.varies() && !held && !held_ && same) return;
+  if (!changed_ && !wind_.varies() && !grabbed && !grabbed_ && same) return;
   const double step = frame_ / frame.substeps;
   for (std::uint32_t s = 0; s < frame.substeps; ++s) {
     StepParams& params = steps_[s];
@@ -43,7 +43,7 @@ void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps
   }
   steps.write(device, std::span(steps_).first(frame.substeps));
   changed_ = false;
-  held_ = held;
+  grabbed_ = grabbed;
   substeps_ = frame.substeps;
   collider_speed_ = frame.collider_speed;
   step_ratio_ = frame.step_ratio;

@@ -50,7 +50,7 @@ class FrameSteps {
   std::uint32_t substeps_ = 0;
   double collider_speed_ = 0;
   double step_ratio_ = 1;
-  bool held_ = false;  // in the frame that was written last
+  bool grabbed_ = false;  // in the frame that was written last
 };
 
 }  // namespace weft::sim

@@ -18,9 +18,8 @@ bool ended(const scene::Grab& grab, double time) { return grab.end && *grab.end 
 
 }  // namespace
 
-Grabs::Grabs(const HostModel& model)
-    : motion_(model.motion), scripted_(model.grabs), speed_(grab_speed(model)) {
-  held_.reserve(scene::kMaxGrabs);
+Grabs::Grabs(const Model& model) : motion_(model.motion), scripted_(model.grabs), speed_(grab_speed(model)) {
+  grabbed_.reserve(scene::kMaxGrabs);
 }
 
 std::size_t Grabs::needed_by_scene(double time) const {
@@ -28,10 +27,10 @@ std::size_t Grabs::needed_by_scene(double time) const {
   for (const NodeGrab& first : scripted_) {
     if (ended(first.grab, time)) continue;
     const double from = std::max(first.grab.start, time);
-    const auto held = [&](const NodeGrab& other) {
+    const auto grabs_then = [&](const NodeGrab& other) {
       return other.grab.start <= from && !ended(other.grab, from);
     };
-    const auto count = std::count_if(scripted_.begin(), scripted_.end(), held);
+    const auto count = std::count_if(scripted_.begin(), scripted_.end(), grabs_then);
     most = std::max(most, static_cast<std::size_t>(count));
   }
   return most;
@@ -44,50 +43,51 @@ Result<void> Grabs::check(std::uint32_t node, double time) const {
   if (motion_[node] != 0)
     return input_error("Node %u cannot be grabbed: it is %s.", node,
                        motion_[node] == 1 ? "pinned" : "moved by the scene");
-  for (const Held& held : held_)
-    if (held.node == node) return input_error("Node %u cannot be grabbed: it is held already.", node);
+  for (const Grabbed& grabbed : grabbed_)
+    if (grabbed.node == node) return input_error("Node %u cannot be grabbed: it is grabbed already.", node);
   for (const NodeGrab& other : scripted_)
     if (other.node == node && !ended(other.grab, time))
       return input_error("Node %u cannot be grabbed: %s holds it from %g s on.", node,
                          other.grab.where.c_str(), other.grab.start);
   const std::size_t needed = needed_by_scene(time);
-  if (held_.size() + needed >= scene::kMaxGrabs)
-    return make_error(ErrorKind::Limit,
-                      "Node %u cannot be grabbed: %zu nodes are held and the scene's own grabs need %zu; the "
-                      "limit is %zu at once.",
-                      node, held_.size(), needed, scene::kMaxGrabs);
+  if (grabbed_.size() + needed >= scene::kMaxGrabs)
+    return make_error(
+        ErrorKind::Limit,
+        "Node %u cannot be grabbed: %zu nodes are grabbed and the scene's own grabs need %zu; the "
+        "limit is %zu at once.",
+        node, grabbed_.size(), needed, scene::kMaxGrabs);
   return {};
 }
 
 Result<void> Grabs::grab(std::uint32_t node, const Vec3d& target, double time) {
   WEFT_CHECK(check(node, time));
   WEFT_CHECK(check_target(node, target));
-  held_.push_back({node, target});
+  grabbed_.push_back({node, target});
   return {};
 }
 
-Result<Grabs::Held*> Grabs::find(std::uint32_t node) {
-  for (Held& held : held_)
-    if (held.node == node) return &held;
-  return input_error("Node %u is not held; %zu of at most %zu nodes are.", node, held_.size(),
+Result<Grabs::Grabbed*> Grabs::find(std::uint32_t node) {
+  for (Grabbed& grabbed : grabbed_)
+    if (grabbed.node == node) return &grabbed;
+  return input_error("Node %u is not grabbed; %zu of at most %zu nodes are.", node, grabbed_.size(),
                      scene::kMaxGrabs);
 }
 
 Result<void> Grabs::drag(std::uint32_t node, const Vec3d& target) {
-  WEFT_TRY(held, find(node));
+  WEFT_TRY(grabbed, find(node));
   WEFT_CHECK(check_target(node, target));
-  held->target = target;
+  grabbed->target = target;
   return {};
 }
 
 Result<void> Grabs::release(std::uint32_t node) {
-  WEFT_TRY(held, find(node));
-  held_.erase(held_.begin() + (held - held_.data()));
+  WEFT_TRY(grabbed, find(node));
+  grabbed_.erase(grabbed_.begin() + (grabbed - grabbed_.data()));
   return {};
 }
 
 bool Grabs::any(double from, double to) const {
-  return !held_.empty() || std::any_of(scripted_.begin(), scripted_.end(), [&](const NodeGrab& one) {
+  return !grabbed_.empty() || std::any_of(scripted_.begin(), scripted_.end(), [&](const NodeGrab& one) {
     return one.grab.start < to && !ended(one.grab, from);
   });
 }
@@ -104,8 +104,8 @@ void Grabs::set(StepParams& params, double time) const {
     ++slot;
   };
   for (const NodeGrab& one : scripted_)
-    if (scene::holds_at(one.grab, time)) put(one.node, scene::target_at(one.grab, time));
-  for (const Held& held : held_) put(held.node, held.target);
+    if (scene::active_at(one.grab, time)) put(one.node, scene::target_at(one.grab, time));
+  for (const Grabbed& grabbed : grabbed_) put(grabbed.node, grabbed.target);
 }
 
 }  // namespace weft::sim

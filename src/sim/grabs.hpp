@@ -1,47 +1,47 @@
-// The nodes that are held: by the scene's own grabs, and by who works with the world.
+// The grabbed nodes: by the scene's own grabs, and by the host's hand.
 #pragma once
 
 #include <vector>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "state/step_params.hpp"
 
 namespace weft::sim {
 
-/// At most scene::kMaxGrabs nodes are held at any time. Those that the scene will need are kept free.
+/// At most scene::kMaxGrabs nodes are grabbed at any time. Those that the scene will need are kept free.
 class Grabs {
  public:
-  explicit Grabs(const HostModel& model);
+  explicit Grabs(const Model& model);
 
-  /// Holds a free node from now on. Errors  Input: no such node; it is pinned, moved, or held now or later by
-  /// the scene; a target that is not finite. Limit: as many are held as can be.
+  /// Grabs a free node from now on. Errors  Input: no such node; it is pinned, moved, or grabbed now or later by
+  /// the scene; a target that is not finite. Limit: as many are grabbed as can be.
   Result<void> grab(std::uint32_t node, const Vec3d& target, double time);
-  /// Pulls a held node to another place. Errors  Input: it is not held; a target that is not finite.
+  /// Pulls a grabbed node to another place. Errors  Input: it is not grabbed; a target that is not finite.
   Result<void> drag(std::uint32_t node, const Vec3d& target);
-  /// Lets a node go. Errors  Input: it is not held.
+  /// Lets a node go. Errors  Input: it is not grabbed.
   Result<void> release(std::uint32_t node);
-  /// Lets all go but those that the scene holds.
-  void release_all() { held_.clear(); }
+  /// Lets all go but those that the scene grabs.
+  void release_all() { grabbed_.clear(); }
 
-  /// Whether a node may be held between two times [s].
+  /// Whether a node may be grabbed between two times [s].
   bool any(double from, double to) const;
-  /// Sets who is held in the substep that ends at `time` [s], and where they are pulled.
+  /// Writes the nodes grabbed in the substep that ends at `time` [s], and their targets.
   void set(StepParams& params, double time) const;
 
  private:
-  struct Held {
+  struct Grabbed {
     std::uint32_t node = 0;
     Vec3d target;  // [m]
   };
 
-  Result<Held*> find(std::uint32_t node);
+  Result<Grabbed*> find(std::uint32_t node);
   Result<void> check(std::uint32_t node, double time) const;
-  /// The most nodes that the scene holds at once after `time`.
+  /// The most nodes that the scene grabs at once after `time`.
   std::size_t needed_by_scene(double time) const;
 
-  std::vector<std::uint32_t> motion_;  // HostModel::motion
+  std::vector<std::uint32_t> motion_;  // Model::motion
   std::vector<NodeGrab> scripted_;
-  std::vector<Held> held_;
+  std::vector<Grabbed> grabbed_;
   double speed_ = 0;  // [m/s]
 };
 

@@ -146,7 +146,7 @@ Result<void> World::take_reports(bool wait_for_all) {
 Result<void> World::take(const Report& report) {
   const Statistics& statistics = report.statistics;
   if (report.attempt != attempt_) return {};  // of a frame that is being repeated
-  if (statistics.held != 0) return repeat_from(report);
+  if (statistics.rolled_back != 0) return repeat_from(report);
   totals_.nonfinite = statistics.nonfinite;
   if (statistics.nonfinite != 0) {
     if (!diverged_)  // the frames after the first bad one say the same

@@ -41,7 +41,7 @@ struct Snapshot {
 /// Errors  Limit.
 Result<void> check_node_count(std::uint64_t nodes, const gpu::Device& device);
 
-/// A running scene: owns the state, orders collision and solver, keeps time. The device must outlive it.
+/// A running scene: owns the state, orders contact and solver, keeps time. The device must outlive it.
 class World {
  public:
   /// Errors  Input: the model cannot be built. Limit, OutOfMemory, Shader, DeviceLost.
@@ -59,13 +59,13 @@ class World {
   /// Waits until all frames have reported. Errors as advance_frame; Diverged for as long as the state is
   /// frozen.
   Result<void> finish();
-  /// Holds a free node, numbered through all cloths, and pulls it to `target` [m]: from the next frame on, by
+  /// Grabs a free node, numbered through all cloths, and pulls it to `target` [m]: from the next frame on, by
   /// a part of the way in each substep, no faster than grab_speed(). Its springs and contacts go on. Errors
-  /// Input: no such node; it is pinned, moved or held. Limit: scene::kMaxGrabs are held.
+  /// Input: no such node; it is pinned, moved or grabbed. Limit: scene::kMaxGrabs are grabbed.
   Result<void> grab(std::uint32_t node, const Vec3d& target);
-  /// Pulls a node that grab() holds to another place. Errors  Input: it is not held.
+  /// Pulls a node that grab() has grabbed to another place. Errors  Input: it is not grabbed.
   Result<void> drag(std::uint32_t node, const Vec3d& target);
-  /// Lets go a node that grab() holds: it goes on with its velocity. Errors  Input: it is not held.
+  /// Lets go a node that grab() has grabbed: it goes on with its velocity. Errors  Input: it is not grabbed.
   Result<void> release(std::uint32_t node);
 
   /// Takes over gravity, external force, drag and wind of a scene that is this one otherwise, from the next
@@ -87,7 +87,7 @@ class World {
 
   const scene::Scene& scene() const { return scene_; }
   gpu::Device& device() const { return device_; }
-  const Model& model() const { return model_; }
+  const GpuModel& model() const { return model_; }
   const State& state() const { return state_; }
   const Surface& surface() const { return *surface_; }
   const Assets& assets() const { return assets_; }
@@ -132,7 +132,7 @@ class World {
   gpu::Device& device_;
   scene::Scene scene_;
   Assets assets_;
-  Model model_;
+  GpuModel model_;
   State state_;
   FramePlan plan_;
   contact::SceneContact contact_;

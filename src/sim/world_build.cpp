@@ -20,7 +20,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   spring_count_ = host.count(ElementKind::Spring);
   WEFT_TRY(plan, FramePlan::create(scene_, host, assets_));
   plan_ = std::move(plan);
-  WEFT_TRY(model, Model::create(device_, std::move(host)));
+  WEFT_TRY(model, GpuModel::create(device_, std::move(host)));
   model_ = std::move(model);
   WEFT_TRY(state, State::create(device_, model_.host, plan_.most_substeps()));
   state_ = std::move(state);

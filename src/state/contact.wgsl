@@ -21,7 +21,7 @@ const kUntangles = 4u;               // of `solid`: it moves apart what is on th
 const kEntryNear = 4u;  // the pair acts, or would but that an end of an edge is nearest
 const kEntryPair = 8u;
 
-const kTouching = 1.001;  // of the thickness: what rests there is in contact, whatever the rounding of its place
+const kContactTouching = 1.001;  // of the thickness: what rests there is in contact, whatever the rounding of its place
 
 fn is_collider(id : u32) -> bool { return (id & kColliderPoint) != 0u; }
 fn is_edge_pair(ids : vec4u) -> bool { return (ids.x & kPairFlag) != 0u; }

@@ -16,8 +16,8 @@ ContactRoom grown(const ContactRoom& room, const ContactRoom& wanted, std::uint6
           longer(room.candidates, wanted.candidates, kCandidateBytes)};
 }
 
-Result<ContactPairs> ContactPairs::create(gpu::Device& device, const HostModel& model,
-                                          const ContactRoom& room, bool presses) {
+Result<ContactPairs> ContactPairs::create(gpu::Device& device, const Model& model, const ContactRoom& room,
+                                          bool presses) {
   const std::size_t vertices = model.vertex_count();
   ContactPairs made;
   WEFT_TRY(predicted, gpu::Buffer<Vec4f>::create(device, 2 * vertices, "predicted velocity"));

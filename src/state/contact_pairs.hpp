@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "gpu/buffer.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 
@@ -57,7 +57,7 @@ struct ContactPairs {
   gpu::Buffer<std::int32_t> presses;
 
   /// Errors  Limit, OutOfMemory.
-  static Result<ContactPairs> create(gpu::Device& device, const HostModel& model, const ContactRoom& room,
+  static Result<ContactPairs> create(gpu::Device& device, const Model& model, const ContactRoom& room,
                                      bool presses);
   /// Other room for pairs and entries, whose contents are lost; all else stays. Errors  Limit, OutOfMemory.
   Result<void> make_room(gpu::Device& device, const ContactRoom& wanted);

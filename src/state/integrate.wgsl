@@ -15,7 +15,7 @@ fn integrate_free(before : NodeState, force : vec3f) -> NodeState {
   return NodeState(vec4f(before.position.xyz + step.dt * velocity, inverse_mass), vec4f(velocity, 0.0));
 }
 
-// A node that is pinned or moved. rest[node].w is its motion (HostModel::motion); the rows of `motions` are x, y and z
+// A node that is pinned or moved. rest[node].w is its motion (Model::motion); the rows of `motions` are x, y and z
 // of R·rest + t at the end of the substep.
 fn integrate_kinematic(node : u32, before : NodeState) -> NodeState {
   let motion = u32(rest[node].w);

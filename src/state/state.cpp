@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-std::vector<Vec4f> start_positions(const HostModel& model) {
+std::vector<Vec4f> start_positions(const Model& model) {
   std::vector<Vec4f> positions(model.vertex_count());
   for (std::size_t i = 0; i < positions.size(); ++i)
     positions[i] =
@@ -15,7 +15,7 @@ std::vector<Vec4f> start_positions(const HostModel& model) {
 
 }  // namespace
 
-Result<State> State::create(gpu::Device& device, const HostModel& model, std::uint32_t substeps) {
+Result<State> State::create(gpu::Device& device, const Model& model, std::uint32_t substeps) {
   State state;
   const std::size_t count = model.vertex_count();
   for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -36,7 +36,7 @@ Result<State> State::create(gpu::Device& device, const HostModel& model, std::ui
   return state;
 }
 
-void State::reset(gpu::Device& device, const HostModel& model) const {
+void State::reset(gpu::Device& device, const Model& model) const {
   const std::vector<Vec4f> positions = start_positions(model);
   const std::vector<Vec4f> zeros(model.vertex_count());
   for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -45,14 +45,14 @@ void State::reset(gpu::Device& device, const HostModel& model) const {
   }
 }
 
-Result<Contacts> Contacts::create_pushes(gpu::Device& device, const HostModel& model) {
+Result<Contacts> Contacts::create_pushes(gpu::Device& device, const Model& model) {
   Contacts contacts;
   WEFT_TRY(pushes, gpu::Buffer<std::int32_t>::create(device, 4 * model.vertex_count(), "pushes"));
   contacts.pushes = std::move(pushes);
   return contacts;
 }
 
-Result<Contacts> Contacts::create_pairs(gpu::Device& device, const HostModel& model, const ContactRoom& room,
+Result<Contacts> Contacts::create_pairs(gpu::Device& device, const Model& model, const ContactRoom& room,
                                         bool presses) {
   Contacts contacts;
   WEFT_TRY(pairs, ContactPairs::create(device, model, room, presses));

@@ -5,7 +5,7 @@
 
 #include "gpu/buffer.hpp"
 #include "state/contact_pairs.hpp"
-#include "state/model.hpp"
+#include "state/gpu_model.hpp"
 #include "state/statistics.hpp"
 #include "state/step_params.hpp"
 
@@ -23,9 +23,9 @@ struct State {
 
   /// The start, at rest.
   /// Errors  Limit, OutOfMemory.
-  static Result<State> create(gpu::Device& device, const HostModel& model, std::uint32_t substeps);
+  static Result<State> create(gpu::Device& device, const Model& model, std::uint32_t substeps);
   /// Writes the start, at rest, into both buffers.
-  void reset(gpu::Device& device, const HostModel& model) const;
+  void reset(gpu::Device& device, const Model& model) const;
 };
 
 /// The contacts for a solver: either of the two.
@@ -36,8 +36,8 @@ struct Contacts {
   /// Of method proximity: pairs of features, for the solver to answer as its own way of stepping asks.
   std::optional<ContactPairs> pairs;
 
-  static Result<Contacts> create_pushes(gpu::Device& device, const HostModel& model);
-  static Result<Contacts> create_pairs(gpu::Device& device, const HostModel& model, const ContactRoom& room,
+  static Result<Contacts> create_pushes(gpu::Device& device, const Model& model);
+  static Result<Contacts> create_pairs(gpu::Device& device, const Model& model, const ContactRoom& room,
                                        bool presses);
 };
 

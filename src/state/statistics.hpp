@@ -14,14 +14,14 @@ struct Statistics {
   // By proximity:
   std::uint32_t detections = 0;
   std::uint32_t crossings = 0;   // edges through triangles, the most of any detection
-  std::uint32_t truncated = 0;   // vertices held back, summed over substeps
+  std::uint32_t truncated = 0;   // vertices truncated by contact, summed over substeps
   std::uint32_t pairs = 0;       // listed by the last detection, or what ought to be
   std::uint32_t candidates = 0;  // the same
   std::uint32_t entries = 0;
   // Kept from frame to frame:
   std::uint32_t nonfinite = 0;
   std::uint32_t frozen = 0;
-  std::uint32_t held = 0;  // 1: a list was too short, and the state is as before the frame
+  std::uint32_t rolled_back = 0;  // 1: a list was too short, and the state is as before the frame
   std::uint32_t detect = 0, due = 0, found = 0;  // the GPU's own
   float reach = 0, travel = 0;                   // the same
   std::uint32_t padding[2] = {};

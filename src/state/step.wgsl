@@ -26,7 +26,7 @@ struct StepParams {
   wind_wave_b : vec4f,
   gust_a : vec4f,        // m/s: what the crest of a wave adds to the wind, xyz
   gust_b : vec4f,
-  grab_node : vec4u,     // the held nodes; 0xffffffff where a place is free
+  grab_node : vec4u,     // the grabbed nodes; 0xffffffff where a place is free
   grab_target : array<vec4f, kMaxGrabs>,  // m: where they are pulled, xyz
   self_thickness : f32,    // m; 0: cloth does not meet cloth
   least_reach : f32,       // m: how far a slow vertex may go between two detections

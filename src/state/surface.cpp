@@ -4,7 +4,7 @@
 
 namespace weft {
 
-Result<Surface> Surface::create(gpu::Device& device, const Model& model, const State& state) {
+Result<Surface> Surface::create(gpu::Device& device, const GpuModel& model, const State& state) {
   Surface made;
   WEFT_TRY(kernel, gpu::Kernel::create(device, "state/surface.wgsl"));
   made.kernel_ = std::move(kernel);
@@ -17,10 +17,10 @@ Result<Surface> Surface::create(gpu::Device& device, const Model& model, const S
   made.offsets_ = std::move(offsets);
   WEFT_TRY(around, gpu::Buffer<std::uint32_t>::create_from(device, adjacency.entries, "triangles around"));
   made.around_ = std::move(around);
-  for (const ClothModel& cloth : model.host.cloths) {
+  for (const Body& body : model.host.bodies) {
     ClothPart part;
-    part.vertex_count = cloth.vertex_count;
-    const SurfaceParams params{cloth.first_vertex, cloth.vertex_count, cloth.grid ? cloth.grid->nx : 0};
+    part.vertex_count = body.vertex_count;
+    const SurfaceParams params{body.first_vertex, body.vertex_count, body.grid ? body.grid->nx : 0};
     WEFT_TRY(buffer, gpu::create_uniform(device, params, "surface params"));
     for (std::size_t parity = 0; parity < 2; ++parity) {
       WEFT_TRY(group, made.kernel_.bind({buffer, state.position[parity], model.rest_position, model.triangles,

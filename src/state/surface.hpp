@@ -22,7 +22,7 @@ struct SurfaceParams {
 /// Errors  Shader, Limit, OutOfMemory.
 class Surface {
  public:
-  static Result<Surface> create(gpu::Device& device, const Model& model, const State& state);
+  static Result<Surface> create(gpu::Device& device, const GpuModel& model, const State& state);
   void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
 
   const gpu::Buffer<Vec4f>& normal() const { return normal_; }

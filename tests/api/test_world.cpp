@@ -86,7 +86,7 @@ TEST_CASE("a change acts, a refused one does not, and reset keeps the first") {
   CHECK(hash_after(changed, 3) == moon);
 }
 
-TEST_CASE("a held node goes where it is pulled") {
+TEST_CASE("a grabbed node goes where it is pulled") {
   World world = world_of(scene_of(kSheet));
   const std::uint32_t node = 19 * 20 + 10;  // in the free row
   CHECK(world.drag(node, {}).error().kind == ErrorKind::Input);

@@ -14,7 +14,7 @@ using namespace weft;
 namespace {
 
 /// A flat sheet of 2 m with two clips, as scenes/sheet.json has it.
-HostModel make_sheet(std::uint32_t nx, std::uint32_t ny, double clip) {
+Model make_sheet(std::uint32_t nx, std::uint32_t ny, double clip) {
   const auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"}, "contact": {"method": "none"},
       "cloths": [{"grid": [)" +
@@ -59,7 +59,7 @@ double largest_distance(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b
 /// part of the sheet where |x| and |z| are at most `reach`.
 template <class Map>
 double drawing_error(std::uint32_t coarse_side, double reach, const Map& map) {
-  const HostModel coarse = make_sheet(coarse_side, coarse_side, 0.05), fine = make_sheet(129, 129, 0.05);
+  const Model coarse = make_sheet(coarse_side, coarse_side, 0.05), fine = make_sheet(129, 129, 0.05);
   const bench::SheetShape shape{1, mapped(coarse.rest_position, map), 2};
   const bench::SheetShape drawn = bench::upsampled(coarse, shape, fine);
   CHECK(drawn.time == 1);
@@ -76,7 +76,7 @@ double drawing_error(std::uint32_t coarse_side, double reach, const Map& map) {
 }  // namespace
 
 TEST_CASE("normals of a sheet that is turned differ by the angle, however small it is") {
-  const HostModel sheet = make_sheet(12, 9, 0.05);
+  const Model sheet = make_sheet(12, 9, 0.05);
   for (const double angle : {1e-9, 0.01, 0.5, 2.0}) {
     const auto turned = mapped(sheet.rest_position, [&](const Vec3d& p) { return rotated(p, angle); });
     const double found = bench::mean_normal_angle(turned, sheet.rest_position, sheet.triangles);  // degrees
@@ -89,7 +89,7 @@ TEST_CASE("normals of a sheet that is turned differ by the angle, however small 
 TEST_CASE(
     "normals of half a sheet that is turned differ by half the angle in the mean, and by its mean at the "
     "fold") {
-  const HostModel sheet = make_sheet(5, 9, 0.05);  // folded along z = 0, five of its 45 nodes
+  const Model sheet = make_sheet(5, 9, 0.05);  // folded along z = 0, five of its 45 nodes
   const double angle = 0.6;
   const auto folded =
       mapped(sheet.rest_position, [&](const Vec3d& p) { return p.z > 0 ? rotated(p, angle) : p; });
@@ -128,7 +128,7 @@ TEST_CASE("a normal is the mean of those around it, weighted by area") {
 }
 
 TEST_CASE("the error of positions is that of the way from the start") {
-  const HostModel sheet = make_sheet(7, 7, 0.05);
+  const Model sheet = make_sheet(7, 7, 0.05);
   const auto reference = mapped(sheet.rest_position, affine);
   const auto ahead = mapped(sheet.rest_position, [&](const Vec3d& p) { return p + 1.03 * (affine(p) - p); });
   CHECK(bench::position_error(ahead, reference, sheet.rest_position) == doctest::Approx(0.03));
@@ -138,8 +138,8 @@ TEST_CASE("the error of positions is that of the way from the start") {
 TEST_CASE(
     "the free sides go from the last node of a clip to the corner, and their stretch is that of their "
     "length") {
-  const HostModel sheet = make_sheet(9, 9, 0.3);  // nodes are 0.25 m apart: a clip holds three
-  const std::vector<bench::Chain> sides = bench::free_sides(sheet, sheet.cloths[0]);
+  const Model sheet = make_sheet(9, 9, 0.3);  // nodes are 0.25 m apart: a clip holds three
+  const std::vector<bench::Chain> sides = bench::free_sides(sheet, sheet.bodies[0]);
   CHECK(sides ==
         std::vector<bench::Chain>{{9, 18, 27, 36, 45, 54, 63, 72}, {17, 26, 35, 44, 53, 62, 71, 80}});
   const auto longer = mapped(sheet.rest_position, [](const Vec3d& p) {
@@ -147,26 +147,26 @@ TEST_CASE(
   });
   CHECK(bench::stretch_of(sides, longer, sheet.rest_position) == doctest::Approx(0.2));
   std::vector<Vec3d> one = sheet.rest_position;
-  one[0].z -= 1;  // held: no part of a free side
+  one[0].z -= 1;  // pinned: no part of a free side
   CHECK(bench::stretch_of(sides, one, sheet.rest_position) == 0);
   one[80].z += 0.35;  // one side of 1.75 m
   CHECK(bench::stretch_of(sides, one, sheet.rest_position) == doctest::Approx(0.1));
 }
 
 TEST_CASE("a sheet that moves as a whole has the energy of its mass") {
-  const HostModel sheet = make_sheet(9, 6, 0.05);
+  const Model sheet = make_sheet(9, 6, 0.05);
   const std::vector<Vec4f> velocity(sheet.vertex_count(), Vec4f{1, -2, 2, 1});  // w is no part of it
   CHECK(bench::kinetic_energy(sheet.mass, velocity) ==
         doctest::Approx(0.15 * 4 * 9 / 2));  // ½ · 0.6 kg · 9 m²/s²
 }
 
 TEST_CASE("a coarse sheet drawn finely keeps affine maps, whatever the grids") {
-  const HostModel fine = make_sheet(23, 12, 0.05);
+  const Model fine = make_sheet(23, 12, 0.05);
   for (const auto& [nx, ny] : {std::pair{2U, 2U}, {3U, 2U}, {7U, 12U}, {10U, 5U}}) {
-    const HostModel coarse = make_sheet(nx, ny, 0.05);
+    const Model coarse = make_sheet(nx, ny, 0.05);
     const auto drawn =
-        bench::upsample(*coarse.cloths[0].grid, coarse.rest_position, mapped(coarse.rest_position, affine),
-                        *fine.cloths[0].grid, fine.rest_position);
+        bench::upsample(*coarse.bodies[0].grid, coarse.rest_position, mapped(coarse.rest_position, affine),
+                        *fine.bodies[0].grid, fine.rest_position);
     CHECK(largest_distance(drawn, mapped(fine.rest_position, affine)) < 1e-14);
   }
 }
@@ -175,10 +175,10 @@ TEST_CASE("a coarse sheet drawn finely goes through its nodes, and is smooth bet
   const auto wavy = [](const Vec3d& p) {
     return p + Vec3d{0, 0.1 * std::sin(3 * p.x) * std::cos(2 * p.z), 0};
   };
-  const HostModel coarse = make_sheet(5, 5, 0.05), fine = make_sheet(9, 9, 0.05);
+  const Model coarse = make_sheet(5, 5, 0.05), fine = make_sheet(9, 9, 0.05);
   const auto places = mapped(coarse.rest_position, wavy);
-  const auto drawn = bench::upsample(*coarse.cloths[0].grid, coarse.rest_position, places,
-                                     *fine.cloths[0].grid, fine.rest_position);
+  const auto drawn = bench::upsample(*coarse.bodies[0].grid, coarse.rest_position, places,
+                                     *fine.bodies[0].grid, fine.rest_position);
   for (std::uint32_t j = 0; j < 5; ++j)
     for (std::uint32_t i = 0; i < 5; ++i) CHECK(length(drawn[2 * j * 9 + 2 * i] - places[j * 5 + i]) < 1e-15);
   const auto bowl = [](const Vec3d& p) { return p + Vec3d{0, p.x * p.x + p.x * p.z - 2 * p.z * p.z, 0}; };
@@ -188,7 +188,7 @@ TEST_CASE("a coarse sheet drawn finely goes through its nodes, and is smooth bet
 }
 
 TEST_CASE("the errors of a sheet stand beside its reference at the same times") {
-  const HostModel sheet = make_sheet(6, 6, 0.05);
+  const Model sheet = make_sheet(6, 6, 0.05);
   const auto at = [&](double time, double drop, double energy) {
     return bench::SheetShape{time,
                              mapped(sheet.rest_position,

@@ -59,7 +59,7 @@ class SearchRun {
  public:
   SearchRun(gpu::Device& device, SearchCase setup, std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize)
       : device_(device), setup_(std::move(setup)) {
-    auto model = Model::create(device, host_model());
+    auto model = GpuModel::create(device, model_of());
     REQUIRE(model);
     model_ = std::move(*model);
     auto state = State::create(device, model_.host, 1);
@@ -116,7 +116,7 @@ class SearchRun {
     const std::vector<std::uint32_t> words = read(state_.statistics);
     REQUIRE(words.size() * 4 == sizeof(Statistics));
     std::memcpy(static_cast<void*>(&found.statistics), words.data(), sizeof(Statistics));
-    REQUIRE(found.statistics.held == 0);
+    REQUIRE(found.statistics.rolled_back == 0);
     CHECK(found.statistics.detections == 1);
     CHECK(found.statistics.reach == 0);  // nothing moves by itself
     const std::vector<Vec4f> predicted = read(pairs_.predicted);
@@ -141,8 +141,8 @@ class SearchRun {
   }
 
  private:
-  HostModel host_model() const {
-    HostModel host;
+  Model model_of() const {
+    Model host;
     const std::size_t vertices = setup_.cloth.positions.size();
     for (const Vec3f& p : setup_.cloth.positions) {
       host.rest_position.push_back(p.to<double>());
@@ -153,10 +153,10 @@ class SearchRun {
     host.mass.assign(vertices, 1);
     host.motion.assign(vertices, 0);
     host.triangles = setup_.cloth.triangles;
-    ClothModel cloth;
-    cloth.vertex_count = static_cast<std::uint32_t>(vertices);
-    cloth.triangle_count = static_cast<std::uint32_t>(host.triangles.size());
-    host.cloths = {cloth};
+    Body body;
+    body.vertex_count = static_cast<std::uint32_t>(vertices);
+    body.triangle_count = static_cast<std::uint32_t>(host.triangles.size());
+    host.bodies = {body};
     return host;
   }
 
@@ -187,7 +187,7 @@ class SearchRun {
 
   gpu::Device& device_;
   SearchCase setup_;
-  Model model_;
+  GpuModel model_;
   State state_;
   ContactPairs pairs_;
   contact::PairSearch search_;

@@ -1,7 +1,7 @@
 // Spheres and planes against double.
 #include <cmath>
 
-#include "contact/collision_fixture.hpp"
+#include "contact/push_fixture.hpp"
 #include "contact/reference/pushes/analytic.hpp"
 
 using namespace weft;
@@ -113,7 +113,7 @@ TEST_CASE("a sphere pushes a node at its centre straight up, and far and tiny on
 TEST_CASE("a radius or a normal that is off is refused") {
   GpuFixture fixture;
   const Pose pose = scattered_nodes(8, 1, 0, 3);
-  auto model = Model::create(fixture.device(), host_model(pose));
+  auto model = GpuModel::create(fixture.device(), model_of(pose));
   REQUIRE(model);
   auto state = State::create(fixture.device(), model->host, 1);
   REQUIRE(state);
@@ -123,10 +123,10 @@ TEST_CASE("a radius or a normal that is off is refused") {
   setup.spheres = {{{0, 0, 0}, 1}, {{0, 0, 0}, 0}};
   const auto flat = contact::Pushes::create(fixture.device(), *model, *state, *contacts, setup);
   REQUIRE_FALSE(flat);
-  CHECK(flat.error().message == "Collision sphere 1 has the radius 0 m, which is not positive.");
+  CHECK(flat.error().message == "Collider sphere 1 has the radius 0 m, which is not positive.");
   setup.spheres.pop_back();
   setup.planes = {{{0, 0, 0}, {0, 2, 0}}};
   const auto tilted = contact::Pushes::create(fixture.device(), *model, *state, *contacts, setup);
   REQUIRE_FALSE(tilted);
-  CHECK(tilted.error().message == "Collision plane 0 has a normal of length 2, which is not 1.");
+  CHECK(tilted.error().message == "Collider plane 0 has a normal of length 2, which is not 1.");
 }

@@ -14,7 +14,7 @@ TEST_CASE(
   gpu::Device& device = fixture.device();
   Random random(4);
   const std::uint32_t count = 1000;
-  HostModel host;
+  Model host;
   host.rest_position.resize(count);
   host.start_position.resize(count);
   host.mass.assign(count, 1.0);

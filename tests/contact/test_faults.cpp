@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/file.hpp"
-#include "contact/collision_fixture.hpp"
+#include "contact/push_fixture.hpp"
 #include "mesh/primitives.hpp"
 #include "source_path.hpp"
 #include "temporary_folder.hpp"
@@ -69,7 +69,7 @@ TEST_CASE("nodes that are not finite end in no contact, and the others keep thei
   constexpr float kLargest = std::numeric_limits<float>::max(),
                   kLeast = std::numeric_limits<float>::denorm_min();
   for (const ContactMethod method : kMethods) {
-    CollisionRun run(fixture.device(), clean, sphere_setup(method));
+    PushRun run(fixture.device(), clean, sphere_setup(method));
     const Found expected = run.run();
     REQUIRE(expected.statistics.hits > 50);
     for (const float bad : {kInf, -kInf, kNan, -kNan}) {
@@ -103,7 +103,7 @@ TEST_CASE("nodes that are not finite end in no contact, and the others keep thei
 TEST_CASE("all nodes at one point have no contacts, even on the surface, and end") {
   GpuFixture fixture;
   for (const ContactMethod method : kMethods) {
-    CollisionRun run(fixture.device(), sphere_pose(), sphere_setup(method));
+    PushRun run(fixture.device(), sphere_pose(), sphere_setup(method));
     for (const Vec3f& point : {Vec3f{0, 0, 0}, mesh::make_sphere(20, 20).positions[100]}) {
       Pose pose = sphere_pose();
       for (Vec4f& p : pose.predicted) p = Vec4f::from(point, 1);

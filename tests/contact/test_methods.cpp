@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "contact/collision_fixture.hpp"
+#include "contact/push_fixture.hpp"
 #include "contact/reference/pushes/pairs.hpp"
 #include "contact/reference/pushes/pushes.hpp"
 #include "mesh/primitives.hpp"
@@ -98,8 +98,8 @@ void check_object(const std::string& name, std::uint32_t nodes) {
   const mesh::Bounds box = mesh::bounds(object);
   const double thickness = 0.01 * static_cast<double>(length(box.high - box.low));
   const Pose rest = sheet_over(box, nodes, 1, 0, 7);
-  CollisionRun paper_run(fixture.device(), rest, setup_of(ContactMethod::Paper, object, thickness));
-  CollisionRun bvh_run(fixture.device(), rest, setup_of(ContactMethod::Bvh, object, thickness));
+  PushRun paper_run(fixture.device(), rest, setup_of(ContactMethod::Paper, object, thickness));
+  PushRun bvh_run(fixture.device(), rest, setup_of(ContactMethod::Bvh, object, thickness));
   for (const PoseShape& shape : kShapes) {
     const Pose pose = sheet_over(box, nodes, shape.height, shape.wave, 7);
     paper_run.place(pose);
@@ -142,7 +142,7 @@ TEST_CASE("no bit depends on the workgroup, on the run, on the split, or on the 
     setup.spheres = {{{0, 0, 0}, 0.5}};
     const Found first = find_contacts(fixture.device(), pose, setup);
     REQUIRE(first.statistics.hits > 100);
-    CollisionRun again(fixture.device(), pose, setup);
+    PushRun again(fixture.device(), pose, setup);
     for (int i = 0; i < 5; ++i) CHECK(again.run().same_as(first));
     for (const std::uint32_t workgroup : {64U, 128U}) {
       setup.workgroup_size = workgroup;

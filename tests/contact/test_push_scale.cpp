@@ -28,7 +28,7 @@ TEST_CASE("without colliders or pushes the scale is one, and extreme sizes stay 
 }
 
 TEST_CASE("inside a sheet at most eight triangles share a vertex") {
-  HostModel model;
+  Model model;
   const mesh::Grid grid{5, 5, 2, 1};
   model.rest_position.resize(mesh::node_count(grid));
   model.triangles = mesh::grid_triangles(grid);

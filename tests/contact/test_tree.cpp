@@ -146,11 +146,11 @@ TEST_CASE("triangles without area or with coordinates that are not finite are re
   mesh::TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}}};
   const auto flat = object_triangles(std::vector{mesh::make_sphere(3, 2), mesh});
   REQUIRE_FALSE(flat);
-  CHECK(flat.error().message == "Triangle 1 of collision object 1 has no area.");
+  CHECK(flat.error().message == "Triangle 1 of collider mesh 1 has no area.");
   mesh.triangles.pop_back();
   CHECK(object_triangles(std::vector{mesh}));
   mesh.positions[1].x = std::numeric_limits<float>::infinity();
   const auto infinite = object_triangles(std::vector{mesh});
   REQUIRE_FALSE(infinite);
-  CHECK(infinite.error().message == "Triangle 0 of collision object 0 has a coordinate that is not finite.");
+  CHECK(infinite.error().message == "Triangle 0 of collider mesh 0 has a coordinate that is not finite.");
 }

@@ -14,7 +14,7 @@ using namespace weft;
 
 namespace {
 
-HostModel model_of(const std::string& cloth, const mesh::TriangleMesh& mesh = {}) {
+Model model_of(const std::string& cloth, const mesh::TriangleMesh& mesh = {}) {
   const auto scene =
       scene::parse_scene(R"({"format": "weft-scene/1", "cloths": [)" + cloth + "]}", "test.json");
   REQUIRE(scene);
@@ -23,10 +23,10 @@ HostModel model_of(const std::string& cloth, const mesh::TriangleMesh& mesh = {}
   return std::move(*model);
 }
 
-void check_surface(HostModel host, std::uint64_t seed) {
+void check_surface(Model host, std::uint64_t seed) {
   GpuFixture fixture;
   gpu::Device& device = fixture.device();
-  auto model = Model::create(device, std::move(host));
+  auto model = GpuModel::create(device, std::move(host));
   REQUIRE(model);
   auto state = State::create(device, model->host, 1);
   REQUIRE(state);
@@ -55,10 +55,10 @@ void check_surface(HostModel host, std::uint64_t seed) {
     REQUIRE(normal);
     std::vector<Vec3d> sums(position.size());
     std::vector<double> largest(position.size(), 0.0);
-    const HostModel& built = model->host;
-    for (const ClothModel& cloth : built.cloths)
-      for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
-        const mesh::Triangle& triangle = built.triangles[cloth.first_triangle + t];
+    const Model& built = model->host;
+    for (const Body& body : built.bodies)
+      for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
+        const mesh::Triangle& triangle = built.triangles[body.first_triangle + t];
         const auto at = [&](int corner) {
           return position[triangle[static_cast<std::size_t>(corner)]].xyz().to<double>();
         };
@@ -68,7 +68,7 @@ void check_surface(HostModel host, std::uint64_t seed) {
                               b = triangle[static_cast<std::size_t>((corner + 1) % 3)];
           sums[a] += area;
           const std::uint32_t apart = std::max(a, b) - std::min(a, b);
-          if (cloth.grid && apart != 1 && apart != cloth.grid->nx) continue;  // a quad's diagonal
+          if (body.grid && apart != 1 && apart != body.grid->nx) continue;  // a quad's diagonal
           const Vec3d rest = built.rest_position[b].to<float>().to<double>() -
                              built.rest_position[a].to<float>().to<double>();
           const double ratio =

@@ -21,9 +21,9 @@
 #include "mesh/sheet_rim.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
 #include "method/multigrid/cycle.hpp"
-#include "method/multigrid/level.hpp"
+#include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/mesh_lists.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/fine_cloth.hpp"
 #include "render/floor.hpp"
@@ -122,8 +122,8 @@ Json spring_grid_row() {
               M(bending)});
 }
 Json level_of_grid() {
-  using T = LevelOfGrid;
-  return row("LevelOfGrid", "method/multigrid/grid_level.wgsl", sizeof(T), kExact,
+  using T = GridLevelParams;
+  return row("GridLevelParams", "method/multigrid/grid_level.wgsl", sizeof(T), kExact,
              {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(bend_end_i),
               M(bend_end_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
 }
@@ -132,8 +132,8 @@ Json cloth_nodes() {
   return row("ClothNodes", "method/multigrid/cloth.wgsl", sizeof(T), kUniform, {M(first_vertex), M(count)});
 }
 Json level_of_mesh() {
-  using T = LevelOfMesh;
-  return row("LevelOfMesh", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact,
+  using T = MeshLevelParams;
+  return row("MeshLevelParams", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact,
              {M(node_count), M(block_count), M(first_vector), M(first_block), M(first_row), M(first_source),
               M(first_product), M(first_taps)});
 }
@@ -276,7 +276,7 @@ Json shared_constants() {
       statistic("kStatEntries", offsetof(Statistics, entries)),
       statistic("kStatNonfinite", offsetof(Statistics, nonfinite)),
       statistic("kStatFrozen", offsetof(Statistics, frozen)),
-      statistic("kStatHeld", offsetof(Statistics, held)),
+      statistic("kStatRolledBack", offsetof(Statistics, rolled_back)),
       statistic("kStatDetect", offsetof(Statistics, detect)),
       statistic("kStatDue", offsetof(Statistics, due)),
       statistic("kStatFound", offsetof(Statistics, found)),
@@ -304,11 +304,11 @@ Json shared_constants() {
       real("kLeastOutward", "contact/proximity/untangle.wgsl", kLeastOutward),
       real("kOutwardPart", "contact/proximity/untangle.wgsl", kOutwardPart),
       real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
-      real("kTouching", "state/contact.wgsl", kContactTouching),
-      real("kSpring", "contact/proximity/contact_impulse.wgsl", kContactSpring),
-      real("kWall", "contact/proximity/contact_impulse.wgsl", kContactWall),
-      real("kMargin", "contact/proximity/planes.wgsl", kContactMargin),
-      real("kFloor", "contact/proximity/planes.wgsl", kContactFloor),
+      real("kContactTouching", "state/contact.wgsl", kContactTouching),
+      real("kContactSpring", "contact/proximity/contact_impulse.wgsl", kContactSpring),
+      real("kContactWall", "contact/proximity/contact_impulse.wgsl", kContactWall),
+      real("kContactMargin", "contact/proximity/planes.wgsl", kContactMargin),
+      real("kContactFloor", "contact/proximity/planes.wgsl", kContactFloor),
       constant("kLeafTriangles", "contact/proximity/tree.wgsl", contact::kTreeLeafTriangles),
       constant("kTreeArity", "contact/proximity/tree.wgsl", contact::kTreeArity),
   });

@@ -20,7 +20,7 @@ class ImplicitRig {
     meshes.resize(scene_.cloths.size());
     auto host = build_model(scene_, meshes);
     REQUIRE_OK(host);
-    auto model = Model::create(device, std::move(*host));
+    auto model = GpuModel::create(device, std::move(*host));
     REQUIRE_OK(model);
     model_ = std::move(*model);
     auto state = State::create(device, model_.host, 1);
@@ -34,7 +34,7 @@ class ImplicitRig {
                              workgroup_size};
     const auto kernels = Kernels::create(inputs);
     REQUIRE_OK(kernels);
-    auto cycle = ClothCycle::create(inputs, *kernels, model_.host.cloths[0]);
+    auto cycle = ClothCycle::create(inputs, *kernels, model_.host.bodies[0]);
     REQUIRE_OK(cycle);
     cycle_ = std::move(*cycle);
     params_.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
@@ -181,7 +181,7 @@ class ImplicitRig {
 
   const ClothCycle& cycle() const { return cycle_; }
   const State& state() const { return state_; }
-  const Model& model() const { return model_; }
+  const GpuModel& model() const { return model_; }
   const reference::MassSpringSystem& system() const { return system_; }
 
  private:
@@ -193,7 +193,7 @@ class ImplicitRig {
   scene::Scene scene_;
   double dt_, ratio_ = 1;
   StepParams params_;
-  Model model_;
+  GpuModel model_;
   State state_;
   ClothCycle cycle_;
   reference::MassSpringSystem system_;

@@ -1,4 +1,4 @@
-// A solver on its own: a scene's cloths without collision, stepped and read back.
+// A solver on its own: a scene's cloths without contact, stepped and read back.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -35,7 +35,7 @@ class SolverRig {
     meshes.resize(scene.cloths.size());
     auto host = build_model(scene, meshes);
     REQUIRE_OK(host);
-    auto model = Model::create(device, std::move(*host));
+    auto model = GpuModel::create(device, std::move(*host));
     REQUIRE_OK(model);
     model_ = std::move(*model);
     auto state = State::create(device, model_.host, 1);
@@ -104,7 +104,7 @@ class SolverRig {
 
   std::vector<Vec4f> positions() { return read(state_.position[parity_]); }
   std::vector<Vec4f> velocities() { return read(state_.velocity[parity_]); }
-  const Model& model() const { return model_; }
+  const GpuModel& model() const { return model_; }
   double dt() const { return dt_; }
 
   /// The same system, as it stands, for the reference.
@@ -145,7 +145,7 @@ class SolverRig {
   double dt_;
   StepParams params_;
   std::vector<reference::Follower> grabs_;
-  Model model_;
+  GpuModel model_;
   State state_;
   std::unique_ptr<Solver> solver_;
   std::uint32_t parity_ = 0;

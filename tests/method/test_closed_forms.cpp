@@ -68,7 +68,7 @@ TEST_CASE("without springs a node takes on the wind as v_n = w (1 - (1 - c h)^n)
   }
 }
 
-TEST_CASE("a held node goes to its target as (1 - r h)^n") {
+TEST_CASE("a grabbed node goes to its target as (1 - r h)^n") {
   GpuFixture fixture;
   const double h = 1.0 / 512, rate = 20;
   SolverRig rig(fixture.device(),
@@ -147,7 +147,7 @@ TEST_CASE(
                       R"("density": 0.2, "damping": 0.01, "pins": ["left", "right"], )" + stiffness)),
         4e-4);
     auto position = rig.positions();
-    for (Vec4f& x : position) x.x *= static_cast<float>(1 + strain);  // both ends held, stretched
+    for (Vec4f& x : position) x.x *= static_cast<float>(1 + strain);  // both ends fixed, stretched
     rig.set(position, std::vector<Vec4f>(position.size()));
     rig.advance(7000);  // 2.8 s of drag 8 / s
     position = rig.positions();

@@ -36,13 +36,13 @@ double wind_tolerance(const reference::MassSpringSystem& system, std::size_t nod
   return error;
 }
 
-/// How far the velocity of a held node may be: the difference of two places, its length and the cut round.
+/// How far the velocity of a grabbed node may be: the difference of two places, its length and the cut round.
 double grab_tolerance(const reference::MassSpringSystem& system, std::size_t node) {
   double error = 0;
-  for (const reference::Follower& held : system.grabs)
-    if (held.node == node)
-      error +=
-          system.grab_rate * kUlp * (length(held.target) + 10 * length(held.target - system.position[node]));
+  for (const reference::Follower& grabbed : system.grabs)
+    if (grabbed.node == node)
+      error += system.grab_rate * kUlp *
+               (length(grabbed.target) + 10 * length(grabbed.target - system.position[node]));
   return error;
 }
 
@@ -101,13 +101,13 @@ void check_one_step(SolverRig& rig, double force_unit) {
 }  // namespace
 
 TEST_CASE("the springs of a grid have the stiffness of each kind, and its damping where there is any") {
-  ClothModel cloth;
-  cloth.grid = mesh::Grid{5, 4, 1.0, 0.75};
-  cloth.stiffness.structural = 50;
-  cloth.stiffness.shear = 0;
-  cloth.stiffness.bend = 7;
-  cloth.damping = 0.5;
-  const SpringGrid params = spring_grid(*cloth.grid, cloth.material(), cloth.first_vertex);
+  Body body;
+  body.grid = mesh::Grid{5, 4, 1.0, 0.75};
+  body.stiffness.structural = 50;
+  body.stiffness.shear = 0;
+  body.stiffness.bend = 7;
+  body.damping = 0.5;
+  const SpringGrid params = spring_grid(*body.grid, body.material(), body.first_vertex);
   const auto numbers = [](const Vec4f& v) { return std::array{v.x, v.y, v.z, v.w}; };
   CHECK(numbers(params.stiffness) == std::array{50.0F, 0.0F, 7.0F, 0.0F});
   CHECK(numbers(params.damping) == std::array{0.5F, 0.0F, 0.5F, 0.0F});
@@ -192,7 +192,7 @@ TEST_CASE("in gusts of any direction all three paths equal the reference") {
   }
 }
 
-TEST_CASE("with held nodes all three paths equal the reference, and a pinned node cannot be held") {
+TEST_CASE("with grabbed nodes all three paths equal the reference, and a pinned node cannot be grabbed") {
   GpuFixture fixture;
   const auto check = [](SolverRig& rig, double force_unit) {
     rig.perturb(6, 0.02, 1.0);
@@ -242,7 +242,7 @@ TEST_CASE("spring-centric forces of any cloth sum to exactly zero") {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {  // sizes are random, seldom a multiple of the workgroup
     Random random(seed);
     const auto count = 2 + random.below(400);
-    HostModel host;
+    Model host;
     host.rest_position.resize(count);
     host.start_position.resize(count);
     host.mass.assign(count, 1.0);
@@ -322,7 +322,7 @@ TEST_CASE("springs in blocks end in the bits of springs one by one, on sheets an
 
 TEST_CASE("a force buffer of the wrong size is a shape error with both sizes") {
   GpuFixture fixture;
-  HostModel host;
+  Model host;
   host.rest_position.resize(8);
   host.start_position.resize(8);
   host.mass.assign(8, 1.0);

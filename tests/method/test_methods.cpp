@@ -32,7 +32,7 @@ TEST_CASE("every kind of solver but auto has one row that answers all that is as
 }
 
 TEST_CASE("auto always finds a method: the last row that it may take takes every model") {
-  const HostModel empty;
+  const Model empty;
   AutoVerdict last;
   for (const Method& method : methods())
     if (method.auto_verdict != nullptr) last = method.auto_verdict(empty);

@@ -27,13 +27,13 @@ const std::string kNodeMass =
 
 /// The product of a level's matrix and a random vector, block by block as kernels have stored it.
 Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
-  const LevelOfGrid& level = rig.cycle().shapes()[l];
+  const GridLevelParams& level = rig.cycle().shapes()[l];
   const std::vector<BlockPart> all = rig.download(rig.cycle().operators());
   GridOperator stored;
   stored.nx = level.nx;
   stored.ny = level.ny;
   stored.rows.resize(node_count(level));
-  stored.held.assign(node_count(level), false);
+  stored.fixed.assign(node_count(level), false);
   const auto part = [&](std::uint32_t p, std::uint32_t n) {
     return all[level.first_operator + p * node_count(level) + n];
   };
@@ -48,7 +48,7 @@ Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
 
 }  // namespace
 
-TEST_CASE("the residual, the diagonal and the first step of smoothing equal the reference's") {
+TEST_CASE("the residual, the diagonal and the first smoothing sweep equal the reference's") {
   GpuFixture fixture;
   struct Case {
     std::uint32_t nx, ny;

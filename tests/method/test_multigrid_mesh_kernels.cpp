@@ -43,7 +43,7 @@ std::vector<Case> cases() {
 
 std::vector<Sym3> blocks_of(MeshRig& rig, std::size_t l) {
   const std::vector<Vec4f> all = rig.download(rig.cycle().blocks());
-  const LevelOfMesh& level = rig.cycle().shapes()[l];
+  const MeshLevelParams& level = rig.cycle().shapes()[l];
   std::vector<Sym3> blocks;
   for (std::size_t b = level.first_block; b < level.first_block + level.block_count; ++b)
     blocks.push_back(sym3(all[2 * b], all[2 * b + 1].x, all[2 * b + 1].y));
@@ -66,7 +66,7 @@ Field inverses_times(MeshRig& rig, std::size_t l, const Field& x) {
 
 }  // namespace
 
-TEST_CASE("a mesh's residual, matrices, diagonals and first step of smoothing equal the reference's") {
+TEST_CASE("a mesh's residual, matrices, diagonals and first smoothing sweep equal the reference's") {
   GpuFixture fixture;
   for (const Case& c : cases()) {
     CAPTURE(std::string(c.name));

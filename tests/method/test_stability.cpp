@@ -64,7 +64,7 @@ void survives(std::uint32_t side, std::uint32_t steps) {
     for (const double damping : {0.0, 0.02}) {
       const auto scene = scene_of(sheet(side, side, 50 * scale, 20 * scale, 2 * scale, damping));
       const StepLimit limit = limit_of(scene);
-      const auto substeps = choose_substeps(scene, limit);
+      const auto substeps = stable_substeps(scene, limit);
       REQUIRE_OK(substeps);
       SolverRig rig(fixture.device(), scene, scene.time.frame / *substeps);
       rig.perturb(7, 0.004, 0.5);  // a fifth of a cell

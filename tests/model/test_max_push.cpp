@@ -8,7 +8,7 @@ using namespace weft;
 
 TEST_CASE("a push is at most the thickness and two of the longest rest edges") {
   const mesh::Grid grid{5, 5, 2, 1};  // edges of 0.5 and 0.25 m; the diagonal is the longest
-  HostModel model;
+  Model model;
   for (std::uint32_t j = 0; j < grid.ny; ++j)
     for (std::uint32_t i = 0; i < grid.nx; ++i) {
       const mesh::RestPoint at = mesh::rest_point(grid, i, j);

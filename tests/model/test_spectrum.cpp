@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNodeMass = 0.25 * 0.02 * 0.02;  // [kg]
 
-HostModel lattice(std::uint32_t nx, std::uint32_t ny, const std::string& stiffness) {
+Model lattice(std::uint32_t nx, std::uint32_t ny, const std::string& stiffness) {
   const auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
           R"(], "size": [)" + std::to_string(0.02 * (nx - 1)) + ", " + std::to_string(0.02 * (ny - 1)) +
@@ -74,7 +74,7 @@ TEST_CASE("the highest frequency of lattices is found within 0.5 %, an edge mode
 }
 
 TEST_CASE("bending alone has omega² = 32 B / (a² m), where every second node of rows and columns is lifted") {
-  const HostModel model = lattice(40, 50, R"({"structural": 0, "shear": 0, "bend": 0, "bending": 1e-3})");
+  const Model model = lattice(40, 50, R"({"structural": 0, "shear": 0, "bend": 0, "bending": 1e-3})");
   const double expected = 32 * 1e-3 / (0.02 * 0.02 * kNodeMass);
   const double found = mass_spring_step_limit(model, 0).highest_frequency;
   CHECK(found * found ==
@@ -137,11 +137,11 @@ TEST_CASE("substeps are rounded up to a multiple of 4, and too many are refused 
   const scene::Scene scene;  // 60 frames a second
   StepLimit limit;
   limit.largest_step = scene.time.frame / 5;
-  const auto substeps = choose_substeps(scene, limit);
+  const auto substeps = stable_substeps(scene, limit);
   REQUIRE_MESSAGE(substeps, substeps.error().message);
   CHECK(*substeps == 8);  // 5 / 0.7 = 7.1
   limit.largest_step = 1e-9;
-  const auto refused = choose_substeps(scene, limit);
+  const auto refused = stable_substeps(scene, limit);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().kind == ErrorKind::Limit);
   CHECK(refused.error().message.find("65536") != std::string::npos);

@@ -13,7 +13,7 @@
 namespace weft {
 
 struct Sheet {
-  HostModel model;
+  Model model;
   reference::MassSpringSystem system;
   reference::ImplicitStepper stepper;
 
@@ -74,7 +74,7 @@ struct Sheet {
   }
 
  private:
-  static HostModel model_of(const std::string& members, std::vector<mesh::TriangleMesh> meshes) {
+  static Model model_of(const std::string& members, std::vector<mesh::TriangleMesh> meshes) {
     const auto scene = scene::parse_scene(
         R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, )" + members + "}", "test.json");
     REQUIRE_MESSAGE(scene, scene.error().message);
@@ -85,7 +85,7 @@ struct Sheet {
   }
 };
 
-/// A thin fabric: 2 m by 2 m, 2000 N/m, held by two clips of 5 cm.
+/// A thin fabric: 2 m by 2 m, 2000 N/m, pinned by two clips of 5 cm.
 inline std::string thin_sheet(std::uint32_t nx, std::uint32_t ny, const std::string& more = "") {
   return R"("cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
          R"(], "size": [2, 2], "plane": "xz", "bump": 0.001, "density": 0.15, "damping": 0,

@@ -13,18 +13,18 @@ namespace {
 /// ones.
 Matrix explicit_matrix(const Sheet& sheet, double he, bool galerkin) {
   const auto& system = sheet.system;
-  const mesh::Grid grid = *sheet.model.cloths[0].grid;
+  const mesh::Grid grid = *sheet.model.bodies[0].grid;
   const std::size_t count = system.position.size();
   Entries entries;
-  const auto held = [&](std::size_t node) { return system.inverse_mass[node] == 0; };
+  const auto fixed = [&](std::size_t node) { return system.inverse_mass[node] == 0; };
   const auto add_line = [&](const std::vector<std::pair<std::size_t, double>>& line,
                             const Eigen::Matrix3d& block) {
     for (const auto& [a, wa] : line)
       for (const auto& [b, wb] : line)
-        if (!held(a) && !held(b)) add_block(entries, a, b, wa * wb * block);
+        if (!fixed(a) && !fixed(b)) add_block(entries, a, b, wa * wb * block);
   };
   for (std::size_t a = 0; a < count; ++a)
-    if (!held(a)) {
+    if (!fixed(a)) {
       const double mass = sheet.mass(a) * (1 / (he * he) + system.drag / he);
       add_block(entries, a, a, mass * Eigen::Matrix3d::Identity());
     }
@@ -46,7 +46,7 @@ Matrix explicit_matrix(const Sheet& sheet, double he, bool galerkin) {
       spring(middle, s.node_b, s.rest_length / 2, 2 * s.stiffness, 2 * s.damping);
     }
   }
-  const double b = sheet.model.cloths[0].stiffness.bending;
+  const double b = sheet.model.bodies[0].stiffness.bending;
   const double di = grid.width / (grid.nx - 1), dj = grid.height / (grid.ny - 1);
   for (std::uint32_t j = 0; j < grid.ny && !galerkin; ++j)
     for (std::uint32_t i = 0; i < grid.nx; ++i) {
@@ -68,13 +68,13 @@ Matrix stencil_matrix(const GridOperator& grid) {
   for (std::uint32_t j = 0; j < grid.ny; ++j)
     for (std::uint32_t i = 0; i < grid.nx; ++i) {
       const std::uint32_t a = j * grid.nx + i;
-      if (grid.held[a]) continue;
+      if (grid.fixed[a]) continue;
       const int di[] = {0, 1, 0, 1, -1}, dj[] = {0, 0, 1, 1, 1};
       for (int p = 0; p < 5; ++p) {
         const int ib = static_cast<int>(i) + di[p], jb = static_cast<int>(j) + dj[p];
         if (ib < 0 || ib >= static_cast<int>(grid.nx) || jb >= static_cast<int>(grid.ny)) continue;
         const auto b = static_cast<std::uint32_t>(jb) * grid.nx + static_cast<std::uint32_t>(ib);
-        if (grid.held[b]) continue;
+        if (grid.fixed[b]) continue;
         add_block(entries, a, b, dense(grid.rows[a][static_cast<std::size_t>(p)]));
         if (p > 0) add_block(entries, b, a, dense(grid.rows[a][static_cast<std::size_t>(p)]));
       }
@@ -83,7 +83,7 @@ Matrix stencil_matrix(const GridOperator& grid) {
 }
 
 /// P of one level, bilinear by hand: the coarse nodes' places along a side, and hat functions between them.
-Matrix prolongation(std::uint32_t nx, std::uint32_t ny, const std::vector<bool>& held) {
+Matrix prolongation(std::uint32_t nx, std::uint32_t ny, const std::vector<bool>& fixed) {
   const auto hat = [](std::uint32_t fine, std::uint32_t coarse, std::uint32_t n) {
     if (n <= 5) return fine == coarse ? 1.0 : 0.0;
     const double last = n - 1, at = fine;
@@ -98,7 +98,7 @@ Matrix prolongation(std::uint32_t nx, std::uint32_t ny, const std::vector<bool>&
   for (std::uint32_t a = 0; a < nx * ny; ++a)
     for (std::uint32_t c = 0; c < cx * cy; ++c) {
       const double weight = hat(a % nx, c % cx, nx) * hat(a / nx, c / cx, ny);
-      if (weight > 0 && !held[a]) add_block(entries, a, c, weight * Eigen::Matrix3d::Identity());
+      if (weight > 0 && !fixed[a]) add_block(entries, a, c, weight * Eigen::Matrix3d::Identity());
     }
   return matrix_from(entries, std::size_t{nx} * ny, std::size_t{cx} * cy);
 }
@@ -128,7 +128,7 @@ TEST_CASE("the matrix of a step is mass, springs and bending, added up one by on
     Random random(3);
     Field x(second.matrix.size());
     for (std::size_t a = 0; a < x.size(); ++a)
-      if (!second.matrix.held[a])
+      if (!second.matrix.fixed[a])
         x[a] = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     const Eigen::VectorXd product = expected * eigen(x);
     CHECK((eigen(second.matrix.apply(x)) - product).norm() <
@@ -150,7 +150,7 @@ TEST_CASE("coarse matrices are Pᵀ A P of mass and springs, for sides of any le
     REQUIRE(hierarchy.levels().size() > 1);
     for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
       const GridOperator& fine = hierarchy.levels()[l - 1];
-      const Matrix p = prolongation(fine.nx, fine.ny, fine.held);
+      const Matrix p = prolongation(fine.nx, fine.ny, fine.fixed);
       expected = Matrix(p.transpose() * expected * p);
       CHECK(difference(stencil_matrix(hierarchy.levels()[l]), expected) < 1e-6);
     }
@@ -172,9 +172,9 @@ TEST_CASE("coarse matrices have what obstacles hold nodes with") {
     double trace = 0;
     for (int k = 0; k < 3; ++k) trace += full.coeff(3 * static_cast<int>(a) + k, 3 * static_cast<int>(a) + k);
     const Eigen::Vector3d m(n.x, n.y, n.z);
-    const Eigen::Matrix3d held =
+    const Eigen::Matrix3d fixed =
         a % 2 == 0 ? Eigen::Matrix3d(m * m.transpose()) : Eigen::Matrix3d::Identity();
-    add_block(holds, a, a, 10 * std::min(weight, 1.0) * trace * held);
+    add_block(holds, a, a, 10 * std::min(weight, 1.0) * trace * fixed);
   }
   const LinearStep step =
       sheet.stepper.linearise(sheet.system, sheet.system.position, 1.0 / 480, 1, 0, presses);
@@ -183,7 +183,7 @@ TEST_CASE("coarse matrices have what obstacles hold nodes with") {
   CHECK(difference(stencil_matrix(step.source), expected) < 1e-6);
   for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
     const GridOperator& fine = hierarchy.levels()[l - 1];
-    const Matrix p = prolongation(fine.nx, fine.ny, fine.held);
+    const Matrix p = prolongation(fine.nx, fine.ny, fine.fixed);
     expected = Matrix(p.transpose() * expected * p);
     CHECK(difference(stencil_matrix(hierarchy.levels()[l]), expected) < 1e-6);
   }
@@ -195,9 +195,9 @@ TEST_CASE("prolongation is bilinear, and restriction its transpose") {
     fine.nx = nx;
     fine.ny = ny;
     fine.rows.resize(std::size_t{nx} * ny);
-    fine.held.assign(fine.rows.size(), false);
-    fine.held[3] = true;
-    const Matrix p = prolongation(nx, ny, fine.held);
+    fine.fixed.assign(fine.rows.size(), false);
+    fine.fixed[3] = true;
+    const Matrix p = prolongation(nx, ny, fine.fixed);
     Random random(nx);
     Field coarse(std::size_t{coarser_side(nx)} * coarser_side(ny)), r(fine.size());
     for (Vec3d& v : coarse) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
@@ -212,8 +212,8 @@ TEST_CASE("the residual at rest is minus the energy's gradient, and its sum is t
   sheet.system.acceleration = {};
   sheet.perturb(5, 0.03, 0);
   const auto& springs = sheet.system.springs;
-  const mesh::Grid grid = *sheet.model.cloths[0].grid;
-  const auto [along_i, along_j] = bending_stiffness(sheet.model.cloths[0]);
+  const mesh::Grid grid = *sheet.model.bodies[0].grid;
+  const auto [along_i, along_j] = bending_stiffness(sheet.model.bodies[0]);
   const auto energy = [&](const std::vector<Vec3d>& x) {
     double sum = 0;
     for (const SpringLink& s : springs)
@@ -275,11 +275,11 @@ TEST_CASE(
                  << " a cycle, at worst " << found.worst << ", at last " << found.last);
     CHECK(found.mean < c.bound);
     if (c.nx > 70) continue;  // the direct solution of larger ones takes long
-    Entries held;             // their rows are empty
+    Entries fixed;            // their rows are empty
     for (std::size_t a = 0; a < step.matrix.size(); ++a)
-      if (step.matrix.held[a]) add_block(held, a, a, Eigen::Matrix3d::Identity());
+      if (step.matrix.fixed[a]) add_block(fixed, a, a, Eigen::Matrix3d::Identity());
     const Matrix matrix = explicit_matrix(sheet, 2.0 / 3 / 480, false) +
-                          matrix_from(held, step.matrix.size(), step.matrix.size());
+                          matrix_from(fixed, step.matrix.size(), step.matrix.size());
     const Eigen::SimplicialLLT<Matrix> factors(matrix);
     const Eigen::VectorXd exact = factors.solve(eigen(step.residual));
     CHECK((eigen(found.solution) - exact).norm() < 1e-5 * exact.norm());
@@ -302,7 +302,7 @@ TEST_CASE(
     for (std::size_t a = 0; obstacles && a < step.matrix.size(); ++a) {
       const Vec3d way{random.uniform(-1, 1), 1, random.uniform(-1, 1)};
       // Two thirds of the upper part lie on something, and one of the lower.
-      if (step.matrix.held[a] || random.below(3) < (a / 65 < 30 ? 1U : 2U)) continue;
+      if (step.matrix.fixed[a] || random.below(3) < (a / 65 < 30 ? 1U : 2U)) continue;
       const Sym3 hold = Sym3::outer(way / length(way), 1000 * sheet.mass(a) * 2.25 * 480 * 480);
       step.matrix.rows[a][0] += hold;
       step.source.rows[a][0] += hold;

@@ -25,9 +25,9 @@ Matrix explicit_matrix(const Sheet& sheet, double he) {
   const auto& system = sheet.system;
   const std::size_t count = system.position.size();
   Entries entries;
-  const auto held = [&](std::size_t node) { return system.inverse_mass[node] == 0; };
+  const auto fixed = [&](std::size_t node) { return system.inverse_mass[node] == 0; };
   for (std::size_t a = 0; a < count; ++a)
-    if (!held(a)) {
+    if (!fixed(a)) {
       const double mass = sheet.mass(a) * (1 / (he * he) + system.drag / he);
       add_block(entries, a, a, mass * Eigen::Matrix3d::Identity());
     }
@@ -37,9 +37,9 @@ Matrix explicit_matrix(const Sheet& sheet, double he) {
     const double stretched = std::max(0.0, 1 - s.rest_length / span.norm());
     const Eigen::Matrix3d block = (s.stiffness * (1 - stretched) + s.damping / he) * n * n.transpose() +
                                   s.stiffness * stretched * Eigen::Matrix3d::Identity();
-    if (!held(s.node_a)) add_block(entries, s.node_a, s.node_a, block);
-    if (!held(s.node_b)) add_block(entries, s.node_b, s.node_b, block);
-    if (held(s.node_a) || held(s.node_b)) continue;
+    if (!fixed(s.node_a)) add_block(entries, s.node_a, s.node_a, block);
+    if (!fixed(s.node_b)) add_block(entries, s.node_b, s.node_b, block);
+    if (fixed(s.node_a) || fixed(s.node_b)) continue;
     add_block(entries, s.node_a, s.node_b, -block);
     add_block(entries, s.node_b, s.node_a, -block);
   }
@@ -125,11 +125,11 @@ void check_convergence(const Case& c) {
         2 * (1 + 1e-9));  // each spring adds at most twice its own
   CHECK(eigenvalue < kSmoothHigh);
   if (step.place.size() > 2000 || found.mean > 0.7) return;  // a direct solution takes long
-  Entries held;                                              // their rows are empty
+  Entries fixed;                                             // their rows are empty
   for (std::size_t a = 0; a < step.matrix.size(); ++a)
-    if (step.held[a]) add_block(held, a, a, Eigen::Matrix3d::Identity());
+    if (step.fixed[a]) add_block(fixed, a, a, Eigen::Matrix3d::Identity());
   const std::size_t count = step.matrix.size();
-  const Matrix matrix = explicit_matrix(stood, 2.0 / 3 / 480) + matrix_from(held, count, count);
+  const Matrix matrix = explicit_matrix(stood, 2.0 / 3 / 480) + matrix_from(fixed, count, count);
   const Eigen::SimplicialLLT<Matrix> factors(matrix);
   const Eigen::VectorXd exact = factors.solve(eigen(step.residual));
   CHECK((eigen(found.solution) - exact).norm() < 1e-5 * exact.norm());
@@ -161,17 +161,17 @@ TEST_CASE(
       const Field coarse = random_field(level.coarser()->node_count, l);
       Eigen::VectorXd up = p * eigen(coarse);
       for (int a = 0; a < static_cast<int>(level.size()); ++a)
-        if (level.held(static_cast<std::size_t>(a))) up.segment<3>(3 * a).setZero();
+        if (level.fixed(static_cast<std::size_t>(a))) up.segment<3>(3 * a).setZero();
       CHECK((eigen(prolonged(coarse, level)) - up).norm() < 1e-13);
-      Field masked = x;  // what is handed down is 0 where nodes are held
+      Field masked = x;  // what is handed down is 0 where nodes are fixed
       for (std::size_t a = 0; a < masked.size(); ++a)
-        if (level.held(a)) masked[a] = {};
+        if (level.fixed(a)) masked[a] = {};
       CHECK((eigen(restricted(masked, level)) - p.transpose() * eigen(masked)).norm() < 1e-13);
     }
   }
 }
 
-TEST_CASE("a mesh's residual at rest is minus the springs' energy's gradient, 0 where nodes are held") {
+TEST_CASE("a mesh's residual at rest is minus the springs' energy's gradient, 0 where nodes are fixed") {
   Sheet sheet(mesh_cloth(kFirstNodes, kUsual), {jittered_sheet(7, 6, 1, 1)});
   sheet.system.acceleration = {};
   sheet.perturb(5, 0.03, 0);

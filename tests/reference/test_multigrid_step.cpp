@@ -16,7 +16,7 @@ bool all_finite(const std::vector<Vec3d>& values, double bound) {
   return true;
 }
 
-/// A stretched membrane, held all around, that swings: smooth, and no spring is ever pressed.
+/// A stretched membrane, pinned all around, that swings: smooth, and no spring is ever pressed.
 Sheet membrane() {
   Sheet sheet(
       R"("cloths": [{"grid": [13, 10], "size": [1, 0.75], "plane": "xz", "density": 0.2, "damping": 0.05,
@@ -77,7 +77,7 @@ TEST_CASE("a sheet falls as with explicit steps, within 1.5 % at 64 x 64 after a
 }
 
 TEST_CASE("a pendulum loses the energy that BDF2 takes from its frequency") {
-  // A strip of 2 x 2 nodes, the upper two held, swings at sqrt(g / l) for small angles. Springs are soft
+  // A strip of 2 x 2 nodes, the upper two pinned, swings at sqrt(g / l) for small angles. Springs are soft
   // enough that what a step across them stretches, l (w h angle)² / 2, holds no energy to speak of.
   Sheet sheet(R"("cloths": [{"grid": [2, 2], "size": [1, 1], "node_mass": 1, "damping": 0,
                  "stiffness": {"structural": 1e4, "shear": 1e4, "bend": 0}, "pins": ["top"]}])");

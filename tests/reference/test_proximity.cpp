@@ -224,7 +224,7 @@ TEST_CASE("a ball that flies into a sheet at 20 m/s has its frames cut, and take
   CHECK(mean(simulation.positions()).y > 1.4);
 }
 
-TEST_CASE("what is held back brings no energy into a sheet that falls over a ball in too long steps") {
+TEST_CASE("truncation brings no energy into a sheet that falls over a ball in too long steps") {
   // So thin that vertices come to the planes between features before impulses stop them.
   auto simulation = simulation_of_file(
       "pull-sphere",

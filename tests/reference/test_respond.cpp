@@ -106,7 +106,7 @@ TEST_CASE("one node on a floor: the spring below the thickness, the wall at a qu
     CHECK(answered(on_floor(-0.5, 0), {0, 900, 0}, inverse_mass, 0).y ==
           doctest::Approx(900 + 0.25 * 0.01 / kStep));
   }
-  CHECK(answered(on_floor(0.001, 1), {1, -5, 0}, 0, 0.6) == Vec3d{1, -5, 0});  // held
+  CHECK(answered(on_floor(0.001, 1), {1, -5, 0}, 0, 0.6) == Vec3d{1, -5, 0});  // kinematic
 }
 
 TEST_CASE("friction takes the sliding whole, or as much as its coefficient allows, relative to the surface") {

@@ -33,11 +33,11 @@ TEST_CASE("a displacement is cut where it meets the first plane, and at its reac
   CHECK(cut({{0, up, 2}}, {0, 1, 0}, {4, 1.5, 0}, 9) == Vec3d{4, 1.5, 0});
   // An obstacle that has come past it takes it along.
   CHECK(cut({{0, up, 2, true}}, {0, 1, 0}, {4, -1, 0}, 9) == Vec3d{4, 2, 0});
-  const double held[] = {0};
+  const double kinematic[] = {0};
   const Vec3d previous[] = {{0, 1, 0}};
   Vec3d position[] = {{0, -1, 0}};
   const SidePlane plane{0, up, 0, true};
-  CHECK(truncate({&plane, 1}, previous, held, 0.1, position) == 0);
+  CHECK(truncate({&plane, 1}, previous, kinematic, 0.1, position) == 0);
   CHECK(position[0] == Vec3d{0, -1, 0});
 }
 

@@ -9,15 +9,15 @@ using namespace weft::render;
 namespace {
 
 /// Two cloths of one triangle each; the second is moved by 2 m along x in every second.
-HostModel two_triangles() {
+Model two_triangles() {
   scene::MotionLine line;
   line.direction = {1, 0, 0};
   line.speed = 2;
-  HostModel model;
-  model.cloths.resize(2);
-  model.cloths[0].vertex_count = model.cloths[1].vertex_count = model.cloths[1].first_vertex = 3;
-  model.cloths[0].triangle_count = model.cloths[1].triangle_count = model.cloths[1].first_triangle = 1;
-  model.cloths[1].color = Vec3d{0.1, 0.2, 0.3};
+  Model model;
+  model.bodies.resize(2);
+  model.bodies[0].vertex_count = model.bodies[1].vertex_count = model.bodies[1].first_vertex = 3;
+  model.bodies[0].triangle_count = model.bodies[1].triangle_count = model.bodies[1].first_triangle = 1;
+  model.bodies[1].color = Vec3d{0.1, 0.2, 0.3};
   model.rest_position = {{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}, {0, 0, 1}, {1, 0, 1}, {0, 0.5, 1}};
   model.start_position = model.rest_position;
   model.uv = {{0, 0}, {1, 0}, {0, 0.5F}, {0, 0}, {1, 0}, {0, 1.5F}};
@@ -67,7 +67,7 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
                      scene::ColliderSphere{{-5, 0, 0}, 0.5, {}, line},
                      scene::ColliderMesh{"", "a.obj", {}, {{0.5, "b.obj"}}, {}, line},
                      scene::ColliderCapsule{{0, 0, 0}, {1, 0, 0}, 0.5}};
-  const Model model = value_of(Model::create(fixture.device(), two_triangles()));
+  const GpuModel model = value_of(GpuModel::create(fixture.device(), two_triangles()));
   const State state = value_of(State::create(fixture.device(), model.host, 1));
   const auto stretch = value_of(gpu::Buffer<float>::create(fixture.device(), 6, "stretch"));
   const mesh::TriangleMesh box = mesh::make_box({1, 2, 3});

@@ -28,16 +28,16 @@ std::vector<Vec3d> positions_of(const Cloth& cloth) { return grid_positions(*clo
 
 }  // namespace
 
-TEST_CASE("copy k of a cloth is the cloth k offsets further on, with the same nodes held") {
+TEST_CASE("copy k of a cloth is the cloth k offsets further on, with the same kinematic nodes") {
   const Scene scene = parsed(kThree);
   REQUIRE(scene.cloths.size() == 3);
   const Cloth& first = scene.cloths[0];
   CHECK(first.transform.translate == Vec3d{1, 0, 0});
   const std::vector<Vec3d> places = positions_of(first);
-  const auto held = held_nodes(first, {places, 4, 3});
-  REQUIRE(held);
-  REQUIRE(held->motions[0].size() == 1);
-  CHECK(held->pins.size() >= 3);
+  const auto kinematic = kinematic_nodes(first, {places, 4, 3});
+  REQUIRE(kinematic);
+  REQUIRE(kinematic->motions[0].size() == 1);
+  CHECK(kinematic->pins.size() >= 3);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const Cloth& copy = scene.cloths[k];
     const Vec3d shift = Vec3d{0, 1, 5} * k;
@@ -46,11 +46,11 @@ TEST_CASE("copy k of a cloth is the cloth k offsets further on, with the same no
     const std::vector<Vec3d> there = positions_of(copy);
     for (std::size_t node = 0; node < places.size(); ++node)
       CHECK(length(there[node] - places[node] - shift) < 1e-14);
-    const auto same = held_nodes(copy, {there, 4, 3});
+    const auto same = kinematic_nodes(copy, {there, 4, 3});
     REQUIRE(same);
-    CHECK(same->pins == held->pins);
-    CHECK(same->motions == held->motions);
-    const std::uint32_t node = held->motions[0][0];
+    CHECK(same->pins == kinematic->pins);
+    CHECK(same->motions == kinematic->motions);
+    const std::uint32_t node = kinematic->motions[0][0];
     const Vec3d moved = motion_at(copy.motions[0], 0.7)(there[node]);
     CHECK(length(moved - motion_at(first.motions[0], 0.7)(places[node]) - shift) < 1e-13);
     CHECK(length(moved - there[node]) > 0.1);

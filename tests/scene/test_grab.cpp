@@ -30,16 +30,16 @@ TEST_CASE("a grab pulls to its first point, then straight along its path, then t
 
 TEST_CASE("a grab holds in the substeps that end after its start and not after its end") {
   const Grab grab = between(1, 2.0);
-  CHECK_FALSE(holds_at(grab, 1));
-  CHECK(holds_at(grab, 1.001));
-  CHECK(holds_at(grab, 2));
-  CHECK_FALSE(holds_at(grab, 2.001));
-  CHECK(holds_at(between(1, {}), 1e6));
+  CHECK_FALSE(active_at(grab, 1));
+  CHECK(active_at(grab, 1.001));
+  CHECK(active_at(grab, 2));
+  CHECK_FALSE(active_at(grab, 2.001));
+  CHECK(active_at(between(1, {}), 1e6));
   CHECK_FALSE(overlap(grab, between(2, {})));
   CHECK(overlap(grab, between(1.9, {})));
 }
 
-TEST_CASE("four nodes can be held at once, and more over time") {
+TEST_CASE("four nodes can be grabbed at once, and more over time") {
   const auto grabs = [](int count, const std::string& last) {
     std::string text;
     for (int k = 0; k < count; ++k)

@@ -38,7 +38,7 @@ TEST_CASE("every shipped scene loads, says what it shows, and holds the nodes th
     for (const Cloth& cloth : scene.cloths) {
       if (!cloth.grid) continue;
       const auto positions = grid_positions(*cloth.grid, cloth.transform);
-      CHECK(held_nodes(cloth, {positions, cloth.grid->nx, cloth.grid->ny}));
+      CHECK(kinematic_nodes(cloth, {positions, cloth.grid->nx, cloth.grid->ny}));
     }
     ++count;
   }
@@ -58,8 +58,8 @@ TEST_CASE("the scenes of contact use proximity, place their own camera and take 
       CHECK(scene->camera);
       CHECK_FALSE(scene->time.substeps);
       const Cloth& cloth = scene->cloths[0];
-      CHECK(
-          held_nodes(cloth, {grid_positions(*cloth.grid, cloth.transform), cloth.grid->nx, cloth.grid->ny}));
+      CHECK(kinematic_nodes(cloth,
+                            {grid_positions(*cloth.grid, cloth.transform), cloth.grid->nx, cloth.grid->ny}));
     }
   }
 }
@@ -152,8 +152,8 @@ TEST_CASE("the example of docs/scene.md is a scene, whose flag turns about its p
   if (!scene) FAIL(scene.error().message);
   const Cloth& flag = scene->cloths[0];
   const auto positions = grid_positions(*flag.grid, flag.transform);
-  const auto held = held_nodes(flag, {positions, flag.grid->nx, flag.grid->ny});
-  REQUIRE(held);
-  for (const std::uint32_t node : held->motions[0])  // the pole is the axis, so its nodes stay
+  const auto kinematic = kinematic_nodes(flag, {positions, flag.grid->nx, flag.grid->ny});
+  REQUIRE(kinematic);
+  for (const std::uint32_t node : kinematic->motions[0])  // the pole is the axis, so its nodes stay
     CHECK(length(motion_at(flag.motions[0], 10)(positions[node]) - positions[node]) < 1e-12);
 }

@@ -35,10 +35,10 @@ Result<Nodes> pinned(const std::string& selector) {
 
 std::string failure(const std::string& members) {
   const Sheet sheet(members);
-  const auto held = held_nodes(sheet.scene.cloths[0], sheet.selection);
-  REQUIRE_FALSE(held);
-  CHECK(held.error().kind == ErrorKind::Input);
-  return held.error().message;
+  const auto kinematic = kinematic_nodes(sheet.scene.cloths[0], sheet.selection);
+  REQUIRE_FALSE(kinematic);
+  CHECK(kinematic.error().kind == ErrorKind::Input);
+  return kinematic.error().message;
 }
 
 }  // namespace
@@ -117,11 +117,11 @@ TEST_CASE("a selector that selects nothing, or past the end, is named with its p
 TEST_CASE("pins and motions hold their nodes, and share none") {
   const std::string right = R"({"nodes": "right", "kind": "line", "direction": [1, 0, 0], "speed": 1})";
   const Sheet sheet("\"pins\": [\"left\"], \"motions\": [" + right + "]");
-  const auto held = held_nodes(sheet.scene.cloths[0], sheet.selection);
-  REQUIRE(held);
-  CHECK(held->pins == Nodes{0, 4, 8});
-  REQUIRE(held->motions.size() == 1);
-  CHECK(held->motions[0] == Nodes{3, 7, 11});
+  const auto kinematic = kinematic_nodes(sheet.scene.cloths[0], sheet.selection);
+  REQUIRE(kinematic);
+  CHECK(kinematic->pins == Nodes{0, 4, 8});
+  REQUIRE(kinematic->motions.size() == 1);
+  CHECK(kinematic->motions[0] == Nodes{3, 7, 11});
   CHECK(failure("\"pins\": [\"top\"], \"motions\": [" + right + "]") ==
         "a.json: cloths[0].motions[0] holds node 3, which the cloth's pins hold too; a node is pinned or "
         "moved, not both.");

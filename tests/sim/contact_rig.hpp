@@ -27,7 +27,7 @@ inline std::string lying_cloth(int side, const std::string& translate, const std
 
 struct Moment {
   std::vector<Vec3d> position, velocity;  // [m], [m/s]
-  std::vector<double> mass;               // 0: held [kg]
+  std::vector<double> mass;               // 0: kinematic [kg]
 
   explicit Moment(sim::World& world) {
     const auto snapshot = world.snapshot();

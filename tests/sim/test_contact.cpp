@@ -131,11 +131,11 @@ TEST_CASE("two sheets that meet in free space keep their momentum") {
   const Vec3d end = now.momentum(0, 113);
   double mass = 0;
   for (const double m : now.mass) mass += m;
-  MESSAGE("change ", length(end - start), " of ", length(start), " kg m/s, held back ",
+  MESSAGE("change ", length(end - start), " of ", length(start), " kg m/s, truncated ",
           world->totals().truncated);
   CHECK(length(end - start) < 30 * 8 * kStepRounding * mass);
   CHECK(now.momentum(0, 64).y < 0.4 * start.y);  // half of it, as what sticks has one velocity
-  CHECK(world->totals().truncated == 0);         // what is held back does not keep momentum
+  CHECK(world->totals().truncated == 0);         // truncation does not keep momentum
   CHECK(passed(*world) == 0);
 }
 

@@ -148,7 +148,7 @@ TEST_CASE("a ball that flies at one, ten and a hundred thicknesses a substep doe
       ++near;
       CHECK(p.z > from + 0.6);
     }
-    MESSAGE("held back ", world->totals().truncated, ", nodes ahead ", near, ", largest speed ",
+    MESSAGE("truncated ", world->totals().truncated, ", nodes ahead ", near, ", largest speed ",
             now.largest_speed());
     CHECK(near > 0);
   }
@@ -171,7 +171,7 @@ TEST_CASE("sheets that fly at each other at one, ten and a hundred thicknesses a
     for (std::size_t i = 0; i < 100; ++i) lower += now.position[i].y;
     for (std::size_t i = 100; i < 200; ++i) upper += now.position[i].y;
     CHECK(upper > lower);
-    MESSAGE("held back ", world->totals().truncated, ", apart ", (upper - lower) / 100, ", largest speed ",
+    MESSAGE("truncated ", world->totals().truncated, ", apart ", (upper - lower) / 100, ", largest speed ",
             now.largest_speed());
   }
 }
@@ -204,7 +204,7 @@ TEST_CASE(
     CHECK(bad_frames(*world, 8) == 0);
     CHECK(world->totals().crossings == 0);
     CHECK(world->totals().contacts > 0);
-    MESSAGE("held back ", world->totals().truncated, ", contacts ", world->totals().contacts, ", stretch ",
+    MESSAGE("truncated ", world->totals().truncated, ", contacts ", world->totals().contacts, ", stretch ",
             world->totals().max_stretch);
   }
 }

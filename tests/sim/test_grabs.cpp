@@ -1,4 +1,4 @@
-// A held node is pulled, never put.
+// A grabbed node is pulled, never put.
 #include <algorithm>
 #include <cmath>
 
@@ -75,14 +75,14 @@ TEST_CASE("a grabbed corner of hanging cloth is at its target within 1 mm after 
   REQUIRE(world->grab(kCorner, target));
   REQUIRE(world->reset());
   CHECK(hash_of(*world) == rest);
-  CHECK(refusal(world->release(kCorner)) == "Node 130 is not held; 0 of at most 4 nodes are.");
+  CHECK(refusal(world->release(kCorner)) == "Node 130 is not grabbed; 0 of at most 4 nodes are.");
   auto fresh = world_of(fixture.device(), curtain());
   advance(*world, 5);
   advance(*fresh, 5);
   CHECK(hash_of(*world) == hash_of(*fresh));  // the substeps know of no grab either
 }
 
-TEST_CASE("no substep moves a held node by more than its greatest speed allows, wherever the target is") {
+TEST_CASE("no substep moves a grabbed node by more than its greatest speed allows, wherever the target is") {
   GpuFixture fixture;
   const double dt = 5e-4;
   auto world = world_of(fixture.device(), curtain(R"(, "time": {"frame": 5e-4, "substeps": 1})"));
@@ -106,7 +106,7 @@ TEST_CASE("a scene's own grab is the same as one by hand") {
   advance(*by_hand, 20);
   REQUIRE(by_hand->release(kCorner));
   advance(*by_hand, 10);
-  // The end lies within the last held substep, where rounding cannot move it to another.
+  // The end lies within the last grabbed substep, where rounding cannot move it to another.
   auto scripted =
       world_of(fixture.device(), curtain("", R"(, "grabs": [{"node": "bottom_left", "end": 0.33334,
                            "path": [{"time": 3, "point": [-0.3, 0.1, 0.4]}]}])"));
@@ -124,15 +124,15 @@ TEST_CASE("what cannot be grabbed is refused with the reason") {
   CHECK(refusal(world->grab(143, target)) ==
         "Node 143 cannot be grabbed: there are 143 nodes, counted from 0.");
   CHECK(refusal(world->grab(3, target)) == "Node 3 cannot be grabbed: it is pinned.");
-  CHECK(refusal(world->drag(40, target)) == "Node 40 is not held; 0 of at most 4 nodes are.");
+  CHECK(refusal(world->drag(40, target)) == "Node 40 is not grabbed; 0 of at most 4 nodes are.");
   for (const std::uint32_t node : {40U, 41U, 42U}) REQUIRE(world->grab(node, target));
-  CHECK(refusal(world->grab(41, target)) == "Node 41 cannot be grabbed: it is held already.");
+  CHECK(refusal(world->grab(41, target)) == "Node 41 cannot be grabbed: it is grabbed already.");
   CHECK(refusal(world->drag(40, {0, NAN, 0})).find("not finite") != std::string::npos);
   REQUIRE(world->grab(43, target));
   const auto fifth = world->grab(44, target);
   CHECK(fifth.error().kind == ErrorKind::Limit);
   CHECK(refusal(fifth) ==
-        "Node 44 cannot be grabbed: 4 nodes are held and the scene's own grabs need 0; the limit is 4 at "
+        "Node 44 cannot be grabbed: 4 nodes are grabbed and the scene's own grabs need 0; the limit is 4 at "
         "once.");
   REQUIRE(world->release(41));
   REQUIRE(world->grab(44, target));
@@ -146,11 +146,11 @@ TEST_CASE("what cannot be grabbed is refused with the reason") {
   REQUIRE(shared->grab(40, target));
   REQUIRE(shared->grab(41, target));  // the scene needs two at most
   CHECK(refusal(shared->grab(42, target)) ==
-        "Node 42 cannot be grabbed: 2 nodes are held and the scene's own grabs need 2; the limit is 4 at "
+        "Node 42 cannot be grabbed: 2 nodes are grabbed and the scene's own grabs need 2; the limit is 4 at "
         "once.");
 }
 
-TEST_CASE("in a large scene a held node may cross five sheets a second") {
+TEST_CASE("in a large scene a grabbed node may cross five sheets a second") {
   auto scene = shipped_scene("hanging-paper", {{"cloths.0.grid", "[5,5]"}});
   const auto model = build_model(scene, {{}});
   REQUIRE_OK(model);

@@ -249,7 +249,7 @@ TEST_CASE("cloth that hangs over a ridge is stretched as with explicit steps") {
     advance(*world, 45);
     const Moment now(*world);
     double most = 0;
-    for (const Spring s : world->model().host.springs(world->model().host.cloths[0]))
+    for (const Spring s : world->model().host.springs(world->model().host.bodies[0]))
       most = std::max(
           most, length(now.position[s.node_a] - now.position[s.node_b]) / static_cast<double>(s.rest_length));
     CHECK(passed(*world) == 0);

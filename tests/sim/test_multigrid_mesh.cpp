@@ -134,12 +134,12 @@ TEST_CASE("a tube that hangs by its upper rim comes to rest where springs carry 
   const std::vector<Vec3d> forces = spring_forces(system);
   double carried = 0, weight = 0;
   for (std::size_t n = 0; n < forces.size(); ++n) {
-    const bool held = n < around;
-    CHECK((now.mass[n] == 0) == held);
-    carried += held ? forces[n].y : 0;
+    const bool pinned = n < around;
+    CHECK((now.mass[n] == 0) == pinned);
+    carried += pinned ? forces[n].y : 0;
     weight += 9.81 * now.mass[n];
     // A hundredth of what hangs on a node of the upper rows.
-    if (!held) CHECK(length(forces[n] - Vec3d{0, 9.81 * now.mass[n], 0}) < 0.01 * 9.81 * 0.2 * 0.9 * 0.059);
+    if (!pinned) CHECK(length(forces[n] - Vec3d{0, 9.81 * now.mass[n], 0}) < 0.01 * 9.81 * 0.2 * 0.9 * 0.059);
   }
   CHECK(carried == doctest::Approx(-weight).epsilon(0.01));
 }
@@ -230,7 +230,7 @@ TEST_CASE("an implicit mesh meets a box and a ball that turns as the reference d
 namespace {
 
 void check_survival(const mesh::TriangleMesh& mesh, const std::string& stiffness, const std::string& density,
-                    const std::string& held, std::uint32_t frames) {
+                    const std::string& pins, std::uint32_t frames) {
   CAPTURE(stiffness);
   CAPTURE(density);
   GpuFixture fixture;
@@ -238,7 +238,7 @@ void check_survival(const mesh::TriangleMesh& mesh, const std::string& stiffness
       world_of(fixture.device(),
                scene_with("multigrid", kNoContact,
                           {mesh_cloth(R"("density": )" + density + R"(, "damping": 0.01, "stiffness": {)" +
-                                      stiffness + "}, " + held)}),
+                                      stiffness + "}, " + pins)}),
                {mesh});
   advance(*world, frames);  // a node that is not finite ends it
   const Moment now(*world);

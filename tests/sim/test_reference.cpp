@@ -79,7 +79,7 @@ TEST_CASE("ten frames of the breeze are the reference's within the rounding of t
 TEST_CASE("a corner that the scene draws up is the reference's within the rounding of its substeps") {
   GpuFixture fixture;
   Twins twins(fixture.device(), "drag", "[16,16]");
-  // It is taken after 30 frames. A held node rounds as others do, and its distance from the target shrinks in
+  // It is taken after 30 frames. A grabbed node rounds as others do, and its distance from the target shrinks in
   // every substep, an error with it.
   const double away = twins.advance(45);  // 3.5 µm was seen
   CHECK(away < twins.rounding());

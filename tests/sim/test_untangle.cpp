@@ -135,9 +135,9 @@ TEST_CASE("two free sheets that begin crossed at 30 degrees come apart, and keep
     const Moment now(*world);
     double mass = 0;
     for (const double m : now.mass) mass += m;
-    MESSAGE("momentum ", length(now.momentum(0, now.mass.size())), " kg m/s, held back ",
+    MESSAGE("momentum ", length(now.momentum(0, now.mass.size())), " kg m/s, truncated ",
             world->totals().truncated);
-    // Three roundings of 2^-23 of a velocity of about 1 m/s in a substep. What is held back by a plane or its
+    // Three roundings of 2^-23 of a velocity of about 1 m/s in a substep. What a plane truncates or its
     // reach, some vertices, loses what it had.
     if (world->totals().truncated == 0)
       CHECK(length(now.momentum(0, now.mass.size())) < world->frame() * 8 * 3 * 0x1p-23 * mass);

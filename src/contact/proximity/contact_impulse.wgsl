@@ -11,8 +11,8 @@
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read>       statistics      : array<u32>;
-const kSpring = 0.25;   // β: of the gap that is missing, what a substep makes good
-const kWall = 0.25;     // of the thickness: no pair comes nearer
+const kContactSpring = 0.25;   // β: of the gap that is missing, what a substep makes good
+const kContactWall = 0.25;     // of the thickness: no pair comes nearer
 
 // The sum of the urgencies at a vertex, of which each pair gets its part of the mass.
 fn acting(vertex : u32) -> f32 {
@@ -37,11 +37,12 @@ fn impulse(contact : Contact) -> vec3f {
   let gap = contact.normal.w;
   let thickness = select(step.thickness, step.self_thickness, is_self_pair(ids));
   let speed = dot(n, u);
-  var change = min(kWall * thickness - gap, 0.0) / step.dt - speed;
+  var change = min(kContactWall * thickness - gap, 0.0) / step.dt - speed;
   if (contact.solid == kUntangles) {
     change = -gap * thickness * min(kUntanglePart / step.dt, kUntangleRate) - speed;
-  } else if (gap < kTouching * thickness) {
-    change = max(change, kSpring * clamp(thickness - gap, 0.0, thickness) / step.dt - step.contact_damping * speed);
+  } else if (gap < kContactTouching * thickness) {
+    let pull_apart = kContactSpring * clamp(thickness - gap, 0.0, thickness) / step.dt;
+    change = max(change, pull_apart - step.contact_damping * speed);
   } else {  // it comes to the thickness and no further
     change = max(change, step.contact_damping * ((thickness - gap) / step.dt - speed));
   }
@@ -57,7 +58,7 @@ fn impulse(contact : Contact) -> vec3f {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let count = select(statistics[kStatPairs], 0u, statistics[kStatHeld] != 0u);
+  let count = select(statistics[kStatPairs], 0u, statistics[kStatRolledBack] != 0u);
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     if (contacts[pair].urgency == 0.0) { continue; }
     let contact = contacts[pair];

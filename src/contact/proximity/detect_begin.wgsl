@@ -33,7 +33,7 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   let wanted = step.detect == kDetectAlways ||
                (step.detect == kDetectIfDue && atomicLoad(&statistics[kStatDetect]) != 0u);
-  let due = wanted && atomicLoad(&statistics[kStatHeld]) == 0u;
+  let due = wanted && atomicLoad(&statistics[kStatRolledBack]) == 0u;
   if (vertex == 0u) {
     atomicStore(&statistics[kStatDue], select(0u, 1u, due));
     if (due) {

@@ -24,7 +24,7 @@ var<workgroup> crossings : u32;  // that the last search has found
 
 fn velocity_of(vertex : u32) -> vec3f { return predicted[vertex].xyz; }
 
-// Whether roles from `first` to before `end` are a collider's or held by the scene.
+// Whether roles from `first` to before `end` are a collider's or kinematic.
 fn is_solid(ids : vec4u, first : u32, end : u32) -> bool {
   var solid = true;
   for (var role = first; role < end; role++) {
@@ -78,7 +78,7 @@ fn is_tangled(ids : vec4u, is_self : bool) -> bool {
 fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
             @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
-    listed = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatHeld]) != 0u);
+    listed = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatRolledBack]) != 0u);
     crossings = atomicLoad(&statistics[kStatFound]);
   }
   let count = workgroupUniformLoad(&listed);
@@ -131,7 +131,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let r = relative_velocity(ids, w, measured);
     let thickness = select(step.thickness, step.self_thickness, is_self);
     let speed = dot(n, r.velocity + r.surface);
-    let is_near = gap + min(step.dt * speed, 0.0) < kTouching * thickness;
+    let is_near = gap + min(step.dt * speed, 0.0) < kContactTouching * thickness;
     let acts = measured.counts && is_near;
     let urgency = urgency_of(gap + min(step.dt * speed, 0.0), thickness);
     let first_b = roles_of_a(ids);

@@ -29,7 +29,7 @@ void append_rims(std::vector<TreeWord>& trees, std::vector<float> rims) {
 
 }  // namespace
 
-Result<PairSearch> PairSearch::create(gpu::Device& device, const Model& model, const State& state,
+Result<PairSearch> PairSearch::create(gpu::Device& device, const GpuModel& model, const State& state,
                                       const ContactPairs& pairs, const scene::Scene& scene,
                                       const ColliderMeshes& meshes, const SearchSetup& setup) {
   PairSearch made;
@@ -43,7 +43,7 @@ Result<PairSearch> PairSearch::create(gpu::Device& device, const Model& model, c
   return made;
 }
 
-Result<void> PairSearch::create_buffers(gpu::Device& device, const Model& model, const scene::Scene& scene,
+Result<void> PairSearch::create_buffers(gpu::Device& device, const GpuModel& model, const scene::Scene& scene,
                                         const ColliderMeshes& meshes) {
   tree_ = ImplicitTree(triangle_count_);
   std::vector<TreeWord> trees = tree_.words(), triangles;
@@ -56,12 +56,12 @@ Result<void> PairSearch::create_buffers(gpu::Device& device, const Model& model,
   std::vector<mesh::Triangle> ordered;
   for (const std::uint32_t t : order_) ordered.push_back(model.host.triangles[t]);
   const std::vector<std::uint32_t> owned = feature_owners(ordered);
-  std::size_t cloth = 0;
+  std::size_t body = 0;
   for (std::size_t t = 0; t < ordered.size(); ++t) {
-    const auto& cloths = model.host.cloths;
-    while (cloth + 1 < cloths.size() && order_[t] >= cloths[cloth + 1].first_triangle) ++cloth;
-    triangles.push_back({ordered[t][0], ordered[t][1], ordered[t][2],
-                         owned[t] | friction_bits(scene.cloths[cloth].friction)});
+    const auto& bodies = model.host.bodies;
+    while (body + 1 < bodies.size() && order_[t] >= bodies[body + 1].first_triangle) ++body;
+    triangles.push_back(
+        {ordered[t][0], ordered[t][1], ordered[t][2], owned[t] | friction_bits(scene.cloths[body].friction)});
   }
   triangles.insert(triangles.end(), colliders_.triangles.begin(), colliders_.triangles.end());
 

@@ -39,7 +39,7 @@ struct SearchSetup {
 class PairSearch {
  public:
   PairSearch() = default;
-  static Result<PairSearch> create(gpu::Device& device, const Model& model, const State& state,
+  static Result<PairSearch> create(gpu::Device& device, const GpuModel& model, const State& state,
                                    const ContactPairs& pairs, const scene::Scene& scene,
                                    const ColliderMeshes& meshes, const SearchSetup& setup);
   /// Takes over lists with other room. Errors  Limit, OutOfMemory.
@@ -53,7 +53,7 @@ class PairSearch {
   const std::vector<std::uint32_t>& order() const { return order_; }
 
  private:
-  Result<void> create_buffers(gpu::Device& device, const Model& model, const scene::Scene& scene,
+  Result<void> create_buffers(gpu::Device& device, const GpuModel& model, const scene::Scene& scene,
                               const ColliderMeshes& meshes);
   Result<void> create_trees(gpu::Device& device, const State& state, const ContactPairs& pairs,
                             std::uint32_t workgroup_size);

@@ -1,6 +1,6 @@
 // The plane between the two sides of a listed pair, which neither may pass in a substep: docs/contact.md, equation (6).
-const kMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
-const kFloor = 0.1;     // of the thickness, the same; nearer, f32 loses the plane along a whole edge
+const kContactMargin = 0.05;   // of the distance: how near to the plane between two features a vertex may come
+const kContactFloor = 0.1;     // of the thickness, the same; nearer, f32 loses the plane along a whole edge
 
 fn thickness_of(ids : vec4u) -> f32 { return select(step.thickness, step.self_thickness, is_self_pair(ids)); }
 
@@ -9,10 +9,10 @@ fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
   let on_a = role < roles_of_a(contact.ids);
   let side = select(-1.0, 1.0, on_a);
   let gap = contact.normal.w;
-  var plane = contact.place.z - 0.5 * gap + side * max(kMargin * gap, 0.5 * kFloor * step.self_thickness);
+  var plane = contact.place.z - 0.5 * gap + side * max(kContactMargin * gap, 0.5 * kContactFloor * step.self_thickness);
   if (contact.solid != 0u) {
     let thickness = thickness_of(contact.ids);
-    plane = contact.place.w + side * max(kMargin * min(gap, thickness), kFloor * thickness);
+    plane = contact.place.w + side * max(kContactMargin * min(gap, thickness), kContactFloor * thickness);
   }
   return side * (plane - dot(contact.normal.xyz, place));
 }

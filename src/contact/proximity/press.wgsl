@@ -24,7 +24,7 @@ fn add_vector(word : u32, value : vec3f) {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let count = select(statistics[kStatPairs], 0u, statistics[kStatHeld] != 0u);
+  let count = select(statistics[kStatPairs], 0u, statistics[kStatRolledBack] != 0u);
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     let ids = contacts[pair].ids;
     if (is_self_pair(ids) || is_crossing(ids)) { continue; }
@@ -33,7 +33,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     let weights = weights_of(ids, measured.s, measured.t);
     let r = relative_velocity(ids, weights, measured);
     let way = step.dt * dot(measured.normal, r.velocity + r.surface);
-    if (!(measured.gap + min(way, 0.0) < kTouching * step.thickness)) { continue; }
+    if (!(measured.gap + min(way, 0.0) < kContactTouching * step.thickness)) { continue; }
     let lack = clamp((step.thickness - measured.gap - way) / step.thickness, -kMostLack, kMostLack);
     let friction = min(friction_of(ids, contacts[pair].surface.w), kMostFriction);
     for (var role = 0u; role < role_count(ids); role++) {

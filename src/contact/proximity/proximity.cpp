@@ -8,7 +8,7 @@
 namespace weft::contact {
 namespace {
 
-double farthest(const HostModel& model) {
+double farthest(const Model& model) {
   double most = 0;
   for (const Vec3d& p : model.rest_position)
     most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -17,7 +17,7 @@ double farthest(const HostModel& model) {
 
 }  // namespace
 
-Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::Contact& contact) {
+Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Contact& contact) {
   const double thickness = contact.thickness;
   if (!(thickness > 0))
     return input_error("contact.thickness is %g m; proximity needs more than 0.", thickness);
@@ -37,7 +37,7 @@ Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::
   return lengths;
 }
 
-Result<Proximity> Proximity::create(gpu::Device& device, const Model& model, const State& state,
+Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, const State& state,
                                     const ContactPairs& pairs, const scene::Scene& scene,
                                     const ColliderMeshes& meshes, std::uint32_t substeps,
                                     std::uint32_t interval, std::uint32_t workgroup_size) {

@@ -19,7 +19,7 @@ struct ProximityLengths {
 };
 
 /// Errors  Input: the thickness is not positive, or below what f32 can tell apart where the cloth is.
-Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::Contact& contact);
+Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Contact& contact);
 
 /// Contact by proximity: pairs of near features, answered by impulses.
 /// Reads   state.steps; state.position[parity]; pairs.predicted: the solver's velocities.
@@ -29,7 +29,7 @@ Result<ProximityLengths> proximity_lengths(const HostModel& model, const scene::
 class Proximity : public Stages {
  public:
   Proximity() = default;
-  static Result<Proximity> create(gpu::Device& device, const Model& model, const State& state,
+  static Result<Proximity> create(gpu::Device& device, const GpuModel& model, const State& state,
                                   const ContactPairs& pairs, const scene::Scene& scene,
                                   const ColliderMeshes& meshes, std::uint32_t substeps,
                                   std::uint32_t interval, std::uint32_t workgroup_size);

@@ -10,7 +10,7 @@ namespace weft::contact {
 /// Answers pairs of features by impulses with friction, and holds vertices back from what they would pass through.
 /// Source: docs/contact.md, equations (2) to (7).
 /// Reads   steps; position[parity] [m]; pairs.
-/// Writes  position[1 - parity], velocity[1 - parity]; statistics: what was held back, whether pairs are to be
+/// Writes  position[1 - parity], velocity[1 - parity]; statistics: vertices truncated, whether pairs are to be
 ///         looked for.
 /// Errors  Shader, OutOfMemory.
 class Respond {

@@ -11,17 +11,17 @@ void append_sorted(std::span<const Vec3d> centres, std::uint32_t first, std::vec
 
 }  // namespace
 
-std::vector<std::uint32_t> cloth_order(const HostModel& model) {
+std::vector<std::uint32_t> cloth_order(const Model& model) {
   std::vector<std::uint32_t> order;
-  for (const ClothModel& cloth : model.cloths) {
+  for (const Body& body : model.bodies) {
     std::vector<Vec3d> centres;
-    for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
+    for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
       Vec3d centre;
-      for (const std::uint32_t vertex : model.triangles[cloth.first_triangle + t])
+      for (const std::uint32_t vertex : model.triangles[body.first_triangle + t])
         centre += Vec3d{model.uv[vertex][0], model.uv[vertex][1], 0};
       centres.push_back(centre);
     }
-    append_sorted(centres, cloth.first_triangle, order);
+    append_sorted(centres, body.first_triangle, order);
   }
   return order;
 }

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft::contact {
 
-/// The triangles of all cloths, cloth after cloth, each along a Z curve over its sheet (HostModel::uv).
-std::vector<std::uint32_t> cloth_order(const HostModel& model);
+/// The triangles of all cloths, cloth after cloth, each along a Z curve over its sheet (Model::uv).
+std::vector<std::uint32_t> cloth_order(const Model& model);
 /// The triangles of a mesh along a Z curve in space.
 std::vector<std::uint32_t> mesh_order(const mesh::TriangleMesh& mesh);
 

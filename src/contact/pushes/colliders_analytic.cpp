@@ -13,13 +13,13 @@ Result<CollidersAnalytic> CollidersAnalytic::create(gpu::Device& device, const S
   std::vector<AnalyticCollider> list;
   for (const scene::ColliderSphere& sphere : spheres) {
     if (!(sphere.radius > 0))
-      return input_error("Collision sphere %zu has the radius %g m, which is not positive.", list.size(),
+      return input_error("Collider sphere %zu has the radius %g m, which is not positive.", list.size(),
                          sphere.radius);
     list.push_back({Vec4f::from(sphere.center.to<float>(), static_cast<float>(sphere.radius)), {}});
   }
   for (const scene::ColliderPlane& plane : planes) {
     if (!(std::abs(length(plane.normal) - 1) < 1e-6))
-      return input_error("Collision plane %zu has a normal of length %g, which is not 1.",
+      return input_error("Collider plane %zu has a normal of length %g, which is not 1.",
                          list.size() - spheres.size(), length(plane.normal));
     const Vec3d normal =
         plane.normal / length(plane.normal);  // as near to 1 as f32 allows: push_scale counts on it

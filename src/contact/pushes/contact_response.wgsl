@@ -1,4 +1,4 @@
-// Answers the pushes that collision summed at the predicted positions, and clears them. One invocation per node.
+// Answers the pushes summed at the predicted positions, and clears them. One invocation per node.
 // Source: Sung et al., Algorithm 2: the mean push from the previous position; velocity × -0.5.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"

@@ -22,9 +22,9 @@ Result<std::vector<ObjectTriangle>> object_triangles(std::span<const mesh::Trian
       const Vec3d normal = cross(b.to<double>() - a.to<double>(), c.to<double>() - a.to<double>());
       const double area = length(normal);
       if (!std::isfinite(area))
-        return input_error("Triangle %zu of collision object %zu has a coordinate that is not finite.", i,
+        return input_error("Triangle %zu of collider mesh %zu has a coordinate that is not finite.", i,
                            object);
-      if (area == 0) return input_error("Triangle %zu of collision object %zu has no area.", i, object);
+      if (area == 0) return input_error("Triangle %zu of collider mesh %zu has no area.", i, object);
       const Vec3f n = (normal / area).to<float>();
       triangles.push_back({Vec4f::from(a, n.x), Vec4f::from(b, n.y), Vec4f::from(c, n.z)});
     }

@@ -7,14 +7,14 @@ namespace {
 /// an H100 from about half a million triangles on (0.12 instead of 0.15 ms at 1.28 M over the armadillo).
 /// Below, a card has lanes to spare, and the longer walk of two costs time (0.077 instead of 0.055 ms at
 /// 19,602).
-std::uint32_t choose_triangles_each(const gpu::Device& device, const Model& model) {
+std::uint32_t choose_triangles_each(const gpu::Device& device, const GpuModel& model) {
   constexpr std::uint32_t kFull = 500000;
   return device.adapter().type == "CPU" || model.triangle_count() > kFull ? 2 : 1;
 }
 
 }  // namespace
 
-Result<PairsBvh> PairsBvh::create(gpu::Device& device, const Model& model, const State& state,
+Result<PairsBvh> PairsBvh::create(gpu::Device& device, const GpuModel& model, const State& state,
                                   const Contacts& contacts, std::span<const ObjectTriangle> triangles,
                                   std::uint32_t workgroup_size, std::uint32_t triangles_each) {
   const ObjectTree tree = build_object_tree(triangles);

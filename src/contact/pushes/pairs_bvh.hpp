@@ -19,7 +19,7 @@ namespace weft::contact {
 class PairsBvh {
  public:
   PairsBvh() = default;
-  static Result<PairsBvh> create(gpu::Device& device, const Model& model, const State& state,
+  static Result<PairsBvh> create(gpu::Device& device, const GpuModel& model, const State& state,
                                  const Contacts& contacts, std::span<const ObjectTriangle> triangles,
                                  std::uint32_t workgroup_size, std::uint32_t triangles_each);
   void record(gpu::ComputePass& pass) const;

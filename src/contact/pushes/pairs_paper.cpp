@@ -21,7 +21,7 @@ std::vector<PairRange> split(std::uint64_t cloth_count, std::uint64_t object_cou
 
 }  // namespace
 
-Result<PairsPaper> PairsPaper::create(gpu::Device& device, const Model& model, const State& state,
+Result<PairsPaper> PairsPaper::create(gpu::Device& device, const GpuModel& model, const State& state,
                                       const Contacts& contacts, std::span<const ObjectTriangle> triangles,
                                       std::uint64_t max_pairs, std::uint32_t workgroup_size) {
   PairsPaper paper;

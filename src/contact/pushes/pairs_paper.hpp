@@ -27,7 +27,7 @@ static_assert(sizeof(PairRange) == 256);
 class PairsPaper {
  public:
   PairsPaper() = default;
-  static Result<PairsPaper> create(gpu::Device& device, const Model& model, const State& state,
+  static Result<PairsPaper> create(gpu::Device& device, const GpuModel& model, const State& state,
                                    const Contacts& contacts, std::span<const ObjectTriangle> triangles,
                                    std::uint64_t max_pairs, std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const;

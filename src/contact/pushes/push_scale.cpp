@@ -5,7 +5,7 @@
 
 namespace weft::contact {
 
-std::uint64_t triangles_at_vertex(const HostModel& model) {
+std::uint64_t triangles_at_vertex(const Model& model) {
   std::vector<std::uint64_t> counts(model.vertex_count(), 0);
   for (const mesh::Triangle& triangle : model.triangles)
     for (const std::uint32_t vertex : triangle) ++counts[vertex];

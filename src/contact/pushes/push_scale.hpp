@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft::contact {
 
@@ -15,7 +15,7 @@ struct PushBound {
 };
 
 /// The most triangles that share a vertex.
-std::uint64_t triangles_at_vertex(const HostModel& model);
+std::uint64_t triangles_at_vertex(const Model& model);
 
 /// Fixed-point units per metre: the largest power of two for which no sum can leave an i32.
 ///

@@ -6,7 +6,7 @@
 
 namespace weft::contact {
 
-Result<Pushes> Pushes::create(gpu::Device& device, const Model& model, const State& state,
+Result<Pushes> Pushes::create(gpu::Device& device, const GpuModel& model, const State& state,
                               const Contacts& contacts, const PushSetup& setup) {
   Pushes made;
   WEFT_TRY(triangles, object_triangles(setup.objects));

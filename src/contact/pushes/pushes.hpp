@@ -40,7 +40,7 @@ struct PushSetup {
 class Pushes : public Stages {
  public:
   Pushes() = default;
-  static Result<Pushes> create(gpu::Device& device, const Model& model, const State& state,
+  static Result<Pushes> create(gpu::Device& device, const GpuModel& model, const State& state,
                                const Contacts& contacts, const PushSetup& setup);
   void measure(gpu::ComputePass& pass) const override;
   void hold_back(gpu::ComputePass& pass) const override;

@@ -36,7 +36,7 @@ double contact_damping(double restitution) {
   return 2 * ratio * std::sqrt(kContactSpring);
 }
 
-double shortest_altitude(const HostModel& model) {
+double shortest_altitude(const Model& model) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const mesh::Triangle& t : model.triangles) {
     const Vec3d &a = model.rest_position[t[0]], &b = model.rest_position[t[1]],
@@ -47,11 +47,11 @@ double shortest_altitude(const HostModel& model) {
   return shortest;
 }
 
-double self_thickness(const HostModel& model, double thickness) {
+double self_thickness(const Model& model, double thickness) {
   return std::min(thickness, 0.5 * shortest_altitude(model));
 }
 
-double flat_reach(const HostModel& model, const scene::Contact& contact) {
+double flat_reach(const Model& model, const scene::Contact& contact) {
   const double altitude = shortest_altitude(model);
   if (!contact.self) return 0.5 * altitude;
   return 0.5 *

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
 
 namespace weft {
@@ -45,14 +45,14 @@ std::uint32_t contact_urgency(double gap, double thickness);
 double contact_damping(double restitution);
 
 /// The shortest altitude of any cloth triangle at rest [m]; infinite without triangles.
-double shortest_altitude(const HostModel& model);
+double shortest_altitude(const Model& model);
 /// h_s: what cloth keeps from cloth [m]. No more than half the shortest altitude, since a vertex lies no
 /// nearer to a triangle of its own sheet.
-double self_thickness(const HostModel& model, double thickness);
+double self_thickness(const Model& model, double thickness);
 
 /// b₁: with no more reach than this, cloth that lies flat lists nothing of itself [m]. It is what a fast
 /// vertex may go until the next search, unless it needs more: up to kFastest times as much.
-double flat_reach(const HostModel& model, const scene::Contact& contact);
+double flat_reach(const Model& model, const scene::Contact& contact);
 inline constexpr double kFastest = 4;
 /// What is on its way may speed up until then by this.
 inline constexpr double kReachMargin = 1.25;

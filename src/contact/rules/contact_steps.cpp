@@ -76,7 +76,7 @@ double fastest(const mesh::TriangleMesh& from, const mesh::TriangleMesh& to, dou
 
 }  // namespace
 
-std::vector<ContactMover> contact_movers(const scene::Scene& scene, const HostModel& model,
+std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model& model,
                                          std::span<const mesh::TriangleMesh> objects,
                                          std::span<const std::vector<mesh::TriangleMesh>> keyframes) {
   std::vector<ContactMover> movers;

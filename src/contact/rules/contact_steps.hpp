@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "scene/scene.hpp"
 
 namespace weft {
@@ -28,7 +28,7 @@ struct ContactMover {
 /// All that the scene moves. `objects` has the mesh of each mesh and box among the colliders, placed as at
 /// time 0, in their order, and `keyframes` those of each object, or nothing. A plane that turns is as long as
 /// the cloths at rest are far from its axis.
-std::vector<ContactMover> contact_movers(const scene::Scene& scene, const HostModel& model,
+std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model& model,
                                          std::span<const mesh::TriangleMesh> objects,
                                          std::span<const std::vector<mesh::TriangleMesh>> keyframes);
 

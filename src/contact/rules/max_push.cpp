@@ -4,7 +4,7 @@
 
 namespace weft {
 
-double max_push(const HostModel& model, double thickness) {
+double max_push(const Model& model, double thickness) {
   double longest = 0;
   for (const mesh::Triangle& triangle : model.triangles)
     for (std::size_t k = 0; k < 3; ++k)

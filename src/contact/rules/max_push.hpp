@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 
@@ -11,6 +11,6 @@ namespace weft {
 /// its nodes lies at most one edge, as stretched, from it; the previous position lies a substep's travel
 /// further. Stretch and travel together get one more rest edge: beyond that a substep has moved a node past
 /// whole triangles, and its contacts mean nothing.
-double max_push(const HostModel& model, double thickness);
+double max_push(const Model& model, double thickness);
 
 }  // namespace weft

@@ -11,19 +11,19 @@ std::uint32_t tiles_of(std::uint32_t nodes, std::uint32_t width) { return (nodes
 
 }  // namespace
 
-std::vector<gpu::Constant> grid_constants(const ClothModel& cloth) {
-  return {{"kDamped", cloth.damping > 0 ? 1.0 : 0.0},
-          {"kBend", cloth.stiffness.bend > 0 ? 1.0 : 0.0},
-          {"kBending", cloth.stiffness.bending > 0 ? 1.0 : 0.0}};
+std::vector<gpu::Constant> grid_constants(const Body& body) {
+  return {{"kDamped", body.damping > 0 ? 1.0 : 0.0},
+          {"kBend", body.stiffness.bend > 0 ? 1.0 : 0.0},
+          {"kBending", body.stiffness.bending > 0 ? 1.0 : 0.0}};
 }
 
-Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const ClothModel& cloth) {
+Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const Body& body) {
   const State& state = inputs.state;
-  const std::uint32_t nx = cloth.grid->nx, ny = cloth.grid->ny, size = inputs.workgroup_size;
+  const std::uint32_t nx = body.grid->nx, ny = body.grid->ny, size = inputs.workgroup_size;
   // Workgroups are 64 or 32 nodes wide: what leaves fewer of them without a node.
   const std::uint32_t narrow = std::min(32U, size), wide = std::min(64U, size);
   const std::uint32_t width = tiles_of(nx, wide) * wide > tiles_of(nx, narrow) * narrow ? narrow : wide;
-  std::vector<gpu::Constant> constants = grid_constants(cloth);
+  std::vector<gpu::Constant> constants = grid_constants(body);
   constants.push_back({"kTileWidth", static_cast<double>(width)});
   constants.push_back({"kTilesX", static_cast<double>(tiles_of(nx, width))});
   WEFT_TRY(kernel,
@@ -32,7 +32,7 @@ Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const ClothM
   const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(tiles * size);
   AdvanceGrid made;
   WEFT_SET(made.grid_,
-           gpu::create_uniform(inputs.device, spring_grid(*cloth.grid, cloth.material(), cloth.first_vertex),
+           gpu::create_uniform(inputs.device, spring_grid(*body.grid, body.material(), body.first_vertex),
                                "spring grid"));
   WEFT_SET(made.dispatch_,
            gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {

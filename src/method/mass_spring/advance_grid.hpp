@@ -14,7 +14,7 @@ namespace weft {
 /// Errors  Shader, OutOfMemory.
 class AdvanceGrid {
  public:
-  static Result<AdvanceGrid> create(const SolverInputs& inputs, const ClothModel& cloth);
+  static Result<AdvanceGrid> create(const SolverInputs& inputs, const Body& body);
   void record(gpu::ComputePass& pass) const { dispatch_.record(pass); }
 
  private:
@@ -23,6 +23,6 @@ class AdvanceGrid {
 };
 
 /// The overrides of a kernel for this cloth: what it does not have is not computed.
-std::vector<gpu::Constant> grid_constants(const ClothModel& cloth);
+std::vector<gpu::Constant> grid_constants(const Body& body);
 
 }  // namespace weft

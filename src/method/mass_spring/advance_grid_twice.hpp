@@ -13,7 +13,7 @@ namespace weft {
 /// Errors  Shader, OutOfMemory.
 class AdvanceGridTwice {
  public:
-  static Result<AdvanceGridTwice> create(const SolverInputs& inputs, const ClothModel& cloth);
+  static Result<AdvanceGridTwice> create(const SolverInputs& inputs, const Body& body);
   void record(gpu::ComputePass& pass) const { dispatch_.record(pass); }
 
  private:

@@ -24,7 +24,7 @@ static_assert(sizeof(MeshParams) == 272 && offsetof(MeshParams, kinds) == 16);
 /// Errors  Shader, Limit, OutOfMemory.
 class AdvanceMesh {
  public:
-  static Result<AdvanceMesh> create(const SolverInputs& inputs, const ClothModel& cloth);
+  static Result<AdvanceMesh> create(const SolverInputs& inputs, const Body& body);
   void record(gpu::ComputePass& pass) const { dispatch_.record(pass); }
 
  private:

@@ -4,21 +4,21 @@
 
 namespace weft {
 
-StepLimit mass_spring_step_limit(const HostModel& model, double drag) {
+StepLimit mass_spring_step_limit(const Model& model, double drag) {
   std::vector<NetworkSpectrum> cloths;
-  for (const ClothModel& cloth : model.cloths) cloths.push_back(find_spectrum(stiffest_part(model, cloth)));
+  for (const Body& body : model.bodies) cloths.push_back(find_spectrum(stiffest_part(model, body)));
   return least_step_limit(std::move(cloths), drag);
 }
 
 Method mass_spring_method() {
   Method row{};
   row.kind = scene::SolverKind::MassSpring;
-  row.step_limit = [](const scene::Scene& scene, const HostModel& model) {
+  row.step_limit = [](const scene::Scene& scene, const Model& model) {
     return mass_spring_step_limit(model, scene.drag);
   };
   row.with_drag = [](const StepLimit& limit, double drag) { return least_step_limit(limit.cloths, drag); };
-  row.auto_substeps = choose_substeps;
-  row.auto_verdict = [](const HostModel&) { return AutoVerdict{true, ""}; };
+  row.auto_substeps = stable_substeps;
+  row.auto_verdict = [](const Model&) { return AutoVerdict{true, ""}; };
   row.memory = [](const scene::Solver& settings) {
     const double springs = settings.forces == scene::Forces::SpringCentric  ? 84
                            : settings.forces == scene::Forces::SpringBlocks ? 67

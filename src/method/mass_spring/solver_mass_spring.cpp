@@ -21,7 +21,7 @@ bool two_pay(const SolverInputs& inputs) {
 void SolverMassSpring::record(gpu::ComputePass& pass, const contact::Stages& contact,
                               std::uint32_t count) const {
   if (count == 2) {
-    for (const AdvanceGridTwice& cloth : twice_) cloth.record(pass);
+    for (const AdvanceGridTwice& advance : twice_) advance.record(pass);
     return;
   }
   contact.search(pass);
@@ -43,8 +43,8 @@ void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
     if (spring_centric_->spring_block_forces) spring_centric_->spring_block_forces->record(pass);
     spring_centric_->integrate_forces.record(pass);  // gravity enters here, so it needs no buffer
   }
-  for (const AdvanceGrid& cloth : grids_) cloth.record(pass);
-  for (const AdvanceMesh& cloth : meshes_) cloth.record(pass);
+  for (const AdvanceGrid& advance : grids_) advance.record(pass);
+  for (const AdvanceMesh& advance : meshes_) advance.record(pass);
 }
 
 Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settings,
@@ -71,20 +71,20 @@ Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settin
 }
 
 Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
-  const auto& cloths = inputs.model.host.cloths;
-  const bool two = inputs.contacts == nullptr && two_pay(inputs) &&
-                   std::all_of(cloths.begin(), cloths.end(),
-                               [](const ClothModel& cloth) { return cloth.grid.has_value(); });
-  for (const ClothModel& cloth : cloths) {
-    if (!cloth.grid) {
-      WEFT_TRY(advance, AdvanceMesh::create(inputs, cloth));
+  const auto& bodies = inputs.model.host.bodies;
+  const bool two =
+      inputs.contacts == nullptr && two_pay(inputs) &&
+      std::all_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.grid.has_value(); });
+  for (const Body& body : bodies) {
+    if (!body.grid) {
+      WEFT_TRY(advance, AdvanceMesh::create(inputs, body));
       meshes_.push_back(std::move(advance));
       continue;
     }
-    WEFT_TRY(advance, AdvanceGrid::create(inputs, cloth));
+    WEFT_TRY(advance, AdvanceGrid::create(inputs, body));
     grids_.push_back(std::move(advance));
     if (!two) continue;
-    WEFT_TRY(twice, AdvanceGridTwice::create(inputs, cloth));
+    WEFT_TRY(twice, AdvanceGridTwice::create(inputs, body));
     twice_.push_back(std::move(twice));
   }
   return {};

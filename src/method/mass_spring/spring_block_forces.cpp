@@ -2,7 +2,7 @@
 
 namespace weft {
 
-Result<SpringBlockForces> SpringBlockForces::create(gpu::Device& device, const Model& model,
+Result<SpringBlockForces> SpringBlockForces::create(gpu::Device& device, const GpuModel& model,
                                                     const State& state, const Springs& springs,
                                                     const gpu::Buffer<std::int32_t>& force,
                                                     std::uint32_t workgroup_size) {

@@ -14,7 +14,7 @@ namespace weft {
 /// Errors  Shader, OutOfMemory. Limit: build_spring_blocks.
 class SpringBlockForces {
  public:
-  static Result<SpringBlockForces> create(gpu::Device& device, const Model& model, const State& state,
+  static Result<SpringBlockForces> create(gpu::Device& device, const GpuModel& model, const State& state,
                                           const Springs& springs, const gpu::Buffer<std::int32_t>& force,
                                           std::uint32_t workgroup_size);
   void record(gpu::ComputePass& pass) const { dispatch_.record(pass); }

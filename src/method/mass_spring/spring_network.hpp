@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 
@@ -16,8 +16,8 @@ struct SpringNetwork {
 
 /// The part of a cloth that decides its highest frequency: a mesh whole; of a grid at most 64 x 64 nodes with
 /// the same spacing, mass and springs, since the highest frequency of a lattice of N x N nodes is within (π /
-/// 2N)² of that of any larger one (0.06 % at N = 64). Held nodes are taken as free, which can only raise it
+/// 2N)² of that of any larger one (0.06 % at N = 64). Kinematic nodes are taken as free, which can only raise it
 /// (eigenvalues interlace).
-SpringNetwork stiffest_part(const HostModel& model, const ClothModel& cloth);
+SpringNetwork stiffest_part(const Model& model, const Body& body);
 
 }  // namespace weft

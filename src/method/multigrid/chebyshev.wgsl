@@ -6,7 +6,7 @@ const kMiddle = kHigh * (1.0 + 1.0 / 8.0) / 2.0;
 const kHalf = kHigh * (1.0 - 1.0 / 8.0) / 2.0;
 const kSigma = kMiddle / kHalf;
 const kRho = 1.0 / (2.0 * kSigma - 1.0 / kSigma);
-const kKeep = kRho / kSigma;      // of the first step's direction in the second
+const kKeep = kRho / kSigma;      // of the first sweep's direction in the second
 const kTake = 2.0 * kRho / kHalf; // of D⁻¹ (r - A x) in the second
 const kBegin = 1.0 / kMiddle;     // of D⁻¹ r in the first
 

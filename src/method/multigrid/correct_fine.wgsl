@@ -2,8 +2,8 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
 //                                                                               elements       unit
-@group(0) @binding(0) var<uniform>             levels  : array<LevelOfGrid, 2>;
-@group(0) @binding(1) var<storage, read>       place   : array<vec4f>;        // nx * ny        m (w: N/m; 0: held)
+@group(0) @binding(0) var<uniform>             levels  : array<GridLevelParams, 2>;
+@group(0) @binding(1) var<storage, read>       place   : array<vec4f>;        // nx * ny        m (w: N/m; 0: fixed)
 @group(0) @binding(2) var<storage, read_write> vectors : array<vec4f>;        // method/multigrid/cloth.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)

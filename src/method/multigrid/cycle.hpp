@@ -28,7 +28,7 @@ static_assert(sizeof(ClothNodes) == 16);
 /// What the cycles of a model's cloths are made of.
 struct CycleInputs {
   gpu::Device& device;
-  const Model& model;
+  const GpuModel& model;
   const State& state;
   Predicted predicted;
   const gpu::Buffer<std::int32_t>* presses = nullptr;  // what obstacles do to vertices; null: nothing
@@ -36,7 +36,7 @@ struct CycleInputs {
 };
 
 /// One implicit substep of a cloth: the linear system, one V-cycle, the new state. What its levels are and
-/// which kernels do each step, GridCycle and MeshCycle say.
+/// which kernels do each stage, GridCycle and MeshCycle say.
 /// Source  docs/solvers/multigrid.md.
 /// Reads   steps, motions; position and velocity of both parities, of which [1 - parity] are those of a step
 ///         before; rest_position.
@@ -61,19 +61,19 @@ class Cycle {
   std::size_t tail() const { return tail_; }
 
  protected:
-  /// A level with the next coarser one. A step that another dispatch takes too is none; those of the tail
+  /// A level with the next coarser one. A stage that another dispatch does too is empty; those of the tail
   /// have `coarsen` alone.
   struct Level {
     gpu::RawBuffer levels;                               // both, a uniform
     gpu::Dispatch coarsen;                               // the coarser level's matrix
     gpu::Dispatch smooth_down, residual, restrict_down;  // down: x = 0 smoothed, r - A x, its Pᵀ
-    gpu::Dispatch correct, smooth_begin, smooth_up;      // up: x + P e, smoothed in two steps
+    gpu::Dispatch correct, smooth_begin, smooth_up;      // up: x + P e, smoothed in two sweeps
   };
 
   /// What both kinds of cloth have: `shapes` are the levels as kernels read them, the finest first.
   template <class Shape>
-  Result<void> create_buffers(const CycleInputs& inputs, const ClothModel& cloth,
-                              const std::vector<Shape>& shapes, std::uint32_t tail_nodes);
+  Result<void> create_buffers(const CycleInputs& inputs, const Body& body, const std::vector<Shape>& shapes,
+                              std::uint32_t tail_nodes);
   /// What `presses` stands for where nothing presses.
   const gpu::RawBuffer& presses(const CycleInputs& inputs) const {
     return inputs.presses != nullptr ? *inputs.presses : no_presses_;
@@ -89,7 +89,7 @@ class Cycle {
 };
 
 template <class Shape>
-Result<void> Cycle::create_buffers(const CycleInputs& inputs, const ClothModel& cloth,
+Result<void> Cycle::create_buffers(const CycleInputs& inputs, const Body& body,
                                    const std::vector<Shape>& shapes, std::uint32_t tail_nodes) {
   gpu::Device& device = inputs.device;
   while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > tail_nodes) ++tail_;
@@ -106,11 +106,11 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const ClothModel& 
   WEFT_SET(tail_levels_, gpu::Buffer<Shape>::create_from(device, std::span(shapes).subspan(tail_),
                                                          "coarsest multigrid levels"));
   WEFT_SET(nodes_,
-           gpu::create_uniform(device, ClothNodes{cloth.first_vertex, cloth.vertex_count}, "cloth nodes"));
-  WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, cloth.vertex_count, "multigrid place"));
+           gpu::create_uniform(device, ClothNodes{body.first_vertex, body.vertex_count}, "cloth nodes"));
+  WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, body.vertex_count, "multigrid place"));
   // One element each where nothing holds: kernels bind what they do not read.
-  const std::size_t held = inputs.presses != nullptr ? cloth.vertex_count : 1;
-  WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, held, "multigrid holds"));
+  const std::size_t count = inputs.presses != nullptr ? body.vertex_count : 1;
+  WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, count, "multigrid holds"));
   WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
   WEFT_SET(vectors_, gpu::Buffer<Vec4f>::create(device, vectors, "multigrid vectors"));
   return {};

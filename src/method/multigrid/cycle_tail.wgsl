@@ -4,7 +4,7 @@
 #include "method/multigrid/operand.wgsl"
 #include "method/multigrid/tail.wgsl"
 //                                                                                 elements
-@group(0) @binding(0) var<storage, read>       tail      : array<LevelOfGrid>;  // the coarsest levels, finest first
+@group(0) @binding(0) var<storage, read>       tail      : array<GridLevelParams>;  // the coarsest levels, finest first
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;        // method/multigrid/cloth.wgsl
 @group(0) @binding(2) var<storage, read>       operators : array<vec2f>;        // method/multigrid/grid_block.wgsl
 

@@ -1,4 +1,4 @@
-// The last step of smoothing, and with it the substep's end: the node's new position and velocity. One invocation per
+// The last smoothing sweep, and with it the substep's end: the node's new position and velocity. One invocation per
 // node. Source: docs/solvers/multigrid.md, equations 8 and 9.
 #include "gpu/index.wgsl"
 #include "method/multigrid/chebyshev.wgsl"
@@ -8,8 +8,8 @@
 @group(0) @binding(0) var<uniform>             step         : StepParams;
 @group(0) @binding(1) var<uniform>             nodes        : ClothNodes;
 @group(0) @binding(2) var<uniform>             grid         : SpringGrid;
-@group(0) @binding(3) var<uniform>             levels       : array<LevelOfGrid, 2>;
-@group(0) @binding(4) var<storage, read>       place        : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
+@group(0) @binding(3) var<uniform>             levels       : array<GridLevelParams, 2>;
+@group(0) @binding(4) var<storage, read>       place        : array<vec4f>;   // nx * ny        m (w: N/m; 0: fixed)
 @group(0) @binding(5) var<storage, read>       holds        : array<vec4f>;   // method/multigrid/hold.wgsl
 @group(0) @binding(6) var<storage, read>       vectors      : array<vec4f>;   // method/multigrid/cloth.wgsl
 @group(0) @binding(7) var<storage, read>       position_in  : array<vec4f>;   // vertex_count   m (w: 1/kg)

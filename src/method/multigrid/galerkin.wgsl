@@ -11,7 +11,7 @@
 #include "method/multigrid/grid_store_block.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
 //                                                                                 elements
-@group(0) @binding(0) var<uniform>             levels    : array<LevelOfGrid, 2>;
+@group(0) @binding(0) var<uniform>             levels    : array<GridLevelParams, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;        // method/multigrid/cloth.wgsl
 @group(0) @binding(2) var<storage, read_write> operators : array<vec2f>;        // method/multigrid/grid_block.wgsl
 var<private> center : vec2i;  // the fine node on which the coarse one lies

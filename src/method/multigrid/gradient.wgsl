@@ -1,6 +1,6 @@
-// What is left of the equation at the start of the unknown, the inverse of the matrix's diagonal, and the first step of
-// smoothing. One invocation per node. Sums run in a fixed order: the same bits every run. Source:
-// docs/solvers/multigrid.md, equations 5 and 6.
+// The residual at the start of the unknown, the inverse of the matrix's diagonal, and the first smoothing sweep.
+// One invocation per node. Sums run in a fixed order: the same bits every run.
+// Source: docs/solvers/multigrid.md, equations 5 and 6.
 #include "gpu/index.wgsl"
 #include "method/multigrid/bending.wgsl"
 #include "method/multigrid/hold_at_obstacles.wgsl"
@@ -10,8 +10,8 @@
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepParams;
 @group(0) @binding(1) var<uniform>             grid        : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels      : array<LevelOfGrid, 2>;
-@group(0) @binding(3) var<storage, read>       place       : array<vec4f>;   // nx * ny        m (w: N/m; 0: held)
+@group(0) @binding(2) var<uniform>             levels      : array<GridLevelParams, 2>;
+@group(0) @binding(3) var<storage, read>       place       : array<vec4f>;   // nx * ny        m (w: N/m; 0: fixed)
 @group(0) @binding(4) var<storage, read_write> holds       : array<vec4f>;   // method/multigrid/hold.wgsl
 @group(0) @binding(5) var<storage, read_write> vectors     : array<vec4f>;   // method/multigrid/cloth.wgsl
 @group(0) @binding(6) var<storage, read_write> presses     : array<i32>;     // kPressWords * vertex_count

@@ -6,13 +6,12 @@ namespace weft {
 
 using gpu::Dispatch;
 
-Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels& kernels,
-                                    const ClothModel& cloth) {
+Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels& kernels, const Body& body) {
   GridCycle made;
-  made.shapes_ = levels_of_grid(cloth);
-  WEFT_CHECK(made.create_buffers(inputs, cloth, made.shapes_, multigrid::kTailNodes));
+  made.shapes_ = grid_level_params(body);
+  WEFT_CHECK(made.create_buffers(inputs, body, made.shapes_, multigrid::kTailNodes));
   WEFT_SET(made.grid_,
-           gpu::create_uniform(inputs.device, spring_grid(*cloth.grid, cloth.material(), cloth.first_vertex),
+           gpu::create_uniform(inputs.device, spring_grid(*body.grid, body.material(), body.first_vertex),
                                "spring grid"));
   std::size_t operators = 0;
   for (std::size_t l = 1; l < made.shapes_.size(); ++l)
@@ -51,7 +50,7 @@ Result<void> GridCycle::create_system(const CycleInputs& inputs, const GridKerne
   return {};
 }
 
-// The last step of smoothing is `finish`.
+// The last smoothing sweep is `finish`.
 Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels& kernels) {
   Level& fine = levels_[0];
   const Dispatch::Workgroups nodes = kernels.smooth_fine->workgroups_of(node_count(shapes_[0]));
@@ -70,7 +69,7 @@ Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels
   return {};
 }
 
-// The correction is part of the first step of smoothing.
+// The correction is part of the first smoothing sweep.
 Result<void> GridCycle::create_coarse(const GridKernels& kernels) {
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     Level& level = levels_[l];

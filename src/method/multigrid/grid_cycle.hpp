@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/kernels.hpp"
-#include "method/multigrid/level.hpp"
 
 namespace weft {
 
@@ -11,11 +11,10 @@ namespace weft {
 class GridCycle : public Cycle {
  public:
   /// Errors  Limit, OutOfMemory.
-  static Result<GridCycle> create(const CycleInputs& inputs, const GridKernels& kernels,
-                                  const ClothModel& cloth);
+  static Result<GridCycle> create(const CycleInputs& inputs, const GridKernels& kernels, const Body& body);
 
   // For tests.
-  const std::vector<LevelOfGrid>& shapes() const { return shapes_; }
+  const std::vector<GridLevelParams>& shapes() const { return shapes_; }
   const gpu::Buffer<multigrid::BlockPart>& operators() const { return operators_; }
 
  private:
@@ -23,7 +22,7 @@ class GridCycle : public Cycle {
   Result<void> create_fine(const CycleInputs& inputs, const GridKernels& kernels);
   Result<void> create_coarse(const GridKernels& kernels);
 
-  std::vector<LevelOfGrid> shapes_;  // of its levels
+  std::vector<GridLevelParams> shapes_;  // of its levels
   gpu::RawBuffer grid_;
   gpu::Buffer<multigrid::BlockPart> operators_;
 };

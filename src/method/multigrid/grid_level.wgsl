@@ -1,7 +1,7 @@
 // A level of a grid's hierarchy, and its place in the buffers `vectors` and `operators`. Source:
 // docs/solvers/multigrid.md.
 #include "method/multigrid/cloth.wgsl"
-struct LevelOfGrid {  // mirror: src/method/multigrid/level.hpp
+struct GridLevelParams {  // mirror: src/method/multigrid/grid_level_params.hpp
   nx : u32,
   ny : u32,              // nodes; 0: there is no such level
   first_vector : u32,    // in `vectors`, in vec4f
@@ -17,7 +17,7 @@ struct LevelOfGrid {  // mirror: src/method/multigrid/level.hpp
 }
 // What the files that grids and meshes share mean by a level. A kernel's uniform `levels` has the level that it works
 // on, and the next coarser one.
-alias Level = LevelOfGrid;
+alias Level = GridLevelParams;
 
 fn node_count(level : Level) -> u32 { return level.nx * level.ny; }
 fn vector_at(level : Level, vector : u32, node : u32) -> u32 {

@@ -52,7 +52,7 @@ fn restrict_row(first : u32, x : vec3u, column : vec3f) -> vec3f {
          column.z * vectors[first + x.z].xyz;
 }
 
-// Pᵀ of what smoothing has left on the finer level, and the first step of smoothing on the coarser one.
+// Pᵀ of what smoothing has left on the finer level, and the first smoothing sweep on the coarser one.
 fn restrict_node(fine : Level, coarse : Level, node : u32) {
   let j = node / coarse.nx;
   let i = node - j * coarse.nx;

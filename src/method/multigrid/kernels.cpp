@@ -33,14 +33,13 @@ gpu::Constant holds(const CycleInputs& inputs) { return {"kHolds", inputs.presse
 
 /// Whether a grid has bend springs, for the kernels that sum over the springs of a node.
 gpu::Constant bend(const CycleInputs& inputs) {
-  const auto& cloths = inputs.model.host.cloths;
-  const bool any = std::any_of(cloths.begin(), cloths.end(), [](const ClothModel& cloth) {
-    return cloth.grid && cloth.stiffness.bend > 0;
-  });
+  const auto& bodies = inputs.model.host.bodies;
+  const bool any = std::any_of(bodies.begin(), bodies.end(),
+                               [](const Body& body) { return body.grid && body.stiffness.bend > 0; });
   return {"kBend", any ? 1.0 : 0.0};
 }
 
-/// The vector in which the second step of smoothing finds the solution: the first step itself on the way
+/// The vector in which the second smoothing sweep finds the solution: the first sweep itself on the way
 /// down.
 gpu::Constant down() { return {"kFrom", multigrid::kDirection}; }
 gpu::Constant up() { return {"kFrom", multigrid::kSecond}; }

@@ -1,4 +1,4 @@
-// Adds the correction of the coarser level of a mesh, x += P e. The including kernel binds `vectors` and `taps`. Held
+// Adds the correction of the coarser level of a mesh, x += P e. The including kernel binds `vectors` and `taps`. Fixed
 // nodes take it too: their blocks are 0, so that nothing sees it. Source: docs/solvers/multigrid.md, equation 7.
 #include "method/multigrid/mesh_level.wgsl"
 

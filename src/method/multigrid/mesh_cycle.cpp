@@ -4,13 +4,12 @@ namespace weft {
 
 using gpu::Dispatch;
 
-Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels,
-                                    const ClothModel& cloth) {
+Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body) {
   MeshCycle made;
-  const Springs springs = inputs.model.host.springs(cloth);
-  const MeshLists lists = mesh_lists(mesh_levels(inputs.model.host, cloth, springs));
+  const Springs springs = inputs.model.host.springs(body);
+  const MeshLists lists = mesh_lists(mesh_levels(inputs.model.host, body, springs));
   made.shapes_ = lists.levels;
-  WEFT_CHECK(made.create_buffers(inputs, cloth, made.shapes_, multigrid::kMeshTailNodes));
+  WEFT_CHECK(made.create_buffers(inputs, body, made.shapes_, multigrid::kMeshTailNodes));
   WEFT_CHECK(made.create_lists(inputs.device, lists, springs));
   WEFT_CHECK(made.create_system(inputs, kernels));
   WEFT_CHECK(made.create_levels(kernels));

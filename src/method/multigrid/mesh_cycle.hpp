@@ -11,11 +11,10 @@ namespace weft {
 class MeshCycle : public Cycle {
  public:
   /// Errors  Limit, OutOfMemory.
-  static Result<MeshCycle> create(const CycleInputs& inputs, const MeshKernels& kernels,
-                                  const ClothModel& cloth);
+  static Result<MeshCycle> create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body);
 
   // For tests.
-  const std::vector<LevelOfMesh>& shapes() const { return shapes_; }
+  const std::vector<MeshLevelParams>& shapes() const { return shapes_; }
   const gpu::Buffer<Vec4f>& blocks() const { return blocks_; }
 
  private:
@@ -31,7 +30,7 @@ class MeshCycle : public Cycle {
   Result<void> create_system(const CycleInputs& inputs, const MeshKernels& kernels);
   Result<void> create_levels(const MeshKernels& kernels);
 
-  std::vector<LevelOfMesh> shapes_;  // of its levels
+  std::vector<MeshLevelParams> shapes_;  // of its levels
   ListBuffers lists_;
   gpu::Buffer<Vec4f> blocks_;
 };

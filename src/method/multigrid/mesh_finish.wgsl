@@ -4,7 +4,7 @@
 //                                                                               elements       unit
 @group(0) @binding(0) var<uniform>             step         : StepParams;
 @group(0) @binding(1) var<uniform>             nodes        : ClothNodes;
-@group(0) @binding(2) var<storage, read>       place        : array<vec4f>;   // count          m (w: N/m; 0: held)
+@group(0) @binding(2) var<storage, read>       place        : array<vec4f>;   // count          m (w: N/m; 0: fixed)
 @group(0) @binding(3) var<storage, read>       holds        : array<vec4f>;   // method/multigrid/hold.wgsl
 @group(0) @binding(4) var<storage, read>       vectors      : array<vec4f>;   // method/multigrid/cloth.wgsl: the finest
 @group(0) @binding(5) var<storage, read>       position_in  : array<vec4f>;   // vertex_count   m (w: 1/kg)

@@ -5,7 +5,7 @@
 #include "method/multigrid/mesh_store_block.wgsl"
 #include "method/multigrid/level_start.wgsl"
 //                                                                                      elements
-@group(0) @binding(0) var<uniform>             levels         : array<LevelOfMesh, 2>;
+@group(0) @binding(0) var<uniform>             levels         : array<MeshLevelParams, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors        : array<vec4f>;        // method/multigrid/cloth.wgsl
 @group(0) @binding(2) var<storage, read_write> blocks         : array<vec4f>;        // method/multigrid/mesh_block.wgsl
 @group(0) @binding(3) var<storage, read>       product_starts : array<u32>;          // block_count + 1 of each level

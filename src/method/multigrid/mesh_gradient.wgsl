@@ -1,5 +1,5 @@
 // What is left of a mesh's equation at the start of the unknown, its matrix, the inverse of the diagonal, and the first
-// step of smoothing. One invocation per node, which also keeps the blocks that it shares with nodes of higher number.
+// smoothing sweep. One invocation per node, which also keeps the blocks that it shares with nodes of higher number.
 // Sums run in a fixed order. Source: docs/solvers/multigrid.md, equations 5, 6 and 11.
 #include "gpu/index.wgsl"
 #include "method/multigrid/hold_at_obstacles.wgsl"
@@ -9,8 +9,8 @@
 //                                                                                elements           unit
 @group(0) @binding(0) var<uniform>             step       : StepParams;
 @group(0) @binding(1) var<uniform>             nodes      : ClothNodes;
-@group(0) @binding(2) var<uniform>             levels     : array<LevelOfMesh, 2>;
-@group(0) @binding(3) var<storage, read>       place      : array<vec4f>;      // node_count         m (w: N/m; 0: held)
+@group(0) @binding(2) var<uniform>             levels     : array<MeshLevelParams, 2>;
+@group(0) @binding(3) var<storage, read>       place      : array<vec4f>;      // node_count         m; w: N/m, 0: fixed
 @group(0) @binding(4) var<storage, read_write> holds      : array<vec4f>;      // method/multigrid/hold.wgsl
 @group(0) @binding(5) var<storage, read_write> vectors    : array<vec4f>;      // method/multigrid/cloth.wgsl
 @group(0) @binding(6) var<storage, read_write> blocks     : array<vec4f>;      // method/multigrid/mesh_block.wgsl

@@ -2,7 +2,7 @@
 // symmetric, of symmetric blocks: first those of the diagonal, node by node, then one for each two nodes that are
 // coupled. Source: docs/solvers/multigrid.md.
 #include "method/multigrid/cloth.wgsl"
-struct LevelOfMesh {  // mirror: src/method/multigrid/mesh_lists.hpp
+struct MeshLevelParams {  // mirror: src/method/multigrid/mesh_lists.hpp
   node_count : u32,     // 0: there is no such level
   block_count : u32,
   first_vector : u32,   // in `vectors`, in vec4f
@@ -14,7 +14,7 @@ struct LevelOfMesh {  // mirror: src/method/multigrid/mesh_lists.hpp
 }
 // What the files that grids and meshes share mean by a level. A kernel's uniform `levels` has the level that it works
 // on, and the next coarser one.
-alias Level = LevelOfMesh;
+alias Level = MeshLevelParams;
 
 // What of a matrix's row stands beside its diagonal. Mirror: src/method/multigrid/mesh_levels.hpp.
 struct Coupling { node : u32, block : u32 }

@@ -6,11 +6,11 @@
 namespace weft {
 namespace {
 
-mesh::Network network_of(const HostModel& model, const ClothModel& cloth) {
+mesh::Network network_of(const Model& model, const Body& body) {
   mesh::Network network;
-  for (std::uint32_t v = 0; v < cloth.vertex_count; ++v)
-    network.positions.push_back(model.rest_position[cloth.first_vertex + v]);
-  network.triangles = cloth_mesh(model, cloth).triangles;
+  for (std::uint32_t v = 0; v < body.vertex_count; ++v)
+    network.positions.push_back(model.rest_position[body.first_vertex + v]);
+  network.triangles = cloth_mesh(model, body).triangles;
   network.edges = mesh::mesh_edges(network.triangles);
   return network;
 }
@@ -96,13 +96,13 @@ void set_products(const MeshLevel& fine, MeshLevel& coarse) {
 
 }  // namespace
 
-std::vector<MeshLevel> mesh_levels(const HostModel& model, const ClothModel& cloth, const Springs& springs) {
-  mesh::Network network = network_of(model, cloth);
+std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, const Springs& springs) {
+  mesh::Network network = network_of(model, body);
   std::vector<mesh::Edge> pairs;
   for (const Spring spring : springs)
-    pairs.push_back({spring.node_a - cloth.first_vertex, spring.node_b - cloth.first_vertex});
+    pairs.push_back({spring.node_a - body.first_vertex, spring.node_b - body.first_vertex});
   std::vector<MeshLevel> levels(1);
-  levels[0].node_count = cloth.vertex_count;
+  levels[0].node_count = body.vertex_count;
   set_rows(levels[0], pairs);
   while (network.positions.size() > kLeastNodes) {
     mesh::CoarseMesh coarse = mesh::coarsened(network);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mesh/coarse_mesh.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 
@@ -47,6 +47,6 @@ inline constexpr std::uint32_t kLeastNodes = 25;
 
 /// The levels of a cloth, the finest first. Of that, block node_count + s is that of springs[s], which join
 /// nodes of the cloth and no two of them twice.
-std::vector<MeshLevel> mesh_levels(const HostModel& model, const ClothModel& cloth, const Springs& springs);
+std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, const Springs& springs);
 
 }  // namespace weft

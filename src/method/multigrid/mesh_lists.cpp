@@ -20,7 +20,7 @@ std::uint32_t append(const Lists<Item>& lists, std::vector<std::uint32_t>& start
 MeshLists mesh_lists(const std::vector<MeshLevel>& levels) {
   MeshLists lists;
   for (const MeshLevel& level : levels) {
-    LevelOfMesh made;
+    MeshLevelParams made;
     made.node_count = level.node_count;
     made.block_count = level.block_count;
     made.first_vector = static_cast<std::uint32_t>(lists.vector_count);

@@ -5,15 +5,15 @@
 namespace weft {
 
 /// Mirror of src/method/multigrid/mesh_level.wgsl: the place of a mesh's level in the buffers of all its levels.
-struct LevelOfMesh {
+struct MeshLevelParams {
   std::uint32_t node_count = 0, block_count = 0;  // 0: there is no such level
   std::uint32_t first_vector = 0;                 // [vec4f]
   std::uint32_t first_block = 0;                  // [two vec4f]
   std::uint32_t first_row = 0, first_source = 0, first_product = 0, first_taps = 0;
 };
-static_assert(sizeof(LevelOfMesh) == 32);
+static_assert(sizeof(MeshLevelParams) == 32);
 
-inline std::uint32_t node_count(const LevelOfMesh& level) { return level.node_count; }
+inline std::uint32_t node_count(const MeshLevelParams& level) { return level.node_count; }
 
 namespace multigrid {
 
@@ -26,9 +26,9 @@ inline constexpr std::uint32_t kMeshTailNodes = 256;
 
 /// The levels of a mesh as kernels read them: the lists of all levels one after the other.
 struct MeshLists {
-  std::vector<LevelOfMesh> levels;  // the finest first
-  std::size_t vector_count = 0;     // [vec4f]
-  std::size_t block_count = 0;      // of all levels
+  std::vector<MeshLevelParams> levels;  // the finest first
+  std::size_t vector_count = 0;         // [vec4f]
+  std::size_t block_count = 0;          // of all levels
   std::vector<std::uint32_t> row_starts, source_starts, product_starts;
   std::vector<Coupling> rows;
   std::vector<Share> sources, products, taps;

@@ -2,7 +2,7 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/mesh_restriction.wgsl"
 //                                                                                     elements
-@group(0) @binding(0) var<uniform>             levels        : array<LevelOfMesh, 2>;
+@group(0) @binding(0) var<uniform>             levels        : array<MeshLevelParams, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors       : array<vec4f>;        // method/multigrid/cloth.wgsl
 @group(0) @binding(2) var<storage, read>       source_starts : array<u32>;          // node_count + 1 of each level
 @group(0) @binding(3) var<storage, read>       sources       : array<Share>;        // of nodes of the finer level

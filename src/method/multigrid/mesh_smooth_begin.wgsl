@@ -1,4 +1,4 @@
-// The first step of smoothing on a level of a mesh, after the correction. One invocation per node.
+// The first smoothing sweep on a level of a mesh, after the correction. One invocation per node.
 #include "method/multigrid/mesh_smoothing.wgsl"
 
 @compute @workgroup_size(kWorkgroupSize)

@@ -1,6 +1,6 @@
-// The second step of smoothing on a level of a mesh. One invocation per node.
+// The second smoothing sweep on a level of a mesh. One invocation per node.
 #include "method/multigrid/mesh_smoothing.wgsl"
-override kFrom : u32;  // kDirection on the way down, where the solution is the first step; kSecond on the way up
+override kFrom : u32;  // kDirection on the way down, where the solution is the first sweep; kSecond on the way up
 
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_smooth_end(@builtin(global_invocation_id) id : vec3u) {

@@ -4,7 +4,7 @@
 #include "method/multigrid/mesh_restriction.wgsl"
 #include "method/multigrid/tail.wgsl"
 //                                                                                     elements
-@group(0) @binding(0) var<storage, read>       tail          : array<LevelOfMesh>;  // the coarsest levels
+@group(0) @binding(0) var<storage, read>       tail          : array<MeshLevelParams>;  // the coarsest levels
 @group(0) @binding(1) var<storage, read_write> vectors       : array<vec4f>;        // method/multigrid/cloth.wgsl
 @group(0) @binding(2) var<storage, read>       blocks        : array<vec4f>;        // method/multigrid/mesh_block.wgsl
 @group(0) @binding(3) var<storage, read>       row_starts    : array<u32>;          // node_count + 1 of each level

@@ -6,7 +6,7 @@
 namespace weft {
 namespace {
 
-StepLimit step_limit(const scene::Scene& scene, const HostModel& model) {
+StepLimit step_limit(const scene::Scene& scene, const Model& model) {
   StepLimit limit;  // implicit steps are stable at any length
   limit.contact_step = contact_step(scene, model);
   return limit;
@@ -19,9 +19,9 @@ Result<std::uint32_t> auto_substeps(const scene::Scene& scene, const StepLimit& 
   return static_cast<std::uint32_t>(4 * std::ceil(steps / 4));
 }
 
-AutoVerdict auto_verdict(const HostModel& model) {
-  const auto is_mesh = [](const ClothModel& cloth) { return !cloth.grid; };
-  if (std::any_of(model.cloths.begin(), model.cloths.end(), is_mesh))
+AutoVerdict auto_verdict(const Model& model) {
+  const auto is_mesh = [](const Body& body) { return !body.grid; };
+  if (std::any_of(model.bodies.begin(), model.bodies.end(), is_mesh))
     return {false, "a cloth is a mesh, and multigrid is taken for grids only"};
   const std::string nodes = std::to_string(model.vertex_count()) + " nodes are ";
   const std::string bound = std::to_string(kMultigridNodes) + ", from which on multigrid is cheaper";

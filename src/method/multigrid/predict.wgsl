@@ -1,7 +1,7 @@
 // Where a substep is linearised, where its unknown starts from, and what inertia, air and gravity leave of the equation
 // there. One invocation per node of a cloth. A velocity's w is 1 where the state before it is that of the step before;
-// a place's w is what inertia resists with, 0 where the node is held. Source: docs/solvers/multigrid.md, equations 1 to
-// 4.
+// a place's w is the inertia on the matrix's diagonal, 0 where the node is fixed.
+// Source: docs/solvers/multigrid.md, equations 1 to 4.
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
 #include "method/multigrid/cloth.wgsl"

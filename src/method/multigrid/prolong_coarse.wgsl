@@ -1,4 +1,4 @@
-// Adds the coarser level's correction on a coarse level of a grid, and takes the first step of smoothing from there.
+// Adds the coarser level's correction on a coarse level of a grid, and takes the first smoothing sweep from there.
 // One invocation per node.
 #include "method/multigrid/coarse_level.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"

@@ -1,4 +1,4 @@
-// The first step of smoothing on the finest level of a grid after its correction. One invocation per node.
+// The first smoothing sweep on the finest level of a grid after its correction. One invocation per node.
 #include "method/multigrid/fine_level.wgsl"
 
 @compute @workgroup_size(kWorkgroupSize)

@@ -1,4 +1,4 @@
-// What smoothing has left on the finest level of a grid: nothing where a node is held. One invocation per node.
+// What smoothing has left on the finest level of a grid: nothing where a node is fixed. One invocation per node.
 #include "method/multigrid/fine_level.wgsl"
 
 @compute @workgroup_size(kWorkgroupSize)

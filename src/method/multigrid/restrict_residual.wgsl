@@ -2,7 +2,7 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
 //                                                                               elements
-@group(0) @binding(0) var<uniform>             levels  : array<LevelOfGrid, 2>;
+@group(0) @binding(0) var<uniform>             levels  : array<GridLevelParams, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors : array<vec4f>;        // method/multigrid/cloth.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)

@@ -1,5 +1,5 @@
-// The second step of smoothing on the finest level of a grid: x += keep d + take D⁻¹ (r - A x) with x = d, the first
-// step. One invocation per node. Source: docs/solvers/multigrid.md, equation 8.
+// The second smoothing sweep on the finest level of a grid: x += keep d + take D⁻¹ (r - A x) with x = d, the first
+// sweep. One invocation per node. Source: docs/solvers/multigrid.md, equation 8.
 #include "method/multigrid/fine_level.wgsl"
 
 @compute @workgroup_size(kWorkgroupSize)

@@ -7,8 +7,8 @@ namespace weft {
 void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   contact.search(pass);
   contact.press(pass);
-  for (const GridCycle& cloth : grids_) cloth.record(pass);
-  for (const MeshCycle& cloth : meshes_) cloth.record(pass);
+  for (const GridCycle& cycle : grids_) cycle.record(pass);
+  for (const MeshCycle& cycle : meshes_) cycle.record(pass);
   contact.measure(pass);
   contact.answer(pass);
   contact.hold_back(pass);
@@ -17,14 +17,14 @@ void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& cont
 Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   std::optional<GridKernels> grid_kernels;
   std::optional<MeshKernels> mesh_kernels;
-  for (const ClothModel& cloth : inputs.model.host.cloths) {
-    if (cloth.grid) {
+  for (const Body& body : inputs.model.host.bodies) {
+    if (body.grid) {
       if (!grid_kernels) WEFT_SET(grid_kernels, GridKernels::create(inputs));
-      WEFT_TRY(cycle, GridCycle::create(inputs, *grid_kernels, cloth));
+      WEFT_TRY(cycle, GridCycle::create(inputs, *grid_kernels, body));
       grids_.push_back(std::move(cycle));
     } else {
       if (!mesh_kernels) WEFT_SET(mesh_kernels, MeshKernels::create(inputs));
-      WEFT_TRY(cycle, MeshCycle::create(inputs, *mesh_kernels, cloth));
+      WEFT_TRY(cycle, MeshCycle::create(inputs, *mesh_kernels, body));
       meshes_.push_back(std::move(cycle));
     }
   }

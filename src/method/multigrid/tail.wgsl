@@ -1,15 +1,15 @@
 // The V-cycle on the coarsest levels of a grid or a mesh. One workgroup does all, a barrier for what would else be a
-// dispatch. It finds the residual of the first of them and the first step of smoothing there, and leaves the solution
-// in kFirst. The including kernel binds `tail`, the levels, and has what steps.wgsl asks for, restrict_node and
+// dispatch. It finds the residual of the first of them and the first smoothing sweep there, and leaves the solution
+// in kFirst. The including kernel binds `tail`, the levels, and has what smoothing.wgsl asks for, restrict_node and
 // correct_node. Source: docs/solvers/multigrid.md, equations 7 and 8.
 #include "gpu/index.wgsl"
-#include "method/multigrid/steps.wgsl"
+#include "method/multigrid/smoothing.wgsl"
 
-// The coarsest level has nothing below it that could take the low eigenvalues, so more steps, for a wider range.
+// The coarsest level has nothing below it that could take the low eigenvalues, so more sweeps, for a wider range.
 const kBottomLow = kHigh / 30.0;
-const kBottomSteps = 10u;
+const kBottomSweeps = 10u;
 
-// The first step of Chebyshev's polynomial, start_level's, was for another range: it is made good by the ratio. The
+// The first sweep of Chebyshev's polynomial, start_level's, was for another range: it is made good by the ratio. The
 // others go to and fro between the two solutions; their number is odd, so that the last one is kFirst.
 fn solve_bottom(level : Level, local : u32) {
   let middle = (kHigh + kBottomLow) / 2.0;
@@ -23,11 +23,11 @@ fn solve_bottom(level : Level, local : u32) {
   storageBarrier();
   var rho = 1.0 / sigma;
   var now = kSecond;
-  for (var step = 1u; step < kBottomSteps; step++) {
+  for (var sweep = 1u; sweep < kBottomSweeps; sweep++) {
     let next = 1.0 / (2.0 * sigma - rho);
     let then = kFirst + kSecond - now;
     for (var node = local; node < node_count(level); node += kWorkgroupSize) {
-      let d = step_of(level, now, next * rho, 2.0 * next / half, node);
+      let d = sweep_of(level, now, next * rho, 2.0 * next / half, node);
       vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
       vectors[vector_at(level, then, node)] = vec4f(operand(level, now, node) + d, 0.0);
     }

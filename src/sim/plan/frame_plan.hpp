@@ -7,7 +7,7 @@
 #include "contact/rules/contact_steps.hpp"
 #include "method/method.hpp"
 #include "model/assets.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "scene/motion.hpp"
 #include "scene/scene.hpp"
 
@@ -18,7 +18,7 @@ class FramePlan {
  public:
   FramePlan() = default;
   /// Errors  Limit: "auto" needs more substeps than scenes allow.
-  static Result<FramePlan> create(const scene::Scene& scene, const HostModel& model, const Assets& assets);
+  static Result<FramePlan> create(const scene::Scene& scene, const Model& model, const Assets& assets);
 
   const Method& method() const { return *choice_.method; }
   /// Why "auto" took that method; "" where the scene names it.

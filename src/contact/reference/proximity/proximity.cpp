@@ -20,7 +20,7 @@ double margin_of(double distance, double thickness) {
 
 }  // namespace
 
-Proximity::Proximity(const scene::Scene& scene, const HostModel& model,
+Proximity::Proximity(const scene::Scene& scene, const Model& model,
                      std::span<const mesh::TriangleMesh> objects,
                      std::span<const std::vector<mesh::TriangleMesh>> keyframes)
     : thickness_(scene.contact.thickness),
@@ -39,8 +39,8 @@ Proximity::Proximity(const scene::Scene& scene, const HostModel& model,
   }
   object_facts_.kinds.resize(object_.positions.size(), SurfaceKind::OpenMesh);  // balls have no triangles
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
-  for (std::size_t c = 0; c < model.cloths.size(); ++c)
-    friction_.insert(friction_.end(), model.cloths[c].vertex_count, scene.cloths[c].friction);
+  for (std::size_t c = 0; c < model.bodies.size(); ++c)
+    friction_.insert(friction_.end(), model.bodies[c].vertex_count, scene.cloths[c].friction);
 }
 
 double Proximity::move_obstacles(double begin, double dt) {
@@ -142,7 +142,7 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, doubl
 void Proximity::add_planes(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
                            std::vector<SidePlane>& planes) const {
   if (!(pair.distance > 0)) return;  // inside a ball or below a plane: the spring brings it out
-  const auto held = [&](const Side& side) {
+  const auto kinematic = [&](const Side& side) {
     return std::all_of(side.vertices.begin(), side.vertices.begin() + side.count,
                        [&](std::uint32_t v) { return nodes.inverse_mass[v] == 0; });
   };
@@ -157,7 +157,7 @@ void Proximity::add_planes(const FeaturePair& pair, const Sides& sides, const No
     if (other.obstacle) {
       keep(side, away, surface_of(pair, sides, away, dt).support + margin_of(pair.distance, thickness_),
            true);
-    } else if (held(other)) {  // cloth that only its motion moves is an obstacle
+    } else if (kinematic(other)) {  // cloth that only its motion moves is an obstacle
       double support = dot(away, nodes.position[other.vertices[0]]);
       for (std::uint32_t k = 1; k < other.count; ++k)
         support = std::max(support, dot(away, nodes.position[other.vertices[k]]));
@@ -230,7 +230,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   for (const FeaturePair& pair : pairs) add_planes(pair, sides_of(pair), nodes, dt, planes);
   const std::vector<Vec3d> wanted(nodes.position.begin(), nodes.position.end());
   truncated_ += truncate(planes, nodes.previous, nodes.inverse_mass, most, nodes.position);
-  // A vertex that was held back has not moved by its velocity. Kept, that velocity feeds the springs: in a pull
+  // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull
   // over a ball at steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose.
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (nodes.position[i] != wanted[i]) nodes.velocity[i] = (nodes.position[i] - nodes.previous[i]) / dt;

@@ -12,14 +12,14 @@
 #include "contact/reference/proximity/respond.hpp"
 #include "contact/reference/proximity/truncate.hpp"
 #include "contact/reference/proximity/untangle.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft::reference {
 
 class Proximity {
  public:
   /// `objects` and `keyframes` as for Obstacles.
-  Proximity(const scene::Scene& scene, const HostModel& model, std::span<const mesh::TriangleMesh> objects,
+  Proximity(const scene::Scene& scene, const Model& model, std::span<const mesh::TriangleMesh> objects,
             std::span<const std::vector<mesh::TriangleMesh>> keyframes);
 
   /// The state of the nodes in a substep: what the solver has predicted from `previous`, and moved nodes
@@ -39,7 +39,7 @@ class Proximity {
 
   const Obstacles& obstacles() const { return obstacles_; }
   double self_thickness() const { return self_thickness_; }  // h_s [m]; 0: cloth does not meet cloth
-  /// Vertices that were held back, in all substeps so far.
+  /// Vertices truncated, in all substeps so far.
   std::uint64_t truncated() const { return truncated_; }
   /// Edges that passed through triangles when it was last looked for them.
   std::size_t crossings() const { return tangle_.crossings; }

@@ -29,7 +29,7 @@ struct Follower {
   Vec3d target;  // [m]
 };
 
-/// Nodes and springs; node i is held where inverse_mass[i] is 0.
+/// Nodes and springs; node i is kinematic where inverse_mass[i] is 0.
 struct MassSpringSystem {
   std::vector<Vec3d> position, velocity;  // [m], [m/s]
   std::vector<double> inverse_mass;       // [1/kg]
@@ -53,7 +53,7 @@ Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time);
 /// How fast a node that is grabbed goes to its target; none: it is not grabbed [m/s].
 std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t node);
 
-/// One step of semi-implicit Euler: v += dt (a + f/m - drag (v - w)), then x += dt v. A held node
+/// One step of semi-implicit Euler: v += dt (a + f/m - drag (v - w)), then x += dt v. A grabbed node
 /// has v = rate (target - x), cut to the grabs' speed, instead.
 void advance(MassSpringSystem& system, double dt);
 

@@ -23,16 +23,16 @@ Field GridOperator::apply(const Field& x) const {
     y[spring.b] -= force;
   }
   for (const bool along_i : {true, false}) {
-    const std::uint32_t step = along_i ? 1 : nx;
+    const std::uint32_t stride = along_i ? 1 : nx;
     for_each_bend(*this, along_i, [&](std::uint32_t m, double stiffness) {
-      const Vec3d curve = stiffness * (x[m - step] - 2.0 * x[m] + x[m + step]);
-      y[m - step] += curve;
+      const Vec3d curve = stiffness * (x[m - stride] - 2.0 * x[m] + x[m + stride]);
+      y[m - stride] += curve;
       y[m] -= 2.0 * curve;
-      y[m + step] += curve;
+      y[m + stride] += curve;
     });
   }
   for (std::size_t a = 0; a < size(); ++a)
-    if (held[a]) y[a] = {};
+    if (fixed[a]) y[a] = {};
   return y;
 }
 
@@ -44,11 +44,11 @@ std::vector<Sym3> GridOperator::diagonal() const {
     blocks[spring.b] += spring.block;
   }
   for (const bool along_i : {true, false}) {
-    const std::uint32_t step = along_i ? 1 : nx;
+    const std::uint32_t stride = along_i ? 1 : nx;
     for_each_bend(*this, along_i, [&](std::uint32_t m, double stiffness) {
-      blocks[m - step] += Sym3::identity(stiffness);
+      blocks[m - stride] += Sym3::identity(stiffness);
       blocks[m] += Sym3::identity(4 * stiffness);
-      blocks[m + step] += Sym3::identity(stiffness);
+      blocks[m + stride] += Sym3::identity(stiffness);
     });
   }
   return blocks;
@@ -57,7 +57,7 @@ std::vector<Sym3> GridOperator::diagonal() const {
 std::vector<Sym3> GridOperator::inverse_diagonal() const {
   std::vector<Sym3> blocks = diagonal();
   for (std::size_t a = 0; a < size(); ++a)
-    blocks[a] = held[a] ? Sym3{} : inverse(blocks[a] + Sym3::identity(kDiagonalMargin * blocks[a].trace()));
+    blocks[a] = fixed[a] ? Sym3{} : inverse(blocks[a] + Sym3::identity(kDiagonalMargin * blocks[a].trace()));
   return blocks;
 }
 

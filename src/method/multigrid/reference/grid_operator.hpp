@@ -29,20 +29,20 @@ struct GridBending {
 using StencilRow = std::array<Sym3, 5>;
 
 /// A symmetric matrix over a grid: nine points of 3 x 3 blocks, far springs, bending. Rows and columns of
-/// held nodes are not there.
+/// fixed nodes are not there.
 struct GridOperator {
   std::uint32_t nx = 0, ny = 0;
   std::vector<StencilRow> rows;  // [N/m]
   std::vector<FarSpring> far;
   GridBending bending;
-  std::vector<bool> held;
+  std::vector<bool> fixed;
 
   std::size_t size() const { return rows.size(); }
-  /// A x; x must be 0 where nodes are held.
+  /// A x; x must be 0 where nodes are fixed.
   Field apply(const Field& x) const;
-  /// The diagonal's blocks, where nodes are held too.
+  /// The diagonal's blocks, where nodes are fixed too.
   std::vector<Sym3> diagonal() const;
-  /// The inverses of the diagonal's blocks, 0 where nodes are held. Blocks are made a little larger than they
+  /// The inverses of the diagonal's blocks, 0 where nodes are fixed. Blocks are made a little larger than they
   /// are: f32 knows them to some 10⁻⁷ of their largest part, and their smallest must stay positive.
   std::vector<Sym3> inverse_diagonal() const;
 };
@@ -50,7 +50,7 @@ struct GridOperator {
 /// Part of a block's trace that is added to its diagonal before it is inverted.
 inline constexpr double kDiagonalMargin = 4e-6;
 
-/// Calls visit(m, weight) for the middle node m of each term of GridBending along i (step 1) or j (step nx).
+/// Calls visit(m, weight) for the middle node m of each term of GridBending along i (stride 1) or j (stride nx).
 template <class Visit>
 void for_each_bend(const GridOperator& grid, bool along_i, const Visit& visit) {
   const GridBending& bending = grid.bending;

@@ -53,7 +53,7 @@ std::size_t place_of(const Link& link) { return link.dj == 0 ? 1 : link.di < 0 ?
 void add_near(GridOperator& matrix, const Link& link, const Sym3& block) {
   matrix.rows[link.a][0] += block;
   matrix.rows[link.b][0] += block;
-  if (!matrix.held[link.a] && !matrix.held[link.b]) matrix.rows[link.a][place_of(link)] += -1.0 * block;
+  if (!matrix.fixed[link.a] && !matrix.fixed[link.b]) matrix.rows[link.a][place_of(link)] += -1.0 * block;
 }
 
 /// Where a node would come nearer to obstacles than the thickness, or is there and pressed on: add(node,
@@ -64,7 +64,7 @@ void hold_at_obstacles(StepStart& step, std::span<const Sym3> diagonal, std::spa
   for (std::size_t a = 0; a < presses.size(); ++a) {
     const Press& press = presses[a];
     const double size = length(press.normal), inertia = step.inertia[a];
-    if (press.weight == 0 || step.held[a] || size < kAgree * press.weight) continue;
+    if (press.weight == 0 || step.fixed[a] || size < kAgree * press.weight) continue;
     const Vec3d n = press.normal / size, residual = step.residual[a];
     const double lack = press.lack / press.weight, friction = press.friction / press.weight;
     const double pressed = inertia * lack - dot(residual, n);
@@ -89,20 +89,20 @@ StepFormula step_formula(double dt, double ratio) {
   return {dt * (1 + ratio) / (1 + 2 * ratio), ratio * ratio / (1 + 2 * ratio)};
 }
 
-ImplicitStepper::ImplicitStepper(const HostModel& model)
+ImplicitStepper::ImplicitStepper(const Model& model)
     : position_before_(model.vertex_count()), velocity_before_(model.vertex_count()) {
   std::size_t springs = 0;
-  for (const ClothModel& cloth : model.cloths) {
-    Cloth made{cloth.first_vertex, cloth.vertex_count};
-    if (cloth.grid) {
-      made.nx = cloth.grid->nx;
-      made.ny = cloth.grid->ny;
-      const auto [along_i, along_j] = bending_stiffness(cloth);
-      made.bending = {along_i, along_j, true, true, cloth.weights == mesh::BoundaryWeights::Uniform};
-      springs += mesh::grid_spring_count(*cloth.grid);
+  for (const Body& body : model.bodies) {
+    Cloth made{body.first_vertex, body.vertex_count};
+    if (body.grid) {
+      made.nx = body.grid->nx;
+      made.ny = body.grid->ny;
+      const auto [along_i, along_j] = bending_stiffness(body);
+      made.bending = {along_i, along_j, true, true, body.weights == mesh::BoundaryWeights::Uniform};
+      springs += mesh::grid_spring_count(*body.grid);
     } else {
-      const Springs own = model.springs(cloth);
-      made.levels = mesh_levels(model, cloth, own);
+      const Springs own = model.springs(body);
+      made.levels = mesh_levels(model, body, own);
       made.first_spring = springs;
       springs += own.size();
     }
@@ -127,7 +127,7 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
   step.start_velocity.resize(cloth.count);
   step.residual.resize(cloth.count);
   step.inertia.resize(cloth.count);
-  step.held.assign(cloth.count, false);
+  step.fixed.assign(cloth.count, false);
   step.pressed.assign(cloth.count, false);
   for (std::size_t a = 0; a < cloth.count; ++a) {
     const std::size_t node = cloth.first + a;
@@ -150,7 +150,7 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
       step.inertia[a] = mass * (1 / (he * he) + system.drag / he);
       continue;
     }
-    step.held[a] = true;
+    step.fixed[a] = true;
     step.start_velocity[a] = (step.place[a] - x) / dt;
   }
   return step;
@@ -171,12 +171,12 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
     const SpringTerms terms = spring_terms(s, step, a, b, rate);
     step.residual[a] += terms.force;
     step.residual[b] -= terms.force;
-    if (!step.held[a]) blocks[a] += terms.block;
-    if (!step.held[b]) blocks[b] += terms.block;
-    if (!step.held[a] && !step.held[b]) blocks[block] = -1.0 * terms.block;
+    if (!step.fixed[a]) blocks[a] += terms.block;
+    if (!step.fixed[b]) blocks[b] += terms.block;
+    if (!step.fixed[a] && !step.fixed[b]) blocks[block] = -1.0 * terms.block;
   }
   for (std::size_t a = 0; a < cloth.count; ++a)
-    if (step.held[a]) step.residual[a] = {};
+    if (step.fixed[a]) step.residual[a] = {};
   if (!presses.empty())
     hold_at_obstacles(step, std::span(blocks).first(cloth.count), presses.subspan(cloth.first, cloth.count),
                       dt, [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
@@ -193,7 +193,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   step.matrix.ny = cloth.ny;
   step.matrix.rows.resize(count);
   for (std::size_t a = 0; a < count; ++a) step.matrix.rows[a][0] = Sym3::identity(step.inertia[a]);
-  step.matrix.held = step.held;
+  step.matrix.fixed = step.fixed;
   step.matrix.bending = cloth.bending;
   step.source = step.matrix;
   std::vector<Link> links;
@@ -239,7 +239,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   for (std::size_t a = 0; a < count; ++a) moved[a] += step.start[a];
   const Field curve = bending.apply(moved);
   for (std::size_t a = 0; a < count; ++a)
-    step.residual[a] = step.matrix.held[a] ? Vec3d{} : step.residual[a] - curve[a];
+    step.residual[a] = step.matrix.fixed[a] ? Vec3d{} : step.residual[a] - curve[a];
   if (!presses.empty())
     hold_at_obstacles(step, step.matrix.diagonal(), presses.subspan(cloth.first, count), dt,
                       [&](std::size_t a, const Sym3& hold) {
@@ -253,8 +253,8 @@ template <class Levels>
 Field ImplicitStepper::solve(const Levels& hierarchy, const Field& r) const {
   Field x = hierarchy.cycle(r);
   for (int more = 1; more < cycles; ++more) {
-    const Field step = hierarchy.cycle(residual(hierarchy.levels()[0], r, x));
-    for (std::size_t a = 0; a < x.size(); ++a) x[a] += step[a];
+    const Field correction = hierarchy.cycle(residual(hierarchy.levels()[0], r, x));
+    for (std::size_t a = 0; a < x.size(); ++a) x[a] += correction[a];
   }
   return x;
 }
@@ -269,7 +269,7 @@ void ImplicitStepper::advance(const Substep& substep) {
       const std::size_t node = cloth.first + a;
       const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
       position[node] = step.place[a] + step.start[a] + dz[a];
-      velocity[node] = step.start_velocity[a] + (step.held[a] ? Vec3d{} : dz[a] / formula.he);
+      velocity[node] = step.start_velocity[a] + (step.fixed[a] ? Vec3d{} : dz[a] / formula.he);
       if (!step.pressed[a]) continue;  // what a blow has stopped has no history
       velocity[node] = (step.start[a] + dz[a]) / dt;
       stopped.push_back(node);

@@ -8,7 +8,7 @@
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "method/multigrid/reference/cycle.hpp"
 #include "method/stepper.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft::reference {
 
@@ -17,7 +17,7 @@ struct StepStart {
   Field place, start, start_velocity;  // [m], [m], [m/s]
   Field residual;                      // r [N]
   std::vector<double> inertia;         // what it adds to the diagonal of A [N/m]
-  std::vector<bool> held;
+  std::vector<bool> fixed;
   std::vector<bool> pressed;  // nodes that an obstacle holds: in the matrix, and no history after it
 };
 
@@ -47,7 +47,7 @@ inline constexpr double kHoldStiffness = 10, kAgree = 0.3;
 /// Steps the cloths of a model by BDF2, linearised at the start of the step.
 class ImplicitStepper : public Stepper {
  public:
-  explicit ImplicitStepper(const HostModel& model);
+  explicit ImplicitStepper(const Model& model);
 
   void advance(const Substep& substep) override;
   /// The state a step before the one that is advanced next.

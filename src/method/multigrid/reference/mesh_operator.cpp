@@ -14,14 +14,14 @@ Field MeshOperator::apply(const Field& x) const {
 std::vector<Sym3> MeshOperator::inverse_diagonal() const {
   std::vector<Sym3> inverses(size());
   for (std::size_t a = 0; a < size(); ++a)
-    if (!held(a)) inverses[a] = inverse(blocks[a] + Sym3::identity(kDiagonalMargin * blocks[a].trace()));
+    if (!fixed(a)) inverses[a] = inverse(blocks[a] + Sym3::identity(kDiagonalMargin * blocks[a].trace()));
   return inverses;
 }
 
 Field prolonged(const Field& coarse, const MeshOperator& fine) {
   Field result(fine.size());
   for (std::size_t a = 0; a < fine.size(); ++a) {
-    if (fine.held(a)) continue;
+    if (fine.fixed(a)) continue;
     for (const Share& tap : fine.coarser()->taps[a])
       result[a] += static_cast<double>(tap.weight) * coarse[tap.index];
   }
@@ -33,7 +33,7 @@ Field restricted(const Field& residual, const MeshOperator& fine) {
   Field result(coarse.node_count);
   for (std::size_t node = 0; node < result.size(); ++node)
     for (const Share& source : coarse.sources.of(node))
-      if (!fine.held(source.index))
+      if (!fine.fixed(source.index))
         result[node] += static_cast<double>(source.weight) * residual[source.index];
   return result;
 }

@@ -8,21 +8,21 @@
 namespace weft::reference {
 
 /// A symmetric matrix of symmetric 3 x 3 blocks on a level of a mesh: MeshLevel numbers them. All blocks of a
-/// held node are 0.
+/// fixed node are 0.
 struct MeshOperator {
   std::span<const MeshLevel> levels;  // its own, and all coarser ones
   std::vector<Sym3> blocks;           // [N/m]
 
   std::size_t size() const { return levels[0].node_count; }
   const MeshLevel* coarser() const { return levels.size() > 1 ? &levels[1] : nullptr; }
-  bool held(std::size_t node) const { return blocks[node].trace() == 0; }
+  bool fixed(std::size_t node) const { return blocks[node].trace() == 0; }
   /// A x.
   Field apply(const Field& x) const;
   /// As GridOperator's.
   std::vector<Sym3> inverse_diagonal() const;
 };
 
-/// P e: 0 where fine nodes are held.
+/// P e: 0 where fine nodes are fixed.
 Field prolonged(const Field& coarse, const MeshOperator& fine);
 /// Pᵀ r.
 Field restricted(const Field& residual, const MeshOperator& fine);

@@ -6,7 +6,7 @@ namespace {
 /// Calls visit(coarse node, weight) for all that a fine node's value comes from.
 template <class Visit>
 void for_each_tap(const GridOperator& fine, std::uint32_t node, const Visit& visit) {
-  if (fine.held[node]) return;
+  if (fine.fixed[node]) return;
   const Taps ti = taps(node % fine.nx, fine.nx), tj = taps(node / fine.nx, fine.ny);
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 2; ++i) {
@@ -43,7 +43,7 @@ GridOperator coarsened(const GridOperator& fine, const GridLevel& level, const G
   coarse.nx = level.nx;
   coarse.ny = level.ny;
   coarse.rows.resize(std::size_t{level.nx} * level.ny);
-  coarse.held.assign(coarse.rows.size(), false);
+  coarse.fixed.assign(coarse.rows.size(), false);
   coarse.bending = {bending.along_i * level.bending_i, bending.along_j * level.bending_j, level.even_i,
                     level.even_j, bending.uniform};
   // Adds `block` at row K, column L. Of the two blocks of a pair one is stored, and of the two halves of a

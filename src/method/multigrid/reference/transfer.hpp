@@ -14,7 +14,7 @@ struct Taps {
 /// Of fine node i of n; the coarse side has coarser_side(n) nodes.
 Taps taps(std::uint32_t i, std::uint32_t n);
 
-/// P e: a coarse field on the fine grid, linear between coarse nodes, 0 where fine nodes are held.
+/// P e: a coarse field on the fine grid, linear between coarse nodes, 0 where fine nodes are fixed.
 Field prolonged(const Field& coarse, const GridOperator& fine);
 /// Pᵀ r.
 Field restricted(const Field& residual, const GridOperator& fine);

@@ -1,4 +1,4 @@
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 #include "element/triple/triple.hpp"
 #include "mesh/lumped.hpp"
@@ -56,29 +56,29 @@ PlacedBody place_mesh(const mesh::TriangleMesh& mesh) {
   return placed;
 }
 
-void append(HostModel& model, const scene::Cloth& cloth, const PlacedBody& placed, ClothModel part) {
-  part.first_vertex = static_cast<std::uint32_t>(model.vertex_count());
-  part.vertex_count = static_cast<std::uint32_t>(placed.positions.size());
-  part.first_triangle = static_cast<std::uint32_t>(model.triangles.size());
-  part.triangle_count = static_cast<std::uint32_t>(placed.triangles.size());
-  part.weights = cloth.node_mass ? mesh::BoundaryWeights::Uniform : mesh::BoundaryWeights::Area;
-  part.stiffness = cloth.stiffness;
-  part.damping = cloth.damping;
-  part.color = cloth.color;
+void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, Body body) {
+  body.first_vertex = static_cast<std::uint32_t>(model.vertex_count());
+  body.vertex_count = static_cast<std::uint32_t>(placed.positions.size());
+  body.first_triangle = static_cast<std::uint32_t>(model.triangles.size());
+  body.triangle_count = static_cast<std::uint32_t>(placed.triangles.size());
+  body.weights = cloth.node_mass ? mesh::BoundaryWeights::Uniform : mesh::BoundaryWeights::Area;
+  body.stiffness = cloth.stiffness;
+  body.damping = cloth.damping;
+  body.color = cloth.color;
   model.rest_position.insert(model.rest_position.end(), placed.positions.begin(), placed.positions.end());
   model.start_position.insert(model.start_position.end(), placed.starts.begin(), placed.starts.end());
   model.uv.insert(model.uv.end(), placed.uv.begin(), placed.uv.end());
   model.motion.resize(model.vertex_count(), 0);
   model.mass.insert(model.mass.end(), placed.mass.begin(), placed.mass.end());
   for (mesh::Triangle triangle : placed.triangles) {
-    for (std::uint32_t& vertex : triangle) vertex += part.first_vertex;
+    for (std::uint32_t& vertex : triangle) vertex += body.first_vertex;
     model.triangles.push_back(triangle);
   }
-  model.cloths.push_back(part);
+  model.bodies.push_back(body);
 }
 
 /// Finds the one free node of each of the cloth's grabs.
-Result<void> append_grabs(HostModel& model, const scene::Cloth& cloth, const scene::Selection& selection,
+Result<void> append_grabs(Model& model, const scene::Cloth& cloth, const scene::Selection& selection,
                           std::uint32_t first) {
   for (const scene::Grab& grab : cloth.grabs) {
     WEFT_TRY(nodes, scene::select_nodes(grab.node, selection));
@@ -100,59 +100,59 @@ Result<void> append_grabs(HostModel& model, const scene::Cloth& cloth, const sce
 
 }  // namespace
 
-Result<HostModel> build_model(const scene::Scene& scene,
-                              const std::vector<mesh::TriangleMesh>& cloth_meshes) {
-  HostModel model;
+Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes) {
+  Model model;
   for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
     const scene::Cloth& cloth = scene.cloths[c];
-    ClothModel part;
+    Body body;
     PlacedBody placed;
     scene::Selection selection;
     if (cloth.grid) {
       const double scale = cloth.transform.scale;
-      part.grid =
+      body.grid =
           mesh::Grid{cloth.grid->nx, cloth.grid->ny, cloth.grid->width * scale, cloth.grid->height * scale};
-      placed = place_grid(cloth, *part.grid);
-      selection.nx = part.grid->nx;
-      selection.ny = part.grid->ny;
+      placed = place_grid(cloth, *body.grid);
+      selection.nx = body.grid->nx;
+      selection.ny = body.grid->ny;
     } else {
       placed = place_mesh(cloth_meshes[c]);
     }
-    WEFT_TRY(masses, cloth_masses(cloth, part.grid ? mesh::vertex_areas(*part.grid)
+    WEFT_TRY(masses, cloth_masses(cloth, body.grid ? mesh::vertex_areas(*body.grid)
                                                    : mesh::vertex_areas(cloth_meshes[c])));
     placed.mass = std::move(masses);
     selection.positions = placed.positions;
-    WEFT_TRY(held, scene::held_nodes(cloth, selection));
-    append(model, cloth, placed, part);
-    const std::uint32_t first = model.cloths.back().first_vertex;
-    for (const std::uint32_t node : held.pins) model.motion[first + node] = 1;
-    for (std::size_t m = 0; m < held.motions.size(); ++m) {
+    WEFT_TRY(kinematic, scene::kinematic_nodes(cloth, selection));
+    append(model, cloth, placed, body);
+    const std::uint32_t first = model.bodies.back().first_vertex;
+    for (const std::uint32_t node : kinematic.pins) model.motion[first + node] = 1;
+    for (std::size_t m = 0; m < kinematic.motions.size(); ++m) {
       model.motions.push_back(cloth.motions[m]);
-      for (const std::uint32_t node : held.motions[m])
+      for (const std::uint32_t node : kinematic.motions[m])
         model.motion[first + node] = 1 + static_cast<std::uint32_t>(model.motions.size());
     }
     WEFT_CHECK(append_grabs(model, cloth, selection, first));
   }
-  for (std::size_t node = 0; node < model.vertex_count(); ++node)  // what is held stays in the sheet's plane
+  for (std::size_t node = 0; node < model.vertex_count();
+       ++node)  // kinematic nodes stay in the sheet's plane
     if (model.kinematic(node)) model.start_position[node] = model.rest_position[node];
   return model;
 }
 
-mesh::TriangleMesh cloth_mesh(const HostModel& model, const ClothModel& cloth) {
+mesh::TriangleMesh cloth_mesh(const Model& model, const Body& body) {
   mesh::TriangleMesh mesh;
-  for (std::uint32_t v = 0; v < cloth.vertex_count; ++v)
-    mesh.positions.push_back(model.rest_position[cloth.first_vertex + v].to<float>());
-  for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
-    mesh::Triangle triangle = model.triangles[cloth.first_triangle + t];
-    for (std::uint32_t& vertex : triangle) vertex -= cloth.first_vertex;
+  for (std::uint32_t v = 0; v < body.vertex_count; ++v)
+    mesh.positions.push_back(model.rest_position[body.first_vertex + v].to<float>());
+  for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
+    mesh::Triangle triangle = model.triangles[body.first_triangle + t];
+    for (std::uint32_t& vertex : triangle) vertex -= body.first_vertex;
     mesh.triangles.push_back(triangle);
   }
   return mesh;
 }
 
-std::array<double, 2> bending_stiffness(const ClothModel& cloth) {
-  if (!cloth.grid) return {};
-  return triple_stiffness(*cloth.grid, cloth.stiffness.bending);
+std::array<double, 2> bending_stiffness(const Body& body) {
+  if (!body.grid) return {};
+  return triple_stiffness(*body.grid, body.stiffness.bending);
 }
 
 }  // namespace weft

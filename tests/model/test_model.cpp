@@ -3,14 +3,14 @@
 #include <cmath>
 #include <numeric>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "scene/load.hpp"
 
 using namespace weft;
 
 namespace {
 
-HostModel model_of(const std::string& cloths) {
+Model model_of(const std::string& cloths) {
   const auto scene =
       scene::parse_scene(R"({"format": "weft-scene/1", "cloths": [)" + cloths + "]}", "test.json");
   REQUIRE_MESSAGE(scene, scene.error().message);
@@ -22,31 +22,31 @@ HostModel model_of(const std::string& cloths) {
 }  // namespace
 
 TEST_CASE("the mass of a grid is its density times its area, scaled with its transform") {
-  const HostModel model =
+  const Model model =
       model_of(R"({"grid": [7, 12], "size": [2, 3], "density": 0.2, "transform": {"scale": 2}})");
   CHECK(std::accumulate(model.mass.begin(), model.mass.end(), 0.0) == doctest::Approx(0.2 * 4 * 6));
   CHECK(model.mass[0] * 4 ==
         doctest::Approx(model.mass[8]));  // a corner has a quarter of an inner node's area
-  CHECK(model.cloths[0].grid->width == 4);
+  CHECK(model.bodies[0].grid->width == 4);
   const auto springs = model.springs();
   CHECK(springs[0].rest_length == doctest::Approx(4.0 / 6));
 }
 
 TEST_CASE("with a node mass every node weighs the same and every spring counts in full") {
-  const HostModel model = model_of(R"({"grid": [4, 5], "size": [1, 1], "node_mass": 0.3})");
+  const Model model = model_of(R"({"grid": [4, 5], "size": [1, 1], "node_mass": 0.3})");
   for (const double mass : model.mass) CHECK(mass == 0.3);
   for (const Spring spring : model.springs())
     CHECK((spring.stiffness == 5000.0F || spring.stiffness == 2000.0F || spring.stiffness == 500.0F));
 }
 
 TEST_CASE("cloths are numbered through, and pins and motions point at their nodes") {
-  const HostModel model = model_of(
+  const Model model = model_of(
       R"({"grid": [3, 3], "size": [1, 1], "density": 1, "pins": ["top_left"]},
          {"grid": [3, 4], "size": [1, 1], "density": 1, "pins": ["bottom"],
           "motions": [{"nodes": "top_right", "kind": "line", "direction": [1, 0, 0], "speed": 1}]})");
   CHECK(model.vertex_count() == 21);
-  CHECK(model.cloths[1].first_vertex == 9);
-  CHECK(model.cloths[1].first_triangle == 8);
+  CHECK(model.bodies[1].first_vertex == 9);
+  CHECK(model.bodies[1].first_triangle == 8);
   CHECK(model.motion[0] == 1);
   CHECK(model.motion[9 + 2] == 2);  // moved by motions[0]
   CHECK(model.motion[9 + 9] == 1);
@@ -54,29 +54,29 @@ TEST_CASE("cloths are numbered through, and pins and motions point at their node
   CHECK(model.inverse_mass(1) > 0);
   for (std::size_t t = 8; t < model.triangles.size(); ++t)
     for (const std::uint32_t vertex : model.triangles[t]) CHECK(vertex >= 9);
-  for (const Spring spring : model.springs(model.cloths[1])) CHECK(spring.node_a >= 9);
+  for (const Spring spring : model.springs(model.bodies[1])) CHECK(spring.node_a >= 9);
 }
 
 TEST_CASE("elements of several cloths are numbered through, made once, and of a copy anew") {
-  HostModel model = model_of(
+  Model model = model_of(
       R"({"grid": [3, 3], "size": [1, 1], "density": 1, "stiffness": {"bending": 1e-3}},
          {"grid": [3, 4], "size": [1, 1], "density": 1})");
   const std::uint64_t counted = model.count(ElementKind::Spring);
   const ElementTable& all = model.elements(ElementKind::Spring);
   CHECK(all.size() == counted);
   CHECK(&model.elements(ElementKind::Spring) == &all);
-  const ElementTable& second = model.elements(ElementKind::Spring, model.cloths[1]);
+  const ElementTable& second = model.elements(ElementKind::Spring, model.bodies[1]);
   CHECK(std::equal(second.nodes.begin(), second.nodes.end(),
                    all.nodes.end() - static_cast<long>(second.nodes.size())));
   CHECK(model.count(ElementKind::Triple) == 6);  // a row and a column each, of the first cloth alone
   CHECK(model.count(ElementKind::Tet) == 0);
-  CHECK(&model.incidence(ElementKind::Spring, model.cloths[1]) ==
-        &model.incidence(ElementKind::Spring, model.cloths[1]));
-  CHECK(model.incidence(ElementKind::Spring, model.cloths[1]).row_count() == 12);
+  CHECK(&model.incidence(ElementKind::Spring, model.bodies[1]) ==
+        &model.incidence(ElementKind::Spring, model.bodies[1]));
+  CHECK(model.incidence(ElementKind::Spring, model.bodies[1]).row_count() == 12);
   CHECK(&model.colors(ElementKind::Spring) == &model.colors(ElementKind::Spring));
   CHECK(model.colors(ElementKind::Spring).elements.size() == counted);
-  HostModel copy = model;
-  copy.cloths[0].stiffness.structural = 7;
+  Model copy = model;
+  copy.bodies[0].stiffness.structural = 7;
   CHECK(copy.springs()[0].stiffness == 3.5F);  // a boundary spring counts half
   CHECK(model.springs()[0].stiffness == 2500.0F);
 }

@@ -4,19 +4,19 @@
 #include <cstdint>
 
 #include "gpu/buffer.hpp"
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 
 /// The model on the GPU: what more than one room reads.
-struct Model {
-  HostModel host;
-  gpu::Buffer<Vec4f> rest_position;      // vertex_count, m; w: HostModel::motion, as a number
+struct GpuModel {
+  Model host;
+  gpu::Buffer<Vec4f> rest_position;      // vertex_count, m; w: Model::motion, as a number
   gpu::Buffer<std::array<float, 2>> uv;  // vertex_count, m
   gpu::Buffer<std::uint32_t> triangles;  // 3 * triangle_count
 
   /// Errors  Limit, OutOfMemory.
-  static Result<Model> create(gpu::Device& device, HostModel host);
+  static Result<GpuModel> create(gpu::Device& device, Model host);
   std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(rest_position.size()); }
   std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles.size() / 3); }
 };

@@ -1,4 +1,4 @@
-#include "method/multigrid/level.hpp"
+#include "method/multigrid/grid_level_params.hpp"
 
 #include <algorithm>
 
@@ -7,16 +7,16 @@
 
 namespace weft {
 
-std::vector<LevelOfGrid> levels_of_grid(const ClothModel& cloth) {
-  const mesh::Grid& grid = *cloth.grid;
-  const auto [along_i, along_j] = bending_stiffness(cloth);
+std::vector<GridLevelParams> grid_level_params(const Body& body) {
+  const mesh::Grid& grid = *body.grid;
+  const auto [along_i, along_j] = bending_stiffness(body);
   const auto end = [](std::uint32_t side, bool even) {
     return side - std::min(side, even ? 1U : 2U);  // without the inner node of a shorter last interval
   };
-  std::vector<LevelOfGrid> levels;
+  std::vector<GridLevelParams> levels;
   std::uint32_t vectors = 0, operators = 0;
   for (const GridLevel& shape : grid_levels(grid.nx, grid.ny)) {
-    LevelOfGrid level;
+    GridLevelParams level;
     level.nx = shape.nx;
     level.ny = shape.ny;
     level.first_vector = vectors;
@@ -25,7 +25,7 @@ std::vector<LevelOfGrid> levels_of_grid(const ClothModel& cloth) {
     level.bending_j = static_cast<float>(along_j * shape.bending_j);
     level.bend_end_i = end(shape.nx, shape.even_i);
     level.bend_end_j = end(shape.ny, shape.even_j);
-    level.rim = cloth.weights == mesh::BoundaryWeights::Uniform ? 1.0F : 0.5F;
+    level.rim = body.weights == mesh::BoundaryWeights::Uniform ? 1.0F : 0.5F;
     vectors += multigrid::kVectors * node_count(level);
     if (!levels.empty()) operators += multigrid::kOperatorParts * node_count(level);
     levels.push_back(level);

@@ -19,8 +19,8 @@
 
 namespace weft {
 
-/// The part of the model that one cloth of the scene became: a range of nodes, triangles and elements (HostModel).
-struct ClothModel {
+/// What one cloth of the scene became: a range of the nodes, triangles and elements of a Model.
+struct Body {
   std::uint32_t first_vertex = 0, vertex_count = 0;
   std::uint32_t first_triangle = 0, triangle_count = 0;
   std::optional<mesh::Grid>
@@ -39,10 +39,10 @@ struct NodeGrab {
   scene::Grab grab;
 };
 
-/// The model on the host. Vertices, triangles and elements of all cloths are numbered through, cloth after
-/// cloth.
-struct HostModel {
-  std::vector<ClothModel> cloths;
+/// The model on the host. Vertices, triangles and elements are numbered through all bodies, one body after the
+/// other.
+struct Model {
+  std::vector<Body> bodies;
   std::vector<Vec3d> rest_position;      // in the world [m]
   std::vector<Vec3d> start_position;     // where nodes begin: there, but for the bump of a grid [m]
   std::vector<std::array<float, 2>> uv;  // place on the sheet [m], for the weave
@@ -59,32 +59,32 @@ struct HostModel {
 
   /// How many elements of a kind there are. Makes no table of a grid.
   std::uint64_t count(ElementKind kind) const;
-  /// All elements of a kind, or those of one of `cloths`, with the model's node numbers. Made once, when first asked
-  /// for; the model's cloths, places and triangles stay as they are from then on.
+  /// All elements of a kind, or those of one of `bodies`, with the model's node numbers. Made once, when first asked
+  /// for; the model's bodies, places and triangles stay as they are from then on.
   const ElementTable& elements(ElementKind kind) const;
-  const ElementTable& elements(ElementKind kind, const ClothModel& cloth) const;
-  /// Node -> elements of one of `cloths`, by its own numbers of both.
-  const mesh::Adjacency& incidence(ElementKind kind, const ClothModel& cloth) const;
+  const ElementTable& elements(ElementKind kind, const Body& body) const;
+  /// Node -> elements of one of `bodies`, by its own numbers of both.
+  const mesh::Adjacency& incidence(ElementKind kind, const Body& body) const;
   /// Of elements(kind).
   const Colors& colors(ElementKind kind) const;
 
   Springs springs() const { return Springs(elements(ElementKind::Spring)); }
-  Springs springs(const ClothModel& cloth) const { return Springs(elements(ElementKind::Spring, cloth)); }
+  Springs springs(const Body& body) const { return Springs(elements(ElementKind::Spring, body)); }
 
  private:
-  std::size_t number_of(const ClothModel& cloth) const;
+  std::size_t number_of(const Body& body) const;
   ElementStore store_;
 };
 
 /// Places the scene's cloths in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for a
 /// grid). Errors  Input: a cloth vertex has no area, a selector selects nothing, a node is both pinned and
 /// moved, a grab does not mean one free node or shares it with another.
-Result<HostModel> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes);
+Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes);
 
 /// The mesh of a cloth, numbered from 0, at rest.
-mesh::TriangleMesh cloth_mesh(const HostModel& model, const ClothModel& cloth);
+mesh::TriangleMesh cloth_mesh(const Model& model, const Body& body);
 
 /// The stiffness of a grid cloth's triples along i and along j [N/m] (element/triple/triple.hpp); of a mesh 0.
-std::array<double, 2> bending_stiffness(const ClothModel& cloth);
+std::array<double, 2> bending_stiffness(const Body& body);
 
 }  // namespace weft

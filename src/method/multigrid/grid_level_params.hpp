@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 
 namespace weft {
 
 /// Mirror of src/method/multigrid/grid_level.wgsl: a level of a grid, and its place in the buffers.
-struct LevelOfGrid {
+struct GridLevelParams {
   std::uint32_t nx = 0, ny = 0;                        // nodes; 0: there is no such level
   std::uint32_t first_vector = 0, first_operator = 0;  // [vec4f], [vec2f]
   float bending_i = 0, bending_j = 0;                  // [N/m]
@@ -17,9 +17,9 @@ struct LevelOfGrid {
   float rim = 0;                                       // part of the bending that boundary lines have
   std::uint32_t padding_a = 0, padding_b = 0, padding_c = 0;
 };
-static_assert(sizeof(LevelOfGrid) == 48);
+static_assert(sizeof(GridLevelParams) == 48);
 
-inline std::uint32_t node_count(const LevelOfGrid& level) { return level.nx * level.ny; }
+inline std::uint32_t node_count(const GridLevelParams& level) { return level.nx * level.ny; }
 
 namespace multigrid {
 
@@ -27,7 +27,7 @@ namespace multigrid {
 using BlockPart = std::array<float, 2>;
 inline constexpr std::uint32_t kBlocks = 5, kBlockParts = 3;
 inline constexpr std::uint32_t kOperatorParts = kBlocks * kBlockParts;
-/// The cycle on levels of no more nodes is done by one workgroup: a step there takes less than it takes to
+/// The cycle on levels of no more nodes is done by one workgroup: a stage there takes less than it takes to
 /// begin a dispatch.
 inline constexpr std::uint32_t kTailNodes = 33 * 33;
 
@@ -35,6 +35,6 @@ inline constexpr std::uint32_t kTailNodes = 33 * 33;
 
 /// The levels of a grid cloth, the finest first; vectors of all stand in one buffer, as do the matrices of
 /// all but the finest.
-std::vector<LevelOfGrid> levels_of_grid(const ClothModel& cloth);
+std::vector<GridLevelParams> grid_level_params(const Body& body);
 
 }  // namespace weft

@@ -58,8 +58,8 @@ struct Found {
   }
 };
 
-inline HostModel host_model(const Pose& pose) {
-  HostModel host;
+inline Model model_of(const Pose& pose) {
+  Model host;
   for (const Vec4f& p : pose.previous) host.rest_position.push_back(p.xyz().to<double>());
   host.start_position = host.rest_position;
   host.uv.resize(pose.previous.size());
@@ -69,13 +69,12 @@ inline HostModel host_model(const Pose& pose) {
   return host;
 }
 
-/// Model, state and contacts of a pose, with the collision recorded for one substep.
-class CollisionRun {
+/// Model, state and contacts of a pose, with the pushes recorded for one substep.
+class PushRun {
  public:
-  CollisionRun(gpu::Device& device, const Pose& pose, const contact::PushSetup& setup,
-               std::uint32_t parity = 0)
+  PushRun(gpu::Device& device, const Pose& pose, const contact::PushSetup& setup, std::uint32_t parity = 0)
       : device_(device), parity_(parity) {
-    auto model = Model::create(device, host_model(pose));
+    auto model = GpuModel::create(device, model_of(pose));
     REQUIRE(model);
     model_ = std::move(*model);
     auto state = State::create(device, model_.host, 2);
@@ -87,16 +86,16 @@ class CollisionRun {
     place(pose);
     auto made = contact::Pushes::create(device, model_, state_, contacts_, setup);
     REQUIRE_MESSAGE(made, made.error().message);
-    collision_ = std::move(*made);
+    pushes_ = std::move(*made);
     StepParams step;
     step.vertex_count = model_.vertex_count();
-    step.push_scale = collision_.push_scale();
+    step.push_scale = pushes_.push_scale();
     step.thickness = static_cast<float>(setup.thickness);
-    step.max_push = collision_.max_push();
+    step.max_push = pushes_.max_push();
     state_.steps.write(device, std::vector<StepParams>{step, step});
-    gpu::ComputePass pass(list_, "collision");
+    gpu::ComputePass pass(list_, "pushes");
     pass.set_step(parity, parity);
-    collision_.measure(pass);
+    pushes_.measure(pass);
   }
 
   /// Another pose of the same cloth: a pipeline takes far longer to make than to run.
@@ -116,7 +115,7 @@ class CollisionRun {
     auto statistics = gpu::download(device_, state_.statistics);
     REQUIRE(pushes);
     REQUIRE(statistics);
-    Found found{*pushes, {}, collision_.push_scale(), collision_.max_push(), list_.dispatch_count()};
+    Found found{*pushes, {}, pushes_.push_scale(), pushes_.max_push(), list_.dispatch_count()};
     REQUIRE(statistics->size() * 4 == sizeof(Statistics));
     std::memcpy(static_cast<void*>(&found.statistics), statistics->data(), sizeof(Statistics));
     return found;
@@ -127,16 +126,16 @@ class CollisionRun {
  private:
   gpu::Device& device_;
   std::uint32_t parity_ = 0;
-  Model model_;
+  GpuModel model_;
   State state_;
   Contacts contacts_;
-  contact::Pushes collision_;
+  contact::Pushes pushes_;
   gpu::CommandList list_;
 };
 
 inline Found find_contacts(gpu::Device& device, const Pose& pose, const contact::PushSetup& setup,
                            std::uint32_t parity = 0) {
-  return CollisionRun(device, pose, setup, parity).run();
+  return PushRun(device, pose, setup, parity).run();
 }
 
 }  // namespace weft

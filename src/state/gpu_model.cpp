@@ -1,9 +1,9 @@
-#include "state/model.hpp"
+#include "state/gpu_model.hpp"
 
 namespace weft {
 
-Result<Model> Model::create(gpu::Device& device, HostModel host) {
-  Model model;
+Result<GpuModel> GpuModel::create(gpu::Device& device, Model host) {
+  GpuModel model;
   std::vector<Vec4f> rest(host.vertex_count());
   for (std::size_t i = 0; i < rest.size(); ++i)
     rest[i] = Vec4f::from(host.rest_position[i].to<float>(), static_cast<float>(host.motion[i]));

@@ -1,6 +1,7 @@
-// The steps of a V-cycle on one level of a grid or a mesh, for one node each. The including file binds `vectors`, and
-// has the Level and its matrix: the product A x, product(level, x, node), and x as that takes it, operand(level, x,
-// node), where x is the number of one of the level's vectors. Source: docs/solvers/multigrid.md, equation 8.
+// The smoothing sweeps of a V-cycle on one level of a grid or a mesh, for one node each. The including file binds
+// `vectors` and defines Level and its matrix: the product A x, product(level, x, node), and x as that product takes it,
+// operand(level, x, node). x is the number of one of the level's vectors.
+// Source: docs/solvers/multigrid.md, equation 8.
 #include "method/multigrid/chebyshev.wgsl"
 
 // r - A x
@@ -9,21 +10,21 @@ fn left_of(level : Level, x : u32, node : u32) -> vec3f {
 }
 
 // What x changes by, keep d + take D⁻¹ (r - A x).
-fn step_of(level : Level, x : u32, keep : f32, take : f32, node : u32) -> vec3f {
+fn sweep_of(level : Level, x : u32, keep : f32, take : f32, node : u32) -> vec3f {
   let d = vectors[vector_at(level, kDirection, node)].xyz;
   return keep * d + take * times(inverse_at(level, node), left_of(level, x, node));
 }
 
-// The first step of smoothing: it leaves d for the second.
+// The first smoothing sweep: it leaves d for the second.
 fn begin_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
   let d = kBegin * times(inverse_at(level, node), left_of(level, from_x, node));
   vectors[vector_at(level, to_x, node)] = vec4f(operand(level, from_x, node) + d, 0.0);
   vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
 }
 
-// The second step.
+// The second sweep.
 fn end_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
-  let d = step_of(level, from_x, kKeep, kTake, node);
+  let d = sweep_of(level, from_x, kKeep, kTake, node);
   vectors[vector_at(level, to_x, node)] = vec4f(operand(level, from_x, node) + d, 0.0);
 }
 
