@@ -8,6 +8,10 @@ from .table import Table, left, right
 from .wording import number
 
 
+def measured_or_skipped(row, cells):
+    return [f"skipped: {row['skipped']}"] if "skipped" in row else [*cells(row), f"`{row['state_hash']}`"]
+
+
 def hosts(results):
     rows = results["rows"]
     names = ["native", "Node", "Chromium"]
@@ -78,26 +82,20 @@ def implicit(results):
 
 
 def implicit_drapes(results):
-    lines = []
-    for row in results["rows"]:
-        if row["object"] == "sheet":
-            continue
-        start = [row["object"], f"{row['side'] ** 2:,}", row["variant"]]
-        lines.append(
-            start
-            + (
-                [f"skipped: {row['skipped']}"]
-                if "skipped" in row
-                else [
-                    f"{row['substeps']:,}",
-                    f"{row['ms_per_frame']['median']:.1f}",
-                    f"{number(row['real_time_factor'])} ×",
-                    f"{row['crossings']}",
-                    f"{row['max_stretch']:.2f}",
-                    f"`{row['state_hash']}`",
-                ]
-            )
-        )
+    def cells(row):
+        return [
+            f"{row['substeps']:,}",
+            f"{row['ms_per_frame']['median']:.1f}",
+            f"{number(row['real_time_factor'])} ×",
+            f"{row['crossings']}",
+            f"{row['max_stretch']:.2f}",
+        ]
+
+    lines = [
+        [row["object"], f"{row['side'] ** 2:,}", row["variant"]] + measured_or_skipped(row, cells)
+        for row in results["rows"]
+        if row["object"] != "sheet"
+    ]
     return Table(
         left("object")
         + right("nodes")
@@ -121,91 +119,55 @@ def search_ms(row):
     return row["ms_per_search"]["median"]
 
 
+# The columns of contact that every table of it has: heads, and the cells of a row.
+CONTACT_HEADS = (
+    "ms a search",
+    "searches at 60 Hz",
+    "ms a step",
+    "of it contact",
+    "pairs",
+    "candidates",
+    "contacts a step",
+    "crossings",
+)
+
+
+def contact_cells(row):
+    """Under CONTACT_HEADS. A method that searches in every step has no separate search and no lists."""
+    searches = search_ms(row)
+    listed = lambda text: text if searches else ""
+    return [
+        listed(f"{searches:.4f}"),
+        listed(number(row["searches_per_frame"])),
+        f"{row['ms_per_step']['median']:.4f}",
+        f"{contact_ms(row):.4f}",
+        listed(f"{row['pairs']:,}"),
+        listed(f"{row['candidates']:,}"),
+        f"{row['contacts'] / row['counted_steps']:,.0f}",
+        listed(f"{row['crossings']}"),
+    ]
+
+
 def contact_self(results):
-    lines = []
-    for row in results["rows"]:
-        if row["object_triangles"]:
-            continue
-        line = [f"{row['pose']}{share(row['part'])}", f"{row['nodes']:,}", f"{row['sheets']}"]
-        lines.append(
-            line
-            + (
-                [f"skipped: {row['skipped']}"]
-                if "skipped" in row
-                else [
-                    f"{search_ms(row):.4f}",
-                    number(row["searches_per_frame"]),
-                    f"{row['ms_per_step']['median']:.4f}",
-                    f"{contact_ms(row):.4f}",
-                    f"{row['pairs']:,}",
-                    f"{row['candidates']:,}",
-                    f"{row['contacts'] / row['counted_steps']:,.0f}",
-                    f"{row['crossings']}",
-                    f"{row['dispatches_per_step']:g}",
-                    f"`{row['state_hash']}`",
-                ]
-            )
-        )
+    lines = [
+        [f"{row['pose']}{share(row['part'])}", f"{row['nodes']:,}", f"{row['sheets']}"]
+        + measured_or_skipped(row, lambda row: [*contact_cells(row), f"{row['dispatches_per_step']:g}"])
+        for row in results["rows"]
+        if not row["object_triangles"]
+    ]
     return Table(
-        left("pose")
-        + right(
-            "nodes",
-            "sheets",
-            "ms a search",
-            "searches at 60 Hz",
-            "ms a step",
-            "of it contact",
-            "pairs",
-            "candidates",
-            "contacts a step",
-            "crossings",
-            "dispatches a step",
-        )
-        + left("state hash"),
-        lines,
+        left("pose") + right("nodes", "sheets", *CONTACT_HEADS, "dispatches a step") + left("state hash"), lines
     )
 
 
 def contact_objects(results):
-    lines = []
-    for row in results["rows"]:
-        if not row["object_triangles"]:
-            continue
-        line = [f"{row['object_triangles']:,}", f"{row['nodes']:,}", row["method"]]
-        if "skipped" in row:
-            lines.append(line + [f"skipped: {row['skipped']}"])
-            continue
-        searches = search_ms(row)  # 0: the method searches in every step
-        listed = lambda text: text if searches else ""
-        lines.append(
-            line
-            + [
-                listed(f"{searches:.4f}"),
-                listed(number(row["searches_per_frame"])),
-                f"{row['ms_per_step']['median']:.4f}",
-                f"{contact_ms(row):.4f}",
-                listed(f"{row['pairs']:,}"),
-                listed(f"{row['candidates']:,}"),
-                f"{row['contacts'] / row['counted_steps']:,.0f}",
-                listed(f"{row['crossings']}"),
-                f"`{row['state_hash']}`",
-            ]
-        )
+    lines = [
+        [f"{row['object_triangles']:,}", f"{row['nodes']:,}", row["method"]] + measured_or_skipped(row, contact_cells)
+        for row in results["rows"]
+        if row["object_triangles"]
+    ]
     return Table(
-        right("object triangles", "nodes")
-        + left("contact")
-        + right(
-            "ms a search",
-            "searches at 60 Hz",
-            "ms a step",
-            "of it contact",
-            "pairs",
-            "candidates",
-            "contacts a step",
-            "crossings",
-        )
-        + left("state hash"),
-        lines,
+        right("object triangles", "nodes") + left("contact") + right(*CONTACT_HEADS) + left("state hash"), lines
     )
 
 
