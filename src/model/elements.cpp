@@ -26,16 +26,15 @@ std::size_t HostModel::number_of(const ClothModel& cloth) const {
   return number;
 }
 
+std::uint64_t HostModel::count(ElementKind kind, const ClothModel& cloth) const {
+  if (kind == ElementKind::Spring && cloth.grid) return mesh::grid_spring_count(*cloth.grid);
+  if (kind == ElementKind::Triple && cloth.grid) return triple_count(*cloth.grid, cloth.stiffness.bending);
+  return elements(kind, cloth).size();
+}
+
 std::uint64_t HostModel::count(ElementKind kind) const {
   std::uint64_t sum = 0;
-  for (const ClothModel& cloth : cloths) {
-    if (kind == ElementKind::Spring && cloth.grid)
-      sum += mesh::grid_spring_count(*cloth.grid);
-    else if (kind == ElementKind::Triple && cloth.grid)
-      sum += triple_count(*cloth.grid, cloth.stiffness.bending);
-    else
-      sum += elements(kind, cloth).size();
-  }
+  for (const ClothModel& cloth : cloths) sum += count(kind, cloth);
   return sum;
 }
 
