@@ -5,6 +5,7 @@
 #include "memory.hpp"
 #include "model/assets.hpp"
 #include "model/model.hpp"
+#include "sim/plan/frame_plan.hpp"
 #include "weft/weft.hpp"
 
 namespace weft::cli {
@@ -15,6 +16,7 @@ Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(assets, load_assets(scene, models_folder()));
   WEFT_CHECK(check_host_memory(scene, assets));
   WEFT_TRY(model, build_model(scene, assets.cloths));
+  WEFT_CHECK(sim::FramePlan::create(scene, model, assets));
   std::size_t object_triangles = 0;
   for (const mesh::TriangleMesh& object : assets.objects) object_triangles += object.triangles.size();
   std::printf(

@@ -10,7 +10,7 @@ namespace weft {
 struct Description {
   std::uint64_t nodes = 0, triangles = 0, springs = 0;  // of all cloths
   std::uint64_t dropped_triangles = 0;                  // of colliders, since they have no area
-  std::string solver;                                   // "mass_spring", "multigrid"
+  std::string solver;                                   // solver.kind; of "auto" the one it chose
   std::string solver_reason;                            // why "auto" chose it; empty where the scene did
   std::string solver_settings;                          // "node_centric"; empty for a solver without
   std::string contact_method;                           // "proximity"

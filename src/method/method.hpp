@@ -25,7 +25,8 @@ struct SolverMemory {
 };
 
 struct Method {
-  scene::SolverKind kind;  // its word: scene::name_of(kind)
+  scene::SolverKind kind;              // its word: scene::name_of(kind)
+  std::span<const ElementKind> takes;  // elements of other kinds are refused: check_elements
 
   /// The largest stable step of a model; nothing in it where any step is stable.
   StepLimit (*step_limit)(const scene::Scene& scene, const Model& model);
@@ -59,6 +60,9 @@ struct MethodChoice {
   std::string reason;  // empty: the scene names it
 };
 MethodChoice choose_method(const scene::Scene& scene, const Model& model);
+
+/// Errors  Input: a cloth has elements that the method does not take.
+Result<void> check_elements(const scene::Scene& scene, const Model& model, const Method& method);
 
 /// The substeps of a frame: the scene's, or what its "auto" means with this method.
 /// Errors  Limit: more than scenes allow.

@@ -1,6 +1,7 @@
 // A line a method.
 #include "method/mass_spring/solver_mass_spring.hpp"
 #include "method/multigrid/solver_multigrid.hpp"
+#include "method/xpbd/solver_xpbd.hpp"
 
 namespace weft {
 
@@ -10,6 +11,8 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
       return SolverMassSpring::create(settings, inputs);
     case scene::SolverKind::Multigrid:
       return SolverMultigrid::create(inputs);
+    case scene::SolverKind::Xpbd:
+      return SolverXpbd::create(settings, inputs);
     case scene::SolverKind::Auto:
       break;
   }

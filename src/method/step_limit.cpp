@@ -9,6 +9,11 @@
 #include "contact/rules/contact_law.hpp"
 
 namespace weft {
+namespace {
+
+constexpr double kMostSubsteps = 65536;  // docs/scene.md, time.substeps
+
+}  // namespace
 
 double largest_stable_step(double stiffness, double damping) {
   // Not the difference (√(μ² + 4 λ) - μ) / λ: where μ is large it cancels to 0, and 0 means no limit.
@@ -48,8 +53,12 @@ double contact_step(const scene::Scene& scene, const Model& model) {
   return std::max(step, kLeastContactStep);
 }
 
+double within_contact_step(double step, const scene::Scene& scene, const Model& model) {
+  const double contact = contact_step(scene, model);
+  return contact > 0 ? std::min(step, contact) : step;
+}
+
 Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit& limit) {
-  constexpr double kMostSubsteps = 65536;  // docs/scene.md, time.substeps
   if (limit.largest_step <= 0) return 1U;
   const double substeps = 4 * std::ceil(scene.time.frame / (kStepSafety * limit.largest_step) / 4);
   if (!(substeps <= kMostSubsteps))
@@ -58,6 +67,19 @@ Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit
         "The cloth's springs need %.0f substeps a frame (largest stable step %.3g s), more than the limit "
         "of %.0f: lower the stiffness or the resolution, or raise the density.",
         substeps, limit.largest_step, kMostSubsteps);
+  return static_cast<std::uint32_t>(substeps);
+}
+
+Result<std::uint32_t> long_substeps(const scene::Scene& scene, const StepLimit& limit) {
+  const double steps =
+      scene.time.frame / limit.longest_auto_step * (1 - 1e-12);  // an even number is not rounded up
+  const double substeps = 4 * std::ceil(steps / 4);
+  if (!(substeps <= kMostSubsteps))
+    return make_error(
+        ErrorKind::Limit,
+        "Steps of at most %.3g s are %.0f substeps a frame, more than the limit of %.0f: shorten "
+        "time.frame, or set time.substeps.",
+        limit.longest_auto_step, substeps, kMostSubsteps);
   return static_cast<std::uint32_t>(substeps);
 }
 

@@ -28,7 +28,7 @@ struct StepLimit {
   double highest_frequency = 0;  // of the spring network, undamped [rad/s]
   double highest_damping = 0;    // largest damping rate [1/s]
   double largest_step = 0;       // beyond which the integration is unstable [s]; 0: there is no limit
-  double contact_step = 0;       // in longer ones contact holds fast cloth back [s]; 0: there is no contact
+  double longest_auto_step = 0;  // that "auto" gives where any is stable [s]; 0: the stable one decides
   std::vector<NetworkSpectrum> cloths;  // in the order of the scene
 };
 
@@ -45,11 +45,11 @@ StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag);
 /// within 2,000 steps, 0.7 does not in 10,000.
 inline constexpr double kStepSafety = 0.7;
 
-/// The longest step that "auto" gives the implicit solver, which is stable at any: BDF2 at 1/480 s is within
+/// The longest step that "auto" gives a method that is stable at any. Of the implicit solver, BDF2 at 1/480 s is within
 /// 1 to 3 % of the exact motion of a sheet of 2 m [s].
 inline constexpr double kImplicitStep = 1.0 / 480;
 
-/// The speed up to which "auto" gives the implicit solver steps in which contact holds no vertex back: that
+/// The speed up to which "auto" gives such a method steps in which contact holds no vertex back: that
 /// of cloth that has fallen by half a metre [m/s].
 inline constexpr double kFallSpeed = 3;
 /// However fine the mesh, "auto" makes no more of it than 128 substeps in a sixtieth [s].
@@ -57,6 +57,8 @@ inline constexpr double kLeastContactStep = kImplicitStep / 16;
 /// A vertex at that speed comes no further in it than a search for pairs foresees [s]: docs/contact.md,
 /// Reach. 0 where the scene has no contact by proximity.
 double contact_step(const scene::Scene& scene, const Model& model);
+/// A step, or that of contact where it is shorter [s].
+double within_contact_step(double step, const scene::Scene& scene, const Model& model);
 
 /// By how much longer than the one before it a step of the implicit solver may be (BDF2 is stable up to 1 +
 /// √2); beyond it begins anew.
@@ -70,5 +72,8 @@ constexpr double step_ratio(std::uint32_t substeps_before, std::uint32_t substep
 /// The substeps of a frame that "auto" means for an explicit solver: the least multiple of 4 whose step is at
 /// most kStepSafety times the largest stable one. Errors  Limit: more than scenes allow.
 Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit& limit);
+/// The same for a method that is stable at any step: the least multiple of 4 whose step is at most longest_auto_step.
+/// Errors  Limit: more than scenes allow.
+Result<std::uint32_t> long_substeps(const scene::Scene& scene, const StepLimit& limit);
 
 }  // namespace weft

@@ -31,7 +31,7 @@ class Stepper {
   virtual void forget(std::size_t) {}
 };
 
-/// Of a kind that is not Auto. The model must outlive it.
-std::unique_ptr<Stepper> make_stepper(scene::SolverKind kind, const Model& model);
+/// Of a scene's "solver" object, whose kind is not Auto (choose_method). The model must outlive it.
+std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model& model);
 
 }  // namespace weft::reference

@@ -2,13 +2,16 @@
 #include "method/mass_spring/reference/mass_spring_stepper.hpp"
 #include "method/multigrid/reference/implicit_step.hpp"
 #include "method/stepper.hpp"
+#include "method/xpbd/reference/xpbd_stepper.hpp"
 
 namespace weft::reference {
 
-std::unique_ptr<Stepper> make_stepper(scene::SolverKind kind, const Model& model) {
-  switch (kind) {
+std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model& model) {
+  switch (settings.kind) {
     case scene::SolverKind::Multigrid:
       return std::make_unique<ImplicitStepper>(model);
+    case scene::SolverKind::Xpbd:
+      return std::make_unique<XpbdStepper>(model, settings.iterations);
     case scene::SolverKind::MassSpring:
     case scene::SolverKind::Auto:
       break;

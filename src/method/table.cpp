@@ -4,11 +4,12 @@
 #include "method/mass_spring/plan.hpp"
 #include "method/method.hpp"
 #include "method/multigrid/plan.hpp"
+#include "method/xpbd/plan.hpp"
 
 namespace weft {
 
 std::span<const Method> methods() {
-  static const std::array rows = {multigrid_method(), mass_spring_method()};
+  static const std::array rows = {multigrid_method(), mass_spring_method(), xpbd_method()};
   return rows;
 }
 

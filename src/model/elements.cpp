@@ -26,16 +26,15 @@ std::size_t Model::number_of(const Body& body) const {
   return number;
 }
 
+std::uint64_t Model::count(ElementKind kind, const Body& body) const {
+  if (kind == ElementKind::Spring && body.grid) return mesh::grid_spring_count(*body.grid);
+  if (kind == ElementKind::Triple && body.grid) return triple_count(*body.grid, body.stiffness.bending);
+  return elements(kind, body).size();
+}
+
 std::uint64_t Model::count(ElementKind kind) const {
   std::uint64_t sum = 0;
-  for (const Body& body : bodies) {
-    if (kind == ElementKind::Spring && body.grid)
-      sum += mesh::grid_spring_count(*body.grid);
-    else if (kind == ElementKind::Triple && body.grid)
-      sum += triple_count(*body.grid, body.stiffness.bending);
-    else
-      sum += elements(kind, body).size();
-  }
+  for (const Body& body : bodies) sum += count(kind, body);
   return sum;
 }
 

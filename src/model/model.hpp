@@ -57,10 +57,11 @@ struct Model {
   /// 1/mass, and 0 for a node that is pinned or moved [1/kg].
   double inverse_mass(std::size_t vertex) const { return kinematic(vertex) ? 0.0 : 1.0 / mass[vertex]; }
 
-  /// How many elements of a kind there are. Makes no table of a grid.
+  /// How many elements of a kind there are, or one of `cloths` has. Makes no table of a grid.
   std::uint64_t count(ElementKind kind) const;
+  std::uint64_t count(ElementKind kind, const Body& body) const;
   /// All elements of a kind, or those of one of `bodies`, with the model's node numbers. Made once, when first asked
-  /// for; the model's bodies, places and triangles stay as they are from then on.
+  /// for; the model's cloths, places and triangles stay as they are from then on.
   const ElementTable& elements(ElementKind kind) const;
   const ElementTable& elements(ElementKind kind, const Body& body) const;
   /// Node -> elements of one of `bodies`, by its own numbers of both.

@@ -40,7 +40,9 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   Simulation made(scene, std::move(model));
   WEFT_TRY(plan, sim::FramePlan::create(scene, *made.model_, assets));
   made.plan_ = std::move(plan);
-  made.stepper_ = make_stepper(made.plan_.method().kind, *made.model_);
+  scene::Solver settings = scene.solver;
+  settings.kind = made.plan_.method().kind;
+  made.stepper_ = make_stepper(settings, *made.model_);
   MassSpringSystem& system = made.system_;
   for (std::size_t node = 0; node < made.model_->vertex_count(); ++node)
     system.inverse_mass.push_back(made.model_->inverse_mass(node));

@@ -27,9 +27,7 @@ class Builder {
     const Json& wind = at(json, "wind");
     scene.wind = {vector(wind, "velocity"), number(wind, "gusts"), number(wind, "wavelength")};
     scene.time = time(at(json, "time"));
-    scene.solver.kind = word<SolverKind>(at(at(json, "solver"), "kind"), kSolverKindNames);
-    if (scene.solver.kind == SolverKind::MassSpring)
-      scene.solver.forces = word<Forces>(at(at(json, "solver"), "forces"), kForcesNames);
+    scene.solver = solver(at(json, "solver"));
     WEFT_TRY(contact, this->contact(at(json, "contact")));
     scene.contact = contact;
     const std::vector<Json>& cloths = at(json, "cloths").values;
@@ -73,6 +71,15 @@ class Builder {
   std::string where(const std::string& path) const { return file_ + ": " + path; }
   Error wrong(const std::string& path, const std::string& what) const {
     return input_error("%s %s.", where(path).c_str(), what.c_str());
+  }
+
+  /// A kind that has no use for a setting keeps its default.
+  static Solver solver(const Json& json) {
+    Solver solver;
+    solver.kind = word<SolverKind>(at(json, "kind"), kSolverKindNames);
+    if (const Json* forces = json.find("forces")) solver.forces = word<Forces>(*forces, kForcesNames);
+    if (const Json* iterations = json.find("iterations")) solver.iterations = whole(*iterations);
+    return solver;
   }
 
   static Time time(const Json& json) {
@@ -208,7 +215,7 @@ class Builder {
       const std::string path = path_of_index("cloths", cloth.entry);
       if (cloth.stiffness.bending == 0) continue;
       const std::string bending = "is " + number_text(cloth.stiffness.bending) + " N·m; ";
-      if (scene.solver.kind == SolverKind::MassSpring && scene.solver.forces != Forces::NodeCentric)
+      if (scene.solver.forces != Forces::NodeCentric)
         return wrong(
             path + ".stiffness.bending",
             bending + "solver.forces " + in_quotes(name_of(scene.solver.forces)) + " has springs only");

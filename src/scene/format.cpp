@@ -82,10 +82,16 @@ constexpr Key kMassSpringKeys[] = {
     {"forces", &kForces, "Gather over each node's springs, or scatter from each spring by atomic adds",
      "\"node_centric\""},
 };
+constexpr Type kIterations{.kind = Kind::Number, .least = 1, .most = 1000, .whole = true};
+constexpr Key kXpbdKeys[] = {
+    {"iterations", &kIterations,
+     "Sweeps over all springs in a substep; more substeps do more for the same work", "1"},
+};
 constexpr Variant kSolverVariants[] = {  // in the order of SolverKind
     {kSolverKindNames[0], kMassSpringKeys},
     {kSolverKindNames[1], {}},
-    {kSolverKindNames[2], {}}};
+    {kSolverKindNames[2], kXpbdKeys},
+    {kSolverKindNames[3], {}}};
 static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 

@@ -213,12 +213,14 @@ struct Time {
 enum class SolverKind {
   MassSpring,
   Multigrid,
-  Auto,  ///< which of them is cheaper for this scene
+  Xpbd,
+  Auto,  ///< the cheaper of the first two for this scene
 };
 enum class Forces { NodeCentric, SpringCentric, SpringBlocks };
 struct Solver {
   SolverKind kind = SolverKind::MassSpring;
-  Forces forces = Forces::NodeCentric;
+  Forces forces = Forces::NodeCentric;  // of MassSpring
+  std::uint32_t iterations = 1;         // of Xpbd: sweeps over the springs in a substep
 };
 
 enum class ContactMethod { None, Paper, Bvh, Proximity };

@@ -9,6 +9,7 @@
 #include "bench/largest.hpp"
 #include "bench/row.hpp"
 #include "gpu/gpu_fixture.hpp"
+#include "method/method.hpp"
 #include "scene/load.hpp"
 
 using namespace weft;
@@ -81,14 +82,15 @@ TEST_CASE(
     REQUIRE(world);
     return bench::dispatches_per_step(**world);
   };
-  for (const std::string solver : {"mass_spring", "multigrid"}) {
+  for (const Method& method : methods()) {
+    const std::string solver = scene::name_of(method.kind);
     CAPTURE(solver);
     const double one = dispatches(solver, cloth, 8);
     CHECK(dispatches(solver, cloth, 40) == one);
     CHECK(one == std::floor(one * 2) / 2);  // a dispatch of mass_spring may take two steps
     const double two = dispatches(solver, cloth + ", " + cloth, 8);
     CHECK(dispatches(solver, cloth + ", " + cloth, 40) == two);
-    CHECK(two > one);
+    CHECK(two >= one);  // a method may take all cloths in one dispatch
   }
 }
 

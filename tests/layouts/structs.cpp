@@ -23,6 +23,7 @@
 #include "method/multigrid/cycle.hpp"
 #include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/mesh_lists.hpp"
+#include "method/xpbd/solver_xpbd.hpp"
 #include "model/model.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/fine_cloth.hpp"
@@ -145,6 +146,10 @@ Json share() {
   using T = Share;
   return row("Share", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(index), M(weight)});
 }
+Json springs_of_color() {
+  using T = SpringsOfColor;
+  return row("SpringsOfColor", "method/xpbd/project_springs.wgsl", sizeof(T), kUniform, {M(first), M(count)});
+}
 Json surface_params() {
   using T = SurfaceParams;
   return row("SurfaceParams", "state/surface.wgsl", sizeof(T), kUniform,
@@ -245,8 +250,8 @@ Json struct_layouts() {
        neighbour(),     mesh_params(), surface_params(), object_triangle(),   spring_grid_row(),
        level_of_grid(), tree_node(),   pair_range(),     analytic_collider(), contact_of_pair(),
        search_params(), tree_params(), colliders(),      collider_place(),    frame(),
-       weave(),         plane(),       fine_grid(),      cloth_nodes(),       level_of_mesh(),
-       coupling(),      share()});
+       weave(),         plane(),       fine_grid(),      cloth_nodes(),       springs_of_color(),
+       level_of_mesh(), coupling(),    share()});
 }
 
 Json shared_constants() {

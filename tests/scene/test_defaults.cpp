@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "scene/load.hpp"
+#include "scene/names.hpp"
 #include "scene/select.hpp"
 #include "texts.hpp"
 
@@ -262,7 +263,7 @@ TEST_CASE("the word of each enumerator is the one that the scene says") {
     CHECK(std::string(name_of(
               parsed(scene_with("\"solver\": {\"forces\": \"" + std::string(word) + "\"}")).solver.forces)) ==
           word);
-  for (const char* word : {"mass_spring", "multigrid", "auto"})
+  for (const char* word : kSolverKindNames)
     CHECK(std::string(name_of(
               parsed(scene_with("\"solver\": {\"kind\": \"" + std::string(word) + "\"}")).solver.kind)) ==
           word);

@@ -72,6 +72,11 @@ TEST_CASE("a difference in anything else is found and named by its key") {
         {"colliders[1]", R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]})"}})
     CHECK(difference(key, value) == key);
   CHECK(difference("cloths[1].motions[0].speed", "2") == "cloths[1].motions");
+  const auto swept = [](const char* iterations) {
+    const Override change[] = {override_solver("xpbd"), {"solver.iterations", iterations}};
+    return *parse_scene(kScene, "a.json", change);
+  };
+  CHECK(fixed_difference(swept("1"), swept("2")) == "solver.iterations");
   CHECK(difference("cloths[1].grabs[0].path[0].time", "2") == "cloths[1].grabs");
   CHECK(difference("colliders[1].friction", "0.1") == "colliders[1]");
   CHECK(difference("colliders[1].motion", R"({"kind": "line", "direction": [1, 0, 0], "speed": 1})") ==

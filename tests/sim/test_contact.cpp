@@ -4,6 +4,7 @@
 #include "contact/reference/proximity/respond.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "contact_rig.hpp"
+#include "method/method.hpp"
 
 using namespace weft;
 
@@ -23,6 +24,7 @@ scene::Scene incline(double friction, double slope, const std::string& solver) {
 }
 
 void check_sticks(double slope, std::uint32_t frames, const std::string& solver = "mass_spring") {
+  CAPTURE(solver);
   CAPTURE(slope);
   GpuFixture fixture;
   auto world = world_of(fixture.device(), incline(0.5, slope, solver));
@@ -38,6 +40,7 @@ void check_sticks(double slope, std::uint32_t frames, const std::string& solver 
 }
 
 void check_slides(const std::string& solver) {
+  CAPTURE(solver);
   GpuFixture fixture;
   const double degree = std::acos(-1.0) / 180;
   for (const auto& [friction, slope] : {std::pair{0.3, 20 * degree}, {0.5, 30 * degree}}) {
@@ -79,15 +82,13 @@ TEST_CASE("long: on an incline just below the angle of friction a sheet does not
   for (const double part : {0.5, 0.9, 0.98}) check_sticks(part * std::atan(0.5), 3600);
 }
 
-TEST_CASE("implicit: on an incline just below the angle of friction a sheet does not creep") {
-  check_sticks(0.98 * std::atan(0.5), 300, "multigrid");
+TEST_CASE("on an incline just below the angle of friction a sheet of no method creeps in five seconds") {
+  for (const Method& method : methods())
+    check_sticks(0.98 * std::atan(0.5), 300, scene::name_of(method.kind));
 }
 
-TEST_CASE("above the angle of friction a sheet slides with g (sin - friction cos)") {
-  check_slides("mass_spring");
-}
-TEST_CASE("implicit: above the angle of friction a sheet slides with g (sin - friction cos)") {
-  check_slides("multigrid");
+TEST_CASE("above the angle of friction a sheet of every method slides with g (sin - friction cos)") {
+  for (const Method& method : methods()) check_slides(scene::name_of(method.kind));
 }
 
 TEST_CASE("the numbers of contacts for pictures are those of the listed pairs, also when lists have grown") {

@@ -1,5 +1,7 @@
 #include "method/mass_spring/plan.hpp"
 
+#include <array>
+
 #include "method/mass_spring/spectrum.hpp"
 
 namespace weft {
@@ -11,8 +13,10 @@ StepLimit mass_spring_step_limit(const Model& model, double drag) {
 }
 
 Method mass_spring_method() {
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple};
   Method row{};
   row.kind = scene::SolverKind::MassSpring;
+  row.takes = kTakes;
   row.step_limit = [](const scene::Scene& scene, const Model& model) {
     return mass_spring_step_limit(model, scene.drag);
   };

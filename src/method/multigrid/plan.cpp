@@ -1,22 +1,15 @@
 #include "method/multigrid/plan.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace weft {
 namespace {
 
 StepLimit step_limit(const scene::Scene& scene, const Model& model) {
   StepLimit limit;  // implicit steps are stable at any length
-  limit.contact_step = contact_step(scene, model);
+  limit.longest_auto_step = within_contact_step(kImplicitStep, scene, model);
   return limit;
-}
-
-Result<std::uint32_t> auto_substeps(const scene::Scene& scene, const StepLimit& limit) {
-  double step = kImplicitStep;
-  if (limit.contact_step > 0) step = std::min(step, limit.contact_step);
-  const double steps = scene.time.frame / step * (1 - 1e-12);  // an even number is not rounded up
-  return static_cast<std::uint32_t>(4 * std::ceil(steps / 4));
 }
 
 AutoVerdict auto_verdict(const Model& model) {
@@ -32,11 +25,13 @@ AutoVerdict auto_verdict(const Model& model) {
 }  // namespace
 
 Method multigrid_method() {
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple};
   Method row{};
   row.kind = scene::SolverKind::Multigrid;
+  row.takes = kTakes;
   row.step_limit = step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
-  row.auto_substeps = auto_substeps;
+  row.auto_substeps = long_substeps;
   row.auto_verdict = auto_verdict;
   row.memory = [](const scene::Solver&) { return SolverMemory{222, 128}; };
   row.settings_word = [](const scene::Solver&) { return ""; };

@@ -12,6 +12,7 @@ constexpr double kEver = 1e9;  // s; later than any motion begins
 Result<FramePlan> FramePlan::create(const scene::Scene& scene, const Model& model, const Assets& assets) {
   FramePlan plan;
   plan.choice_ = choose_method(scene, model);
+  WEFT_CHECK(check_elements(scene, model, plan.method()));
   plan.limit_ = plan.method().step_limit(scene, model);
   plan.frame_time_ = scene.time.frame;
   plan.thickness_ = scene.contact.thickness;

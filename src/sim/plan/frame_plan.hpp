@@ -17,7 +17,7 @@ namespace weft::sim {
 class FramePlan {
  public:
   FramePlan() = default;
-  /// Errors  Limit: "auto" needs more substeps than scenes allow.
+  /// Errors  Input: the method does not take an element. Limit: "auto" needs more substeps than scenes allow.
   static Result<FramePlan> create(const scene::Scene& scene, const Model& model, const Assets& assets);
 
   const Method& method() const { return *choice_.method; }

@@ -34,7 +34,6 @@ const common = (title: string, thickness: number) => ({
   title: title.slice(0, 200),
   drag: 0.5,
   time: { substeps: "auto", frames: 150 },
-  solver: { kind: "mass_spring" },
   contact: { method: "proximity", thickness: number(thickness) },
 });
 const FLOOR = { kind: "plane", point: [0, 0, 0], normal: [0, 1, 0] };

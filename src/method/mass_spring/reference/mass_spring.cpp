@@ -53,8 +53,7 @@ std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t n
   return std::nullopt;
 }
 
-void advance(MassSpringSystem& system, double dt) {
-  const std::vector<Vec3d> forces = spring_forces(system);
+void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, double dt) {
   for (std::size_t i = 0; i < forces.size(); ++i) {
     if (system.inverse_mass[i] == 0) {
       system.velocity[i] = {};
@@ -72,6 +71,8 @@ void advance(MassSpringSystem& system, double dt) {
   }
   system.time += dt;
 }
+
+void advance(MassSpringSystem& system, double dt) { integrate(system, spring_forces(system), dt); }
 
 double energy(const MassSpringSystem& system) {
   double sum = 0;

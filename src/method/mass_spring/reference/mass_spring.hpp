@@ -53,8 +53,10 @@ Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time);
 /// How fast a node that is grabbed goes to its target; none: it is not grabbed [m/s].
 std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t node);
 
-/// One step of semi-implicit Euler: v += dt (a + f/m - drag (v - w)), then x += dt v. A grabbed node
-/// has v = rate (target - x), cut to the grabs' speed, instead.
+/// One step of semi-implicit Euler under these forces [N]: v += dt (a + f/m - drag (v - w)), then x += dt v. A grabbed
+/// node has v = rate (target - x), cut to the grabs' speed, instead.
+void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, double dt);
+/// The same under the forces of the system.
 void advance(MassSpringSystem& system, double dt);
 
 /// Kinetic, elastic and gravitational energy [J].

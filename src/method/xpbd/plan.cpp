@@ -1,0 +1,67 @@
+#include "method/xpbd/plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace weft {
+namespace {
+
+/// How many springs in a row reach across a cloth.
+struct Span {
+  double extent = 0;   // diagonal of the box around it at rest [m]
+  double spacing = 0;  // of its nodes: a triangle is half a square of that side [m]
+};
+
+Span span_of(const Model& model, const Body& cloth) {
+  double area = 0;
+  Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -1.0 * low;
+  for (std::uint32_t t = cloth.first_triangle; t < cloth.first_triangle + cloth.triangle_count; ++t) {
+    const auto [a, b, c] = model.triangles[t];
+    const Vec3d &x = model.rest_position[a], &y = model.rest_position[b], &z = model.rest_position[c];
+    area += 0.5 * length(cross(y - x, z - x));
+    for (const Vec3d& corner : {x, y, z})
+      for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], corner[axis]);
+        high[axis] = std::max(high[axis], corner[axis]);
+      }
+  }
+  return {length(high - low), std::sqrt(2 * area / cloth.triangle_count)};
+}
+
+/// Equation (7) of docs/solvers/xpbd.md, for the cloth that needs the shortest.
+StepLimit step_limit(const scene::Scene& scene, const Model& model) {
+  const double pull = length(scene.gravity + scene.external_force);  // [m/s²]
+  double step = kImplicitStep;
+  for (const Body& cloth : model.bodies) {
+    const Span span = span_of(model, cloth);
+    if (pull > 0)
+      step = std::min(step, span.spacing * std::sqrt(scene.solver.iterations * kSag / (pull * span.extent)));
+  }
+  StepLimit limit;
+  limit.longest_auto_step = within_contact_step(step, scene, model);
+  return limit;
+}
+
+}  // namespace
+
+Method xpbd_method() {
+  static constexpr std::array kTakes = {ElementKind::Spring};
+  Method row{};
+  row.kind = scene::SolverKind::Xpbd;
+  row.takes = kTakes;
+  row.step_limit = step_limit;
+  row.with_drag = [](const StepLimit& limit, double) { return limit; };
+  row.auto_substeps = long_substeps;
+  row.auto_verdict = nullptr;
+  row.memory = [](const scene::Solver&) {
+    return SolverMemory{96, 72};
+  };  // 16 and 12 bytes a spring, six a node
+  row.settings_word = [](const scene::Solver&) { return ""; };
+  row.search_interval = 1;
+  row.holds_obstacles = false;
+  row.history = 0;
+  return row;
+}
+
+}  // namespace weft

@@ -1,0 +1,52 @@
+#include "method/xpbd/reference/xpbd_stepper.hpp"
+
+#include "element/spring/law.hpp"
+
+namespace weft::reference {
+namespace {
+
+/// What moves while springs are projected: ways from the places at the start of the substep.
+struct Ways {
+  const std::vector<Vec3d>& start;   // [m]
+  std::vector<Vec3d> way;            // [m]
+  std::vector<double> inverse_mass;  // 0: prescribed [1/kg]
+};
+
+/// Equations (3) to (5); `multiplier` is the spring's.
+void project(Ways& ways, const SpringLink& s, double dt, double& multiplier) {
+  const double w_a = ways.inverse_mass[s.node_a], w_b = ways.inverse_mass[s.node_b];
+  const Vec3d turn = ways.way[s.node_b] - ways.way[s.node_a];
+  const Vec3d span = ways.start[s.node_b] - ways.start[s.node_a] + turn;
+  const spring::Pull pull = spring::pull(span, turn / dt, s.rest_length, s.stiffness, s.damping);
+  const double resistance = (dt * dt * s.stiffness + dt * s.damping) * (w_a + w_b);
+  const double change = -(dt * dt * pull.tension + multiplier) / (1 + resistance);
+  multiplier += change;
+  ways.way[s.node_a] -= w_a * change * pull.direction;
+  ways.way[s.node_b] += w_b * change * pull.direction;
+}
+
+}  // namespace
+
+void XpbdStepper::advance(const Substep& substep) {
+  const auto& [system, places, dt, ratio, presses] = substep;
+  const std::vector<Vec3d> start = system.position;
+  integrate(system, std::vector<Vec3d>(start.size()), dt);
+  Ways ways{start, {}, system.inverse_mass};
+  for (std::size_t node = 0; node < start.size(); ++node) {
+    // Pinned nodes stay: their place is the one that they had.
+    const bool kinematic = system.inverse_mass[node] == 0;
+    ways.way.push_back((kinematic ? places[node] : system.position[node]) - start[node]);
+  }
+  for (const Follower& grabbed : system.grabs) ways.inverse_mass[grabbed.node] = 0;
+  const Colors& colors = model_.colors(ElementKind::Spring);
+  std::vector<double> multipliers(system.springs.size(), 0.0);
+  for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep)
+    for (const std::uint32_t spring : colors.elements)
+      project(ways, system.springs[spring], dt, multipliers[spring]);
+  for (std::size_t node = 0; node < start.size(); ++node) {
+    system.position[node] = start[node] + ways.way[node];
+    system.velocity[node] = ways.way[node] / dt;
+  }
+}
+
+}  // namespace weft::reference

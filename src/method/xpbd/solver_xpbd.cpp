@@ -1,0 +1,89 @@
+#include "method/xpbd/solver_xpbd.hpp"
+
+namespace weft {
+
+void SolverXpbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
+  contact.search(pass);
+  predict_way_.record(pass);
+  for (const gpu::Dispatch& color : first_sweep_) color.record(pass);
+  for (std::uint32_t more = 1; more < iterations_; ++more)
+    for (const gpu::Dispatch& color : later_sweep_) color.record(pass);
+  end_way_.record(pass);
+  contact.measure(pass);
+  contact.answer(pass);
+  contact.hold_back(pass);
+}
+
+Result<void> SolverXpbd::create_springs(const SolverInputs& inputs) {
+  gpu::Device& device = inputs.device;
+  const Springs springs = inputs.model.host.springs();
+  const Colors& colors = inputs.model.host.colors(ElementKind::Spring);
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t color = 0; color < colors.count(); ++color) {
+    SpringsOfColor range{static_cast<std::uint32_t>(order.size()), 0};
+    for (const std::uint32_t spring : colors.of(color))
+      if (springs[spring].stiffness > 0) order.push_back(spring);  // others hold nothing
+    range.count = static_cast<std::uint32_t>(order.size()) - range.first;
+    if (range.count > 0) colors_.push_back(range);
+  }
+  WEFT_TRY(packed, pack_springs(springs, order, inputs.model.vertex_count()));
+  WEFT_SET(springs_, gpu::Buffer<PackedSpring>::create_from(device, packed.springs, "springs"));
+  WEFT_SET(kinds_, gpu::Buffer<SpringKind>::create_from(device, packed.kinds, "spring kinds"));
+  WEFT_SET(multiplier_, gpu::Buffer<float>::create(device, packed.springs.size(), "multipliers"));
+  for (const SpringsOfColor& color : colors_) {
+    WEFT_TRY(uniform, gpu::create_uniform(device, color, "springs of color"));
+    color_uniforms_.push_back(std::move(uniform));
+  }
+  return {};
+}
+
+Result<void> SolverXpbd::create_nodes(const SolverInputs& inputs) {
+  const State& state = inputs.state;
+  const std::uint32_t count = inputs.model.vertex_count();
+  WEFT_TRY(predict, gpu::create_shared_kernel(inputs.device, "method/xpbd/predict_way.wgsl", {},
+                                              inputs.workgroup_size));
+  WEFT_SET(predict_way_,
+           gpu::Dispatch::create_by_parity(
+               predict, predict->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                 return {state.steps,   state.position[p],    state.velocity[p], inputs.model.rest_position,
+                         state.motions, state.position[1 - p]};
+               }));
+  WEFT_TRY(end,
+           gpu::create_shared_kernel(inputs.device, "method/xpbd/end_way.wgsl", {}, inputs.workgroup_size));
+  WEFT_SET(end_way_,
+           gpu::Dispatch::create_by_parity(
+               end, end->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                 return {state.steps, state.position[p], state.position[1 - p], *inputs.predicted()[p]};
+               }));
+  return {};
+}
+
+Result<std::vector<gpu::Dispatch>> SolverXpbd::create_sweep(const SolverInputs& inputs, bool first) const {
+  const State& state = inputs.state;
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/xpbd/project_springs.wgsl",
+                                             {{"kFirst", first ? 1.0 : 0.0}}, inputs.workgroup_size));
+  std::vector<gpu::Dispatch> sweep;
+  for (std::size_t color = 0; color < colors_.size(); ++color) {
+    WEFT_TRY(dispatch, gpu::Dispatch::create_by_parity(
+                           kernel, kernel->workgroups_of(colors_[color].count),
+                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                             return {state.steps, color_uniforms_[color], springs_, kinds_, state.position[p],
+                                     multiplier_, state.position[1 - p]};
+                           }));
+    sweep.push_back(std::move(dispatch));
+  }
+  return sweep;
+}
+
+Result<std::unique_ptr<Solver>> SolverXpbd::create(const scene::Solver& settings,
+                                                   const SolverInputs& inputs) {
+  auto made = std::make_unique<SolverXpbd>();
+  made->iterations_ = settings.iterations;
+  WEFT_CHECK(made->create_nodes(inputs));
+  WEFT_CHECK(made->create_springs(inputs));
+  WEFT_SET(made->first_sweep_, made->create_sweep(inputs, true));
+  if (settings.iterations > 1) WEFT_SET(made->later_sweep_, made->create_sweep(inputs, false));
+  return std::unique_ptr<Solver>(std::move(made));
+}
+
+}  // namespace weft

@@ -1,0 +1,132 @@
+// What every method must do, whatever its equations: a new row of method/table.cpp is tested here without a word.
+#include <algorithm>
+#include <cmath>
+
+#include "gpu/gpu_fixture.hpp"
+#include "method/method.hpp"
+#include "method/stepper.hpp"
+#include "scene/names.hpp"
+#include "solver_rig.hpp"
+
+using namespace weft;
+
+namespace {
+
+constexpr double kGravity = 9.81;  // [m/s²]
+
+std::string by(const Method& method) {
+  return R"("solver": {"kind": ")" + std::string(scene::name_of(method.kind)) + R"("}, )";
+}
+
+std::string sheet(const std::string& grid, const std::string& more = "") {
+  return R"("cloths": [{"grid": )" + grid + R"(, "size": [1.0, 0.8], "density": 0.2, "damping": 0.02,
+      "stiffness": {"structural": 500, "shear": 200, "bend": 20})" +
+         more + "}]";
+}
+
+}  // namespace
+
+TEST_CASE("a loose sheet of every method falls by g t²/2, within what one step makes of it") {
+  GpuFixture fixture;
+  const double h = 1.0 / 512;  // exact in f32
+  const int steps = 128;
+  for (const Method& method : methods()) {
+    CAPTURE(scene::name_of(method.kind));
+    SolverRig rig(fixture.device(), scene_of(by(method) + sheet("[6, 5]")), h);
+    const auto start = rig.positions();
+    rig.advance(steps);
+    const auto end = rig.positions();
+    const double time = steps * h, fall = 0.5 * kGravity * time * time;
+    for (std::size_t i = 0; i < end.size(); ++i) {
+      // A consistent step takes a velocity from one of its two ends: g h a step off, and g t h in all at most.
+      CHECK(std::abs(static_cast<double>(start[i].y - end[i].y) - fall) < kGravity * time * h);
+      CHECK(std::abs(end[i].x - start[i].x) < 1e-5F);
+    }
+  }
+}
+
+TEST_CASE("with every method a pinned node stays to the bit while the sheet moves") {
+  GpuFixture fixture;
+  for (const Method& method : methods()) {
+    CAPTURE(scene::name_of(method.kind));
+    SolverRig rig(fixture.device(),
+                  scene_of(by(method) + sheet("[6, 6]", R"(, "pins": ["top_left", "top_right"])")), 1e-3);
+    const auto before = rig.positions();
+    rig.advance(40);
+    const auto after = rig.positions();
+    for (const std::size_t pinned : {0UL, 5UL})
+      CHECK(std::memcmp(&before[pinned], &after[pinned], sizeof(Vec4f)) == 0);
+    CHECK(length(after[20].xyz() - before[20].xyz()) > 0.001F);
+  }
+}
+
+TEST_CASE(
+    "a hundred steps of every method have the same bits for workgroups of 64, 128 and 256, and on every "
+    "run") {
+  GpuFixture fixture;
+  for (const Method& method : methods()) {
+    CAPTURE(scene::name_of(method.kind));
+    std::vector<Vec4f> position, velocity;
+    for (const std::uint32_t workgroup : {64U, 128U, 256U, 256U}) {
+      CAPTURE(workgroup);
+      SolverRig rig(fixture.device(), scene_of(by(method) + sheet("[37, 28]", R"(, "pins": ["top_left"])")),
+                    2e-4, {}, workgroup);
+      rig.perturb(3, 0.005, 1.0);
+      rig.advance(100);
+      if (position.empty()) {
+        position = rig.positions();
+        velocity = rig.velocities();
+      }
+      CHECK(same_bits(rig.positions(), position));
+      CHECK(same_bits(rig.velocities(), velocity));
+    }
+  }
+}
+
+TEST_CASE("every method's row says what its solver allocates for a grid, within 10 %") {
+  GpuFixture fixture;
+  gpu::Device& device = fixture.device();
+  for (const Method& method : methods()) {
+    CAPTURE(scene::name_of(method.kind));
+    const auto scene = scene_of(by(method) + sheet("[128, 128]"));
+    auto host = build_model(scene, {{}});
+    REQUIRE_OK(host);
+    auto model = Model::create(device, std::move(*host));
+    REQUIRE_OK(model);
+    auto state = State::create(device, model->host, 1);
+    REQUIRE_OK(state);
+    const std::uint64_t before = device.allocated_bytes();
+    device.take_largest_buffer();
+    const auto solver = make_solver(scene.solver, {device, *model, *state});
+    REQUIRE_OK(solver);
+    const double found = static_cast<double>(device.allocated_bytes() - before) / model->vertex_count();
+    const double largest = static_cast<double>(device.take_largest_buffer()) / model->vertex_count();
+    const SolverMemory memory = method.memory(scene.solver);
+    CHECK(std::abs(found - memory.node) < 0.1 * found + 1);  // 1: blocks of 256 bytes
+    if (largest > 16)
+      CHECK(std::abs(largest - memory.largest_buffer) < 0.1 * largest);  // 16: the state's own
+  }
+}
+
+TEST_CASE("a cloth with elements that a method does not take is refused, and the methods that do are named") {
+  const auto bent = scene_of(R"("cloths": [{"grid": [4, 4], "size": [1, 1], "density": 0.2},
+      {"grid": [4, 4], "size": [1, 1], "density": 0.2, "stiffness": {"bending": 1e-4}}])");
+  auto model = build_model(bent, {{}, {}});
+  REQUIRE_OK(model);
+  std::size_t takers = 0;
+  for (const Method& method : methods()) {
+    CAPTURE(scene::name_of(method.kind));
+    const bool takes =
+        std::find(method.takes.begin(), method.takes.end(), ElementKind::Triple) != method.takes.end();
+    const auto checked = check_elements(bent, *model, method);
+    CHECK(static_cast<bool>(checked) == takes);
+    if (takes) ++takers;
+    if (checked) continue;
+    CHECK(checked.error().kind == ErrorKind::Input);
+    CHECK(checked.error().message ==
+          "test.json: cloths[1] has bending of grids (stiffness.bending), which solver.kind \"" +
+              std::string(scene::name_of(method.kind)) +
+              "\" does not take; \"multigrid\" or \"mass_spring\" does.");
+  }
+  CHECK(takers == 2);  // those that the sentence names
+}

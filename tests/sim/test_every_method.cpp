@@ -1,0 +1,136 @@
+// What a world must do with every method: a new row of method/table.cpp is tested here without a word. Each takes its
+// own "auto" steps, unless it says otherwise.
+#include <algorithm>
+#include <cmath>
+
+#include "contact_rig.hpp"
+#include "method/method.hpp"
+#include "reference/simulation.hpp"
+#include "relative_error.hpp"
+#include "scene/names.hpp"
+
+using namespace weft;
+
+namespace {
+
+std::string by(const Method& method) {
+  return R"("solver": {"kind": ")" + std::string(scene::name_of(method.kind)) + R"("}, )";
+}
+
+std::vector<Vec3d> places_of(sim::World& world) {
+  const auto snapshot = world.snapshot();
+  REQUIRE_OK(snapshot);
+  std::vector<Vec3d> places;
+  for (const Vec4f& x : snapshot->position) places.push_back(x.xyz().to<double>());
+  return places;
+}
+
+/// How far a world and the reference have come apart, as a part of the way.
+double apart(gpu::Device& device, const scene::Scene& scene, int frames, std::uint64_t least_contacts = 0) {
+  auto world = world_of(device, scene);
+  auto exact = reference::Simulation::create(scene, world->assets());
+  REQUIRE_OK(exact);
+  CHECK(exact->substeps() == world->substeps());
+  const std::vector<Vec3d> start = exact->positions();
+  advance(*world, static_cast<std::uint32_t>(frames));
+  for (int frame = 0; frame < frames; ++frame) REQUIRE(exact->advance_frame());
+  CHECK(world->totals().contacts >= least_contacts);
+  return relative_error(places_of(*world), exact->positions(), start);
+}
+
+const std::string kSoft =
+    R"("density": 0.2, "damping": 0.01, "stiffness": {"structural": 40, "shear": 10, "bend": 0.3})";
+
+/// A sheet that falls on a ball and a floor.
+scene::Scene falling(const Method& method, const std::string& time = "") {
+  return contact_scene(by(method) + time +
+                       R"("contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
+                       lying_cloth(12, "[0, 0.22, 0]") + R"(],
+    "colliders": [{"kind": "sphere", "center": [0.01, 0.1, 0.02], "radius": 0.1},
+                  {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])");
+}
+
+}  // namespace
+
+TEST_CASE("frames of every method are the reference's, with wind, a motion and a hand") {
+  GpuFixture fixture;
+  for (const Method& method : methods()) {
+    CAPTURE(scene::name_of(method.kind));
+    const scene::Scene scene = contact_scene(
+        by(method) +
+        R"("contact": {"method": "none"}, "drag": 0.5, "wind": {"velocity": [1, 0, 2], "gusts": 0.5},
+        "cloths": [{"grid": [17, 13], "size": [1, 0.8], "pins": ["top_left"], )" +
+        kSoft +
+        R"(, "motions": [{"nodes": "top_right", "kind": "line", "direction": [-1, 0, 0], "speed": 0.5}],
+          "grabs": [{"node": "bottom_left", "start": 0.05, "end": 0.1,
+                     "path": [{"time": 0, "point": [0, 0.5, 1]}]}]}])");
+    const double error = apart(fixture.device(), scene, 10);
+    MESSAGE(scene::name_of(method.kind), ": ", error, " of the way apart");
+    CHECK(error < 1e-3);  // of f32, where cloth folds and differences grow
+  }
+}
+
+TEST_CASE("cloth of every method meets obstacles as the reference does") {
+  GpuFixture fixture;
+  for (const Method& method : methods()) {
+    CAPTURE(scene::name_of(method.kind));
+    const scene::Scene scene = contact_scene(
+        by(method) + R"("drag": 0.5, "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
+        lying_cloth(9, "[0, 0.213, 0]", R"(, "friction": 0.3)") +
+        R"(], "colliders": [{"kind": "box", "center": [0.02, 0.1, 0.01], "size": [0.2, 0.2, 0.2]}])");
+    const double error = apart(fixture.device(), scene, 10, 200);
+    MESSAGE(scene::name_of(method.kind), ": ", error, " of the way apart");
+    CHECK(error < 1e-3);
+  }
+}
+
+TEST_CASE("cloth of every method drapes over a ball, passes through nothing, and has the same bits again") {
+  GpuFixture fixture;
+  for (const Method& method : methods()) {
+    CAPTURE(scene::name_of(method.kind));
+    for (const char* time : {"", R"("time": {"substeps": 9}, )"}) {  // an odd number ends in the other buffer
+      CAPTURE(time);
+      auto world = world_of(fixture.device(), falling(method, time));
+      std::size_t through = 0;
+      for (int frame = 0; frame < 20; ++frame) {
+        advance(*world, 1);
+        through += passed(*world);
+      }
+      CHECK(through == 0);
+      CHECK(world->totals().contacts > 500);
+      const std::string hash = hash_of(*world);
+      REQUIRE(world->reset());
+      advance(*world, 20);
+      CHECK(hash_of(*world) == hash);
+      auto small = world_of(fixture.device(), falling(method, time), {.workgroup_size = 64});
+      advance(*small, 20);
+      CHECK(hash_of(*small) == hash);
+    }
+  }
+}
+
+TEST_CASE(
+    "every method that says it is stable at any step survives 500 of 100 times the stiffness, and jerked "
+    "pins") {
+  GpuFixture fixture;
+  const std::string jump = R"("motions": [{"nodes": "top", "kind": "path",
+      "points": [[0.1, [0, 0, 0]], [0.1167, [1, 0, 0]], [0.5, [1, 0, 0]], [0.5167, [0, 0.5, -0.5]]]}])";
+  for (const Method& method : methods()) {
+    const auto sheet = [&](const std::string& stiffness, const std::string& more) {
+      return contact_scene(by(method) + R"("time": {"substeps": 8}, "contact": {"method": "none"},
+          "cloths": [{"grid": [33, 25], "size": [2, 1.5], "density": 0.2, "damping": 0.01,
+                      "stiffness": {)" +
+                           stiffness + "}, " + more + "}]");
+    };
+    const std::string stiff = R"("structural": 5e5, "shear": 2e5, "bend": 5e4)";
+    for (const auto& scene : {sheet(stiff, R"("pins": ["top_left", "top_right"])"), sheet(stiff, jump)}) {
+      CAPTURE(scene::name_of(method.kind));
+      auto world = world_of(fixture.device(), scene);
+      if (world->plan().limit().largest_step > 0) continue;
+      advance(*world, 63);  // a node that is not finite ends it
+      const Moment end(*world);
+      for (const Vec3d& x : end.position) CHECK(length(x) < 5);
+      CHECK(end.largest_speed() < 60);  // a pin goes at 60 m/s
+    }
+  }
+}
