@@ -74,7 +74,7 @@ Result<void> WeftSearch::run() const {
 
 Result<std::vector<PairKey>> WeftSearch::pairs() const {
   WEFT_TRY(statistics, gpu::download(*device_, state_.statistics));
-  if (statistics[offsetof(Statistics, held) / sizeof(std::uint32_t)] != 0)
+  if (statistics[offsetof(Statistics, rolled_back) / sizeof(std::uint32_t)] != 0)
     return make_error(ErrorKind::Limit, "There is no room for %u candidates.",
                       statistics[offsetof(Statistics, candidates) / sizeof(std::uint32_t)]);
   WEFT_TRY(candidates, gpu::download(*device_, search_.candidates()));

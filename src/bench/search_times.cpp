@@ -42,7 +42,7 @@ Result<SearchCost> time_search(sim::World& world, const Effort& effort) {
            }));
   WEFT_TRY(words, gpu::download(world.device(), world.state().statistics));
   const auto read = [&](std::size_t offset) { return words[offset / sizeof(std::uint32_t)]; };
-  if (read(offsetof(Statistics, held)) != 0)
+  if (read(offsetof(Statistics, rolled_back)) != 0)
     return make_error(ErrorKind::Limit, "A list was too short while searches were timed.");
   return SearchCost{timing, read(offsetof(Statistics, pairs)), read(offsetof(Statistics, candidates))};
 }

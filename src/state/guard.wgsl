@@ -12,7 +12,7 @@ const kExponent = 0x7f800000u;
 fn guard(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   // A frame that is to be run again does not count.
-  if (node >= arrayLength(&position) || atomicLoad(&statistics[kStatHeld]) != 0u) { return; }
+  if (node >= arrayLength(&position) || atomicLoad(&statistics[kStatRolledBack]) != 0u) { return; }
   let x = (position[node].xyz & vec3u(kExponent)) == vec3u(kExponent);
   let v = (velocity[node].xyz & vec3u(kExponent)) == vec3u(kExponent);
   if (any(x) || any(v)) { atomicAdd(&statistics[kStatNonfinite], 1u); }

@@ -14,7 +14,7 @@
 fn keep_last_good(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= arrayLength(&position)) { return; }
-  if ((statistics[kStatNonfinite] | statistics[kStatHeld]) == 0u) {
+  if ((statistics[kStatNonfinite] | statistics[kStatRolledBack]) == 0u) {
     good_position[node] = position[node];
     good_velocity[node] = velocity[node];
     return;

@@ -116,7 +116,7 @@ class SearchRun {
     const std::vector<std::uint32_t> words = read(state_.statistics);
     REQUIRE(words.size() * 4 == sizeof(Statistics));
     std::memcpy(static_cast<void*>(&found.statistics), words.data(), sizeof(Statistics));
-    REQUIRE(found.statistics.held == 0);
+    REQUIRE(found.statistics.rolled_back == 0);
     CHECK(found.statistics.detections == 1);
     CHECK(found.statistics.reach == 0);  // nothing moves by itself
     const std::vector<Vec4f> predicted = read(pairs_.predicted);

@@ -57,7 +57,7 @@ fn impulse(contact : Contact) -> vec3f {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let count = select(statistics[kStatPairs], 0u, statistics[kStatHeld] != 0u);
+  let count = select(statistics[kStatPairs], 0u, statistics[kStatRolledBack] != 0u);
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     if (contacts[pair].urgency == 0.0) { continue; }
     let contact = contacts[pair];

@@ -33,14 +33,14 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   let wanted = step.detect == kDetectAlways ||
                (step.detect == kDetectIfDue && atomicLoad(&statistics[kStatDetect]) != 0u);
-  let due = wanted && atomicLoad(&statistics[kStatHeld]) == 0u;
+  let due = wanted && atomicLoad(&statistics[kStatRolledBack]) == 0u;
   if (vertex == 0u) {
     atomicStore(&statistics[kStatDue], select(0u, 1u, due));
     if (due) {
       atomicStore(&statistics[kStatReach], bitcast<u32>(scripted_reach()));
       atomicStore(&statistics[kStatTravel], 0u);
       atomicAdd(&statistics[kStatDetections], 1u);
-      atomicStore(&statistics[kStatFound], 0u);
+      atomicStore(&statistics[kStatCrossingsLeft], 0u);
       atomicStore(&statistics[kStatCandidates], 0u);
       atomicStore(&statistics[kStatPairs], 0u);
       atomicStore(&statistics[kStatEntries], 0u);

@@ -234,7 +234,7 @@ fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_inv
   }
   if (works) { meet_all(scripted_reach); }
   next = allocate(thread, found, kStatCandidates);
-  if (found > 0u && next + found > params.candidate_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
+  if (found > 0u && next + found > params.candidate_capacity) { atomicStore(&statistics[kStatRolledBack], 1u); }
   if (next + found > params.candidate_capacity) { return; }
   if (found > kMostKept) {
     writing = true;

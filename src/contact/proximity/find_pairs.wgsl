@@ -219,7 +219,7 @@ const kByOtherEnd = 6u;
 fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) groups : vec3u,
               @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
-    let works = atomicLoad(&statistics[kStatDue]) != 0u && atomicLoad(&statistics[kStatHeld]) == 0u;
+    let works = atomicLoad(&statistics[kStatDue]) != 0u && atomicLoad(&statistics[kStatRolledBack]) == 0u;
     count = select(0u, atomicLoad(&statistics[kStatCandidates]), works);
   }
   let end = workgroupUniformLoad(&count);
@@ -247,7 +247,7 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
           let of_a = crossing_edges(a, b);
           let of_b = crossing_edges(b, a);
           if ((of_a | of_b) != 0u) {
-            atomicAdd(&statistics[kStatFound], countOneBits(of_a) + countOneBits(of_b));
+            atomicAdd(&statistics[kStatCrossingsLeft], countOneBits(of_a) + countOneBits(of_b));
             let twice = select(of_a, of_a | (of_b << 3u), kind == kNearCloth);
             hits |= (of_a | (of_b << 3u) | (twice << kByOtherEnd)) << kFirstCrossing;
           }
@@ -256,7 +256,7 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
     }
     let wanted = countOneBits(hits);
     var pair = allocate(thread, wanted, kStatPairs);
-    if (wanted > 0u && pair + wanted > params.pair_capacity) { atomicStore(&statistics[kStatHeld], 1u); }
+    if (wanted > 0u && pair + wanted > params.pair_capacity) { atomicStore(&statistics[kStatRolledBack], 1u); }
     while (hits != 0u && pair < params.pair_capacity) {
       let hit = firstTrailingBit(hits);
       hits &= hits - 1u;

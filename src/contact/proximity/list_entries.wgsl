@@ -11,7 +11,7 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn list_entries(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  if (statistics[kStatDue] == 0u || statistics[kStatHeld] != 0u) { return; }
+  if (statistics[kStatDue] == 0u || statistics[kStatRolledBack] != 0u) { return; }
   let count = statistics[kStatPairs];
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     let ids = contacts[pair].ids;

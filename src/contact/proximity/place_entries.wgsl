@@ -16,7 +16,7 @@ fn place_entries(@builtin(global_invocation_id) id : vec3u, @builtin(local_invoc
   let word = kVertexWords * flat_index(id);
   var own = 0u;
   if (word < arrayLength(&vertex_contacts)) {
-    if (atomicLoad(&statistics[kStatHeld]) == 0u) {
+    if (atomicLoad(&statistics[kStatRolledBack]) == 0u) {
       own = vertex_contacts[word + 1u];
     } else {
       vertex_contacts[word + 1u] = 0u;

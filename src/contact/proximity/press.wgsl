@@ -24,7 +24,7 @@ fn add_vector(word : u32, value : vec3f) {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let count = select(statistics[kStatPairs], 0u, statistics[kStatHeld] != 0u);
+  let count = select(statistics[kStatPairs], 0u, statistics[kStatRolledBack] != 0u);
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     let ids = contacts[pair].ids;
     if (is_self_pair(ids) || is_crossing(ids)) { continue; }
