@@ -50,7 +50,6 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["nodes"] = about.nodes;
   json["triangles"] = about.triangles;
   json["springs"] = about.springs;
-  json["frames"] = totals.frames;
   json["substeps"] = about.substeps;
   json["step_s"] = about.step_seconds;
   json["stable_step_s"] = about.stable_step_seconds;
@@ -59,20 +58,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["ms_per_frame"] = json_of(frame);
   json["real_time_factor"] = real_time_factor(summary, simulated);
   json["state_hash"] = summary.state_hash;
-  json["max_stretch"] = totals.max_stretch;
-  json["nonfinite"] = totals.nonfinite;
-  json["contacts"] = totals.contacts;
-  json["contact_hash"] = totals.contact_hash;
-  json["contact_overflow"] = totals.contact_overflow;
-  if (world.scene().contact.method == scene::ContactMethod::Proximity) {
-    json["detections"] = totals.detections;
-    json["pairs"] = totals.pairs;
-    json["candidates"] = totals.candidates;
-    json["crossings"] = totals.crossings;
-    json["crossings_left"] = totals.crossings_left;
-    json["truncated"] = totals.truncated;
-    json["repeated_frames"] = totals.repeated_frames;
-  }
+  for_each(totals, [&](const char* name, auto value) { json[name] = value; });
   json["gpu_bytes"] = world.device().allocated_bytes();
   return json.dump(2) + "\n";
 }

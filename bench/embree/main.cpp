@@ -15,6 +15,7 @@
 #include "bench/round_object.hpp"
 #include "embree_search.hpp"
 #include "scene/load.hpp"
+#include "state/hash_pair.hpp"
 #include "weft_search.hpp"
 
 namespace weft {

@@ -13,6 +13,7 @@
 #include "weft/report.hpp"
 #include "weft/result.hpp"
 #include "weft/scene.hpp"
+#include "weft/totals.hpp"
 #include "weft/vec.hpp"
 #include "weft/view.hpp"
 

@@ -1,6 +1,5 @@
 #include "sim/world.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "base/state_hash.hpp"
@@ -147,8 +146,8 @@ Result<void> World::take(const Report& report) {
   const Statistics& statistics = report.statistics;
   if (report.attempt != attempt_) return {};  // of a frame that is being repeated
   if (statistics.rolled_back != 0) return repeat_from(report);
-  totals_.nonfinite = statistics.nonfinite;
   if (statistics.nonfinite != 0) {
+    totals_.nonfinite = statistics.nonfinite;
     if (!diverged_)  // the frames after the first bad one say the same
       diverged_ =
           make_error(ErrorKind::Diverged,
@@ -158,16 +157,7 @@ Result<void> World::take(const Report& report) {
     return *diverged_;
   }
   ++totals_.frames;
-  totals_.contacts += statistics.hits;
-  totals_.contact_hash += statistics.hit_hash;
-  totals_.contact_overflow += statistics.contact_overflow;
-  totals_.detections += statistics.detections;
-  totals_.crossings = std::max(totals_.crossings, statistics.crossings);
-  totals_.crossings_left = statistics.found;
-  totals_.truncated += statistics.truncated;
-  totals_.pairs = std::max(totals_.pairs, statistics.pairs);
-  totals_.candidates = std::max(totals_.candidates, statistics.candidates);
-  totals_.max_stretch = std::max(totals_.max_stretch, statistics.max_stretch);
+  add(totals_, statistics);
   return {};
 }
 

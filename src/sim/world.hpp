@@ -17,7 +17,7 @@
 #include "state/last_good.hpp"
 #include "state/state.hpp"
 #include "state/surface.hpp"
-#include "weft/report.hpp"
+#include "weft/totals.hpp"
 
 namespace weft::sim {
 

@@ -1,42 +1,94 @@
+// Made by scripts/make_statistics.py from src/state/statistics.txt.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
+#include "weft/totals.hpp"
+
 namespace weft {
 
-/// Mirror of src/state/statistics.wgsl: what a frame reports.
+/// What a frame reports. Mirror of src/state/statistics.wgsl.
 struct Statistics {
-  std::uint32_t hits = 0;
-  std::uint32_t hit_hash = 0;
-  float max_stretch = 0;  // length / rest length
+  /// Narrow-phase hits, summed over substeps.
+  std::uint32_t contacts = 0;
+  /// Wrapping sum of hash_pair over all hits: the same for every method that finds the same.
+  std::uint32_t contact_hash = 0;
+  /// The largest length of a triangle's edge over its rest length, at the end of a frame.
+  float max_stretch = 0;
+  /// Contacts that a list had no room for; anything but 0 means that contact is incomplete.
   std::uint32_t contact_overflow = 0;
-  // By proximity:
+  /// Searches for pairs of features (proximity).
   std::uint32_t detections = 0;
-  std::uint32_t crossings = 0;   // edges through triangles, the most of any detection
-  std::uint32_t truncated = 0;   // vertices truncated by contact, summed over substeps
-  std::uint32_t pairs = 0;       // listed by the last detection, or what ought to be
-  std::uint32_t candidates = 0;  // the same
+  /// Edges that pass through triangles, the most that a search has found (proximity).
+  std::uint32_t crossings = 0;
+  /// Vertices that were held back, summed over substeps (proximity).
+  std::uint32_t truncated = 0;
+  /// Pairs of features that are listed at the end of a frame (proximity).
+  std::uint32_t pairs = 0;
+  /// Pairs of triangles that the last search of a frame has listed (proximity).
+  std::uint32_t candidates = 0;
+  /// Entries of the pairs by vertex, at the end of a frame (proximity).
   std::uint32_t entries = 0;
-  // Kept from frame to frame:
+  /// Nodes that are not finite; 0 but where a run diverged.
   std::uint32_t nonfinite = 0;
+  /// 1 once the state is frozen at the last good frame.
   std::uint32_t frozen = 0;
-  std::uint32_t rolled_back = 0;  // 1: a list was too short, and the state is as before the frame
-  std::uint32_t detect = 0, due = 0, found = 0;  // the GPU's own
-  float reach = 0, travel = 0;                   // the same
-  std::uint32_t padding[2] = {};
+  /// 1 once a list was too short: the state is as before the frame until the list is longer.
+  std::uint32_t rolled_back = 0;
+  /// 1: a vertex is about to leave its reach.
+  std::uint32_t detect = 0;
+  /// 1: a search is under way.
+  std::uint32_t due = 0;
+  /// Edges that pass through triangles, as the last search has found them (proximity).
+  std::uint32_t crossings_left = 0;
+  /// How far a collider may go until the next search [m].
+  float reach = 0;
+  /// How far one may have gone since this search [m].
+  float travel = 0;
 };
-static_assert(sizeof(Statistics) == 80);
-inline constexpr std::uint32_t kStatisticsPerFrameBytes = 40;  // the part that is cleared before each frame
-static_assert(kStatisticsPerFrameBytes == offsetof(Statistics, nonfinite), "what is kept comes last");
+static_assert(sizeof(Statistics) == 18 * sizeof(std::uint32_t));
 
-/// The same function as in the shader.
-constexpr std::uint32_t hash_pair(std::uint32_t a, std::uint32_t b) {
-  std::uint32_t h = a * 1664525U + 1013904223U;
-  h = (h ^ b) * 2246822519U;
-  h = (h ^ (h >> 15U)) * 3266489917U;
-  h = (h ^ b) * 668265263U;
-  return h ^ (h >> 16U);
+/// The part that is cleared before each frame.
+inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
+
+/// Takes what a frame has reported into the totals.
+inline void add(Totals& totals, const Statistics& frame) {
+  totals.contacts += frame.contacts;
+  totals.contact_hash += frame.contact_hash;
+  totals.max_stretch = std::max(totals.max_stretch, frame.max_stretch);
+  totals.contact_overflow += frame.contact_overflow;
+  totals.detections += frame.detections;
+  totals.crossings = std::max(totals.crossings, frame.crossings);
+  totals.truncated += frame.truncated;
+  totals.pairs = std::max(totals.pairs, frame.pairs);
+  totals.candidates = std::max(totals.candidates, frame.candidates);
+  totals.nonfinite = frame.nonfinite;
+  totals.crossings_left = frame.crossings_left;
+}
+
+/// Calls visit(name, value) for each word, in their order.
+template <class Visit>
+void for_each(const Statistics& statistics, Visit&& visit) {
+  visit("contacts", statistics.contacts);
+  visit("contact_hash", statistics.contact_hash);
+  visit("max_stretch", statistics.max_stretch);
+  visit("contact_overflow", statistics.contact_overflow);
+  visit("detections", statistics.detections);
+  visit("crossings", statistics.crossings);
+  visit("truncated", statistics.truncated);
+  visit("pairs", statistics.pairs);
+  visit("candidates", statistics.candidates);
+  visit("entries", statistics.entries);
+  visit("nonfinite", statistics.nonfinite);
+  visit("frozen", statistics.frozen);
+  visit("rolled_back", statistics.rolled_back);
+  visit("detect", statistics.detect);
+  visit("due", statistics.due);
+  visit("crossings_left", statistics.crossings_left);
+  visit("reach", statistics.reach);
+  visit("travel", statistics.travel);
 }
 
 }  // namespace weft

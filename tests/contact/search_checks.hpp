@@ -9,6 +9,7 @@
 #include "contact/proximity/feature_owners.hpp"
 #include "contact/reference/proximity/pairs.hpp"
 #include "contact/search_fixture.hpp"
+#include "state/hash_pair.hpp"
 
 namespace weft {
 

@@ -3,6 +3,7 @@
 
 #include "contact/push_fixture.hpp"
 #include "contact/reference/pushes/analytic.hpp"
+#include "state/hash_pair.hpp"
 
 using namespace weft;
 using contact::PushSetup;
@@ -78,8 +79,8 @@ TEST_CASE("nodes near spheres and planes get the pushes of double, and count onc
   }
   CHECK(doubtful < 20);
   if (doubtful == 0) {
-    CHECK(found.statistics.hits == hits);
-    CHECK(found.statistics.hit_hash == hash);
+    CHECK(found.statistics.contacts == hits);
+    CHECK(found.statistics.contact_hash == hash);
   }
   CHECK(hits > 10000);
 }

@@ -150,7 +150,7 @@ Compared compare(SearchRun& run, const SearchCase& rest) {
   for (const auto& [key, ends] : listed) stray += exact.count(key) == 0 ? 1 : 0;
   CHECK(stray == 0);
   CHECK(missing * 200 <= exact.size());  // what touches within rounding does not cross for f32
-  CHECK(found.statistics.found == listed.size());
+  CHECK(found.statistics.crossings_left == listed.size());
   for (std::uint32_t v = 0; v < run.setup().cloth.positions.size(); ++v) {
     const bool mark = (found.vertex_contacts[kVertexWords * v + kCursorWord] & ~kCursorBits) != 0;
     CHECK(mark == (tangled.count(v) != 0));

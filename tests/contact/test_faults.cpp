@@ -57,7 +57,7 @@ TEST_CASE("objects of a few triangles are found alike by both methods") {
     const Found paper = find_contacts(fixture.device(), pose, setup);
     setup.method = ContactMethod::Bvh;
     CHECK(find_contacts(fixture.device(), pose, setup).same_as(paper));
-    CHECK(paper.statistics.hits > 0);
+    CHECK(paper.statistics.contacts > 0);
   }
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("nodes that are not finite end in no contact, and the others keep thei
   for (const ContactMethod method : kMethods) {
     PushRun run(fixture.device(), clean, sphere_setup(method));
     const Found expected = run.run();
-    REQUIRE(expected.statistics.hits > 50);
+    REQUIRE(expected.statistics.contacts > 50);
     for (const float bad : {kInf, -kInf, kNan, -kNan}) {
       Pose pose = clean;
       pose.predicted[0].x = bad;  // a corner of the sheet, which touches nothing
@@ -81,12 +81,12 @@ TEST_CASE("nodes that are not finite end in no contact, and the others keep thei
       CHECK(run.run().same_as(expected));
       for (Vec4f& p : pose.predicted) p = {bad, bad, bad, 1};
       run.place(pose);
-      CHECK(run.run().statistics.hits == 0);
+      CHECK(run.run().statistics.contacts == 0);
       pose = clean;
       for (Vec4f& p : pose.previous) p = {bad, bad, bad, 1};
       run.place(pose);
       const Found blind = run.run();
-      CHECK(blind.statistics.hits == expected.statistics.hits);
+      CHECK(blind.statistics.contacts == expected.statistics.contacts);
       for (std::size_t i = 0; i < blind.pushes.size(); ++i)
         if (i % 4 != 3) REQUIRE(blind.pushes[i] == 0);  // no direction, no push
     }
@@ -109,7 +109,7 @@ TEST_CASE("all nodes at one point have no contacts, even on the surface, and end
       for (Vec4f& p : pose.predicted) p = Vec4f::from(point, 1);
       run.place(pose);
       const Found found = run.run();
-      CHECK(found.statistics.hits == 0);
+      CHECK(found.statistics.contacts == 0);
       CHECK(found.statistics.contact_overflow == 0);
     }
   }
@@ -122,7 +122,7 @@ TEST_CASE("a kinematic node is never pushed, and its triangle still counts") {
     const Found free = find_contacts(fixture.device(), pose, sphere_setup(method));
     for (std::size_t i = 0; i < pose.previous.size(); i += 2) pose.previous[i].w = pose.predicted[i].w = 0;
     const Found found = find_contacts(fixture.device(), pose, sphere_setup(method));
-    CHECK(found.statistics.hits == free.statistics.hits);
+    CHECK(found.statistics.contacts == free.statistics.contacts);
     std::size_t pushed = 0;
     for (std::size_t i = 0; i < found.pushes.size(); ++i) {
       CHECK(found.pushes[i] == ((i / 4) % 2 == 0 ? 0 : free.pushes[i]));
@@ -162,7 +162,7 @@ TEST_CASE("the sum of pushes that are all equal and as long as can be stays belo
         8.0 * kObjects * std::round(static_cast<double>(found.push_scale) * found.max_push);
     CHECK(found.pushes[0] == expected);
     CHECK(expected > 1073741824.0 * 0.99);  // the bound is used: twice the scale would overflow
-    CHECK(found.statistics.hits == 8 * kObjects);
+    CHECK(found.statistics.contacts == 8 * kObjects);
   }
 }
 
@@ -186,5 +186,5 @@ TEST_CASE("a stack that is too short is counted, never silent") {
   before.empty() ? unsetenv("WEFT_SHADERS") : setenv("WEFT_SHADERS", before.c_str(), 1);
   CHECK(whole.statistics.contact_overflow == 0);
   CHECK(cut.statistics.contact_overflow > 0);
-  CHECK(cut.statistics.hits < whole.statistics.hits);
+  CHECK(cut.statistics.contacts < whole.statistics.contacts);
 }

@@ -10,6 +10,7 @@
 #include "mesh/primitives.hpp"
 #include "mesh/read_mesh.hpp"
 #include "source_path.hpp"
+#include "state/hash_pair.hpp"
 
 using namespace weft;
 using contact::PushSetup;
@@ -52,8 +53,8 @@ bool explained(const Statistics& found, const reference::PairList& list) {
     std::uint32_t hash = hash_of(list.hits);
     for (std::size_t i = 0; i < list.ambiguous.size(); ++i)
       if ((some >> i & 1U) != 0) hash += hash_pair(list.ambiguous[i].cloth, list.ambiguous[i].object);
-    if (found.hit_hash == hash &&
-        found.hits == list.hits.size() + static_cast<std::size_t>(std::popcount(some)))
+    if (found.contact_hash == hash &&
+        found.contacts == list.hits.size() + static_cast<std::size_t>(std::popcount(some)))
       return true;
   }
   return false;
@@ -107,11 +108,11 @@ void check_object(const std::string& name, std::uint32_t nodes) {
     const Found paper = paper_run.run(), bvh = bvh_run.run();
     CHECK(paper.same_as(bvh));
     CHECK(bvh.statistics.contact_overflow == 0);
-    CHECK(bvh.statistics.hits > 30);
+    CHECK(bvh.statistics.contacts > 30);
     const reference::PairList list = reference::find_pairs(pose.predicted_mesh(), object);
     std::printf("%s, %zu x %zu triangles: %u hits, %zu ambiguous of %llu candidates\n", name.c_str(),
-                pose.triangles.size(), object.triangles.size(), bvh.statistics.hits, list.ambiguous.size(),
-                static_cast<unsigned long long>(list.candidates));
+                pose.triangles.size(), object.triangles.size(), bvh.statistics.contacts,
+                list.ambiguous.size(), static_cast<unsigned long long>(list.candidates));
     CHECK(explained(bvh.statistics, list));
     check_pushes(pose, object, bvh, list, thickness);
   }
@@ -141,7 +142,7 @@ TEST_CASE("no bit depends on the workgroup, on the run, on the split, or on the 
     PushSetup setup = setup_of(method, object, 0.02);
     setup.spheres = {{{0, 0, 0}, 0.5}};
     const Found first = find_contacts(fixture.device(), pose, setup);
-    REQUIRE(first.statistics.hits > 100);
+    REQUIRE(first.statistics.contacts > 100);
     PushRun again(fixture.device(), pose, setup);
     for (int i = 0; i < 5; ++i) CHECK(again.run().same_as(first));
     for (const std::uint32_t workgroup : {64U, 128U}) {
@@ -197,7 +198,7 @@ TEST_CASE("several objects are one list: hits and pushes are those of the joined
     apart.objects.push_back(right);
     const Found found = find_contacts(fixture.device(), pose, apart);
     CHECK(found.same_as(find_contacts(fixture.device(), pose, setup_of(method, joined, 0.02))));
-    CHECK(found.statistics.hits > 50);
+    CHECK(found.statistics.contacts > 50);
   }
 }
 
@@ -218,7 +219,7 @@ TEST_CASE("at large offsets and odd scales the pairs are those of double") {
     const Found bvh =
         find_contacts(fixture.device(), pose, setup_of(ContactMethod::Bvh, object, 0.01 * place.scale));
     CHECK(paper.same_as(bvh));
-    CHECK(bvh.statistics.hits > 50);
+    CHECK(bvh.statistics.contacts > 50);
     CHECK(explained(bvh.statistics, list));
     check_pushes(pose, object, bvh, list, 0.01 * place.scale);
   }

@@ -3,8 +3,10 @@
 #include "layouts.hpp"
 
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "contact/object_tree.hpp"
 #include "contact/proximity/pair_search.hpp"
@@ -238,8 +240,18 @@ Json real(const char* name, const char* file, double value) {
 }
 
 /// Kernels know the statistics as words of an array.
-Json statistic(const char* name, std::size_t offset) {
-  return constant(name, "state/statistics.wgsl", static_cast<double>(offset / sizeof(std::uint32_t)));
+void add_statistics(Json& constants) {
+  const Statistics statistics;
+  for_each(statistics, [&](const char* name, const auto& value) {
+    std::string word = "kStat";
+    for (const char* at = name; *at != 0; ++at) {
+      const bool begins = at == name || at[-1] == '_';
+      if (*at != '_') word += static_cast<char>(begins ? std::toupper(*at) : *at);
+    }
+    const auto offset = reinterpret_cast<const char*>(&value) - reinterpret_cast<const char*>(&statistics);
+    constants.push_back(
+        constant(word.c_str(), "state/statistics.wgsl", static_cast<double>(offset) / sizeof(std::uint32_t)));
+  });
 }
 
 }  // namespace
@@ -255,7 +267,7 @@ Json struct_layouts() {
 }
 
 Json shared_constants() {
-  return Json::array({
+  Json constants = Json::array({
       constant("kMaxGrabs", "state/step.wgsl", scene::kMaxGrabs),
       constant("kGroupsPerRow", "gpu/index.wgsl", gpu::kGroupsPerRow),
       constant("kWorkgroupSize", "gpu/index.wgsl", gpu::kDefaultWorkgroupSize),
@@ -269,24 +281,6 @@ Json shared_constants() {
       constant("kSecond", "method/multigrid/cloth.wgsl", multigrid::kSecond),
       constant("kVectors", "method/multigrid/cloth.wgsl", multigrid::kVectors),
       constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::kTaps),
-      statistic("kStatHits", offsetof(Statistics, hits)),
-      statistic("kStatHitHash", offsetof(Statistics, hit_hash)),
-      statistic("kStatMaxStretch", offsetof(Statistics, max_stretch)),
-      statistic("kStatContactOverflow", offsetof(Statistics, contact_overflow)),
-      statistic("kStatDetections", offsetof(Statistics, detections)),
-      statistic("kStatCrossings", offsetof(Statistics, crossings)),
-      statistic("kStatTruncated", offsetof(Statistics, truncated)),
-      statistic("kStatPairs", offsetof(Statistics, pairs)),
-      statistic("kStatCandidates", offsetof(Statistics, candidates)),
-      statistic("kStatEntries", offsetof(Statistics, entries)),
-      statistic("kStatNonfinite", offsetof(Statistics, nonfinite)),
-      statistic("kStatFrozen", offsetof(Statistics, frozen)),
-      statistic("kStatRolledBack", offsetof(Statistics, rolled_back)),
-      statistic("kStatDetect", offsetof(Statistics, detect)),
-      statistic("kStatDue", offsetof(Statistics, due)),
-      statistic("kStatFound", offsetof(Statistics, found)),
-      statistic("kStatReach", offsetof(Statistics, reach)),
-      statistic("kStatTravel", offsetof(Statistics, travel)),
       constant("kReachMargin", "state/step.wgsl", kReachMargin),
       constant("kFastest", "contact/proximity/detect_begin.wgsl", kFastest),
       constant("kPressWords", "contact/proximity/press_sums.wgsl", kPressWords),
@@ -317,6 +311,8 @@ Json shared_constants() {
       constant("kLeafTriangles", "contact/proximity/tree.wgsl", contact::kTreeLeafTriangles),
       constant("kTreeArity", "contact/proximity/tree.wgsl", contact::kTreeArity),
   });
+  add_statistics(constants);
+  return constants;
 }
 
 }  // namespace weft

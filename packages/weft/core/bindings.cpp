@@ -6,6 +6,7 @@
 #include <malloc.h>
 
 #include <array>
+#include <vector>
 
 #include "inputs.hpp"
 #include "message.hpp"
@@ -149,14 +150,14 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_release(std::uint32_t node) {
   return with_world([&](Session& s) { return s.world()->release(node); });
 }
 
-/// frames reported, simulated s, contacts, contact hash, contact overflow, largest stretch, nodes that are
-/// not finite, most pairs listed at the end of a frame; null where there is no world.
+/// The totals of packages/weft/src/totals.ts, in their order; null where there is no world.
 EMSCRIPTEN_KEEPALIVE const double* weft_totals() {
   if (session == nullptr || session->world() == nullptr) return nullptr;
-  const weft::sim::World& world = *session->world();
-  const weft::sim::Totals& totals = world.totals();
-  return give(totals.frames, totals.frames * world.scene().time.frame, totals.contacts, totals.contact_hash,
-              totals.contact_overflow, totals.max_stretch, totals.nonfinite, totals.pairs);
+  static std::vector<double> given;
+  given.clear();
+  weft::for_each(session->world()->totals(),
+                 [](const char*, auto value) { given.push_back(static_cast<double>(value)); });
+  return given.data();
 }
 EMSCRIPTEN_KEEPALIVE double weft_gpu_bytes() {
   if (session == nullptr || session->world() == nullptr) return 0;

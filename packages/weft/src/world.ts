@@ -2,6 +2,7 @@ import { Core } from "./core.js";
 import { WeftError } from "./error.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
 import { schedule, unschedule } from "./ticks.js";
+import { noTotals, TOTALS } from "./totals.js";
 import { VIEWS, type Camera, type Events, type MemoryUse, type PassTime, type Pick, type Point, type SceneOptions,
   type Snapshot, type Statistics, type StepOptions, type View, type WorldInfo,
   type WorldOptions } from "./world_types.js";
@@ -33,8 +34,7 @@ export class World {
   };
   private current: WorldInfo | null = null;
   private scene: { scene: Scene; set: Readonly<Record<string, unknown>> } = { scene: "", set: {} };
-  private readonly totals: Statistics = { frames: 0, seconds: 0, contacts: 0, contactHash: 0, contactOverflow: 0,
-    maxStretch: 0, nonfinite: 0, pairs: 0, droppedSeconds: 0 };
+  private readonly totals: Statistics = { ...noTotals(), seconds: 0, droppedSeconds: 0 };
   private shownView: View;
   private playing = false;
   private lastTick = 0;
@@ -375,14 +375,8 @@ export class World {
     const at = this.core.now("_weft_totals") >>> 3;
     if (at === 0) return; // there is no world
     const values = this.core.module.HEAPF64;
-    this.totals.frames = values[at]!;
-    this.totals.seconds = values[at + 1]!;
-    this.totals.contacts = values[at + 2]!;
-    this.totals.contactHash = values[at + 3]!;
-    this.totals.contactOverflow = values[at + 4]!;
-    this.totals.maxStretch = values[at + 5]!;
-    this.totals.nonfinite = values[at + 6]!;
-    this.totals.pairs = values[at + 7]!;
+    for (let i = 0; i < TOTALS.length; i++) this.totals[TOTALS[i]!] = values[at + i]!;
+    this.totals.seconds = this.totals.frames * (this.current?.frameSeconds ?? 0);
   }
 
   private numbers(name: string, count: number, ...args: number[]): number[] {

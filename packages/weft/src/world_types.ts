@@ -1,6 +1,7 @@
 // The arguments and results of a world. Lengths are metres, times seconds.
 import type { WeftError } from "./error.js";
 import type { Bytes, Scene } from "./scene.js";
+import type { Totals } from "./totals.js";
 
 export const VIEWS = ["textured", "wireframe", "normals", "stretch", "velocity", "contacts"] as const;
 export type View = (typeof VIEWS)[number];
@@ -57,19 +58,10 @@ export interface WorldInfo {
   timestamps: boolean;
 }
 
-/** What the frames so far have reported; up to three frames old. */
-export interface Statistics {
-  frames: number;
-  /** Simulated time [s]. */
+/** The totals, and times of the host. */
+export interface Statistics extends Totals {
+  /** Simulated time of the frames that have reported [s]. */
   seconds: number;
-  contacts: number;
-  contactHash: number;
-  contactOverflow: number;
-  /** Largest length / rest length at the end of any frame. */
-  maxStretch: number;
-  nonfinite: number;
-  /** Pairs that contact by proximity listed at the end of a frame, the most of any. */
-  pairs: number;
   /** Simulated time that came due while running and was left out, since the machine was late [s]. */
   droppedSeconds: number;
 }

@@ -40,7 +40,7 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
       atomicStore(&statistics[kStatReach], bitcast<u32>(scripted_reach()));
       atomicStore(&statistics[kStatTravel], 0u);
       atomicAdd(&statistics[kStatDetections], 1u);
-      atomicStore(&statistics[kStatFound], 0u);
+      atomicStore(&statistics[kStatCrossingsLeft], 0u);
       atomicStore(&statistics[kStatCandidates], 0u);
       atomicStore(&statistics[kStatPairs], 0u);
       atomicStore(&statistics[kStatEntries], 0u);

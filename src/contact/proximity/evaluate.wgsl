@@ -3,6 +3,7 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
+#include "state/hash_pair.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/crossing.wgsl"
 #include "contact/proximity/measure.wgsl"
@@ -79,7 +80,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
             @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
     listed = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatRolledBack]) != 0u);
-    crossings = atomicLoad(&statistics[kStatFound]);
+    crossings = atomicLoad(&statistics[kStatCrossingsLeft]);
   }
   let count = workgroupUniformLoad(&listed);
   let free = free_way();
@@ -180,7 +181,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     }
   }
   if (hits > 0u) {
-    atomicAdd(&statistics[kStatHits], hits);
-    atomicAdd(&statistics[kStatHitHash], hash);
+    atomicAdd(&statistics[kStatContacts], hits);
+    atomicAdd(&statistics[kStatContactHash], hash);
   }
 }

@@ -247,7 +247,7 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
           let of_a = crossing_edges(a, b);
           let of_b = crossing_edges(b, a);
           if ((of_a | of_b) != 0u) {
-            atomicAdd(&statistics[kStatFound], countOneBits(of_a) + countOneBits(of_b));
+            atomicAdd(&statistics[kStatCrossingsLeft], countOneBits(of_a) + countOneBits(of_b));
             let twice = select(of_a, of_a | (of_b << 3u), kind == kNearCloth);
             hits |= (of_a | (of_b << 3u) | (twice << kByOtherEnd)) << kFirstCrossing;
           }

@@ -4,12 +4,12 @@
 
 // Once a substep: colliders travel by what no vertex's reach knows of, and what crosses comes apart ring by ring.
 fn schedule_for_colliders() {
-  atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatFound]));
+  atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatCrossingsLeft]));
   let travel = bitcast<f32>(atomicLoad(&statistics[kStatTravel])) + step.acceleration.w;
   atomicStore(&statistics[kStatTravel], bitcast<u32>(travel));
   let next = kReachMargin * kDetectInterval * step.acceleration.w;
   let leaves_reach = next > 0.0 && travel + next > bitcast<f32>(atomicLoad(&statistics[kStatReach]));
-  if (leaves_reach || atomicLoad(&statistics[kStatFound]) != 0u) { atomicStore(&statistics[kStatDetect], 1u); }
+  if (leaves_reach || atomicLoad(&statistics[kStatCrossingsLeft]) != 0u) { atomicStore(&statistics[kStatDetect], 1u); }
 }
 
 // A vertex that is about to leave its reach.

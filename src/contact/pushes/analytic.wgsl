@@ -3,6 +3,7 @@
 // predicted position gets it.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
+#include "state/hash_pair.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/pushes/triangle_pair.wgsl"  // is_finite, dot_fused
 
@@ -53,6 +54,6 @@ fn analytic(@builtin(global_invocation_id) id : vec3u) {
   if (hits == 0u) { return; }
   for (var axis = 0u; axis < 3u; axis++) { atomicAdd(&pushes[4u * node + axis], sum[axis]); }
   atomicAdd(&pushes[4u * node + 3u], i32(hits));
-  atomicAdd(&statistics[kStatHits], hits);
-  atomicAdd(&statistics[kStatHitHash], hash);
+  atomicAdd(&statistics[kStatContacts], hits);
+  atomicAdd(&statistics[kStatContactHash], hash);
 }

@@ -3,6 +3,7 @@
 // thread order. The including kernel binds step, predicted, previous, cloth_triangles, object_triangles, object_ids,
 // pushes, statistics.
 #include "state/step.wgsl"
+#include "state/hash_pair.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/pushes/triangle_pair.wgsl"
 
@@ -80,6 +81,6 @@ fn add_pair(count : ptr<function, HitCount>, cloth_triangle : u32, nodes : vec3u
 
 fn write_count(count : HitCount) {
   if (count.hits == 0u) { return; }
-  atomicAdd(&statistics[kStatHits], count.hits);
-  atomicAdd(&statistics[kStatHitHash], count.hash);
+  atomicAdd(&statistics[kStatContacts], count.hits);
+  atomicAdd(&statistics[kStatContactHash], count.hash);
 }

@@ -1,0 +1,56 @@
+// Made by scripts/make_statistics.py from src/state/statistics.txt.
+#pragma once
+
+#include <cstdint>
+
+namespace weft {
+
+/// What the frames so far have reported.
+struct Totals {
+  /// Frames that have reported, but for one that diverged.
+  std::uint32_t frames = 0;
+  /// Frames that were run again with longer lists.
+  std::uint32_t repeated_frames = 0;
+  /// Narrow-phase hits, summed over substeps.
+  std::uint64_t contacts = 0;
+  /// Wrapping sum of hash_pair over all hits: the same for every method that finds the same.
+  std::uint32_t contact_hash = 0;
+  /// The largest length of a triangle's edge over its rest length, at the end of a frame, the most of any.
+  float max_stretch = 0;
+  /// Contacts that a list had no room for; anything but 0 means that contact is incomplete.
+  std::uint64_t contact_overflow = 0;
+  /// Searches for pairs of features (proximity).
+  std::uint64_t detections = 0;
+  /// Edges that pass through triangles, the most that a search has found (proximity), the most of any.
+  std::uint32_t crossings = 0;
+  /// Vertices that were held back, summed over substeps (proximity).
+  std::uint64_t truncated = 0;
+  /// Pairs of features that are listed at the end of a frame (proximity), the most of any.
+  std::uint32_t pairs = 0;
+  /// Pairs of triangles that the last search of a frame has listed (proximity), the most of any.
+  std::uint32_t candidates = 0;
+  /// Nodes that are not finite; 0 but where a run diverged.
+  std::uint32_t nonfinite = 0;
+  /// Edges that pass through triangles, as the last search has found them (proximity).
+  std::uint32_t crossings_left = 0;
+};
+
+/// Calls visit(name, value) for each of them, in their order.
+template <class Visit>
+void for_each(const Totals& totals, Visit&& visit) {
+  visit("frames", totals.frames);
+  visit("repeated_frames", totals.repeated_frames);
+  visit("contacts", totals.contacts);
+  visit("contact_hash", totals.contact_hash);
+  visit("max_stretch", totals.max_stretch);
+  visit("contact_overflow", totals.contact_overflow);
+  visit("detections", totals.detections);
+  visit("crossings", totals.crossings);
+  visit("truncated", totals.truncated);
+  visit("pairs", totals.pairs);
+  visit("candidates", totals.candidates);
+  visit("nonfinite", totals.nonfinite);
+  visit("crossings_left", totals.crossings_left);
+}
+
+}  // namespace weft

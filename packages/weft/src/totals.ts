@@ -1,0 +1,66 @@
+// Made by scripts/make_statistics.py from src/state/statistics.txt.
+/** What the frames so far have reported; up to three frames old. */
+export interface Totals {
+  /** Frames that have reported, but for one that diverged. */
+  frames: number;
+  /** Frames that were run again with longer lists. */
+  repeatedFrames: number;
+  /** Narrow-phase hits, summed over substeps. */
+  contacts: number;
+  /** Wrapping sum of hash_pair over all hits: the same for every method that finds the same. */
+  contactHash: number;
+  /** The largest length of a triangle's edge over its rest length, at the end of a frame, the most of any. */
+  maxStretch: number;
+  /** Contacts that a list had no room for; anything but 0 means that contact is incomplete. */
+  contactOverflow: number;
+  /** Searches for pairs of features (proximity). */
+  detections: number;
+  /** Edges that pass through triangles, the most that a search has found (proximity), the most of any. */
+  crossings: number;
+  /** Vertices that were held back, summed over substeps (proximity). */
+  truncated: number;
+  /** Pairs of features that are listed at the end of a frame (proximity), the most of any. */
+  pairs: number;
+  /** Pairs of triangles that the last search of a frame has listed (proximity), the most of any. */
+  candidates: number;
+  /** Nodes that are not finite; 0 but where a run diverged. */
+  nonfinite: number;
+  /** Edges that pass through triangles, as the last search has found them (proximity). */
+  crossingsLeft: number;
+}
+
+/** Their names, in the order in which the core gives them. */
+export const TOTALS = [
+  "frames",
+  "repeatedFrames",
+  "contacts",
+  "contactHash",
+  "maxStretch",
+  "contactOverflow",
+  "detections",
+  "crossings",
+  "truncated",
+  "pairs",
+  "candidates",
+  "nonfinite",
+  "crossingsLeft",
+] as const satisfies readonly (keyof Totals)[];
+
+/** Before the first frame. */
+export function noTotals(): Totals {
+  return {
+    frames: 0,
+    repeatedFrames: 0,
+    contacts: 0,
+    contactHash: 0,
+    maxStretch: 0,
+    contactOverflow: 0,
+    detections: 0,
+    crossings: 0,
+    truncated: 0,
+    pairs: 0,
+    candidates: 0,
+    nonfinite: 0,
+    crossingsLeft: 0,
+  };
+}
