@@ -12,8 +12,9 @@ fn wind_wave(form : vec4f, x : vec3f) -> f32 {
   return wave(form.x * x.x + form.y * x.y + form.z * x.z - form.w);
 }
 
+// A select: for a branch on a uniform lavapipe would compile the kernel again at each bind (docs/architecture.md).
 fn wind_at(x : vec3f) -> vec3f {
-  if (step.wind.w == 0.0) { return vec3f(0.0); }
-  return step.wind.xyz + wind_wave(step.wind_wave_a, x) * step.gust_a.xyz +
-         wind_wave(step.wind_wave_b, x) * step.gust_b.xyz;
+  let wind = step.wind.xyz + wind_wave(step.wind_wave_a, x) * step.gust_a.xyz +
+             wind_wave(step.wind_wave_b, x) * step.gust_b.xyz;
+  return select(vec3f(0.0), wind, step.wind.w != 0.0);
 }
