@@ -35,7 +35,7 @@ inline constexpr double kLeastOutward = 0.25, kOutwardPart = 0.25;
 /// A vertex nearer to a body than this part of the thickness has no known side, and is sent outward.
 inline constexpr double kTouch = 0.01;
 
-/// s of docs/contact.md: what a pair asks of its vertices' masses, in whole numbers from 1 to 256. By the gap
+/// s of docs/contact.md: a pair's share of its vertices' masses, in whole numbers from 1 to 256. By the gap
 /// that it would have after the substep [m].
 std::uint32_t contact_urgency(double gap, double thickness);
 
@@ -46,7 +46,7 @@ double contact_damping(double restitution);
 
 /// The shortest altitude of any cloth triangle at rest [m]; infinite without triangles.
 double shortest_altitude(const Model& model);
-/// h_s: what cloth keeps from cloth [m]. No more than half the shortest altitude, since a vertex lies no
+/// h_s: the thickness between cloth and cloth [m]. No more than half the shortest altitude, since a vertex lies no
 /// nearer to a triangle of its own sheet.
 double self_thickness(const Model& model, double thickness);
 
@@ -54,7 +54,7 @@ double self_thickness(const Model& model, double thickness);
 /// vertex may go until the next search, unless it needs more: up to kFastest times as much.
 double flat_reach(const Model& model, const scene::Contact& contact);
 inline constexpr double kFastest = 4;
-/// What is on its way may speed up until then by this.
+/// Factor by which an approaching feature may speed up until then.
 inline constexpr double kReachMargin = 1.25;
 
 }  // namespace weft
