@@ -24,7 +24,7 @@ class Collapse {
  public:
   Collapse(const BinaryTree& binary, ObjectTree& tree) : binary_(binary), tree_(tree) {}
 
-  /// Adds the node that stands for the binary node, and those below it; returns the stack that it needs.
+  /// Adds the node that represents the binary node, and those below it; returns the stack that it needs.
   std::uint32_t add(std::uint32_t binary_index) {
     std::vector<std::uint32_t> children = open(binary_index);
     const std::size_t index = tree_.nodes.size();

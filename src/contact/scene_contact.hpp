@@ -49,7 +49,7 @@ class SceneContact {
 
   /// Makes lists that were too short longer. Recorded commands that name them are void. Errors  Limit, OutOfMemory.
   Result<void> make_room(gpu::Device& device, const State& state, const Statistics& short_of);
-  /// Clears what a frame that is repeated must not see of its first attempt.
+  /// Clears the traces of the first attempt before a frame is repeated.
   void record_forget(gpu::CommandList& list) const;
 
   /// How many pairs act on each vertex, f32, while they are counted; null where no pairs are listed.

@@ -1,4 +1,4 @@
-// What a method says of itself before there is a solver: one row each, which everybody asks. Host only.
+// The properties of a method before a solver exists, one row per method. Host only.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct AutoVerdict {
   std::string reason;  // completes "chosen since ..."; empty: what kept "auto" from the methods before it
 };
 
-/// What a solver asks of the GPU beside the state, for grids, measured at 32² to 256² nodes [bytes a node].
+/// GPU memory of a solver besides the state, for grids, measured at 32² to 256² nodes [bytes per node].
 struct SolverMemory {
   double node = 0;            // in all
   double largest_buffer = 0;  // in its largest buffer
@@ -39,10 +39,10 @@ struct Method {
   /// How its settings read in a summary; "" without settings.
   const char* (*settings_word)(const scene::Solver& settings);
 
-  /// Every so-many substeps may search for pairs. Long steps need a search each: what is fast goes further in four of
-  /// them than it may go unseen.
+  /// One in this many substeps may search for pairs. Long steps need a search each: fast vertices move further in four
+  /// of them than it may go unseen.
   std::uint32_t search_interval;
-  /// Whether obstacles stand in its matrix (Stages::press).
+  /// Whether its matrix includes obstacles (Stages::press).
   bool holds_obstacles;
   /// How many states before the current one it reads, for nodes whose velocity's w is 1.
   std::uint32_t history;
@@ -60,12 +60,12 @@ struct MethodChoice {
 };
 MethodChoice choose_method(const scene::Scene& scene, const Model& model);
 
-/// The substeps of a frame: the scene's, or what its "auto" means with this method.
+/// The substeps of a frame: the scene's, or this method's for "auto".
 /// Errors  Limit: more than scenes allow.
 Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const Method& method,
                                       const StepLimit& limit);
 
-/// Whether obstacles stand in the matrix that the method solves in this scene. What bounces is left to impulses.
+/// Whether the method's matrix includes obstacles in this scene. Restitution is left to impulses.
 bool solves_with_obstacles(const scene::Scene& scene, const Method& method);
 
 }  // namespace weft

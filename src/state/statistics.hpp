@@ -5,7 +5,7 @@
 
 namespace weft {
 
-/// Mirror of src/state/statistics.wgsl: what a frame reports.
+/// Mirror of src/state/statistics.wgsl: the report of a frame.
 struct Statistics {
   std::uint32_t hits = 0;
   std::uint32_t hit_hash = 0;

@@ -17,7 +17,7 @@
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 
-const kTouch = 0.01;  // of the thickness: what is nearer has no side of its own
+const kTouch = 0.01;  // of the thickness: a nearer feature has no side of its own
 
 var<workgroup> listed : u32;
 var<workgroup> crossings : u32;  // that the last search has found

@@ -1,6 +1,6 @@
-// Broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation per
-// cloth triangle. It walks the cloths' own tree for later triangles, and every collider: once to count and, if it found
-// many, once more to write. The list's order depends on scheduling; no result depends on the order.
+// Broad phase: finds the candidates near each cloth triangle, by boxes grown by thickness and reaches. One invocation
+// per cloth triangle. It walks the cloths' own tree for later triangles, and every collider: once to count and, if it
+// found many, once more to write. The list's order depends on scheduling; no result depends on the order.
 // Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
@@ -105,8 +105,8 @@ fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
   }
 }
 
-// Walks an implicit tree. What is left of each level waits as eight bits: of the lower four levels in one word, of the
-// upper four in another.
+// Traverses an implicit tree. The open siblings of each level are stored as eight bits: of the lower four levels in one
+// word, of the upper four in another.
 fn walk_implicit(tree : u32, first : u32, count : u32, deforming : bool, after : u32, box : Box) {
   let top = trees[tree].x;
   var waiting = vec2u(0u);

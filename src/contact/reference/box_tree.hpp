@@ -39,7 +39,7 @@ class BoxTree {
   }
 
  private:
-  /// Nodes stand in the order of a walk from the left: what is not asked for is passed by going on at
+  /// Nodes are in depth-first order, left child first: a subtree is skipped by continuing at
   /// `after`.
   struct Node {
     Box box;

@@ -5,10 +5,10 @@
 
 namespace weft::contact {
 
-/// The stages of contact in a substep. A solver calls them where its mathematics asks for them, in this order:
+/// The stages of contact in a substep. A solver calls them where its algorithm needs them, in this order:
 ///
 ///   search     once, before anything is predicted: moves colliders, lists near features where that is due.
-///   press      before it is solved, by a solver whose matrix holds obstacles: what they ask of each vertex.
+///   press      before it is solved, by a solver whose matrix holds obstacles: their demands on each vertex.
 ///   measure    at the predicted state; again after each iteration that answers: gaps and weights of the pairs.
 ///   answer     optional, as often as measured: impulses between the pairs measured, added up for each vertex.
 ///   hold_back  owed by every solver, once, last: gives each vertex what `answer` added up, holds it back from

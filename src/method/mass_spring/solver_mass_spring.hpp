@@ -26,7 +26,7 @@ class SolverMassSpring : public Solver {
   void fill(StepParams& params) const override;
 
  private:
-  /// Algorithm 1: fixed-point sums of springs, each by itself or in blocks.
+  /// Algorithm 1: fixed-point sums of springs, one by one or in blocks.
   struct SpringCentric {
     gpu::Buffer<std::int32_t> force;  // 3 * vertex_count
     std::optional<SpringForces> spring_forces;

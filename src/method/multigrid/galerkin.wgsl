@@ -6,7 +6,7 @@
 // coarse node lies, they are
 //   for the coarse node itself: (-1, -1), (0, 0), (1, 1), (-1, 0), (0, 1), (0, -1), (1, 0)
 //   for its neighbour to s:     (0, s), (s, s), (s, 2 s)
-// Those of a row are read at once, without branches; what is not there counts 0.
+// Those of a row are read at once, without branches; missing ones count 0.
 #include "gpu/index.wgsl"
 #include "method/multigrid/grid_store_block.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
@@ -70,7 +70,7 @@ fn coarsen(fine : Level, coarse : Level, node : u32, number : u32) {
   let down = select(0, 1, number >= 2u);
   let columns = pairs_of(center.x, i32(i), right, i32(fine.nx), i32(coarse.nx));
   let rows = pairs_of(center.y, i32(j), down, i32(fine.ny), i32(coarse.ny));
-  let first = select(-1, 0, number == 0u);  // likewise for rows
+  let first = select(-1, 0, number == 0u);  // the same for rows
   for (var y = down - 1; y <= 1; y++) {
     for (var dy = max(first, 2 * down - 1 - y); dy <= min(1, 2 * down + 1 - y); dy++) {
       let other = select(own_tap(rows, y + dy), select(rows.next.x, rows.next.y, y + dy == 2), down == 1);

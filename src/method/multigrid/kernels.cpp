@@ -23,7 +23,7 @@ Result<Set> create_all(gpu::Device& device, std::span<const Row<Set>> table) {
   return made;
 }
 
-/// The size of a workgroup that does all by itself.
+/// The size of the single workgroup of a tail.
 std::uint32_t lone_workgroup_size(const gpu::Device& device) {
   return std::min(gpu::kDefaultWorkgroupSize, device.limits().max_invocations_per_workgroup);
 }

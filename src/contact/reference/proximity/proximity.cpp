@@ -141,7 +141,7 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, doubl
 
 void Proximity::add_planes(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
                            std::vector<SidePlane>& planes) const {
-  if (!(pair.distance > 0)) return;  // inside a ball or below a plane: the spring brings it out
+  if (!(pair.distance > 0)) return;  // inside a ball or below a plane: the contact spring moves it out
   const auto kinematic = [&](const Side& side) {
     return std::all_of(side.vertices.begin(), side.vertices.begin() + side.count,
                        [&](std::uint32_t v) { return nodes.inverse_mass[v] == 0; });

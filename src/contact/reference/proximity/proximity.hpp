@@ -22,7 +22,7 @@ class Proximity {
   Proximity(const scene::Scene& scene, const Model& model, std::span<const mesh::TriangleMesh> objects,
             std::span<const std::vector<mesh::TriangleMesh>> keyframes);
 
-  /// The state of the nodes in a substep: what the solver has predicted from `previous`, and moved nodes
+  /// The state of the nodes in a substep: the solver's prediction from `previous`, and moved nodes
   /// where their motions end. All finite.
   struct Nodes {
     std::span<const Vec3d> previous;       // [m]

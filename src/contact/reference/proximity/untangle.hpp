@@ -17,7 +17,7 @@ enum class SurfaceKind : std::uint8_t { Cloth, OpenMesh, ClosedMesh };
 /// A triangle of what crosses.
 struct CrossingFace {
   std::array<Vec3d, 3> corners;  // [m]
-  std::array<double, 3> rims{};  // how far each corner lies from its sheet's rim [m]
+  std::array<double, 3> rims{};  // distance of each corner from its sheet's rim [m]
   SurfaceKind kind = SurfaceKind::Cloth;
 };
 
