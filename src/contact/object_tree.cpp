@@ -56,7 +56,7 @@ class Collapse {
   }
 
  private:
-  /// Up to four binary nodes that together hold what this one holds.
+  /// Up to four binary nodes with the same triangles as this one.
   std::vector<std::uint32_t> open(std::uint32_t index) const {
     std::vector<std::uint32_t> children = {index};
     while (children.size() < 4) {

@@ -1,4 +1,4 @@
-// The tree over the object triangles that bvh.wgsl walks: four children a node, boxes exact in f32.
+// The tree over the object triangles that bvh.wgsl traverses: four children per node, boxes exact in f32.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ struct ObjectTree {
 /// more.
 inline constexpr std::uint32_t kStackSize = 32;
 
-/// A surface-area tree collapsed to four children a node: the largest of a node's children are opened first.
+/// A surface-area tree collapsed to four children per node: the largest of a node's children are opened first.
 ObjectTree build_object_tree(std::span<const ObjectTriangle> triangles);
 
 }  // namespace weft::contact

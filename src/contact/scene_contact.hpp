@@ -41,7 +41,7 @@ class SceneContact {
   const Contacts* contacts() const { return contacts_ ? &*contacts_ : nullptr; }
   const Stages& stages() const;
 
-  /// Sets what contact reads of a substep's parameters and what no substep changes.
+  /// Sets contact's parameters of a substep that are constant for all substeps.
   void fill(StepParams& params, const scene::Scene& scene) const;
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
   void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,

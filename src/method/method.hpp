@@ -15,7 +15,8 @@ namespace weft {
 /// Whether "auto" takes a method for a model, and why.
 struct AutoVerdict {
   bool takes = false;
-  std::string reason;  // completes "chosen since ..."; empty: what kept "auto" from the methods before it
+  std::string
+      reason;  // completes "chosen since ..."; empty: the reason why "auto" skipped the methods before it
 };
 
 /// GPU memory of a solver besides the state, for grids, measured at 32² to 256² nodes [bytes per node].
@@ -31,7 +32,7 @@ struct Method {
   StepLimit (*step_limit)(const scene::Scene& scene, const Model& model);
   /// The limit of the same scene with another drag, without finding the spectrum again.
   StepLimit (*with_drag)(const StepLimit& limit, double drag);
-  /// What time.substeps "auto" means. Errors  Limit: more than scenes allow.
+  /// The value of time.substeps "auto". Errors  Limit: more than scenes allow.
   Result<std::uint32_t> (*auto_substeps)(const scene::Scene& scene, const StepLimit& limit);
   /// Null: "auto" never takes the method. The last row that has one takes every model.
   AutoVerdict (*auto_verdict)(const Model& model);

@@ -1,5 +1,6 @@
 // Closest points of features, robust where they are degenerate: no division by a number that can be zero.
-// Source: Ericson, Real-Time Collision Detection, 5.1; the inside of a triangle by areas, all else by its edges.
+// Source: Ericson, Real-Time Collision Detection, 5.1; the inside of a triangle by areas, all other regions by its
+// edges.
 
 struct Closest {
   s : f32,             // vertex and triangle: the weights of its second and third corner; edges: the place on either

@@ -50,7 +50,7 @@ fn emit(kind : u32, place : u32) {
 }
 
 // Two triangles of a sheet that share an edge are no nearer than their altitudes until the sheet is folded there by
-// more than a right angle or so; slow and flat cloth has nothing else within its radius.
+// more than a right angle or so; slow and flat cloth has no other feature within its radius.
 fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f) -> bool {
   let same_a = vec3<bool>(corners.x == other.x || corners.x == other.y || corners.x == other.z,
                           corners.y == other.x || corners.y == other.y || corners.y == other.z,

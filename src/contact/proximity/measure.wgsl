@@ -76,7 +76,7 @@ fn own_friction(id : u32) -> f32 {
   if (!is_collider(id)) { return -1.0; }
   return end_of(id).w;
 }
-// Of a pair with a collider: the collider's friction, or else the cloth's.
+// Of a pair with a collider: the collider's friction, or the cloth's if it has none.
 fn friction_of(ids : vec4u, of_cloth : f32) -> f32 {
   let own = max(max(own_friction(ids.x), own_friction(ids.z)), own_friction(ids.y));
   return select(of_cloth, own, own >= 0.0);

@@ -1,4 +1,4 @@
-// A tree of boxes over anything that has a box: what spares most tests of pairs.
+// A bounding-volume hierarchy over anything that has a box: it prunes most tests of pairs.
 #pragma once
 
 #include <cstdint>

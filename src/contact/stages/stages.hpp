@@ -1,4 +1,4 @@
-// Contact as a solver sees it: stages that it calls while it records a substep.
+// The interface of contact for a solver: stages that it calls while it records a substep.
 #pragma once
 
 #include "gpu/command_list.hpp"
@@ -11,8 +11,8 @@ namespace weft::contact {
 ///   press      before it is solved, by a solver whose matrix holds obstacles: their demands on each vertex.
 ///   measure    at the predicted state; again after each iteration that answers: gaps and weights of the pairs.
 ///   answer     optional, as often as measured: impulses between the pairs measured, added up for each vertex.
-///   hold_back  owed by every solver, once, last: gives each vertex what `answer` added up, holds it back from
-///              what it would pass through, clears its words for the next substep, and says whether that searches.
+///   hold_back  owed by every solver, once, last: gives each vertex the sum of `answer`, holds it back from
+///              what it would pass through, clears its words for the next substep, and decides whether that searches.
 ///
 /// Reads   position[parity], the state before the substep; position[1 - parity], the prediction.
 /// Writes  position[1 - parity], velocity[1 - parity] (hold_back alone); statistics.

@@ -37,7 +37,7 @@ Result<gpu::Dispatch> grid_dispatch(const SolverInputs& inputs, const gpu::Share
 
 Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const Body& body) {
   const std::uint32_t nx = body.grid->nx, ny = body.grid->ny, size = inputs.workgroup_size;
-  // Workgroups are 64 or 32 nodes wide: what leaves fewer of them without a node.
+  // Workgroups are 64 or 32 nodes wide, whichever leaves fewer invocations idle.
   const std::uint32_t narrow = std::min(32U, size), wide = std::min(64U, size);
   const std::uint32_t width = tiles_of(nx, wide) * wide > tiles_of(nx, narrow) * narrow ? narrow : wide;
   std::vector<gpu::Constant> constants = grid_constants(body);

@@ -22,7 +22,7 @@ const kPlaces = kRow * (kTileHeight + 2u * kRim);
 const kInvocations = 256u;  // as many as have a node in the first substep, and 16 more
 
 var<private> step : StepParams;
-// 28 bytes a node: 10.5 of the 16 KiB that every adapter has.
+// 28 bytes per node: 10.5 of the 16 KiB that every adapter has.
 var<workgroup> tile_position : array<vec4f, kPlaces>;
 var<workgroup> tile_velocity_x : array<f32, kPlaces>;
 var<workgroup> tile_velocity_y : array<f32, kPlaces>;

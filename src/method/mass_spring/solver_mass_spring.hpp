@@ -41,7 +41,7 @@ class SolverMassSpring : public Solver {
   std::uint32_t spring_count_ = 0;
   ForceFixedPoint fixed_point_;  // of spring_centric_
   std::optional<SpringCentric> spring_centric_;
-  // One invocation a node; a dispatch for each cloth.
+  // One invocation per node; one dispatch per cloth.
   std::vector<AdvanceGrid> grids_;
   std::vector<AdvanceGridTwice> twice_;
   std::vector<AdvanceMesh> meshes_;

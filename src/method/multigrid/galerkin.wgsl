@@ -17,8 +17,8 @@
 var<private> center : vec2i;  // the fine node on which the coarse one lies
 var<private> gathered : Symmetric;
 
-// What fine nodes of a side take: `own` of the coarse node at -1, 0 and 1, `next` of its neighbour to `side` at `side`
-// and 2 `side`.
+// The weights of fine nodes of a side: `own` of the coarse node at -1, 0 and 1, `next` of its neighbour to `side` at
+// `side` and 2 `side`.
 struct Pairs { side : i32, own : vec3f, next : vec2f }
 
 fn pairs_of(c : i32, coarse : i32, side : i32, n : i32, m : i32) -> Pairs {

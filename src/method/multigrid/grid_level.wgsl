@@ -35,7 +35,7 @@ fn line_squares(at : u32, end : u32) -> f32 {
 
 fn on_rim(at : u32, side : u32) -> bool { return at == 0u || at + 1u == side; }
 
-// What quadratic bending adds to the diagonal: bending.wgsl.
+// The part of quadratic bending (bending.wgsl) in the diagonal.
 fn bending_diagonal(level : Level, i : u32, j : u32) -> f32 {
   return level.bending_i * select(1.0, level.rim, on_rim(j, level.ny)) * line_squares(i, level.bend_end_i) +
          level.bending_j * select(1.0, level.rim, on_rim(i, level.nx)) * line_squares(j, level.bend_end_j);

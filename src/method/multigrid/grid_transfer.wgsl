@@ -13,7 +13,7 @@ fn tap(fine : i32, coarse : i32, n : i32, m : i32) -> f32 {
   return select(0.0, select(halved, kept, n == m), (coarse >= 0) & (coarse < m));
 }
 
-// What fine nodes at `center` - 1, `center` and `center` + 1 take from it; 0 where there is no such node.
+// The weights of it in fine nodes at `center` - 1, `center` and `center` + 1; 0 where there is no such node.
 fn taps_about(center : i32, coarse : i32, n : i32, m : i32) -> vec3f {
   return vec3f(inside_tap(center - 1, coarse, n, m), inside_tap(center, coarse, n, m),
                inside_tap(center + 1, coarse, n, m));

@@ -6,7 +6,7 @@
 const kHoldStiffness = 10.0;  // of the trace of the diagonal
 const kAgree = 0.3;           // of the normals: with less there is no one direction to hold it along
 
-// Takes what `press` has found of the node, for this substep alone.
+// Clears the sums of `press` for the node, and its hold.
 fn free_of_obstacles(node : u32, first_vertex : u32) {
   for (var word = 0u; word < kPressWords; word++) { presses[kPressWords * (first_vertex + node) + word] = 0; }
   holds[node] = vec4f(0.0);

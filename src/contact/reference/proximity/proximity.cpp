@@ -204,7 +204,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   const double obstacle_travel = move_obstacles(begin, dt);
   std::vector<FeaturePair> pairs = listed(most, travel, obstacle_travel);
   const TangledSurfaces cloth{cloth_, cloth_facts_}, object{object_, object_facts_};
-  // While nothing crosses, only what comes near could come to.
+  // Without crossings, only features that come near can cross.
   if (list_.searches() != tangle_searched_ || tangle_.crossings > 0)
     tangle_ = find_tangle(cloth, object, self_thickness_ > 0);
   tangle_searched_ = list_.searches();

@@ -29,7 +29,7 @@ class Proximity {
     std::span<const double> inverse_mass;  // [1/kg]
     std::span<Vec3d> position, velocity;   // [m], [m/s]
   };
-  /// Changes position and velocity of what touches in the substep from `begin`, of `dt` [s]. Returns how many
+  /// Changes position and velocity of vertices in contact in the substep from `begin`, of `dt` [s]. Returns how many
   /// pairs act.
   std::uint64_t answer(const Nodes& nodes, double begin, double dt);
 

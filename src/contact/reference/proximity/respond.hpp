@@ -23,7 +23,7 @@ struct NearPair {
   bool may = true;         // false: edges whose closest points are not both inside; never acts
   bool with_body = false;  // one side is an obstacle
   bool untangles =
-      false;  // it moves apart what is on the wrong side, equation (7); d: minus the part of that speed
+      false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
 };
 
 struct ContactLaw {
