@@ -24,7 +24,7 @@ class Collapse {
  public:
   Collapse(const BinaryTree& binary, ObjectTree& tree) : binary_(binary), tree_(tree) {}
 
-  /// Adds the node that stands for the binary node, and those below it; returns the stack that it needs.
+  /// Adds the node that represents the binary node, and those below it; returns the stack that it needs.
   std::uint32_t add(std::uint32_t binary_index) {
     std::vector<std::uint32_t> children = open(binary_index);
     const std::size_t index = tree_.nodes.size();
@@ -56,7 +56,7 @@ class Collapse {
   }
 
  private:
-  /// Up to four binary nodes that together hold what this one holds.
+  /// Up to four binary nodes with the same triangles as this one.
   std::vector<std::uint32_t> open(std::uint32_t index) const {
     std::vector<std::uint32_t> children = {index};
     while (children.size() < 4) {

@@ -1,4 +1,4 @@
-// The tree over the object triangles that bvh.wgsl walks: four children a node, boxes exact in f32.
+// The tree over the object triangles that bvh.wgsl traverses: four children per node, boxes exact in f32.
 #pragma once
 
 #include <array>
@@ -33,11 +33,11 @@ struct ObjectTree {
   std::uint32_t stack_size = 0;           // entries that a walk needs at most, whatever it looks for
 };
 
-/// Entries of a walk's stack in bvh.wgsl; the same number stands there.
+/// Entries of a walk's stack in bvh.wgsl; the same number as there.
 ///
 /// Why it suffices. A walk pops a node and pushes its inner children in their order, so the last is walked
 /// first, and child k is walked while k others wait. Where all boxes are hit a node needs max over k of (k +
-/// need of child k), at least 1. Children stand by falling need, the costliest first and hence walked last.
+/// need of child k), at least 1. Children are sorted by decreasing need, the costliest first and hence walked last.
 /// Let N(s) be the least number of inner nodes that need s entries. The child that decides, at place k > 0,
 /// needs s - k, and the k before it no less: N(s) >= min(2 N(s - 1), 3 N(s - 2), 4 N(s - 3)), N(1) = 1, so
 /// N(s) >= 4^((s - 1) / 3) by induction. To need 33 takes 4^(32 / 3) = 2.6 million nodes; a binding of 128
@@ -45,7 +45,7 @@ struct ObjectTree {
 /// more.
 inline constexpr std::uint32_t kStackSize = 32;
 
-/// A surface-area tree collapsed to four children a node: the largest of a node's children are opened first.
+/// A surface-area tree collapsed to four children per node: the largest of a node's children are opened first.
 ObjectTree build_object_tree(std::span<const ObjectTriangle> triangles);
 
 }  // namespace weft::contact

@@ -41,7 +41,7 @@ class SceneContact {
   const Contacts* contacts() const { return contacts_ ? &*contacts_ : nullptr; }
   const Stages& stages() const;
 
-  /// Sets what contact reads of a substep's parameters and what no substep changes.
+  /// Sets contact's parameters of a substep that are constant for all substeps.
   void fill(StepParams& params, const scene::Scene& scene) const;
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
   void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
@@ -49,7 +49,7 @@ class SceneContact {
 
   /// Makes lists that were too short longer. Recorded commands that name them are void. Errors  Limit, OutOfMemory.
   Result<void> make_room(gpu::Device& device, const State& state, const Statistics& short_of);
-  /// Clears what a frame that is repeated must not see of its first attempt.
+  /// Clears the traces of the first attempt before a frame is repeated.
   void record_forget(gpu::CommandList& list) const;
 
   /// How many pairs act on each vertex, f32, while they are counted; null where no pairs are listed.

@@ -1,4 +1,4 @@
-// Elements as tables: what couples nodes, whatever its energy.
+// Elements as tables: couplings of nodes, whatever their energy.
 #pragma once
 
 #include <array>

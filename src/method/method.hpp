@@ -1,4 +1,4 @@
-// What a method says of itself before there is a solver: one row each, which everybody asks. Host only.
+// The properties of a method before a solver exists, one row per method. Host only.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,11 @@ namespace weft {
 /// Whether "auto" takes a method for a model, and why.
 struct AutoVerdict {
   bool takes = false;
-  std::string reason;  // completes "chosen since ..."; empty: what kept "auto" from the methods before it
+  std::string
+      reason;  // completes "chosen since ..."; empty: the reason why "auto" skipped the methods before it
 };
 
-/// What a solver asks of the GPU beside the state, for grids, measured at 32² to 256² nodes [bytes a node].
+/// GPU memory of a solver besides the state, for grids, measured at 32² to 256² nodes [bytes per node].
 struct SolverMemory {
   double node = 0;            // in all
   double largest_buffer = 0;  // in its largest buffer
@@ -32,7 +33,7 @@ struct Method {
   StepLimit (*step_limit)(const scene::Scene& scene, const Model& model);
   /// The limit of the same scene with another drag, without finding the spectrum again.
   StepLimit (*with_drag)(const StepLimit& limit, double drag);
-  /// What time.substeps "auto" means. Errors  Limit: more than scenes allow.
+  /// The value of time.substeps "auto". Errors  Limit: more than scenes allow.
   Result<std::uint32_t> (*auto_substeps)(const scene::Scene& scene, const StepLimit& limit);
   /// Null: "auto" never takes the method. The last row that has one takes every model.
   AutoVerdict (*auto_verdict)(const Model& model);
@@ -40,10 +41,10 @@ struct Method {
   /// How its settings read in a summary; "" without settings.
   const char* (*settings_word)(const scene::Solver& settings);
 
-  /// Every so-many substeps may search for pairs. Long steps need a search each: what is fast goes further in four of
-  /// them than it may go unseen.
+  /// One in this many substeps may search for pairs. Long steps need a search each: fast vertices move further in four
+  /// of them than it may go unseen.
   std::uint32_t search_interval;
-  /// Whether obstacles stand in its matrix (Stages::press).
+  /// Whether its matrix includes obstacles (Stages::press).
   bool holds_obstacles;
   /// How many states before the current one it reads, for nodes whose velocity's w is 1.
   std::uint32_t history;
@@ -64,12 +65,12 @@ MethodChoice choose_method(const scene::Scene& scene, const Model& model);
 /// Errors  Input: a cloth has elements that the method does not take.
 Result<void> check_elements(const scene::Scene& scene, const Model& model, const Method& method);
 
-/// The substeps of a frame: the scene's, or what its "auto" means with this method.
+/// The substeps of a frame: the scene's, or this method's for "auto".
 /// Errors  Limit: more than scenes allow.
 Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const Method& method,
                                       const StepLimit& limit);
 
-/// Whether obstacles stand in the matrix that the method solves in this scene. What bounces is left to impulses.
+/// Whether the method's matrix includes obstacles in this scene. Restitution is left to impulses.
 bool solves_with_obstacles(const scene::Scene& scene, const Method& method);
 
 }  // namespace weft

@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// Where the predicted velocity of a substep goes, by its parity: to the state, or, where contact asks for
+/// The destination of a substep's predicted velocity, by its parity: the state, or, where contact needs
 /// the velocities of other vertices while it writes its own, aside.
 using Predicted = std::array<const gpu::RawBuffer*, 2>;
 

@@ -18,20 +18,20 @@ class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// How many substeps one call of record can stand for. More than 1 only without contacts, which come between them.
+  /// Substeps that one call of record does at most. More than 1 only without contacts, which come between them.
   virtual std::uint32_t substeps_at_once() const { return 1; }
   /// Records `count` substeps: one, or substeps_at_once(), to the same bits as one after the other.
   /// Reads   position[parity], velocity[parity]; with a history (Method::history) also those of the other parity, as
   ///         the substep before has left them.
-  /// Writes  position[1 - parity], velocity[1 - parity]: the state after them. What it predicts before contact goes to
+  /// Writes  position[1 - parity], velocity[1 - parity]: the state after them. The prediction before contact goes to
   ///         position[1 - parity] and, the velocity, to SolverInputs::predicted.
-  /// A single substep calls the stages of contact as contact/stages/stages.hpp asks.
+  /// A single substep calls the stages of contact in the order of contact/stages/stages.hpp.
   virtual void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const = 0;
-  /// Sets what the solver's own kernels read of a substep's parameters.
+  /// Sets the parameters of a substep that the solver's own kernels read.
   virtual void fill(StepParams&) const {}
 };
 
-/// What a solver is made of. `contacts` is null where the scene has none.
+/// The inputs of a solver. `contacts` is null where the scene has none.
 struct SolverInputs {
   gpu::Device& device;
   const GpuModel& model;
@@ -40,7 +40,7 @@ struct SolverInputs {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   std::optional<bool> two_steps = {};  // at once, where the solver can; none: where that is quicker
 
-  /// What obstacles do to vertices, for a solver that solves with it; null: nothing.
+  /// Obstacles' demands on vertices, for a solver that includes them in its matrix; null: none.
   const gpu::Buffer<std::int32_t>* presses() const {
     if (contacts == nullptr || !contacts->pairs || contacts->pairs->presses.size() == 0) return nullptr;
     return &contacts->pairs->presses;

@@ -23,7 +23,7 @@ struct NetworkSpectrum {
 /// Source: docs/solvers/mass_spring.md, equation 7.
 double largest_stable_step(double stiffness, double damping);
 
-/// What a step of a solver may be, and what decides it.
+/// The largest step of a solver, and its cause.
 struct StepLimit {
   double highest_frequency = 0;  // of the spring network, undamped [rad/s]
   double highest_damping = 0;    // largest damping rate [1/s]
@@ -39,7 +39,7 @@ std::string unstable_step(const StepLimit& limit, double frame, std::uint32_t su
 /// The least of the limits of cloths with these spectra.
 StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag);
 
-/// Where a sheet is crumpled, the springs of a node can come to lie along one line; the sum of |entries| of a
+/// In a crumpled sheet the springs of a node can align; the sum of |entries| of a
 /// row of M^-1 K then bounds the frequency: for a lattice √2 of the flat sheet's, with bend springs up
 /// to 1.54. Measured: from a random start of a fifth of a cell without damping, 0.85 ends in an explosion
 /// within 2,000 steps, 0.7 does not in 10,000.
@@ -61,9 +61,9 @@ double contact_step(const scene::Scene& scene, const Model& model);
 double within_contact_step(double step, const scene::Scene& scene, const Model& model);
 
 /// By how much longer than the one before it a step of the implicit solver may be (BDF2 is stable up to 1 +
-/// √2); beyond it begins anew.
+/// √2); beyond it starts without history.
 inline constexpr double kMostStepRatio = 2;
-/// The ratio of a frame's steps to those of the one before it, as the solver is told it; 0: it begins anew.
+/// The ratio of a frame's steps to those of the one before it, for the solver; 0: it starts without history.
 constexpr double step_ratio(std::uint32_t substeps_before, std::uint32_t substeps) {
   const double ratio = static_cast<double>(substeps_before) / substeps;
   return ratio > kMostStepRatio ? 0 : ratio;

@@ -14,11 +14,11 @@ namespace weft::reference {
 
 /// A substep before contact.
 struct Substep {
-  MassSpringSystem& system;             // its state goes on by one step
-  const std::vector<Vec3d>& places;     // where nodes that follow a motion are at its end [m]
-  double dt = 0;                        // [s]
-  double ratio = 1;                     // of dt to the step before; 0: a method with a history begins anew
-  std::span<const Press> presses = {};  // what obstacles do to each node, for a method that solves with it
+  MassSpringSystem& system;          // its state goes on by one step
+  const std::vector<Vec3d>& places;  // where nodes that follow a motion are at its end [m]
+  double dt = 0;                     // [s]
+  double ratio = 1;                  // of dt to the step before; 0: a method with a history starts without it
+  std::span<const Press> presses = {};  // obstacles' demands on each node, for a method whose matrix has them
 };
 
 class Stepper {
@@ -27,7 +27,7 @@ class Stepper {
   virtual void advance(const Substep& substep) = 0;
   /// The state is not one that advance has left: nothing of the steps before counts.
   virtual void forget() {}
-  /// Likewise for one node.
+  /// The same for one node.
   virtual void forget(std::size_t) {}
 };
 

@@ -23,7 +23,7 @@ struct Assets {
 /// Nodes of all cloths, known before any of them is built.
 std::uint64_t node_count(const scene::Scene& scene, const Assets& assets);
 
-/// What a world takes of the host's memory for each node, its meshes apart. Measured in the WebAssembly module at
+/// Host memory of a world per node, without its meshes. Measured in the WebAssembly module at
 /// 256² to 1024² nodes: 176, and while its shape is exported, 351; of `weft check`, 183.
 constexpr std::uint64_t kWorldBytesPerNode = 360;
 

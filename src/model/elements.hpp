@@ -1,4 +1,4 @@
-// The elements of a model, made when somebody asks for them, and once.
+// The elements of a model, built lazily and once.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace weft {
 
-/// What has been made so far. A copy starts empty: what it is a copy for may be changed.
+/// The tables built so far. A copy starts empty, since the copied model may be changed.
 class ElementStore {
  public:
   struct OfKind {

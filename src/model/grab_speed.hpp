@@ -8,7 +8,7 @@ namespace weft {
 /// A grabbed node closes in on its target by this part of the distance a second, so to 5 % in 0.15 s: quick
 /// under a hand, and slow enough that a hand's jump becomes a pull [1/s].
 inline constexpr double kGrabRate = 20;
-/// No grabbed node is faster than the larger of these: what a hand can do [m/s], and, where the scene is large,
+/// No grabbed node is faster than the larger of these: the speed of a hand [m/s], and, where the scene is large,
 /// this many lengths of its largest cloth a second [1/s].
 inline constexpr double kGrabSpeed = 10;
 inline constexpr double kGrabLengths = 5;

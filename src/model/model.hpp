@@ -30,6 +30,9 @@ struct Body {
   double damping = 0;          // [N·s/m]
   std::optional<Vec3d> color;
 
+  /// Nodes of a row, where triangles have diagonals that shear lengthens; 0: every edge of a triangle is as structural
+  /// as the others.
+  std::uint32_t row() const { return grid ? grid->nx : 0; }
   SpringMaterial material() const { return {stiffness, damping, weights}; }
 };
 

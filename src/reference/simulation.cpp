@@ -90,8 +90,8 @@ Result<void> Simulation::add_colliders(const std::vector<mesh::TriangleMesh>& ob
 Result<void> Simulation::advance_frame() {
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   const std::uint64_t contacts = contacts_;
-  const std::uint32_t count = plan_.substeps_of(frame_);
-  for (std::uint32_t s = 0; s < count; ++s) substep(s, count);
+  const sim::FramePlan::Frame frame = plan_.frame(frame_);
+  for (std::uint32_t s = 0; s < frame.substeps; ++s) substep(s, frame);
   if (!finite()) {
     system_.position = position;
     system_.velocity = velocity;
@@ -111,17 +111,18 @@ void Simulation::reset() {
   stepper_->forget();
 }
 
-void Simulation::substep(std::uint32_t number, std::uint32_t count) {
+void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& frame) {
+  const std::uint32_t count = frame.substeps;
   const double dt = scene_.time.frame / count;
   const double before = static_cast<double>(frame_) * count + number;  // substeps, were all frames cut alike
   const std::vector<Vec3d> previous = system_.position;
   system_.time = before * dt;  // of the wind
-  // As sim::FrameSteps counts time, to the bit: which substep is the first of a grab hangs on it.
+  // As sim::FrameSteps counts time, to the bit: it decides which substep is the first of a grab.
   set_grabs(time() + number * dt + dt);
   std::vector<Press> presses;
   if (solves_with_obstacles(scene_, plan_.method()) && finite())
     presses = proximity_->presses(previous, system_.velocity, before * dt, dt);
-  const double ratio = number == 0 ? plan_.step_ratio_of(frame_) : 1;
+  const double ratio = number == 0 ? frame.step_ratio : 1;
   stepper_->advance({system_, places_at((before + 1) * dt, previous), dt, ratio, presses});
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   if (!proximity_) {
@@ -130,7 +131,7 @@ void Simulation::substep(std::uint32_t number, std::uint32_t count) {
     contacts_ += proximity_->answer({previous, system_.inverse_mass, system_.position, system_.velocity},
                                     before * dt, dt);
   }
-  for (std::size_t node = 0; node < position.size(); ++node)  // a blow is no part of a smooth motion
+  for (std::size_t node = 0; node < position.size(); ++node)  // an impulse is no part of a smooth motion
     if (system_.position[node] != position[node] || system_.velocity[node] != velocity[node])
       stepper_->forget(node);
 }

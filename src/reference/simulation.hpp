@@ -60,7 +60,7 @@ class Simulation {
   Result<void> add_colliders(const std::vector<mesh::TriangleMesh>& objects);
 
   /// One of `count` of this frame.
-  void substep(std::uint32_t number, std::uint32_t count);
+  void substep(std::uint32_t number, const sim::FramePlan::Frame& frame);
   /// The nodes that the scene grabs in the substep that ends at `time` [s], and their targets.
   void set_grabs(double time);
   /// Where kinematic nodes are at `time` [s]; of all others the place that they had.

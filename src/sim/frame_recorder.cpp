@@ -3,12 +3,6 @@
 #include "contact/stages/checked_stages.hpp"
 
 namespace weft::sim {
-namespace {
-
-// Lists for this many numbers of substeps are kept: a mover that speeds up asks for another one in each frame.
-constexpr std::size_t kMostKept = 8;
-
-}  // namespace
 
 Result<FrameRecorder> FrameRecorder::create(const State& state, const Solver& solver,
                                             const contact::SceneContact& contact, const LastGood& last_good,
@@ -52,7 +46,6 @@ void FrameRecorder::record(gpu::CommandList& list, std::uint32_t parity, std::ui
 }
 
 const gpu::CommandList& FrameRecorder::commands(std::uint32_t parity, std::uint32_t substeps) {
-  if (lists_.size() >= kMostKept && !lists_.contains(substeps)) lists_.clear();
   gpu::CommandList& list = lists_[substeps][parity];
   if (list.commands().empty()) record(list, parity, substeps);
   return list;

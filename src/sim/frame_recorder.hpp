@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 
+#include "base/recently_used.hpp"
 #include "contact/scene_contact.hpp"
 #include "gpu/command_list.hpp"
 #include "method/solver.hpp"
@@ -12,8 +12,8 @@
 
 namespace weft::sim {
 
-/// Records frames as flat lists of commands, each once. Phases: "step"; in it "search", what looks for pairs of
-/// features; "frame", once at its end. What it is made of must outlive it.
+/// Records frames as flat lists of commands, each once. Phases: "step"; in it "search", the search for pairs of
+/// features; "frame", once at its end. Its inputs must outlive it.
 class FrameRecorder {
  public:
   FrameRecorder() = default;
@@ -22,10 +22,10 @@ class FrameRecorder {
                                       const contact::SceneContact& contact, const LastGood& last_good,
                                       const Surface& surface);
 
-  /// The commands of a frame of this many substeps that begins with this parity, until the next call of forget or of
-  /// this with another number of substeps.
+  /// The commands of a frame of this many substeps that begins with this parity, valid until forget or until kMostKept
+  /// other numbers of substeps have been asked for.
   const gpu::CommandList& commands(std::uint32_t parity, std::uint32_t substeps);
-  /// Discards what is recorded: a buffer that it names was made again, or contacts are to be counted.
+  /// Discards the lists: one of their buffers was reallocated, or contacts are to be counted.
   void forget() { lists_.clear(); }
   /// How often the state changes buffers in this many substeps.
   std::uint32_t turns_of(std::uint32_t substeps) const;
@@ -38,7 +38,9 @@ class FrameRecorder {
   const contact::SceneContact* contact_ = nullptr;
   const LastGood* last_good_ = nullptr;
   const Surface* surface_ = nullptr;
-  std::map<std::uint32_t, std::array<gpu::CommandList, 2>> lists_;  // by substeps and parity, once needed
+  // Numbers of substeps whose lists are kept: a mover that speeds up asks for another one in each frame.
+  static constexpr std::size_t kMostKept = 8;
+  RecentlyUsed<std::uint32_t, std::array<gpu::CommandList, 2>, kMostKept> lists_;  // by substeps, then parity
 };
 
 }  // namespace weft::sim

@@ -26,18 +26,18 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
 }
 
 void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
-                       const Frame& frame) {
-  const bool grabbed = grabs.any(frame.time, frame.time + frame_);
-  const bool same = frame.substeps == substeps_ && frame.collider_speed == collider_speed_ &&
-                    frame.step_ratio == step_ratio_;
+                       const FramePlan::Frame& frame) {
+  const bool grabbed = grabs.any(frame.begin, frame.begin + frame_);
+  const bool same =
+      frame.substeps == substeps_ && frame.mover_speed == mover_speed_ && frame.step_ratio == step_ratio_;
   if (!changed_ && !wind_.varies() && !grabbed && !grabbed_ && same) return;
   const double step = frame_ / frame.substeps;
   for (std::uint32_t s = 0; s < frame.substeps; ++s) {
     StepParams& params = steps_[s];
-    const double now = frame.time + s * step;  // the substep's forces are those at its start
+    const double now = frame.begin + s * step;  // the substep's forces are those at its start
     params.dt = static_cast<float>(step);
     params.step_ratio = s == 0 ? static_cast<float>(frame.step_ratio) : 1.0F;
-    params.acceleration.w = static_cast<float>(frame.collider_speed * step);
+    params.acceleration.w = static_cast<float>(frame.mover_speed * step);
     set_wind(params, wind_, {turns(0, now), turns(1, now)});
     grabs.set(params, now + step);  // a follower, as a motion, goes to where the target is at the end
   }
@@ -45,7 +45,7 @@ void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepParams>& steps
   changed_ = false;
   grabbed_ = grabbed;
   substeps_ = frame.substeps;
-  collider_speed_ = frame.collider_speed;
+  mover_speed_ = frame.mover_speed;
   step_ratio_ = frame.step_ratio;
 }
 

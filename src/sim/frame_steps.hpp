@@ -7,6 +7,7 @@
 #include "scene/scene.hpp"
 #include "scene/wind.hpp"
 #include "sim/grabs.hpp"
+#include "sim/plan/frame_plan.hpp"
 #include "state/state.hpp"
 
 namespace weft::sim {
@@ -16,7 +17,7 @@ namespace weft::sim {
 class FrameSteps {
  public:
   FrameSteps() = default;
-  /// `frame` [s]; `base`: what all substeps have in common and no scene changes while it runs; pairs are
+  /// `frame` [s]; `base`: the constants of all substeps while a scene runs; pairs are
   /// looked for in one of every search_interval of them.
   FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::uint32_t interval,
              std::size_t motion_count, double frame);
@@ -24,15 +25,8 @@ class FrameSteps {
   /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
   /// where they are.
   void set_air(const scene::Scene& scene, double time);
-  /// A frame: when it begins [s] and its substeps.
-  struct Frame {
-    double time = 0;
-    std::uint32_t substeps = 1;
-    double collider_speed = 0;  // the largest in it [m/s]
-    double step_ratio = 1;      // of its first step to the one before
-  };
   void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
-             const Frame& frame);
+             const FramePlan::Frame& frame);
   /// Restarts time at 0.
   void rewind();
 
@@ -44,11 +38,11 @@ class FrameSteps {
   std::vector<StepParams> steps_;
   scene::WindField wind_;
   double frame_ = 0;                        // [s]
-  double start_ = 0;                        // when the wind became what it is [s]
+  double start_ = 0;                        // when the wind last changed [s]
   std::array<double, 2> start_turns_ = {};  // of its waves, then
   bool changed_ = true;
   std::uint32_t substeps_ = 0;
-  double collider_speed_ = 0;
+  double mover_speed_ = 0;
   double step_ratio_ = 1;
   bool grabbed_ = false;  // in the frame that was written last
 };

@@ -1,4 +1,4 @@
-// A world's frame taken apart: what each kernel takes.
+// The time of each kernel in a world's frame.
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@ Result<void> World::submit_rest() {
   gpu::CommandList list;
   {
     gpu::ComputePass pass(list, "rest");
-    last_good_->record(pass);  // what a first frame that is not finite goes back to
+    last_good_->record(pass);  // the state to restore if the first frame is not finite
     surface_->record(pass);    // so that the rest state can be drawn
   }
   return device_.submit(list);
@@ -76,12 +76,11 @@ Result<void> World::advance_frame(const gpu::CommandList* draw) {
 }
 
 Result<void> World::submit_frame(const gpu::CommandList* draw) {
-  const double now = plan_.begin_of(frame_);
-  const std::uint32_t substeps = plan_.substeps_of(frame_);
-  steps_.write(device_, state_.steps, *grabs_,
-               {now, substeps, plan_.fastest_mover(frame_), plan_.step_ratio_of(frame_)});
+  const FramePlan::Frame frame = plan_.frame(frame_);
+  const std::uint32_t substeps = frame.substeps;
+  steps_.write(device_, state_.steps, *grabs_, frame);
   write_motions(substeps);
-  contact_.write_places(device_, scene_, now, scene_.time.frame / substeps, substeps);
+  contact_.write_places(device_, scene_, frame.begin, scene_.time.frame / substeps, substeps);
   const std::array<const gpu::CommandList*, 3> lists = {&recorder_.commands(parity_, substeps),
                                                         &reports_.commands(), draw};
   WEFT_CHECK(device_.submit(std::span(lists).first(draw != nullptr ? 3 : 2)));
@@ -163,7 +162,7 @@ Result<void> World::take(const Report& report) {
 
 Result<void> World::reset() {
   WEFT_CHECK(device_.wait());
-  reports_.drop();  // what they would say is of no more use
+  reports_.drop();  // they are about discarded frames
   state_.reset(device_, model_.host);
   clear_statistics();
   steps_.rewind();
@@ -216,7 +215,7 @@ Result<Snapshot> World::snapshot() {
 
 void World::restore(const Snapshot& snapshot) {
   std::vector<Vec4f> velocity = snapshot.velocity;
-  for (Vec4f& v : velocity) v.w = 0;  // what the step before it was is not in the snapshot
+  for (Vec4f& v : velocity) v.w = 0;  // a snapshot has no history
   state_.position[parity_].write(device_, snapshot.position);
   state_.velocity[parity_].write(device_, velocity);
   last_good_->renew(device_, snapshot.position, velocity, 0);

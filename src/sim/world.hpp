@@ -49,7 +49,7 @@ class World {
                                                const WorldOptions& options = {});
 
   /// Submits one frame of substeps and, with them, what draws its end (a list for parity_after()). The host
-  /// waits only where three frames are under way already: where it must not, it asks has_room first.
+  /// waits only where three frames are in flight: a caller that must not wait checks has_room first.
   /// Errors  Diverged: a node of an earlier frame was not finite; the state is frozen at the last good frame.
   ///         DeviceLost, OutOfMemory, Shader.
   Result<void> advance_frame(const gpu::CommandList* draw = nullptr);
@@ -79,7 +79,7 @@ class World {
 
   /// The current state, waited for.
   Result<Snapshot> snapshot();
-  /// Makes a snapshot of this model the current state, and what a bad or repeated frame goes back to; time
+  /// Makes a snapshot of this model the current state, and the one to which a bad or repeated frame rolls back; time
   /// goes on from where it is. No frame may be under way.
   void restore(const Snapshot& snapshot);
   /// Overwrites the current state of one node: for tests of what bad values do.
@@ -92,7 +92,7 @@ class World {
   const Surface& surface() const { return *surface_; }
   const Assets& assets() const { return assets_; }
   const Totals& totals() const { return totals_; }
-  /// The method, the largest stable step, the substeps: what was decided before the first frame.
+  /// The method, the largest stable step, the substeps: the decisions before the first frame.
   const FramePlan& plan() const { return plan_; }
   std::uint32_t substeps() const { return plan_.substeps(); }
   /// Of any frame: more where something is moved fast (docs/contact.md).

@@ -1,21 +1,21 @@
-// A listed pair of features, and what it says in this substep. Mirror: Contact in src/state/contact_pairs.hpp.
+// A listed pair of features, and its measurement in this substep. Mirror: Contact in src/state/contact_pairs.hpp.
 // Names and equations: docs/contact.md.
 struct Contact {
   ids : vec4u,      // side A first, then side B; see kColliderPoint, kPairFlag, kCrossingFlag
   slots : array<u32, 4>,  // where each cloth vertex of ids has this pair in `entries`
   normal : vec4f,   // n, from B to A; w: the gap d, m; of what untangles: minus the part of that speed
   place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(how far a solid side comes), m
-  surface : vec4f,  // what the collider adds to the relative velocity, m/s; w: friction
+  surface : vec4f,  // the collider's part of the relative velocity, m/s; w: friction
   urgency : f32,    // its share of its vertices' masses, before they are shared; 0: it does not act, equation (1)
   solid : u32,      // the side that contact cannot move (collider, fixed vertex): 1 A, 2 B, 0 neither; or kUntangles
-  near : u32,       // what its entries bear: kEntryNear or 0
+  near : u32,       // flag of its entries: kEntryNear or 0
   other_end : u32,  // of a crossing: the id of the edge's other end
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
 const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; else vertex and triangle
 const kCrossingFlag = 0x40000000u;   // of ids.z: an end of an edge, and the triangle that the edge passes through
 const kIdBits = 0x3fffffffu;
-const kUntangles = 4u;               // of `solid`: it moves apart what is on the wrong side, equation (7)
+const kUntangles = 4u;               // of `solid`: it separates features on the wrong side, equation (7)
 
 // An entry is 8 * pair + flag + role: how a vertex knows its pairs.
 const kEntryNear = 4u;  // the pair acts, or would but that an end of an edge is nearest
@@ -63,7 +63,7 @@ const kCursorBits = 0x3fffffffu;
 const kChangeWord = 5u;  // and two more
 const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s
 const kMostUnits = 1.0e9;       // of one pair
-const kInBody = 3e38;           // in place of a plane's nearness: a pair brings the vertex out of a body
+const kInBody = 3e38;           // in place of a plane's nearness: a pair moves the vertex out of a body
 
 const kUntanglePart = 0.125;  // of the thickness: how far apart what crosses comes in a substep
 const kUntangleRate = 120.0;  // thicknesses a second: the same

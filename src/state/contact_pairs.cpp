@@ -33,7 +33,7 @@ Result<ContactPairs> ContactPairs::create(gpu::Device& device, const Model& mode
 }
 
 Result<void> ContactPairs::make_room(gpu::Device& device, const ContactRoom& wanted) {
-  contacts = {};  // given back before more is asked for
+  contacts = {};  // freed before larger ones are allocated
   entries = {};
   WEFT_TRY(contact_buffer, gpu::Buffer<Contact>::create(device, wanted.pairs, "contact pairs"));
   contacts = std::move(contact_buffer);

@@ -20,7 +20,7 @@ struct Contact {
   Vec4f surface;                         // the collider's share of the relative velocity [m/s]; w: friction
   float urgency = 0;
   std::uint32_t solid = 0;      // 1: side A goes its way whatever comes; 2: side B; 0: neither; or kUntangles
-  std::uint32_t near = 0;       // what its entries bear
+  std::uint32_t near = 0;       // flag of its entries
   std::uint32_t other_end = 0;  // of a crossing: the id of the edge's other end
 };
 static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
@@ -53,7 +53,7 @@ struct ContactPairs {
   gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count
 
   /// Sums over each vertex's pairs with obstacles before a substep is solved
-  /// (src/contact/proximity/press_sums.wgsl); kPressWords * vertex_count, or none where the solver asks for none.
+  /// (src/contact/proximity/press_sums.wgsl); kPressWords * vertex_count, or none where the solver needs none.
   gpu::Buffer<std::int32_t> presses;
 
   /// Errors  Limit, OutOfMemory.

@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// The model on the GPU: what more than one room reads.
+/// The model on the GPU: the buffers that several rooms read.
 struct GpuModel {
   Model host;
   gpu::Buffer<Vec4f> rest_position;      // vertex_count, m; w: Model::motion, as a number

@@ -9,7 +9,7 @@
 fn integrate_free(before : NodeState, force : vec3f) -> NodeState {
   let inverse_mass = before.position.w;
   let v = before.velocity.xyz;
-  let slip = v - wind_at(before.position.xyz);  // against the air; where no wind blows, v to the bit
+  let slip = v - wind_at(before.position.xyz);  // against the air; without wind exactly v
   let acceleration = step.acceleration.xyz + inverse_mass * force - step.drag * slip;
   let velocity = v + step.dt * acceleration;
   return NodeState(vec4f(before.position.xyz + step.dt * velocity, inverse_mass), vec4f(velocity, 0.0));

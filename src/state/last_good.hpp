@@ -16,7 +16,7 @@ class LastGood {
  public:
   static Result<LastGood> create(gpu::Device& device, const State& state, bool with_step_before);
   void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
-  /// Makes what is kept the state of this parity.
+  /// Makes the saved copy the state of this parity.
   void record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const;
   /// Keeps this state of the vertices from `first` on, if all of it is finite.
   void renew(gpu::Device& device, std::span<const Vec4f> position, std::span<const Vec4f> velocity,

@@ -11,7 +11,7 @@
 
 namespace weft {
 
-/// What changes. Position and velocity stand in two buffers each: a substep with parity p reads [p], which
+/// The varying state. Position and velocity have two buffers each: a substep with parity p reads [p], which
 /// thereby is the previous state, and writes [1 - p].
 struct State {
   std::array<gpu::Buffer<Vec4f>, 2> position;  // vertex_count, m; w: inverse mass, 1/kg (0: kinematic)
@@ -32,8 +32,8 @@ struct State {
 struct Contacts {
   /// Of methods paper and bvh: for each vertex the sum of its pushes and their number, in fixed point
   /// (StepParams::push_scale), so that neither depends on the order of threads.
-  gpu::Buffer<std::int32_t> pushes;  // 4 * vertex_count: x, y, z, count; the solver clears what it has read
-  /// Of method proximity: pairs of features, for the solver to answer as its own way of stepping asks.
+  gpu::Buffer<std::int32_t> pushes;  // 4 * vertex_count: x, y, z, count; the solver clears them after reading
+  /// Of method proximity: pairs of features, for the solver to answer.
   std::optional<ContactPairs> pairs;
 
   static Result<Contacts> create_pushes(gpu::Device& device, const Model& model);

@@ -5,7 +5,7 @@ const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its r
 const kDetectAlways = 2u;
 // Substeps from one that may search to the next: Method::search_interval in src/method/method.hpp.
 override kDetectInterval : f32 = 4.0;
-const kReachMargin = 1.25;    // what is on its way may speed up until then
+const kReachMargin = 1.25;    // an approaching feature may speed up until then
 
 struct StepParams {
   acceleration : vec4f,  // m/s²: gravity and the external force, xyz; w: how far a collider may go in the substep, m
@@ -24,7 +24,7 @@ struct StepParams {
   wind : vec4f,          // m/s: the mean, xyz; w: 1 where wind blows, else 0 and the four below are not read
   wind_wave_a : vec4f,   // 1/m: how a wave's phase grows along xyz, in turns; w: what time has taken off it, in [0, 1)
   wind_wave_b : vec4f,
-  gust_a : vec4f,        // m/s: what the crest of a wave adds to the wind, xyz
+  gust_a : vec4f,        // m/s: the amplitude of a wave of the wind, xyz
   gust_b : vec4f,
   grab_node : vec4u,     // the grabbed nodes; 0xffffffff where a place is free
   grab_target : array<vec4f, kMaxGrabs>,  // m: where they are pulled, xyz

@@ -20,7 +20,7 @@ Result<Surface> Surface::create(gpu::Device& device, const GpuModel& model, cons
   for (const Body& body : model.host.bodies) {
     ClothPart part;
     part.vertex_count = body.vertex_count;
-    const SurfaceParams params{body.first_vertex, body.vertex_count, body.grid ? body.grid->nx : 0};
+    const SurfaceParams params{body.first_vertex, body.vertex_count, body.row()};
     WEFT_TRY(buffer, gpu::create_uniform(device, params, "surface params"));
     for (std::size_t parity = 0; parity < 2; ++parity) {
       WEFT_TRY(group, made.kernel_.bind({buffer, state.position[parity], model.rest_position, model.triangles,

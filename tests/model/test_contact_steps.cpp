@@ -59,13 +59,15 @@ TEST_CASE("the bound of a motion's speed is no less than its samples, and no mor
 TEST_CASE("a frame is cut into the fewest substeps in which nothing moved travels half the thickness") {
   const ContactMover mover{scene::MotionLine{{1, 0, 0}, 4, std::nullopt, 0, 0}, 0, {}};
   // 4 m/s over 1/60 s in 10 substeps: 6.67 mm each; half of 5 mm is 2.5 mm.
-  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 1 / 600.0) == 3);
-  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 1 / 1620.0) == 1);
-  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1 / 60.0, 1 / 1560.0) == 2);
-  CHECK(contact_step_factor({&mover, 1}, 2 * 4 / 600.0, 0, 1 / 60.0, 1 / 600.0) == 1);  // just half
-  CHECK(contact_step_factor({&mover, 1}, 0.005, 0, 1e9, 1 / 600.0) == 3);  // however long it is looked at
-  CHECK(contact_step_factor({}, 0.005, 0, 1 / 60.0, 1 / 60.0) == 1);
-  CHECK(contact_step_factor({&mover, 1}, 1e-12, 0, 1 / 60.0, 1 / 60.0) == kMostContactSteps);
+  const double speed = largest_speed(std::span(&mover, 1), 0, 1 / 60.0);
+  CHECK(contact_step_factor(speed, 0.005, 1 / 600.0) == 3);
+  CHECK(contact_step_factor(speed, 0.005, 1 / 1620.0) == 1);
+  CHECK(contact_step_factor(speed, 0.005, 1 / 1560.0) == 2);
+  CHECK(contact_step_factor(speed, 2 * 4 / 600.0, 1 / 600.0) == 1);  // just half
+  CHECK(contact_step_factor(speed, 1e-12, 1 / 60.0) == kMostContactSteps);
+  CHECK(largest_speed(std::span(&mover, 1), 0, 1e9) == speed);  // however long it is looked at
+  CHECK(largest_speed(std::span<const ContactMover>(), 0, 1 / 60.0) == 0);
+  CHECK(contact_step_factor(0, 0.005, 1 / 60.0) == 1);
 }
 
 TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they reach, and meshes that deform") {

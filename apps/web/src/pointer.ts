@@ -2,6 +2,7 @@
 // fingers move it, wheel and pinch zoom. A node that is pinned is pulled too, and stays where it is left. Moves are
 // gathered and handed on once a picture: the world does them in turn.
 import { WeftError, type Point, type World } from "weft-cloth";
+import { ARROWS } from "./controls/arrows.js";
 import type { Pins } from "./controls/pins.js";
 import { Hand, type Place } from "./hand.js";
 import { Latest } from "./latest.js";
@@ -222,13 +223,7 @@ export class Pointer {
   private onKey(event: KeyboardEvent): void {
     const world = this.player.live;
     if (!world || event.ctrlKey || event.metaKey || event.altKey) return;
-    const arrows: Record<string, readonly [number, number]> = {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, 1],
-      ArrowDown: [0, -1],
-    };
-    const arrow = arrows[event.key];
+    const arrow = ARROWS[event.key];
     if (arrow && event.shiftKey) world.pan(-0.05 * arrow[0], -0.05 * arrow[1]);
     else if (arrow) world.orbit(0.1 * arrow[0], 0.1 * arrow[1]);
     else if (event.key === "+" || event.key === "=") world.zoom(1.1);

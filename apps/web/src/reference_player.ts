@@ -2,6 +2,7 @@
 import { catalog, createReference, VIEWS, type Reference } from "weft-cloth";
 import { followSize, setFirstSize } from "./canvas_size.js";
 import { ClothSketch, type Look } from "./cloth_sketch.js";
+import { ARROWS } from "./controls/arrows.js";
 import { fetchScene, type Grid } from "./scenes.js";
 import { plain } from "./state/page_state.js";
 
@@ -102,13 +103,7 @@ export class ReferencePlayer {
       this.orbit(-turn * event.movementX, turn * event.movementY); // what is grabbed is the picture
     });
     this.canvas.addEventListener("keydown", (event) => {
-      const arrows: Record<string, readonly [number, number]> = {
-        ArrowLeft: [-1, 0],
-        ArrowRight: [1, 0],
-        ArrowUp: [0, 1],
-        ArrowDown: [0, -1],
-      };
-      const arrow = arrows[event.key];
+      const arrow = ARROWS[event.key];
       if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
       this.orbit(KEY_TURN * arrow[0], KEY_TURN * arrow[1]);
       event.preventDefault();

@@ -1,11 +1,12 @@
 // Closest points of features, robust where they are degenerate: no division by a number that can be zero.
-// Source: Ericson, Real-Time Collision Detection, 5.1; the inside of a triangle by areas, all else by its edges.
+// Source: Ericson, Real-Time Collision Detection, 5.1; the inside of a triangle by areas, all other regions by its
+// edges.
 
 struct Closest {
   s : f32,             // vertex and triangle: the weights of its second and third corner; edges: the place on either
   t : f32,
   apart : vec3f,       // p_A - p_B, m
-  inside : bool,       // edges: both places lie between the ends
+  inside : bool,       // edges: both closest points are between the ends
 }
 
 // The place on a segment that is nearest to p, from 0 at a to 1 at a + d.

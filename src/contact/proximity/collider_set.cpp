@@ -196,7 +196,7 @@ void place_colliders(const scene::Scene& scene, const ColliderSet& set, double t
     std::uint32_t end = first_point;
     while (end < set.point_count && set.shapes[end].w < static_cast<float>(c + 1)) ++end;
     const auto count = static_cast<float>(end - first_point);
-    // The kernel adds the point's own number, so that blocks are named by where point 0 would stand.
+    // The kernel adds the point's own number, so blocks are addressed by the place of point 0.
     const auto block = [&](std::size_t k) {
       return k == 0 ? 0.0F : shape + static_cast<float>(k - 1) * count - static_cast<float>(first_point);
     };

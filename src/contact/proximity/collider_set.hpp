@@ -1,4 +1,4 @@
-// The colliders of a scene as proximity contact sees them: points that may move, and what they span.
+// The colliders of a scene as proximity contact sees them: points that may move, and the features between them.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ struct ColliderSet {
   std::uint32_t point_count = 0;
   bool moves = false;
 
-  /// `first_word` and `first_triangle` say where `trees` and `triangles` will stand.
+  /// `first_word` and `first_triangle` are the later places of `trees` and `triangles`.
   /// Errors  Input: a triangle has no area, a radius is not positive. Limit: too many colliders, a tree that
   /// is too deep.
   static Result<ColliderSet> create(const scene::Scene& scene, const ColliderMeshes& meshes,

@@ -11,7 +11,7 @@
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read>       statistics      : array<u32>;
-const kContactSpring = 0.25;   // β: of the gap that is missing, what a substep makes good
+const kContactSpring = 0.25;   // β: of the missing gap, the part that a substep restores
 const kContactWall = 0.25;     // of the thickness: no pair comes nearer
 
 // The sum of the urgencies at a vertex, of which each pair gets its part of the mass.

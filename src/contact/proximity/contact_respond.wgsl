@@ -1,4 +1,4 @@
-// The end of a substep's contact for a vertex: what its pairs change of its velocity, what holds it back, whether the
+// The end of a substep's contact for a vertex: the velocity change of its pairs, hold_back, and whether the
 // next substep searches. Clears its words for that substep. One invocation per vertex.
 // Source: docs/contact.md, equations (6) and (7d).
 #include "gpu/index.wgsl"

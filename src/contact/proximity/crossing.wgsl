@@ -1,6 +1,6 @@
-// Whether a segment passes through a triangle: its ends lie on two sides of the triangle, and the triangle's edges pass
+// Whether a segment passes through a triangle: its ends are on two sides of the triangle, and the triangle's edges pass
 // it on one and the same side. Source: signed volumes, as in Segura and Feito 2001. Each is a sum of six products of
-// three coordinate differences, so what is below 64 roundings of the largest product may be nothing (docs/collision.md,
+// three coordinate differences, so a value below 64 roundings of the largest product may be 0 (docs/collision.md,
 // "Tolerance"): touching is not crossing, and neither is lying in one plane.
 #include "contact/geometry.wgsl"
 

@@ -53,7 +53,7 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   predicted[step.vertex_count + vertex] = vec4f(place.xyz, reach);
   vertex_contacts[kVertexWords * vertex + 1u] = 0u;
   vertex_contacts[kVertexWords * vertex + kCursorWord] = 0u;
-  if (step.detect == kDetectAlways) {  // the first substep of a frame, after whatever was before it
+  if (step.detect == kDetectAlways) {  // the first substep of a frame, whatever the one before it was
     vertex_contacts[kVertexWords * vertex + kUrgencyWord] = 0u;
     vertex_contacts[kVertexWords * vertex + kTightWord] = 0u;
     for (var axis = 0u; axis < 3u; axis++) { vertex_contacts[kVertexWords * vertex + kChangeWord + axis] = 0u; }

@@ -18,7 +18,7 @@
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 
-const kTouch = 0.01;  // of the thickness: what is nearer has no side of its own
+const kTouch = 0.01;  // of the thickness: a nearer feature has no side of its own
 
 var<workgroup> listed : u32;
 var<workgroup> crossings : u32;  // that the last search has found
@@ -66,7 +66,7 @@ fn is_of_closed_mesh(ids : vec4u) -> bool {
   return min(min(start_of(ids.x).w, start_of(ids.y).w), start_of(ids.z).w) < 0.0;
 }
 
-// Whether both features are of what passes through each other, so that either may be on its wrong side.
+// Whether both features belong to a crossing, so that either may be on its wrong side.
 fn is_tangled(ids : vec4u, is_self : bool) -> bool {
   if (is_plane_pair(ids)) { return false; }
   let of_a = tangles_of(ids, 0u, roles_of_a(ids));
@@ -108,7 +108,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       let distance = measured.gap + measured.radius;
       let touches = !is_plane_pair(ids) && distance < kTouch * step.thickness && is_of_closed_mesh(ids);
       if (touches || (tangled && measured.radius == 0.0 && is_tangled(ids, is_self))) {
-        // Of a closed mesh the outside is known. All else is left to what crosses.
+        // The outside of a closed mesh is known. All other cases are left to the crossings.
         let p1 = start_of(ids.y);
         let normal = cross(start_of(ids.z).xyz - p1.xyz, start_of(ids.w).xyz - p1.xyz);
         let size = length(normal);

@@ -1,4 +1,4 @@
-// Who owns a vertex or an edge: the first of its triangles. Asked of owners only, each is asked once.
+// Who owns a vertex or an edge: the first of its triangles. Iterating over owners visits each feature once.
 #pragma once
 
 #include <cstdint>

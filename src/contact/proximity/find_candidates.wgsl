@@ -1,6 +1,6 @@
-// Broad phase: finds what each cloth triangle may be near, by boxes grown by thickness and reaches. One invocation per
-// cloth triangle. It walks the cloths' own tree for later triangles, and every collider: once to count and, if it found
-// many, once more to write. The list's order depends on scheduling; no result depends on the order.
+// Broad phase: finds the candidates near each cloth triangle, by boxes grown by thickness and reaches. One invocation
+// per cloth triangle. It walks the cloths' own tree for later triangles, and every collider: once to count and, if it
+// found many, once more to write. The list's order depends on scheduling; no result depends on the order.
 // Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
@@ -50,7 +50,7 @@ fn emit(kind : u32, place : u32) {
 }
 
 // Two triangles of a sheet that share an edge are no nearer than their altitudes until the sheet is folded there by
-// more than a right angle or so; slow and flat cloth has nothing else within its radius.
+// more than a right angle or so; slow and flat cloth has no other feature within its radius.
 fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f) -> bool {
   let same_a = vec3<bool>(corners.x == other.x || corners.x == other.y || corners.x == other.z,
                           corners.y == other.x || corners.y == other.y || corners.y == other.z,
@@ -105,8 +105,8 @@ fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
   }
 }
 
-// Walks an implicit tree. What is left of each level waits as eight bits: of the lower four levels in one word, of the
-// upper four in another.
+// Traverses an implicit tree. The open siblings of each level are stored as eight bits: of the lower four levels in one
+// word, of the upper four in another.
 fn walk_implicit(tree : u32, first : u32, count : u32, deforming : bool, after : u32, box : Box) {
   let top = trees[tree].x;
   var waiting = vec2u(0u);

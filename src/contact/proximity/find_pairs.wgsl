@@ -22,7 +22,7 @@
 @group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>; // see state/contact.wgsl
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 
-// A triangle and what it owns: bits 0 to 2 its corners, 3 to 5 the edges from them.
+// A triangle and the features that it owns: bits 0 to 2 its corners, 3 to 5 the edges from them.
 struct Face {
   a : vec3f, b : vec3f, c : vec3f,  // m
   reach : vec3f,  // of each corner, m
@@ -210,7 +210,7 @@ fn mark_tangled(id : u32, mark : u32) {
   if ((id & kColliderPoint) == 0u) { atomicOr(&vertex_contacts[kVertexWords * id + kCursorWord], mark); }
 }
 
-// Crossings as bits of what is listed: 15 to 17 the edges of a through b, 18 to 20 of b through a, each by its first
+// Crossings as bits of a candidate: 15 to 17 the edges of a through b, 18 to 20 of b through a, each by its first
 // end; six further by its second. An edge of a collider is listed once: the collider does not feel it.
 const kFirstCrossing = 15u;
 const kByOtherEnd = 6u;

@@ -58,7 +58,7 @@ struct Way {
   held_back : bool,
 }
 
-// Beyond its reach a vertex could meet what is not listed: it goes as far as the ball around where it was found.
+// Beyond its reach a vertex could meet an unlisted feature, so it stays in the ball around its place at the search.
 fn within_reach(way_so_far : Way, start : vec3f, found : vec4f) -> Way {
   var result = way_so_far;
   let reach = found.w;
@@ -83,14 +83,14 @@ fn before_planes(way_so_far : Way, start : vec3f, begin : u32, end : u32, tight 
   var x = way_so_far.position;
   let length_of_way = 1.001 * length(x - start);
   let far = length_of_way > free_way();
-  let still = step.acceleration.w == 0.0;  // no solid side comes nearer: what is within a margin may stay there
+  let still = step.acceleration.w == 0.0;  // no solid side comes nearer: a vertex within a margin may stay there
   if (begin >= end || !(far || length_of_way > free_way() - tight)) { return way_so_far; }
   var part = 1.0;
   var deepest = vec4f(0.0);
   for (var k = begin; k < end; k++) {
     if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
     let contact = contacts[entries[k] / kEntryPair];
-    if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the spring brings it out
+    if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the contact spring moves it out
     let then = beyond(contact, entries[k] & 3u, x);
     if (then <= 0.0) { continue; }
     part = min(part, part_before(beyond(contact, entries[k] & 3u, start), then, contact.solid == 0u || still));

@@ -1,4 +1,4 @@
-// Where the boxes of an implicit tree lie (src/contact/proximity/tree.wgsl): the shape follows from the number of
+// The layout of the boxes of an implicit tree (src/contact/proximity/tree.wgsl): the shape follows from the number of
 // triangles alone.
 #pragma once
 

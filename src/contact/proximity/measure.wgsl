@@ -1,4 +1,4 @@
-// How the two features of a listed pair lie to each other at the start of a substep, and how a collider's moves. The
+// The relative position of the two features of a listed pair at the start of a substep, and a collider's motion. The
 // including kernel binds `step`, `previous` and `points`, and has the velocities of cloth, velocity_of(vertex). Source:
 // docs/contact.md.
 #include "state/step.wgsl"
@@ -48,8 +48,8 @@ fn measure(ids : vec4u) -> Measured {
 }
 
 struct Relative {
-  velocity : vec3f,  // what cloth brings to u, m/s
-  surface : vec3f,   // what the collider brings, m/s
+  velocity : vec3f,  // the cloth's part of u, m/s
+  surface : vec3f,   // the collider's part, m/s
 }
 
 fn relative_velocity(ids : vec4u, w : vec4f, measured : Measured) -> Relative {
@@ -71,12 +71,12 @@ fn relative_velocity(ids : vec4u, w : vec4f, measured : Measured) -> Relative {
   return r;
 }
 
-// A collider's friction stands with its points at the end of the substep; negative: it has none of its own.
+// A collider's friction is stored with its points at the end of the substep; negative: it has none of its own.
 fn own_friction(id : u32) -> f32 {
   if (!is_collider(id)) { return -1.0; }
   return end_of(id).w;
 }
-// Of a pair with a collider: the collider's friction, or else the cloth's.
+// Of a pair with a collider: the collider's friction, or the cloth's if it has none.
 fn friction_of(ids : vec4u, of_cloth : f32) -> f32 {
   let own = max(max(own_friction(ids.x), own_friction(ids.z)), own_friction(ids.y));
   return select(of_cloth, own, own >= 0.0);

@@ -11,7 +11,7 @@
 namespace weft::contact {
 namespace {
 
-/// Friction stands beside the bits of what a triangle owns, in 24 bits as a multiple of 2^-17: up to 128, to
+/// Friction is stored beside the bits of the owned features, in 24 bits as a multiple of 2^-17: up to 128, to
 /// 4e-6.
 std::uint32_t friction_bits(double friction) {
   return static_cast<std::uint32_t>(std::lround(friction * 131072)) << 8U;
@@ -141,7 +141,7 @@ Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, con
   params.first_rim = first_rim_;
   WEFT_SET(params_, gpu::create_uniform(device, params, "search params"));
   using Candidate = std::array<std::uint32_t, 2>;
-  candidates_ = {};  // given back before more is asked for
+  candidates_ = {};  // freed before the larger one is allocated
   WEFT_TRY(candidates, gpu::Buffer<Candidate>::create(device, room_.candidates, "contact candidates"));
   candidates_ = std::move(candidates);
   WEFT_TRY(broad_group, find_candidates_.bind({params_, collider_list_, pairs.predicted, triangles_, trees_,

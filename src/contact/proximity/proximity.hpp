@@ -18,7 +18,7 @@ struct ProximityLengths {
   double most_reach = 0;      // b of a fast one, unless that is too little until the next search
 };
 
-/// Errors  Input: the thickness is not positive, or below what f32 can tell apart where the cloth is.
+/// Errors  Input: the thickness is not positive, or below the resolution of f32 at the cloth.
 Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Contact& contact);
 
 /// Contact by proximity: pairs of near features, answered by impulses.

@@ -7,7 +7,7 @@
 
 namespace weft::contact {
 
-/// Answers pairs of features by impulses with friction, and holds vertices back from what they would pass through.
+/// Answers pairs of features by impulses with friction, and holds vertices back so that they pass through nothing.
 /// Source: docs/contact.md, equations (2) to (7).
 /// Reads   steps; position[parity] [m]; pairs.
 /// Writes  position[1 - parity], velocity[1 - parity]; statistics: vertices truncated, whether pairs are to be
@@ -20,7 +20,7 @@ class Respond {
   static Result<Respond> create(gpu::Device& device, std::uint32_t interval, std::uint32_t workgroup_size);
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(const State& state, const ContactPairs& pairs);
-  /// Adds up for each vertex what the measured pairs change of its velocity.
+  /// Sums the velocity changes of the measured pairs at each vertex.
   void record_impulses(gpu::ComputePass& pass) const;
   /// Gives each vertex that change and holds it back.
   void record_hold_back(gpu::ComputePass& pass) const;

@@ -2,7 +2,7 @@
 // kDetectInterval. Source: docs/contact.md, Reach.
 #include "state/statistics.wgsl"
 
-// Once a substep: colliders travel by what no vertex's reach knows of, and what crosses comes apart ring by ring.
+// Once a substep: no vertex's reach covers the travel of colliders, and crossings come apart ring by ring.
 fn schedule_for_colliders() {
   atomicMax(&statistics[kStatCrossings], atomicLoad(&statistics[kStatCrossingsLeft]));
   let travel = bitcast<f32>(atomicLoad(&statistics[kStatTravel])) + step.acceleration.w;

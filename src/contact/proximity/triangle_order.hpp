@@ -1,4 +1,4 @@
-// The order in which the triangles of a deforming mesh stand in its tree: neighbours on the sheet are
+// The order of the triangles of a deforming mesh in its tree: neighbours on the sheet are
 // neighbours in the list. It never changes; the boxes follow.
 #pragma once
 

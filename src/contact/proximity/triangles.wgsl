@@ -3,7 +3,7 @@ struct SearchParams {  // mirror: src/contact/proximity/pair_search.hpp
   triangle_count : u32,      // of the cloths
   collider_count : u32,
   self_contact : u32,        // 1: cloth meets cloth
-  first_row : u32,           // of `points`: three rows for each collider, where it stands in the world
+  first_row : u32,           // of `points`: three rows for each collider, its place in the world
   candidate_capacity : u32,
   pair_capacity : u32,
   thickness : f32,           // m, cloth and collider; with the reaches of both, features are listed
@@ -15,7 +15,7 @@ struct SearchParams {  // mirror: src/contact/proximity/pair_search.hpp
 }
 const kNoCorner = 0xffffffffu;
 
-// A candidate: a cloth triangle and, in the upper four bits, what it may be near; then which one.
+// A candidate: a cloth triangle and, in the upper four bits, the kind of the other; then the other's number.
 const kNearCloth = 0u;      // a cloth triangle, by its place in the tree's order
 const kNearRigid = 1u;      // a triangle of a rigid mesh, by its first word of `trees`
 const kNearDeforming = 2u;  // a triangle of a mesh that deforms, by its place in `triangles`

@@ -8,7 +8,7 @@ const kFromClosedMesh = 2u;  // has an outside
 struct Sheet {
   normal : vec3f,  // unit
   inward : vec3f,  // unit, in its plane: away from the sheet's rim
-  rim : f32,       // how far the crossing lies from that, m
+  rim : f32,       // distance of the crossing from that, m
   kind : u32,
 }
 

@@ -1,5 +1,5 @@
 // The boxes of an implicit tree from its fourth level up. One workgroup for the whole tree: a level has an eighth of
-// the nodes of the one below, and only within a workgroup may a dispatch read what it has written.
+// the nodes of the one below, and only within a workgroup may a dispatch read its own writes.
 #include "contact/proximity/tree.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/tree_params.wgsl"

@@ -1,4 +1,4 @@
-// Contacts of nodes with spheres and planes. One invocation a vertex. The push is that of the triangles, from the
+// Contacts of nodes with spheres and planes. One invocation per vertex. The push is that of the triangles, from the
 // signed distance and the surface normal at the previous position; a node within step.thickness of the surface at its
 // predicted position gets it.
 #include "gpu/index.wgsl"

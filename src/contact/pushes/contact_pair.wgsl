@@ -25,7 +25,7 @@ fn cloth_points(nodes : vec3u) -> TrianglePoints {
   return TrianglePoints(predicted[nodes.x].xyz, predicted[nodes.y].xyz, predicted[nodes.z].xyz);
 }
 
-// Two cloth triangles that one invocation looks after. Neighbours in the list are neighbours in the cloth: what is read
+// Two cloth triangles that one invocation handles. Neighbours in the list are neighbours in the cloth: data read
 // for one serves the other.
 struct ClothPair {
   first : u32,   // the triangles' numbers

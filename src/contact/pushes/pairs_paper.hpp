@@ -12,7 +12,7 @@
 
 namespace weft::contact {
 
-/// Mirror of PairRange in src/contact/pushes/paper.wgsl; one stands in each 256 bytes, WebGPU's offset
+/// Mirror of PairRange in src/contact/pushes/paper.wgsl; one in each 256 bytes, WebGPU's offset
 /// alignment.
 struct PairRange {
   std::uint32_t first = 0, count = 0, chunk = 0;

@@ -20,7 +20,7 @@ struct PairRange {
 @group(0) @binding(7) var<storage, read_write> statistics       : array<atomic<u32>>; // state/statistics.wgsl
 @group(0) @binding(8) var<uniform>             range            : PairRange;          // 1
 
-// The paper has no boxes. They stand last, so that its cost is kept and its pairs are those of the tree.
+// The paper has no boxes. Their test comes last, so that its cost is kept and its pairs are those of the tree.
 fn pair_hits(cloth : TrianglePoints, query : Box, object : TrianglePoints) -> bool {
   return (edges_hit(cloth, object) | edges_hit(object, cloth)) & boxes_overlap(query, box_of(object));
 }

@@ -66,7 +66,7 @@ fn edges_hit(edges : TrianglePoints, face : TrianglePoints) -> bool {
 fn box_of(t : TrianglePoints) -> Box { return Box(min(min(t.a, t.b), t.c), max(max(t.a, t.b), t.c)); }
 
 // The box of a cloth triangle, grown by 2^-21 of its largest coordinate: 8 to 16 steps of f32 there, so that a hit that
-// stands only by the tolerance above is kept. The product with a power of two is exact, so fusing cannot change it.
+// passes only by the tolerance above is kept. The product with a power of two is exact, so fusing cannot change it.
 fn query_box(t : TrianglePoints) -> Box {
   let box = box_of(t);
   let growth = vec3f(largest(max(abs(box.low), abs(box.high))) * 4.76837158203125e-07);

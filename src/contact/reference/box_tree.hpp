@@ -1,4 +1,4 @@
-// A tree of boxes over anything that has a box: what spares most tests of pairs.
+// A bounding-volume hierarchy over anything that has a box: it prunes most tests of pairs.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ class BoxTree {
   }
 
  private:
-  /// Nodes stand in the order of a walk from the left: what is not asked for is passed by going on at
+  /// Nodes are in depth-first order, left child first: a subtree is skipped by continuing at
   /// `after`.
   struct Node {
     Box box;

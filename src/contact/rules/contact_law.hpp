@@ -8,9 +8,9 @@
 
 namespace weft {
 
-/// β: the part of a missing gap that the spring of a contact makes good in a substep.
+/// β: the part of a missing gap that the contact spring restores in a substep.
 inline constexpr double kContactSpring = 0.25;
-/// The part of the thickness at which the wall behind the spring stands.
+/// The wall behind the spring, as a part of the thickness.
 inline constexpr double kContactWall = 0.25;
 /// A feature no further away than this many thicknesses is in contact, despite the rounding of its place.
 inline constexpr double kContactTouching = 1.001;
@@ -23,8 +23,8 @@ inline constexpr double kContactMargin = 0.05;
 /// enough along a whole edge.
 inline constexpr double kContactFloor = 0.1;
 
-/// How fast what passes through each other comes apart: this part of the thickness in a substep, and no more
-/// than so many thicknesses a second.
+/// The speed at which crossings come apart: this part of the thickness in a substep, and no more
+/// than this many thicknesses per second.
 inline constexpr double kUntanglePart = 0.125, kUntangleRate = 120;
 /// The part of that speed with which a sheet is drawn to its nearer rim, and from what turn of the contour on
 /// its shortening has all of it, and below which slope a way is no longer for being oblique: docs/contact.md.
@@ -35,7 +35,7 @@ inline constexpr double kLeastOutward = 0.25, kOutwardPart = 0.25;
 /// A vertex nearer to a body than this part of the thickness has no known side, and is sent outward.
 inline constexpr double kTouch = 0.01;
 
-/// s of docs/contact.md: what a pair asks of its vertices' masses, in whole numbers from 1 to 256. By the gap
+/// s of docs/contact.md: a pair's share of its vertices' masses, in whole numbers from 1 to 256. By the gap
 /// that it would have after the substep [m].
 std::uint32_t contact_urgency(double gap, double thickness);
 
@@ -46,15 +46,15 @@ double contact_damping(double restitution);
 
 /// The shortest altitude of any cloth triangle at rest [m]; infinite without triangles.
 double shortest_altitude(const Model& model);
-/// h_s: what cloth keeps from cloth [m]. No more than half the shortest altitude, since a vertex lies no
+/// h_s: the thickness between cloth and cloth [m]. No more than half the shortest altitude, since a vertex lies no
 /// nearer to a triangle of its own sheet.
 double self_thickness(const Model& model, double thickness);
 
-/// b₁: with no more reach than this, cloth that lies flat lists nothing of itself [m]. It is what a fast
+/// b₁: with no more reach than this, flat cloth lists no pairs with itself [m]. It is what a fast
 /// vertex may go until the next search, unless it needs more: up to kFastest times as much.
 double flat_reach(const Model& model, const scene::Contact& contact);
 inline constexpr double kFastest = 4;
-/// What is on its way may speed up until then by this.
+/// Factor by which an approaching feature may speed up until then.
 inline constexpr double kReachMargin = 1.25;
 
 }  // namespace weft

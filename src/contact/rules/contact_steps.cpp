@@ -42,7 +42,7 @@ double path_speed(const scene::MotionPath& path, double begin, double end) {
   return most;
 }
 
-/// Corners of the box around what was added.
+/// Corners of the box around the added points.
 struct Extent {
   bool empty = true;
   Vec3d low, high;
@@ -141,10 +141,13 @@ double largest_speed(const ContactMover& mover, double begin, double end) {
   return speed + change;
 }
 
-std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double thickness, double begin,
-                                  double end, double step) {
+double largest_speed(std::span<const ContactMover> movers, double begin, double end) {
   double speed = 0;
   for (const ContactMover& mover : movers) speed = std::max(speed, largest_speed(mover, begin, end));
+  return speed;
+}
+
+std::uint32_t contact_step_factor(double speed, double thickness, double step) {
   const double travel = speed * step;
   const double factor =
       std::ceil(travel / (0.5 * thickness) * (1 - 1e-12));  // an even bound is not rounded up

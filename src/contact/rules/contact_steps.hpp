@@ -35,12 +35,13 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model&
 /// The most that any point of the mover may do between two times [m/s]: a bound, by the largest speed of its
 /// motion in that time.
 double largest_speed(const ContactMover& mover, double begin, double end);
+/// The same of the fastest of several.
+double largest_speed(std::span<const ContactMover> movers, double begin, double end);
 
 inline constexpr std::uint32_t kMostContactSteps = 4096;
-/// By what the substeps of a frame, `step` long, are multiplied so that no mover travels more than half the
-/// thickness in one between two times: contact looks at places at the start of a substep, and must not find a
-/// surface passed. At least 1, at most kMostContactSteps. Times in [s], thickness in [m].
-std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double thickness, double begin,
-                                  double end, double step);
+/// The factor for the substeps of a frame, `step` [s] long, so that movers of this speed [m/s] travel at most half the
+/// thickness [m] in one: contact looks at places at the start of a substep, and must not find a surface passed. At
+/// least 1, at most kMostContactSteps.
+std::uint32_t contact_step_factor(double speed, double thickness, double step);
 
 }  // namespace weft

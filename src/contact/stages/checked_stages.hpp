@@ -5,7 +5,7 @@
 
 namespace weft::contact {
 
-/// Passes each stage on and watches the order of the calls, so that a solver that forgets what it owes contact is
+/// Forwards each stage and checks the order of the calls, so that a solver that violates contact's contract is
 /// refused when its frame is recorded, before it runs.
 class CheckedStages : public Stages {
  public:

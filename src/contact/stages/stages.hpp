@@ -1,18 +1,18 @@
-// Contact as a solver sees it: stages that it calls while it records a substep.
+// The interface of contact for a solver: stages that it calls while it records a substep.
 #pragma once
 
 #include "gpu/command_list.hpp"
 
 namespace weft::contact {
 
-/// The stages of contact in a substep. A solver calls them where its mathematics asks for them, in this order:
+/// The stages of contact in a substep. A solver calls them where its algorithm needs them, in this order:
 ///
 ///   search     once, before anything is predicted: moves colliders, lists near features where that is due.
-///   press      before it is solved, by a solver whose matrix holds obstacles: what they ask of each vertex.
+///   press      before it is solved, by a solver whose matrix holds obstacles: their demands on each vertex.
 ///   measure    at the predicted state; again after each iteration that answers: gaps and weights of the pairs.
 ///   answer     optional, as often as measured: impulses between the pairs measured, added up for each vertex.
-///   hold_back  owed by every solver, once, last: gives each vertex what `answer` added up, holds it back from
-///              what it would pass through, clears its words for the next substep, and says whether that searches.
+///   hold_back  owed by every solver, once, last: gives each vertex the sum of `answer`, holds it back from
+///              what it would pass through, clears its words for the next substep, and decides whether that searches.
 ///
 /// Reads   position[parity], the state before the substep; position[1 - parity], the prediction.
 /// Writes  position[1 - parity], velocity[1 - parity] (hold_back alone); statistics.

@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// What the springs of a cloth are made of.
+/// The parameters of a cloth's springs.
 struct SpringMaterial {
   scene::Stiffness stiffness;  // [N/m]
   double damping = 0;          // [N·s/m]; a spring without stiffness has none

@@ -1,6 +1,6 @@
 // The force on node a of a spring from a to b is tension * per_length * span: Hooke's law and damping along the spring.
-// Source: Sung et al., Algorithm 1; docs/solvers/mass_spring.md, equation 1. One root and one division a spring; a unit
-// direction would take three divisions.
+// Source: Sung et al., Algorithm 1; docs/solvers/mass_spring.md, equation 1. One root and one division per spring; a
+// unit direction would take three divisions.
 const kMinLength = 1e-9;  // m; a shorter spring has no direction, and pulls nowhere
 
 struct SpringState {

@@ -5,6 +5,6 @@ struct Neighbour {
 }
 const kNeighbourKinds = 16u;
 const kNeighbourNodeBits = 28u;
-// The entries of so many nodes that follow each other lie interleaved: invocations beside each other read words beside
+// The entries of this many consecutive nodes are interleaved: adjacent invocations read words beside
 // each other.
 const kSlice = 32u;

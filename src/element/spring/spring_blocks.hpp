@@ -13,7 +13,7 @@ namespace weft {
 inline constexpr std::uint32_t kBlockNodes = 448;  // src/method/mass_spring/spring_block_forces.wgsl
 inline constexpr std::uint32_t kPlaceBits = 10;
 
-/// Springs that lie together, and their nodes. Mirror: src/method/mass_spring/spring_block_forces.wgsl.
+/// Springs that are near each other, and their nodes. Mirror: src/method/mass_spring/spring_block_forces.wgsl.
 struct SpringBlock {
   std::uint32_t first_node = 0, node_count = 0;  // in SpringBlocks::nodes; at most kBlockNodes
   std::uint32_t first_spring = 0, spring_count = 0;

@@ -1,10 +1,10 @@
-// The springs of one node of a grid. The including file says what it knows of the node, Own, and what a spring adds to
+// The springs of one node of a grid. The including file defines the node's data, Own, and a spring's contribution to
 // the sum, pull(own, other, rest_length, weight, stiffness, damping): `other` is the place of the spring's other end,
 // `weight` the part of stiffness and damping that counts.
 #include "element/spring/spring_grid.wgsl"
 override kBend : bool = true;  // false: there are no bend springs
 
-// The sum over the springs of node (i, j), which stands at place `at`; a row is `row` places long. The order is fixed:
+// The sum over the springs of node (i, j), which is at place `at`; a row is `row` places long. The order is fixed:
 // the same bits on every run.
 fn sum_of_springs(own : Own, grid : SpringGrid, at : u32, row : u32, i : u32, j : u32) -> vec3f {
   let nx = grid.nx;

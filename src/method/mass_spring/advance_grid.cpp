@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "element/spring/spring_grid.hpp"
-
 namespace weft {
 namespace {
 
@@ -17,10 +15,29 @@ std::vector<gpu::Constant> grid_constants(const Body& body) {
           {"kBending", body.stiffness.bending > 0 ? 1.0 : 0.0}};
 }
 
-Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const Body& body) {
+Result<gpu::Buffer<SpringGrid>> grid_uniform(gpu::Device& device, const Body& body) {
+  return gpu::create_uniform(device, spring_grid(*body.grid, body.material(), body.first_vertex),
+                             "spring grid");
+}
+
+Result<gpu::Dispatch> grid_dispatch(const SolverInputs& inputs, const gpu::SharedKernel& kernel,
+                                    const gpu::Dispatch::Workgroups& workgroups, const gpu::RawBuffer& grid) {
   const State& state = inputs.state;
+  return gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
+    return {state.steps,
+            grid,
+            state.position[p],
+            state.velocity[p],
+            inputs.model.rest_position,
+            state.motions,
+            state.position[1 - p],
+            *inputs.predicted()[p]};
+  });
+}
+
+Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const Body& body) {
   const std::uint32_t nx = body.grid->nx, ny = body.grid->ny, size = inputs.workgroup_size;
-  // Workgroups are 64 or 32 nodes wide: what leaves fewer of them without a node.
+  // Workgroups are 64 or 32 nodes wide, whichever leaves fewer invocations idle.
   const std::uint32_t narrow = std::min(32U, size), wide = std::min(64U, size);
   const std::uint32_t width = tiles_of(nx, wide) * wide > tiles_of(nx, narrow) * narrow ? narrow : wide;
   std::vector<gpu::Constant> constants = grid_constants(body);
@@ -31,20 +48,8 @@ Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const Body& 
   const std::uint64_t tiles = std::uint64_t{tiles_of(nx, width)} * tiles_of(ny, size / width);
   const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(tiles * size);
   AdvanceGrid made;
-  WEFT_SET(made.grid_,
-           gpu::create_uniform(inputs.device, spring_grid(*body.grid, body.material(), body.first_vertex),
-                               "spring grid"));
-  WEFT_SET(made.dispatch_,
-           gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
-             return {state.steps,
-                     made.grid_,
-                     state.position[p],
-                     state.velocity[p],
-                     inputs.model.rest_position,
-                     state.motions,
-                     state.position[1 - p],
-                     *inputs.predicted()[p]};
-           }));
+  WEFT_SET(made.grid_, grid_uniform(inputs.device, body));
+  WEFT_SET(made.dispatch_, grid_dispatch(inputs, kernel, workgroups, made.grid_));
   return made;
 }
 

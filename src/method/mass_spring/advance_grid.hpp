@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "element/spring/spring_grid.hpp"
 #include "gpu/dispatch.hpp"
 #include "method/solver.hpp"
 
@@ -22,7 +23,11 @@ class AdvanceGrid {
   gpu::Dispatch dispatch_;
 };
 
-/// The overrides of a kernel for this cloth: what it does not have is not computed.
+/// The overrides of a kernel for this body: terms that it lacks are not computed.
 std::vector<gpu::Constant> grid_constants(const Body& body);
+Result<gpu::Buffer<SpringGrid>> grid_uniform(gpu::Device& device, const Body& body);
+/// A kernel that advances grids, with the bindings that all of them have.
+Result<gpu::Dispatch> grid_dispatch(const SolverInputs& inputs, const gpu::SharedKernel& kernel,
+                                    const gpu::Dispatch::Workgroups& workgroups, const gpu::RawBuffer& grid);
 
 }  // namespace weft

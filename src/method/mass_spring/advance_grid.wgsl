@@ -1,5 +1,5 @@
 // One substep of a grid cloth, prediction included: gathers the forces of a node's springs and integrates it. One
-// invocation per node; a workgroup has nodes of several rows, which share most of what they read.
+// invocation per node; a workgroup has nodes of several rows, which share most of their reads.
 // Source: docs/solvers/mass_spring.md, "node-centric".
 #include "method/mass_spring/grid_force.wgsl"
 #include "gpu/index.wgsl"

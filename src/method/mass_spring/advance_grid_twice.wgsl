@@ -1,6 +1,6 @@
 // Two substeps of a grid cloth in one dispatch, where a dispatch costs more than the step: the same bits as two of
 // advance_grid. One workgroup per tile of 16 x 8 nodes. It reads the tile and four nodes around it, advances the tile
-// and two nodes around it, and from those the tile: nodes between tiles are advanced more than once, each time alike.
+// and two nodes around it, and from those the tile: halo nodes are advanced more than once, with the same bits.
 // Source: docs/solvers/mass_spring.md, "Two steps at once".
 #include "method/mass_spring/grid_force.wgsl"
 #include "state/integrate.wgsl"
@@ -22,7 +22,7 @@ const kPlaces = kRow * (kTileHeight + 2u * kRim);
 const kInvocations = 256u;  // as many as have a node in the first substep, and 16 more
 
 var<private> step : StepParams;
-// 28 bytes a node: 10.5 of the 16 KiB that every adapter has.
+// 28 bytes per node: 10.5 of the 16 KiB that every adapter has.
 var<workgroup> tile_position : array<vec4f, kPlaces>;
 var<workgroup> tile_velocity_x : array<f32, kPlaces>;
 var<workgroup> tile_velocity_y : array<f32, kPlaces>;

@@ -1,4 +1,4 @@
-// The force on a node of a grid. The including kernel binds `grid` and says what stands at a place: position_at and
+// The force on a node of a grid. The including kernel binds `grid` and defines the node at a place: position_at and
 // velocity_at.
 #include "element/spring/law.wgsl"
 #include "element/spring/springs_of_node.wgsl"
@@ -29,7 +29,7 @@ fn bending_pull(x : vec3f, at : u32, step : u32, m : u32, n : u32) -> vec3f {
   return -sum;
 }
 
-// Of node (i, j), which stands at place `at`; a row is `row` places long.
+// Of node (i, j), which is at place `at`; a row is `row` places long.
 fn grid_force(own : Own, at : u32, row : u32, i : u32, j : u32) -> vec3f {
   var force = sum_of_springs(own, grid, at, row, i, j);
   if (kBending) {

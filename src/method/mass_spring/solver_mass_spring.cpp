@@ -9,7 +9,7 @@ namespace {
 // Most nodes for which two substeps at once are quicker than two dispatches, on an H100: docs/decisions.md.
 constexpr std::uint32_t kMostForTwo = 160000;
 
-/// Whether a dispatch costs more than what two substeps at once compute more.
+/// Whether a dispatch costs more than the redundant work of two substeps at once.
 bool two_pay(const SolverInputs& inputs) {
   if (inputs.state.steps.size() < 2) return false;  // no frame has two
   if (inputs.two_steps) return *inputs.two_steps;

@@ -26,7 +26,7 @@ class SolverMassSpring : public Solver {
   void fill(StepParams& params) const override;
 
  private:
-  /// Algorithm 1: fixed-point sums of springs, each by itself or in blocks.
+  /// Algorithm 1: fixed-point sums of springs, one by one or in blocks.
   struct SpringCentric {
     gpu::Buffer<std::int32_t> force;  // 3 * vertex_count
     std::optional<SpringForces> spring_forces;
@@ -41,7 +41,7 @@ class SolverMassSpring : public Solver {
   std::uint32_t spring_count_ = 0;
   ForceFixedPoint fixed_point_;  // of spring_centric_
   std::optional<SpringCentric> spring_centric_;
-  // One invocation a node; a dispatch for each cloth.
+  // One invocation per node; one dispatch per cloth.
   std::vector<AdvanceGrid> grids_;
   std::vector<AdvanceGridTwice> twice_;
   std::vector<AdvanceMesh> meshes_;

@@ -67,7 +67,7 @@ double norm_of(const std::vector<Vec3d>& x) {
 }
 
 /// The largest eigenvalue of the symmetric tridiagonal matrix with this diagonal and these entries beside it,
-/// by bisection: `at` lies above all of them where no pivot of (at - T) is negative.
+/// by bisection: `at` is above all of them where no pivot of (at - T) is negative.
 double largest_of_tridiagonal(const std::vector<double>& diagonal, const std::vector<double>& beside) {
   double low = diagonal[0], high = diagonal[0];
   for (std::size_t i = 0; i < diagonal.size(); ++i) {

@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// The network of springs whose highest frequency is asked for.
+/// The network of springs whose highest frequency limits the step.
 struct SpringNetwork {
   std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
   // Their nodes count from 0.

@@ -5,7 +5,7 @@ struct ClothNodes {  // mirror: src/method/multigrid/cycle.hpp
 }
 
 // The vectors of a level in the buffer `vectors`: node after node, one vector after the other.
-const kResidual = 0u;   // N; of the finest level: first what the inertia leaves
+const kResidual = 0u;   // N; of the finest level: first the residual of inertia
 const kInverse = 1u;    // m/N: inverse of the diagonal's block: xx, yy, zz, yz; in the next: xz, xy
 const kDirection = 3u;  // m: the last smoothing sweep; between: the residual that is handed down, N
 const kFirst = 4u;      // m: the solution; of the finest level: first the step's start

@@ -6,7 +6,7 @@ fn coupled(level : Level, x : u32, owner : u32, number : u32, other : u32) -> ve
   return times(block_at(level, owner, number), operand(level, x, other));
 }
 
-// Nothing is read in a branch, so that all is read at once: where there is no neighbour, the node itself stands for it.
+// Reads are free of branches, so that all are in flight at once: a missing neighbour is replaced by the node itself.
 // A block that a node has towards one is 0 then.
 fn product(level : Level, x : u32, node : u32) -> vec3f {
   let j = node / level.nx;

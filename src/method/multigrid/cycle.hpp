@@ -25,18 +25,18 @@ struct ClothNodes {
 };
 static_assert(sizeof(ClothNodes) == 16);
 
-/// What the cycles of a model's cloths are made of.
+/// The inputs of the cycles of a model's bodies.
 struct CycleInputs {
   gpu::Device& device;
   const GpuModel& model;
   const State& state;
   Predicted predicted;
-  const gpu::Buffer<std::int32_t>* presses = nullptr;  // what obstacles do to vertices; null: nothing
+  const gpu::Buffer<std::int32_t>* presses = nullptr;  // obstacles' demands on vertices; null: none
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 
-/// One implicit substep of a cloth: the linear system, one V-cycle, the new state. What its levels are and
-/// which kernels do each stage, GridCycle and MeshCycle say.
+/// One implicit substep of a cloth: the linear system, one V-cycle, the new state. GridCycle and
+/// MeshCycle define its levels and the kernel of each stage.
 /// Source  docs/solvers/multigrid.md.
 /// Reads   steps, motions; position and velocity of both parities, of which [1 - parity] are those of a step
 ///         before; rest_position.
@@ -55,7 +55,7 @@ class Cycle {
   void record_down(gpu::ComputePass& pass) const;
   void record_up(gpu::ComputePass& pass) const;
 
-  // What they leave on the GPU, for tests.
+  // Their results on the GPU, for tests.
   const gpu::Buffer<Vec4f>& vectors() const { return vectors_; }
   /// The first of the levels whose cycle one workgroup does.
   std::size_t tail() const { return tail_; }
@@ -70,11 +70,11 @@ class Cycle {
     gpu::Dispatch correct, smooth_begin, smooth_up;      // up: x + P e, smoothed in two sweeps
   };
 
-  /// What both kinds of cloth have: `shapes` are the levels as kernels read them, the finest first.
+  /// The part that grids and meshes share: `shapes` are the levels as kernels read them, the finest first.
   template <class Shape>
   Result<void> create_buffers(const CycleInputs& inputs, const Body& body, const std::vector<Shape>& shapes,
                               std::uint32_t tail_nodes);
-  /// What `presses` stands for where nothing presses.
+  /// The buffer bound for `presses` where nothing presses.
   const gpu::RawBuffer& presses(const CycleInputs& inputs) const {
     return inputs.presses != nullptr ? *inputs.presses : no_presses_;
   }
@@ -108,7 +108,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const Body& body,
   WEFT_SET(nodes_,
            gpu::create_uniform(device, ClothNodes{body.first_vertex, body.vertex_count}, "cloth nodes"));
   WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, body.vertex_count, "multigrid place"));
-  // One element each where nothing holds: kernels bind what they do not read.
+  // One element each where nothing holds: kernels bind buffers that they do not read.
   const std::size_t count = inputs.presses != nullptr ? body.vertex_count : 1;
   WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, count, "multigrid holds"));
   WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));

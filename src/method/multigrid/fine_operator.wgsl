@@ -1,5 +1,5 @@
-// A x on the finest level of a grid, where A is not stored: each spring's block is made anew from where its nodes are.
-// The including kernel binds `step`, `grid`, `place`, `holds` and `vectors`.
+// A x on the finest level of a grid, where A is not stored: each spring's block is recomputed from the positions of its
+// nodes. The including kernel binds `step`, `grid`, `place`, `holds` and `vectors`.
 #include "method/multigrid/bending.wgsl"
 #include "method/multigrid/hold.wgsl"
 #include "method/multigrid/operand.wgsl"
@@ -9,7 +9,7 @@
 struct Own {  // the node whose springs are summed
   place : vec3f,  // m
   value : vec3f,  // of x
-  rate : f32,     // 1/s: what a displacement is as a velocity
+  rate : f32,     // 1/s: velocity per displacement
   level : Level,
   x : u32,
 }

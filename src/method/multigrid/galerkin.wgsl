@@ -6,7 +6,7 @@
 // coarse node lies, they are
 //   for the coarse node itself: (-1, -1), (0, 0), (1, 1), (-1, 0), (0, 1), (0, -1), (1, 0)
 //   for its neighbour to s:     (0, s), (s, s), (s, 2 s)
-// Those of a row are read at once, without branches; what is not there counts 0.
+// Those of a row are read at once, without branches; missing ones count 0.
 #include "gpu/index.wgsl"
 #include "method/multigrid/grid_store_block.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
@@ -17,8 +17,8 @@
 var<private> center : vec2i;  // the fine node on which the coarse one lies
 var<private> gathered : Symmetric;
 
-// What fine nodes of a side take: `own` of the coarse node at -1, 0 and 1, `next` of its neighbour to `side` at `side`
-// and 2 `side`.
+// The weights of fine nodes of a side: `own` of the coarse node at -1, 0 and 1, `next` of its neighbour to `side` at
+// `side` and 2 `side`.
 struct Pairs { side : i32, own : vec3f, next : vec2f }
 
 fn pairs_of(c : i32, coarse : i32, side : i32, n : i32, m : i32) -> Pairs {
@@ -70,7 +70,7 @@ fn coarsen(fine : Level, coarse : Level, node : u32, number : u32) {
   let down = select(0, 1, number >= 2u);
   let columns = pairs_of(center.x, i32(i), right, i32(fine.nx), i32(coarse.nx));
   let rows = pairs_of(center.y, i32(j), down, i32(fine.ny), i32(coarse.ny));
-  let first = select(-1, 0, number == 0u);  // likewise for rows
+  let first = select(-1, 0, number == 0u);  // the same for rows
   for (var y = down - 1; y <= 1; y++) {
     for (var dy = max(first, 2 * down - 1 - y); dy <= min(1, 2 * down + 1 - y); dy++) {
       let other = select(own_tap(rows, y + dy), select(rows.next.x, rows.next.y, y + dy == 2), down == 1);

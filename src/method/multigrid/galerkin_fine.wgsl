@@ -1,6 +1,6 @@
 // The matrix of the first coarse level, Pᵀ A P of masses and springs, and the inverse of its diagonal. One invocation
 // per coarse node: it gathers the springs about its nine fine nodes. Bend springs count as structural ones that are
-// stiffer by twice their stiffness each: exact where both that they span are stretched alike. Source:
+// stiffer by twice their stiffness each: exact where both springs that they span have the same stretch. Source:
 // docs/solvers/multigrid.md, equation 10.
 #include "gpu/index.wgsl"
 #include "method/multigrid/grid_store_block.wgsl"
@@ -19,7 +19,7 @@
 var<private> blocks : array<Symmetric, 5>;
 var<private> rate : f32;  // 1/s
 
-// What a place along a side takes from coarse node I (x), from I + 1 (y) and from I - 1 (z).
+// Weights of a place along a side, from coarse node I (x), from I + 1 (y) and from I - 1 (z).
 fn line_taps(at : i32, center : i32, coarse : i32, n : i32, m : i32, regular : bool) -> vec3f {
   if (regular) {  // the same, where no end of the side is near
     let o = 0.5 * f32(at - center);
@@ -29,7 +29,7 @@ fn line_taps(at : i32, center : i32, coarse : i32, n : i32, m : i32, regular : b
 }
 fn is_regular(center : i32, n : i32, m : i32) -> bool { return n != m && center > 3 && center + 4 < n; }
 
-// What a fine node takes from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w),
+// Weights of a fine node, from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w),
 // and to the left of that.
 struct Taps { right : vec4f, left : f32, at : vec4f }
 

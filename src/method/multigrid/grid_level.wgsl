@@ -15,7 +15,7 @@ struct GridLevelParams {  // mirror: src/method/multigrid/grid_level_params.hpp
   padding_b : u32,
   padding_c : u32,
 }
-// What the files that grids and meshes share mean by a level. A kernel's uniform `levels` has the level that it works
+// The level type of the files that grids and meshes share. A kernel's uniform `levels` has the level that it works
 // on, and the next coarser one.
 alias Level = GridLevelParams;
 
@@ -27,7 +27,7 @@ fn operator_at(level : Level, part : u32, node : u32) -> u32 {
   return level.first_operator + part * (level.nx * level.ny) + node;
 }
 
-// The squares of what a node counts in the second differences of its line.
+// The squared coefficients of a node in the second differences of its line.
 fn line_squares(at : u32, end : u32) -> f32 {
   return select(0.0, 1.0, at > 1u && at <= end) + select(0.0, 4.0, at > 0u && at < end) +
          select(0.0, 1.0, at + 1u < end);
@@ -35,7 +35,7 @@ fn line_squares(at : u32, end : u32) -> f32 {
 
 fn on_rim(at : u32, side : u32) -> bool { return at == 0u || at + 1u == side; }
 
-// What quadratic bending adds to the diagonal: bending.wgsl.
+// The part of quadratic bending (bending.wgsl) in the diagonal.
 fn bending_diagonal(level : Level, i : u32, j : u32) -> f32 {
   return level.bending_i * select(1.0, level.rim, on_rim(j, level.ny)) * line_squares(i, level.bend_end_i) +
          level.bending_j * select(1.0, level.rim, on_rim(i, level.nx)) * line_squares(j, level.bend_end_j);

@@ -33,7 +33,7 @@ inline constexpr std::uint32_t kTailNodes = 33 * 33;
 
 }  // namespace multigrid
 
-/// The levels of a grid cloth, the finest first; vectors of all stand in one buffer, as do the matrices of
+/// The levels of a grid cloth, the finest first; one buffer has the vectors of all, another one the matrices of
 /// all but the finest.
 std::vector<GridLevelParams> grid_level_params(const Body& body);
 

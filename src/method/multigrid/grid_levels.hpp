@@ -10,7 +10,7 @@ namespace weft {
 /// A side of this many nodes gets no coarser.
 inline constexpr std::uint32_t kLeastSide = 5;
 
-/// A side of the next coarser grid: N / 2 + 1 nodes. Coarse node I lies on fine node 2 I, the last one on N -
+/// A side of the next coarser grid: N / 2 + 1 nodes. Coarse node I coincides with fine node 2 I, the last one with N -
 /// 1, so that the last interval of an even side stays as it is while all others double.
 constexpr std::uint32_t coarser_side(std::uint32_t nodes) {
   return nodes > kLeastSide ? nodes / 2 + 1 : nodes;
@@ -19,7 +19,7 @@ constexpr std::uint32_t coarser_side(std::uint32_t nodes) {
 struct GridLevel {
   std::uint32_t nx = 0, ny = 0;       // nodes
   bool even_i = true, even_j = true;  // whether the last interval is as long as the others
-  /// What the resistance to bending is multiplied with on this level, along i and along j. Of the second
+  /// Factor of the resistance to bending on this level, along i and along j. Of the second
   /// differences of a coarse field that is linear between its nodes, the fine grid sees half, in every second
   /// node, and in two lines for one.
   double bending_i = 1, bending_j = 1;

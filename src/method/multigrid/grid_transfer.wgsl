@@ -1,5 +1,5 @@
-// From one level of a grid to the next, P and Pᵀ: coarse node I lies on fine node 2 I, the last on the last; fine nodes
-// between take the mean. A side that is not halved stays as it is. The including kernel binds `vectors`.
+// From one level of a grid to the next, P and Pᵀ: coarse node I coincides with fine node 2 I, the last with the last;
+// fine nodes between take the mean. A side that is not halved stays as it is. The including kernel binds `vectors`.
 // Source: docs/solvers/multigrid.md, equation 7.
 #include "method/multigrid/grid_level.wgsl"
 #include "method/multigrid/level_start.wgsl"
@@ -13,7 +13,7 @@ fn tap(fine : i32, coarse : i32, n : i32, m : i32) -> f32 {
   return select(0.0, select(halved, kept, n == m), (coarse >= 0) & (coarse < m));
 }
 
-// What fine nodes at `center` - 1, `center` and `center` + 1 take from it; 0 where there is no such node.
+// The weights of it in fine nodes at `center` - 1, `center` and `center` + 1; 0 where there is no such node.
 fn taps_about(center : i32, coarse : i32, n : i32, m : i32) -> vec3f {
   return vec3f(inside_tap(center - 1, coarse, n, m), inside_tap(center, coarse, n, m),
                inside_tap(center + 1, coarse, n, m));
@@ -31,7 +31,7 @@ fn taps_of(fine : u32, n : u32, m : u32) -> vec2u {
   return select(halved, vec2u(fine), n == m);
 }
 
-// P e: what the coarser level's solution is at a node.
+// P e: the coarser level's solution at a node.
 fn correction(fine : Level, coarse : Level, node : u32) -> vec3f {
   let j = node / fine.nx;
   let ti = taps_of(node - j * fine.nx, fine.nx, coarse.nx);
@@ -52,7 +52,7 @@ fn restrict_row(first : u32, x : vec3u, column : vec3f) -> vec3f {
          column.z * vectors[first + x.z].xyz;
 }
 
-// Pᵀ of what smoothing has left on the finer level, and the first smoothing sweep on the coarser one.
+// Pᵀ of the finer level's residual after smoothing, and the first smoothing sweep on the coarser one.
 fn restrict_node(fine : Level, coarse : Level, node : u32) {
   let j = node / coarse.nx;
   let i = node - j * coarse.nx;

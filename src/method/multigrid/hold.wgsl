@@ -1,4 +1,4 @@
-// What obstacles hold the nodes of a cloth with in this substep: of a node a k and m, for the block k I + m mᵀ that its
+// The matrix terms of obstacles in this substep: for each node a k and m, for the block k I + m mᵀ that its
 // contact adds to the matrix. The including kernel binds `holds`. Source: docs/solvers/multigrid.md, Contact.
 #include "method/multigrid/symmetric.wgsl"
 override kHolds : bool = false;  // false: there is no contact to hold any, and `holds` is not read

@@ -1,12 +1,12 @@
-// What obstacles do to a node: equation 11 of docs/solvers/multigrid.md. The including kernel binds `step`, `holds` and
-// `presses`.
+// The effect of obstacles on a node: equation 11 of docs/solvers/multigrid.md. The including kernel binds `step`,
+// `holds` and `presses`.
 #include "contact/proximity/press_sums.wgsl"
 #include "method/multigrid/hold.wgsl"
 #include "state/step.wgsl"
 const kHoldStiffness = 10.0;  // of the trace of the diagonal
 const kAgree = 0.3;           // of the normals: with less there is no one direction to hold it along
 
-// Takes what `press` has found of the node, for this substep alone.
+// Clears the sums of `press` for the node, and its hold.
 fn free_of_obstacles(node : u32, first_vertex : u32) {
   for (var word = 0u; word < kPressWords; word++) { presses[kPressWords * (first_vertex + node) + word] = 0; }
   holds[node] = vec4f(0.0);
@@ -18,7 +18,7 @@ fn press_vector(word : u32) -> vec3f {
 
 struct Hold {
   force : vec3f,      // N: to where the node belongs
-  block : Symmetric,  // N/m: what it adds to the matrix
+  block : Symmetric,  // N/m: its part of the matrix
 }
 
 // Where the node would come nearer to obstacles than the thickness, or is there and pressed on: what holds it, also in
@@ -41,10 +41,10 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   let size = length(sum);
   if (size < kAgree * weight) { return none; }
   let n = sum / size;
-  let pressed = inertia * lack - dot(residual, n);  // what it takes to hold it there
+  let pressed = inertia * lack - dot(residual, n);  // force that holds it there
   if (pressed <= 0.0) { return none; }
   let stiffness = kHoldStiffness * min(weight, 1.0) * (diagonal.diagonal.x + diagonal.diagonal.y + diagonal.diagonal.z);
-  let most = friction * pressed * stiffness / (stiffness + inertia);  // what is held gives way a little
+  let most = friction * pressed * stiffness / (stiffness + inertia);  // compliance of the hold
   let slip = start - step.dt * surface;
   let along = slip - dot(slip, n) * n;
   let needed = -inertia * along - (residual - dot(residual, n) * n);

@@ -23,12 +23,12 @@ Result<Set> create_all(gpu::Device& device, std::span<const Row<Set>> table) {
   return made;
 }
 
-/// The size of a workgroup that does all by itself.
+/// The size of the single workgroup of a tail.
 std::uint32_t lone_workgroup_size(const gpu::Device& device) {
   return std::min(gpu::kDefaultWorkgroupSize, device.limits().max_invocations_per_workgroup);
 }
 
-/// Whether contact may hold nodes at obstacles, for the kernels that read what holds them.
+/// Whether contact may hold nodes at obstacles, for the kernels that read the holds.
 gpu::Constant holds(const CycleInputs& inputs) { return {"kHolds", inputs.presses != nullptr ? 1.0 : 0.0}; }
 
 /// Whether a grid has bend springs, for the kernels that sum over the springs of a node.

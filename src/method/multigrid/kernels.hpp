@@ -4,8 +4,8 @@
 
 namespace weft {
 
-/// The kernels of cloths that are grids, one for all of them. Those of the finest level make its matrix anew
-/// from where the nodes are; the others read that of their level. Source: docs/solvers/multigrid.md.
+/// The kernels of grids, shared by all of them. Those of the finest level recompute its matrix from the
+/// nodes' positions; the others read that of their level. Source: docs/solvers/multigrid.md.
 struct GridKernels {
   gpu::SharedKernel predict, gradient;                          // the linear system
   gpu::SharedKernel galerkin_fine, galerkin;                    // matrices of coarse levels
@@ -19,7 +19,7 @@ struct GridKernels {
   static Result<GridKernels> create(const CycleInputs& inputs);
 };
 
-/// Likewise of cloths that are meshes: the same for all levels.
+/// The kernels of meshes: the same for all levels.
 struct MeshKernels {
   gpu::SharedKernel predict, gradient, galerkin;               // the linear system, and its coarse levels
   gpu::SharedKernel smooth_down, residual, restrict_residual;  // the cycle: down

@@ -1,4 +1,4 @@
-// What a level starts with: its residual, the inverse of its matrix's diagonal, the first smoothing sweep. The
+// The start of a level: its residual, the inverse of its matrix's diagonal, the first smoothing sweep. The
 // including kernel binds `vectors` and has the Level. Source: docs/solvers/multigrid.md, equation 8.
 #include "method/multigrid/chebyshev.wgsl"
 

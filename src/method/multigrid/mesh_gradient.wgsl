@@ -1,4 +1,4 @@
-// What is left of a mesh's equation at the start of the unknown, its matrix, the inverse of the diagonal, and the first
+// The residual of a mesh at the start of the unknown, its matrix, the inverse of the diagonal, and the first
 // smoothing sweep. One invocation per node, which also keeps the blocks that it shares with nodes of higher number.
 // Sums run in a fixed order. Source: docs/solvers/multigrid.md, equations 5, 6 and 11.
 #include "gpu/index.wgsl"

@@ -8,17 +8,17 @@ struct MeshLevelParams {  // mirror: src/method/multigrid/mesh_lists.hpp
   first_vector : u32,   // in `vectors`, in vec4f
   first_block : u32,    // in `blocks`, in two vec4f
   first_row : u32,      // of its nodes, in `row_starts`
-  first_source : u32,   // likewise, in `source_starts`
+  first_source : u32,   // the same, in `source_starts`
   first_product : u32,  // of its blocks, in `product_starts`
   first_taps : u32,     // of the next finer level's nodes, in `taps`
 }
-// What the files that grids and meshes share mean by a level. A kernel's uniform `levels` has the level that it works
+// The level type of the files that grids and meshes share. A kernel's uniform `levels` has the level that it works
 // on, and the next coarser one.
 alias Level = MeshLevelParams;
 
-// What of a matrix's row stands beside its diagonal. Mirror: src/method/multigrid/mesh_levels.hpp.
+// An off-diagonal entry of a matrix row. Mirror: src/method/multigrid/mesh_levels.hpp.
 struct Coupling { node : u32, block : u32 }
-// How much of what stands elsewhere. Mirror: src/mesh/coarse_mesh.hpp.
+// A weighted reference. Mirror: src/mesh/coarse_mesh.hpp.
 struct Share { index : u32, weight : f32 }
 const kTaps = 3u;  // of a node
 

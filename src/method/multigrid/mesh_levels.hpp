@@ -25,7 +25,7 @@ struct Lists {
   void close() { starts.push_back(static_cast<std::uint32_t>(items.size())); }
 };
 
-/// What of a matrix's row stands beside its diagonal.
+/// An off-diagonal entry of a matrix row.
 struct Coupling {
   std::uint32_t node = 0, block = 0;
 };

@@ -1,4 +1,4 @@
-// What smoothing has left on a level of a mesh. One invocation per node.
+// The residual after smoothing on a level of a mesh. One invocation per node.
 #include "method/multigrid/mesh_smoothing.wgsl"
 
 @compute @workgroup_size(kWorkgroupSize)

@@ -1,4 +1,4 @@
-// Hands what smoothing has left on a level of a mesh down to the coarser one. One invocation per coarse node.
+// Restricts the residual after smoothing on a level of a mesh to the coarser one. One invocation per coarse node.
 #include "gpu/index.wgsl"
 #include "method/multigrid/mesh_restriction.wgsl"
 //                                                                                     elements

@@ -1,5 +1,5 @@
-// Pᵀ of what smoothing has left on a level of a mesh, and the first smoothing sweep on the coarser one. The including
-// kernel binds `vectors`, `source_starts` and `sources`. Source: docs/solvers/multigrid.md, equation 7.
+// Pᵀ of the residual after smoothing on a level of a mesh, and the first smoothing sweep on the coarser one. The
+// including kernel binds `vectors`, `source_starts` and `sources`. Source: docs/solvers/multigrid.md, equation 7.
 #include "method/multigrid/level_start.wgsl"
 #include "method/multigrid/mesh_level.wgsl"
 

@@ -1,4 +1,4 @@
-// What smoothing has left on a coarse level of a grid. One invocation per node.
+// The residual after smoothing on a coarse level of a grid. One invocation per node.
 #include "method/multigrid/coarse_level.wgsl"
 #include "method/multigrid/operand.wgsl"
 

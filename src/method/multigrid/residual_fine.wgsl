@@ -1,4 +1,4 @@
-// What smoothing has left on the finest level of a grid: nothing where a node is fixed. One invocation per node.
+// The residual after smoothing on the finest level of a grid, 0 where a node is fixed. One invocation per node.
 #include "method/multigrid/fine_level.wgsl"
 
 @compute @workgroup_size(kWorkgroupSize)

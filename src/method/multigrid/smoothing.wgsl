@@ -28,7 +28,7 @@ fn end_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
   vectors[vector_at(level, to_x, node)] = vec4f(operand(level, from_x, node) + d, 0.0);
 }
 
-// What smoothing has left: the next level's task.
+// The residual after smoothing, the right-hand side of the next level.
 fn keep_residual(level : Level, node : u32) {
   vectors[vector_at(level, kDirection, node)] = vec4f(left_of(level, kFirst, node), 0.0);
 }

@@ -1,4 +1,4 @@
-// What a substep's formula makes of its length, and of a spring: equations 1, 5 and 6 of docs/solvers/multigrid.md. The
+// The coefficients of a substep's formula, and a spring's terms: equations 1, 5 and 6 of docs/solvers/multigrid.md. The
 // including kernel binds `step`.
 #include "element/spring/law.wgsl"
 #include "state/step.wgsl"
@@ -27,10 +27,10 @@ fn block_times(hessian : SpringBlock, v : vec3f) -> vec3f {
   return hessian.along * dot(hessian.direction, v) * hessian.direction + hessian.across * v;
 }
 
-// What a spring does to a node.
+// A spring's terms at a node.
 struct Pull {
   force : vec3f,        // N: on the node, where both have come to place + start
-  block : SpringBlock,  // N/m: what it adds to the matrix
+  block : SpringBlock,  // N/m: its part of the matrix
 }
 
 // From the node to its neighbour: span, m; how much it changes by the start of the unknown, m; and by the velocity that

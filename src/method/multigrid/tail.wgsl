@@ -1,7 +1,7 @@
 // The V-cycle on the coarsest levels of a grid or a mesh. One workgroup does all, a barrier for what would else be a
-// dispatch. It finds the residual of the first of them and the first smoothing sweep there, and leaves the solution
-// in kFirst. The including kernel binds `tail`, the levels, and has what smoothing.wgsl asks for, restrict_node and
-// correct_node. Source: docs/solvers/multigrid.md, equations 7 and 8.
+// dispatch. It finds the residual of the first of them and the first smoothing sweep there, and leaves the solution in
+// kFirst. The including kernel binds `tail`, the levels, and defines the functions that smoothing.wgsl needs,
+// restrict_node and correct_node. Source: docs/solvers/multigrid.md, equations 7 and 8.
 #include "gpu/index.wgsl"
 #include "method/multigrid/smoothing.wgsl"
 
@@ -9,7 +9,7 @@
 const kBottomLow = kHigh / 30.0;
 const kBottomSweeps = 10u;
 
-// The first sweep of Chebyshev's polynomial, start_level's, was for another range: it is made good by the ratio. The
+// The first sweep of Chebyshev's polynomial, start_level's, was for another range; the ratio corrects it. The
 // others go to and fro between the two solutions; their number is odd, so that the last one is kFirst.
 fn solve_bottom(level : Level, local : u32) {
   let middle = (kHigh + kBottomLow) / 2.0;

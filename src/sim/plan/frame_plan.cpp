@@ -1,7 +1,5 @@
 #include "sim/plan/frame_plan.hpp"
 
-#include <algorithm>
-
 namespace weft::sim {
 namespace {
 
@@ -20,24 +18,15 @@ Result<FramePlan> FramePlan::create(const scene::Scene& scene, const Model& mode
   plan.substeps_ = substeps;
   if (scene.contact.method == scene::ContactMethod::Proximity)
     plan.movers_ = contact_movers(scene, model, assets.objects, assets.keyframes);
-  plan.most_substeps_ = substeps * contact_step_factor(plan.movers_, plan.thickness_, 0, kEver, plan.step());
+  plan.most_substeps_ = plan.substeps_at(largest_speed(plan.movers_, 0, kEver));
   return plan;
 }
 
-std::uint32_t FramePlan::substeps_of(std::uint32_t frame) const {
-  return substeps_ * contact_step_factor(movers_, thickness_, begin_of(frame), begin_of(frame + 1), step());
-}
-
-double FramePlan::step_ratio_of(std::uint32_t frame) const {
-  return frame == 0 ? 1 : step_ratio(substeps_of(frame - 1), substeps_of(frame));
-}
-
-double FramePlan::fastest_mover(std::uint32_t frame) const {
-  const double now = begin_of(frame);
-  double speed = 0;
-  for (const ContactMover& mover : movers_)
-    speed = std::max(speed, largest_speed(mover, now, now + frame_time_));
-  return speed;
+FramePlan::Frame FramePlan::frame(std::uint32_t number) const {
+  const double speed = mover_speed(number);
+  const std::uint32_t substeps = substeps_at(speed);
+  const double ratio = number == 0 ? 1 : step_ratio(substeps_of(number - 1), substeps);
+  return {begin_of(number), substeps, speed, ratio};
 }
 
 }  // namespace weft::sim

@@ -30,13 +30,18 @@ class FramePlan {
   std::uint32_t substeps() const { return substeps_; }
   double step() const { return frame_time_ / substeps_; }
   /// Of a frame, counted from 0: more than substeps() where something is moved fast (docs/contact.md).
-  std::uint32_t substeps_of(std::uint32_t frame) const;
+  std::uint32_t substeps_of(std::uint32_t frame) const { return substeps_at(mover_speed(frame)); }
   /// The most of any frame.
   std::uint32_t most_substeps() const { return most_substeps_; }
-  /// The length of a frame's substeps by that of the frame before it; 0: a method with a history starts without it.
-  double step_ratio_of(std::uint32_t frame) const;
-  /// The most that any point of a mover does in a frame [m/s].
-  double fastest_mover(std::uint32_t frame) const;
+  /// How one frame is stepped.
+  struct Frame {
+    double begin = 0;  // [s]
+    std::uint32_t substeps = 1;
+    double mover_speed = 0;  // the most that any point of a mover does in it [m/s]
+    double step_ratio =
+        1;  // its substeps' length by the frame before's; 0: a method with a history starts without it
+  };
+  Frame frame(std::uint32_t number) const;
   double begin_of(std::uint32_t frame) const { return frame * frame_time_; }
   /// When a substep of a frame of `count` ends, for motions.
   double end_of(std::uint32_t frame, std::uint32_t substep, std::uint32_t count) const {
@@ -44,6 +49,13 @@ class FramePlan {
   }
 
  private:
+  double mover_speed(std::uint32_t frame) const {
+    return largest_speed(movers_, begin_of(frame), begin_of(frame + 1));
+  }
+  std::uint32_t substeps_at(double mover_speed) const {
+    return substeps_ * contact_step_factor(mover_speed, thickness_, step());
+  }
+
   MethodChoice choice_;
   StepLimit limit_;
   std::vector<ContactMover> movers_;  // where contact looks at places at the start of a substep

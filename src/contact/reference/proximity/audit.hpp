@@ -1,5 +1,5 @@
 // Invariants that contact must keep, measured without it: no surface passes through another, no vertex
-// lies inside, and how near the nearest features are. In double, for tests and host tools.
+// is inside, and how near the nearest features are. In double, for tests and host tools.
 #pragma once
 
 #include <compare>
@@ -19,7 +19,7 @@ struct Surfaces {
   std::span<const mesh::Triangle> triangles;
 };
 std::vector<Vec3d> widened(std::span<const Vec3f> positions);
-/// As f32 has them: what is left of a state once a GPU has seen it.
+/// In f32: a state as the GPU stores it.
 std::vector<Vec3d> rounded_to_f32(std::span<const Vec3d> positions);
 
 /// The box of a feature's vertices; not finite if one of them is not.
@@ -31,7 +31,7 @@ struct Crossing {
   auto operator<=>(const Crossing&) const = default;
 };
 
-/// Whether the segment from p to q passes through the inside of the triangle: its ends lie on different
+/// Whether the segment from p to q passes through the inside of the triangle: its ends are on different
 /// sides, and it has all edges on one side. By exact signs: what only touches (an end in the triangle, a
 /// segment in its plane or through its border) does not cross, and nothing that crosses is missed.
 bool segment_crosses(const Vec3d& p, const Vec3d& q, const Vec3d& a, const Vec3d& b, const Vec3d& c);
@@ -46,7 +46,7 @@ std::vector<Crossing> self_crossings(const Surfaces& cloth);
 std::vector<Crossing> crossings_by_brute_force(const Surfaces& cloth, const Surfaces& object);
 std::vector<Crossing> self_crossings_by_brute_force(const Surfaces& cloth);
 
-/// The vertices inside a body, and how far the deepest lies below its surface.
+/// The vertices inside a body, and the depth of the deepest below its surface.
 struct Inside {
   std::uint32_t count = 0;
   double deepest = 0;  // [m]

@@ -36,7 +36,7 @@ struct ClosestSegments {
   bool inside_first() const { return s > 0 && s < 1; }
   bool inside_second() const { return t > 0 && t < 1; }
 };
-/// Both points lie inside their segments only where no end is as near: segments that run alongside have many
+/// Both points are inside their segments only where no end is as near: parallel segments have many
 /// closest points, and one with an end is taken.
 ClosestSegments closest_segments(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0, const Vec3d& b1);
 

@@ -8,8 +8,8 @@
 
 namespace weft::reference {
 
-/// Keeps a list of pairs that reaches further than is asked for, and measures only these while nothing has
-/// moved so far that another could have come near. What it returns is what a search would, in its order.
+/// Keeps a list of pairs with a larger radius than requested, and measures only these while nothing has
+/// moved so far that another could have come near. The result equals that of a search, in its order.
 class NearList {
  public:
   struct Reach {

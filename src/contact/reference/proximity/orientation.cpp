@@ -12,7 +12,7 @@ namespace {
 class ExactSum {
  public:
   void add(double term) {
-    // Grow-expansion (Shewchuk, figure 6): each part takes what fits and hands the error down.
+    // Grow-expansion (Shewchuk, figure 6): each part takes the rounded sum and passes the error down.
     double carried = term;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count_; ++i) {

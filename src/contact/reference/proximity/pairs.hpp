@@ -47,9 +47,9 @@ struct FeaturePair {
   Vec3d direction;             // n
   // w of the vertices of A and of B in their order, with their signs; a plane has none.
   std::array<double, 3> weights_a{}, weights_b{};
-  bool inside = true;  // of edges: both closest points lie inside; true for all others
+  bool inside = true;  // of edges: both closest points are inside; true for all others
 };
-/// By kind, a, b: what makes a pair one.
+/// By kind, a, b: the identity of a pair.
 bool operator<(const FeaturePair& x, const FeaturePair& y);
 bool same_features(const FeaturePair& x, const FeaturePair& y);
 

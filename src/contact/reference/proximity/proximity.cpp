@@ -141,7 +141,7 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, doubl
 
 void Proximity::add_planes(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
                            std::vector<SidePlane>& planes) const {
-  if (!(pair.distance > 0)) return;  // inside a ball or below a plane: the spring brings it out
+  if (!(pair.distance > 0)) return;  // inside a ball or below a plane: the contact spring moves it out
   const auto kinematic = [&](const Side& side) {
     return std::all_of(side.vertices.begin(), side.vertices.begin() + side.count,
                        [&](std::uint32_t v) { return nodes.inverse_mass[v] == 0; });
@@ -204,7 +204,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   const double obstacle_travel = move_obstacles(begin, dt);
   std::vector<FeaturePair> pairs = listed(most, travel, obstacle_travel);
   const TangledSurfaces cloth{cloth_, cloth_facts_}, object{object_, object_facts_};
-  // While nothing crosses, only what comes near could come to.
+  // Without crossings, only features that come near can cross.
   if (list_.searches() != tangle_searched_ || tangle_.crossings > 0)
     tangle_ = find_tangle(cloth, object, self_thickness_ > 0);
   tangle_searched_ = list_.searches();

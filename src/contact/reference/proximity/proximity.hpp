@@ -22,14 +22,14 @@ class Proximity {
   Proximity(const scene::Scene& scene, const Model& model, std::span<const mesh::TriangleMesh> objects,
             std::span<const std::vector<mesh::TriangleMesh>> keyframes);
 
-  /// The state of the nodes in a substep: what the solver has predicted from `previous`, and moved nodes
+  /// The state of the nodes in a substep: the solver's prediction from `previous`, and moved nodes
   /// where their motions end. All finite.
   struct Nodes {
     std::span<const Vec3d> previous;       // [m]
     std::span<const double> inverse_mass;  // [1/kg]
     std::span<Vec3d> position, velocity;   // [m], [m/s]
   };
-  /// Changes position and velocity of what touches in the substep from `begin`, of `dt` [s]. Returns how many
+  /// Changes position and velocity of vertices in contact in the substep from `begin`, of `dt` [s]. Returns how many
   /// pairs act.
   std::uint64_t answer(const Nodes& nodes, double begin, double dt);
 

@@ -18,7 +18,7 @@ Vec3d push_apart(const NearPair& pair, const Vec3d& u, double mobility, const Co
   return (std::max(0.0, speed - dot(pair.direction, u)) / mobility) * pair.direction;
 }
 
-/// Equation (7d): what pairs with bodies that a node is inside of ask of it.
+/// Equation (7d): the demand on a node of its pairs with bodies that contain it.
 class OutOfBody {
  public:
   void add(const NearPair& pair, double weight) {

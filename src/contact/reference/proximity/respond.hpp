@@ -23,7 +23,7 @@ struct NearPair {
   bool may = true;         // false: edges whose closest points are not both inside; never acts
   bool with_body = false;  // one side is an obstacle
   bool untangles =
-      false;  // it moves apart what is on the wrong side, equation (7); d: minus the part of that speed
+      false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
 };
 
 struct ContactLaw {
@@ -41,7 +41,7 @@ struct Response {
 /// u = Σ w v over both sides [m/s].
 Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity);
 
-/// What the pairs do to velocities that the solver predicts. All are answered at once, from the same
+/// The pairs' changes of the predicted velocities. All pairs are answered at once, from the same
 /// velocities; sums are taken in the order of the pairs.
 Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocity,
                  std::span<const double> inverse_mass, const ContactLaw& law);

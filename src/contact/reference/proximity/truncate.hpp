@@ -1,4 +1,4 @@
-// Holds vertices back from what they would pass through, in double.
+// Truncates the motion of vertices at planes that they would pass, in double.
 #pragma once
 
 #include <cstdint>

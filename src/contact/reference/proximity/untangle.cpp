@@ -92,7 +92,7 @@ class Finder {
         const mesh::Triangle& own = edges_.features.triangles[t];
         const std::uint32_t p = own[side], q = own[(side + 1) % 3];
         const mesh::Edge edge{std::min(p, q), std::max(p, q)};
-        // A capsule's axis stands behind the sorted edges of triangles, and is never asked for.
+        // A capsule's axis comes after the sorted edges of triangles, and is never looked up.
         const auto at = static_cast<std::size_t>(
             std::lower_bound(edges.begin(), edges.begin() + std::ptrdiff_t(sorted_edges()), edge) -
             edges.begin());

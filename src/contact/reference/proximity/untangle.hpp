@@ -14,10 +14,10 @@ namespace weft::reference {
 
 enum class SurfaceKind : std::uint8_t { Cloth, OpenMesh, ClosedMesh };
 
-/// A triangle of what crosses.
+/// A triangle of a crossing.
 struct CrossingFace {
   std::array<Vec3d, 3> corners;  // [m]
-  std::array<double, 3> rims{};  // how far each corner lies from its sheet's rim [m]
+  std::array<double, 3> rims{};  // distance of each corner from its sheet's rim [m]
   SurfaceKind kind = SurfaceKind::Cloth;
 };
 
@@ -45,13 +45,14 @@ struct Tangle {
   std::size_t crossings = 0;  // edges through triangles
   std::vector<FeaturePair>
       pairs;  // ends of such edges and the triangles; distance: minus the part of the speed
-  std::vector<bool> with_cloth, with_mesh;  // of each cloth vertex: it is of what crosses cloth, a mesh
+  std::vector<bool> with_cloth,
+      with_mesh;  // of each cloth vertex: it belongs to a crossing of cloth, of a mesh
 };
 /// All that passes through each other now. `self`: whether cloth meets cloth.
 Tangle find_tangle(const TangledSurfaces& cloth, const TangledSurfaces& object, bool self);
 
-/// What is on the wrong side of its pair, or may be, does not act, and a vertex inside a closed mesh is sent
-/// out: changes the pairs, and says for each whether it now moves apart what is on the wrong side.
+/// A feature that is, or may be, on the wrong side of its pair does not act; a vertex inside a closed mesh is sent
+/// out: changes the pairs, and marks those that now separate features on the wrong side.
 std::vector<bool> release(const Tangle& tangle, const TangledSurfaces& cloth, const TangledSurfaces& object,
                           double thickness, std::span<FeaturePair> pairs);
 

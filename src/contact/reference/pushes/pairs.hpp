@@ -24,7 +24,7 @@ struct PairList {
 
 TrianglePoints points_of(const mesh::TriangleMesh& mesh, std::uint32_t triangle);
 
-/// Every cloth triangle against every object triangle. Pairs whose boxes lie apart by more than the f32
+/// Every cloth triangle against every object triangle. Pairs whose boxes are apart by more than the f32
 /// kernels' bound, 2^-21 of the largest cloth coordinate, miss there and have no common point here, so
 /// skipping them loses nothing; twice that bound is taken, so that no rounding of it matters. Cloth triangles
 /// that are not finite have no pairs.

@@ -1,4 +1,4 @@
-// The narrow phase in double: what src/contact/pushes/triangle_pair.wgsl must find, and where f32 may differ.
+// The narrow phase in double: the result that triangle_pair.wgsl must have, and the cases where f32 may differ.
 #pragma once
 
 #include "base/vec.hpp"

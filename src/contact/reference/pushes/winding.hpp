@@ -1,4 +1,4 @@
-// Whether a point lies inside a closed mesh.
+// Whether a point is inside a closed mesh.
 #pragma once
 
 #include "base/vec.hpp"

@@ -73,8 +73,7 @@ void hold_at_obstacles(StepStart& step, std::span<const Sym3> diagonal, std::spa
     const Vec3d slip = step.start[a] - dt / press.weight * press.surface, along = slip - dot(slip, n) * n;
     const Vec3d needed = -inertia * along - (residual - dot(residual, n) * n);
     const double grip = length(needed);
-    const double most =
-        friction * pressed * stiffness / (stiffness + inertia);  // what is held gives way a little
+    const double most = friction * pressed * stiffness / (stiffness + inertia);  // compliance of the hold
     const bool sticks = grip <= most;
     step.residual[a] += stiffness * lack * n;
     step.residual[a] += sticks ? -stiffness * along : most / grip * needed;
@@ -201,7 +200,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
     if (spring.node_a >= cloth.first && spring.node_a < cloth.first + count)
       links.push_back(link_of(spring, cloth.first, cloth.nx));
   // A bend spring adds to a structural one below it twice its own stiffness: exact where both that it spans
-  // are stretched alike.
+  // have the same stretch.
   std::vector<std::array<double, 2>> below_i(count), below_j(count);  // stiffness, damping
   for (const Link& link : links)
     if (is_far(link)) {
@@ -270,7 +269,7 @@ void ImplicitStepper::advance(const Substep& substep) {
       const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
       position[node] = step.place[a] + step.start[a] + dz[a];
       velocity[node] = step.start_velocity[a] + (step.fixed[a] ? Vec3d{} : dz[a] / formula.he);
-      if (!step.pressed[a]) continue;  // what a blow has stopped has no history
+      if (!step.pressed[a]) continue;  // an impulse breaks the history of BDF2
       velocity[node] = (step.start[a] + dz[a]) / dt;
       stopped.push_back(node);
     }

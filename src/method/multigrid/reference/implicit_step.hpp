@@ -12,11 +12,11 @@
 
 namespace weft::reference {
 
-/// What a substep begins with, for one cloth: A dz = r, where the nodes have come to place + start + dz.
+/// The start of a substep, for one cloth: A dz = r, where the nodes have come to place + start + dz.
 struct StepStart {
   Field place, start, start_velocity;  // [m], [m], [m/s]
   Field residual;                      // r [N]
-  std::vector<double> inertia;         // what it adds to the diagonal of A [N/m]
+  std::vector<double> inertia;         // its part of the diagonal of A [N/m]
   std::vector<bool> fixed;
   std::vector<bool> pressed;  // nodes that an obstacle holds: in the matrix, and no history after it
 };
@@ -32,7 +32,7 @@ struct MeshStep : StepStart {
   MeshOperator matrix;
 };
 
-/// What of BDF2 depends on the step and the one before it: x' = x + s + he v', with s = c (x - x before).
+/// The coefficients of BDF2 for a step and the one before it: x' = x + s + he v', with s = c (x - x before).
 struct StepFormula {
   double he = 0;  // [s]
   double c = 0;
@@ -54,13 +54,13 @@ class ImplicitStepper : public Stepper {
   void remember(std::vector<Vec3d> position, std::vector<Vec3d> velocity);
   /// The next step is backward Euler: the state is not one that advance has left.
   void forget() override;
-  /// Likewise for one node.
+  /// The same for one node.
   void forget(std::size_t node) override { known_[node] = false; }
 
   /// The linear system of cloth c, a grid, that advance would solve.
   LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
                        double ratio, std::size_t c, std::span<const Press> presses = {}) const;
-  /// Likewise of a cloth that is a mesh.
+  /// The same for a mesh.
   MeshStep linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
                           double ratio, std::size_t c, std::span<const Press> presses = {}) const;
 
@@ -77,7 +77,7 @@ class ImplicitStepper : public Stepper {
 
   StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
                   const Cloth& cloth) const;
-  /// What the V-cycles of a step make of A x = r.
+  /// The solution of A x = r by a step's V-cycles.
   template <class Levels>
   Field solve(const Levels& hierarchy, const Field& r) const;
 
