@@ -95,8 +95,7 @@ TEST_CASE("every method's row says what its solver allocates for a grid, within 
     REQUIRE_OK(model);
     auto state = State::create(device, model->host, 1);
     REQUIRE_OK(state);
-    const auto contacts =
-        Contacts::create_pairs(device, model->host, {1000, 1000}, method.holds_obstacles);
+    const auto contacts = Contacts::create_pairs(device, model->host, {1000, 1000}, method.holds_obstacles);
     REQUIRE_OK(contacts);
     const std::uint64_t before = device.allocated_bytes();
     device.take_largest_buffer();
@@ -128,8 +127,7 @@ TEST_CASE("a cloth with elements that a method does not take is refused, and the
     CHECK(checked.error().kind == ErrorKind::Input);
     CHECK(checked.error().message ==
           "test.json: cloths[1] has bending of grids (stiffness.bending), which solver.kind \"" +
-              word_of(method) +
-              "\" does not take; \"multigrid\" or \"mass_spring\" does.");
+              word_of(method) + "\" does not take; \"multigrid\" or \"mass_spring\" does.");
   }
   CHECK(takers == 2);  // those that the sentence names
 }

@@ -102,7 +102,8 @@ Sag sag_of(gpu::Device& device, double h, int iterations) {
   for (std::size_t i = 0; i < position.size(); ++i) position[i].y -= static_cast<float>(drop[i / 5]);
   rig.set(position, std::vector<Vec4f>(position.size()));
   const float top = position[2].y;
-  rig.advance(static_cast<std::uint32_t>(std::lround(1 / h)));  // swings fall as exp(-5 t) by drag, and faster by the step
+  rig.advance(static_cast<std::uint32_t>(
+      std::lround(1 / h)));  // swings fall as exp(-5 t) by drag, and faster by the step
   const double found = static_cast<double>(top - rig.positions()[(kRows - 1) * 5 + 2].y) - kStripLength;
   return {(found - drop.back()) / kStripLength, h * h * weights / kStripLength};
 }
