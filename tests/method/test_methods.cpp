@@ -20,6 +20,7 @@ TEST_CASE("every kind of solver but auto has one row that answers all that is as
     CHECK(count == (kind == scene::SolverKind::Auto ? 0 : 1));
     if (count == 0) continue;
     const Method& method = method_of(kind);
+    CHECK(!method.takes.empty());
     CHECK(static_cast<bool>(method.step_limit));
     CHECK(static_cast<bool>(method.with_drag));
     CHECK(static_cast<bool>(method.auto_substeps));

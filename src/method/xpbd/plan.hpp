@@ -5,7 +5,7 @@
 namespace weft {
 
 /// By what part of itself "auto" lets a sheet that hangs by an edge be longer than its springs say.
-inline constexpr double kSag = 0.02;
+inline constexpr double kSag = 0.005;
 
 Method xpbd_method();
 
