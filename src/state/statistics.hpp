@@ -23,7 +23,7 @@ struct Statistics {
   std::uint32_t detections = 0;
   /// Edges that pass through triangles, the most that a search has found (proximity).
   std::uint32_t crossings = 0;
-  /// Vertices that were held back, summed over substeps (proximity).
+  /// Vertices truncated by contact, summed over substeps (proximity).
   std::uint32_t truncated = 0;
   /// Pairs of features that are listed at the end of a frame (proximity).
   std::uint32_t pairs = 0;

@@ -12,7 +12,7 @@ const kStatContactOverflow = 3u;
 const kStatDetections = 4u;
 // Edges that pass through triangles, the most that a search has found (proximity).
 const kStatCrossings = 5u;
-// Vertices that were held back, summed over substeps (proximity).
+// Vertices truncated by contact, summed over substeps (proximity).
 const kStatTruncated = 6u;
 // Pairs of features that are listed at the end of a frame (proximity).
 const kStatPairs = 7u;

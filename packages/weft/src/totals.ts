@@ -17,7 +17,7 @@ export interface Totals {
   detections: number;
   /** Edges that pass through triangles, the most that a search has found (proximity), the most of any. */
   crossings: number;
-  /** Vertices that were held back, summed over substeps (proximity). */
+  /** Vertices truncated by contact, summed over substeps (proximity). */
   truncated: number;
   /** Pairs of features that are listed at the end of a frame (proximity), the most of any. */
   pairs: number;
