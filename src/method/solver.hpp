@@ -27,8 +27,8 @@ class Solver {
   ///         position[1 - parity] and, the velocity, to SolverInputs::predicted.
   /// A single substep calls the stages of contact as contact/stages/stages.hpp asks.
   virtual void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const = 0;
-  /// Sets what the solver's own kernels read of a substep's parameters.
-  virtual void fill(StepParams&) const {}
+  /// Fills the solver's own part of the block that each substep's kernels read.
+  virtual void fill(StepBlock::Method&) const {}
 };
 
 /// What a solver is made of. `contacts` is null where the scene has none.

@@ -11,15 +11,13 @@
 
 namespace weft::sim {
 
-/// StepParams for each substep of a frame. They go to the GPU again only where something in them has changed;
+/// The blocks of a frame's substeps. They go to the GPU again only where something in them has changed;
 /// the host's copy is kept, so that a frame allocates nothing.
 class FrameSteps {
  public:
   FrameSteps() = default;
-  /// `frame` [s]; `base`: what all substeps have in common and no scene changes while it runs; pairs are
-  /// looked for in one of every search_interval of them.
-  FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::uint32_t interval,
-             std::size_t motion_count, double frame);
+  /// `blocks`: of the most substeps of a frame, with what no frame changes: nodes, contact, method. `frame` [s].
+  FrameSteps(std::vector<StepBlock> blocks, double frame);
 
   /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
   /// where they are.
@@ -31,7 +29,7 @@ class FrameSteps {
     double collider_speed = 0;  // the largest in it [m/s]
     double step_ratio = 1;      // of its first step to the one before
   };
-  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
+  void write(gpu::Device& device, const gpu::Buffer<StepBlock>& steps, const Grabs& grabs,
              const Frame& frame);
   /// Restarts time at 0.
   void rewind();
@@ -41,7 +39,7 @@ class FrameSteps {
     return start_turns_[wave] + wind_.waves[wave].rate * (time - start_);
   }
 
-  std::vector<StepParams> steps_;
+  std::vector<StepBlock> blocks_;
   scene::WindField wind_;
   double frame_ = 0;                        // [s]
   double start_ = 0;                        // when the wind became what it is [s]

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/host_model.hpp"
-#include "state/step_params.hpp"
+#include "state/step_block.hpp"
 
 namespace weft::sim {
 
@@ -25,8 +25,8 @@ class Grabs {
 
   /// Whether a node may be held between two times [s].
   bool any(double from, double to) const;
-  /// Sets who is held in the substep that ends at `time` [s], and where they are pulled.
-  void set(StepParams& params, double time) const;
+  /// Fills the part of a substep of length `dt` [s] that ends at `time` [s].
+  void fill(StepBlock::Hands& hands, double dt, double time) const;
 
  private:
   struct Held {

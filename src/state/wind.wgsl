@@ -13,7 +13,7 @@ fn wind_wave(form : vec4f, x : vec3f) -> f32 {
 }
 
 fn wind_at(x : vec3f) -> vec3f {
-  if (step.wind.w == 0.0) { return vec3f(0.0); }
-  return step.wind.xyz + wind_wave(step.wind_wave_a, x) * step.gust_a.xyz +
-         wind_wave(step.wind_wave_b, x) * step.gust_b.xyz;
+  if (step.air.wind.w == 0.0) { return vec3f(0.0); }
+  return step.air.wind.xyz + wind_wave(step.air.wind_wave_a, x) * step.air.gust_a.xyz +
+         wind_wave(step.air.wind_wave_b, x) * step.air.gust_b.xyz;
 }

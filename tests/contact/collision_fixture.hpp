@@ -88,12 +88,12 @@ class CollisionRun {
     auto made = contact::Pushes::create(device, model_, state_, contacts_, setup);
     REQUIRE_MESSAGE(made, made.error().message);
     collision_ = std::move(*made);
-    StepParams step;
-    step.vertex_count = model_.vertex_count();
-    step.push_scale = collision_.push_scale();
-    step.thickness = static_cast<float>(setup.thickness);
-    step.max_push = collision_.max_push();
-    state_.steps.write(device, std::vector<StepParams>{step, step});
+    StepBlock step;
+    step.nodes.count = model_.vertex_count();
+    step.contact.push_scale = collision_.push_scale();
+    step.contact.thickness = static_cast<float>(setup.thickness);
+    step.contact.max_push = collision_.max_push();
+    state_.steps.write(device, std::vector<StepBlock>{step, step});
     gpu::ComputePass pass(list_, "collision");
     pass.set_step(parity, parity);
     collision_.measure(pass);
