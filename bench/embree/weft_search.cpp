@@ -56,11 +56,11 @@ Result<WeftSearch> WeftSearch::create(gpu::Device& device, const SearchCase& sea
   std::vector<Vec4f> places;
   for (const Vec3f& p : search.positions) places.push_back(Vec4f::from(p, 1));
   made.state_.position[0].write(device, places);
-  StepParams step;
-  step.dt = 1;
-  step.vertex_count = made.model_.vertex_count();
-  step.least_reach = step.most_reach = search.reach;
-  step.detect = Detect::Always;
+  StepBlock step;
+  step.time.dt = 1;
+  step.nodes.count = made.model_.vertex_count();
+  step.contact.least_reach = step.contact.most_reach = search.reach;
+  step.contact.detect = Detect::Always;
   made.state_.steps.write(device, std::span(&step, 1));
   record_broad_phase(made.search_, made.list_);
   WEFT_CHECK(device.wait());

@@ -38,6 +38,7 @@ Result<SceneContact> SceneContact::create(gpu::Device& device, const GpuModel& m
                                           const scene::Scene& scene, const Assets& assets,
                                           const SceneContactSetup& setup) {
   SceneContact made;
+  made.interval_ = setup.interval;
   switch (scene.contact.method) {
     case scene::ContactMethod::Proximity:
       if (scene.contact.self || !scene.colliders.empty())
@@ -87,20 +88,21 @@ const Stages& SceneContact::stages() const {
   return none;
 }
 
-void SceneContact::fill(StepParams& params, const scene::Scene& scene) const {
-  params.thickness = static_cast<float>(scene.contact.thickness);
+void SceneContact::fill(StepBlock::Contact& part, const scene::Scene& scene, std::uint32_t substep) const {
+  part.thickness = static_cast<float>(scene.contact.thickness);
   if (pushes_) {
-    params.push_scale = pushes_->push_scale();
-    params.max_push = pushes_->max_push();
+    part.push_scale = pushes_->push_scale();
+    part.max_push = pushes_->max_push();
   }
   if (!proximity_) return;
   const ProximityLengths& lengths = proximity_->lengths();
-  params.self_thickness = static_cast<float>(lengths.self_thickness);
-  params.least_reach = static_cast<float>(lengths.least_reach);
-  params.most_reach = static_cast<float>(lengths.most_reach);
-  params.contact_damping = static_cast<float>(contact_damping(scene.contact.restitution));
-  params.point_count = proximity_->pair_search().colliders().point_count;
-  params.first_place = static_cast<std::uint32_t>(scene.colliders.size());
+  part.self_thickness = static_cast<float>(lengths.self_thickness);
+  part.least_reach = static_cast<float>(lengths.least_reach);
+  part.most_reach = static_cast<float>(lengths.most_reach);
+  part.damping = static_cast<float>(contact_damping(scene.contact.restitution));
+  part.point_count = proximity_->pair_search().colliders().point_count;
+  part.first_place = substep * static_cast<std::uint32_t>(scene.colliders.size());
+  part.detect = substep == 0 ? Detect::Always : substep % interval_ == 0 ? Detect::IfDue : Detect::No;
 }
 
 void SceneContact::write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,

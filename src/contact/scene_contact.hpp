@@ -41,8 +41,8 @@ class SceneContact {
   const Contacts* contacts() const { return contacts_ ? &*contacts_ : nullptr; }
   const Stages& stages() const;
 
-  /// Sets contact's parameters of a substep that are constant for all substeps.
-  void fill(StepParams& params, const scene::Scene& scene) const;
+  /// Fills contact's part of the block of a frame's substep, but for collider_travel, which each frame changes.
+  void fill(StepBlock::Contact& part, const scene::Scene& scene, std::uint32_t substep) const;
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
   void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
                     std::uint32_t substeps);
@@ -73,6 +73,7 @@ class SceneContact {
   std::unique_ptr<Proximity> proximity_;  // of method proximity
   gpu::Buffer<float> counts_;
   std::optional<ContactCounts> counter_;
+  std::uint32_t interval_ = 4;  // substeps from one that may search to the next
 };
 
 }  // namespace weft::contact

@@ -82,7 +82,7 @@ struct PassTimestamps {
 };
 
 /// Records dispatches into a list, from its making to its end of life.
-/// Knows the substep that is being recorded: kernels that read StepParams get that substep's block, and
+/// Knows the substep that is being recorded: kernels that read a step's block get that substep's, and
 /// wrappers that swap buffers every substep choose theirs by its parity.
 class ComputePass {
  public:
@@ -127,7 +127,7 @@ class RenderPass {
   CommandList& list_;
 };
 
-/// Bytes between the uniform blocks of two substeps: WebGPU's default offset alignment.
-inline constexpr std::uint32_t kStepStride = 256;
+/// Bytes of a substep's uniform block. A multiple of 256: no device may ask for a coarser offset alignment.
+inline constexpr std::uint32_t kStepStride = 512;
 
 }  // namespace weft::gpu

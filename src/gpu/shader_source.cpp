@@ -50,11 +50,23 @@ std::string between(const std::string& line, char open, char close, std::size_t 
   return inner;
 }
 
-constexpr char kTwoSteps[] = "array<StepParams,2>";
+/// The type of which a dispatch sees the block of its substep: the text names it in a line of its own.
+std::string step_type(const std::string& text) {
+  static constexpr char kMark[] = "\n// one a step: ";
+  const std::size_t mark = text.find(kMark);
+  if (mark == std::string::npos) return {};
+  const std::size_t begin = mark + std::strlen(kMark);
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+/// How many blocks a uniform of this type has, one a substep; 0 where it is not of that kind.
+std::uint32_t steps_of(const std::string& type, const std::string& step) {
+  if (step.empty()) return 0;
+  return type == step ? 1 : type == "array<" + step + ",2>" ? 2 : 0;
+}
 
 Result<BindingKind> binding_kind(const std::string& address_space, const std::string& type) {
-  if (address_space == "uniform")
-    return type == "StepParams" || type == kTwoSteps ? BindingKind::StepUniform : BindingKind::Uniform;
+  if (address_space == "uniform") return BindingKind::Uniform;
   if (address_space == "storage" || address_space == "storage,read") return BindingKind::StorageRead;
   if (address_space == "storage,read_write") return BindingKind::StorageReadWrite;
   if (type.rfind("texture_depth_2d", 0) == 0) return BindingKind::DepthTexture;
@@ -68,6 +80,7 @@ Result<BindingKind> binding_kind(const std::string& address_space, const std::st
 }  // namespace
 
 Result<std::vector<BindingLayout>> parse_bindings(const std::string& text) {
+  const std::string step = step_type(text);
   std::vector<BindingLayout> bindings;
   for (std::size_t begin = text.find("@group(0)"); begin != std::string::npos;
        begin = text.find("@group(0)", begin + 1)) {
@@ -86,7 +99,8 @@ Result<std::vector<BindingLayout>> parse_bindings(const std::string& text) {
     const std::string type = between(line.substr(colon) + ";", ':', ';');
     WEFT_TRY(kind, binding_kind(space, type));
     binding.kind = kind;
-    binding.steps = type == kTwoSteps ? 2 : 1;
+    binding.steps = kind == BindingKind::Uniform ? steps_of(type, step) : 0;
+    if (binding.steps > 0) binding.kind = BindingKind::StepUniform;
     bindings.push_back(std::move(binding));
   }
   std::sort(bindings.begin(), bindings.end(),

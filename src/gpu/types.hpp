@@ -62,8 +62,7 @@ enum class TextureFormat : std::uint8_t { None, Rgba8UnormSrgb, Bgra8UnormSrgb, 
 /// The type of a shader's binding, read from its WGSL.
 enum class BindingKind : std::uint8_t {
   Uniform,
-  StepUniform,  // a uniform of type StepParams, or an array of two: one block a substep, chosen by the
-                // dispatch
+  StepUniform,  // one block a substep, or an array of two, chosen by the dispatch
   StorageRead,
   StorageReadWrite,
   Texture,
@@ -76,7 +75,7 @@ struct BindingLayout {
   std::uint32_t binding = 0;
   BindingKind kind = BindingKind::Uniform;
   std::string name;
-  std::uint32_t steps = 1;  // of a StepUniform: blocks that the kernel sees
+  std::uint32_t steps = 0;  // of a StepUniform: blocks that the kernel sees
 };
 
 /// The resource of a binding: a buffer (range), a texture view or a sampler.

@@ -27,8 +27,8 @@ class Solver {
   ///         position[1 - parity] and, the velocity, to SolverInputs::predicted.
   /// A single substep calls the stages of contact in the order of contact/stages/stages.hpp.
   virtual void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const = 0;
-  /// Sets the parameters of a substep that the solver's own kernels read.
-  virtual void fill(StepParams&) const {}
+  /// Fills the solver's own part of the block that each substep's kernels read.
+  virtual void fill(StepBlock::Method&) const {}
 };
 
 /// The inputs of a solver. `contacts` is null where the scene has none.

@@ -12,20 +12,18 @@
 
 namespace weft::sim {
 
-/// StepParams for each substep of a frame. They go to the GPU again only where something in them has changed;
+/// The blocks of a frame's substeps. They go to the GPU again only where something in them has changed;
 /// the host's copy is kept, so that a frame allocates nothing.
 class FrameSteps {
  public:
   FrameSteps() = default;
-  /// `frame` [s]; `base`: the constants of all substeps while a scene runs; pairs are
-  /// looked for in one of every search_interval of them.
-  FrameSteps(const StepParams& base, std::uint32_t most_substeps, std::uint32_t interval,
-             std::size_t motion_count, double frame);
+  /// `blocks`: of the most substeps of a frame, with what no frame changes: nodes, contact, method. `frame` [s].
+  FrameSteps(std::vector<StepBlock> blocks, double frame);
 
   /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
   /// where they are.
   void set_air(const scene::Scene& scene, double time);
-  void write(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const Grabs& grabs,
+  void write(gpu::Device& device, const gpu::Buffer<StepBlock>& steps, const Grabs& grabs,
              const FramePlan::Frame& frame);
   /// Restarts time at 0.
   void rewind();
@@ -35,7 +33,7 @@ class FrameSteps {
     return start_turns_[wave] + wind_.waves[wave].rate * (time - start_);
   }
 
-  std::vector<StepParams> steps_;
+  std::vector<StepBlock> blocks_;
   scene::WindField wind_;
   double frame_ = 0;                        // [s]
   double start_ = 0;                        // when the wind last changed [s]

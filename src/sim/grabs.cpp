@@ -92,15 +92,15 @@ bool Grabs::any(double from, double to) const {
   });
 }
 
-void Grabs::set(StepParams& params, double time) const {
-  params.grab_node.fill(kNoNode);
-  params.grab_speed = static_cast<float>(speed_);
+void Grabs::fill(StepBlock::Hands& hands, double dt, double time) const {
+  hands.node.fill(kNoNode);
+  hands.speed = static_cast<float>(speed_);
   // No more than the whole distance in a substep: the follower would swing about its target.
-  params.grab_rate = std::min(static_cast<float>(kGrabRate), 1 / params.dt);
+  hands.rate = std::min(static_cast<float>(kGrabRate), 1 / static_cast<float>(dt));
   std::size_t slot = 0;
   const auto put = [&](std::uint32_t node, const Vec3d& target) {
-    params.grab_node[slot] = node;
-    params.grab_target[slot] = Vec4f::from(target.to<float>(), 0);
+    hands.node[slot] = node;
+    hands.goal[slot] = Vec4f::from(target.to<float>(), 0);
     ++slot;
   };
   for (const NodeGrab& one : scripted_)

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "model/model.hpp"
-#include "state/step_params.hpp"
+#include "model/host_model.hpp"
+#include "state/step_block.hpp"
 
 namespace weft::sim {
 
@@ -25,8 +25,8 @@ class Grabs {
 
   /// Whether a node may be grabbed between two times [s].
   bool any(double from, double to) const;
-  /// Writes the nodes grabbed in the substep that ends at `time` [s], and their targets.
-  void set(StepParams& params, double time) const;
+  /// Fills the part of a substep of length `dt` [s] that ends at `time` [s].
+  void fill(StepBlock::Hands& hands, double dt, double time) const;
 
  private:
   struct Grabbed {

@@ -45,13 +45,13 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   reports_ = std::move(reports);
   motion_rows_.resize(3 * model_.host.motions.size() * plan_.most_substeps());
   grabs_.emplace(model_.host);
-  StepParams base;
-  base.dt = static_cast<float>(step());
-  base.vertex_count = model_.vertex_count();
-  solver_->fill(base);
-  contact_.fill(base, scene_);
-  steps_ = FrameSteps(base, plan_.most_substeps(), method.search_interval, model_.host.motions.size(),
-                      scene_.time.frame);
+  std::vector<StepBlock> blocks(plan_.most_substeps());
+  for (std::uint32_t s = 0; s < blocks.size(); ++s) {
+    blocks[s].nodes = {model_.vertex_count(), s * 3 * static_cast<std::uint32_t>(model_.host.motions.size())};
+    contact_.fill(blocks[s].contact, scene_, s);
+    solver_->fill(blocks[s].method);
+  }
+  steps_ = FrameSteps(std::move(blocks), scene_.time.frame);
   steps_.set_air(scene_, 0);
   WEFT_CHECK(submit_rest());
   return device_.wait();  // in a browser, only now is it known whether all of this could be made

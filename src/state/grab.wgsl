@@ -4,15 +4,15 @@
 #include "state/node_state.wgsl"
 #include "state/step.wgsl"
 
-fn is_grabbed(node : u32) -> bool { return any(step.grab_node == vec4u(node)); }
+fn is_grabbed(node : u32) -> bool { return any(step.hands.node == vec4u(node)); }
 
 fn integrate_grabbed(node : u32, before : NodeState) -> NodeState {
-  var goal = step.grab_target[0].xyz;
-  if (node == step.grab_node.y) { goal = step.grab_target[1].xyz; }
-  if (node == step.grab_node.z) { goal = step.grab_target[2].xyz; }
-  if (node == step.grab_node.w) { goal = step.grab_target[3].xyz; }
-  var velocity = step.grab_rate * (goal - before.position.xyz);
+  var goal = step.hands.goal[0].xyz;
+  if (node == step.hands.node.y) { goal = step.hands.goal[1].xyz; }
+  if (node == step.hands.node.z) { goal = step.hands.goal[2].xyz; }
+  if (node == step.hands.node.w) { goal = step.hands.goal[3].xyz; }
+  var velocity = step.hands.rate * (goal - before.position.xyz);
   let speed = length(velocity);
-  if (speed > step.grab_speed) { velocity = (step.grab_speed / speed) * velocity; }
-  return NodeState(vec4f(before.position.xyz + step.dt * velocity, before.position.w), vec4f(velocity, 0.0));
+  if (speed > step.hands.speed) { velocity = (step.hands.speed / speed) * velocity; }
+  return NodeState(vec4f(before.position.xyz + step.time.dt * velocity, before.position.w), vec4f(velocity, 0.0));
 }

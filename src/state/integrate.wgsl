@@ -10,9 +10,9 @@ fn integrate_free(before : NodeState, force : vec3f) -> NodeState {
   let inverse_mass = before.position.w;
   let v = before.velocity.xyz;
   let slip = v - wind_at(before.position.xyz);  // against the air; without wind exactly v
-  let acceleration = step.acceleration.xyz + inverse_mass * force - step.drag * slip;
-  let velocity = v + step.dt * acceleration;
-  return NodeState(vec4f(before.position.xyz + step.dt * velocity, inverse_mass), vec4f(velocity, 0.0));
+  let acceleration = step.air.acceleration.xyz + inverse_mass * force - step.air.drag * slip;
+  let velocity = v + step.time.dt * acceleration;
+  return NodeState(vec4f(before.position.xyz + step.time.dt * velocity, inverse_mass), vec4f(velocity, 0.0));
 }
 
 // A node that is pinned or moved. rest[node].w is its motion (Model::motion); the rows of `motions` are x, y and z
@@ -20,10 +20,10 @@ fn integrate_free(before : NodeState, force : vec3f) -> NodeState {
 fn integrate_kinematic(node : u32, before : NodeState) -> NodeState {
   let motion = u32(rest[node].w);
   if (motion < 2u) { return NodeState(before.position, vec4f(0.0)); }  // pinned
-  let row = step.first_motion + 3u * (motion - 2u);
+  let row = step.nodes.first_motion + 3u * (motion - 2u);
   let place = vec4f(rest[node].xyz, 1.0);
   let position = vec3f(dot(place, motions[row]), dot(place, motions[row + 1u]), dot(place, motions[row + 2u]));
-  return NodeState(vec4f(position, 0.0), vec4f((position - before.position.xyz) / step.dt, 0.0));
+  return NodeState(vec4f(position, 0.0), vec4f((position - before.position.xyz) / step.time.dt, 0.0));
 }
 
 // Whether forces do not move the node: it is pinned, moved or grabbed.

@@ -26,7 +26,7 @@ Result<State> State::create(gpu::Device& device, const Model& model, std::uint32
     state.velocity[parity] = std::move(velocity);
   }
   WEFT_TRY(steps,
-           gpu::Buffer<StepParams>::create(device, substeps, "steps", gpu::kUniform | gpu::kCopyTarget));
+           gpu::Buffer<StepBlock>::create(device, substeps, "steps", gpu::kUniform | gpu::kCopyTarget));
   state.steps = std::move(steps);
   WEFT_TRY(motions, gpu::Buffer<Vec4f>::create(device, 3 * model.motions.size() * substeps, "motions"));
   state.motions = std::move(motions);

@@ -7,7 +7,7 @@
 #include "state/contact_pairs.hpp"
 #include "state/gpu_model.hpp"
 #include "state/statistics.hpp"
-#include "state/step_params.hpp"
+#include "state/step_block.hpp"
 
 namespace weft {
 
@@ -17,7 +17,7 @@ struct State {
   std::array<gpu::Buffer<Vec4f>, 2> position;  // vertex_count, m; w: inverse mass, 1/kg (0: kinematic)
   std::array<gpu::Buffer<Vec4f>, 2>
       velocity;  // vertex_count, m/s; w: 1 where the state before it is known (Method::history)
-  gpu::Buffer<StepParams> steps;          // a block for each substep of a frame
+  gpu::Buffer<StepBlock> steps;           // a block for each substep of a frame
   gpu::Buffer<Vec4f> motions;             // 3 rows for each moved group and substep: x, y, z of R·rest + t
   gpu::Buffer<std::uint32_t> statistics;  // sizeof(Statistics) / 4
 
@@ -31,7 +31,7 @@ struct State {
 /// The contacts for a solver: either of the two.
 struct Contacts {
   /// Of methods paper and bvh: for each vertex the sum of its pushes and their number, in fixed point
-  /// (StepParams::push_scale), so that neither depends on the order of threads.
+  /// (push_scale of StepBlock::Contact), so that neither depends on the order of threads.
   gpu::Buffer<std::int32_t> pushes;  // 4 * vertex_count: x, y, z, count; the solver clears them after reading
   /// Of method proximity: pairs of features, for the solver to answer.
   std::optional<ContactPairs> pairs;

@@ -14,7 +14,7 @@ fn wind_wave(form : vec4f, x : vec3f) -> f32 {
 
 // A select: for a branch on a uniform lavapipe would compile the kernel again at each bind (docs/architecture.md).
 fn wind_at(x : vec3f) -> vec3f {
-  let wind = step.wind.xyz + wind_wave(step.wind_wave_a, x) * step.gust_a.xyz +
-             wind_wave(step.wind_wave_b, x) * step.gust_b.xyz;
-  return select(vec3f(0.0), wind, step.wind.w != 0.0);
+  let wind = step.air.wind.xyz + wind_wave(step.air.wind_wave_a, x) * step.air.gust_a.xyz +
+             wind_wave(step.air.wind_wave_b, x) * step.air.gust_b.xyz;
+  return select(vec3f(0.0), wind, step.air.wind.w != 0.0);
 }

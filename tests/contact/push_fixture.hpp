@@ -87,12 +87,12 @@ class PushRun {
     auto made = contact::Pushes::create(device, model_, state_, contacts_, setup);
     REQUIRE_MESSAGE(made, made.error().message);
     pushes_ = std::move(*made);
-    StepParams step;
-    step.vertex_count = model_.vertex_count();
-    step.push_scale = pushes_.push_scale();
-    step.thickness = static_cast<float>(setup.thickness);
-    step.max_push = pushes_.max_push();
-    state_.steps.write(device, std::vector<StepParams>{step, step});
+    StepBlock step;
+    step.nodes.count = model_.vertex_count();
+    step.contact.push_scale = pushes_.push_scale();
+    step.contact.thickness = static_cast<float>(setup.thickness);
+    step.contact.max_push = pushes_.max_push();
+    state_.steps.write(device, std::vector<StepBlock>{step, step});
     gpu::ComputePass pass(list_, "pushes");
     pass.set_step(parity, parity);
     pushes_.measure(pass);

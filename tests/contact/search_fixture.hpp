@@ -70,12 +70,12 @@ class SearchRun {
     pairs_ = std::move(*pairs);
     create_search(workgroup_size);
     place(setup_.cloth.positions);
-    StepParams step;
-    step.dt = 1;
-    step.vertex_count = model_.vertex_count();
-    step.least_reach = setup_.reach;
-    step.most_reach = 3 * setup_.reach;
-    step.detect = Detect::Always;
+    StepBlock step;
+    step.time.dt = 1;
+    step.nodes.count = model_.vertex_count();
+    step.contact.least_reach = setup_.reach;
+    step.contact.most_reach = 3 * setup_.reach;
+    step.contact.detect = Detect::Always;
     state_.steps.write(device, std::span(&step, 1));
     gpu::ComputePass pass(list_, "search");
     search_.record(pass);

@@ -35,9 +35,9 @@ TEST_CASE(
       pushes[4 * i + axis] = static_cast<std::int32_t>(random.below(2000000)) - 1000000;
     pushes[4 * i + 3] = 1 + static_cast<std::int32_t>(random.below(9));
   }
-  StepParams params;
-  params.vertex_count = count;
-  params.push_scale = 1U << 20U;
+  StepBlock params;
+  params.nodes.count = count;
+  params.contact.push_scale = 1U << 20U;
   state->steps.write(device, std::span(&params, 1));
   state->position[0].write(device, previous);
   state->position[1].write(device, predicted);

@@ -35,7 +35,7 @@
 #include "scene/scene.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/statistics.hpp"
-#include "state/step_params.hpp"
+#include "state/step_block.hpp"
 #include "state/surface.hpp"
 
 namespace weft {
@@ -57,6 +57,19 @@ struct Scalar<std::uint32_t> {
 template <>
 struct Scalar<Detect> : Scalar<std::uint32_t> {};
 
+#define PART(part, name)                       \
+  template <>                                  \
+  struct Scalar<StepBlock::part> {             \
+    static constexpr const char* kName = name; \
+  };
+PART(Time, "StepTime")
+PART(Nodes, "StepNodes")
+PART(Contact, "StepContact")
+PART(Air, "StepAir")
+PART(Hands, "StepHands")
+PART(Method, "StepMethod")
+#undef PART
+
 template <class T>
 Json member(const char* name, std::size_t offset) {
   return {{"name", name}, {"offset", offset}, {"size", sizeof(T)}, {"scalar", Scalar<T>::kName}};
@@ -77,16 +90,38 @@ constexpr std::size_t kUniform = 16;  // a uniform block of its own
 
 #define M(name) member<decltype(T::name)>(#name, offsetof(T, name))
 
-Json step_params() {
-  using T = StepParams;
-  return row("StepParams", "state/step.wgsl", sizeof(T), gpu::kStepStride,
-             {M(acceleration),   M(dt),          M(drag),         M(vertex_count),
-              M(spring_count),   M(force_scale), M(force_limit),  M(push_scale),
-              M(thickness),      M(max_push),    M(first_motion), M(grab_rate),
-              M(grab_speed),     M(wind),        M(wind_wave_a),  M(wind_wave_b),
-              M(gust_a),         M(gust_b),      M(grab_node),    M(grab_target),
-              M(self_thickness), M(least_reach), M(most_reach),   M(contact_damping),
-              M(detect),         M(step_ratio),  M(point_count),  M(first_place)});
+Json step_block() {
+  using T = StepBlock;
+  return row("StepBlock", "state/step.wgsl", sizeof(T), kExact,
+             {M(time), M(nodes), M(contact), M(air), M(hands), M(method)});
+}
+Json step_time() {
+  using T = StepBlock::Time;
+  return row("StepTime", "state/step.wgsl", sizeof(T), alignof(T), {M(dt), M(step_ratio)});
+}
+Json step_nodes() {
+  using T = StepBlock::Nodes;
+  return row("StepNodes", "state/step.wgsl", sizeof(T), alignof(T), {M(count), M(first_motion)});
+}
+Json step_contact() {
+  using T = StepBlock::Contact;
+  return row("StepContact", "state/step.wgsl", sizeof(T), alignof(T),
+             {M(thickness), M(self_thickness), M(push_scale), M(max_push), M(least_reach), M(most_reach),
+              M(damping), M(collider_travel), M(detect), M(point_count), M(first_place)});
+}
+Json step_air() {
+  using T = StepBlock::Air;
+  return row("StepAir", "state/step.wgsl", sizeof(T), alignof(T),
+             {M(acceleration), M(wind), M(wind_wave_a), M(wind_wave_b), M(gust_a), M(gust_b), M(drag)});
+}
+Json step_hands() {
+  using T = StepBlock::Hands;
+  return row("StepHands", "state/step.wgsl", sizeof(T), alignof(T), {M(node), M(goal), M(rate), M(speed)});
+}
+Json step_method() {
+  using T = StepBlock::Method;
+  return row("StepMethod", "state/step.wgsl", sizeof(T), alignof(T),
+             {M(spring_count), M(force_scale), M(force_limit)});
 }
 Json spring() {
   using T = PackedSpring;
@@ -258,12 +293,7 @@ void add_statistics(Json& constants) {
 
 Json struct_layouts() {
   return Json::array(
-      {step_params(),   spring(),      spring_kind(),    spring_block(),      block_spring(),
-       neighbour(),     mesh_params(), surface_params(), object_triangle(),   spring_grid_row(),
-       level_of_grid(), tree_node(),   pair_range(),     analytic_collider(), contact_of_pair(),
-       search_params(), tree_params(), colliders(),      collider_place(),    frame(),
-       weave(),         plane(),       fine_grid(),      cloth_nodes(),       springs_of_color(),
-       level_of_mesh(), coupling(),    share()});
+      {step_block(), step_time(), step_nodes(), step_contact(), step_air(), step_hands(), step_method(), spring(), spring_kind(), spring_block(), block_spring(), neighbour(), mesh_params(), surface_params(), object_triangle(), spring_grid_row(), level_of_grid(), tree_node(), pair_range(), analytic_collider(), contact_of_pair(), search_params(), tree_params(), colliders(), collider_place(), frame(), weave(), plane(), fine_grid(), cloth_nodes(), springs_of_color(), level_of_mesh(), coupling(), share()});
 }
 
 Json shared_constants() {

@@ -37,10 +37,10 @@ class ImplicitRig {
     auto cycle = ClothCycle::create(inputs, *kernels, model_.host.bodies[0]);
     REQUIRE_OK(cycle);
     cycle_ = std::move(*cycle);
-    params_.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
-    params_.dt = static_cast<float>(dt);
-    params_.drag = static_cast<float>(scene_.drag);
-    params_.vertex_count = model_.vertex_count();
+    params_.air.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
+    params_.time.dt = static_cast<float>(dt);
+    params_.air.drag = static_cast<float>(scene_.drag);
+    params_.nodes.count = model_.vertex_count();
     state_.steps.write(device, std::span(&params_, 1));
   }
 
@@ -90,10 +90,10 @@ class ImplicitRig {
       if (v[n].w == 0) stepper_->forget(n);
   }
   void hold(std::uint32_t node, const Vec3d& target) {
-    params_.grab_rate = 20;
-    params_.grab_speed = 10;
-    params_.grab_node[0] = node;
-    params_.grab_target[0] = Vec4f::from(target.to<float>(), 0);
+    params_.hands.rate = 20;
+    params_.hands.speed = 10;
+    params_.hands.node[0] = node;
+    params_.hands.goal[0] = Vec4f::from(target.to<float>(), 0);
     state_.steps.write(device_, std::span(&params_, 1));
     system_.grabs = {{node, target}};
     system_.grab_rate = 20;
@@ -102,7 +102,7 @@ class ImplicitRig {
   /// Obstacles at every `every`-th node, in sums as the kernels keep them: some press, some do not, some
   /// agree on no direction; with friction from none to much.
   void press(std::uint64_t seed, std::uint32_t every) {
-    params_.thickness = 0.01F;
+    params_.contact.thickness = 0.01F;
     state_.steps.write(device_, std::span(&params_, 1));
     Random random(seed);
     const auto draw = [&] {
@@ -126,7 +126,7 @@ class ImplicitRig {
       reference::Press& press = presses_[n];
       press.weight = weight;
       press.normal = {put(0, weight * normal.x), put(1, weight * normal.y), put(2, weight * normal.z)};
-      press.lack = put(3, weight * lack) * static_cast<double>(params_.thickness);
+      press.lack = put(3, weight * lack) * static_cast<double>(params_.contact.thickness);
       press.surface = {put(5, weight * surface.x), put(6, weight * surface.y), put(7, weight * surface.z)};
       press.friction = put(8, weight * friction);
     }
@@ -135,7 +135,7 @@ class ImplicitRig {
   const gpu::Buffer<std::int32_t>& press_sums() const { return press_sums_; }
   void set_ratio(double ratio) {
     ratio_ = ratio;
-    params_.step_ratio = static_cast<float>(ratio);
+    params_.time.step_ratio = static_cast<float>(ratio);
     state_.steps.write(device_, std::span(&params_, 1));
   }
 
@@ -192,7 +192,7 @@ class ImplicitRig {
   std::vector<reference::Press> presses_;
   scene::Scene scene_;
   double dt_, ratio_ = 1;
-  StepParams params_;
+  StepBlock params_;
   GpuModel model_;
   State state_;
   ClothCycle cycle_;

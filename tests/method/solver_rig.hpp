@@ -44,14 +44,14 @@ class SolverRig {
     auto solver = make_solver(scene.solver, {device, model_, state_, nullptr, workgroup_size});
     REQUIRE_OK(solver);
     solver_ = std::move(*solver);
-    StepParams& params = params_;
-    params.acceleration = Vec4f::from((scene.gravity + scene.external_force).to<float>(), 0);
-    params.dt = static_cast<float>(dt);
-    params.drag = static_cast<float>(scene.drag);
+    StepBlock& params = params_;
+    params.air.acceleration = Vec4f::from((scene.gravity + scene.external_force).to<float>(), 0);
+    params.time.dt = static_cast<float>(dt);
+    params.air.drag = static_cast<float>(scene.drag);
     const scene::WindField wind = scene::wind_field(scene.wind);
-    set_wind(params, wind, {wind.waves[0].rate * kTime, wind.waves[1].rate * kTime});
-    params.vertex_count = model_.vertex_count();
-    solver_->fill(params);
+    set_wind(params.air, wind, {wind.waves[0].rate * kTime, wind.waves[1].rate * kTime});
+    params.nodes.count = model_.vertex_count();
+    solver_->fill(params.method);
     state_.steps.write(device, std::span(&params, 1));
   }
 
@@ -76,10 +76,10 @@ class SolverRig {
 
   /// Holds a node from now on.
   void hold(std::uint32_t node, const Vec3d& target, double rate, double speed) {
-    params_.grab_rate = static_cast<float>(rate);
-    params_.grab_speed = static_cast<float>(speed);
-    params_.grab_node[grabs_.size()] = node;
-    params_.grab_target[grabs_.size()] = Vec4f::from(target.to<float>(), 0);
+    params_.hands.rate = static_cast<float>(rate);
+    params_.hands.speed = static_cast<float>(speed);
+    params_.hands.node[grabs_.size()] = node;
+    params_.hands.goal[grabs_.size()] = Vec4f::from(target.to<float>(), 0);
     grabs_.push_back({node, target});
     state_.steps.write(device_, std::span(&params_, 1));
   }
@@ -128,8 +128,8 @@ class SolverRig {
     system.wind = scene::wind_field(scene_.wind);
     system.time = kTime;
     system.grabs = grabs_;
-    system.grab_rate = static_cast<double>(params_.grab_rate);
-    system.grab_speed = static_cast<double>(params_.grab_speed);
+    system.grab_rate = static_cast<double>(params_.hands.rate);
+    system.grab_speed = static_cast<double>(params_.hands.speed);
     return system;
   }
 
@@ -143,7 +143,7 @@ class SolverRig {
   gpu::Device& device_;
   scene::Scene scene_;
   double dt_;
-  StepParams params_;
+  StepBlock params_;
   std::vector<reference::Follower> grabs_;
   GpuModel model_;
   State state_;

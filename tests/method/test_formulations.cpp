@@ -263,11 +263,11 @@ TEST_CASE("spring-centric forces of any cloth sum to exactly zero") {
     auto force = gpu::Buffer<std::int32_t>::create(device, 3UL * count, "force");
     REQUIRE_OK(force);
     const ForceFixedPoint fixed_point = force_fixed_point(springs, count);
-    StepParams params;
-    params.vertex_count = count;
-    params.spring_count = static_cast<std::uint32_t>(springs.size());
-    params.force_scale = fixed_point.scale;
-    params.force_limit = fixed_point.limit;
+    StepBlock params;
+    params.nodes.count = count;
+    params.method.spring_count = static_cast<std::uint32_t>(springs.size());
+    params.method.force_scale = fixed_point.scale;
+    params.method.force_limit = fixed_point.limit;
     state->steps.write(device, std::span(&params, 1));
     state->position[0].write(device, position);
     state->velocity[0].write(device, velocity);

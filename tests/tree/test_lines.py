@@ -7,7 +7,7 @@ from scripts import lines
 
 WIDE = "word " * 30
 KERNEL = """\
-@group(0) @binding(0) var<uniform>       step  : StepParams;
+@group(0) @binding(0) var<uniform>       step  : StepBlock;
 @group(0) @binding(1) var<storage, read> place : array<vec4f>; // node_count
 fn f(a : u32) -> u32 {
   let b = g(a,

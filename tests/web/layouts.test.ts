@@ -33,13 +33,17 @@ function differences(wgsl: StructInfo | null, mirror: Struct): string[] {
 
 const reflected = new Map(shaderPaths().map((path) => [path, new WgslReflect(loadShader(path))]));
 
-/** The struct types of a shader's bindings, with the stride where they are elements of an array. */
+/** A struct type and those of its members, with the stride where it is the element of an array. */
+function structs(type: TypeInfo, stride: number | null = null): { name: string; stride: number | null }[] {
+  if (type.isArray) return structs((type as ArrayInfo).format, (type as ArrayInfo).stride);
+  if (!type.isStruct) return [];
+  const parts = (type as StructInfo).members.flatMap((member) => structs(member.type));
+  return [{ name: type.name, stride }, ...parts.filter((part) => part.stride === null)];
+}
+
+/** The struct types of a shader's bindings. */
 function bound(shader: WgslReflect): { name: string; stride: number | null }[] {
-  return [...shader.uniforms, ...shader.storage].flatMap(({ type }) => {
-    if (type.isStruct) return { name: type.name, stride: null };
-    const array = type as ArrayInfo;
-    return type.isArray && array.format.isStruct ? { name: array.format.name, stride: array.stride } : [];
-  });
+  return [...shader.uniforms, ...shader.storage].flatMap(({ type }) => structs(type));
 }
 
 function valueInWgsl({ file, name }: Constant): number | undefined {

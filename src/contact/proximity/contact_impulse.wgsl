@@ -5,7 +5,7 @@
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepParams;
+@group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
@@ -35,16 +35,16 @@ fn impulse(contact : Contact) -> vec3f {
   if (mobility <= 0.0) { return vec3f(0.0); }
   let n = contact.normal.xyz;
   let gap = contact.normal.w;
-  let thickness = select(step.thickness, step.self_thickness, is_self_pair(ids));
+  let thickness = select(step.contact.thickness, step.contact.self_thickness, is_self_pair(ids));
   let speed = dot(n, u);
-  var change = min(kContactWall * thickness - gap, 0.0) / step.dt - speed;
+  var change = min(kContactWall * thickness - gap, 0.0) / step.time.dt - speed;
   if (contact.solid == kUntangles) {
-    change = -gap * thickness * min(kUntanglePart / step.dt, kUntangleRate) - speed;
+    change = -gap * thickness * min(kUntanglePart / step.time.dt, kUntangleRate) - speed;
   } else if (gap < kContactTouching * thickness) {
-    let pull_apart = kContactSpring * clamp(thickness - gap, 0.0, thickness) / step.dt;
-    change = max(change, pull_apart - step.contact_damping * speed);
+    let pull_apart = kContactSpring * clamp(thickness - gap, 0.0, thickness) / step.time.dt;
+    change = max(change, pull_apart - step.contact.damping * speed);
   } else {  // it comes to the thickness and no further
-    change = max(change, step.contact_damping * ((thickness - gap) / step.dt - speed));
+    change = max(change, step.contact.damping * ((thickness - gap) / step.time.dt - speed));
   }
   if (change <= 0.0) { return vec3f(0.0); }
   let sliding = u - speed * n;

@@ -9,7 +9,7 @@
 #include "contact/proximity/hold_back.wgsl"
 #include "contact/proximity/schedule_search.wgsl"
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepParams;
+@group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
@@ -30,7 +30,7 @@ fn take_impulses(vertex : u32) -> vec3f {
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
-  if (vertex >= step.vertex_count) { return; }
+  if (vertex >= step.nodes.count) { return; }
   let words = vertex_contacts[2u * vertex];
   let begin = words.x;
   let end = begin + words.y;
@@ -40,7 +40,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   if (acted_on || tight > 0.0) { vertex_contacts[2u * vertex] = vec4u(begin, words.y, 0u, 0u); }
   if (vertex == 0u) { schedule_for_colliders(); }
 
-  let found = predicted[step.vertex_count + vertex];
+  let found = predicted[step.nodes.count + vertex];
   let start = previous[vertex];
   let inverse_mass = start.w;
   let unhindered = position[vertex].xyz;
@@ -49,17 +49,17 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     if (acted_on) {
       let change = take_impulses(vertex);
       way.velocity += change;
-      way.position += step.dt * change;
+      way.position += step.time.dt * change;
     }
     if (tight >= kInBody) {
       let change = out_of_body(bodies_around(begin, end), way.velocity);
       way.velocity += change;
-      way.position += step.dt * change;
+      way.position += step.time.dt * change;
     }
     way = within_reach(way, start.xyz, found);
     way = before_planes(way, start.xyz, begin, end, tight);
     if (way.held_back) {  // it has the velocity that it came by, or its neighbours would pull it ever faster
-      way.velocity = (way.position - start.xyz) / step.dt;
+      way.velocity = (way.position - start.xyz) / step.time.dt;
       atomicAdd(&statistics[kStatTruncated], 1u);
     }
     position[vertex] = vec4f(way.position, inverse_mass);

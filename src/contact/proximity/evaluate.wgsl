@@ -9,7 +9,7 @@
 #include "contact/proximity/measure.wgsl"
 #include "contact/proximity/planes.wgsl"
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepParams;
+@group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
 @group(0) @binding(3) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
@@ -43,7 +43,7 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
     if (is_collider(id)) {
       place = end_of(id).xyz;
     } else {
-      place = previous[id & kIdBits].xyz + step.dt * predicted[id & kIdBits].xyz;
+      place = previous[id & kIdBits].xyz + step.time.dt * predicted[id & kIdBits].xyz;
     }
     reach = max(reach, sign * dot(n, place));
   }
@@ -106,7 +106,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     } else {
       measured = measure(ids);
       let distance = measured.gap + measured.radius;
-      let touches = !is_plane_pair(ids) && distance < kTouch * step.thickness && is_of_closed_mesh(ids);
+      let touches = !is_plane_pair(ids) && distance < kTouch * step.contact.thickness && is_of_closed_mesh(ids);
       if (touches || (tangled && measured.radius == 0.0 && is_tangled(ids, is_self))) {
         // The outside of a closed mesh is known. All other cases are left to the crossings.
         let p1 = start_of(ids.y);
@@ -116,7 +116,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
         let outside = dot(measured.normal, normal) >= 0.0 && !touches;
         let over = measured.s > 0.0 && measured.t > 0.0 && measured.s + measured.t < 1.0;
         if (from_face && !outside && (over || touches)) {
-          measured.counts = distance < step.thickness;
+          measured.counts = distance < step.contact.thickness;
           measured.normal = normal / size;
           measured.gap = -1.0;
           untangles = true;
@@ -130,11 +130,11 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let gap = measured.gap;
     let w = weights_of(ids, measured.s, measured.t);
     let r = relative_velocity(ids, w, measured);
-    let thickness = select(step.thickness, step.self_thickness, is_self);
+    let thickness = select(step.contact.thickness, step.contact.self_thickness, is_self);
     let speed = dot(n, r.velocity + r.surface);
-    let is_near = gap + min(step.dt * speed, 0.0) < kContactTouching * thickness;
+    let is_near = gap + min(step.time.dt * speed, 0.0) < kContactTouching * thickness;
     let acts = measured.counts && is_near;
-    let urgency = urgency_of(gap + min(step.dt * speed, 0.0), thickness);
+    let urgency = urgency_of(gap + min(step.time.dt * speed, 0.0), thickness);
     let first_b = roles_of_a(ids);
     let end_b = role_count(ids);
     var reach = 0.0;

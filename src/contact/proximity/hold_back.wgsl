@@ -71,7 +71,7 @@ fn within_reach(way_so_far : Way, start : vec3f, found : vec4f) -> Way {
     let room = max(reach * reach - dot(away, away), 0.0);
     result.position = start + clamp((sqrt(along * along + square * room) - along) / square, 0.0, 1.0) * way;
     // It goes on no faster than reaches let it, or its neighbours would pull it ever faster.
-    result.velocity *= min(1.0, reach / (kDetectInterval * step.dt * length(result.velocity)));
+    result.velocity *= min(1.0, reach / (kDetectInterval * step.time.dt * length(result.velocity)));
     atomicAdd(&statistics[kStatTruncated], 1u);
   }
   return result;
@@ -83,7 +83,7 @@ fn before_planes(way_so_far : Way, start : vec3f, begin : u32, end : u32, tight 
   var x = way_so_far.position;
   let length_of_way = 1.001 * length(x - start);
   let far = length_of_way > free_way();
-  let still = step.acceleration.w == 0.0;  // no solid side comes nearer: a vertex within a margin may stay there
+  let still = step.contact.collider_travel == 0.0;  // no solid side comes nearer: a vertex within a margin may stay there
   if (begin >= end || !(far || length_of_way > free_way() - tight)) { return way_so_far; }
   var part = 1.0;
   var deepest = vec4f(0.0);

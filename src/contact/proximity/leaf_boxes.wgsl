@@ -6,7 +6,7 @@
 #include "contact/proximity/tree_params.wgsl"
 #include "state/step.wgsl"
 //                                                                           elements
-@group(0) @binding(0) var<uniform>             step       : StepParams;
+@group(0) @binding(0) var<uniform>             step       : StepBlock;
 @group(0) @binding(1) var<uniform>             params     : TreeParams;
 @group(0) @binding(2) var<storage, read>       position   : array<vec4f>; // m; of cloth: tree.wgsl
 @group(0) @binding(3) var<storage, read>       triangles  : array<vec4u>; // corners; w: find_pairs.wgsl
@@ -25,7 +25,7 @@ fn store(level : u32, node : u32, box : Box) {
 fn leaf_box(leaf : u32) -> Box {
   var box = empty_box();
   let is_cloth = params.tree == 0u;
-  let first = select(0u, step.vertex_count, is_cloth);
+  let first = select(0u, step.nodes.count, is_cloth);
   let end = min(kLeafTriangles * (leaf + 1u), params.triangle_count);
   for (var t = kLeafTriangles * leaf; t < end; t++) {
     let corner = triangles[params.first_triangle + t];

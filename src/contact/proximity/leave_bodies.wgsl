@@ -32,6 +32,6 @@ fn out_of_body(body : OutOfBody, v : vec3f) -> vec3f {
   let agreement = length(way);
   if (agreement <= 0.0) { return vec3f(0.0); }
   let n = way / agreement;
-  let wanted = step.thickness * min(kUntanglePart / step.dt, kUntangleRate);
+  let wanted = step.contact.thickness * min(kUntanglePart / step.time.dt, kUntangleRate);
   return max(0.0, wanted - dot(n, v - vec3f(body.surface) / f32(body.parts))) * n;
 }

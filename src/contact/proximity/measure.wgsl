@@ -19,7 +19,7 @@ fn start_of(id : u32) -> vec4f {
   if (is_collider(id)) { return points[id & kIdBits]; }
   return previous[id & kIdBits];
 }
-fn end_of(id : u32) -> vec4f { return points[step.point_count + (id & kIdBits)]; }
+fn end_of(id : u32) -> vec4f { return points[step.contact.point_count + (id & kIdBits)]; }
 
 // Of a pair that is no crossing.
 fn measure(ids : vec4u) -> Measured {
@@ -57,7 +57,7 @@ fn relative_velocity(ids : vec4u, w : vec4f, measured : Measured) -> Relative {
   for (var role = 0u; role < role_count(ids); role++) {
     let id = ids[role];
     if (is_collider(id)) {
-      r.surface += w[role] * ((end_of(id).xyz - start_of(id).xyz) / step.dt);
+      r.surface += w[role] * ((end_of(id).xyz - start_of(id).xyz) / step.time.dt);
     } else {
       r.velocity += w[role] * velocity_of(id & kIdBits);
     }

@@ -9,7 +9,7 @@ struct ColliderPlace {  // mirror: src/contact/proximity/collider_set.hpp
   spin : vec4f,   // rad/s
 }
 //                                                                               elements                         unit
-@group(0) @binding(0) var<uniform>             step   : StepParams;
+@group(0) @binding(0) var<uniform>             step   : StepBlock;
 @group(0) @binding(1) var<storage, read>       places : array<ColliderPlace>; // colliders * (substeps + 1)
 @group(0) @binding(2) var<storage, read>       shapes : array<vec4f>;         // m, then keyframes; w: collider + a kind
 @group(0) @binding(3) var<storage, read_write> points : array<vec4f>;         // 2 * point_count + 3 * colliders  m
@@ -27,16 +27,17 @@ fn placed(place : ColliderPlace, point : u32, kind : f32) -> vec3f {
 @compute @workgroup_size(kWorkgroupSize)
 fn move_points(@builtin(global_invocation_id) id : vec3u) {
   let point = flat_index(id);
-  let count = (arrayLength(&points) - 2u * step.point_count) / 3u;
+  let count = (arrayLength(&points) - 2u * step.contact.point_count) / 3u;
   if (point < 3u * count) {
-    points[2u * step.point_count + point] = places[step.first_place + point / 3u].rows[point % 3u];
+    points[2u * step.contact.point_count + point] = places[step.contact.first_place + point / 3u].rows[point % 3u];
   }
-  if (point >= step.point_count) { return; }
+  if (point >= step.contact.point_count) { return; }
   let owner = shapes[point].w;
   let collider = u32(owner);
   let kind = owner - floor(owner);
-  let now = places[step.first_place + collider];
-  let then = places[step.first_place + count + collider];
+  let now = places[step.contact.first_place + collider];
+  let then = places[step.contact.first_place + count + collider];
   points[point] = vec4f(placed(now, point, kind), points[point].w);
-  points[step.point_count + point] = vec4f(placed(then, point, kind), points[step.point_count + point].w);
+  let end = step.contact.point_count + point;
+  points[end] = vec4f(placed(then, point, kind), points[end].w);
 }

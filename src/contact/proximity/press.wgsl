@@ -5,7 +5,7 @@
 #include "contact/proximity/measure.wgsl"
 #include "contact/proximity/press_sums.wgsl"
 //                                                                                 elements      unit
-@group(0) @binding(0) var<uniform>             step       : StepParams;
+@group(0) @binding(0) var<uniform>             step       : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous   : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(2) var<storage, read>       velocity   : array<vec4f>;       // vertex_count  m/s
 @group(0) @binding(3) var<storage, read>       points     : array<vec4f>;       // of colliders: move_points.wgsl
@@ -32,9 +32,9 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     if (!measured.counts) { continue; }
     let weights = weights_of(ids, measured.s, measured.t);
     let r = relative_velocity(ids, weights, measured);
-    let way = step.dt * dot(measured.normal, r.velocity + r.surface);
-    if (!(measured.gap + min(way, 0.0) < kContactTouching * step.thickness)) { continue; }
-    let lack = clamp((step.thickness - measured.gap - way) / step.thickness, -kMostLack, kMostLack);
+    let way = step.time.dt * dot(measured.normal, r.velocity + r.surface);
+    if (!(measured.gap + min(way, 0.0) < kContactTouching * step.contact.thickness)) { continue; }
+    let lack = clamp((step.contact.thickness - measured.gap - way) / step.contact.thickness, -kMostLack, kMostLack);
     let friction = min(friction_of(ids, contacts[pair].surface.w), kMostFriction);
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role]) || weights[role] == 0.0) { continue; }

@@ -11,7 +11,7 @@ Result<TreeRefit> TreeRefit::create(gpu::Device& device, std::uint32_t workgroup
   return made;
 }
 
-Result<void> TreeRefit::add(gpu::Device& device, const gpu::Buffer<StepParams>& steps,
+Result<void> TreeRefit::add(gpu::Device& device, const gpu::Buffer<StepBlock>& steps,
                             const ImplicitTree& tree, std::uint32_t first_triangle,
                             std::uint32_t triangle_count, const gpu::RawBuffer& positions,
                             const gpu::Buffer<TreeWord>& triangles,

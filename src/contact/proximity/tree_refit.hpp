@@ -23,7 +23,7 @@ class TreeRefit {
   TreeRefit() = default;
   static Result<TreeRefit> create(gpu::Device& device, std::uint32_t workgroup_size);
   /// Adds a tree.
-  Result<void> add(gpu::Device& device, const gpu::Buffer<StepParams>& steps, const ImplicitTree& tree,
+  Result<void> add(gpu::Device& device, const gpu::Buffer<StepBlock>& steps, const ImplicitTree& tree,
                    std::uint32_t first_triangle, std::uint32_t triangle_count,
                    const gpu::RawBuffer& positions, const gpu::Buffer<TreeWord>& triangles,
                    const gpu::Buffer<std::uint32_t>& statistics, const gpu::Buffer<TreeWord>& trees);

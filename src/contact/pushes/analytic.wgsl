@@ -1,5 +1,5 @@
 // Contacts of nodes with spheres and planes. One invocation per vertex. The push is that of the triangles, from the
-// signed distance and the surface normal at the previous position; a node within step.thickness of the surface at its
+// signed distance and the surface normal at the previous position; a node within step.contact.thickness of the surface at its
 // predicted position gets it.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
@@ -14,7 +14,7 @@ struct AnalyticCollider {
 }
 const kAnalyticId = 0x80000000u;  // kAnalyticId of colliders_analytic.hpp: its pairs' ids differ from object triangles'
 //                                                                                 elements      unit
-@group(0) @binding(0) var<uniform>             step       : StepParams;         // 1
+@group(0) @binding(0) var<uniform>             step       : StepBlock;          // 1
 @group(0) @binding(1) var<storage, read>       predicted  : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(2) var<storage, read>       previous   : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(3) var<storage, read>       colliders  : array<AnalyticCollider>;
@@ -44,10 +44,10 @@ fn analytic(@builtin(global_invocation_id) id : vec3u) {
   var hash = 0u;
   for (var c = 0u; c < arrayLength(&colliders); c++) {
     let collider = colliders[c];
-    if (surface(collider, now.xyz).w >= step.thickness) { continue; }
+    if (surface(collider, now.xyz).w >= step.contact.thickness) { continue; }
     let start = surface(collider, before.xyz);
-    let push = clamp(step.thickness - start.w, 0.0, step.max_push);
-    sum += vec3i(round((step.push_scale * push) * start.xyz));
+    let push = clamp(step.contact.thickness - start.w, 0.0, step.contact.max_push);
+    sum += vec3i(round((step.contact.push_scale * push) * start.xyz));
     hits++;
     hash += hash_pair(node, kAnalyticId + c);
   }

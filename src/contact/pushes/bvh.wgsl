@@ -16,7 +16,7 @@ struct TreeNode {
   spare : vec4u,  // fills the node up to a cache line of 128 bytes
 }
 //                                                                                       elements      unit
-@group(0) @binding(0) var<uniform>             step             : StepParams;         // 1
+@group(0) @binding(0) var<uniform>             step             : StepBlock;          // 1
 @group(0) @binding(1) var<storage, read>       predicted        : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(2) var<storage, read>       previous         : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(3) var<storage, read>       cloth_triangles  : array<u32>;         // 3 * cloth triangles

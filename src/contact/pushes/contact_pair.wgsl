@@ -1,5 +1,5 @@
 // Adds the push of an intersecting pair to the three nodes of its cloth triangle. WGSL has no f32 atomics, so pushes
-// are fixed point at step.push_scale units per metre (src/contact/pushes/push_scale.hpp); integer sums do not depend on
+// are fixed point at push_scale units per metre (src/contact/pushes/push_scale.hpp); integer sums do not depend on
 // thread order. The including kernel binds step, predicted, previous, cloth_triangles, object_triangles, object_ids,
 // pushes, statistics.
 #include "state/step.wgsl"
@@ -58,8 +58,8 @@ fn push_node(node : u32, base : vec3f, normal : vec3f) {
   let before = previous[node];
   if (before.w == 0.0) { return; }
   let offset = before.xyz - base;
-  let push = clamp(step.thickness - dot_fused(normal, offset), 0.0, step.max_push);
-  let units = select(vec3i(0), vec3i(round((step.push_scale * push) * normal)), is_finite(offset));
+  let push = clamp(step.contact.thickness - dot_fused(normal, offset), 0.0, step.contact.max_push);
+  let units = select(vec3i(0), vec3i(round((step.contact.push_scale * push) * normal)), is_finite(offset));
   atomicAdd(&pushes[4u * node], units.x);
   atomicAdd(&pushes[4u * node + 1u], units.y);
   atomicAdd(&pushes[4u * node + 2u], units.z);

@@ -10,7 +10,7 @@ struct PairRange {
   chunk : u32,  // object triangles an invocation
 }
 //                                                                                       elements      unit
-@group(0) @binding(0) var<uniform>             step             : StepParams;         // 1
+@group(0) @binding(0) var<uniform>             step             : StepBlock;          // 1
 @group(0) @binding(1) var<storage, read>       predicted        : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(2) var<storage, read>       previous         : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(3) var<storage, read>       cloth_triangles  : array<u32>;         // 3 * cloth triangles

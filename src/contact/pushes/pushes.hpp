@@ -45,7 +45,7 @@ class Pushes : public Stages {
   void measure(gpu::ComputePass& pass) const override;
   void hold_back(gpu::ComputePass& pass) const override;
 
-  /// For StepParams: fixed-point units per metre, and the length that a push is cut to [m].
+  /// For StepBlock: fixed-point units per metre, and the length that a push is cut to [m].
   float push_scale() const { return push_scale_; }
   float max_push() const { return max_push_; }
 

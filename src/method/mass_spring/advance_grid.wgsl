@@ -5,7 +5,7 @@
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
 //                                                                               elements            unit
-@group(0) @binding(0) var<uniform>             step         : StepParams;
+@group(0) @binding(0) var<uniform>             step         : StepBlock;
 @group(0) @binding(1) var<uniform>             grid         : SpringGrid;
 @group(0) @binding(2) var<storage, read>       position_in  : array<vec4f>;   // vertex_count        m (w: 1/kg)
 @group(0) @binding(3) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count        m/s

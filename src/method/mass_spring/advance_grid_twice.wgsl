@@ -5,7 +5,7 @@
 #include "method/mass_spring/grid_force.wgsl"
 #include "state/integrate.wgsl"
 //                                                                               elements            unit
-@group(0) @binding(0) var<uniform>             steps        : array<StepParams, 2>;
+@group(0) @binding(0) var<uniform>             steps        : array<StepBlock, 2>;
 @group(0) @binding(1) var<uniform>             grid         : SpringGrid;
 @group(0) @binding(2) var<storage, read>       position_in  : array<vec4f>;   // vertex_count        m (w: 1/kg)
 @group(0) @binding(3) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count        m/s
@@ -21,7 +21,7 @@ const kRow = kTileWidth + 2u * kRim;
 const kPlaces = kRow * (kTileHeight + 2u * kRim);
 const kInvocations = 256u;  // as many as have a node in the first substep, and 16 more
 
-var<private> step : StepParams;
+var<private> step : StepBlock;
 // 28 bytes per node: 10.5 of the 16 KiB that every adapter has.
 var<workgroup> tile_position : array<vec4f, kPlaces>;
 var<workgroup> tile_velocity_x : array<f32, kPlaces>;

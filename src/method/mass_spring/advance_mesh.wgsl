@@ -10,7 +10,7 @@ struct MeshParams {  // mirror: src/method/mass_spring/advance_mesh.hpp
   kinds : array<vec4f, kNeighbourKinds>,  // N/m, N·s/m: stiffness and damping
 }
 //                                                                               elements               unit
-@group(0) @binding(0) var<uniform>             step         : StepParams;
+@group(0) @binding(0) var<uniform>             step         : StepBlock;
 @group(0) @binding(1) var<uniform>             mesh         : MeshParams;
 @group(0) @binding(2) var<storage, read>       slices       : array<u32>;        // slices + 1: each one's first entry
 @group(0) @binding(3) var<storage, read>       neighbours   : array<Neighbour>;  // 2 * springs, and fillers

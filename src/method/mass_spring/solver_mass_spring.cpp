@@ -31,10 +31,10 @@ void SolverMassSpring::record(gpu::ComputePass& pass, const contact::Stages& con
   contact.hold_back(pass);
 }
 
-void SolverMassSpring::fill(StepParams& params) const {
-  params.spring_count = spring_count_;
-  params.force_scale = fixed_point_.scale;
-  params.force_limit = fixed_point_.limit;
+void SolverMassSpring::fill(StepBlock::Method& part) const {
+  part.spring_count = spring_count_;
+  part.force_scale = fixed_point_.scale;
+  part.force_limit = fixed_point_.limit;
 }
 
 void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {

@@ -23,7 +23,7 @@ class SolverMassSpring : public Solver {
 
   std::uint32_t substeps_at_once() const override { return twice_.empty() ? 1 : 2; }
   void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
-  void fill(StepParams& params) const override;
+  void fill(StepBlock::Method& part) const override;
 
  private:
   /// Algorithm 1: fixed-point sums of springs, one by one or in blocks.

@@ -15,14 +15,14 @@ struct BlockSpring {  // mirror: src/element/spring/spring_blocks.hpp
   rest_length : f32,     // m
 }
 //                                                                              elements          unit
-@group(0) @binding(0) var<uniform>             step     : StepParams;
+@group(0) @binding(0) var<uniform>             step     : StepBlock;
 @group(0) @binding(1) var<storage, read>       position : array<vec4f>;        // vertex_count      m
 @group(0) @binding(2) var<storage, read>       velocity : array<vec4f>;        // vertex_count      m/s
 @group(0) @binding(3) var<storage, read>       blocks   : array<SpringBlock>;
 @group(0) @binding(4) var<storage, read>       nodes    : array<u32>;
 @group(0) @binding(5) var<storage, read>       springs  : array<BlockSpring>;  // spring_count
 @group(0) @binding(6) var<storage, read>       kinds    : array<SpringKind>;
-@group(0) @binding(7) var<storage, read_write> force    : array<atomic<i32>>;  // 3 * vertex_count  N * step.force_scale
+@group(0) @binding(7) var<storage, read_write> force    : array<atomic<i32>>;  // 3 * vertex_count  N * force_scale
 
 const kBlockNodes = 448u;  // kBlockNodes in src/element/spring/spring_blocks.hpp: 36 bytes each, 15.75 KiB
 const kPlaceBits = 10u;
@@ -77,7 +77,7 @@ fn spring_block_forces(@builtin(workgroup_id) group : vec3u, @builtin(local_invo
   for (var k = local; k < chunk.node_count; k += kWorkgroupSize) {
     let node = nodes[chunk.first_node + k];
     atomicAdd(&force[node], atomicLoad(&sum[k]));
-    atomicAdd(&force[step.vertex_count + node], atomicLoad(&sum[kBlockNodes + k]));
-    atomicAdd(&force[2u * step.vertex_count + node], atomicLoad(&sum[2u * kBlockNodes + k]));
+    atomicAdd(&force[step.nodes.count + node], atomicLoad(&sum[kBlockNodes + k]));
+    atomicAdd(&force[2u * step.nodes.count + node], atomicLoad(&sum[2u * kBlockNodes + k]));
   }
 }

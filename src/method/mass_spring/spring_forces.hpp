@@ -9,7 +9,7 @@ namespace weft {
 /// Adds the force of every spring to its two nodes.
 /// Source  Sung et al., Algorithm 1.
 /// Reads   steps; position[parity] [m], velocity[parity] [m/s]: vertex_count x Vec4f.
-/// Writes  force [N * StepParams::force_scale]: 3 * vertex_count x int32, all x, all y, all z; added to,
+/// Writes  force [N * force_scale]: 3 * vertex_count x int32, all x, all y, all z; added to,
 ///         integrate_forces clears it.
 /// Errors  Shader, OutOfMemory. Limit: pack_springs. Shape: force is not three times position.
 class SpringForces {

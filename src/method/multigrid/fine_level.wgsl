@@ -3,7 +3,7 @@
 #include "method/multigrid/fine_operator.wgsl"
 #include "method/multigrid/smoothing.wgsl"
 //                                                                               elements       unit
-@group(0) @binding(0) var<uniform>             step    : StepParams;
+@group(0) @binding(0) var<uniform>             step    : StepBlock;
 @group(0) @binding(1) var<uniform>             grid    : SpringGrid;
 @group(0) @binding(2) var<uniform>             levels  : array<GridLevelParams, 2>;
 @group(0) @binding(3) var<storage, read>       place   : array<vec4f>;        // nx * ny        m (w: N/m; 0: fixed)

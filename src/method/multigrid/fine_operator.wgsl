@@ -25,7 +25,7 @@ fn product(level : Level, x : u32, node : u32) -> vec3f {
   let j = node / level.nx;
   let i = node - j * level.nx;
   let here = place[node];
-  let own = Own(here.xyz, operand(level, x, node), 1.0 / formula_of(step.step_ratio).he, level, x);
+  let own = Own(here.xyz, operand(level, x, node), 1.0 / formula_of(step.time.step_ratio).he, level, x);
   let springs = sum_of_springs(own, grid, node, grid.nx, i, j);
   let sum = here.w * own.value + springs + bending_product(level, x, i, j, node);
   if (!kHolds) { return sum; }

@@ -5,7 +5,7 @@
 #include "method/multigrid/fine_operator.wgsl"
 #include "method/multigrid/finish_node.wgsl"
 //                                                                               elements       unit
-@group(0) @binding(0) var<uniform>             step         : StepParams;
+@group(0) @binding(0) var<uniform>             step         : StepBlock;
 @group(0) @binding(1) var<uniform>             nodes        : ClothNodes;
 @group(0) @binding(2) var<uniform>             grid         : SpringGrid;
 @group(0) @binding(3) var<uniform>             levels       : array<GridLevelParams, 2>;

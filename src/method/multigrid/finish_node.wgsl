@@ -10,7 +10,7 @@ fn finish_held(index : u32) {
   let now = position_in[node];
   let held_at = place[index].xyz;
   position_out[node] = vec4f(held_at, now.w);
-  velocity_out[node] = vec4f((held_at - now.xyz) / step.dt, 1.0);
+  velocity_out[node] = vec4f((held_at - now.xyz) / step.time.dt, 1.0);
 }
 
 fn finish_free(index : u32, solution : vec3f) {
@@ -18,8 +18,8 @@ fn finish_free(index : u32, solution : vec3f) {
   let now = position_in[node];
   let velocity = velocity_in[node];
   let pressed = is_pressed(index);
-  let formula = formula_of(select(step.step_ratio * velocity.w, 0.0, pressed));
-  let way = step.dt * velocity.xyz + solution;
+  let formula = formula_of(select(step.time.step_ratio * velocity.w, 0.0, pressed));
+  let way = step.time.dt * velocity.xyz + solution;
   let before = position_out[node].xyz;
   position_out[node] = vec4f(now.xyz + way, now.w);
   velocity_out[node] = vec4f((way - formula.c * (now.xyz - before)) / formula.he, select(1.0, 0.0, pressed));

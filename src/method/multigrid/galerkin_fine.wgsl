@@ -9,7 +9,7 @@
 #include "method/multigrid/spring.wgsl"
 #include "element/spring/spring_grid.wgsl"
 //                                                                            elements       unit
-@group(0) @binding(0) var<uniform>             step      : StepParams;
+@group(0) @binding(0) var<uniform>             step      : StepBlock;
 @group(0) @binding(1) var<uniform>             grid      : SpringGrid;
 @group(0) @binding(2) var<uniform>             levels    : array<GridLevelParams, 2>;
 @group(0) @binding(3) var<storage, read>       place     : array<vec4f>;   // nx * ny        m (w: N/m; 0: fixed)
@@ -80,7 +80,7 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
   let center_j = i32(center_of(coarse_j, grid.ny, coarse.ny));
   let regular_i = is_regular(center_i, nx, mx);
   let regular_j = is_regular(center_j, ny, my);
-  rate = 1.0 / formula_of(step.step_ratio).he;
+  rate = 1.0 / formula_of(step.time.step_ratio).he;
   blocks = array<Symmetric, 5>();
   let left = max(center_i - 2, 0);
   for (var y = max(center_j - 2, 0); y <= min(center_j + 2, ny - 1); y++) {

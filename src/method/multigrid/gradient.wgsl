@@ -8,7 +8,7 @@
 #include "method/multigrid/spring.wgsl"
 #include "element/spring/springs_of_node.wgsl"
 //                                                                              elements       unit
-@group(0) @binding(0) var<uniform>             step        : StepParams;
+@group(0) @binding(0) var<uniform>             step        : StepBlock;
 @group(0) @binding(1) var<uniform>             grid        : SpringGrid;
 @group(0) @binding(2) var<uniform>             levels      : array<GridLevelParams, 2>;
 @group(0) @binding(3) var<storage, read>       place       : array<vec4f>;   // nx * ny        m (w: N/m; 0: fixed)
@@ -56,7 +56,7 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   let i = node - j * grid.nx;
   let start = vectors[vector_at(level, kFirst, node)].xyz;
   let start_velocity = vectors[vector_at(level, kSecond, node)].xyz;
-  let own = Own(here.xyz, start, start_velocity, 1.0 / formula_of(step.step_ratio).he);
+  let own = Own(here.xyz, start, start_velocity, 1.0 / formula_of(step.time.step_ratio).he);
   diagonal = identity(here.w + bending_diagonal(level, i, j));
   var residual = vectors[vector_at(level, kResidual, node)].xyz + sum_of_springs(own, grid, node, grid.nx, i, j) -
                  bending_product(level, kFirst, i, j, node);

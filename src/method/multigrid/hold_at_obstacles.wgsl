@@ -34,7 +34,7 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   }
   let weight = f32(presses[word + kPressWeight]) / kPressUnits;
   let sum = press_vector(word + kPressNormal);
-  let lack = f32(presses[word + kPressLack]) / (kLackUnits * weight) * step.thickness;
+  let lack = f32(presses[word + kPressLack]) / (kLackUnits * weight) * step.contact.thickness;
   let surface = press_vector(word + kPressSurface) / weight;
   let friction = f32(presses[word + kPressFriction]) / (kPressUnits * weight);
   free_of_obstacles(node, first_vertex);
@@ -45,7 +45,7 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   if (pressed <= 0.0) { return none; }
   let stiffness = kHoldStiffness * min(weight, 1.0) * (diagonal.diagonal.x + diagonal.diagonal.y + diagonal.diagonal.z);
   let most = friction * pressed * stiffness / (stiffness + inertia);  // compliance of the hold
-  let slip = start - step.dt * surface;
+  let slip = start - step.time.dt * surface;
   let along = slip - dot(slip, n) * n;
   let needed = -inertia * along - (residual - dot(residual, n) * n);
   let grip = length(needed);

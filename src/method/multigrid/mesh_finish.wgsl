@@ -2,7 +2,7 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/finish_node.wgsl"
 //                                                                               elements       unit
-@group(0) @binding(0) var<uniform>             step         : StepParams;
+@group(0) @binding(0) var<uniform>             step         : StepBlock;
 @group(0) @binding(1) var<uniform>             nodes        : ClothNodes;
 @group(0) @binding(2) var<storage, read>       place        : array<vec4f>;   // count          m (w: N/m; 0: fixed)
 @group(0) @binding(3) var<storage, read>       holds        : array<vec4f>;   // method/multigrid/hold.wgsl

@@ -7,7 +7,7 @@
 #include "method/multigrid/mesh_store_block.wgsl"
 #include "method/multigrid/spring.wgsl"
 //                                                                                elements           unit
-@group(0) @binding(0) var<uniform>             step       : StepParams;
+@group(0) @binding(0) var<uniform>             step       : StepBlock;
 @group(0) @binding(1) var<uniform>             nodes      : ClothNodes;
 @group(0) @binding(2) var<uniform>             levels     : array<MeshLevelParams, 2>;
 @group(0) @binding(3) var<storage, read>       place      : array<vec4f>;      // node_count         m; w: N/m, 0: fixed
@@ -27,7 +27,7 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
   let own = place[node];
   let start = vectors[vector_at(level, kFirst, node)].xyz;
   let start_velocity = vectors[vector_at(level, kSecond, node)].xyz;
-  let rate = 1.0 / formula_of(step.step_ratio).he;
+  let rate = 1.0 / formula_of(step.time.step_ratio).he;
   var diagonal = identity(own.w);
   var residual = vectors[vector_at(level, kResidual, node)].xyz;
   for (var k = row_starts[node]; k < row_starts[node + 1u]; k++) {

@@ -7,7 +7,7 @@
 #include "method/multigrid/cloth.wgsl"
 #include "method/multigrid/spring.wgsl"
 //                                                                                  elements       unit
-@group(0) @binding(0) var<uniform>             step            : StepParams;
+@group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<uniform>             nodes           : ClothNodes;
 @group(0) @binding(2) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: 1/kg)
 @group(0) @binding(3) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: 0 or 1)
@@ -35,15 +35,15 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
     vectors[start_velocity_at] = vec4f(after.velocity.xyz, 0.0);
     return;
   }
-  let formula = formula_of(step.step_ratio * now.velocity.w);
+  let formula = formula_of(step.time.step_ratio * now.velocity.w);
   let x = now.position.xyz;
   let v = now.velocity.xyz;
   let mass = 1.0 / now.position.w;
-  let start = step.dt * v;
+  let start = step.time.dt * v;
   let base_velocity = v + formula.c * (v - velocity_before[node].xyz);
   let start_velocity = (start - formula.c * (x - position_before[node].xyz)) / formula.he;
-  let pull_of_field = step.acceleration.xyz + step.drag * (wind_at(x) - start_velocity);
-  place[index] = vec4f(x, mass * (1.0 / formula.he + step.drag) / formula.he);
+  let pull_of_field = step.air.acceleration.xyz + step.air.drag * (wind_at(x) - start_velocity);
+  place[index] = vec4f(x, mass * (1.0 / formula.he + step.air.drag) / formula.he);
   vectors[residual_at] = vec4f(mass * ((base_velocity - start_velocity) / formula.he + pull_of_field), 0.0);
   vectors[start_at] = vec4f(start, 0.0);
   vectors[start_velocity_at] = vec4f(start_velocity, 0.0);

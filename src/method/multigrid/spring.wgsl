@@ -7,7 +7,7 @@
 // Euler.
 struct Formula { he : f32, c : f32 }
 fn formula_of(ratio : f32) -> Formula {
-  return Formula(step.dt * (1.0 + ratio) / (1.0 + 2.0 * ratio), ratio * ratio / (1.0 + 2.0 * ratio));
+  return Formula(step.time.dt * (1.0 + ratio) / (1.0 + 2.0 * ratio), ratio * ratio / (1.0 + 2.0 * ratio));
 }
 
 // How a spring's force changes: k [(1 - b) n nᵀ + b I] + c/he n nᵀ with b = max(0, 1 - l0 / l): its Hessian where it is

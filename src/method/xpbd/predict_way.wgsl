@@ -3,7 +3,7 @@
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
 //                                                                              elements       unit
-@group(0) @binding(0) var<uniform>             step        : StepParams;
+@group(0) @binding(0) var<uniform>             step        : StepBlock;
 @group(0) @binding(1) var<storage, read>       position_in : array<vec4f>;   // vertex_count   m (w: 1/kg)
 @group(0) @binding(2) var<storage, read>       velocity_in : array<vec4f>;   // vertex_count   m/s
 @group(0) @binding(3) var<storage, read>       rest        : array<vec4f>;   // vertex_count   m (w: motion)
@@ -13,8 +13,8 @@
 @compute @workgroup_size(kWorkgroupSize)
 fn predict_way(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node >= step.vertex_count) { return; }
+  if (node >= step.nodes.count) { return; }
   let before = NodeState(position_in[node], velocity_in[node]);
   let velocity = integrate_node(node, before, vec3f(0.0)).velocity.xyz;
-  way[node] = vec4f(step.dt * velocity, select(before.position.w, 0.0, is_prescribed(node, before)));
+  way[node] = vec4f(step.time.dt * velocity, select(before.position.w, 0.0, is_prescribed(node, before)));
 }

@@ -12,7 +12,7 @@ struct SpringsOfColor {  // mirror: src/method/xpbd/solver_xpbd.hpp
   count : u32,
 }
 //                                                                              elements       unit
-@group(0) @binding(0) var<uniform>             step        : StepParams;
+@group(0) @binding(0) var<uniform>             step        : StepBlock;
 @group(0) @binding(1) var<uniform>             color       : SpringsOfColor;
 @group(0) @binding(2) var<storage, read>       springs     : array<Spring>;      // colour after colour
 @group(0) @binding(3) var<storage, read>       kinds       : array<SpringKind>;
@@ -33,11 +33,11 @@ fn project_springs(@builtin(global_invocation_id) id : vec3u) {
   // Ways are short: their difference keeps digits that the difference of places has lost.
   let turn = way_b.xyz - way_a.xyz;
   let span = (position_in[node_b].xyz - position_in[s.node_a].xyz) + turn;
-  let spring = spring_state(span, turn / step.dt, s.rest_length, kind.stiffness, kind.damping);
+  let spring = spring_state(span, turn / step.time.dt, s.rest_length, kind.stiffness, kind.damping);
   var before = 0.0;
   if (!kFirst) { before = multiplier[at]; }
-  let square = step.dt * step.dt;
-  let resistance = (square * kind.stiffness + step.dt * kind.damping) * (way_a.w + way_b.w);
+  let square = step.time.dt * step.time.dt;
+  let resistance = (square * kind.stiffness + step.time.dt * kind.damping) * (way_a.w + way_b.w);
   let change = -(square * spring.tension + before) / (1.0 + resistance);
   multiplier[at] = before + change;
   let push = (change * spring.per_length) * span;
