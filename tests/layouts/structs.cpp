@@ -292,8 +292,40 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array(
-      {step_block(), step_time(), step_nodes(), step_contact(), step_air(), step_hands(), step_method(), spring(), spring_kind(), spring_block(), block_spring(), neighbour(), mesh_params(), surface_params(), object_triangle(), spring_grid_row(), level_of_grid(), tree_node(), pair_range(), analytic_collider(), contact_of_pair(), search_params(), tree_params(), colliders(), collider_place(), frame(), weave(), plane(), fine_grid(), cloth_nodes(), springs_of_color(), level_of_mesh(), coupling(), share()});
+  return Json::array({step_block(),
+                      step_time(),
+                      step_nodes(),
+                      step_contact(),
+                      step_air(),
+                      step_hands(),
+                      step_method(),
+                      spring(),
+                      spring_kind(),
+                      spring_block(),
+                      block_spring(),
+                      neighbour(),
+                      mesh_params(),
+                      surface_params(),
+                      object_triangle(),
+                      spring_grid_row(),
+                      level_of_grid(),
+                      tree_node(),
+                      pair_range(),
+                      analytic_collider(),
+                      contact_of_pair(),
+                      search_params(),
+                      tree_params(),
+                      colliders(),
+                      collider_place(),
+                      frame(),
+                      weave(),
+                      plane(),
+                      fine_grid(),
+                      cloth_nodes(),
+                      springs_of_color(),
+                      level_of_mesh(),
+                      coupling(),
+                      share()});
 }
 
 Json shared_constants() {

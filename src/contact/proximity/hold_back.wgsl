@@ -83,7 +83,8 @@ fn before_planes(way_so_far : Way, start : vec3f, begin : u32, end : u32, tight 
   var x = way_so_far.position;
   let length_of_way = 1.001 * length(x - start);
   let far = length_of_way > free_way();
-  let still = step.contact.collider_travel == 0.0;  // no solid side comes nearer: a vertex within a margin may stay there
+  // No solid side comes nearer: a vertex within a margin may stay there.
+  let still = step.contact.collider_travel == 0.0;
   if (begin >= end || !(far || length_of_way > free_way() - tight)) { return way_so_far; }
   var part = 1.0;
   var deepest = vec4f(0.0);

@@ -11,7 +11,8 @@ fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
   let on_a = role < roles_of_a(contact.ids);
   let side = select(-1.0, 1.0, on_a);
   let gap = contact.normal.w;
-  var plane = contact.place.z - 0.5 * gap + side * max(kContactMargin * gap, 0.5 * kContactFloor * step.contact.self_thickness);
+  let margin = max(kContactMargin * gap, 0.5 * kContactFloor * step.contact.self_thickness);
+  var plane = contact.place.z - 0.5 * gap + side * margin;
   if (contact.solid != 0u) {
     let thickness = thickness_of(contact.ids);
     plane = contact.place.w + side * max(kContactMargin * min(gap, thickness), kContactFloor * thickness);

@@ -1,5 +1,5 @@
 // Contacts of nodes with spheres and planes. One invocation per vertex. The push is that of the triangles, from the
-// signed distance and the surface normal at the previous position; a node within step.contact.thickness of the surface at its
+// signed distance and the surface normal at the previous position; a node within the thickness of the surface at its
 // predicted position gets it.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
