@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/host_model.hpp"
+#include "model/model.hpp"
 #include "state/step_block.hpp"
 
 namespace weft::sim {
