@@ -107,6 +107,9 @@ class Writer {
       for (const Key& key : variant->keys) add(key);
       properties["kind"].erase("enum");
       properties["kind"]["const"] = variant->value;
+      // Without "kind" the object is of the variant that is its default, and of no other.
+      const Schema fallback = properties["kind"].value("default", Schema());
+      if (fallback != Schema() && fallback != variant->value) required.push_back("kind");
     }
     Schema schema = {
         {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};

@@ -53,7 +53,12 @@ std::vector<BadScene> bad_scenes() {
       {tiny_scene(R"("drag": -1, )"), "drag is -1; it must be from 0 to 10000 1/s"},
       {tiny_scene(R"("gravity": [0, null, 0], )"), "gravity[1] is null, not a number"},
       {tiny_scene(R"("solver": {"kind": "mas_spring"}, )"), "did you mean \"mass_spring\"?"},
-      {tiny_scene(R"("solver": {"kind": "xpbd"}, )"), "solver.kind is \"xpbd\""},
+      {tiny_scene(R"("solver": {"kind": "newton"}, )"), "solver.kind is \"newton\""},
+      {R"({"format": "weft-scene/1", "solver": {"kind": "xpbd"}, "cloths": [{"grid": [4, 4], "size": [1, 1],
+           "density": 0.2, "stiffness": {"bending": 1e-4}}]})",
+       "cloths[0] has bending of grids (stiffness.bending), which solver.kind \"xpbd\" does not take; "
+       "\"multigrid\" or "
+       "\"mass_spring\" does."},
       {tiny_scene(R"("contact": {"method": "bvhh"}, )"), "did you mean \"bvh\"?"},
       {tiny_scene(R"("camera": {"eye": [0, 0, 1], "target": [0, 0, 1]}, )"), "camera.target"},
       {scene_of_cloth(R"("density": 0.2)"), "has neither \"grid\" nor \"mesh\""},

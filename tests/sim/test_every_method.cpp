@@ -73,9 +73,10 @@ TEST_CASE("cloth of every method meets obstacles as the reference does") {
   GpuFixture fixture;
   for (const Method& method : methods()) {
     CAPTURE(word_of(method));
-    // Without friction: where it acts, a node may stick a substep sooner in f32 than in double.
+    // Without friction: where it acts, a node may stick a substep sooner in f32 than in double. For three frames of
+    // contact: what bounces multiplies a difference by two to five a frame (test_reference.cpp).
     const scene::Scene scene = falling(method, R"("drag": 0.5, )", R"(, "friction": 0)");
-    const double error = apart(fixture.device(), scene, 10, 200);
+    const double error = apart(fixture.device(), scene, 6, 100);
     MESSAGE(word_of(method), ": ", error, " of the way apart");
     CHECK(error < 1e-3);
   }

@@ -20,7 +20,8 @@ Result<void> SolverXpbd::create_springs(const SolverInputs& inputs) {
   const Colors& colors = inputs.model.host.colors(ElementKind::Spring);
   std::vector<std::uint32_t> order;
   for (std::uint32_t color = 0; color < colors.count(); ++color) {
-    SpringsOfColor range{static_cast<std::uint32_t>(order.size()), 0};
+    SpringsOfColor range;
+    range.first = static_cast<std::uint32_t>(order.size());
     for (const std::uint32_t spring : colors.of(color))
       if (springs[spring].stiffness > 0) order.push_back(spring);  // others hold nothing
     range.count = static_cast<std::uint32_t>(order.size()) - range.first;

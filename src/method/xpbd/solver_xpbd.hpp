@@ -11,8 +11,9 @@ namespace weft {
 /// Mirror: src/method/xpbd/project_springs.wgsl.
 struct SpringsOfColor {
   std::uint32_t first = 0, count = 0;
+  std::uint32_t padding[2] = {};
 };
-static_assert(sizeof(SpringsOfColor) == 8);
+static_assert(sizeof(SpringsOfColor) == 16);
 
 /// Cloth by extended position-based dynamics in small steps: springs are compliant constraints, projected colour after
 /// colour. Source: docs/solvers/xpbd.md.
