@@ -44,7 +44,7 @@ def newton(results):
         for row in results["rows"]
     ]
     return Table(
-        left("scene") + right("nodes") + left("solver", "settings") + right("ms a frame", "with self-collision"), lines
+        left("scene") + right("nodes") + left("solver", "settings") + right("ms a frame", "with self-contact"), lines
     )
 
 
