@@ -91,7 +91,7 @@ TEST_CASE("every method's row says what its solver allocates for a grid, within 
     const auto scene = scene_of(by(method) + sheet("[128, 128]"));
     auto host = build_model(scene, {{}});
     REQUIRE_OK(host);
-    auto model = Model::create(device, std::move(*host));
+    auto model = GpuModel::create(device, std::move(*host));
     REQUIRE_OK(model);
     auto state = State::create(device, model->host, 1);
     REQUIRE_OK(state);
