@@ -1,8 +1,8 @@
 # weft_test(NAME SOURCES ... IMPORTS rooms... LIBRARIES others... [GPU [DRIVERS lavapipe]])
 #
-# One doctest program for a room; each test case becomes a ctest test. A GPU program is registered twice, once for
-# each software Vulkan driver that ./dev installs: "lavapipe.NAME: case" and "swiftshader.NAME: case".
-# Cases whose name begins with "long:" run only with ./dev test --long (label "long").
+# One doctest program for a room; the cases of a file become a ctest test. A GPU program is registered twice, once for
+# each software Vulkan driver that ./dev installs: "lavapipe.NAME: FILE" and "swiftshader.NAME: FILE".
+# A case whose name begins with "long:" is a ctest test of its own, which ./dev test --long runs (label "long").
 add_library(weft_source_path STATIC ${CMAKE_SOURCE_DIR}/tests/source_path.cpp)
 target_compile_definitions(weft_source_path PRIVATE WEFT_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 target_include_directories(weft_source_path PUBLIC ${CMAKE_SOURCE_DIR}/tests)

@@ -122,7 +122,7 @@ task_bench() {
 }
 
 task_test() {
-  local labels=(-L short)
+  local labels=(-L short) pages=1
   if [ "${1:-}" = --bare ]; then
     task_bare "${2:-}"
     return
@@ -131,6 +131,11 @@ task_test() {
     labels=()
     export WEFT_LONG=1
     shift
+  elif [ "${1:-}" = --part ]; then
+    [[ ${2:-} =~ ^[0-9]$ ]] || fail "./dev test --part takes a digit, not \"${2:-}\"."
+    labels=(-L "^part$2\$")
+    pages=
+    shift 2
   fi
   setup_packages "${TEST_PACKAGES[@]}" "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}"
   setup_format
@@ -139,7 +144,9 @@ task_test() {
   compile release all
   build_web
   ctest --test-dir build --output-on-failure -j "$(nproc)" --no-tests=error "${labels[@]}" "$@"
-  [ $# -gt 0 ] || npx --no vitest run --config tests/web/vitest.config.ts # a pattern asks for some of ctest's only
+  if [ $# -eq 0 ] && [ -n "$pages" ]; then # a pattern and a part ask for some of ctest's only
+    npx --no vitest run --config tests/web/vitest.config.ts
+  fi
 }
 
 task_format() {

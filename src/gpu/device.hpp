@@ -9,6 +9,7 @@
 
 #include "base/result.hpp"
 #include "gpu/backend.hpp"
+#include "gpu/kernel_cache.hpp"
 #include "gpu/types.hpp"
 
 namespace weft::gpu {
@@ -46,6 +47,7 @@ class Device {
   std::uint64_t take_largest_buffer() { return std::exchange(largest_buffer_, 0); }
 
   backend::Context& context() { return *context_; }
+  KernelCache& kernels() { return kernels_; }
   /// Bytes taken, or given back.
   void count_allocation(std::int64_t bytes) {
     allocated_bytes_ += static_cast<std::uint64_t>(bytes);
@@ -56,6 +58,7 @@ class Device {
   explicit Device(backend::Opened opened);
 
   backend::ContextPointer context_;
+  KernelCache kernels_;
   AdapterInfo adapter_;
   Limits limits_;
   bool timestamps_ = false;

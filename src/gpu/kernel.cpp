@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdio>
 
 namespace weft::gpu {
 
@@ -18,6 +19,43 @@ Result<BindGroup> BindGroup::create(Device& device, Id layout, std::span<const B
   return group;
 }
 
+namespace {
+
+Result<SharedCompiledKernel> compile(Device& device, const ShaderSource& source, const std::string& path,
+                                     std::span<const Constant> constants) {
+  backend::Context& context = device.context();
+  CompiledKernel made;
+  made.bindings = source.bindings;
+  made.reads_step = std::any_of(made.bindings.begin(), made.bindings.end(), [](const BindingLayout& binding) {
+    return binding.kind == BindingKind::StepUniform;
+  });
+  WEFT_TRY(module_id, backend::create_shader_module(context, source.text, path));
+  const Object module(ObjectKind::ShaderModule, module_id);
+  WEFT_TRY(group_layout, backend::create_bind_group_layout(context, made.bindings, false, path));
+  made.group_layout = Object(ObjectKind::BindGroupLayout, group_layout);
+  WEFT_TRY(layout, backend::create_pipeline_layout(context, group_layout, path));
+  made.layout = Object(ObjectKind::PipelineLayout, layout);
+  const std::size_t slash = path.rfind('/') + 1;  // 0 where there is none
+  const std::string entry = path.substr(slash, path.rfind('.') - slash);
+  WEFT_TRY(pipeline, backend::create_compute_pipeline(context, layout, module_id, entry, constants, path));
+  made.pipeline = Object(ObjectKind::ComputePipeline, pipeline);
+  return std::make_shared<const CompiledKernel>(std::move(made));
+}
+
+/// All that a kernel is compiled from. Constants to the bit.
+std::string all_sources(const ShaderSource& source, const std::string& path,
+                        std::span<const Constant> constants) {
+  std::string all = path;
+  for (const Constant& constant : constants) {
+    char value[32];
+    std::snprintf(value, sizeof value, "=%a", constant.value);
+    all += "\n" + constant.name + value;
+  }
+  return all + "\n" + source.text;
+}
+
+}  // namespace
+
 Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vector<Constant> constants,
                               std::uint32_t workgroup_size) {
   if (workgroup_size > device.limits().max_invocations_per_workgroup)
@@ -25,33 +63,23 @@ Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vect
                       "Kernel %s has workgroups of %u, more than this adapter's limit of %u.", path.c_str(),
                       workgroup_size, device.limits().max_invocations_per_workgroup);
   WEFT_TRY(source, ShaderSource::load(path));
+  if (source.text.find("override kWorkgroupSize") != std::string::npos)
+    constants.push_back({"kWorkgroupSize", static_cast<double>(workgroup_size)});
   Kernel kernel;
   kernel.device_ = &device;
   kernel.label_ = path;
   kernel.workgroup_size_ = workgroup_size;
-  kernel.bindings_ = std::move(source.bindings);
-  kernel.reads_step_ =
-      std::any_of(kernel.bindings_.begin(), kernel.bindings_.end(),
-                  [](const BindingLayout& binding) { return binding.kind == BindingKind::StepUniform; });
-  if (source.text.find("override kWorkgroupSize") != std::string::npos)
-    constants.push_back({"kWorkgroupSize", static_cast<double>(workgroup_size)});
-
-  backend::Context& context = device.context();
-  WEFT_TRY(module_id, backend::create_shader_module(context, source.text, path));
-  const Object module(ObjectKind::ShaderModule, module_id);
-  WEFT_TRY(group_layout, backend::create_bind_group_layout(context, kernel.bindings_, false, path));
-  kernel.group_layout_ = Object(ObjectKind::BindGroupLayout, group_layout);
-  WEFT_TRY(layout, backend::create_pipeline_layout(context, group_layout, path));
-  kernel.layout_ = Object(ObjectKind::PipelineLayout, layout);
-  const std::size_t slash = path.rfind('/') + 1;  // 0 where there is none
-  const std::string entry = path.substr(slash, path.rfind('.') - slash);
-  WEFT_TRY(pipeline, backend::create_compute_pipeline(context, layout, module_id, entry, constants, path));
-  kernel.pipeline_ = Object(ObjectKind::ComputePipeline, pipeline);
+  std::string from = all_sources(source, path, constants);
+  kernel.compiled_ = device.kernels().find(from);
+  if (kernel.compiled_ == nullptr) {
+    WEFT_SET(kernel.compiled_, compile(device, source, path, constants));
+    device.kernels().keep(std::move(from), kernel.compiled_);
+  }
   return kernel;
 }
 
 Result<BindGroup> Kernel::bind(std::span<const Binding> sources) const {
-  return BindGroup::create(*device_, group_layout_.id(), bindings_, sources, label_);
+  return BindGroup::create(*device_, compiled_->group_layout.id(), compiled_->bindings, sources, label_);
 }
 
 void Kernel::dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const {
@@ -76,7 +104,7 @@ void Kernel::dispatch_strided(ComputePass& pass, const BindGroup& group, std::ui
 
 void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x,
                              std::uint32_t y) const {
-  pass.dispatch(pipeline_.id(), group.id(), label_, {x, y, 1}, reads_step_);
+  pass.dispatch(compiled_->pipeline.id(), group.id(), label_, {x, y, 1}, compiled_->reads_step);
 }
 
 }  // namespace weft::gpu

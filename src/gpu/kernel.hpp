@@ -11,6 +11,7 @@
 #include "gpu/buffer.hpp"
 #include "gpu/command_list.hpp"
 #include "gpu/device.hpp"
+#include "gpu/kernel_cache.hpp"
 #include "gpu/shader_source.hpp"
 
 namespace weft::gpu {
@@ -42,8 +43,9 @@ class Kernel {
  public:
   Kernel() = default;
 
-  /// Compiles src/`path` with its `override`s set. A file without `override kWorkgroupSize` must pass its
-  /// fixed workgroup size. Errors  Shader: it does not compile, or its bindings exceed the adapter's limits.
+  /// Compiles src/`path` with its `override`s set, unless the device has done so already. A file without
+  /// `override kWorkgroupSize` must pass its fixed workgroup size.
+  /// Errors  Shader: it does not compile, or its bindings exceed the adapter's limits.
   static Result<Kernel> create(Device& device, const std::string& path, std::vector<Constant> constants = {},
                                std::uint32_t workgroup_size = kDefaultWorkgroupSize);
 
@@ -68,10 +70,8 @@ class Kernel {
  private:
   Device* device_ = nullptr;
   std::string label_;
-  std::vector<BindingLayout> bindings_;
-  Object group_layout_, layout_, pipeline_;
+  SharedCompiledKernel compiled_;
   std::uint32_t workgroup_size_ = kDefaultWorkgroupSize;
-  bool reads_step_ = false;
 };
 
 /// A kernel that several dispatches share: the last one ends it.

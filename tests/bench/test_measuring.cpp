@@ -33,7 +33,7 @@ bool makes_world(gpu::Device& device, std::uint32_t side, bench::Formulation for
 
 TEST_CASE("the largest sheet within a limit runs, and the next larger one is refused by that limit") {
   for (const bench::Formulation formulation : bench::kFormulations) {
-    GpuFixture fixture;
+    GpuFixture fixture{OwnDevice{}};
     limit_bindings(fixture.device(), 500000);
     const auto row = bench::measure_largest(fixture.device(), formulation, "adapter", {1ULL << 30U, 60});
     REQUIRE_MESSAGE(row, (row ? "" : row.error().message));
@@ -95,7 +95,7 @@ TEST_CASE(
 }
 
 TEST_CASE("copies and dispatches in order are measured in a buffer that the adapter allows") {
-  GpuFixture fixture;
+  GpuFixture fixture{OwnDevice{}};
   gpu::Limits limits = fixture.device().limits();
   limits.max_buffer_size = 1000003;
   fixture.device().lower_limits(limits);

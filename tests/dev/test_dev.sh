@@ -78,6 +78,24 @@ case_configure() {
   expect "for ./dev test" 2 $asked
 }
 
+# What --part asks ctest for, and that it runs no other test.
+case_part() {
+  setup_packages() { :; }
+  setup_format() { :; }
+  task_models() { :; }
+  configure() { :; }
+  compile() { :; }
+  build_web() { :; }
+  ctest() { echo "$@"; }
+  npx() { echo npx; }
+  expect "a part" "--test-dir build --output-on-failure -j $(nproc) --no-tests=error -L ^part3$" \
+    "$(task_test --part 3)"
+  local said status=0
+  said=$(task_test --part 10 2>&1) || status=$?
+  expect "its exit code" 1 $status
+  expect "its sentence" 'weft: ./dev test --part takes a digit, not "10".' "$said"
+}
+
 case_bare() {
   id() { echo 1000; }
   local said status=0

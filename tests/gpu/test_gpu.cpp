@@ -38,6 +38,27 @@ TEST_CASE("a kernel sees what was written and its result comes back, for any siz
   }
 }
 
+TEST_CASE("a kernel is compiled once for all who ask for the same text, constants and workgroup") {
+  GpuFixture fixture{OwnDevice{}};
+  Device& device = fixture.device();
+  for (const std::uint32_t workgroup : {64U, 128U, 64U, 128U})
+    CHECK(Kernel::create(device, "gpu/test/double.wgsl", {}, workgroup));
+  CHECK(device.kernels().size() == 2);
+  CHECK_FALSE(Kernel::create(device, "gpu/test/double.wgsl", {{"kNoSuchConstant", 1}}));
+  CHECK(device.kernels().size() == 2);
+}
+
+TEST_CASE("of too many kernels the one goes that was asked for the longest ago") {
+  KernelCache kernels;
+  for (std::size_t i = 0; i < KernelCache::kMost; ++i)
+    kernels.keep(std::to_string(i), std::make_shared<const CompiledKernel>());
+  CHECK(kernels.find("0") != nullptr);
+  kernels.keep("new", std::make_shared<const CompiledKernel>());
+  CHECK(kernels.size() == KernelCache::kMost);
+  CHECK(kernels.find("0") != nullptr);
+  CHECK(kernels.find("1") == nullptr);
+}
+
 TEST_CASE("past 65,535 workgroups a dispatch gets rows and still touches each element once") {
   GpuFixture fixture;
   Device& device = fixture.device();
@@ -61,7 +82,7 @@ TEST_CASE("past 65,535 workgroups a dispatch gets rows and still touches each el
 }
 
 TEST_CASE("a buffer over a limit is refused by its name and both numbers") {
-  GpuFixture fixture;
+  GpuFixture fixture{OwnDevice{}};
   Device& device = fixture.device();
   Limits limits = device.limits();
   limits.max_storage_binding_size = 1000;
@@ -93,7 +114,7 @@ TEST_CASE("a device can be asked for WebGPU's default limits, whatever the adapt
 }
 
 TEST_CASE("the bytes of buffers are counted while they live") {
-  GpuFixture fixture;
+  GpuFixture fixture{OwnDevice{}};
   Device& device = fixture.device();
   {
     auto a = Buffer<float>::create(device, 100, "a");

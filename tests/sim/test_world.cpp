@@ -159,7 +159,7 @@ TEST_CASE("a sheet that falls on a plane and a sphere stays on their outer side"
 
 TEST_CASE(
     "a scene too large for the adapter is refused before anything is simulated, with the limit's name") {
-  GpuFixture fixture;
+  GpuFixture fixture{OwnDevice{}};
   gpu::Limits limits = fixture.device().limits();
   limits.max_storage_binding_size = 1000;
   fixture.device().lower_limits(limits);
