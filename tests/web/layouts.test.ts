@@ -35,7 +35,10 @@ const reflected = new Map(shaderPaths().map((path) => [path, new WgslReflect(loa
 
 /** A struct type and those of its members, with the stride where it is the element of an array. */
 function structs(type: TypeInfo, stride: number | null = null): { name: string; stride: number | null }[] {
-  if (type.isArray) return structs((type as ArrayInfo).format, (type as ArrayInfo).stride);
+  if (type.isArray) {
+    const { size, align } = (type as ArrayInfo).format as StructInfo;
+    return structs((type as ArrayInfo).format, Math.ceil(size / align) * align); // wgsl_reflect's stride ignores @size
+  }
   if (!type.isStruct) return [];
   const parts = (type as StructInfo).members.flatMap((member) => structs(member.type));
   return [{ name: type.name, stride }, ...parts.filter((part) => part.stride === null)];
