@@ -36,7 +36,9 @@ Result<TextureInfo> describe(WGPUTexture texture) {
         "has "
         "WGPUTextureFormat 0x%08x.",
         static_cast<unsigned>(format));
-  if (wgpuTextureGetDimension(texture) != WGPUTextureDimension_2D)
+  const WGPUTextureDimension dimension = wgpuTextureGetDimension(texture);
+  // What the descriptor had comes back; there Undefined stands for two.
+  if (dimension != WGPUTextureDimension_2D && dimension != WGPUTextureDimension_Undefined)
     return input_error("A texture to draw into has two dimensions, and this one has not.");
   WEFT_CHECK(check_single("layer", wgpuTextureGetDepthOrArrayLayers(texture)));
   WEFT_CHECK(check_single("mip level", wgpuTextureGetMipLevelCount(texture)));
