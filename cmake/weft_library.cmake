@@ -36,12 +36,14 @@ set(package ${CMAKE_INSTALL_LIBDIR}/cmake/weft)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/weft DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS weft_library EXPORT weft ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(FILES ${PROJECT_BINARY_DIR}/libwgpu_native.so DESTINATION ${CMAKE_INSTALL_LIBDIR})
+set(wgpu_headers ${CMAKE_INSTALL_INCLUDEDIR}/weft-wgpu)  # for programs that use the GPU themselves: weft::wgpu_native
+install(FILES ${WEFT_WGPU_DIR}/webgpu.h ${WEFT_WGPU_DIR}/wgpu.h DESTINATION ${wgpu_headers})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/NOTICE ${PROJECT_SOURCE_DIR}/THIRD_PARTY.md
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT weft NAMESPACE weft:: FILE weft-targets.cmake DESTINATION ${package})
 set(wgpu_native ${CMAKE_INSTALL_LIBDIR}/libwgpu_native.so)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/weft-config.cmake.in ${PROJECT_BINARY_DIR}/weft-config.cmake
-  INSTALL_DESTINATION ${package} PATH_VARS wgpu_native)
+  INSTALL_DESTINATION ${package} PATH_VARS wgpu_native wgpu_headers)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/weft-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/weft-config.cmake ${PROJECT_BINARY_DIR}/weft-config-version.cmake
         DESTINATION ${package})

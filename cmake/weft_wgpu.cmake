@@ -8,4 +8,5 @@ configure_file(${WEFT_WGPU_DIR}/libwgpu_native-release.so ${PROJECT_BINARY_DIR}/
 add_library(wgpu_native SHARED IMPORTED GLOBAL)
 set_target_properties(wgpu_native PROPERTIES IMPORTED_LOCATION ${PROJECT_BINARY_DIR}/libwgpu_native.so
   IMPORTED_NO_SONAME ON)
+add_library(weft::wgpu_native ALIAS wgpu_native)
 target_include_directories(wgpu_native SYSTEM INTERFACE ${WEFT_WGPU_DIR})

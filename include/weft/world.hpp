@@ -19,20 +19,17 @@
 
 namespace weft {
 
-/// The GPUs of this machine that weft can use, software rasterizers among them. Errors  Failure.
+/// The GPUs of this machine that weft can use, software rasterizers among them; none where there is no driver.
 Result<std::vector<AdapterInfo>> adapters();
 
 struct WorldOptions {
   std::string adapter;  // part of the GPU's name, in any case; empty: the fastest kind there is
 };
 
-/// What of a world a picture shows.
-struct PictureOptions {
-  std::optional<std::uint32_t> width, height;  // [pixel]; none: the scene's render.size
-  std::optional<View> view;                    // none: the scene's render.view
-  std::optional<Camera> camera;                // none: the scene's, or one that has all of it in the frame
-  bool legend = true;                          // what the colours of a view mean, in the picture's corner
-};
+// Of weft/native.hpp, for programs that use the GPU themselves.
+struct NativeBuffer;
+struct NativeDevice;
+struct NativeTarget;
 
 struct RunningWorld;  // what a World hides
 
@@ -50,23 +47,31 @@ class Buffer {
   /// The same for a buffer of vectors. Errors  Shape too where its width is not 3.
   Result<void> read(std::span<Vec3f> values) const;
 
+  /// The buffer itself, for the caller's own GPU commands (weft/native.hpp). Nothing is waited for.
+  NativeBuffer native() const;
+
  private:
   friend class World;
+  friend struct RunningWorld;
   enum class Quantity { Position, Velocity, Normal, Stretch };
   Buffer(RunningWorld* world, Quantity quantity) : world_(world), quantity_(quantity) {}
   RunningWorld* world_;
   Quantity quantity_;
 };
 
-/// A running scene on a GPU of its own. It can be moved but not copied. Of one World, one thread at a time may call
-/// functions; different Worlds need no lock between them. A World that was moved from may only be assigned to or
-/// destroyed.
+/// A running scene on a GPU device of its own, or on one of the caller's. It can be moved but not copied. Of one World,
+/// one thread at a time may call functions; Worlds of different devices need no lock between them. A World that was
+/// moved from may only be assigned to or destroyed.
 class World {
  public:
   /// Opens the GPU, reads the scene's meshes and makes all that a frame needs. State: at rest, time 0.
   /// Errors  NoAdapter: there is no GPU of this name. Input: a mesh is missing or malformed, or the model cannot be
   ///         built. Limit: larger than the GPU allows. OutOfMemory, Shader, DeviceLost.
   static Result<World> create(const Scene& scene, const WorldOptions& options = {});
+  /// The same on a device that the caller made and goes on using (weft/native.hpp).
+  /// Errors  Input: a handle is null. Limit: a limit of the device is less than weft needs, which is named with both
+  ///         numbers. The rest as create.
+  static Result<World> create_on(const NativeDevice& device, const Scene& scene);
   World(World&& other) noexcept;
   World& operator=(World&& other) noexcept;
   ~World();
@@ -78,7 +83,7 @@ class World {
   Result<void> advance(std::uint32_t frames = 1);
   /// Waits until all frames are done and have reported. Errors  as advance.
   Result<void> finish();
-  /// Back to the rest state at time 0, without grabs; values of change() stay. Errors  DeviceLost.
+  /// Back to the rest state at time 0, without grabs; values of change() stay. Errors  DeviceLost, OutOfMemory.
   Result<void> reset();
 
   std::uint32_t frame() const;  ///< frames so far
@@ -90,9 +95,9 @@ class World {
   Result<void> change(const std::string& key, const std::string& value);
 
   /// Grabs a free node and pulls it to `target` [m] from the next frame on, with limited speed; the cloth follows.
-  /// Errors  Input: no such node; it is pinned, moved or grabbed already. Limit: too many are grabbed.
+  /// Errors  Input: no such node; it is pinned, moved or grabbed already; the target is not finite. Limit: four are grabbed.
   Result<void> grab(std::uint32_t node, const Vec3d& target);
-  /// Pulls a grabbed node elsewhere [m]. Errors  Input: it is not grabbed.
+  /// Pulls a grabbed node elsewhere [m]. Errors  Input: it is not grabbed, or the target is not finite.
   Result<void> drag(std::uint32_t node, const Vec3d& target);
   /// Lets a grabbed node go on with its velocity. Errors  Input: it is not grabbed.
   Result<void> release(std::uint32_t node);
@@ -103,9 +108,11 @@ class World {
   Buffer stretch() const;   ///< length / rest length of the most stretched edge at the node
   /// The triangles of all cloths; they number nodes as the buffers do.
   std::span<const Triangle> triangles() const;
+  /// The same on the GPU (weft/native.hpp).
+  NativeBuffer native_triangles() const;
 
   /// XXH3-64 of the bits of all positions and velocities, as 16 hexadecimal digits: the same for the same scene,
-  /// GPU, driver and version. Errors  DeviceLost.
+  /// GPU, driver and version. Errors  DeviceLost, OutOfMemory.
   Result<std::string> state_hash();
   /// The present shape as a file of the format "obj", "ply" or "glb".
   /// Errors  Input: another format. DeviceLost, OutOfMemory.
@@ -116,6 +123,8 @@ class World {
   /// Sums over the frames that have reported: after finish(), all.
   const Totals& totals() const;
   const AdapterInfo& adapter() const;
+  /// The device that this world is on, whoever made it (weft/native.hpp).
+  NativeDevice native_device() const;
   std::uint64_t gpu_bytes() const;  ///< that this world's device holds
 
   /// Draws the state at the end of the last frame, and waits for the picture. The first call of a size and view makes
@@ -123,6 +132,23 @@ class World {
   /// Errors  Input: a side is 0, or the scene lacks what the view shows. Limit: larger than the GPU can draw.
   ///         DeviceLost, OutOfMemory, Shader.
   Result<Image> draw(const PictureOptions& options = {});
+
+  /// Draws into a texture of the caller's, all of it, without a legend (weft/native.hpp). The commands go to the
+  /// device's queue, after the frames that were handed over; nothing is waited for. The first call of a format, size
+  /// and view makes what it needs, later ones use it.
+  /// Errors  Input: the texture cannot be drawn into, or the scene lacks what the view shows. Shader: the texture is
+  ///         of another device. Limit, DeviceLost, OutOfMemory.
+  Result<void> draw_into(const NativeTarget& target, const ViewOptions& options = {});
+
+  /// The first cloth that a ray meets, from either side, in the state at the end of the last frame, and waits for it;
+  /// none where there is no cloth. Obstacles hide nothing, and triangles are those of the nodes, also where
+  /// render.subdivide shows finer ones.
+  /// Errors  Input: a coordinate is not finite, or the direction is 0. DeviceLost, OutOfMemory.
+  Result<std::optional<Picked>> pick(const Ray& ray);
+  /// The same along the ray through the place (x, y) of the picture that draw(options) makes: from the left and from
+  /// the top [pixel], so that a pixel's middle is at half numbers.
+  /// Errors  Input: a side is 0, or the place is outside the picture. DeviceLost, OutOfMemory.
+  Result<std::optional<Picked>> pick(double x, double y, const PictureOptions& options = {});
 
  private:
   explicit World(std::unique_ptr<RunningWorld> running);

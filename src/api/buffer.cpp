@@ -1,36 +1,30 @@
-#include <algorithm>
+#include <cstring>
 
 #include "api/running_world.hpp"
 #include "gpu/readback.hpp"
-#include "weft/world.hpp"
+#include "weft/native.hpp"
 
 namespace weft {
 
 std::size_t Buffer::count() const { return world_->world().model().vertex_count(); }
 std::size_t Buffer::width() const { return quantity_ == Quantity::Stretch ? 1 : 3; }
 
+NativeBuffer Buffer::native() const {
+  const std::uint64_t stride = quantity_ == Quantity::Stretch ? sizeof(float) : sizeof(Vec4f);
+  return {reinterpret_cast<WGPUBuffer>(world_->buffer(quantity_).id()), 0, stride, count()};
+}
+
 Result<void> Buffer::read(std::span<float> values) const {
-  const std::size_t size = count() * width();
-  if (values.size() != size)
-    return shape_error("A buffer of %zu x %zu floats does not fit %zu values.", count(), width(),
+  const std::size_t nodes = count();
+  if (values.size() != nodes * width())
+    return shape_error("A buffer of %zu x %zu floats does not fit %zu values.", nodes, width(),
                        values.size());
   WEFT_CHECK(world_->settle());
-  sim::World& world = world_->world();
-  if (quantity_ == Quantity::Stretch) {
-    WEFT_TRY(stretch, gpu::download(world.device(), world.surface().stretch()));
-    std::copy(stretch.begin(), stretch.end(), values.begin());
-    return {};
-  }
-  const auto& source = quantity_ == Quantity::Position   ? world.state().position[world.parity()]
-                       : quantity_ == Quantity::Velocity ? world.state().velocity[world.parity()]
-                                                         : world.surface().normal();
-  WEFT_TRY(vectors, gpu::download(world.device(), source));
-  auto value = values.begin();
-  for (const Vec4f& v : vectors) {
-    *value++ = v.x;
-    *value++ = v.y;
-    *value++ = v.z;
-  }
+  const std::uint64_t stride = native().stride;
+  WEFT_TRY(bytes,
+           gpu::download_bytes(world_->world().device(), world_->buffer(quantity_).range(0, nodes * stride)));
+  for (std::size_t node = 0; node < nodes; ++node)
+    std::memcpy(&values[node * width()], &bytes[node * stride], width() * sizeof(float));
   return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include "picture/offscreen.hpp"
 #include "session/session.hpp"
+#include "weft/world.hpp"
 
 namespace weft {
 
@@ -15,15 +16,27 @@ struct RunningWorld {
     View view = View::Textured;
     bool legend = true;
     picture::Offscreen offscreen;
-    Camera first_camera;
   };
 
   Session session;
-  std::optional<Drawing> drawing;  // draws from the session's buffers: goes before it
+  // They draw from the session's buffers: they go before it.
+  std::optional<Drawing> drawing;
+  std::optional<view::CanvasView> texture_view;
+
+  /// Opens the device and loads the scene. Errors  as World::create and World::create_on.
+  static Result<std::unique_ptr<RunningWorld>> create(gpu::DeviceOptions device, const SceneText& source,
+                                                      const ReadInputs& read);
 
   sim::World& world() { return *session.world(); }
   /// Waits for all frames. A diverged world has its last good state to show, so that is no error here.
   Result<void> settle();
+  /// How a picture is drawn, with the scene's own wishes where there is no option; the camera is the scene's, which
+  /// the light comes with. Errors  Input: a side is 0.
+  Result<render::Settings> settings(const PictureOptions& options);
+  /// Counts contacts for as long as anything that is drawn shows them. Errors  Shader.
+  Result<void> count_contacts();
+  /// The buffer that holds a quantity of the state at the end of the last frame.
+  const gpu::RawBuffer& buffer(Buffer::Quantity quantity);
 };
 
 }  // namespace weft

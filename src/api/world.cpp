@@ -5,14 +5,9 @@
 #include "picture/png.hpp"
 #include "session/describe.hpp"
 #include "view/world_inputs.hpp"
+#include "weft/native.hpp"
 
 namespace weft {
-
-Result<void> RunningWorld::settle() {
-  const Result<void> finished = world().finish();
-  if (!finished && finished.error().kind != ErrorKind::Diverged) return finished;
-  return {};
-}
 
 Result<std::vector<AdapterInfo>> adapters() { return gpu::Device::adapters(); }
 
@@ -22,10 +17,16 @@ World& World::operator=(World&& other) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(const Scene& scene, const WorldOptions& options) {
-  auto running = std::make_unique<RunningWorld>();
-  WEFT_CHECK(running->session.open(options.adapter));
   const auto read = [&](const SceneText& source) { return scene.content_->read(source); };
-  WEFT_CHECK(running->session.load(scene.content_->source, read));
+  WEFT_TRY(running, RunningWorld::create({.adapter = options.adapter}, scene.content_->source, read));
+  return World(std::move(running));
+}
+
+Result<World> World::create_on(const NativeDevice& device, const Scene& scene) {
+  const gpu::DeviceHandles given{reinterpret_cast<gpu::Id>(device.adapter),
+                                 reinterpret_cast<gpu::Id>(device.device)};
+  const auto read = [&](const SceneText& source) { return scene.content_->read(source); };
+  WEFT_TRY(running, RunningWorld::create({.given = given}, scene.content_->source, read));
   return World(std::move(running));
 }
 
@@ -75,26 +76,20 @@ const AdapterInfo& World::adapter() const { return running_->session.device().ad
 std::uint64_t World::gpu_bytes() const { return running_->session.device().allocated_bytes(); }
 
 Result<Image> World::draw(const PictureOptions& options) {
+  WEFT_TRY(settings, running_->settings(options));
   WEFT_CHECK(running_->settle());
   sim::World& world = running_->world();
-  render::Settings settings = view::settings_of(world);
-  settings.width = options.width.value_or(settings.width);
-  settings.height = options.height.value_or(settings.height);
-  settings.view = options.view.value_or(settings.view);
-  if (settings.width == 0 || settings.height == 0)
-    return input_error("A picture of %u x %u pixels is empty.", settings.width, settings.height);
   std::optional<RunningWorld::Drawing>& drawing = running_->drawing;
   if (!drawing || drawing->width != settings.width || drawing->height != settings.height ||
       drawing->view != settings.view || drawing->legend != options.legend) {
     drawing.reset();
     WEFT_TRY(made,
              picture::Offscreen::create(world.device(), settings, view::inputs_of(world), options.legend));
-    const Camera first = made.camera();
     drawing.emplace(RunningWorld::Drawing{settings.width, settings.height, settings.view, options.legend,
-                                          std::move(made), first});
-    WEFT_CHECK(world.count_contacts(settings.view == View::Contacts));
+                                          std::move(made)});
+    WEFT_CHECK(running_->count_contacts());
   }
-  drawing->offscreen.set_camera(options.camera.value_or(drawing->first_camera));
+  drawing->offscreen.set_camera(options.camera.value_or(render::camera_of(settings)));
   drawing->offscreen.set_time(world.time());
   return drawing->offscreen.draw(world.parity());
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "base/result.hpp"
@@ -16,6 +17,7 @@ struct DeviceOptions {
   bool timestamps = false;      ///< ask for timestamp queries
   bool default_limits = false;  ///< native only: WebGPU's default limits instead of all that the adapter has
   bool unchecked = false;       ///< native only: kernels without the run-time checks of bounds and loops
+  std::optional<DeviceHandles> given;  ///< native only: a device that the caller made and goes on using
 };
 
 namespace backend {
@@ -57,6 +59,7 @@ Result<Id> create_texture_view(Context&, Id texture, const std::string& label);
 Result<Id> create_sampler(Context&, const SamplerInfo&, const std::string& label);
 Result<Id> create_timestamp_queries(Context&, std::uint32_t count, const std::string& label);
 double timestamp_period(Context&);  ///< ns a tick
+DeviceHandles handles(Context&);    ///< native only
 
 /// Encodes the lists one after the other into one submit; what does not validate is an error and is not
 /// submitted. In a browser the error arrives later, with wait or status.

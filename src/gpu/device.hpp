@@ -17,7 +17,8 @@ namespace weft::gpu {
 /// One WebGPU device and its queue. Never moves: buffers, kernels and readbacks keep a reference to it.
 class Device {
  public:
-  /// Errors  NoAdapter: there is none, or none of that name. Failure: the adapter gives no device.
+  /// Errors  NoAdapter: there is none, or none of that name. Failure: the adapter gives no device. Input, Limit: a
+  ///         given device is null, or less than weft's shaders need.
   static Result<std::unique_ptr<Device>> create(const DeviceOptions& options = {});
   static Result<std::vector<AdapterInfo>> adapters() { return backend::list_adapters(); }
 
@@ -48,6 +49,8 @@ class Device {
 
   backend::Context& context() { return *context_; }
   KernelCache& kernels() { return kernels_; }
+  /// Natively a WGPUAdapter and a WGPUDevice, valid for as long as the device lives.
+  DeviceHandles handles() const { return backend::handles(*context_); }
   /// Bytes taken, or given back.
   void count_allocation(std::int64_t bytes) {
     allocated_bytes_ += static_cast<std::uint64_t>(bytes);

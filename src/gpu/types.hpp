@@ -12,6 +12,11 @@ namespace weft::gpu {
 /// A WebGPU object as its back end names it; 0 is none.
 using Id = std::uintptr_t;
 
+/// The device of a back end and its adapter, as the back end names them.
+struct DeviceHandles {
+  Id adapter = 0, device = 0;
+};
+
 enum class ObjectKind : std::uint8_t {
   None,
   Buffer,
@@ -57,7 +62,14 @@ enum TextureUsage : std::uint32_t {
   kTextureCopySource = 1U << 2U,
 };
 
-enum class TextureFormat : std::uint8_t { None, Rgba8UnormSrgb, Bgra8UnormSrgb, Rgba8Unorm, Depth32Float };
+enum class TextureFormat : std::uint8_t {
+  None,
+  Rgba8UnormSrgb,
+  Bgra8UnormSrgb,
+  Rgba8Unorm,
+  Bgra8Unorm,
+  Depth32Float
+};
 
 /// The type of a shader's binding, read from its WGSL.
 enum class BindingKind : std::uint8_t {

@@ -23,7 +23,6 @@ class Offscreen {
   void record(gpu::CommandList& list, std::uint32_t parity) const;
   /// As render::Renderer::set_time; before the submit.
   void set_time(double time) { renderer_.set_time(time); }
-  const render::Camera& camera() const { return renderer_.camera(); }
   void set_camera(const render::Camera& camera) { renderer_.set_camera(camera); }
   /// Call after the submit of what record recorded.
   void start() { ring_.start(); }

@@ -6,14 +6,13 @@
 #include <span>
 
 #include "render/camera.hpp"
+#include "weft/view.hpp"
 
 namespace weft::render {
 
-struct Ray {
-  Vec3d origin;     // [m]
-  Vec3d direction;  // unit
-};
-/// From the eye through a place in the picture: x to the right, y upwards, each from -1 to 1.
+using weft::Ray;
+
+/// Of unit direction, from the eye through a place in the picture: x to the right, y upwards, each from -1 to 1.
 Ray pick_ray(const Camera& camera, double aspect, double x, double y);
 
 /// A point's place in the picture, as pick_ray has it, and how far before the eye it lies; where that is not
@@ -30,8 +29,8 @@ struct PickedNode {
   Vec3d point;                 // where [m]
   double distance = 0;         // from the ray's origin [m]
 };
-/// The first triangle that a ray meets, from either side, and its corner nearest to there. A ray through a
-/// side that two triangles share meets one of them; a ray within a triangle's plane does not meet it.
+/// The first triangle that a ray of unit direction meets, from either side, and its corner nearest to there. A
+/// ray through a side that two triangles share meets one of them; a ray within a triangle's plane does not meet it.
 std::optional<PickedNode> pick_node(const Ray& ray, std::span<const Vec4f> positions,
                                     std::span<const mesh::Triangle> triangles);
 

@@ -80,13 +80,17 @@ std::vector<PlaneParams> planes_of(const Inputs& inputs, const Settings& setting
 
 }  // namespace
 
+Camera camera_of(const Settings& settings) {
+  if (settings.camera) return *settings.camera;
+  return frame_camera(settings.bounds, static_cast<double>(settings.width) / settings.height);
+}
+
 Result<Renderer> Renderer::create(gpu::Device& device, const Settings& settings, const Inputs& inputs) {
   WEFT_CHECK(check_cloth(inputs.cloth));
   Renderer made;
   made.device_ = &device;
   made.settings_ = settings;
-  const double aspect = static_cast<double>(settings.width) / settings.height;
-  if (!settings.camera) made.settings_.camera = frame_camera(settings.bounds, aspect);
+  made.settings_.camera = camera_of(settings);
   if (!settings.to_light) made.settings_.to_light = default_light(*made.settings_.camera);
   WEFT_CHECK(made.create_scene(inputs));
   WEFT_CHECK(made.resize(settings.width, settings.height));

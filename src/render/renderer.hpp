@@ -32,6 +32,9 @@ struct Settings {
   bool ground_shadow = false;     // a soft shadow below all, where the scene has no plane
 };
 
+/// The settings' camera, or one that has all of their bounds in the frame.
+Camera camera_of(const Settings& settings);
+
 /// Draws a state's buffers where they lie, with light and shadow, into a texture of the caller's.
 class Renderer {
  public:

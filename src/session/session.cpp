@@ -15,10 +15,8 @@ constexpr std::uint32_t kTimedFrames = 9;  // the median of so many
 
 }  // namespace
 
-Result<void> Session::open(const std::string& adapter) {
+Result<void> Session::open(gpu::DeviceOptions options) {
   close();
-  gpu::DeviceOptions options;
-  options.adapter = adapter;
   options.timestamps = true;
   WEFT_TRY(device, gpu::Device::create(options));
   device_ = std::move(device);

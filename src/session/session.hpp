@@ -33,8 +33,9 @@ using ReadInputs = std::function<Result<Inputs>(const SceneText& source)>;
 
 class Session {
  public:
-  /// Opens the device whose name contains `adapter`, anew where it was lost. Errors  NoAdapter, Failure.
-  Result<void> open(const std::string& adapter);
+  /// Opens a device, anew where it was lost; with timestamps where the adapter has them.
+  /// Errors  as gpu::Device::create.
+  Result<void> open(gpu::DeviceOptions options);
   /// Replaces the world by that of a scene, which `read` reads once the old world is gone.
   /// Errors  Input, Limit, Shader, OutOfMemory, DeviceLost. There is no world afterwards.
   Result<void> load(SceneText source, const ReadInputs& read);

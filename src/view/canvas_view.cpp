@@ -11,7 +11,7 @@ Result<CanvasView> CanvasView::create(const sim::World& world, const Canvas& can
   settings.width = canvas.width;
   settings.height = canvas.height;
   settings.view = view;
-  settings.color_format = canvas.format;
+  settings.color_format = render::srgb_format(canvas.format);
   WEFT_TRY(renderer, render::Renderer::create(world.device(), settings, inputs_of(world)));
   made.renderer_ = std::move(renderer);
   WEFT_TRY(present, render::Present::create(world.device(), canvas.format, canvas.width, canvas.height));
@@ -27,6 +27,11 @@ void CanvasView::record() {
     renderer_.record(lists_[parity], parity, present_.picture());
     present_.record(lists_[parity], canvas_.target);
   }
+}
+
+void CanvasView::set_target(gpu::Id target) {
+  canvas_.target = target;
+  record();
 }
 
 Result<void> CanvasView::resize(std::uint32_t width, std::uint32_t height) {

@@ -10,7 +10,7 @@
 
 namespace weft::view {
 
-/// Where it draws: a texture view that is another texture in every frame (gpu/web/imports.hpp).
+/// Where it draws. In a browser the target is a view that is of another texture in every frame (gpu/web/imports.hpp).
 struct Canvas {
   gpu::Id target = 0;  // 0: none
   gpu::TextureFormat format = gpu::TextureFormat::Rgba8UnormSrgb;
@@ -22,9 +22,13 @@ class CanvasView {
   /// Errors  Limit, Shader, OutOfMemory.
   static Result<CanvasView> create(const sim::World& world, const Canvas& canvas, scene::View view);
 
+  /// Draws there from now on: a view of the same format and size.
+  void set_target(gpu::Id target);
   Result<void> resize(std::uint32_t width, std::uint32_t height);
   Result<void> can_show(scene::View view) const { return renderer_.can_show(view); }
   Result<void> set_view(scene::View view);
+  scene::View view() const { return renderer_.view(); }
+  const Canvas& canvas() const { return canvas_; }
 
   /// What draws the state that lies in this parity's buffers.
   const gpu::CommandList& list(std::uint32_t parity) const { return lists_[parity]; }

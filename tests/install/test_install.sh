@@ -19,8 +19,10 @@ case_headers() {
   [ ${#headers[@]} -gt 5 ]
   found=$(grep -nE '^ *# *include' "${headers[@]}" | grep -vE 'include (<[a-z_0-9]+>|"weft/[a-z_]+\.hpp")$' || true)
   expect "other includes" "" "$found"
-  found=$(grep -nE 'webgpu\.h|wgpu|throw ' "${headers[@]}" || true)
+  found=$(grep -nE 'webgpu\.h|wgpu|throw ' "${headers[@]}" | grep -v '/native\.hpp:' || true)
   expect "words of the engine's inside" "" "$found"
+  found=$(grep -lE '^ *# *include.*native' "${headers[@]}" || true)
+  expect "who includes weft/native.hpp" "" "$found"
   local header
   for header in "${headers[@]}"; do # each compiles by itself
     g++ -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Werror -fno-exceptions -fsyntax-only -I "$checkout/include" \
@@ -64,6 +66,11 @@ case_package() {
     function apart(a, b) { return a - b > 1e-6 || b - a > 1e-6 }
     apart($1, $4) || apart($2, $5) || apart($3, $6) { print "node " NR - 1 ": " $0; bad = 1 }
     END { exit bad }'
+
+  # On a device of the program's, drawn into its texture and copied by it: the same bits, pixels and positions.
+  expect "the state on the program's device, and the distance of its copy" "$hash 0" \
+    "$(build/own_device "$scene" $frames own_device.png)"
+  cmp own_device.png "out/$(printf 'frame_%05d.png' $((frames - 1)))"
 
   # The middle follows its path to 0.8 m exactly; the rim hangs below it by no more than the cloth is long.
   build/own_mesh disc.png | tee disc.txt

@@ -59,6 +59,7 @@ const char* name_of(gpu::TextureFormat format) {
     NAME(Rgba8UnormSrgb);
     NAME(Bgra8UnormSrgb);
     NAME(Rgba8Unorm);
+    NAME(Bgra8Unorm);
     NAME(Depth32Float);
   }
   return nullptr;

@@ -27,7 +27,7 @@ Result<Inputs> read_inputs(const SceneText& source) {
 }
 
 void open_and_load(Session& session) {
-  const auto opened = session.open("");
+  const auto opened = session.open({});
   REQUIRE_OK(opened);
   const auto loaded = session.load(kSheet, read_inputs);
   REQUIRE_OK(loaded);

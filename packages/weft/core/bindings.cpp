@@ -90,7 +90,7 @@ EMSCRIPTEN_KEEPALIVE double weft_heap_bytes() {
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_open(const char* adapter, std::uint32_t size) {
   if (session == nullptr) session = new Session;
-  return code(session->open(text(adapter, size)));
+  return code(session->open({.adapter = text(adapter, size)}));
 }
 EMSCRIPTEN_KEEPALIVE void weft_close() {
   delete session;

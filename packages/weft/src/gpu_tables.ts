@@ -18,7 +18,7 @@ export type ErrorKind = (typeof ERROR_KINDS)[number];
 export const OBJECT_KINDS = ["none", "buffer", "texture", "texture-view", "sampler", "shader-module",
   "bind-group-layout", "pipeline-layout", "bind-group", "compute-pipeline", "render-pipeline", "query-set"] as const;
 export const TEXTURE_FORMATS: readonly (GPUTextureFormat | undefined)[] = [undefined, "rgba8unorm-srgb",
-  "bgra8unorm-srgb", "rgba8unorm", "depth32float"];
+  "bgra8unorm-srgb", "rgba8unorm", "bgra8unorm", "depth32float"];
 export const COMMAND_KINDS = ["begin-compute", "end-compute", "dispatch", "copy-buffer", "clear-buffer",
   "resolve-queries", "begin-render", "end-render", "draw", "copy-texture"] as const;
 

@@ -24,25 +24,6 @@ WGPUInstance make_instance() {
   return wgpuCreateInstance(&descriptor);
 }
 
-AdapterInfo describe(WGPUAdapter adapter) {
-  WGPUAdapterInfo raw = WGPU_ADAPTER_INFO_INIT;
-  wgpuAdapterGetInfo(adapter, &raw);
-  AdapterInfo info;
-  info.name = text(raw.device);
-  info.vendor = text(raw.vendor);
-  info.driver = text(raw.description);
-  info.backend = raw.backendType == WGPUBackendType_Vulkan  ? "Vulkan"
-                 : raw.backendType == WGPUBackendType_Metal ? "Metal"
-                 : raw.backendType == WGPUBackendType_D3D12 ? "D3D12"
-                                                            : "other";
-  info.type = raw.adapterType == WGPUAdapterType_DiscreteGPU     ? "discrete GPU"
-              : raw.adapterType == WGPUAdapterType_IntegratedGPU ? "integrated GPU"
-              : raw.adapterType == WGPUAdapterType_CPU           ? "CPU"
-                                                                 : "unknown";
-  wgpuAdapterInfoFreeMembers(raw);
-  return info;
-}
-
 int rank(const AdapterInfo& info) {
   return info.type == "discrete GPU" ? 0 : info.type == "integrated GPU" ? 1 : info.type == "unknown" ? 2 : 3;
 }
@@ -61,20 +42,11 @@ void on_lost(WGPUDevice const*, WGPUDeviceLostReason reason, WGPUStringView mess
 }
 
 void on_error(WGPUDevice const*, WGPUErrorType type, WGPUStringView message, void* user, void*) {
-  auto& context = *static_cast<Context*>(user);
-  const std::string what = text(message);
-  // wgpu-native reports a loss and a lack of memory as validation errors; their words tell them apart.
-  if (what.find("device is lost") != std::string::npos) {
-    context.lost = true;
-    context.lost_reason = what;
-    return;
-  }
-  if (context.failed) return;  // the first error is the cause
-  context.failed = true;
-  const bool memory =
-      type == WGPUErrorType_OutOfMemory || what.find("Not enough memory") != std::string::npos;
-  context.failure = {memory ? ErrorKind::OutOfMemory : ErrorKind::Shader,
-                     memory ? "The GPU has no memory left (" + what + ")." : what};
+  static_cast<Context*>(user)->record(type, text(message));
+}
+
+void on_scope(WGPUPopErrorScopeStatus, WGPUErrorType type, WGPUStringView message, void* user, void*) {
+  if (type != WGPUErrorType_NoError) static_cast<Context*>(user)->record(type, text(message));
 }
 
 void on_adapter_device(WGPURequestDeviceStatus status, WGPUDevice device, WGPUStringView message, void* user,
@@ -138,9 +110,36 @@ Result<void> open_device(Opened& opened, const DeviceOptions& options) {
   if (context.device == nullptr)
     return make_error(ErrorKind::Failure, "Adapter %s gives no device: %s.", opened.adapter.name.c_str(),
                       reason.c_str());
-  context.queue = wgpuDeviceGetQueue(context.device);
-  wgpuDeviceGetLimits(context.device, &limits);
+  take_device(opened);
+  return {};
+}
 
+}  // namespace
+
+AdapterInfo describe(WGPUAdapter adapter) {
+  WGPUAdapterInfo raw = WGPU_ADAPTER_INFO_INIT;
+  wgpuAdapterGetInfo(adapter, &raw);
+  AdapterInfo info;
+  info.name = text(raw.device);
+  info.vendor = text(raw.vendor);
+  info.driver = text(raw.description);
+  info.backend = raw.backendType == WGPUBackendType_Vulkan  ? "Vulkan"
+                 : raw.backendType == WGPUBackendType_Metal ? "Metal"
+                 : raw.backendType == WGPUBackendType_D3D12 ? "D3D12"
+                                                            : "other";
+  info.type = raw.adapterType == WGPUAdapterType_DiscreteGPU     ? "discrete GPU"
+              : raw.adapterType == WGPUAdapterType_IntegratedGPU ? "integrated GPU"
+              : raw.adapterType == WGPUAdapterType_CPU           ? "CPU"
+                                                                 : "unknown";
+  wgpuAdapterInfoFreeMembers(raw);
+  return info;
+}
+
+void take_device(Opened& opened) {
+  Context& context = *opened.context;
+  context.queue = wgpuDeviceGetQueue(context.device);
+  WGPULimits limits = WGPU_LIMITS_INIT;
+  wgpuDeviceGetLimits(context.device, &limits);
   opened.limits.max_buffer_size = limits.maxBufferSize;
   opened.limits.max_storage_binding_size = limits.maxStorageBufferBindingSize;
   opened.limits.max_storage_buffers_per_stage = limits.maxStorageBuffersPerShaderStage;
@@ -148,10 +147,30 @@ Result<void> open_device(Opened& opened, const DeviceOptions& options) {
   opened.limits.max_workgroups_per_dimension = limits.maxComputeWorkgroupsPerDimension;
   opened.limits.max_texture_size = limits.maxTextureDimension2D;
   opened.limits.min_uniform_offset_alignment = limits.minUniformBufferOffsetAlignment;
-  return {};
 }
 
-}  // namespace
+ErrorScope::~ErrorScope() {
+  WGPUPopErrorScopeCallbackInfo callback = WGPU_POP_ERROR_SCOPE_CALLBACK_INFO_INIT;
+  callback.mode = WGPUCallbackMode_AllowSpontaneous;
+  callback.callback = on_scope;
+  callback.userdata1 = &context_;
+  for (int scope = 0; scope < 2; ++scope) wgpuDevicePopErrorScope(context_.device, callback);
+}
+
+void Context::record(WGPUErrorType type, const std::string& what) {
+  // wgpu-native reports a loss and a lack of memory as validation errors; their words tell them apart.
+  if (what.find("device is lost") != std::string::npos) {
+    lost = true;
+    lost_reason = what;
+    return;
+  }
+  if (failed) return;  // the first error is the cause
+  failed = true;
+  const bool memory =
+      type == WGPUErrorType_OutOfMemory || what.find("Not enough memory") != std::string::npos;
+  failure = {memory ? ErrorKind::OutOfMemory : ErrorKind::Shader,
+             memory ? "The GPU has no memory left (" + what + ")." : what};
+}
 
 Result<void> Context::take_error() {
   if (lost) return make_error(ErrorKind::DeviceLost, "The GPU device is lost: %s.", lost_reason.c_str());
@@ -184,6 +203,10 @@ Result<Opened> open(const DeviceOptions& options) {
   opened.context = ContextPointer(new Context);
   Context& context = *opened.context;
   context.unchecked = options.unchecked;
+  if (options.given) {
+    WEFT_CHECK(take_given_device(opened, options));
+    return opened;
+  }
   context.instance = make_instance();
   const std::vector<WGPUAdapter> adapters = enumerate(context.instance);
   auto chosen = choose(adapters, options.adapter);
@@ -197,6 +220,8 @@ Result<Opened> open(const DeviceOptions& options) {
   WEFT_CHECK(open_device(opened, options));
   return opened;
 }
+
+DeviceHandles handles(Context& context) { return {id_of(context.adapter), id_of(context.device)}; }
 
 Result<void> status(Context& context) { return context.take_error(); }
 

@@ -11,6 +11,8 @@ WGPUTextureFormat texture_format(TextureFormat format) {
       break;
     case TextureFormat::Rgba8Unorm:
       return WGPUTextureFormat_RGBA8Unorm;
+    case TextureFormat::Bgra8Unorm:
+      return WGPUTextureFormat_BGRA8Unorm;
     case TextureFormat::Rgba8UnormSrgb:
       return WGPUTextureFormat_RGBA8UnormSrgb;
     case TextureFormat::Bgra8UnormSrgb:
@@ -74,21 +76,20 @@ std::vector<WGPUConstantEntry> constant_entries(std::span<const Constant> consta
 }  // namespace
 
 Result<Id> create_shader_module(Context& context, const std::string& source, const std::string& label) {
-  WEFT_CHECK(context.take_error());
   WGPUShaderSourceWGSL wgsl = WGPU_SHADER_SOURCE_WGSL_INIT;
   wgsl.code = view(source);
   WGPUShaderModuleDescriptor descriptor = WGPU_SHADER_MODULE_DESCRIPTOR_INIT;
   descriptor.label = view(label);
   descriptor.nextInChain = &wgsl.chain;
-  WGPUShaderModule module = context.unchecked ? wgpuDeviceCreateShaderModuleTrusted(
-                                                    context.device, &descriptor, WGPUShaderRuntimeChecks_None)
-                                              : wgpuDeviceCreateShaderModule(context.device, &descriptor);
-  return made(context, module, "shader", label);
+  return make(context, "shader", label, [&] {
+    return context.unchecked ? wgpuDeviceCreateShaderModuleTrusted(context.device, &descriptor,
+                                                                   WGPUShaderRuntimeChecks_None)
+                             : wgpuDeviceCreateShaderModule(context.device, &descriptor);
+  });
 }
 
 Result<Id> create_bind_group_layout(Context& context, std::span<const BindingLayout> bindings,
                                     bool for_render, const std::string& label) {
-  WEFT_CHECK(context.take_error());
   std::vector<WGPUBindGroupLayoutEntry> entries;
   for (const BindingLayout& binding : bindings)
     entries.push_back(layout_entry(
@@ -97,23 +98,22 @@ Result<Id> create_bind_group_layout(Context& context, std::span<const BindingLay
   descriptor.label = view(label);
   descriptor.entries = entries.data();
   descriptor.entryCount = entries.size();
-  return made(context, wgpuDeviceCreateBindGroupLayout(context.device, &descriptor), "bind group layout",
-              label);
+  return make(context, "bind group layout", label,
+              [&] { return wgpuDeviceCreateBindGroupLayout(context.device, &descriptor); });
 }
 
 Result<Id> create_pipeline_layout(Context& context, Id bind_group_layout, const std::string& label) {
-  WEFT_CHECK(context.take_error());
   const auto layout = handle<WGPUBindGroupLayout>(bind_group_layout);
   WGPUPipelineLayoutDescriptor descriptor = WGPU_PIPELINE_LAYOUT_DESCRIPTOR_INIT;
   descriptor.label = view(label);
   descriptor.bindGroupLayouts = &layout;
   descriptor.bindGroupLayoutCount = 1;
-  return made(context, wgpuDeviceCreatePipelineLayout(context.device, &descriptor), "pipeline layout", label);
+  return make(context, "pipeline layout", label,
+              [&] { return wgpuDeviceCreatePipelineLayout(context.device, &descriptor); });
 }
 
 Result<Id> create_bind_group(Context& context, Id layout, std::span<const BindingLayout> bindings,
                              std::span<const BindingSource> sources, const std::string& label) {
-  WEFT_CHECK(context.take_error());
   std::vector<WGPUBindGroupEntry> entries;
   for (std::size_t i = 0; i < bindings.size(); ++i) {
     const BindingSource& source = sources[i];
@@ -136,12 +136,12 @@ Result<Id> create_bind_group(Context& context, Id layout, std::span<const Bindin
   descriptor.layout = handle<WGPUBindGroupLayout>(layout);
   descriptor.entries = entries.data();
   descriptor.entryCount = entries.size();
-  return made(context, wgpuDeviceCreateBindGroup(context.device, &descriptor), "bind group", label);
+  return make(context, "bind group", label,
+              [&] { return wgpuDeviceCreateBindGroup(context.device, &descriptor); });
 }
 
 Result<Id> create_compute_pipeline(Context& context, Id layout, Id module, const std::string& entry,
                                    std::span<const Constant> constants, const std::string& label) {
-  WEFT_CHECK(context.take_error());
   const auto entries = constant_entries(constants);
   WGPUComputePipelineDescriptor descriptor = WGPU_COMPUTE_PIPELINE_DESCRIPTOR_INIT;
   descriptor.label = view(label);
@@ -150,12 +150,12 @@ Result<Id> create_compute_pipeline(Context& context, Id layout, Id module, const
   descriptor.compute.entryPoint = view(entry);
   descriptor.compute.constants = entries.data();
   descriptor.compute.constantCount = entries.size();
-  return made(context, wgpuDeviceCreateComputePipeline(context.device, &descriptor), "pipeline", label);
+  return make(context, "pipeline", label,
+              [&] { return wgpuDeviceCreateComputePipeline(context.device, &descriptor); });
 }
 
 Result<Id> create_render_pipeline(Context& context, Id layout, Id module, const RenderPipelineInfo& info,
                                   const std::string& label) {
-  WEFT_CHECK(context.take_error());
   const auto constants = constant_entries(info.constants);
   WGPUBlendState blend = WGPU_BLEND_STATE_INIT;
   blend.color = {WGPUBlendOperation_Add, WGPUBlendFactor_SrcAlpha, WGPUBlendFactor_OneMinusSrcAlpha};
@@ -191,7 +191,8 @@ Result<Id> create_render_pipeline(Context& context, Id layout, Id module, const 
   descriptor.multisample.count = info.samples;
   descriptor.depthStencil = info.depth == TextureFormat::None ? nullptr : &depth;
   descriptor.fragment = info.fragment_entry.empty() ? nullptr : &fragment;
-  return made(context, wgpuDeviceCreateRenderPipeline(context.device, &descriptor), "pipeline", label);
+  return make(context, "pipeline", label,
+              [&] { return wgpuDeviceCreateRenderPipeline(context.device, &descriptor); });
 }
 
 }  // namespace weft::gpu::backend

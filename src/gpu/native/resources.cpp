@@ -61,21 +61,20 @@ void release(ObjectKind kind, Id id) {
 
 Result<Id> create_buffer(Context& context, std::uint64_t bytes, std::uint32_t usage,
                          const std::string& label) {
-  WEFT_CHECK(context.take_error());
   WGPUBufferDescriptor descriptor = WGPU_BUFFER_DESCRIPTOR_INIT;
   descriptor.label = view(label);
   descriptor.size = bytes;
   descriptor.usage = buffer_usage(usage);
-  return made(context, wgpuDeviceCreateBuffer(context.device, &descriptor), "buffer", label);
+  return make(context, "buffer", label, [&] { return wgpuDeviceCreateBuffer(context.device, &descriptor); });
 }
 
 void write_buffer(Context& context, Id buffer, std::uint64_t offset, std::span<const std::byte> bytes) {
   if (context.lost) return;
+  const ErrorScope scope(context);
   wgpuQueueWriteBuffer(context.queue, handle<WGPUBuffer>(buffer), offset, bytes.data(), bytes.size());
 }
 
 Result<Id> create_texture(Context& context, const TextureInfo& info, const std::string& label) {
-  WEFT_CHECK(context.take_error());
   WGPUTextureDescriptor descriptor = WGPU_TEXTURE_DESCRIPTOR_INIT;
   descriptor.label = view(label);
   descriptor.size = {info.width, info.height, 1};
@@ -84,32 +83,33 @@ Result<Id> create_texture(Context& context, const TextureInfo& info, const std::
   if (info.usage & kRenderTarget) descriptor.usage |= WGPUTextureUsage_RenderAttachment;
   if (info.usage & kSampled) descriptor.usage |= WGPUTextureUsage_TextureBinding;
   if (info.usage & kTextureCopySource) descriptor.usage |= WGPUTextureUsage_CopySrc;
-  return made(context, wgpuDeviceCreateTexture(context.device, &descriptor), "texture", label);
+  return make(context, "texture", label,
+              [&] { return wgpuDeviceCreateTexture(context.device, &descriptor); });
 }
 
 Result<Id> create_texture_view(Context& context, Id texture, const std::string& label) {
-  WEFT_CHECK(context.take_error());
-  return made(context, wgpuTextureCreateView(handle<WGPUTexture>(texture), nullptr), "texture view", label);
+  return make(context, "texture view", label,
+              [&] { return wgpuTextureCreateView(handle<WGPUTexture>(texture), nullptr); });
 }
 
 Result<Id> create_sampler(Context& context, const SamplerInfo& info, const std::string& label) {
-  WEFT_CHECK(context.take_error());
   WGPUSamplerDescriptor descriptor = WGPU_SAMPLER_DESCRIPTOR_INIT;
   descriptor.label = view(label);
   descriptor.magFilter = descriptor.minFilter = info.linear ? WGPUFilterMode_Linear : WGPUFilterMode_Nearest;
   descriptor.addressModeU = descriptor.addressModeV =
       info.repeat ? WGPUAddressMode_Repeat : WGPUAddressMode_ClampToEdge;
   if (info.comparison) descriptor.compare = WGPUCompareFunction_LessEqual;
-  return made(context, wgpuDeviceCreateSampler(context.device, &descriptor), "sampler", label);
+  return make(context, "sampler", label,
+              [&] { return wgpuDeviceCreateSampler(context.device, &descriptor); });
 }
 
 Result<Id> create_timestamp_queries(Context& context, std::uint32_t count, const std::string& label) {
-  WEFT_CHECK(context.take_error());
   WGPUQuerySetDescriptor descriptor = WGPU_QUERY_SET_DESCRIPTOR_INIT;
   descriptor.label = view(label);
   descriptor.type = WGPUQueryType_Timestamp;
   descriptor.count = count;
-  return made(context, wgpuDeviceCreateQuerySet(context.device, &descriptor), "query set", label);
+  return make(context, "query set", label,
+              [&] { return wgpuDeviceCreateQuerySet(context.device, &descriptor); });
 }
 
 double timestamp_period(Context& context) {
@@ -136,6 +136,7 @@ void map_read(Context& context, Id buffer, std::uint64_t bytes, const std::share
   callback.callback = on_mapped;
   callback.userdata1 =
       new std::shared_ptr<MapState>(state);  // the callback's own share, since it may come late
+  const ErrorScope scope(context);
   wgpuBufferMapAsync(handle<WGPUBuffer>(buffer), WGPUMapMode_Read, 0, bytes, callback);
 }
 

@@ -132,11 +132,13 @@ class Encoder {
 
 Result<void> submit(Context& context, std::span<const CommandList* const> lists) {
   WEFT_CHECK(context.take_error());
-  Encoder encoder(context);
-  for (const CommandList* list : lists) encoder.encode(*list);
-  WGPUCommandBuffer buffer = encoder.finish();
+  WGPUCommandBuffer buffer = watched(context, [&] {
+    Encoder encoder(context);
+    for (const CommandList* list : lists) encoder.encode(*list);
+    return encoder.finish();
+  });
   const auto error = context.take_error();
-  if (error) wgpuQueueSubmit(context.queue, 1, &buffer);
+  if (error) watched(context, [&] { wgpuQueueSubmit(context.queue, 1, &buffer); });
   if (buffer != nullptr) wgpuCommandBufferRelease(buffer);
   if (!error) return error.error();
   return context.take_error();

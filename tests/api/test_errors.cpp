@@ -1,0 +1,100 @@
+// Each error that the docstrings of Scene and World name and that no other file of these tests meets.
+#include <cmath>
+
+#include "api/scenes.hpp"
+#include "temporary_folder.hpp"
+
+using namespace weft;
+
+TEST_CASE("a scene that cannot be read is refused by the path") {
+  const auto missing = Scene::from_file("/nowhere/sheet.json");
+  REQUIRE(!missing);
+  CHECK(missing.error().kind == ErrorKind::Input);
+  CHECK(missing.error().message.find("/nowhere/sheet.json") != std::string::npos);
+}
+
+TEST_CASE("a mesh without triangles and one with a coordinate that is not finite are refused") {
+  Scene scene = scene_of(kSheet);
+  std::vector<Vec3f> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  CHECK(scene.add_mesh("empty", positions, {}).error().kind == ErrorKind::Input);
+  positions[1].y = std::nanf("");
+  const std::vector<Triangle> triangles{{0, 1, 2}};
+  CHECK(scene.add_mesh("nan", positions, triangles).error().kind == ErrorKind::Input);
+}
+
+TEST_CASE("a sheet that no buffer of the GPU holds is refused by the limit and both numbers") {
+  Scene scene = scene_of(kSheet);
+  World small = world_of(scene);
+  auto set = scene.set("cloths.0.grid", "[20000, 20000]");
+  REQUIRE_OK(set);
+  const auto world = World::create(scene);
+  REQUIRE(!world);
+  CHECK(world.error().kind == ErrorKind::Limit);
+  CHECK(world.error().message.find("400000000 nodes need 6400000000 bytes") != std::string::npos);
+}
+
+TEST_CASE("a drag that makes the running step unstable is refused, and the world stays as it was") {
+  World world = world_of(scene_of(kSheet)), plain = world_of(scene_of(kSheet));
+  REQUIRE_OK(world.advance());
+  const auto refused = world.change("drag", "1e6");
+  REQUIRE(!refused);
+  CHECK(refused.error().kind == ErrorKind::Limit);
+  CHECK(refused.error().message.find("With a drag of 1e+06 1/s the largest stable step is") == 0);
+  CHECK(world.change("gravity", "down").error().kind == ErrorKind::Input);
+  CHECK(hash_after(world, 2) == hash_after(plain, 3));
+}
+
+TEST_CASE("what cannot be held is refused by the node, and more than four nodes by the limit") {
+  World world = world_of(scene_of(kSheet));
+  const std::uint32_t free_row = 19 * 20;
+  CHECK(world.grab(400, {}).error().message ==
+        "Node 400 cannot be grabbed: there are 400 nodes, counted from 0.");
+  CHECK(world.grab(0, {}).error().message == "Node 0 cannot be grabbed: it is pinned.");
+  CHECK(world.grab(free_row, {std::nan(""), 0, 0}).error().kind == ErrorKind::Input);
+  for (std::uint32_t k = 0; k < 4; ++k) REQUIRE_OK(world.grab(free_row + k, {}));
+  CHECK(world.grab(free_row, {}).error().message == "Node 380 cannot be grabbed: it is held already.");
+  CHECK(world.grab(free_row + 4, {}).error().kind == ErrorKind::Limit);
+  CHECK(world.drag(free_row, {0, std::nan(""), 0}).error().kind == ErrorKind::Input);
+  CHECK(world.release(free_row + 4).error().kind == ErrorKind::Input);
+  REQUIRE_OK(world.reset());  // lets go
+  REQUIRE_OK(world.grab(free_row + 4, {}));
+}
+
+TEST_CASE("the shape comes as obj, ply and glb, and another format is refused by its name") {
+  World world = world_of(scene_of(kSheet));
+  for (const char* format : {"obj", "ply", "glb"}) {
+    auto file = world.mesh_file(format);
+    REQUIRE_OK(file);
+    CHECK(file->size() > 400 * 3);  // of each node three numbers
+  }
+  const auto other = world.mesh_file("stl");
+  REQUIRE(!other);
+  CHECK(other.error().kind == ErrorKind::Input);
+  CHECK(other.error().message == "The format stl is not known; there are obj, ply and glb.");
+}
+
+TEST_CASE(
+    "a picture of what the scene lacks, and one larger than the GPU draws, are refused; the next is drawn") {
+  World world = world_of(scene_of(kSheet));  // without contact
+  PictureOptions options;
+  options.width = options.height = 32;
+  options.view = View::Contacts;
+  const auto lacks = world.draw(options);
+  REQUIRE(!lacks);
+  CHECK(lacks.error().kind == ErrorKind::Input);
+  options.view = View::Textured;
+  options.width = 1'000'000;
+  const auto large = world.draw(options);
+  REQUIRE(!large);
+  CHECK(large.error().kind == ErrorKind::Limit);
+  CHECK(large.error().message.find("1000000 pixels") != std::string::npos);
+  options.width = 32;
+  auto drawn = world.draw(options);
+  REQUIRE_OK(drawn);
+
+  const TemporaryFolder folder;
+  REQUIRE_OK(write_png(folder.path("end.png"), *drawn));
+  const auto nowhere = write_png(folder.path("none/end.png"), *drawn);
+  REQUIRE(!nowhere);
+  CHECK(nowhere.error().kind == ErrorKind::Failure);
+}
