@@ -9,10 +9,10 @@ namespace {
 bool finite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Of the cloths, which lie one after the other, the one that has a node.
-std::uint32_t cloth_of(const HostModel& model, std::uint32_t node) {
-  const auto next = std::upper_bound(model.cloths.begin(), model.cloths.end(), node,
-                                     [](std::uint32_t n, const ClothModel& c) { return n < c.first_vertex; });
-  return static_cast<std::uint32_t>(next - model.cloths.begin()) - 1;
+std::uint32_t cloth_of(const Model& model, std::uint32_t node) {
+  const auto next = std::upper_bound(model.bodies.begin(), model.bodies.end(), node,
+                                     [](std::uint32_t n, const Body& c) { return n < c.first_vertex; });
+  return static_cast<std::uint32_t>(next - model.bodies.begin()) - 1;
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ Result<std::optional<Picked>> World::pick(const Ray& ray) {
                        ray.direction.z);
   WEFT_CHECK(running_->settle());
   WEFT_CHECK(running_->session.take_snapshot());
-  const HostModel& model = running_->world().model().host;
+  const Model& model = running_->world().model().host;
   const auto found = render::pick_node({ray.origin, ray.direction / norm},
                                        running_->session.snapshot().position, model.triangles);
   if (!found) return std::optional<Picked>();

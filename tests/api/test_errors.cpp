@@ -44,7 +44,7 @@ TEST_CASE("a drag that makes the running step unstable is refused, and the world
   CHECK(hash_after(world, 2) == hash_after(plain, 3));
 }
 
-TEST_CASE("what cannot be held is refused by the node, and more than four nodes by the limit") {
+TEST_CASE("what cannot be grabbed is refused by the node, and more than four nodes by the limit") {
   World world = world_of(scene_of(kSheet));
   const std::uint32_t free_row = 19 * 20;
   CHECK(world.grab(400, {}).error().message ==
@@ -52,7 +52,7 @@ TEST_CASE("what cannot be held is refused by the node, and more than four nodes 
   CHECK(world.grab(0, {}).error().message == "Node 0 cannot be grabbed: it is pinned.");
   CHECK(world.grab(free_row, {std::nan(""), 0, 0}).error().kind == ErrorKind::Input);
   for (std::uint32_t k = 0; k < 4; ++k) REQUIRE_OK(world.grab(free_row + k, {}));
-  CHECK(world.grab(free_row, {}).error().message == "Node 380 cannot be grabbed: it is held already.");
+  CHECK(world.grab(free_row, {}).error().message == "Node 380 cannot be grabbed: it is grabbed already.");
   CHECK(world.grab(free_row + 4, {}).error().kind == ErrorKind::Limit);
   CHECK(world.drag(free_row, {0, std::nan(""), 0}).error().kind == ErrorKind::Input);
   CHECK(world.release(free_row + 4).error().kind == ErrorKind::Input);
