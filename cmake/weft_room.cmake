@@ -4,6 +4,9 @@
 # below src/. Each room has an include folder of its own (a link in the build tree to its sources) and passes on only
 # those of the rooms it imports: including a room that is not listed does not compile. Rooms that share a folder see
 # each other's headers, but not what those include: a host room that includes a GPU header does not compile either.
+#
+# Natively the sources of a room are compiled eight at a time: most of the time went into the headers that they share.
+# So file-local names are unique in a room. The web core is compiled file by file, which finds a missing include.
 function(weft_room NAME)
   cmake_parse_arguments(ROOM "EXCEPTIONS" "FOLDER" "SOURCES;IMPORTS;LIBRARIES" ${ARGN})
   if(NOT ROOM_FOLDER)
@@ -16,6 +19,9 @@ function(weft_room NAME)
   list(TRANSFORM ROOM_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/src/${ROOM_FOLDER}/ REGEX "^[^/]")
   add_library(weft_${NAME} STATIC ${ROOM_SOURCES})
   target_include_directories(weft_${NAME} PUBLIC ${include})
+  if(NOT EMSCRIPTEN)
+    set_target_properties(weft_${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
   list(TRANSFORM ROOM_IMPORTS PREPEND weft_)
   target_link_libraries(weft_${NAME} PUBLIC ${ROOM_IMPORTS} PRIVATE ${ROOM_LIBRARIES})
   if(NOT ROOM_EXCEPTIONS)

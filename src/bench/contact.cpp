@@ -12,7 +12,7 @@
 namespace weft::bench {
 namespace {
 
-using Done = std::function<Result<void>(const ContactRow&)>;
+using ContactRowDone = std::function<Result<void>(const ContactRow&)>;
 
 constexpr std::uint32_t kLayers = 8;  // of a folded sheet
 constexpr std::uint64_t kSeed = 1;
@@ -44,17 +44,17 @@ Result<Setting> make_setting(gpu::Device& device, scene::Scene scene, Assets ass
   return made;
 }
 
-struct Variant {
+struct ContactVariant {
   const char* name;
   scene::ContactMethod method;
   bool self;
 };
-constexpr Variant kSelf{"proximity_self", scene::ContactMethod::Proximity, true};
-constexpr Variant kVariants[] = {
+constexpr ContactVariant kSelf{"proximity_self", scene::ContactMethod::Proximity, true};
+constexpr ContactVariant kVariants[] = {
     {"bvh", scene::ContactMethod::Bvh, false}, {"proximity", scene::ContactMethod::Proximity, false}, kSelf};
 
 /// What a row says before it is measured.
-ContactRow begin_row(const Setting& setting, const char* pose, const Variant& variant) {
+ContactRow begin_row(const Setting& setting, const char* pose, const ContactVariant& variant) {
   ContactRow row;
   row.pose = pose;
   row.method = variant.name;
@@ -79,7 +79,7 @@ Result<void> run_counted(sim::World& world, const std::vector<Vec3d>& places) {
 }
 
 Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const std::vector<Vec3d>& places,
-                           const Variant& variant, const Effort& effort, ContactRow row) {
+                           const ContactVariant& variant, const Effort& effort, ContactRow row) {
   scene::Scene scene = setting.scene;
   scene.contact.method = variant.method;
   scene.contact.self = variant.self;
@@ -121,7 +121,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
 }
 
 /// What cannot be run here, or did not stay finite, is a row that says so.
-Result<void> report(Result<ContactRow> measured, ContactRow begun, const Done& done) {
+Result<void> report(Result<ContactRow> measured, ContactRow begun, const ContactRowDone& done) {
   if (measured) return done(*measured);
   if (!skips_row(measured.error())) return measured.error();
   begun.skipped = measured.error().message;
@@ -162,7 +162,7 @@ std::vector<Vec3d> folded_places(const Model& model, const Folds& folds, double 
 }
 
 Result<void> run_sheets(gpu::Device& device, const Sheets& sheets, const std::vector<double>& parts,
-                        const std::string& scenes_folder, const Effort& effort, const Done& done) {
+                        const std::string& scenes_folder, const Effort& effort, const ContactRowDone& done) {
   WEFT_TRY(scene, load_sheets(sheets, scenes_folder));
   WEFT_TRY(setting, make_setting(device, std::move(scene), Assets{{{}}}, effort));
   const Model& model = setting.model;
@@ -193,7 +193,7 @@ constexpr const char* kDrapedScene = R"({"format": "weft-scene/1", "drag": 0.5, 
   "colliders": [{"kind": "mesh", "mesh": "round"}]})";
 
 Result<void> run_draped(gpu::Device& device, std::uint32_t side, std::uint32_t object_triangles,
-                        const Effort& effort, const Done& done) {
+                        const Effort& effort, const ContactRowDone& done) {
   WEFT_TRY(scene, scene::parse_scene(kDrapedScene, "bench contact"));
   const auto read = [&](const std::string& name) -> Result<mesh::TriangleMesh> {
     if (name == "sheet") return make_round_sheet(side, 1, scene.contact.thickness);
@@ -201,7 +201,7 @@ Result<void> run_draped(gpu::Device& device, std::uint32_t side, std::uint32_t o
   };
   WEFT_TRY(assets, load_assets(scene, read));
   WEFT_TRY(setting, make_setting(device, std::move(scene), std::move(assets), effort));
-  for (const Variant& variant : kVariants) {
+  for (const ContactVariant& variant : kVariants) {
     const ContactRow row = begin_row(setting, "draped", variant);
     WEFT_CHECK(
         report(measure(device, setting, setting.model.rest_position, variant, effort, row), row, done));
@@ -212,7 +212,7 @@ Result<void> run_draped(gpu::Device& device, std::uint32_t side, std::uint32_t o
 }  // namespace
 
 Result<void> run_contact(gpu::Device& device, bool quick, const std::string& scenes_folder,
-                         const Done& done) {
+                         const ContactRowDone& done) {
   const Effort effort = effort_of(quick);
   if (quick) {
     WEFT_CHECK(run_sheets(device, {20, 2}, {1}, scenes_folder, effort, done));

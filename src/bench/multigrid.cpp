@@ -8,9 +8,10 @@
 namespace weft::bench {
 namespace {
 
-using Done = std::function<Result<void>(const MultigridRow&)>;
+using MultigridRowDone = std::function<Result<void>(const MultigridRow&)>;
 
-constexpr std::string_view kNames[] = {"multigrid", "multigrid4", "multigrid16", "explicit", "null", "drape"};
+constexpr std::string_view kMultigridNames[] = {"multigrid", "multigrid4", "multigrid16",
+                                                "explicit",  "null",       "drape"};
 constexpr std::uint32_t kNullSides[] = {32, 64, 128, 256, 512};
 
 /// An implicit variant: its substeps, and whether it is run unasked.
@@ -59,7 +60,7 @@ MultigridRow begin_row(const std::string& object, const std::string& variant, st
 }
 
 /// What a solver or the adapter refuses is a row that says so.
-Result<void> report(Result<MultigridRow> measured, MultigridRow begun, const Done& done) {
+Result<void> report(Result<MultigridRow> measured, MultigridRow begun, const MultigridRowDone& done) {
   if (measured) return done(*measured);
   if (!skips_row(measured.error()) && measured.error().kind != ErrorKind::Input) return measured.error();
   begun.skipped = measured.error().message;
@@ -92,7 +93,7 @@ Result<SheetRun> run_sheet(gpu::Device& device, const scene::Scene& scene,
 /// Runs the sheet; explicit runs once, since they are rows, and null lines of larger sheets.
 class SheetBench {
  public:
-  SheetBench(gpu::Device& device, const Source& source, const Done& done)
+  SheetBench(gpu::Device& device, const Source& source, const MultigridRowDone& done)
       : device_(device), source_(source), done_(done), stops_(stops_of(source.selection)) {}
 
   Result<void> run(std::uint32_t side) {
@@ -166,7 +167,7 @@ class SheetBench {
 
   gpu::Device& device_;
   const Source& source_;
-  const Done& done_;
+  const MultigridRowDone& done_;
   std::vector<std::uint32_t> stops_;
   std::map<std::uint32_t, SheetRun> explicit_;  // by side
 };
@@ -187,7 +188,7 @@ Result<MultigridRow> measure_drape(gpu::Device& device, const Source& source, co
 }
 
 Result<void> run_drapes(gpu::Device& device, const Source& source, std::vector<std::uint32_t> sides,
-                        const Done& done) {
+                        const MultigridRowDone& done) {
   if (sides.empty() && source.selection.quick) sides = {32};
   if (sides.empty()) sides = {256, 800};
   for (const char* object : {"armadillo", "dragon"}) {
@@ -205,17 +206,17 @@ Result<void> run_drapes(gpu::Device& device, const Source& source, std::vector<s
 
 }  // namespace
 
-std::span<const std::string_view> multigrid_variants() { return kNames; }
+std::span<const std::string_view> multigrid_variants() { return kMultigridNames; }
 
 Result<void> run_multigrid(gpu::Device& device, const Selection& selection, const Folders& folders,
-                           const Done& done) {
+                           const MultigridRowDone& done) {
   std::vector<std::uint32_t> sides = selection.sides;
   if (sides.empty() && selection.quick) sides = {32, 64};
   if (sides.empty()) sides = {64, 128, 256, 512, 800};
   const Source source{selection, folders};
-  const bool hangs = std::any_of(std::begin(kNames), std::end(kNames), [&](std::string_view name) {
-    return name != "drape" && asked(selection, name, true);
-  });
+  const bool hangs =
+      std::any_of(std::begin(kMultigridNames), std::end(kMultigridNames),
+                  [&](std::string_view name) { return name != "drape" && asked(selection, name, true); });
   SheetBench sheets(device, source, done);
   WEFT_TRY(sheet, source.load("sheet"));  // a missing file is no skipped row
   if (hangs)

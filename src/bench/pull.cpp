@@ -14,16 +14,16 @@ constexpr std::uint32_t kCountedSteps =
     2;  // the same for all methods, so that contacts and hashes can be compared
 
 /// How contact is found; names stand in results.
-struct Variant {
+struct PullVariant {
   scene::ContactMethod method;
   bool self = false;
 };
-constexpr Variant kVariants[] = {{scene::ContactMethod::None},
-                                 {scene::ContactMethod::Bvh},
-                                 {scene::ContactMethod::Proximity},
-                                 {scene::ContactMethod::Proximity, true},
-                                 {scene::ContactMethod::Paper}};
-constexpr std::string_view kNames[] = {"none", "bvh", "proximity", "proximity_self", "paper"};
+constexpr PullVariant kVariants[] = {{scene::ContactMethod::None},
+                                     {scene::ContactMethod::Bvh},
+                                     {scene::ContactMethod::Proximity},
+                                     {scene::ContactMethod::Proximity, true},
+                                     {scene::ContactMethod::Paper}};
+constexpr std::string_view kPullNames[] = {"none", "bvh", "proximity", "proximity_self", "paper"};
 constexpr std::string_view kObjects[] = {"sphere", "armadillo", "dragon"};
 
 struct Case {
@@ -78,7 +78,8 @@ Result<Setting> make_setting(gpu::Device& device, const Case& c, const Folders& 
   return Setting{std::move(scene), std::move(assets), std::move(start), std::move(crossings)};
 }
 
-Result<Row> measure(gpu::Device& device, const Case& c, Setting& setting, const Variant& variant, Row row) {
+Result<Row> measure(gpu::Device& device, const Case& c, Setting& setting, const PullVariant& variant,
+                    Row row) {
   scene::Scene scene = setting.scene;
   scene.contact.method = variant.method;
   scene.contact.self = variant.self;
@@ -110,7 +111,7 @@ Result<Row> measure(gpu::Device& device, const Case& c, Setting& setting, const 
 
 }  // namespace
 
-std::span<const std::string_view> pull_variants() { return kNames; }
+std::span<const std::string_view> pull_variants() { return kPullNames; }
 std::span<const std::string_view> pull_objects() { return kObjects; }
 
 Result<void> run_pull(gpu::Device& device, const Selection& selection, const Folders& folders,
@@ -126,10 +127,10 @@ Result<void> run_pull(gpu::Device& device, const Selection& selection, const Fol
       const Case c{object, side, selection.quick};
       Result<Setting> setting = make_setting(device, c, folders);
       for (std::size_t k = 0; k < std::size(kVariants); ++k) {
-        if (!selection.has_variant(kNames[k])) continue;
+        if (!selection.has_variant(kPullNames[k])) continue;
         Row begun;
         begun.object = object;
-        begun.variant = kNames[k];
+        begun.variant = kPullNames[k];
         begun.side = side;
         if (kVariants[k].method == scene::ContactMethod::Paper && too_slow) {
           WEFT_CHECK(done(skipped_row(begun, "the size before took over 2 s a step")));

@@ -6,16 +6,16 @@
 #include <numeric>
 
 namespace weft::contact {
-namespace {
 
-constexpr int kBins = 16;
-constexpr std::uint32_t kMaxHeuristicDepth = 40;
-
-/// Half the surface, which is all that costs are compared by [m²].
 double area(const Box& box) {
   const Vec3d size = box.high.to<double>() - box.low.to<double>();
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
+
+namespace {
+
+constexpr int kBins = 16;
+constexpr std::uint32_t kMaxHeuristicDepth = 40;
 
 struct Bin {
   Box box;

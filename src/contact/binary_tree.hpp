@@ -10,6 +10,9 @@
 
 namespace weft::contact {
 
+/// Half the surface, which is all that costs are compared by [m²].
+double area(const Box& box);
+
 inline constexpr std::uint32_t kLeafTriangles = 4;  // at most
 
 /// `left` and `right` are inner nodes' children; a leaf has `count` > 0 and order[first .. first + count).

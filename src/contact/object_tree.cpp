@@ -8,11 +8,6 @@
 namespace weft::contact {
 namespace {
 
-double area(const Box& box) {
-  const Vec3d size = box.high.to<double>() - box.low.to<double>();
-  return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
 void set_box(TreeNode& node, std::size_t k, const Box& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     node.low[axis][k] = box.low[static_cast<int>(axis)];

@@ -19,7 +19,6 @@
 namespace weft::mesh {
 namespace {
 
-constexpr std::uint64_t kMostIndex = 0xFFFFFFFF;
 constexpr std::uint64_t kTriangles = 4, kStrip = 5, kFan = 6;  // mode of a primitive
 
 Result<void> check_version(const Json& document) {

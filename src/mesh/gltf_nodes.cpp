@@ -8,8 +8,6 @@
 namespace weft::mesh {
 namespace {
 
-constexpr std::uint64_t kMostIndex = 0xFFFFFFFF;
-
 struct Waiting {
   std::uint64_t node;
   Affine parent;

@@ -11,6 +11,9 @@
 
 namespace weft::mesh {
 
+/// The largest index that a document may name.
+inline constexpr std::uint64_t kMostIndex = 0xFFFFFFFF;
+
 /// The whole number `name` of the object at `path`, from 0 to `most`; `otherwise` where it is not given.
 /// Errors  Input: its path, what it is and what it must be.
 Result<std::uint64_t> whole_number(const Json& object, const std::string& path, const char* name,

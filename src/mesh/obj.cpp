@@ -9,17 +9,17 @@
 namespace weft::mesh {
 namespace {
 
-constexpr TextCursor::Rules kRules{.comments = true, .continuations = true};
+constexpr TextCursor::Rules kObjRules{.comments = true, .continuations = true};
 
-struct Counts {
+struct ObjCounts {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
 };
 
 // A pass of its own, so that each array is allocated once, in the size that the text really fills.
-Counts count(std::span<const std::byte> bytes) {
-  Counts counts;
-  TextCursor cursor(bytes, kRules);
+ObjCounts count(std::span<const std::byte> bytes) {
+  ObjCounts counts;
+  TextCursor cursor(bytes, kObjRules);
   do {
     const std::string_view keyword = cursor.next_in_line();
     if (keyword == "v") ++counts.vertices;
@@ -71,11 +71,11 @@ Result<void> read_face(TextCursor& cursor, std::size_t vertex_count, TriangleMes
 }  // namespace
 
 Result<TriangleMesh> read_obj(std::span<const std::byte> bytes) {
-  const Counts counts = count(bytes);
+  const ObjCounts counts = count(bytes);
   TriangleMesh mesh;
   mesh.positions.reserve(counts.vertices);
   mesh.triangles.reserve(counts.triangles);
-  TextCursor cursor(bytes, kRules);
+  TextCursor cursor(bytes, kObjRules);
   do {
     const std::string_view keyword = cursor.next_in_line();
     if (keyword == "v") {

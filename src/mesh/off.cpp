@@ -9,9 +9,9 @@
 namespace weft::mesh {
 namespace {
 
-constexpr TextCursor::Rules kRules{.comments = true, .continuations = false};
+constexpr TextCursor::Rules kOffRules{.comments = true, .continuations = false};
 
-struct Counts {
+struct OffCounts {
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
 };
@@ -38,14 +38,14 @@ Result<void> check_count(const TextCursor& cursor, std::uint64_t count, std::uin
                      static_cast<unsigned long long>(count), what, cursor.remaining());
 }
 
-Result<Counts> read_header(TextCursor& cursor) {
+Result<OffCounts> read_header(TextCursor& cursor) {
   const std::string_view keyword = cursor.next();
   if (!is_keyword(keyword))
     return input_error("Line %zu begins with \"%s\", not with OFF, COFF, NOFF or STOFF.", cursor.line(),
                        quoted(keyword).c_str());
   const std::string_view word = cursor.next();
   if (word == "BINARY") return input_error("The file is OFF BINARY, of which only the text form is read.");
-  Counts counts;
+  OffCounts counts;
   WEFT_TRY(vertices, read_count(cursor, word, "vertices"));
   WEFT_TRY(faces, read_count(cursor, cursor.next_in_line(), "faces"));
   WEFT_CHECK(check_count(cursor, vertices, 6, "vertices"));
@@ -99,7 +99,7 @@ Result<void> read_face(TextCursor& cursor, TriangleMesh& mesh) {
 }  // namespace
 
 Result<TriangleMesh> read_off(std::span<const std::byte> bytes) {
-  TextCursor cursor(bytes, kRules);
+  TextCursor cursor(bytes, kOffRules);
   WEFT_TRY(counts, read_header(cursor));
   TriangleMesh mesh;
   mesh.positions.reserve(static_cast<std::size_t>(counts.vertices));

@@ -20,10 +20,10 @@ std::uint32_t bits(float value) {
   return word;
 }
 
-class Builder {
+class ColliderSetBuilder {
  public:
-  Builder(ColliderSet& set, const scene::Scene& scene, const ColliderMeshes& meshes, std::uint32_t first_word,
-          std::uint32_t first_triangle)
+  ColliderSetBuilder(ColliderSet& set, const scene::Scene& scene, const ColliderMeshes& meshes,
+                     std::uint32_t first_word, std::uint32_t first_triangle)
       : set_(set), scene_(scene), meshes_(meshes), first_word_(first_word), first_triangle_(first_triangle) {}
 
   Result<void> build() {
@@ -166,7 +166,7 @@ Vec3d spin_between(const scene::RigidTransform& from, const scene::RigidTransfor
 Result<ColliderSet> ColliderSet::create(const scene::Scene& scene, const ColliderMeshes& meshes,
                                         std::uint32_t first_word, std::uint32_t first_triangle) {
   ColliderSet set;
-  WEFT_CHECK(Builder(set, scene, meshes, first_word, first_triangle).build());
+  WEFT_CHECK(ColliderSetBuilder(set, scene, meshes, first_word, first_triangle).build());
   return set;
 }
 
