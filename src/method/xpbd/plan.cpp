@@ -30,7 +30,7 @@ Span span_of(const Model& model, const Body& cloth) {
 }
 
 /// Equation (7) of docs/solvers/xpbd.md, for the cloth that needs the shortest.
-StepLimit step_limit(const scene::Scene& scene, const Model& model) {
+StepLimit xpbd_step_limit(const scene::Scene& scene, const Model& model) {
   const double pull = length(scene.gravity + scene.external_force);  // [m/s²]
   double step = kImplicitStep;
   for (const Body& cloth : model.bodies) {
@@ -50,7 +50,7 @@ Method xpbd_method() {
   Method row{};
   row.kind = scene::SolverKind::Xpbd;
   row.takes = kTakes;
-  row.step_limit = step_limit;
+  row.step_limit = xpbd_step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = long_substeps;
   row.auto_verdict = nullptr;
