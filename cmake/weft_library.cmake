@@ -28,8 +28,7 @@ set_target_properties(weft_library PROPERTIES OUTPUT_NAME weft EXPORT_NAME weft 
 target_compile_features(weft_library PUBLIC cxx_std_20)
 target_include_directories(weft_library INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(weft_library PRIVATE Threads::Threads
-  $<BUILD_INTERFACE:wgpu_native> $<INSTALL_INTERFACE:weft::wgpu_native>
+target_link_libraries(weft_library PRIVATE Threads::Threads weft::wgpu_native
   $<BUILD_INTERFACE:z> $<INSTALL_INTERFACE:ZLIB::ZLIB>)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/weft)

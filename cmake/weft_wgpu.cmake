@@ -5,8 +5,7 @@ if(NOT EXISTS ${WEFT_WGPU_DIR}/webgpu.h)
 endif()
 # Beside the binary, so that build/ can be copied to another machine as it is.
 configure_file(${WEFT_WGPU_DIR}/libwgpu_native-release.so ${PROJECT_BINARY_DIR}/libwgpu_native.so COPYONLY)
-add_library(wgpu_native SHARED IMPORTED GLOBAL)
-set_target_properties(wgpu_native PROPERTIES IMPORTED_LOCATION ${PROJECT_BINARY_DIR}/libwgpu_native.so
+add_library(weft::wgpu_native SHARED IMPORTED GLOBAL)
+set_target_properties(weft::wgpu_native PROPERTIES IMPORTED_LOCATION ${PROJECT_BINARY_DIR}/libwgpu_native.so
   IMPORTED_NO_SONAME ON)
-add_library(weft::wgpu_native ALIAS wgpu_native)
-target_include_directories(wgpu_native SYSTEM INTERFACE ${WEFT_WGPU_DIR})
+target_include_directories(weft::wgpu_native SYSTEM INTERFACE ${WEFT_WGPU_DIR})

@@ -34,7 +34,7 @@ struct StepContact {
 }
 struct StepAir {
   acceleration : vec4f,  // m/s²: gravity and the external force, xyz
-  wind : vec4f,          // m/s: the mean, xyz; w: 1 where wind blows, else 0 and the four below are not read
+  wind : vec4f,          // m/s: the mean, xyz; w: 1 where wind blows, else 0: the air is still
   wind_wave_a : vec4f,   // 1/m: how a wave's phase grows along xyz, in turns; w: what time has taken off it, in [0, 1)
   wind_wave_b : vec4f,
   gust_a : vec4f,        // m/s: the amplitude of a wave of the wind, xyz

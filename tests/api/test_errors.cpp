@@ -22,24 +22,13 @@ TEST_CASE("a mesh without triangles and one with a coordinate that is not finite
   CHECK(scene.add_mesh("nan", positions, triangles).error().kind == ErrorKind::Input);
 }
 
-TEST_CASE("a sheet that no buffer of the GPU holds is refused by the limit and both numbers") {
-  Scene scene = scene_of(kSheet);
-  World small = world_of(scene);
-  auto set = scene.set("cloths.0.grid", "[20000, 20000]");
-  REQUIRE_OK(set);
-  const auto world = World::create(scene);
-  REQUIRE(!world);
-  CHECK(world.error().kind == ErrorKind::Limit);
-  CHECK(world.error().message.find("400000000 nodes need 6400000000 bytes") != std::string::npos);
-}
-
 TEST_CASE("a drag that makes the running step unstable is refused, and the world stays as it was") {
   World world = world_of(scene_of(kSheet)), plain = world_of(scene_of(kSheet));
   REQUIRE_OK(world.advance());
-  const auto refused = world.change("drag", "1e6");
+  const auto refused = world.change("drag", "1e4");
   REQUIRE(!refused);
   CHECK(refused.error().kind == ErrorKind::Limit);
-  CHECK(refused.error().message.find("With a drag of 1e+06 1/s the largest stable step is") == 0);
+  CHECK(refused.error().message.find("With a drag of 10000 1/s the largest stable step is") == 0);
   CHECK(world.change("gravity", "down").error().kind == ErrorKind::Input);
   CHECK(hash_after(world, 2) == hash_after(plain, 3));
 }

@@ -99,6 +99,17 @@ TEST_CASE("the limits that are asked of a device are enough for both solvers, co
   CHECK(device.errors() == 0);
 }
 
+TEST_CASE("a sheet that no buffer of the device holds is refused by the limit and both numbers") {
+  const CallersDevice device;  // of WebGPU's default limits
+  Scene scene = scene_of(kSheet);
+  REQUIRE_OK(scene.set("cloths.0.grid", "[4096, 4096]"));
+  const auto refused = World::create_on(device.native(), scene);
+  REQUIRE(!refused);
+  CHECK(refused.error().kind == ErrorKind::Limit);
+  CHECK(refused.error().message.find("16777216 nodes need 268435456 bytes") != std::string::npos);
+  CHECK(refused.error().message.find("134217728") != std::string::npos);
+}
+
 TEST_CASE("a device with less than weft's shaders need is refused by the limit's name, and so is no device") {
   WGPULimits limits = WGPU_LIMITS_INIT;
   limits.maxStorageBuffersPerShaderStage = 4;

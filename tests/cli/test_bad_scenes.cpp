@@ -159,6 +159,6 @@ TEST_CASE("changes of a scene that do not fit are refused") {
     CHECK(check_refusal(ended, change[0] == '=' ? 2 : 3, words, change.size()) == "");
   }
   const Ended solver =
-      run_without_driver({"check", "a.json", "--solver", "xpbd"}, {{}, folder.path(""), false});
-  CHECK(check_refusal(solver, 3, "solver.kind is \"xpbd\"", 0) == "");
+      run_without_driver({"check", "a.json", "--solver", "explicit"}, {{}, folder.path(""), false});
+  CHECK(check_refusal(solver, 3, "solver.kind is \"explicit\"", 0) == "");
 }
