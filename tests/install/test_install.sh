@@ -91,8 +91,9 @@ END
     exit 1
   }
   expect "the option WEFT_WERROR" "WEFT_WERROR:BOOL=OFF" "$(grep WEFT_WERROR build/CMakeCache.txt)"
-  ninja -C build -t targets all | grep -q '^hello:'
-  expect "its tests" "" "$(ninja -C build -t targets all | grep -o 'test_[a-z]*:' | head -1)"
+  ninja -C build -t targets all >targets.txt # a pipe into grep -q would end ninja early, and that is a failure here
+  grep -q '^hello:' targets.txt
+  expect "its tests" "" "$(grep -o 'test_[a-z]*:' targets.txt || true)"
 }
 
 "case_$1"
