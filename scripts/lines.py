@@ -22,8 +22,8 @@ MARKDOWN = (".md", ".md.j2")
 ITEM = re.compile(r"\s*(?:[-+*]|\d+[.)])\s+")  # of a list
 
 
-def files():
-    """The tracked files, and those that git would track."""
+def tracked():
+    """The paths of the tracked files, and of those that git would track; some may be deleted."""
     found = subprocess.run(
         ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
         cwd=ROOT,
@@ -31,7 +31,12 @@ def files():
         capture_output=True,
         text=True,
     )
-    paths = (ROOT / name for name in sorted(set(found.stdout.splitlines())))
+    return sorted(set(found.stdout.splitlines()))
+
+
+def files():
+    """The files that have lines to look at."""
+    paths = (ROOT / name for name in tracked())
     return [path for path in paths if (path.suffix in KINDS or path.name in NAMES) and path.is_file()]
 
 

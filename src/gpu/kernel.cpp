@@ -69,11 +69,12 @@ Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vect
   kernel.device_ = &device;
   kernel.label_ = path;
   kernel.workgroup_size_ = workgroup_size;
-  std::string from = all_sources(source, path, constants);
-  kernel.compiled_ = device.kernels().find(from);
-  if (kernel.compiled_ == nullptr) {
+  const std::string from = all_sources(source, path, constants);
+  if (const SharedCompiledKernel* known = device.kernels().find(from)) {
+    kernel.compiled_ = *known;
+  } else {
     WEFT_SET(kernel.compiled_, compile(device, source, path, constants));
-    device.kernels().keep(std::move(from), kernel.compiled_);
+    device.kernels()[from] = kernel.compiled_;
   }
   return kernel;
 }

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <list>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/recently_used.hpp"
 #include "gpu/object.hpp"
 #include "gpu/types.hpp"
 
@@ -20,23 +19,8 @@ struct CompiledKernel {
 using SharedCompiledKernel = std::shared_ptr<const CompiledKernel>;
 
 /// The compiled kernels of a device, found by what they were compiled from: a world that is made again compiles
-/// nothing. Past kMost the one that was asked for the longest ago goes; who uses it keeps it.
-class KernelCache {
- public:
-  /// A world has 70 at most; constants may hold the size of a grid, so their number has no bound of its own.
-  static constexpr std::size_t kMost = 256;
-
-  /// Null: there is none.
-  SharedCompiledKernel find(const std::string& source);
-  void keep(std::string source, SharedCompiledKernel kernel);
-  std::size_t size() const { return entries_.size(); }
-
- private:
-  struct Entry {
-    std::string source;
-    SharedCompiledKernel kernel;
-  };
-  std::list<Entry> entries_;  // the last asked for first
-};
+/// nothing. Who uses one that gives way keeps it. A world has 70 at most; constants may hold the size of a grid, so
+/// their number has no bound of its own.
+using KernelCache = RecentlyUsed<std::string, SharedCompiledKernel, 256>;
 
 }  // namespace weft::gpu

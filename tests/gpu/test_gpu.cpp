@@ -51,9 +51,9 @@ TEST_CASE("a kernel is compiled once for all who ask for the same text, constant
 TEST_CASE("of too many kernels the one goes that was asked for the longest ago") {
   KernelCache kernels;
   for (std::size_t i = 0; i < KernelCache::kMost; ++i)
-    kernels.keep(std::to_string(i), std::make_shared<const CompiledKernel>());
+    kernels[std::to_string(i)] = std::make_shared<const CompiledKernel>();
   CHECK(kernels.find("0") != nullptr);
-  kernels.keep("new", std::make_shared<const CompiledKernel>());
+  kernels["new"] = std::make_shared<const CompiledKernel>();
   CHECK(kernels.size() == KernelCache::kMost);
   CHECK(kernels.find("0") != nullptr);
   CHECK(kernels.find("1") == nullptr);

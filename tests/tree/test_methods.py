@@ -2,8 +2,9 @@
 
 import pathlib
 import re
-import subprocess
 import unittest
+
+from scripts import lines
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ("src/", "apps/", "packages/", "include/", "bench/paper/", "examples/", "cmake/", "scripts/")
@@ -78,14 +79,7 @@ def stray(texts, word, enumerator):
 
 
 def tree():
-    listed = subprocess.run(
-        ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
-        cwd=ROOT,
-        check=True,
-        capture_output=True,
-        text=True,
-    )
-    paths = [path for path in listed.stdout.splitlines() if path.startswith(ROOMS) and (ROOT / path).is_file()]
+    paths = [path for path in lines.tracked() if path.startswith(ROOMS) and (ROOT / path).is_file()]
     return {path: (ROOT / path).read_text() for path in paths if pathlib.Path(path).suffix in COMMENT}
 
 

@@ -2,8 +2,9 @@
 
 import pathlib
 import re
-import subprocess
 import unittest
+
+from scripts import lines
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COMMENT = {
@@ -28,14 +29,7 @@ PLACEHOLDER = re.compile(r"(?:^|[/_-])(?:[A-Z]{3,}|[a-z])(?:[/.]|$)")  # scenes/
 
 class Tree:
     def __init__(self):
-        listed = subprocess.run(
-            ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
-            cwd=ROOT,
-            check=True,
-            capture_output=True,
-            text=True,
-        )
-        self.files = [name for name in listed.stdout.splitlines() if (ROOT / name).is_file()]
+        self.files = [name for name in lines.tracked() if (ROOT / name).is_file()]
         self.made = [line.strip("/") + "/" for line in (ROOT / ".gitignore").read_text().split()]
         self.ends = {}  # a path may leave out its first folders
         for name in self.files:
