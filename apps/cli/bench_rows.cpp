@@ -74,6 +74,7 @@ nlohmann::ordered_json json_of(const bench::Row& row) {
   json["bytes_per_step"] = row.bytes_per_step;
   json["gpu_bytes"] = row.gpu_bytes;
   json["paper_frame"] = {{"ms", json_of(row.paper_frame)}, {"fps", 1000 / row.paper_frame.median}};
+  if (row.start) json["start"] = *row.start;
   json["contacts"] = row.contacts;
   if (row.outcome) {
     json["crossings"] = row.outcome->crossings;

@@ -440,8 +440,9 @@ many, the queue drained after each. “Real time” is simulated seconds per wal
 stiffness allows; “paper's fps” counts one step a frame, whatever time it simulates."""
 PULL = """The paper's second experiment: a sheet laid over an object is pulled by its right edge. <i>none</i> is the
 same step without contact; <i>paper</i> is the paper's brute force, <i>bvh</i> finds the same hits through a tree;
-<i>proximity</i> keeps a distance, with friction; <i>proximity_self</i> keeps it from the sheet itself too. All start
-from the same state. Brute force is measured on larger sheets until it falls under 0.1 frames a second."""
+<i>proximity</i> keeps a distance, with friction; <i>proximity_self</i> keeps it from the sheet itself too. Each
+starts where its own contact has brought the pulled sheet. Brute force is measured on larger sheets until it falls
+under 0.1 frames a second."""
 SCALING = """How cost grows, with exponents by least squares of the logarithms; and the lower bounds of a step: the
 launch of its dispatches, and the bytes of its state."""
 IMPLICIT = """Beyond the paper: eight substeps a frame whatever the resolution, beside explicit steps. A position error

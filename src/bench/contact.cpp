@@ -73,7 +73,7 @@ Result<void> run_counted(sim::World& world, const std::vector<Vec3d>& places) {
   WEFT_TRY(start, world.snapshot());
   for (std::size_t node = 0; node < places.size(); ++node)
     start.position[node] = Vec4f::from(places[node].to<float>(), start.position[node].w);
-  world.restore(start);
+  WEFT_CHECK(world.restore(start));
   WEFT_CHECK(world.advance_frame());
   return world.finish();
 }
@@ -96,7 +96,7 @@ Result<ContactRow> measure(gpu::Device& device, const Setting& setting, const st
     // The next frame begins with this search, so after it the lists are long enough.
     WEFT_CHECK(world->advance_frame());
     WEFT_CHECK(world->finish());
-    world->restore(counted);
+    WEFT_CHECK(world->restore(counted));
     WEFT_TRY(search, time_search(*world, effort));
     row.search = search.timing;
     row.pairs = search.pairs;

@@ -15,7 +15,7 @@ Result<CrossingCount> CrossingCount::create(gpu::Device& device, scene::Scene sc
 }
 
 Result<std::uint32_t> CrossingCount::of(const sim::Snapshot& state) {
-  world_->restore(state);
+  WEFT_CHECK(world_->restore(state));
   WEFT_CHECK(world_->advance_frame());  // its only step begins with a search, in the state as it is
   WEFT_CHECK(world_->finish());
   return world_->totals().crossings_left;

@@ -37,11 +37,11 @@ Result<Drawing> make_drawing(const sim::World& world) {
 }  // namespace
 
 Result<Timing> time_drawn_frames(gpu::Device& device, scene::Scene scene, const Assets& assets,
-                                 const sim::Snapshot* start, double budget_ms, std::uint32_t least) {
+                                 const Pose* pose, double budget_ms, std::uint32_t least) {
   scene.time.frame /= *scene.time.substeps;
   scene.time.substeps = 1;
   WEFT_TRY(world, sim::World::create(device, std::move(scene), assets));
-  if (start != nullptr) world->restore(*start);
+  if (pose != nullptr) WEFT_CHECK(begin_at(*pose, *world));
   WEFT_TRY(drawing, make_drawing(*world));
   const auto draw_frame = [&]() -> Result<void> {
     drawing.renderer.set_time(world->time());
@@ -49,7 +49,8 @@ Result<Timing> time_drawn_frames(gpu::Device& device, scene::Scene scene, const 
     return world->finish();
   };
   WEFT_CHECK(draw_frame());  // lists that are too short at first are longer after it
-  return time_repeats(budget_ms, least, 1, draw_frame);
+  return time_repeats(budget_ms, least, 1, draw_frame,
+                      [&] { return pose != nullptr ? stay_near(*pose, *world) : Result<void>(); });
 }
 
 }  // namespace weft::bench

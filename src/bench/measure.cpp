@@ -19,12 +19,24 @@ Timing timing_of(std::vector<double> milliseconds) {
           static_cast<std::uint32_t>(count)};
 }
 
+Result<void> begin_at(const Pose& pose, sim::World& world) {
+  WEFT_CHECK(world.restore(pose.state));
+  WEFT_CHECK(world.advance_frame());
+  return world.finish();
+}
+
+Result<void> stay_near(const Pose& pose, sim::World& world) {
+  return world.time() + world.scene().time.frame > pose.until ? begin_at(pose, world) : Result<void>();
+}
+
 Result<Timing> time_repeats(double budget_ms, std::uint32_t least, double parts,
-                            const std::function<Result<void>()>& work) {
+                            const std::function<Result<void>()>& work,
+                            const std::function<Result<void>()>& prepare) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> times;
   double spent = 0;
   while (times.size() < least || spent < budget_ms) {
+    if (prepare) WEFT_CHECK(prepare());
     const auto start = Clock::now();
     WEFT_CHECK(work());
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -39,16 +51,17 @@ bool skips_row(const Error& error) {
          error.kind == ErrorKind::Diverged;
 }
 
-Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames) {
+Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames, const Pose* pose) {
   const auto frame = [&]() -> Result<void> {
     WEFT_CHECK(world.advance_frame());
     return world.finish();
   };
+  const auto prepare = [&] { return pose != nullptr ? stay_near(*pose, world) : Result<void>(); };
   // A card that has idled, an H100 at 345 MHz, takes tenths of a second to clock up.
   constexpr double kClockUpMs = 300;
   if (world.device().adapter().type != "CPU" && least_frames > 1)
-    WEFT_CHECK(time_repeats(kClockUpMs, 1, world.substeps(), frame));
-  return time_repeats(budget_ms, least_frames, world.substeps(), frame);
+    WEFT_CHECK(time_repeats(kClockUpMs, 1, world.substeps(), frame, prepare));
+  return time_repeats(budget_ms, least_frames, world.substeps(), frame, prepare);
 }
 
 Result<std::uint32_t> count_substeps(const scene::Scene& scene, const Assets& assets) {

@@ -18,15 +18,29 @@ struct Timing {
 /// All zeros if there are no times.
 Timing timing_of(std::vector<double> milliseconds);
 
-/// Does `work` until `budget_ms` are spent, `least` times or more. A time is that of one of its `parts`.
+/// A state that timed frames stay near: repeats simulate seconds, in which a scene comes to rest.
+struct Pose {
+  sim::Snapshot state;
+  double until = 0;  // no frame ends later, but for the first two [s]
+};
+/// Puts a world of the pose's scene there and runs its first frame, after which lists are long enough.
+/// Errors  as sim::World::restore and advance_frame.
+Result<void> begin_at(const Pose& pose, sim::World& world);
+/// Begins there again if the next frame would end after the pose.
+Result<void> stay_near(const Pose& pose, sim::World& world);
+
+/// Does `work` until `budget_ms` are spent, `least` times or more. A time is that of one of its `parts`. `prepare` is
+/// done before each, and not timed.
 Result<Timing> time_repeats(double budget_ms, std::uint32_t least, double parts,
-                            const std::function<Result<void>()>& work);
+                            const std::function<Result<void>()>& work,
+                            const std::function<Result<void>()>& prepare = {});
 
 /// Whether an error leaves out a row only: what is too large for the adapter, or did not stay finite.
 bool skips_row(const Error& error);
 
-/// Runs frames, drained after each, until `budget_ms` are spent; at least `least_frames`.
-Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames);
+/// Runs frames, drained after each, until `budget_ms` are spent; at least `least_frames`. With a `pose` it stays near.
+Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t least_frames,
+                          const Pose* pose = nullptr);
 
 /// The substeps of a frame of this scene: its own, or what "auto" chooses. Errors  Input, Limit.
 Result<std::uint32_t> count_substeps(const scene::Scene& scene, const Assets& assets);

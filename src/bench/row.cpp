@@ -34,10 +34,17 @@ void describe(Row& row, sim::World& world, std::uint32_t substeps) {
       4.0 * sizeof(Vec4f) * static_cast<double>(row.nodes);  // position and velocity, in and out
 }
 
-Result<void> time_row(Row& row, sim::World& world, double budget_ms, std::uint32_t least_submits) {
-  WEFT_TRY(step, time_steps(world, budget_ms, least_submits));
+Result<void> time_row(Row& row, sim::World& world, double budget_ms, std::uint32_t least_submits,
+                      const Pose* pose) {
+  WEFT_TRY(step, time_steps(world, budget_ms, least_submits, pose));
   row.step = step;
   row.real_time_factor = 1000.0 / 60 / (step.median * row.substeps);
+  if (pose != nullptr) {
+    // Kernels are timed over two steps with the motions of the frame before: those of the pose's first frame, so that
+    // what is moved jumps by no more than a step.
+    WEFT_CHECK(begin_at(*pose, world));
+    WEFT_CHECK(world.restore(pose->state));
+  }
   WEFT_TRY(kernels, sim::time_kernels(world, least_submits));
   row.kernels = std::move(kernels);
   return {};

@@ -25,6 +25,7 @@ struct Row {
   Timing step;                           // ms a step, over whole submits, queue drained after each
   double real_time_factor = 0;           // simulated seconds per wall second
   double bytes_per_step = 0;             // that the state alone must move: read once, written once
+  std::optional<double> start;           // when the counted frames begin, where that is not at rest [s]
   std::uint64_t contacts = 0;            // hits of the counted frames
   std::optional<Outcome> outcome;        // of rows with something to meet
   Timing paper_frame;                    // ms a frame as the paper counts it: time_drawn_frames
@@ -46,8 +47,9 @@ double dispatches_per_step(sim::World& world);
 /// Adds what stands in every row: sizes, dispatches, bytes.
 void describe(Row& row, sim::World& world, std::uint32_t substeps);
 
-/// Sets what a step takes: its time from whole submits, then its kernels.
-/// Errors  Diverged, DeviceLost.
-Result<void> time_row(Row& row, sim::World& world, double budget_ms, std::uint32_t least_submits);
+/// Sets what a step takes: its time from whole submits, then its kernels; near a `pose`, where there is one.
+/// Errors  Diverged, DeviceLost; as sim::World::restore.
+Result<void> time_row(Row& row, sim::World& world, double budget_ms, std::uint32_t least_submits,
+                      const Pose* pose = nullptr);
 
 }  // namespace weft::bench

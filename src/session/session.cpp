@@ -146,7 +146,7 @@ Result<std::vector<sim::KernelTime>> Session::time_passes() {
     return make_error(ErrorKind::Failure, "A frame of this scene has 1 step; passes are timed over 2.");
   WEFT_TRY(before, world_->snapshot());
   WEFT_TRY(kernels, sim::time_kernels(*world_, kTimedFrames));
-  world_->restore(before);
+  WEFT_CHECK(world_->restore(before));
   return kernels;
 }
 

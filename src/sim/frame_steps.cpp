@@ -42,6 +42,18 @@ void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepBlock>& steps,
   step_ratio_ = frame.step_ratio;
 }
 
+Gusts FrameSteps::gusts() const { return {start_, start_turns_, {wind_.waves[0].rate, wind_.waves[1].rate}}; }
+
+void FrameSteps::set_gusts(const Gusts& gusts, double time) {
+  start_ = gusts.since;
+  start_turns_ = gusts.turns;
+  changed_ = true;
+  if (gusts.rates == std::array{wind_.waves[0].rate, wind_.waves[1].rate}) return;  // to the bit
+  for (std::size_t wave = 0; wave < start_turns_.size(); ++wave)
+    start_turns_[wave] = scene::turn_part(gusts.turns[wave] + gusts.rates[wave] * (time - gusts.since));
+  start_ = time;
+}
+
 void FrameSteps::rewind() {
   start_ = 0;
   start_turns_ = {};

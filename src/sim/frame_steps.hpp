@@ -12,6 +12,12 @@
 
 namespace weft::sim {
 
+/// The waves of the wind: how many turns each had made at `since` [s], and makes in a second from then on.
+struct Gusts {
+  double since = 0;
+  std::array<double, 2> turns = {}, rates = {};
+};
+
 /// The blocks of a frame's substeps. They go to the GPU again only where something in them has changed;
 /// the host's copy is kept, so that a frame allocates nothing.
 class FrameSteps {
@@ -25,6 +31,9 @@ class FrameSteps {
   void set_air(const scene::Scene& scene, double time);
   void write(gpu::Device& device, const gpu::Buffer<StepBlock>& steps, const Grabs& grabs,
              const FramePlan::Frame& frame);
+  Gusts gusts() const;
+  /// Makes the waves at `time` [s] those of `gusts`; from then on this wind moves them.
+  void set_gusts(const Gusts& gusts, double time);
   /// Restarts time at 0.
   void rewind();
 

@@ -45,17 +45,26 @@ Result<void> Grabs::check(std::uint32_t node, double time) const {
                        motion_[node] == 1 ? "pinned" : "moved by the scene");
   for (const Grabbed& grabbed : grabbed_)
     if (grabbed.node == node) return input_error("Node %u cannot be grabbed: it is grabbed already.", node);
+  return check_scene(node, grabbed_.size(), time);
+}
+
+Result<void> Grabs::check_at(double time) const {
+  for (const Grabbed& grabbed : grabbed_) WEFT_CHECK(check_scene(grabbed.node, grabbed_.size() - 1, time));
+  return {};
+}
+
+Result<void> Grabs::check_scene(std::uint32_t node, std::size_t others, double time) const {
   for (const NodeGrab& other : scripted_)
     if (other.node == node && !ended(other.grab, time))
       return input_error("Node %u cannot be grabbed: %s holds it from %g s on.", node,
                          other.grab.where.c_str(), other.grab.start);
   const std::size_t needed = needed_by_scene(time);
-  if (grabbed_.size() + needed >= scene::kMaxGrabs)
+  if (others + needed >= scene::kMaxGrabs)
     return make_error(
         ErrorKind::Limit,
         "Node %u cannot be grabbed: %zu nodes are grabbed and the scene's own grabs need %zu; the "
         "limit is %zu at once.",
-        node, grabbed_.size(), needed, scene::kMaxGrabs);
+        node, others, needed, scene::kMaxGrabs);
   return {};
 }
 

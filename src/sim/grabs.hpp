@@ -20,6 +20,9 @@ class Grabs {
   Result<void> drag(std::uint32_t node, const Vec3d& target);
   /// Lets a node go. Errors  Input: it is not grabbed.
   Result<void> release(std::uint32_t node);
+  /// Whether what is grabbed could be grabbed at `time` [s] too. Errors  Input: the scene grabs such a node then or
+  /// later. Limit: too many are.
+  Result<void> check_at(double time) const;
   /// Lets all go but those that the scene grabs.
   void release_all() { grabbed_.clear(); }
 
@@ -36,6 +39,8 @@ class Grabs {
 
   Result<Grabbed*> find(std::uint32_t node);
   Result<void> check(std::uint32_t node, double time) const;
+  /// Whether the scene does not grab this node at `time` or later, and leaves room for `others` beside it.
+  Result<void> check_scene(std::uint32_t node, std::size_t others, double time) const;
   /// The most nodes that the scene grabs at once after `time`.
   std::size_t needed_by_scene(double time) const;
 

@@ -2,15 +2,10 @@
 
 #include <array>
 
-#include "base/state_hash.hpp"
 #include "scene/difference.hpp"
 #include "scene/motion.hpp"
 
 namespace weft::sim {
-
-std::string Snapshot::hash() const {
-  return state_hash(std::as_bytes(std::span(position)), std::as_bytes(std::span(velocity)));
-}
 
 Result<std::unique_ptr<World>> World::create(gpu::Device& device, scene::Scene scene, const Assets& assets,
                                              const WorldOptions& options) {
@@ -147,12 +142,14 @@ Result<void> World::take(const Report& report) {
   if (statistics.rolled_back != 0) return repeat_from(report);
   if (statistics.nonfinite != 0) {
     totals_.nonfinite = statistics.nonfinite;
-    if (!diverged_)  // the frames after the first bad one say the same
+    if (!diverged_) {  // the frames after the first bad one say the same
+      bad_frame_ = report.frame;
       diverged_ =
           make_error(ErrorKind::Diverged,
                      "In frame %u the state of %u of %u nodes is not finite; the state is frozen as it "
                      "was before that frame.",
                      report.frame, statistics.nonfinite, model_.vertex_count());
+    }
     return *diverged_;
   }
   ++totals_.frames;
@@ -167,7 +164,7 @@ Result<void> World::reset() {
   clear_statistics();
   steps_.rewind();
   grabs_->release_all();
-  frame_ = asked_ = 0;
+  frame_ = asked_ = plan_.go_on_from({});
   parity_ = 0;
   totals_ = {};
   diverged_.reset();
@@ -202,23 +199,6 @@ Result<void> World::change(const scene::Scene& scene) {
   scene_.render = scene.render;
   steps_.set_air(scene_, time());
   return {};
-}
-
-Result<Snapshot> World::snapshot() {
-  Snapshot snapshot;
-  WEFT_TRY(position, gpu::download(device_, state_.position[parity_]));
-  snapshot.position = std::move(position);
-  WEFT_TRY(velocity, gpu::download(device_, state_.velocity[parity_]));
-  snapshot.velocity = std::move(velocity);
-  return snapshot;
-}
-
-void World::restore(const Snapshot& snapshot) {
-  std::vector<Vec4f> velocity = snapshot.velocity;
-  for (Vec4f& v : velocity) v.w = 0;  // a snapshot has no history
-  state_.position[parity_].write(device_, snapshot.position);
-  state_.velocity[parity_].write(device_, velocity);
-  last_good_->renew(device_, snapshot.position, velocity, 0);
 }
 
 void World::set_node(std::uint32_t node, const Vec4f& position, const Vec4f& given_velocity) {

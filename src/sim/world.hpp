@@ -29,10 +29,12 @@ struct WorldOptions {
 
 using weft::Totals;
 
-/// Position and velocity of all nodes in model order.
+/// Position and velocity of all nodes in model order, and when they were so.
 struct Snapshot {
   std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
   std::vector<Vec4f> velocity;  // [m/s]
+  FrameTime time;
+  Gusts gusts;  // of the wind then
   /// XXH3-64 of the bits of position, then velocity, as 16 hexadecimal digits.
   std::string hash() const;
 };
@@ -77,11 +79,15 @@ class World {
   /// Back to the rest state at time 0; what grab() holds is let go.
   Result<void> reset();
 
-  /// The current state, waited for.
+  /// The current state, waited for. After finish() only is it known that no frame before it has to be repeated.
   Result<Snapshot> snapshot();
-  /// Makes a snapshot of this model the current state, and the one to which a bad or repeated frame rolls back; time
-  /// goes on from where it is. No frame may be under way.
-  void restore(const Snapshot& snapshot);
+  /// Makes a snapshot the current state, and the one to which a bad or repeated frame rolls back. Time goes on from the
+  /// snapshot's, also where its frames had another length: motions, colliders, the scene's grabs and gusts are where
+  /// they are then. frame() is the snapshot's where frames have the same length, and counts from 0 otherwise. What
+  /// grab() holds stays held. No frame may be under way. Errors, with nothing changed  Input: it has another number of
+  /// nodes; a pinned or moved node is not where this scene has it at that time; the scene grabs a node then that
+  /// grab() holds. Limit: together they grab too many.
+  Result<void> restore(const Snapshot& snapshot);
   /// Overwrites the current state of one node: for tests of what bad values do.
   void set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity);
 
@@ -99,7 +105,7 @@ class World {
   std::uint32_t most_substeps() const { return plan_.most_substeps(); }
   double step() const { return plan_.step(); }  // [s]
   std::uint32_t frame() const { return asked_; }
-  double time() const { return asked_ * scene_.time.frame; }  // [s]
+  double time() const { return plan_.begin_of(asked_); }  // [s]
   std::size_t spring_count() const { return spring_count_; }
   /// How many pairs act on each vertex at the end of a frame, f32, while count_contacts is on; null where no
   /// pairs are listed (scene::ContactMethod).
@@ -125,6 +131,8 @@ class World {
   /// Derived from the rest state before the first frame.
   Result<void> submit_rest();
   void write_motions(std::uint32_t substeps);
+  /// Refuses a snapshot whose kinematic nodes are not where this scene has them at its time.
+  Result<void> check_places(const Snapshot& snapshot) const;
   void clear_statistics() const;
   Result<void> take_reports(bool wait_for_all);
   Result<void> take(const Report& report);
@@ -151,6 +159,7 @@ class World {
   std::size_t spring_count_ = 0;
   Totals totals_;
   std::optional<Error> diverged_;  // of the first bad frame
+  std::uint32_t bad_frame_ = 0;    // its number
 };
 
 }  // namespace weft::sim

@@ -3,14 +3,18 @@
 
 #include <cmath>
 
+#include "base/file.hpp"
 #include "bench/copy.hpp"
 #include "bench/crossing_count.hpp"
 #include "bench/drawn_frames.hpp"
 #include "bench/largest.hpp"
+#include "bench/pull.hpp"
 #include "bench/row.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "method/method.hpp"
 #include "scene/load.hpp"
+#include "source_path.hpp"
+#include "temporary_folder.hpp"
 
 using namespace weft;
 
@@ -154,6 +158,54 @@ TEST_CASE("frames with pictures are counted and leave no buffer behind") {
   CHECK(time->samples == 3);
   CHECK(time->least > 0);
   CHECK(fixture.device().allocated_bytes() == 0);
+}
+
+TEST_CASE("timed frames stay near their pose, in simulated time too") {
+  GpuFixture fixture;
+  auto sheet = bench::make_hanging_sheet(8, bench::Formulation::Grid);
+  REQUIRE(sheet);
+  REQUIRE(bench::fix_step(sheet->scene, sheet->assets, 4));
+  const double frame = sheet->scene.time.frame;
+  auto world = sim::World::create(fixture.device(), sheet->scene, sheet->assets);
+  REQUIRE(world);
+  for (int k = 0; k < 3; ++k) REQUIRE((*world)->advance_frame());
+  REQUIRE((*world)->finish());
+  const auto state = (*world)->snapshot();
+  REQUIRE(state);
+  const bench::Pose pose{*state, 8.5 * frame};
+  const std::uint64_t before = (*world)->totals().frames;
+  for (int k = 0; k < 23; ++k) {
+    REQUIRE(bench::time_steps(**world, 0, 1, &pose));
+    CHECK((*world)->time() > 3.5 * frame);
+    CHECK((*world)->time() < 8.5 * frame);
+  }
+  // Frames 4 to 8; then each round of five begins with one that is not timed, its frame 4.
+  CHECK((*world)->totals().frames - before == 23 + 5);
+}
+
+TEST_CASE("a pull that meets nothing is no row, but says until when no hit was found") {
+  GpuFixture fixture;
+  const TemporaryFolder folder;
+  const auto file = read_file(source_path("scenes/pull-sphere.json"), 1U << 20U);
+  REQUIRE(file);
+  std::string scene(reinterpret_cast<const char*>(file->data()), file->size());
+  const std::string place = R"("translate": [0, 0, 0])";
+  REQUIRE(scene.find(place) != std::string::npos);
+  scene.replace(scene.find(place), place.size(), R"("translate": [0, -9, 0])");
+  REQUIRE(write_file(folder.path("pull-sphere.json"), scene));
+  bench::Selection selection;
+  selection.quick = true;
+  selection.sides = {4};
+  selection.objects = {"sphere"};
+  int rows = 0;
+  REQUIRE(bench::run_pull(fixture.device(), selection, {folder.path(""), source_path("models")},
+                          [&](const bench::Row& row) {
+                            ++rows;
+                            // Pulled at full speed until 0.25 + 0.5 / 0.6 = 1.083 s, of which 0.1 s are timed.
+                            CHECK(row.skipped.find("no 2 steps have a hit from 0.6 s to 1 s") == 0);
+                            return Result<void>();
+                          }));
+  CHECK(rows == 5);
 }
 
 TEST_CASE("the noise of times is what 5 and 95 of 100 of them are") {

@@ -116,18 +116,23 @@ TEST_CASE("bench hanging measures the sides and formulations that are asked for"
 }
 
 TEST_CASE("bench pull measures the object and methods that are asked for, and what they leave of the cloth") {
-  const nlohmann::json rows =
-      bench_rows({"pull", "--quick", "--sides", "16", "--objects", "sphere", "--only", "proximity,paper"});
+  const nlohmann::json rows = bench_rows(
+      {"pull", "--quick", "--sides", "16", "--objects", "sphere", "--only", "bvh,proximity,paper"});
   std::string names;
   for (const auto& row : rows) {
     names += row.at("object").get<std::string>() + " " + row.at("variant").get<std::string>() + "; ";
     check_row(row);
-    CHECK(row.at("crossings") == 0);  // 0.05 s after the sheet begins to fall
+    CHECK(row.at("start") > 0.25 + 0.2);              // the edge is pulled at full speed from then
+    CHECK(row.at("start") < 0.25 + 0.5 / 0.6 - 0.1);  // to 0.1 s later at least
+    CHECK(row.at("contacts") > 0);
+    CHECK(row.at("crossings") == 0);
     CHECK(row.at("max_stretch") > 1);
     CHECK(row.at("max_stretch") < 1.1);
     CHECK((kernels_of(row, "search") == "") == (row.at("variant") != "proximity"));
   }
-  CHECK(names == "sphere proximity; sphere paper; ");
+  REQUIRE(names == "sphere bvh; sphere proximity; sphere paper; ");
+  CHECK(rows[0].at("state_hash") == rows[2].at("state_hash"));
+  CHECK(rows[0].at("contacts") == rows[2].at("contacts"));
 }
 
 TEST_CASE(

@@ -69,7 +69,7 @@ inline void push(sim::World& world, std::size_t begin, std::size_t end, const Ve
   auto snapshot = world.snapshot();
   REQUIRE_OK(snapshot);
   for (std::size_t i = begin; i < end; ++i) snapshot->velocity[i] = Vec4f::from(velocity.to<float>(), 0);
-  world.restore(*snapshot);
+  REQUIRE(world.restore(*snapshot));
 }
 
 /// Everything that has passed through anything: cloth through cloth, through meshes and boxes as `objects`

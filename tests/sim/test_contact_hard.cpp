@@ -200,7 +200,7 @@ TEST_CASE(
         const Vec3d& way = ways[(j / kPatch) * (kSide / kPatch) + i / kPatch];
         snapshot->velocity[node] = Vec4f::from((speed * way).to<float>(), 0);
       }
-    world->restore(*snapshot);
+    REQUIRE(world->restore(*snapshot));
     CHECK(bad_frames(*world, 8) == 0);
     CHECK(world->totals().crossings == 0);
     CHECK(world->totals().contacts > 0);

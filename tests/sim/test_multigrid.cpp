@@ -140,8 +140,8 @@ TEST_CASE("a state that is put in goes on by itself, whatever was there a step b
   const auto middle = swung->snapshot();
   REQUIRE_OK(middle);
   advance(*swung, 8);
-  swung->restore(*middle);
-  fresh->restore(*middle);
+  REQUIRE(swung->restore(*middle));
+  REQUIRE(fresh->restore(*middle));
   advance(*swung, 2);
   advance(*fresh, 2);
   CHECK(hash_of(*swung) == hash_of(*fresh));

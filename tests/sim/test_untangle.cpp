@@ -110,7 +110,7 @@ std::unique_ptr<sim::World> pinched(gpu::Device& device, const sim::WorldOptions
   snapshot->position[44].y += 0.03F;
   snapshot->position[144].y -= 0.02F;
   snapshot->position[145].y -= 0.03F;
-  world->restore(*snapshot);
+  REQUIRE(world->restore(*snapshot));
   return world;
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("a sheet that is folded through itself comes apart") {
       p.y = static_cast<float>(radius * (1 - std::cos(turn)) + flat * std::sin(turn) -
                                (dented ? 0.045 * std::exp(-from_dent / 0.004) : 0));
     }
-    world->restore(*snapshot);
+    REQUIRE(world->restore(*snapshot));
     check_separates(*world, 60);
   }
 }
@@ -268,7 +268,7 @@ TEST_CASE("crossings without a size or a side, and states that are not finite, n
     REQUIRE_OK(snapshot);
     if (kind == 2)
       for (std::size_t i = 49; i < 98; ++i) snapshot->position[i].x = snapshot->position[i].y = 0.01F;
-    world->restore(*snapshot);
+    REQUIRE(world->restore(*snapshot));
     double fastest = 0;
     for (int frame = 0; frame < 20; ++frame) {
       advance(*world, 1);

@@ -13,6 +13,15 @@
 
 namespace weft::sim {
 
+/// The end of a number of frames. In these three numbers and not in one, so that a world that goes on from it with
+/// frames of the same length computes the same times to the bit.
+struct FrameTime {
+  double origin = 0;  // when frame 0 begins [s]
+  double length = 0;  // of a frame [s]
+  std::uint32_t frame = 0;
+  double seconds() const { return origin + frame * length; }
+};
+
 /// The method, the substeps of each frame and where things that move are in them. Times in [s].
 class FramePlan {
  public:
@@ -42,10 +51,17 @@ class FramePlan {
         1;  // its substeps' length by the frame before's; 0: a method with a history starts without it
   };
   Frame frame(std::uint32_t number) const;
-  double begin_of(std::uint32_t frame) const { return frame * frame_time_; }
+  FrameTime time_of(std::uint32_t frame) const { return {origin_, frame_time_, frame}; }
+  double begin_of(std::uint32_t frame) const { return time_of(frame).seconds(); }
   /// When a substep of a frame of `count` ends, for motions.
   double end_of(std::uint32_t frame, std::uint32_t substep, std::uint32_t count) const {
-    return (static_cast<double>(frame) * count + substep + 1) * (frame_time_ / count);
+    return origin_ + (static_cast<double>(frame) * count + substep + 1) * (frame_time_ / count);
+  }
+  /// Makes time go on from `time`: returns the number of the frame that begins then.
+  std::uint32_t go_on_from(const FrameTime& time) {
+    const bool same = time.length == frame_time_;
+    origin_ = same ? time.origin : time.seconds();
+    return same ? time.frame : 0;
   }
 
  private:
@@ -60,6 +76,7 @@ class FramePlan {
   StepLimit limit_;
   std::vector<ContactMover> movers_;  // where contact looks at places at the start of a substep
   double frame_time_ = 0, thickness_ = 0;
+  double origin_ = 0;  // when frame 0 begins
   std::uint32_t substeps_ = 1, most_substeps_ = 1;
 };
 
