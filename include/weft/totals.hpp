@@ -25,6 +25,8 @@ struct Totals {
   std::uint32_t crossings = 0;
   /// Vertices truncated by contact, summed over substeps (proximity).
   std::uint64_t truncated = 0;
+  /// Of these, vertices that an obstacle has passed since cloth behind them did not give way.
+  std::uint64_t driven = 0;
   /// Pairs of features that are listed at the end of a frame (proximity), the most of any.
   std::uint32_t pairs = 0;
   /// Pairs of triangles that the last search of a frame has listed (proximity), the most of any.
@@ -47,6 +49,7 @@ void for_each(const Totals& totals, Visit&& visit) {
   visit("detections", totals.detections);
   visit("crossings", totals.crossings);
   visit("truncated", totals.truncated);
+  visit("driven", totals.driven);
   visit("pairs", totals.pairs);
   visit("candidates", totals.candidates);
   visit("nonfinite", totals.nonfinite);

@@ -1,10 +1,12 @@
 #include "contact/scene_contact.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "contact/proximity/proximity.hpp"
 #include "contact/pushes/pushes.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "gpu/readback.hpp"
 
 namespace weft::contact {
 namespace {
@@ -61,9 +63,10 @@ Result<void> SceneContact::create_proximity(gpu::Device& device, const GpuModel&
   const ContactRoom room = setup.room ? *setup.room : first_room(model);
   WEFT_TRY(contacts, Contacts::create_pairs(device, model.host, room, setup.presses));
   contacts_ = std::move(contacts);
-  WEFT_TRY(proximity, Proximity::create(device, model, state, *contacts_->pairs, scene,
-                                        {assets.objects, assets.object_colliders, assets.keyframes},
-                                        setup.most_substeps, setup.interval, setup.workgroup_size));
+  WEFT_TRY(proximity,
+           Proximity::create(device, model, state, *contacts_->pairs, scene,
+                             {assets.objects, assets.object_colliders, assets.keyframes},
+                             {setup.most_substeps, setup.interval, setup.iterations, setup.workgroup_size}));
   proximity_ = std::make_unique<Proximity>(std::move(proximity));
   WEFT_TRY(counts, gpu::Buffer<float>::create(device, model.vertex_count(), "contact counts"));
   counts_ = std::move(counts);
@@ -97,9 +100,8 @@ void SceneContact::fill(StepBlock::Contact& part, const scene::Scene& scene, std
   if (!proximity_) return;
   const ProximityLengths& lengths = proximity_->lengths();
   part.self_thickness = static_cast<float>(lengths.self_thickness);
-  part.least_reach = static_cast<float>(lengths.least_reach);
   part.most_reach = static_cast<float>(lengths.most_reach);
-  part.damping = static_cast<float>(contact_damping(scene.contact.restitution));
+  part.restitution = static_cast<float>(scene.contact.restitution);
   part.point_count = proximity_->pair_search().colliders().point_count;
   part.first_place = substep * static_cast<std::uint32_t>(scene.colliders.size());
   part.detect = substep == 0 ? Detect::Always : substep % interval_ == 0 ? Detect::IfDue : Detect::No;
@@ -111,12 +113,47 @@ void SceneContact::write_places(gpu::Device& device, const scene::Scene& scene, 
 }
 
 Result<void> SceneContact::make_room(gpu::Device& device, const State& state, const Statistics& short_of) {
+  return make_room(device, state, ContactRoom{short_of.pairs, short_of.candidates});
+}
+
+Result<void> SceneContact::make_room(gpu::Device& device, const State& state, const ContactRoom& wanted) {
   ContactPairs& pairs = *contacts_->pairs;
-  const ContactRoom room =
-      grown(pairs.room, {short_of.pairs, short_of.candidates}, device.limits().max_storage_binding_size);
-  WEFT_CHECK(pairs.make_room(device, room));
+  WEFT_CHECK(pairs.make_room(device, grown(pairs.room, wanted, device.limits().max_storage_binding_size)));
   WEFT_CHECK(proximity_->bind_lists(device, state, pairs));
   return counter_ ? create_counter(device) : Result<void>{};
+}
+
+void SceneContact::end_frame(gpu::ComputePass& pass) const {
+  if (proximity_) proximity_->end_frame(pass);
+}
+
+void SceneContact::record_rest(gpu::CommandList& list) const {
+  if (proximity_) list.clear(contacts_->pairs->kept.range(0, 4 * kHeader));
+}
+
+Result<std::vector<std::uint32_t>> SceneContact::forces(gpu::Device& device) const {
+  if (!proximity_) return std::vector<std::uint32_t>{};
+  const gpu::Buffer<std::uint32_t>& kept = contacts_->pairs->kept;
+  WEFT_TRY(header, gpu::download_bytes(device, kept.range(0, 4)));
+  std::uint32_t count = 0;
+  std::memcpy(&count, header.data(), sizeof count);
+  std::vector<std::uint32_t> forces(std::size_t{kKeptWords} * count);
+  if (count == 0) return forces;
+  WEFT_TRY(bytes, gpu::download_bytes(device, kept.range(4 * kHeader, 4 * forces.size())));
+  std::memcpy(forces.data(), bytes.data(), bytes.size());
+  return forces;
+}
+
+Result<void> SceneContact::set_forces(gpu::Device& device, const State& state,
+                                      std::span<const std::uint32_t> forces) {
+  if (!proximity_) return {};
+  const auto count = static_cast<std::uint32_t>(forces.size() / kKeptWords);
+  const ContactRoom& room = contacts_->pairs->room;
+  if (count > room.pairs) WEFT_CHECK(make_room(device, state, ContactRoom{count, room.candidates}));
+  const gpu::Buffer<std::uint32_t>& kept = contacts_->pairs->kept;
+  kept.write(device, std::span(&count, 1));
+  kept.write(device, forces, kHeader);
+  return {};
 }
 
 void SceneContact::record_forget(gpu::CommandList& list) const {

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "contact/proximity/contact_counts.hpp"
 #include "contact/stages/stages.hpp"
@@ -20,6 +22,7 @@ struct SceneContactSetup {
   std::optional<ContactRoom> room;  // of proximity's lists at first; none: by the number of triangles
   std::uint32_t most_substeps = 1;  // of any frame
   std::uint32_t interval = 4;       // substeps from one that may search to the next
+  std::uint32_t iterations = 1;     // of impulses in a substep
   bool presses = false;             // whether the solver solves with obstacles
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
@@ -49,6 +52,15 @@ class SceneContact {
 
   /// Makes lists that were too short longer. Recorded commands that name them are void. Errors  Limit, OutOfMemory.
   Result<void> make_room(gpu::Device& device, const State& state, const Statistics& short_of);
+  /// At the end of a frame: keeps what the next one begins with.
+  void end_frame(gpu::ComputePass& pass) const;
+  /// Forgets that, for a state that does not go on from the frame before.
+  void record_rest(gpu::CommandList& list) const;
+  /// That, as words: for each pair of features that acts at the end of the last frame, kKeptWords (its numbers, its
+  /// force).
+  Result<std::vector<std::uint32_t>> forces(gpu::Device& device) const;
+  /// Takes it over from a world of the same scene. Errors  Limit, OutOfMemory.
+  Result<void> set_forces(gpu::Device& device, const State& state, std::span<const std::uint32_t> forces);
   /// Clears the traces of the first attempt before a frame is repeated.
   void record_forget(gpu::CommandList& list) const;
 
@@ -61,6 +73,7 @@ class SceneContact {
   void record_counts(gpu::ComputePass& pass) const;
 
  private:
+  Result<void> make_room(gpu::Device& device, const State& state, const ContactRoom& wanted);
   Result<void> create_proximity(gpu::Device& device, const GpuModel& model, const State& state,
                                 const scene::Scene& scene, const Assets& assets,
                                 const SceneContactSetup& setup);

@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "contact/rules/contact_law.hpp"
-
 namespace weft {
 namespace {
 
@@ -44,18 +42,6 @@ StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {
   }
   limit.cloths = std::move(cloths);
   return limit;
-}
-
-double contact_step(const scene::Scene& scene, const Model& model) {
-  const bool meets = scene.contact.self || !scene.colliders.empty();
-  if (scene.contact.method != scene::ContactMethod::Proximity || !meets) return 0;
-  const double step = kFastest * flat_reach(model, scene.contact) / (kReachMargin * kFallSpeed);
-  return std::max(step, kLeastContactStep);
-}
-
-double within_contact_step(double step, const scene::Scene& scene, const Model& model) {
-  const double contact = contact_step(scene, model);
-  return contact > 0 ? std::min(step, contact) : step;
 }
 
 Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit& limit) {

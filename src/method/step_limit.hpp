@@ -49,17 +49,6 @@ inline constexpr double kStepSafety = 0.7;
 /// 1 to 3 % of the exact motion of a sheet of 2 m [s].
 inline constexpr double kImplicitStep = 1.0 / 480;
 
-/// The speed up to which "auto" gives such a method steps in which contact holds no vertex back: that
-/// of cloth that has fallen by half a metre [m/s].
-inline constexpr double kFallSpeed = 3;
-/// However fine the mesh, "auto" makes no more of it than 128 substeps in a sixtieth [s].
-inline constexpr double kLeastContactStep = kImplicitStep / 16;
-/// A vertex at that speed comes no further in it than a search for pairs foresees [s]: docs/contact.md,
-/// Reach. 0 where the scene has no contact by proximity.
-double contact_step(const scene::Scene& scene, const Model& model);
-/// A step, or that of contact where it is shorter [s].
-double within_contact_step(double step, const scene::Scene& scene, const Model& model);
-
 /// By how much longer than the one before it a step of the implicit solver may be (BDF2 is stable up to 1 +
 /// √2); beyond it starts without history.
 inline constexpr double kMostStepRatio = 2;

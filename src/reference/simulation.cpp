@@ -7,6 +7,7 @@
 #include "base/state_hash.hpp"
 #include "contact/reference/pushes/analytic.hpp"
 #include "contact/reference/pushes/response.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "contact/rules/max_push.hpp"
 #include "model/grab_speed.hpp"
 #include "scene/motion.hpp"
@@ -58,7 +59,8 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   if (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh)
     WEFT_CHECK(made.add_colliders(assets.objects));
   if (method == scene::ContactMethod::Proximity)
-    made.proximity_.emplace(scene, *made.model_, assets.objects, assets.keyframes);
+    made.proximity_.emplace(scene, *made.model_, assets.objects, assets.keyframes,
+                            contact_iterations(made.step()));
   made.reset();
   return made;
 }
@@ -108,6 +110,7 @@ void Simulation::reset() {
   system_.velocity.assign(model_->vertex_count(), {});
   frame_ = 0;
   contacts_ = 0;
+  if (proximity_) proximity_->forget();
   stepper_->forget();
 }
 

@@ -41,6 +41,7 @@ void FrameRecorder::record(gpu::CommandList& list, std::uint32_t parity, std::ui
   pass.begin_phase("frame");
   pass.set_step(0, (parity + turns_of(substeps)) & 1U);
   last_good_->record(pass);
+  contact_->end_frame(pass);
   surface_->record(pass);
   contact_->record_counts(pass);
 }

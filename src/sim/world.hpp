@@ -35,6 +35,8 @@ struct Snapshot {
   std::vector<Vec4f> velocity;  // [m/s]
   FrameTime time;
   Gusts gusts;  // of the wind then
+  std::vector<std::uint32_t>
+      contact_forces;  // with which pairs of features act: contact::SceneContact::forces
   /// XXH3-64 of the bits of position, then velocity, as 16 hexadecimal digits.
   std::string hash() const;
 };

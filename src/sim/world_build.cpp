@@ -1,4 +1,5 @@
 // How a world is made: buffers, contact, solver, reports.
+#include "contact/rules/contact_law.hpp"
 #include "sim/world.hpp"
 
 namespace weft::sim {
@@ -28,6 +29,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_TRY(contact,
            contact::SceneContact::create(device_, model_, state_, scene_, assets_,
                                          {options.contact_room, plan_.most_substeps(), method.search_interval,
+                                          contact_iterations(plan_.step()),
                                           solves_with_obstacles(scene_, method), options.workgroup_size}));
   contact_ = std::move(contact);
   scene::Solver settings = scene_.solver;

@@ -31,6 +31,7 @@ Result<Snapshot> World::snapshot() {
   snapshot.position = std::move(position);
   WEFT_TRY(velocity, gpu::download(device_, state_.velocity[parity_]));
   snapshot.velocity = std::move(velocity);
+  WEFT_SET(snapshot.contact_forces, contact_.forces(device_));
   snapshot.time = plan_.time_of(diverged_ ? bad_frame_ : frame_);  // frozen as it was before the bad frame
   snapshot.gusts = steps_.gusts();
   return snapshot;
@@ -69,6 +70,8 @@ Result<void> World::restore(const Snapshot& snapshot) {
   state_.position[parity_].write(device_, snapshot.position);
   state_.velocity[parity_].write(device_, velocity);
   last_good_->renew(device_, snapshot.position, velocity, 0);
+  WEFT_CHECK(contact_.set_forces(device_, state_, snapshot.contact_forces));
+  recorder_.forget();  // the lists of contact may be others
   return {};
 }
 

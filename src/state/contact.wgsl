@@ -6,10 +6,14 @@ struct Contact {
   normal : vec4f,   // n, from B to A; w: the gap d, m; of what untangles: minus the part of that speed
   place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(how far a solid side comes), m
   surface : vec4f,  // the collider's part of the relative velocity, m/s; w: friction
+  force : vec4f,    // on side A, N: of this substep once the pair is answered, else of the one before; w: the least
+                    // normal velocity of equation (3), m/s
   urgency : f32,    // its share of its vertices' masses, before they are shared; 0: it does not act, equation (1)
   solid : u32,      // the side that contact cannot move (collider, fixed vertex): 1 A, 2 B, 0 neither; or kUntangles
   near : u32,       // flag of its entries: kEntryNear or 0
   other_end : u32,  // of a crossing: the id of the edge's other end
+  thickness : f32,  // the distance that it keeps, m
+  solid_speed : f32,  // of a solid side, toward the other, m/s
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
 const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; else vertex and triangle
@@ -18,7 +22,7 @@ const kIdBits = 0x3fffffffu;
 const kUntangles = 4u;               // of `solid`: it separates features on the wrong side, equation (7)
 
 // An entry is 8 * pair + flag + role: how a vertex knows its pairs.
-const kEntryNear = 4u;  // the pair acts, or would but that an end of an edge is nearest
+const kEntryNear = 4u;  // the pair acts, or would but that another feature is nearer
 const kEntryPair = 8u;
 
 const kContactTouching = 1.001;  // of the thickness: what rests there is in contact, whatever the rounding of its place
@@ -48,22 +52,35 @@ fn urgency_of(gap : f32, thickness : f32) -> u32 {
   return 1u + u32(kMostUrgent * depth * depth);
 }
 
-// The words of each vertex: where its entries begin, and their number; of this substep the sum of its pairs' urgencies,
-// and by how much the nearest plane of a near pair is nearer than free_way, m, as the bits of a positive f32; a count
-// that the listing needs; and the sum of the changes of velocity that pairs give it, in kSpeedUnits: of integers, since
-// pairs have no order.
-const kVertexWords = 8u;
-const kUrgencyWord = 2u;
+// The words of each vertex: where its entries begin, and their number; then of this substep the sum of its pairs'
+// shares of its mass, in kShareUnits, and by how much the nearest plane of a solid side is nearer than free_way, m, as
+// the bits of a positive f32; a count that the listing needs; the sums of what pairs give it, of integers, since pairs
+// have no order: changes of velocity by impulses, the same by the impulses that pairs begin with, in kSpeedUnits, and
+// pushes, in kPushUnits; and how it was held back, as bits.
+const kVertexWords = 16u;
+const kShareWord = 2u;
 const kTightWord = 3u;
 const kCursorWord = 4u;
+const kChangeWord = 5u;  // and two more
+const kFirstWord = 8u;   // and two more
+const kPushWord = 11u;   // and two more
+const kHeldWord = 14u;
 // Beside that count, whether the vertex is of an edge or a triangle that passes through another: of cloth, of a mesh.
 const kTangledCloth = 0x40000000u;
 const kTangledMesh = 0x80000000u;
 const kCursorBits = 0x3fffffffu;
-const kChangeWord = 5u;  // and two more
+const kShareUnits = 256.0;
 const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s
+const kPushUnits = 1073741824.0;  // 2^30 in a metre: sums stay below 2 m
 const kMostUnits = 1.0e9;       // of one pair
+const kMarked = 1u;  // of kHeldWord: it may meet other cloth on its way
+const kHeld = 2u;    // its way ends before the planes between it and other cloth
+const kCounted = 4u; // among the truncated
+const kBesideSolid = 8u;  // it has a pair with what contact cannot move
 const kInBody = 3e38;           // in place of a plane's nearness: a pair moves the vertex out of a body
 
+const kPushPart = 0.7;       // β: of a missing gap, the part that a substep restores, by a push that is in no velocity
+const kPushSpeed = 0.5;      // m/s: of a push
+const kPartingSteps = 2.0;   // what parts faster than the load moves it in so many substeps keeps less of its force
 const kUntanglePart = 0.125;  // of the thickness: how far apart what crosses comes in a substep
 const kUntangleRate = 120.0;  // thicknesses a second: the same

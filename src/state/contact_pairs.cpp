@@ -1,6 +1,7 @@
 #include "state/contact_pairs.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace weft {
 
@@ -20,7 +21,7 @@ Result<ContactPairs> ContactPairs::create(gpu::Device& device, const Model& mode
                                           bool presses) {
   const std::size_t vertices = model.vertex_count();
   ContactPairs made;
-  WEFT_TRY(predicted, gpu::Buffer<Vec4f>::create(device, 2 * vertices, "predicted velocity"));
+  WEFT_TRY(predicted, gpu::Buffer<Vec4f>::create(device, 3 * vertices, "predicted velocity"));
   made.predicted = std::move(predicted);
   WEFT_CHECK(made.make_room(device, room));
   WEFT_TRY(words, gpu::Buffer<std::uint32_t>::create(device, kVertexWords * vertices, "vertex contacts"));
@@ -39,6 +40,19 @@ Result<void> ContactPairs::make_room(gpu::Device& device, const ContactRoom& wan
   contacts = std::move(contact_buffer);
   WEFT_TRY(entry_buffer, gpu::Buffer<std::uint32_t>::create(device, 4UL * wanted.pairs, "contact entries"));
   entries = std::move(entry_buffer);
+  WEFT_TRY(kept_buffer, gpu::Buffer<std::uint32_t>::create(device, kHeader + 2ULL * kKeptWords * wanted.pairs,
+                                                           "kept forces"));
+  if (kept.size() > 0) {  // the list of the frame's end, which comes first
+    const std::uint64_t bytes = 4ULL * (kHeader + kKeptWords * std::min(room.pairs, wanted.pairs));
+    gpu::CommandList list;
+    list.copy(kept.range(0, bytes), kept_buffer.range(0, bytes));
+    WEFT_CHECK(device.submit(list));
+  }
+  kept = std::move(kept_buffer);
+  kept_places = {};
+  WEFT_TRY(places,
+           gpu::Buffer<std::uint32_t>::create(device, std::bit_ceil(2ULL * wanted.pairs), "kept places"));
+  kept_places = std::move(places);
   room = wanted;
   return {};
 }

@@ -18,17 +18,22 @@ struct Contact {
   Vec4f normal;                          // from B to A; w: the gap [m]
   Vec4f place;                           // s, t; two places along the normal [m]
   Vec4f surface;                         // the collider's share of the relative velocity [m/s]; w: friction
+  Vec4f force;                           // on side A [N]; w: the least normal velocity [m/s]
   float urgency = 0;
   std::uint32_t solid = 0;      // 1: side A goes its way whatever comes; 2: side B; 0: neither; or kUntangles
   std::uint32_t near = 0;       // flag of its entries
   std::uint32_t other_end = 0;  // of a crossing: the id of the edge's other end
+  float thickness = 0;          // the distance that it keeps [m]
+  float solid_speed = 0;        // of a solid side, toward the other [m/s]
+  std::array<std::uint32_t, 2> unused{};
 };
-static_assert(sizeof(Contact) == 96 && offsetof(Contact, normal) == 32 && offsetof(Contact, surface) == 64);
+static_assert(sizeof(Contact) == 128 && offsetof(Contact, normal) == 32 && offsetof(Contact, force) == 80);
 
 inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000000U, kIdBits = 0x3fffffffU;
 inline constexpr std::uint32_t kCrossingFlag = 0x40000000U, kUntangles = 4;
-inline constexpr std::uint32_t kVertexWords = 8, kCursorWord = 4;  // of ContactPairs::vertex_contacts
-inline constexpr std::uint32_t kPressWords = 12;                   // of ContactPairs::presses
+inline constexpr std::uint32_t kVertexWords = 16, kCursorWord = 4;  // of ContactPairs::vertex_contacts
+inline constexpr std::uint32_t kPressWords = 18;                    // of ContactPairs::presses
+inline constexpr std::uint32_t kHeader = 8, kKeptWords = 8;         // of ContactPairs::kept
 inline constexpr std::uint32_t kCursorBits = 0x3fffffffU;  // of a vertex's kCursorWord; above: is it tangled
 
 /// The capacities of the lists of proximity contact.
@@ -46,11 +51,15 @@ ContactRoom grown(const ContactRoom& room, const ContactRoom& wanted, std::uint6
 /// integers.
 struct ContactPairs {
   ContactRoom room;
-  gpu::Buffer<Vec4f> predicted;                // 2 * vertex_count: velocities that the solver predicts [m/s];
-                                               // then where a vertex was found and how far it may go [m]
+  gpu::Buffer<Vec4f> predicted;                // 3 * vertex_count: velocities that the solver predicts [m/s];
+                                               // then src/contact/proximity/reach.wgsl [m]
   gpu::Buffer<Contact> contacts;               // room.pairs
   gpu::Buffer<std::uint32_t> entries;          // 4 * room.pairs: src/state/contact.wgsl
   gpu::Buffer<std::uint32_t> vertex_contacts;  // kVertexWords * vertex_count
+
+  /// The forces of acting pairs beyond a search, and a hash table over them
+  /// (src/contact/proximity/kept_forces.wgsl): two lists with room for all pairs; a power of two.
+  gpu::Buffer<std::uint32_t> kept, kept_places;
 
   /// Sums over each vertex's pairs with obstacles before a substep is solved
   /// (src/contact/proximity/press_sums.wgsl); kPressWords * vertex_count, or none where the solver needs none.
@@ -59,7 +68,8 @@ struct ContactPairs {
   /// Errors  Limit, OutOfMemory.
   static Result<ContactPairs> create(gpu::Device& device, const Model& model, const ContactRoom& room,
                                      bool presses);
-  /// Other room for pairs and entries, whose contents are lost; all else stays. Errors  Limit, OutOfMemory.
+  /// Other room for pairs and entries, whose contents are lost; all else stays, also the forces that the last frame's
+  /// end has kept. Errors  Limit, OutOfMemory.
   Result<void> make_room(gpu::Device& device, const ContactRoom& wanted);
 };
 

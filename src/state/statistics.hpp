@@ -25,6 +25,8 @@ struct Statistics {
   std::uint32_t crossings = 0;
   /// Vertices truncated by contact, summed over substeps (proximity).
   std::uint32_t truncated = 0;
+  /// Of these, vertices that an obstacle has passed since cloth behind them did not give way.
+  std::uint32_t driven = 0;
   /// Pairs of features that are listed at the end of a frame (proximity).
   std::uint32_t pairs = 0;
   /// Pairs of triangles that the last search of a frame has listed (proximity).
@@ -43,12 +45,18 @@ struct Statistics {
   std::uint32_t due = 0;
   /// Edges that pass through triangles, as the last search has found them (proximity).
   std::uint32_t crossings_left = 0;
+  /// Pairs before the search that is under way.
+  std::uint32_t pairs_before = 0;
+  /// 1: on its way some cloth may meet other cloth.
+  std::uint32_t meeting = 0;
+  /// 1: the same after those vertices were held back.
+  std::uint32_t still_meeting = 0;
   /// How far a collider may go until the next search [m].
   float reach = 0;
   /// How far one may have gone since this search [m].
   float travel = 0;
 };
-static_assert(sizeof(Statistics) == 18 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 22 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -62,6 +70,7 @@ inline void add(Totals& totals, const Statistics& frame) {
   totals.detections += frame.detections;
   totals.crossings = std::max(totals.crossings, frame.crossings);
   totals.truncated += frame.truncated;
+  totals.driven += frame.driven;
   totals.pairs = std::max(totals.pairs, frame.pairs);
   totals.candidates = std::max(totals.candidates, frame.candidates);
   totals.nonfinite = frame.nonfinite;
@@ -78,6 +87,7 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("detections", statistics.detections);
   visit("crossings", statistics.crossings);
   visit("truncated", statistics.truncated);
+  visit("driven", statistics.driven);
   visit("pairs", statistics.pairs);
   visit("candidates", statistics.candidates);
   visit("entries", statistics.entries);
@@ -87,6 +97,9 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("detect", statistics.detect);
   visit("due", statistics.due);
   visit("crossings_left", statistics.crossings_left);
+  visit("pairs_before", statistics.pairs_before);
+  visit("meeting", statistics.meeting);
+  visit("still_meeting", statistics.still_meeting);
   visit("reach", statistics.reach);
   visit("travel", statistics.travel);
 }

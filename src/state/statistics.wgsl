@@ -14,25 +14,33 @@ const kStatDetections = 4u;
 const kStatCrossings = 5u;
 // Vertices truncated by contact, summed over substeps (proximity).
 const kStatTruncated = 6u;
+// Of these, vertices that an obstacle has passed since cloth behind them did not give way.
+const kStatDriven = 7u;
 // Pairs of features that are listed at the end of a frame (proximity).
-const kStatPairs = 7u;
+const kStatPairs = 8u;
 // Pairs of triangles that the last search of a frame has listed (proximity).
-const kStatCandidates = 8u;
+const kStatCandidates = 9u;
 // Entries of the pairs by vertex, at the end of a frame (proximity).
-const kStatEntries = 9u;
+const kStatEntries = 10u;
 // Nodes that are not finite; 0 but where a run diverged.
-const kStatNonfinite = 10u;
+const kStatNonfinite = 11u;
 // 1 once the state is frozen at the last good frame.
-const kStatFrozen = 11u;
+const kStatFrozen = 12u;
 // 1 once a list was too short: the state is as before the frame until the list is longer.
-const kStatRolledBack = 12u;
+const kStatRolledBack = 13u;
 // 1: a vertex is about to leave its reach.
-const kStatDetect = 13u;
+const kStatDetect = 14u;
 // 1: a search is under way.
-const kStatDue = 14u;
+const kStatDue = 15u;
 // Edges that pass through triangles, as the last search has found them (proximity).
-const kStatCrossingsLeft = 15u;
+const kStatCrossingsLeft = 16u;
+// Pairs before the search that is under way.
+const kStatPairsBefore = 17u;
+// 1: on its way some cloth may meet other cloth.
+const kStatMeeting = 18u;
+// 1: the same after those vertices were held back.
+const kStatStillMeeting = 19u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
-const kStatReach = 16u;
+const kStatReach = 20u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
-const kStatTravel = 17u;
+const kStatTravel = 21u;

@@ -24,9 +24,8 @@ struct StepContact {
   self_thickness : f32,   // m; 0: cloth does not meet cloth
   push_scale : f32,       // fixed-point units per metre, a power of two
   max_push : f32,         // m; a single push is cut to this, so that no sum can overflow
-  least_reach : f32,      // m: how far a slow vertex may go between two detections
   most_reach : f32,       // m: a fast one, unless that is too little until the next detection
-  damping : f32,          // ζ of equation (3) of docs/contact.md
+  restitution : f32,
   collider_travel : f32,  // m: how far a collider may go in the substep
   detect : u32,           // kDetectIfDue or kDetectAlways; 0: not in this substep
   point_count : u32,      // of colliders

@@ -31,13 +31,13 @@ struct StepBlock {
   };
   /// By contact::SceneContact.
   struct alignas(64) Contact {
-    float thickness = 0;                    // [m]
-    float self_thickness = 0;               // [m]; 0: cloth does not meet cloth
-    float push_scale = 1;                   // fixed-point units per metre
-    float max_push = 0;                     // [m]
-    float least_reach = 0, most_reach = 0;  // [m]
-    float damping = 0;                      // ζ of docs/contact.md
-    float collider_travel = 0;              // in the substep, at most [m]
+    float thickness = 0;       // [m]
+    float self_thickness = 0;  // [m]; 0: cloth does not meet cloth
+    float push_scale = 1;      // fixed-point units per metre
+    float max_push = 0;        // [m]
+    float most_reach = 0;      // [m]
+    float restitution = 0;
+    float collider_travel = 0;  // in the substep, at most [m]
     Detect detect = Detect::No;
     std::uint32_t point_count = 0;  // of colliders
     std::uint32_t first_place = 0;

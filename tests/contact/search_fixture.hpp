@@ -24,11 +24,18 @@ struct SearchCase {
   std::vector<mesh::TriangleMesh> objects;  // the first colliders
   std::vector<bool> deforming;              // of each object; where the list ends: rigid
   std::vector<scene::Collider> shapes;      // the colliders after them
-  std::vector<float> speeds;                // of its vertices [m/s], in substeps of 1 s; empty: all rest
+  std::vector<Vec3f> velocities;            // of its vertices [m/s]; empty: all rest
+  std::vector<bool> held;                   // of each vertex: the scene moves it; where the list ends: free
+  float substep = 1;                        // [s]
+  float collider_travel = 0;                // in a substep
   float thickness = 0, self_thickness = 0;
-  float reach = 0;  // of a slow vertex
+  float reach = 0;       // slack of a slow vertex
+  float most_reach = 0;  // of a fast one; 0: three times that
+  std::array<std::uint32_t, 2>
+      second_cloth{};  // its first vertex and its first triangle; 0: all are one cloth
   ContactRoom room{60000, 60000};
 
+  float most() const { return most_reach > 0 ? most_reach : 3 * reach; }
   /// Of slow vertices.
   float radius() const { return thickness + reach; }
   float self_radius() const { return self_thickness + 2 * reach; }
@@ -36,7 +43,8 @@ struct SearchCase {
 
 struct SearchFound {
   Statistics statistics;
-  std::vector<float> reaches;  // of each vertex [m]
+  std::vector<Vec4f> places;  // of each vertex at the search [m]; w: its slack [m]
+  std::vector<Vec3f> aheads;  // its way ahead [m]
   std::vector<std::array<std::uint32_t, 2>> candidates;
   std::vector<Contact> contacts;
   std::vector<std::uint32_t> entries, vertex_contacts;
@@ -69,12 +77,14 @@ class SearchRun {
     REQUIRE(pairs);
     pairs_ = std::move(*pairs);
     create_search(workgroup_size);
+    rest_ = setup_.cloth.positions;
     place(setup_.cloth.positions);
     StepBlock step;
-    step.time.dt = 1;
+    step.time.dt = setup_.substep;
     step.nodes.count = model_.vertex_count();
-    step.contact.least_reach = setup_.reach;
-    step.contact.most_reach = 3 * setup_.reach;
+    step.contact.most_reach = setup_.most();
+    step.contact.thickness = setup_.most();  // so that what is at rest has the whole slack
+    step.contact.collider_travel = setup_.collider_travel;
     step.contact.detect = Detect::Always;
     state_.steps.write(device, std::span(&step, 1));
     gpu::ComputePass pass(list_, "search");
@@ -85,11 +95,16 @@ class SearchRun {
   void place(const std::vector<Vec3f>& positions) {
     setup_.cloth.positions = positions;
     std::vector<Vec4f> places;
-    for (const Vec3f& p : positions) places.push_back(Vec4f::from(p, 1));
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      places.push_back(Vec4f::from(positions[v], v < setup_.held.size() && setup_.held[v] ? 0.0F : 1.0F));
     state_.position[0].write(device_, places);
     std::vector<Vec4f> velocities;
-    for (const float speed : setup_.speeds) velocities.push_back({0, speed, 0, 0});
+    for (const Vec3f& v : setup_.velocities) velocities.push_back(Vec4f::from(v, 0));
     state_.velocity[0].write(device_, velocities);
+  }
+  void move(const std::vector<Vec3f>& positions, const std::vector<Vec3f>& velocities) {
+    setup_.velocities = velocities;
+    place(positions);
   }
   /// Other places of an object's vertices, as a collider's motion would bring them.
   void place_object(std::size_t object, const std::vector<Vec3f>& positions) {
@@ -118,10 +133,13 @@ class SearchRun {
     std::memcpy(static_cast<void*>(&found.statistics), words.data(), sizeof(Statistics));
     REQUIRE(found.statistics.rolled_back == 0);
     CHECK(found.statistics.detections == 1);
-    CHECK(found.statistics.reach == 0);  // nothing moves by itself
     const std::vector<Vec4f> predicted = read(pairs_.predicted);
-    for (std::size_t v = model_.vertex_count(); v < predicted.size(); ++v)
-      found.reaches.push_back(predicted[v].w);
+    const std::size_t count = model_.vertex_count();
+    REQUIRE(predicted.size() == 3 * count);
+    for (std::size_t v = 0; v < count; ++v) {
+      found.places.push_back(predicted[count + v]);
+      found.aheads.push_back(predicted[2 * count + v].xyz());
+    }
     found.candidates = read(search_.candidates());
     found.candidates.resize(found.statistics.candidates);
     found.contacts = read(pairs_.contacts);
@@ -133,6 +151,11 @@ class SearchRun {
   }
 
   const SearchCase& setup() const { return setup_; }
+  /// The cloth's places at rest: those of its making [m].
+  const std::vector<Vec3f>& rest() const { return rest_; }
+  std::uint32_t cloth_of(std::uint32_t vertex) const {
+    return setup_.second_cloth[0] > 0 && vertex >= setup_.second_cloth[0] ? 1 : 0;
+  }
   const contact::PairSearch& search() const { return search_; }
   std::uint32_t first_point(std::size_t object) const {
     std::size_t first = 0;
@@ -157,12 +180,21 @@ class SearchRun {
     body.vertex_count = static_cast<std::uint32_t>(vertices);
     body.triangle_count = static_cast<std::uint32_t>(host.triangles.size());
     host.bodies = {body};
+    if (const auto [vertex, triangle] = setup_.second_cloth; vertex > 0) {
+      host.bodies.push_back(body);
+      host.bodies[0].vertex_count = vertex;
+      host.bodies[0].triangle_count = triangle;
+      host.bodies[1].first_vertex = vertex;
+      host.bodies[1].vertex_count -= vertex;
+      host.bodies[1].first_triangle = triangle;
+      host.bodies[1].triangle_count -= triangle;
+    }
     return host;
   }
 
   void create_search(std::uint32_t workgroup_size) {
     scene::Scene scene;
-    scene.cloths.resize(1);
+    scene.cloths.resize(model_.host.bodies.size());
     std::vector<std::size_t> colliders;
     std::vector<std::vector<mesh::TriangleMesh>> keyframes(setup_.objects.size());
     for (std::size_t o = 0; o < setup_.objects.size(); ++o) {
@@ -171,9 +203,10 @@ class SearchRun {
       if (o < setup_.deforming.size() && setup_.deforming[o]) keyframes[o] = {setup_.objects[o]};
     }
     for (const scene::Collider& shape : setup_.shapes) scene.colliders.push_back(shape);
-    auto search = contact::PairSearch::create(
-        device_, model_, state_, pairs_, scene, {setup_.objects, colliders, keyframes},
-        {setup_.thickness, setup_.self_thickness, setup_.reach, workgroup_size});
+    contact::SearchSetup search_setup{setup_.thickness, setup_.self_thickness, workgroup_size};
+    search_setup.most_slack.assign(model_.vertex_count(), setup_.most());
+    auto search = contact::PairSearch::create(device_, model_, state_, pairs_, scene,
+                                              {setup_.objects, colliders, keyframes}, search_setup);
     REQUIRE_MESSAGE(search, search.error().message);
     search_ = std::move(*search);
   }
@@ -187,6 +220,7 @@ class SearchRun {
 
   gpu::Device& device_;
   SearchCase setup_;
+  std::vector<Vec3f> rest_;
   GpuModel model_;
   State state_;
   ContactPairs pairs_;

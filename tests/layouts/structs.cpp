@@ -106,8 +106,8 @@ Json step_nodes() {
 Json step_contact() {
   using T = StepBlock::Contact;
   return row("StepContact", "state/step.wgsl", sizeof(T), alignof(T),
-             {M(thickness), M(self_thickness), M(push_scale), M(max_push), M(least_reach), M(most_reach),
-              M(damping), M(collider_travel), M(detect), M(point_count), M(first_place)});
+             {M(thickness), M(self_thickness), M(push_scale), M(max_push), M(most_reach), M(restitution),
+              M(collider_travel), M(detect), M(point_count), M(first_place)});
 }
 Json step_air() {
   using T = StepBlock::Air;
@@ -221,16 +221,16 @@ Json analytic_collider() {
 }
 Json contact_of_pair() {
   using T = Contact;
-  return row(
-      "Contact", "state/contact.wgsl", sizeof(T), kUniform,
-      {M(ids), M(slots), M(normal), M(place), M(surface), M(urgency), M(solid), M(near), M(other_end)});
+  return row("Contact", "state/contact.wgsl", sizeof(T), kUniform,
+             {M(ids), M(slots), M(normal), M(place), M(surface), M(force), M(urgency), M(solid), M(near),
+              M(other_end), M(thickness), M(solid_speed)});
 }
 Json search_params() {
   using T = contact::SearchParams;
   return row("SearchParams", "contact/proximity/triangles.wgsl", sizeof(T), kExact,
              {M(triangle_count), M(collider_count), M(self_contact), M(first_row), M(candidate_capacity),
-              M(pair_capacity), M(thickness), M(self_thickness), M(vertex_count), M(flat_reach),
-              M(first_opposite), M(first_rim)});
+              M(pair_capacity), M(thickness), M(self_thickness), M(vertex_count), M(first_opposite),
+              M(first_rim), M(first_rest)});
 }
 Json tree_params() {
   using T = contact::TreeParams;
@@ -344,7 +344,6 @@ Json shared_constants() {
       constant("kVectors", "method/multigrid/cloth.wgsl", multigrid::kVectors),
       constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::kTaps),
       constant("kReachMargin", "state/step.wgsl", kReachMargin),
-      constant("kFastest", "contact/proximity/detect_begin.wgsl", kFastest),
       constant("kPressWords", "contact/proximity/press_sums.wgsl", kPressWords),
       constant("kDetectIfDue", "state/step.wgsl", static_cast<double>(Detect::IfDue)),
       constant("kDetectAlways", "state/step.wgsl", static_cast<double>(Detect::Always)),
@@ -364,10 +363,17 @@ Json shared_constants() {
       real("kLeastSlope", "contact/proximity/untangle.wgsl", kLeastSlope),
       real("kLeastOutward", "contact/proximity/untangle.wgsl", kLeastOutward),
       real("kOutwardPart", "contact/proximity/untangle.wgsl", kOutwardPart),
+      real("kConeSlack", "contact/proximity/cones.wgsl", kConeSlack),
       real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
       real("kContactTouching", "state/contact.wgsl", kContactTouching),
-      real("kContactSpring", "contact/proximity/contact_impulse.wgsl", kContactSpring),
-      real("kContactWall", "contact/proximity/contact_impulse.wgsl", kContactWall),
+      real("kHoldPart", "contact/proximity/press.wgsl", kHoldPart),
+      real("kHoldSpeed", "contact/proximity/press.wgsl", kHoldSpeed),
+      real("kPushPart", "state/contact.wgsl", kPushPart),
+      real("kPushSpeed", "state/contact.wgsl", kPushSpeed),
+      real("kPartingSteps", "state/contact.wgsl", kPartingSteps),
+      constant("kHeader", "contact/proximity/kept_forces.wgsl", kHeader),
+      constant("kKeptWords", "contact/proximity/kept_forces.wgsl", kKeptWords),
+      real("kTouchingAtRest", "contact/proximity/find_pairs.wgsl", kTouchingAtRest),
       real("kContactMargin", "contact/proximity/planes.wgsl", kContactMargin),
       real("kContactFloor", "contact/proximity/planes.wgsl", kContactFloor),
       constant("kLeafTriangles", "contact/proximity/tree.wgsl", contact::kTreeLeafTriangles),

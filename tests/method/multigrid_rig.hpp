@@ -100,7 +100,7 @@ class ImplicitRig {
     system_.grab_speed = 10;
   }
   /// Obstacles at every `every`-th node, in sums as the kernels keep them: some press, some do not, some
-  /// agree on no direction; with friction from none to much.
+  /// agree on no direction; with friction from none to much. Every fourth has thousands of pairs: sums beyond 32 bits.
   void press(std::uint64_t seed, std::uint32_t every) {
     params_.contact.thickness = 0.01F;
     state_.steps.write(device_, std::span(&params_, 1));
@@ -110,19 +110,19 @@ class ImplicitRig {
       return Vec3d{a, b, random.uniform(-1, 1)};
     };
     constexpr double kUnits = 1048576;  // of all sums: src/contact/proximity/press_sums.wgsl
-    const auto fixed = [](double value) { return static_cast<std::int32_t>(std::lround(value * kUnits)); };
     std::vector<std::int32_t> words(press_sums_.size());
     presses_.assign(model_.vertex_count(), {});
     for (std::size_t n = 0; n < presses_.size(); n += every) {
       const Vec3d normal = draw(), surface = 0.5 * draw();
       const double lack = random.uniform(-0.2, 1), friction = 2 * random.uniform(0, 1);
       std::int32_t* sums = &words[kPressWords * n];
-      sums[4] = fixed(random.uniform(0.1, 3));
-      const double weight = sums[4] / kUnits;
       const auto put = [&](std::size_t word, double value) {
-        sums[word] = fixed(value);
-        return sums[word] / kUnits;
+        const std::int64_t sum = std::llround(value * kUnits);
+        sums[word] = static_cast<std::int32_t>(sum);                                   // its lowest 32 bits
+        sums[word + 9] = static_cast<std::int32_t>((sum - sums[word]) / (1LL << 32));  // kPressWraps
+        return static_cast<double>(sum) / kUnits;
       };
+      const double weight = put(4, random.uniform(0.1, 3) * (n % (4 * every) == 0 ? 20000 : 1));
       reference::Press& press = presses_[n];
       press.weight = weight;
       press.normal = {put(0, weight * normal.x), put(1, weight * normal.y), put(2, weight * normal.z)};

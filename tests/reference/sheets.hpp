@@ -19,7 +19,9 @@ struct Sheet {
 
   /// A scene's `cloths`, and what else it says; with the mesh of each that is one.
   explicit Sheet(const std::string& members, std::vector<mesh::TriangleMesh> meshes = {})
-      : model(model_of(members, std::move(meshes))), stepper(model) {
+      : Sheet(scene_of(members), std::move(meshes)) {}
+  explicit Sheet(const scene::Scene& scene, std::vector<mesh::TriangleMesh> meshes = {})
+      : model(model_of(scene, std::move(meshes))), stepper(model) {
     system.position = model.start_position;
     system.velocity.resize(model.vertex_count());
     for (std::size_t node = 0; node < model.vertex_count(); ++node)
@@ -74,12 +76,15 @@ struct Sheet {
   }
 
  private:
-  static Model model_of(const std::string& members, std::vector<mesh::TriangleMesh> meshes) {
-    const auto scene = scene::parse_scene(
+  static scene::Scene scene_of(const std::string& members) {
+    auto scene = scene::parse_scene(
         R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, )" + members + "}", "test.json");
     REQUIRE_MESSAGE(scene, scene.error().message);
-    meshes.resize(scene->cloths.size());
-    auto made = build_model(*scene, meshes);
+    return std::move(*scene);
+  }
+  static Model model_of(const scene::Scene& scene, std::vector<mesh::TriangleMesh> meshes) {
+    meshes.resize(scene.cloths.size());
+    auto made = build_model(scene, meshes);
     REQUIRE_MESSAGE(made, made.error().message);
     return std::move(*made);
   }

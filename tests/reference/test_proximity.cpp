@@ -51,14 +51,11 @@ reference::Simulation on_incline(double slope, const std::string& friction) {
 
 }  // namespace
 
-TEST_CASE("a sheet that rests on a plane lies as deep as its spring and damper say, and does not move") {
+TEST_CASE("a sheet that rests on a plane lies at the thickness, and does not move") {
   auto simulation = on_incline(0, "");
   advance(simulation, 60);
-  // v' = (1 - zeta) (v - g dt) + beta (h - d) / dt, and v = v' = 0.
-  const double dt = simulation.step();
-  const double depth = (1 - contact_damping(0)) * kGravity * dt * dt / kContactSpring;
-  for (const Vec3d& p : simulation.positions()) CHECK(std::abs(0.01 - p.y - depth) < 1e-12);
-  for (const Vec3d& v : simulation.velocities()) CHECK(length(v) < 1e-9);
+  for (const Vec3d& p : simulation.positions()) CHECK(std::abs(0.01 - p.y) < 1e-12);
+  for (const Vec3d& v : simulation.velocities()) CHECK(length(v) < 1e-12);
 }
 
 TEST_CASE("on an incline a sheet sticks below the angle of friction, without creeping") {
@@ -85,6 +82,17 @@ TEST_CASE("above the angle of friction a sheet slides with g (sin - mu cos), of 
       CHECK(mean(simulation.velocities()).x - before == doctest::Approx(expected).epsilon(0.02));
     }
   }
+}
+
+TEST_CASE("implicit cloth that starts too deep in a floor leaves it no faster than a hold may move it") {
+  auto simulation = simulation_of_text(R"("gravity": [0, 0, 0], "solver": {"kind": "multigrid"},
+    "contact": {"method": "proximity", "thickness": 0.01},
+    "cloths": [{"grid": [9, 9], "size": [0.4, 0.4], "plane": "xz", "density": 0.3, "damping": 0.01,
+      "transform": {"translate": [0, 0.006, 0]}, "stiffness": {"structural": 40, "shear": 10, "bend": 0.3}}],
+    "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])");
+  advance(simulation, 2);
+  for (const Vec3d& p : simulation.positions()) CHECK(p.y > 0.00999);
+  for (const Vec3d& v : simulation.velocities()) CHECK(length(v) < 1.01 * kHoldSpeed);
 }
 
 TEST_CASE("a dropped sheet bounces as its restitution says") {
@@ -235,7 +243,7 @@ TEST_CASE("truncation brings no energy into a sheet that falls over a ball in to
     CHECK(simulation.energy() < start);
     check_surfaces(simulation, 0);
   }
-  CHECK(simulation.proximity()->truncated() > 100);
+  CHECK(simulation.proximity()->truncated().vertices > 0);
 }
 
 TEST_CASE("a mesh that keyframes lift does to a sheet what the same mesh does on a path") {

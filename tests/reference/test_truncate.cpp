@@ -14,46 +14,111 @@
 using namespace weft;
 using namespace weft::reference;
 
-TEST_CASE("a displacement is cut where it meets the first plane, and at its reach") {
-  const Vec3d up{0, 1, 0};
-  const double free[] = {1};
-  const auto cut = [&](std::vector<SidePlane> planes, Vec3d from, Vec3d to, double reach) {
-    const Vec3d previous[] = {from};
-    Vec3d position[] = {to};
-    const std::uint32_t count = truncate(planes, previous, free, reach, position);
-    CHECK(count == (position[0] == to ? 0 : 1));
-    return position[0];
-  };
-  CHECK(cut({}, {0, 0, 0}, {3, 4, 0}, 6) == Vec3d{3, 4, 0});
-  CHECK(cut({}, {0, 0, 0}, {3, 4, 0}, 2.5) == Vec3d{1.5, 2, 0});
-  CHECK(cut({{0, up, 0}, {0, up, 0.5}}, {0, 1, 0}, {4, -1, 0}, 9) == Vec3d{1, 0.5, 0});
-  CHECK(cut({{0, up, 0}}, {0, 1, 0}, {4, 0.25, 0}, 9) == Vec3d{4, 0.25, 0});
-  // Already behind a plane of cloth: it may come back, not go on.
-  CHECK(cut({{0, up, 2}}, {0, 1, 0}, {4, -1, 0}, 9) == Vec3d{0, 1, 0});
-  CHECK(cut({{0, up, 2}}, {0, 1, 0}, {4, 1.5, 0}, 9) == Vec3d{4, 1.5, 0});
-  // An obstacle that has come past it takes it along.
-  CHECK(cut({{0, up, 2, true}}, {0, 1, 0}, {4, -1, 0}, 9) == Vec3d{4, 2, 0});
-  const double kinematic[] = {0};
-  const Vec3d previous[] = {{0, 1, 0}};
-  Vec3d position[] = {{0, -1, 0}};
-  const SidePlane plane{0, up, 0, true};
-  CHECK(truncate({&plane, 1}, previous, kinematic, 0.1, position) == 0);
-  CHECK(position[0] == Vec3d{0, -1, 0});
+namespace {
+
+/// The ways of some vertices in a substep, each with the velocity of its way in a second.
+struct Moved {
+  std::vector<Vec3d> start, end, velocity;
+  std::vector<double> inverse_mass;
+
+  void add(const Vec3d& from, const Vec3d& to, double inverse = 1) {
+    start.push_back(from);
+    end.push_back(to);
+    velocity.push_back(to - from);
+    inverse_mass.push_back(inverse);
+  }
+  Truncated cut(const std::vector<SolidPlane>& planes, const std::vector<ClothPair>& pairs, double reach) {
+    return truncate(planes, pairs, reach, {start, inverse_mass, end, velocity});
+  }
+};
+
+constexpr Vec3d kUp{0, 1, 0};
+
+/// Two nodes, A above B, a distance apart.
+ClothPair above(std::uint32_t a, std::uint32_t b, double middle, double margin) {
+  return {1, 1, {a, b}, kUp, middle, margin, 2 * margin};
 }
 
-TEST_CASE("after the cut every vertex is on its side of every plane, from which it came") {
+}  // namespace
+
+TEST_CASE("a way ends where it meets the first plane of an obstacle, and at its reach") {
+  const auto cut = [&](std::vector<SolidPlane> planes, Vec3d from, Vec3d to, double reach,
+                       double inverse = 1) {
+    Moved moved;
+    moved.add(from, to, inverse);
+    const Truncated count = moved.cut(planes, {}, reach);
+    CHECK(count.vertices == (moved.end[0] == to ? 0 : 1));
+    CHECK(count.driven == 0);
+    return moved;
+  };
+  CHECK(cut({}, {0, 0, 0}, {3, 4, 0}, 6).end[0] == Vec3d{3, 4, 0});
+  CHECK(cut({}, {0, 0, 0}, {3, 4, 0}, 2.5).end[0] == Vec3d{1.5, 2, 0});
+  CHECK(cut({{0, kUp, 0}, {0, kUp, 0.5}}, {0, 1, 0}, {4, -1, 0}, 9).end[0] == Vec3d{1, 0.5, 0});
+  CHECK(cut({{0, kUp, 0}}, {0, 1, 0}, {4, 0.25, 0}, 9).end[0] == Vec3d{4, 0.25, 0});
+  // An obstacle that has come past it takes it along, with its own speed and no more.
+  const Moved carried = cut({{0, kUp, 2, 0.5}}, {0, 1, 0}, {4, 0.75, 0}, 9);
+  CHECK(carried.end[0] == Vec3d{4, 2, 0});
+  CHECK(carried.velocity[0] == Vec3d{4, 0.5, 0});
+  CHECK(cut({{0, kUp, 2, 0.5}}, {0, 1, 0}, {0, 1.75, 0}, 9).velocity[0] == Vec3d{0, 0.75, 0});
+  CHECK(cut({{0, kUp, 0}}, {0, 1, 0}, {0, -1, 0}, 9, 0).end[0] == Vec3d{0, -1, 0});
+}
+
+TEST_CASE("nodes that fly together keep their ways, however near they are to each other") {
+  Moved moved;
+  moved.add({0, 0.01, 0}, {0, -5, 0});
+  moved.add({0, 0, 0}, {3, -5.01, 0});
+  CHECK(moved.cut({}, {above(0, 1, 0.005, 0.001)}, 99).vertices == 0);
+}
+
+TEST_CASE("a stop goes down through a pile: what comes after ends its way before what was stopped") {
+  // Node 0 stands on a floor, the others fall on it in a column with gaps of 1, all by 5.
+  Moved moved;
+  std::vector<ClothPair> pairs;
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    moved.add({0, 1.0 * k, 0}, {0, k - 5.0, 0});
+    if (k > 0) pairs.push_back(above(k, k - 1, k - 0.5, 0.05));
+  }
+  const Truncated count = moved.cut({{0, kUp, -0.1}}, pairs, 99);
+  CHECK(count.vertices == 6);
+  CHECK(count.driven == 0);
+  for (std::uint32_t k = 1; k < 6; ++k) CHECK(moved.end[k].y - moved.end[k - 1].y >= 0.1 - 1e-12);
+}
+
+TEST_CASE("an obstacle does not drive one layer through another that stays: it is counted") {
+  Moved moved;
+  moved.add({0, 0, 0}, {0, 0, 0});  // the floor comes up by 0.9 under it
+  moved.add({0, 1, 0}, {0, 1, 0});
+  const Truncated count = moved.cut({{0, kUp, 0.9, 3}}, {above(1, 0, 0.5, 0.05)}, 99);
+  CHECK(count.driven == 1);
+  CHECK(moved.end[0].y < 0.5);
+  CHECK(moved.end[1].y == 1);
+}
+
+TEST_CASE("random ways of random pairs end on their own sides, whatever each was cut by") {
   Random random(61);
   for (int round = 0; round < 300; ++round) {
-    std::vector<SidePlane> planes;
-    const Vec3d previous[] = {{}};
-    for (int p = 0; p < 8; ++p) {
-      const Vec3d n = random_point(random, 1);
-      planes.push_back({0, n / length(n), -random.uniform(0, 0.5), false});
+    Moved moved;
+    std::vector<ClothPair> pairs;
+    for (int k = 0; k < 12; ++k) {
+      const Vec3d from = random_point(random, 1);
+      moved.add(from, from + random_point(random, 1), random.below(8) == 0 ? 0 : 1);
+      if (moved.inverse_mass.back() == 0) moved.end.back() = from;
     }
-    const double free[] = {1};
-    Vec3d position[] = {random_point(random, 1)};
-    truncate(planes, previous, free, 10, position);
-    for (const SidePlane& plane : planes) CHECK(dot(plane.normal, position[0]) >= plane.offset - 1e-15);
+    for (int k = 0; k < 20; ++k) {
+      const std::uint32_t a = random.below(12), b = (a + 1 + random.below(11)) % 12;
+      const Vec3d apart = moved.start[a] - moved.start[b];
+      const Vec3d n = apart / length(apart);
+      pairs.push_back({1,
+                       1,
+                       {a, b},
+                       n,
+                       dot(n, 0.5 * (moved.start[a] + moved.start[b])),
+                       0.05 * length(apart),
+                       0.1 * length(apart)});
+    }
+    moved.cut({}, pairs, 10);
+    for (const ClothPair& pair : pairs)
+      CHECK(dot(pair.normal, moved.end[pair.nodes[0]] - moved.end[pair.nodes[1]]) >= 2 * pair.margin - 1e-12);
   }
 }
 

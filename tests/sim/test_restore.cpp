@@ -8,13 +8,15 @@ using namespace weft;
 
 namespace {
 
+constexpr const char* kAlone = R"(, "contact": {"method": "none"})";
+
 /// A sheet of 1 m by 1 m and 9 x 9 nodes, with frames of `frames_per_second` in steps of 1/3840 s.
 scene::Scene sheet(int frames_per_second, const std::string& cloth, const std::string& more = "") {
   auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "drag": 0.5, "solver": {"kind": "mass_spring"},
           "time": {"frame": )" +
           std::to_string(1.0 / frames_per_second) + R"(, "substeps": )" +
-          std::to_string(3840 / frames_per_second) + "}" + more +
+          std::to_string(3840 / frames_per_second) + "}" + (more.empty() ? kAlone : more) +
           R"(, "cloths": [{"grid": [9, 9], "size": [1, 1], "plane": "xz", "density": 0.4, "damping": 0.01,
               "stiffness": {"structural": 450, "shear": 130, "bend": 10})" +
           cloth + "}]}",

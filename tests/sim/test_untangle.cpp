@@ -65,9 +65,8 @@ void check_separates(sim::World& world, std::uint32_t most) {
   CHECK(passed(world) == 0);
   CHECK(world.totals().crossings > 0);
   CHECK(world.totals().crossings_left == 0);
-  // Sheets that are apart still lie within each other's thickness, and the spring of a contact asks a quarter
-  // of it a substep, of both; and cloth that was stretched on its way out springs back.
-  const double spring_speed = kContactSpring * kThickness / world.step();
+  // Twice the speed of untangling in either direction: cloth that was stretched on its way out springs back.
+  const double spring_speed = 2 * kUntanglePart * kThickness / world.step();
   CHECK(run.fastest < 3 * spring_speed);
   double mass = 0;
   for (const double m : Moment(world).mass) mass += m;
@@ -251,8 +250,8 @@ TEST_CASE("cloth whose pins keep it in a tangle neither flies apart nor moves fa
                     R"(, "pins": ["top_left", "top_right", "bottom_left", "bottom_right"])"),
           "", "-9.81"));
   const Untangled run = untangle(*world, 90);
-  CHECK(world->totals().crossings_left > 0);
-  CHECK(run.fastest < 2 * kContactSpring * kThickness / world->step() + 9.81 * 0.5);
+  CHECK(world->totals().crossings > 0);
+  CHECK(run.fastest < 4 * kUntanglePart * kThickness / world->step() + 9.81 * 0.5);
   CHECK(world->totals().max_stretch < 2);
 }
 
@@ -277,7 +276,7 @@ TEST_CASE("crossings without a size or a side, and states that are not finite, n
       fastest = std::max(fastest, now.largest_speed());
     }
     MESSAGE("fastest ", fastest, " m/s, left ", world->totals().crossings_left);
-    if (kind != 2) CHECK(fastest < 2 * kContactSpring * kThickness / world->step());
+    if (kind != 2) CHECK(fastest < 4 * kUntanglePart * kThickness / world->step());
   }
   auto world = pinched(fixture.device());
   world->set_node(45, {0, NAN, 0, 1}, {});

@@ -19,6 +19,8 @@ export interface Totals {
   crossings: number;
   /** Vertices truncated by contact, summed over substeps (proximity). */
   truncated: number;
+  /** Of these, vertices that an obstacle has passed since cloth behind them did not give way. */
+  driven: number;
   /** Pairs of features that are listed at the end of a frame (proximity), the most of any. */
   pairs: number;
   /** Pairs of triangles that the last search of a frame has listed (proximity), the most of any. */
@@ -40,6 +42,7 @@ export const TOTALS = [
   "detections",
   "crossings",
   "truncated",
+  "driven",
   "pairs",
   "candidates",
   "nonfinite",
@@ -58,6 +61,7 @@ export function noTotals(): Totals {
     detections: 0,
     crossings: 0,
     truncated: 0,
+    driven: 0,
     pairs: 0,
     candidates: 0,
     nonfinite: 0,

@@ -83,6 +83,8 @@ class ColliderSetBuilder {
     for (const Vec3f& p : mesh.positions) places.push_back(p.to<double>());
     const bool closed = faces_outward(places, mesh.triangles);
     for (const Vec3d& p : places) add_point(c, p, closed ? -1 : 0);
+    for (const mesh::Triangle& t : mesh.triangles)
+      set_.faces.push_back({first_point + t[0], first_point + t[1], first_point + t[2]});
     set_.rims.resize(first_point, 0);
     for (const double rim : rim_distances(places, mesh.triangles))
       set_.rims.push_back(static_cast<float>(rim));

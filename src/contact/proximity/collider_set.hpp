@@ -34,14 +34,15 @@ struct ColliderMeshes {
 };
 
 struct ColliderSet {
-  std::vector<TreeWord> list;       // a collider each: kind, and three numbers
-  std::vector<Vec4f> points;        // all at time 0 with radii, again with friction, then 3 rows a collider;
-                                    // a negative radius: of a mesh that faces outward
-  std::vector<float> rims;          // of each point of a mesh: how far it lies from the mesh's rim [m]
-  std::vector<Vec4f> shapes;        // points, then those of keyframes; w: collider + kind of point
-  std::vector<TreeWord> trees;      // behind the cloths' tree
-  std::vector<TreeWord> triangles;  // of deforming meshes, behind the cloths'
-  std::vector<ImplicitTree> implicit;                         // their trees
+  std::vector<TreeWord> list;  // a collider each: kind, and three numbers
+  std::vector<Vec4f> points;   // all at time 0 with radii, again with friction, then 3 rows a collider;
+                               // a negative radius: of a mesh that faces outward
+  std::vector<mesh::Triangle> faces;   // of all meshes, by points
+  std::vector<float> rims;             // of each point of a mesh: how far it lies from the mesh's rim [m]
+  std::vector<Vec4f> shapes;           // points, then those of keyframes; w: collider + kind of point
+  std::vector<TreeWord> trees;         // behind the cloths' tree
+  std::vector<TreeWord> triangles;     // of deforming meshes, behind the cloths'
+  std::vector<ImplicitTree> implicit;  // their trees
   std::vector<std::uint32_t> implicit_first, implicit_count;  // and which triangles they are of
   std::uint32_t point_count = 0;
   bool moves = false;

@@ -1,5 +1,6 @@
 // Begins a search if one is due: the step demands it, or a vertex is about to leave its reach. Records where each
-// vertex is and how far it may go until the next search, and clears the counts of the lists. One invocation per vertex.
+// vertex is and where it may go until the next search, and clears the counts of the lists. One invocation per vertex.
+// Source: docs/contact.md, Reach.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
@@ -8,25 +9,28 @@
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       position        : array<vec4f>; // vertex_count      m
 @group(0) @binding(2) var<storage, read>       velocity        : array<vec4f>; // vertex_count      m/s
-@group(0) @binding(3) var<storage, read_write> predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
+@group(0) @binding(3) var<storage, read_write> predicted       : array<vec4f>; // 3 * vertex_count  m: reach.wgsl
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;   // kVertexWords * vertex_count
 @group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
+@group(0) @binding(6) var<storage, read>       most_slack      : array<f32>;   // vertex_count      m
 
-// A slow vertex keeps its reach for kReachSteps substeps. A fast one has no more than lets flat cloth list nothing of
-// itself, unless it would leave that before the next detection.
-const kReachSteps = 10.0;
-const kFastest = 4.0;  // of most_reach
-fn reach_of(v : vec3f) -> f32 {
+// A vertex has a ball of a thickness, since what is at rest may be struck before the next search, or of its way for
+// some time, but none larger than lets flat cloth list nothing of itself. A faster one goes on along its way, too:
+// for as many substeps as are to come before that.
+const kReachIntervals = 2.5;  // of the substeps between two chances to search
+const kFarthest = 4.0;  // of most_reach: how far along its way, if the next search comes before that
+fn way_ahead(v : vec3f, slack : f32) -> vec3f {
   let way = min(step.time.dt * length(v), 3e38);
-  let soon = kReachMargin * kDetectInterval * way;
-  let most = step.contact.most_reach;
-  return clamp(max(min(kReachSteps * way, most), soon), step.contact.least_reach, kFastest * most);
+  let soon = kReachMargin * kDetectInterval;
+  if (soon * way <= slack) { return vec3f(0.0); }
+  return clamp(kFarthest * step.contact.most_reach / way, soon, kReachIntervals * kDetectInterval) * step.time.dt * v;
 }
 
 // How far a collider, or a vertex that the scene moves, may go.
 fn scripted_reach() -> f32 {
   let travel = step.contact.collider_travel;
-  return max(min(kReachSteps * travel, step.contact.most_reach), kReachMargin * kDetectInterval * travel);
+  let kept = min(kReachIntervals * kDetectInterval * travel, step.contact.most_reach);
+  return max(kept, kReachMargin * kDetectInterval * travel);
 }
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -43,20 +47,30 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
       atomicAdd(&statistics[kStatDetections], 1u);
       atomicStore(&statistics[kStatCrossingsLeft], 0u);
       atomicStore(&statistics[kStatCandidates], 0u);
+      atomicStore(&statistics[kStatPairsBefore], atomicLoad(&statistics[kStatPairs]));
       atomicStore(&statistics[kStatPairs], 0u);
       atomicStore(&statistics[kStatEntries], 0u);
     }
   }
   if (!due || vertex >= step.nodes.count) { return; }
   let place = position[vertex];
-  var reach = reach_of(velocity[vertex].xyz);
-  if (place.w == 0.0) { reach = scripted_reach(); }
-  predicted[step.nodes.count + vertex] = vec4f(place.xyz, reach);
+  // The mean velocity until the next search, by the load: what starts to fall must not be held where it was.
+  let v = velocity[vertex].xyz + 0.5 * kReachMargin * kDetectInterval * step.time.dt * step.air.acceleration.xyz;
+  let most = most_slack[vertex];
+  let way = min(step.time.dt * length(v), 3e38);
+  var slack = clamp(kReachIntervals * kDetectInterval * way, min(step.contact.thickness, most), most);
+  var ahead = way_ahead(v, slack);
+  if (place.w == 0.0) {
+    slack = scripted_reach();
+    ahead = vec3f(0.0);
+  }
+  predicted[step.nodes.count + vertex] = vec4f(place.xyz, slack);
+  predicted[2u * step.nodes.count + vertex] = vec4f(ahead, 0.0);
   vertex_contacts[kVertexWords * vertex + 1u] = 0u;
   vertex_contacts[kVertexWords * vertex + kCursorWord] = 0u;
   if (step.contact.detect == kDetectAlways) {  // the first substep of a frame, whatever the one before it was
-    vertex_contacts[kVertexWords * vertex + kUrgencyWord] = 0u;
-    vertex_contacts[kVertexWords * vertex + kTightWord] = 0u;
-    for (var axis = 0u; axis < 3u; axis++) { vertex_contacts[kVertexWords * vertex + kChangeWord + axis] = 0u; }
+    for (var word = kShareWord; word < kVertexWords; word++) {
+      if (word != kCursorWord) { vertex_contacts[kVertexWords * vertex + word] = 0u; }
+    }
   }
 }

@@ -1,5 +1,6 @@
-// Measures every listed pair at the start of a substep, and decides which act: equation (1) of docs/contact.md.
-// Grid-stride loop over the pairs. A pair's vertices count it, and their entries bear its marks.
+// Measures every listed pair at the start of a substep, decides which act, and with which impulses they begin:
+// equations (1) and (3a) of docs/contact.md. Grid-stride loop over the pairs. A pair's vertices count it, and their
+// entries bear its marks.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
@@ -7,7 +8,9 @@
 #include "state/statistics.wgsl"
 #include "contact/proximity/crossing.wgsl"
 #include "contact/proximity/measure.wgsl"
+#include "contact/proximity/cones.wgsl"
 #include "contact/proximity/planes.wgsl"
+#include "contact/proximity/sums.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m
@@ -17,6 +20,7 @@
 @group(0) @binding(5) var<storage, read_write> entries         : array<u32>;
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read>       rings           : array<u32>;   // feature_rings.hpp
 
 const kTouch = 0.01;  // of the thickness: a nearer feature has no side of its own
 
@@ -48,6 +52,35 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
     reach = max(reach, sign * dot(n, place));
   }
   return sign * (reach + radius);
+}
+
+// The speed of a solid side in the direction of the other.
+fn solid_speed(ids : vec4u, first : u32, end : u32, w : vec4f, toward : vec3f, surface : vec3f) -> f32 {
+  var speed = -dot(toward, surface);  // of a collider: the surface's part has its sign in the pair
+  for (var role = first; role < end; role++) {
+    if (!is_collider(ids[role])) { speed += abs(w[role]) * dot(toward, velocity_of(ids[role] & kIdBits)); }
+  }
+  return speed;
+}
+
+// Equation (3a): the force of the substep before, less what takes back the speed at which the features part.
+fn first_force(ids : vec4u, w : vec4f, n : vec3f, kept : vec3f, friction : f32, speed : f32) -> vec3f {
+  var mobility = 0.0;  // were the pair alone, 1/kg
+  for (var role = 0u; role < role_count(ids); role++) {
+    if (!is_collider(ids[role])) { mobility += w[role] * w[role] * previous[ids[role] & kIdBits].w; }
+  }
+  if (mobility <= 0.0) { return vec3f(0.0); }
+  let load = length(step.air.acceleration.xyz);
+  let parting = max(0.0, speed - kPartingSteps * step.time.dt * load);
+  return within_cone(kept - parting / (mobility * step.time.dt) * n, n, friction);
+}
+
+// Equation (3): the least normal velocity that a pair may end with.
+fn least_speed(gap : f32, thickness : f32, speed : f32) -> f32 {
+  let dt = step.time.dt;
+  let closing = -speed > kPartingSteps * dt * length(step.air.acceleration.xyz);
+  let bounces = (step.contact.restitution > 0.0) & closing & (gap + dt * speed < thickness);
+  return max(-max(0.0, gap - thickness) / dt, select(-3e38, -step.contact.restitution * speed, bounces));
 }
 
 // Marks of the last search at the cloth vertices from role `first` to before `end`: kTangledCloth, kTangledMesh.
@@ -83,7 +116,6 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     crossings = atomicLoad(&statistics[kStatCrossingsLeft]);
   }
   let count = workgroupUniformLoad(&listed);
-  let free = free_way();
   let tangled = workgroupUniformLoad(&crossings) != 0u;
   var hits = 0u;
   var hash = 0u;
@@ -126,54 +158,86 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
         }
       }
     }
+    let thickness = contacts[pair].thickness;
+    if (thickness == 0.0) {  // of one cloth, and touching at rest
+      measured.counts = false;
+      measured.gap = 0.0;
+    }
+    let w = weights_of(ids, measured.s, measured.t);
     let n = measured.normal;
     let gap = measured.gap;
-    let w = weights_of(ids, measured.s, measured.t);
     let r = relative_velocity(ids, w, measured);
-    let thickness = select(step.contact.thickness, step.contact.self_thickness, is_self);
     let speed = dot(n, r.velocity + r.surface);
     let is_near = gap + min(step.time.dt * speed, 0.0) < kContactTouching * thickness;
-    let acts = measured.counts && is_near;
+    var acts = measured.counts && is_near;
+    if (acts && !untangles) { acts = lies_in_cones(ids, measured); }
     let urgency = urgency_of(gap + min(step.time.dt * speed, 0.0), thickness);
     let first_b = roles_of_a(ids);
     let end_b = role_count(ids);
-    var reach = 0.0;
-    var solid = 0u;
+    if (is_self && !is_near && !untangles && contacts[pair].near == 0u && !is_solid(ids, first_b, end_b) &&
+        !is_solid(ids, 0u, first_b)) {  // most pairs: all but their plane is as it was
+      contacts[pair].normal = vec4f(n, gap);
+      contacts[pair].place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
+      if (any(contacts[pair].force.xyz != vec3f(0.0))) { contacts[pair].force = vec4f(0.0); }
+      continue;
+    }
+    var contact = contacts[pair];
+    contact.place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
+    contact.solid = 0u;
+    contact.solid_speed = 0.0;
     if (untangles) {
-      solid = kUntangles;
+      contact.solid = kUntangles;
     } else if (is_solid(ids, first_b, end_b)) {
-      solid = 2u;
-      reach = reach_of(ids, first_b, end_b, 1.0, n, measured.radius);
+      contact.solid = 2u;
+      contact.place.w = reach_of(ids, first_b, end_b, 1.0, n, measured.radius);
+      contact.solid_speed = solid_speed(ids, first_b, end_b, w, n, r.surface);
     } else if (is_solid(ids, 0u, first_b)) {
-      solid = 1u;
-      reach = reach_of(ids, 0u, first_b, -1.0, n, measured.radius);
+      contact.solid = 1u;
+      contact.place.w = reach_of(ids, 0u, first_b, -1.0, n, measured.radius);
+      contact.solid_speed = solid_speed(ids, 0u, first_b, w, -n, r.surface);
     }
     if (!is_self) { friction = friction_of(ids, friction); }
-    var contact = contacts[pair];
     contact.normal = vec4f(n, gap);
-    contact.place = vec4f(measured.s, measured.t, measured.place_a, reach);
     contact.surface = vec4f(r.surface, friction);
     contact.urgency = select(0.0, f32(urgency), acts);
-    contact.solid = solid;
-    let near_flag = select(0u, kEntryNear, is_near);
+    var force = vec3f(0.0);
+    if (acts && !untangles) { force = first_force(ids, w, n, contact.force.xyz, friction, speed); }
+    contact.force = vec4f(force, least_speed(gap, thickness, speed));
+    let is_kept = any(force != vec3f(0.0));
+    let holds = gap > 0.0 && contact.solid != 0u;  // has planes that what is not solid must not pass
+    let near_flag = select(0u, kEntryNear, is_near || holds);
     let is_other = near_flag != contact.near;  // most stay as they were
     contact.near = near_flag;
     contacts[pair].normal = contact.normal;
     contacts[pair].place = contact.place;
     contacts[pair].surface = contact.surface;
+    contacts[pair].force = contact.force;
     contacts[pair].urgency = contact.urgency;
     contacts[pair].solid = contact.solid;
+    contacts[pair].solid_speed = contact.solid_speed;
     contacts[pair].near = contact.near;
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }
       if (is_other) { entries[contact.slots[role]] = kEntryPair * pair + near_flag + role; }
-      if (!is_near) { continue; }
-      let words = kVertexWords * (ids[role] & kIdBits);
-      if (acts && w[role] != 0.0) { atomicAdd(&vertex_contacts[words + kUrgencyWord], urgency); }
+      if (near_flag == 0u) { continue; }
+      let vertex = ids[role] & kIdBits;
+      if (acts) {
+        atomicAdd(&vertex_contacts[kVertexWords * vertex + kShareWord], share_units(f32(urgency), w[role]));
+      }
+      if (is_kept) {
+        add_units(kVertexWords * vertex + kFirstWord, kSpeedUnits,
+                  previous[vertex].w * w[role] * step.time.dt * force);
+      }
       var tight = 0.0;
-      if (gap > 0.0) { tight = free + beyond(contact, role, previous[ids[role] & kIdBits].xyz); }
+      if (holds) {
+        let held = atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]);
+        if ((held & kBesideSolid) == 0u) {
+          atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideSolid);
+        }
+        tight = free_way() + beyond(contact, role, previous[vertex].xyz);
+      }
       if (untangles && acts && !is_self) { tight = kInBody; }
-      if (tight > 0.0) { atomicMax(&vertex_contacts[words + kTightWord], bitcast<u32>(tight)); }
+      if (tight > 0.0) { atomicMax(&vertex_contacts[kVertexWords * vertex + kTightWord], bitcast<u32>(tight)); }
     }
     if (acts) {
       hits++;

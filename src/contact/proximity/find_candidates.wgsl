@@ -1,7 +1,8 @@
 // Broad phase: finds the candidates near each cloth triangle, by boxes grown by thickness and reaches. One invocation
-// per cloth triangle. It walks the cloths' own tree for later triangles, and every collider: once to count and, if it
-// found many, once more to write. The list's order depends on scheduling; no result depends on the order.
-// Source: docs/contact.md.
+// per cloth triangle; of small cloths kLanes, each of which begins at another child of a root, since a walk waits for
+// memory at each node and few walks fill no adapter. It walks the cloths' own tree for later triangles, and every
+// collider: once to count and, if it found many, once more to write. The list's order depends on scheduling; no result
+// depends on the order. Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -19,14 +20,16 @@ struct Colliders { list : array<vec4u, kMostColliders> }
 //                                                                           elements
 @group(0) @binding(0) var<uniform>             params     : SearchParams;
 @group(0) @binding(1) var<uniform>             colliders  : Colliders;
-@group(0) @binding(2) var<storage, read>       predicted  : array<vec4f>; // 2 * vertex_count: tree.wgsl
+@group(0) @binding(2) var<storage, read>       predicted  : array<vec4f>; // 3 * vertex_count: reach.wgsl
 @group(0) @binding(3) var<storage, read>       triangles  : array<vec4u>; // corners; w: owned, friction
 @group(0) @binding(4) var<storage, read>       trees      : array<vec4u>;
 @group(0) @binding(5) var<storage, read>       points     : array<vec4f>; // of colliders: move_points.wgsl
 @group(0) @binding(6) var<storage, read_write> candidates : array<vec2u>; // candidate_capacity
 @group(0) @binding(7) var<storage, read_write> statistics : array<atomic<u32>>;
 
-const kMostKept = 16u;
+override kLanes : u32 = 1;  // or kTreeArity; the trees of rigid meshes have four children a node
+const kMostKept = 32u;
+var<private> lane : u32;
 var<private> found : u32;
 var<private> kept : array<vec2u, kMostKept>;  // the first of them
 var<private> next : u32;  // where to write, once `writing`
@@ -36,7 +39,12 @@ var<private> corners : vec3u;
 var<private> a : vec3f;  // the corners' places, m
 var<private> b : vec3f;
 var<private> c : vec3f;
-var<private> own_reach : f32;  // m
+var<private> ahead_a : vec3f;  // their ways ahead, m
+var<private> ahead_b : vec3f;
+var<private> ahead_c : vec3f;
+var<private> own_box : Box;    // of all that the triangle may pass on its ways ahead
+var<private> own_reach : f32;  // its slack, and how far its corners go along their ways, m
+var<private> own_slack : f32;
 var<workgroup> due : u32;
 
 fn emit(kind : u32, place : u32) {
@@ -49,22 +57,30 @@ fn emit(kind : u32, place : u32) {
   }
 }
 
-// Two triangles of a sheet that share an edge are no nearer than their altitudes until the sheet is folded there by
-// more than a right angle or so; slow and flat cloth has no other feature within its radius.
-fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f) -> bool {
+// Whether two triangles that share an edge have no features, other than shared ones, within the thickness and all that
+// both may go. Laid flat on either side of their edge they have none nearer than their shortest altitude a; bent, with
+// c the cosine between their faces, 1 where they lie flat, none nearer than a sqrt((1 + c) / 2).
+fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f, way : f32) -> bool {
   let same_a = vec3<bool>(corners.x == other.x || corners.x == other.y || corners.x == other.z,
                           corners.y == other.x || corners.y == other.y || corners.y == other.z,
                           corners.z == other.x || corners.z == other.y || corners.z == other.z);
   let shared_count = select(0u, 1u, same_a.x) + select(0u, 1u, same_a.y) + select(0u, 1u, same_a.z);
   if (shared_count != 2u) { return false; }
-  let middle = 0.5 * (select(vec3f(0.0), a, same_a.x) + select(vec3f(0.0), b, same_a.y) +
-                      select(vec3f(0.0), c, same_a.z));
-  let tip = (a + b + c) - 2.0 * middle;
-  let other_tip = (d + e + f) - 2.0 * middle;
-  let u = tip - middle;
-  let v = other_tip - middle;
-  let along = dot(u, v);
-  return along < 0.0 && along * along > 0.0625 * dot(u, u) * dot(v, v);
+  let first = select(b, a, same_a.x);
+  let along = select(b, c, same_a.z) - first;
+  let u = (a - first) + (b - first) + (c - first) - along;  // to the corner that is not shared
+  let v = (d - first) + (e - first) + (f - first) - along;
+  let area = cross(u, along);
+  let other_area = cross(v, along);
+  let size = dot(along, along);
+  let longest = max(max(size, dot(u, u)), dot(u - along, u - along));
+  let other_longest = max(max(size, dot(v, v)), dot(v - along, v - along));
+  let areas = length(area) * length(other_area);
+  if (!(areas > 0.0)) { return false; }
+  let shortened = 0.5 - 0.5 * dot(area, other_area) / areas;
+  let least = (params.self_thickness + way) * (params.self_thickness + way);
+  return shortened * dot(area, area) > least * longest &&
+         shortened * dot(other_area, other_area) > least * other_longest;
 }
 
 // Which children of a node overlap the box, as bits; none whose triangles all come before `after`.
@@ -97,11 +113,14 @@ fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
     let d = predicted[params.vertex_count + other.x];
     let e = predicted[params.vertex_count + other.y];
     let f = predicted[params.vertex_count + other.z];
-    let reach = largest_reach(d, e, f);
-    if (!overlap(box, grown(box_of(d.xyz, e.xyz, f.xyz), reach))) { continue; }
+    let slack = largest_reach(d, e, f);
+    let ahead_d = predicted[2u * params.vertex_count + other.x].xyz;
+    let ahead_e = predicted[2u * params.vertex_count + other.y].xyz;
+    let ahead_f = predicted[2u * params.vertex_count + other.z].xyz;
+    if (!overlap(box, grown(swept_box(d.xyz, e.xyz, f.xyz, ahead_d, ahead_e, ahead_f), slack))) { continue; }
     if (!(is_finite(d.xyz) && is_finite(e.xyz) && is_finite(f.xyz))) { continue; }
-    let slow = own_reach + reach <= 2.0 * params.flat_reach;
-    if (!(slow && lie_flat(other.xyz, d.xyz, e.xyz, f.xyz))) { emit(kNearCloth, t); }
+    let reach = slack + max(max(length(ahead_d), length(ahead_e)), length(ahead_f));
+    if (!lie_flat(other.xyz, d.xyz, e.xyz, f.xyz, own_reach + reach)) { emit(kNearCloth, t); }
   }
 }
 
@@ -112,7 +131,7 @@ fn walk_implicit(tree : u32, first : u32, count : u32, deforming : bool, after :
   var waiting = vec2u(0u);
   var level = top;
   var node = 0u;
-  var hits = child_hits(tree, level, node, box, after);
+  var hits = child_hits(tree, level, node, box, after) & select(255u, 1u << lane, kLanes > 1u);
   loop {
     if (hits == 0u) {
       if (level == top) { break; }
@@ -154,9 +173,12 @@ fn local(collider : u32, p : vec3f) -> vec3f {
 // Walks the tree of a rigid mesh (src/contact/object_tree.hpp) in the mesh's own space.
 const kStackSize = 32u;
 fn walk_rigid(collider : vec4u, radius : f32) {
-  let box = grown(box_of(local(collider.w, a), local(collider.w, b), local(collider.w, c)), radius);
+  let m = collider.w;
+  let box = grown(united(box_of(local(m, a), local(m, b), local(m, c)),
+                         box_of(local(m, a + ahead_a), local(m, b + ahead_b), local(m, c + ahead_c))), radius);
   var stack : array<u32, kStackSize>;
   var size = 1u;
+  var at_root = true;
   while (size > 0u) {
     size--;
     let node = collider.y + 8u * stack[size];
@@ -168,7 +190,7 @@ fn walk_rigid(collider : vec4u, radius : f32) {
               (vec4f(box.low.z) <= bitcast<vec4f>(trees[node + 5u])) &
               (bitcast<vec4f>(trees[node + 2u]) <= vec4f(box.high.z));
     for (var k = 0u; k < 4u; k++) {
-      if (!hit[k]) { continue; }
+      if (!hit[k] || (kLanes > 1u && at_root && k != lane)) { continue; }
       let count = child[k] % 8u;
       let index = child[k] / 8u;
       if (count == 0u) {
@@ -182,20 +204,21 @@ fn walk_rigid(collider : vec4u, radius : f32) {
         if (overlap(box, other)) { emit(kNearRigid, word); }
       }
     }
+    at_root = false;
   }
 }
 
 fn meet_all(scripted_reach : f32) {
-  let box = box_of(a, b, c);
-  let radius = params.thickness + own_reach + scripted_reach;
-  let wide = grown(box, radius);
+  let radius = params.thickness + own_slack + scripted_reach;
+  let wide = grown(own_box, radius);
   if (params.self_contact == 1u) {
-    walk_implicit(0u, 0u, params.triangle_count, false, own + 1u, grown(box, params.self_thickness + own_reach));
+    walk_implicit(0u, 0u, params.triangle_count, false, own + 1u, grown(own_box, params.self_thickness + own_slack));
   }
   for (var k = 0u; k < params.collider_count; k++) {
     let collider = colliders.list[k];
     if (collider.x == kColliderTree) { walk_rigid(collider, radius); }
     if (collider.x == kColliderImplicit) { walk_implicit(collider.y, collider.z, collider.w, true, 0u, wide); }
+    if (k % kLanes != lane) { continue; }  // shapes have no tree
     if (collider.x == kColliderSphere) {
       let ball = points[collider.y];
       if (overlap(grown(Box(ball.xyz, ball.xyz), ball.w), wide)) { emit(kNearSphere, collider.y); }
@@ -209,7 +232,8 @@ fn meet_all(scripted_reach : f32) {
     if (collider.x == kColliderPlane) {
       let q = points[collider.y].xyz;
       let n = points[collider.y + 1u].xyz;
-      if (min(min(dot(a - q, n), dot(b - q, n)), dot(c - q, n)) < radius) { emit(kNearPlane, collider.y); }
+      let lowest = select(own_box.high, own_box.low, n > vec3f(0.0));
+      if (dot(lowest - q, n) < radius) { emit(kNearPlane, collider.y); }
     }
   }
 }
@@ -218,7 +242,8 @@ fn meet_all(scripted_reach : f32) {
 fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) { due = atomicLoad(&statistics[kStatDue]); }
   if (workgroupUniformLoad(&due) == 0u) { return; }
-  own = flat_index(id);
+  own = flat_index(id) / kLanes;
+  lane = flat_index(id) % kLanes;
   let scripted_reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   var works = own < params.triangle_count;
   if (works) {
@@ -229,7 +254,12 @@ fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_inv
     a = place_a.xyz;
     b = place_b.xyz;
     c = place_c.xyz;
-    own_reach = largest_reach(place_a, place_b, place_c);
+    ahead_a = predicted[2u * params.vertex_count + corners.x].xyz;
+    ahead_b = predicted[2u * params.vertex_count + corners.y].xyz;
+    ahead_c = predicted[2u * params.vertex_count + corners.z].xyz;
+    own_box = swept_box(a, b, c, ahead_a, ahead_b, ahead_c);
+    own_slack = largest_reach(place_a, place_b, place_c);
+    own_reach = own_slack + max(max(length(ahead_a), length(ahead_b)), length(ahead_c));
     works = is_finite(a) && is_finite(b) && is_finite(c);
   }
   if (works) { meet_all(scripted_reach); }

@@ -1,7 +1,9 @@
-// Narrow phase: lists the feature pairs of the candidates that are nearer than thickness and reaches. Grid-stride loop
-// over the candidates. A vertex or edge belongs to one of its triangles, so that each pair of features is found once
-// (Curtis et al. 2008, Fast Collision Detection for Deformable Models using Representative-Triangles). An edge that
-// passes through a triangle is counted, and listed with the direction in which both come apart.
+// Narrow phase: lists the feature pairs of the candidates that may come within the thickness before the next search:
+// where their distance is less than that, the slacks of both and how far the ways ahead of either side may bring it
+// along the line between them (docs/contact.md, Reach). Grid-stride loop over the candidates. A vertex or edge belongs
+// to one of its triangles, so that each pair of features is found once (Curtis et al. 2008, Fast Collision Detection
+// for Deformable Models using Representative-Triangles). An edge that passes through a triangle is counted, and listed
+// with the direction in which both come apart.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -13,7 +15,7 @@
 #include "contact/proximity/allocate.wgsl"
 //                                                                                      elements
 @group(0) @binding(0) var<uniform>             params          : SearchParams;
-@group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;       // 2 * vertex_count: tree.wgsl
+@group(0) @binding(1) var<storage, read>       predicted       : array<vec4f>;       // 3 * vertex_count: reach.wgsl
 @group(0) @binding(2) var<storage, read>       triangles       : array<vec4u>;       // corners; w: owned, friction
 @group(0) @binding(3) var<storage, read>       trees           : array<vec4u>;
 @group(0) @binding(4) var<storage, read>       points          : array<vec4f>;       // of colliders: move_points.wgsl
@@ -25,7 +27,8 @@
 // A triangle and the features that it owns: bits 0 to 2 its corners, 3 to 5 the edges from them.
 struct Face {
   a : vec3f, b : vec3f, c : vec3f,  // m
-  reach : vec3f,  // of each corner, m
+  reach : vec3f,  // slack of each corner, m
+  ahead_a : vec3f, ahead_b : vec3f, ahead_c : vec3f,  // ways ahead, m
   ids : vec3u,
   owned : u32,
 }
@@ -37,7 +40,9 @@ fn cloth_face(t : u32) -> Face {
   let a = predicted[params.vertex_count + corner.x];
   let b = predicted[params.vertex_count + corner.y];
   let c = predicted[params.vertex_count + corner.z];
-  return Face(a.xyz, b.xyz, c.xyz, vec3f(a.w, b.w, c.w), corner.xyz, corner.w & 63u);
+  return Face(a.xyz, b.xyz, c.xyz, vec3f(a.w, b.w, c.w), predicted[2u * params.vertex_count + corner.x].xyz,
+              predicted[2u * params.vertex_count + corner.y].xyz, predicted[2u * params.vertex_count + corner.z].xyz,
+              corner.xyz, corner.w & 63u);
 }
 
 // The other side of a candidate that is a triangle.
@@ -58,19 +63,48 @@ fn other_face(candidate : vec2u) -> Face {
     owned = corners.x | corners.y | corners.z | edges.x | edges.y | edges.z;
   }
   let reach = vec3f(bitcast<f32>(atomicLoad(&statistics[kStatReach])));
-  return Face(points[ids.x].xyz, points[ids.y].xyz, points[ids.z].xyz, reach, ids | vec3u(kColliderPoint), owned);
+  return Face(points[ids.x].xyz, points[ids.y].xyz, points[ids.z].xyz, reach, vec3f(0.0), vec3f(0.0), vec3f(0.0),
+              ids | vec3u(kColliderPoint), owned);
 }
 
-fn corner_near(p : vec3f, reach : f32, id : u32, face : Face, thickness : f32) -> bool {
-  if (any(face.ids == vec3u(id))) { return false; }
-  let radius = thickness + reach + largest(face.reach);
-  let near = closest_on_triangle(p, face.a, face.b, face.c);
-  return dot(near.apart, near.apart) < radius * radius;
+// Whether features that are `apart`, from B to A, may come nearer than the radius; on each side one vertex may go its
+// way ahead while the other side stops, so only what brings that side nearer counts.
+fn may_come(apart : vec3f, radius : f32, ahead_a : array<vec3f, 3>, ahead_b : array<vec3f, 3>) -> bool {
+  let distance = length(apart);
+  if (distance <= 0.0) { return true; }
+  let n = apart / distance;
+  let of_a = max(max(-dot(n, ahead_a[0]), -dot(n, ahead_a[1])), -dot(n, ahead_a[2]));
+  let of_b = max(max(dot(n, ahead_b[0]), dot(n, ahead_b[1])), dot(n, ahead_b[2]));
+  return distance < radius + max(0.0, of_a) + max(0.0, of_b);
 }
-fn edges_near(a : vec3f, b : vec3f, ab : vec2u, c : vec3f, d : vec3f, cd : vec2u, radius : f32) -> bool {
-  if (any(ab == cd) || any(ab == cd.yx)) { return false; }
-  let near = closest_on_edges(a, b, c, d);
-  return dot(near.apart, near.apart) < radius * radius;
+fn corner_near(p : vec3f, ahead : vec3f, reach : f32, id : u32, face : Face, thickness : f32) -> bool {
+  if (any(face.ids == vec3u(id))) { return false; }
+  let near = closest_on_triangle(p, face.a, face.b, face.c);
+  return may_come(near.apart, thickness + reach + largest(face.reach), array(ahead, ahead, ahead),
+                  array(face.ahead_a, face.ahead_b, face.ahead_c));
+}
+
+// An edge with its ends, m, their ways ahead, m, and their numbers; how far either end may go beside its way, m.
+struct Edge {
+  p : vec3f, q : vec3f,
+  ahead_p : vec3f, ahead_q : vec3f,
+  ids : vec2u,
+  reach : f32,
+}
+fn edge_of(face : Face, k : u32) -> Edge {
+  if (k == 0u) {
+    return Edge(face.a, face.b, face.ahead_a, face.ahead_b, face.ids.xy, max(face.reach.x, face.reach.y));
+  }
+  if (k == 1u) {
+    return Edge(face.b, face.c, face.ahead_b, face.ahead_c, face.ids.yz, max(face.reach.y, face.reach.z));
+  }
+  return Edge(face.c, face.a, face.ahead_c, face.ahead_a, face.ids.zx, max(face.reach.z, face.reach.x));
+}
+fn edges_near(a : Edge, b : Edge, radius : f32) -> bool {
+  if (any(a.ids == b.ids) || any(a.ids == b.ids.yx)) { return false; }
+  let near = closest_on_edges(a.p, a.q, b.p, b.q);
+  return may_come(near.apart, radius + a.reach + b.reach, array(a.ahead_p, a.ahead_q, a.ahead_q),
+                  array(b.ahead_p, b.ahead_q, b.ahead_q));
 }
 
 fn bit(k : u32, near : bool) -> u32 { return select(0u, 1u << k, near); }
@@ -78,31 +112,42 @@ fn bit(k : u32, near : bool) -> u32 { return select(0u, 1u << k, near); }
 // Which features are near, as bits: 0 to 2 corners of a, 3 to 5 corners of b, 6 + 3 k + l edge k of a and edge l of b.
 fn near_features(a : Face, b : Face, thickness : f32) -> u32 {
   var hits = 0u;
-  if ((a.owned & 1u) != 0u) { hits |= bit(0u, corner_near(a.a, a.reach.x, a.ids.x, b, thickness)); }
-  if ((a.owned & 2u) != 0u) { hits |= bit(1u, corner_near(a.b, a.reach.y, a.ids.y, b, thickness)); }
-  if ((a.owned & 4u) != 0u) { hits |= bit(2u, corner_near(a.c, a.reach.z, a.ids.z, b, thickness)); }
-  if ((b.owned & 1u) != 0u) { hits |= bit(3u, corner_near(b.a, b.reach.x, b.ids.x, a, thickness)); }
-  if ((b.owned & 2u) != 0u) { hits |= bit(4u, corner_near(b.b, b.reach.y, b.ids.y, a, thickness)); }
-  if ((b.owned & 4u) != 0u) { hits |= bit(5u, corner_near(b.c, b.reach.z, b.ids.z, a, thickness)); }
-  if ((a.owned & 8u) != 0u) { hits |= near_edges(a.a, a.b, a.ids.xy, b, thickness + max(a.reach.x, a.reach.y)) << 6u; }
-  if ((a.owned & 16u) != 0u) { hits |= near_edges(a.b, a.c, a.ids.yz, b, thickness + max(a.reach.y, a.reach.z)) << 9u; }
-  if ((a.owned & 32u) != 0u) {
-    hits |= near_edges(a.c, a.a, a.ids.zx, b, thickness + max(a.reach.z, a.reach.x)) << 12u;
+  if ((a.owned & 1u) != 0u) { hits |= bit(0u, corner_near(a.a, a.ahead_a, a.reach.x, a.ids.x, b, thickness)); }
+  if ((a.owned & 2u) != 0u) { hits |= bit(1u, corner_near(a.b, a.ahead_b, a.reach.y, a.ids.y, b, thickness)); }
+  if ((a.owned & 4u) != 0u) { hits |= bit(2u, corner_near(a.c, a.ahead_c, a.reach.z, a.ids.z, b, thickness)); }
+  if ((b.owned & 1u) != 0u) { hits |= bit(3u, corner_near(b.a, b.ahead_a, b.reach.x, b.ids.x, a, thickness)); }
+  if ((b.owned & 2u) != 0u) { hits |= bit(4u, corner_near(b.b, b.ahead_b, b.reach.y, b.ids.y, a, thickness)); }
+  if ((b.owned & 4u) != 0u) { hits |= bit(5u, corner_near(b.c, b.ahead_c, b.reach.z, b.ids.z, a, thickness)); }
+  for (var k = 0u; k < 3u; k++) {
+    if ((a.owned & (8u << k)) == 0u) { continue; }
+    let edge = edge_of(a, k);
+    for (var l = 0u; l < 3u; l++) {
+      if ((b.owned & (8u << l)) != 0u) { hits |= bit(6u + 3u * k + l, edges_near(edge, edge_of(b, l), thickness)); }
+    }
   }
   return hits;
 }
-fn near_edges(p : vec3f, q : vec3f, pq : vec2u, b : Face, radius : f32) -> u32 {
-  var hits = 0u;
-  if ((b.owned & 8u) != 0u) {
-    hits |= bit(0u, edges_near(p, q, pq, b.a, b.b, b.ids.xy, radius + max(b.reach.x, b.reach.y)));
+
+// The distance that two features of cloth keep: of one cloth no more than half of what they have at rest; 0: they do
+// not meet.
+const kTouchingAtRest = 0.02;  // of the thickness
+fn rest_of(id : u32) -> vec4u { return trees[params.first_rest + (id & kIdBits)]; }
+fn thickness_of(ids : vec4u) -> f32 {
+  let a = rest_of(ids.x);
+  let b = rest_of(ids.y);
+  let c = rest_of(ids.z);
+  let d = rest_of(ids.w);
+  if (a.w != c.w) { return params.self_thickness; }
+  let at = array(bitcast<vec3f>(a.xyz), bitcast<vec3f>(b.xyz), bitcast<vec3f>(c.xyz), bitcast<vec3f>(d.xyz));
+  var near : Closest;
+  if (is_edge_pair(ids)) {
+    near = closest_on_edges(at[0], at[1], at[2], at[3]);
+  } else {
+    near = closest_on_triangle(at[0], at[1], at[2], at[3]);
   }
-  if ((b.owned & 16u) != 0u) {
-    hits |= bit(1u, edges_near(p, q, pq, b.b, b.c, b.ids.yz, radius + max(b.reach.y, b.reach.z)));
-  }
-  if ((b.owned & 32u) != 0u) {
-    hits |= bit(2u, edges_near(p, q, pq, b.c, b.a, b.ids.zx, radius + max(b.reach.z, b.reach.x)));
-  }
-  return hits;
+  let apart = length(near.apart);
+  if (apart <= kTouchingAtRest * params.self_thickness) { return 0.0; }
+  return select(params.self_thickness, 0.5 * apart, apart < 2.0 * params.self_thickness);
 }
 
 // The edges of `a`, each found by its owner, that pass through `b`, as bits.
@@ -120,24 +165,24 @@ fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool
 // ends, 3 a ball.
 fn near_shape(a : Face, kind : u32, point : u32) -> u32 {
   let p = points[point];
-  let reach = a.reach + vec3f(params.thickness + bitcast<f32>(atomicLoad(&statistics[kStatReach])));
+  let scripted = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   if (kind == kNearPlane) {
     let n = points[point + 1u].xyz;
-    return a.owned & (bit(0u, dot(a.a - p.xyz, n) < reach.x) | bit(1u, dot(a.b - p.xyz, n) < reach.y) |
-                      bit(2u, dot(a.c - p.xyz, n) < reach.z));
+    let reach = a.reach + vec3f(params.thickness + scripted);
+    return a.owned & (bit(0u, dot(a.a - p.xyz, n) + min(0.0, dot(a.ahead_a, n)) < reach.x) |
+                      bit(1u, dot(a.b - p.xyz, n) + min(0.0, dot(a.ahead_b, n)) < reach.y) |
+                      bit(2u, dot(a.c - p.xyz, n) + min(0.0, dot(a.ahead_c, n)) < reach.z));
   }
-  let radius = p.w + largest(reach);
-  let nearest = closest_on_triangle(p.xyz, a.a, a.b, a.c);
-  var hits = bit(3u, dot(nearest.apart, nearest.apart) < radius * radius);
+  let radius = params.thickness + p.w + scripted;
+  let none = kColliderPoint | point;
+  var hits = bit(3u, corner_near(p.xyz, vec3f(0.0), 0.0, none, a, radius));
   if (kind == kNearSphere) { return hits; }
   let q = points[point + 2u].xyz;
-  let other_end = closest_on_triangle(q, a.a, a.b, a.c);
-  hits |= bit(4u, dot(other_end.apart, other_end.apart) < radius * radius);
-  let none = vec2u(kColliderPoint);
-  let edge = vec3f(p.w) + max(reach, reach.yzx);
-  hits |= bit(0u, (a.owned & 8u) != 0u && edges_near(a.a, a.b, a.ids.xy, p.xyz, q, none, edge.x));
-  hits |= bit(1u, (a.owned & 16u) != 0u && edges_near(a.b, a.c, a.ids.yz, p.xyz, q, none, edge.y));
-  hits |= bit(2u, (a.owned & 32u) != 0u && edges_near(a.c, a.a, a.ids.zx, p.xyz, q, none, edge.z));
+  hits |= bit(4u, corner_near(q, vec3f(0.0), 0.0, none, a, radius));
+  let axis = Edge(p.xyz, q, vec3f(0.0), vec3f(0.0), vec2u(kColliderPoint), 0.0);
+  for (var k = 0u; k < 3u; k++) {
+    if ((a.owned & (8u << k)) != 0u) { hits |= bit(k, edges_near(edge_of(a, k), axis, radius)); }
+  }
   return hits;
 }
 
@@ -261,7 +306,10 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
       let hit = firstTrailingBit(hits);
       hits &= hits - 1u;
       contacts[pair].surface = vec4f(0.0, 0.0, 0.0, friction);
+      contacts[pair].urgency = 0.0;
+      contacts[pair].solid = 0u;
       contacts[pair].near = 0u;
+      contacts[pair].thickness = select(params.thickness, params.self_thickness, kind == kNearCloth);
       if (hit >= kFirstCrossing) {
         let a = cloth_face(candidate.x & kPlaceBits);
         let b = other_face(candidate);
@@ -279,6 +327,7 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
       var ids = pair_of_faces(ids_a, ids_b, hit);
       if (kind >= kNearSphere) { ids = pair_of_shape(ids_a, kind, candidate.y, hit); }
       contacts[pair].ids = ids;
+      if (kind == kNearCloth) { contacts[pair].thickness = thickness_of(ids); }
       count_roles(ids);
       pair++;
     }

@@ -1,113 +1,61 @@
-// Holds a vertex back from whatever it would pass through: its reach, then the planes of its pairs. The including
-// kernel binds step, contacts, entries and statistics, and sets kDetectInterval.
-// Source: docs/contact.md, Reach and equation (6).
+// Holds vertices back from other cloth: the way of a marked one ends before the planes half way between it and all that
+// it is listed with. In the second round, where that was not enough, that of every vertex. One invocation per vertex.
+// Source: docs/contact.md, equation (6).
+#include "gpu/index.wgsl"
+#include "state/step.wgsl"
 #include "state/contact.wgsl"
+#include "state/statistics.wgsl"
 #include "contact/proximity/planes.wgsl"
-const kPushes = 4u;
+//                                                                                elements          unit
+@group(0) @binding(0) var<uniform>             step            : StepBlock;
+@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       contacts        : array<Contact>;
+@group(0) @binding(3) var<storage, read>       entries         : array<u32>;
+@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;
+@group(0) @binding(5) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
+@group(0) @binding(6) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
+override kRound : u32 = 1;
+const kDrivenPart = 0.01;  // of the thickness: no rounding
 
-// Of two pushes, direction and depth: the deeper; of equally deep ones, so that the order of entries does not matter,
-// by direction.
-fn comes_first(a : vec4f, b : vec4f) -> bool {
-  if (a.w != b.w) { return a.w > b.w; }
-  if (a.x != b.x) { return a.x > b.x; }
-  if (a.y != b.y) { return a.y > b.y; }
-  return a.z > b.z;
-}
-
-fn deeper(other : vec4f, contact : Contact, role : u32, depth : f32) -> vec4f {
-  let side = select(-1.0, 1.0, role < roles_of_a(contact.ids));
-  let push = vec4f(side * contact.normal.xyz, depth);
-  if (comes_first(push, other)) { return push; }
-  return other;
-}
-fn deepest_push(begin : u32, end : u32, far : bool, x : vec3f) -> vec4f {
-  var deepest = vec4f(0.0);
-  for (var k = begin; k < end; k++) {
-    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-    let contact = contacts[entries[k] / kEntryPair];
-    if (contact.normal.w <= 0.0 || contact.solid == 0u) { continue; }
-    deepest = deeper(deepest, contact, entries[k] & 3u, beyond(contact, entries[k] & 3u, x));
-  }
-  return deepest;
-}
-
-// How much of a way takes a vertex past no plane that it has been short of by `now` and would be by `then`; one that it
-// is past already it passes no further where that `binds`.
-fn part_before(now : f32, then : f32, binds : bool) -> f32 {
+// How much of a way takes a vertex past no plane, by how far it is beyond it at the start and would be at the end.
+fn part_before(now : f32, then : f32) -> f32 {
   if (then <= 0.0) { return 1.0; }
   if (now < 0.0) { return now / (now - then); }
-  return select(1.0, 0.0, binds && then > now);
+  return select(1.0, 0.0, then > now);
 }
 
-// The part of a push that takes a vertex past no plane between it and other cloth.
-fn part_before_cloth(begin : u32, end : u32, far : bool, x : vec3f, pushed : vec3f) -> f32 {
+@compute @workgroup_size(kWorkgroupSize)
+fn hold_back(@builtin(global_invocation_id) id : vec3u) {
+  let vertex = flat_index(id);
+  if (vertex >= step.nodes.count) { return; }
+  if (atomicLoad(&statistics[select(kStatMeeting, kStatStillMeeting, kRound == 2u)]) == 0u) { return; }
+  let begin = vertex_contacts[kVertexWords * vertex];
+  let end = begin + vertex_contacts[kVertexWords * vertex + 1u];
+  let held = vertex_contacts[kVertexWords * vertex + kHeldWord];
+  let start = previous[vertex];
+  if (begin >= end || start.w == 0.0 || (held & kHeld) != 0u) { return; }
+  if (kRound == 1u && (held & kMarked) == 0u) { return; }
+  let wanted = position[vertex].xyz;
   var part = 1.0;
   for (var k = begin; k < end; k++) {
-    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
     let contact = contacts[entries[k] / kEntryPair];
-    if (contact.normal.w <= 0.0 || contact.solid != 0u) { continue; }
-    part = min(part, part_before(beyond(contact, entries[k] & 3u, x), beyond(contact, entries[k] & 3u, pushed), true));
+    if (contact.solid != 0u || contact.normal.w <= 0.0) { continue; }
+    let role = entries[k] & 3u;
+    part = min(part, part_before(beyond(contact, role, start.xyz), beyond(contact, role, wanted)));
   }
-  return part;
-}
-
-// The end of a vertex's way, and whether anything but its pairs' impulses has changed it.
-struct Way {
-  position : vec3f,   // m
-  velocity : vec3f,   // m/s
-  held_back : bool,
-}
-
-// Beyond its reach a vertex could meet an unlisted feature, so it stays in the ball around its place at the search.
-fn within_reach(way_so_far : Way, start : vec3f, found : vec4f) -> Way {
-  var result = way_so_far;
-  let reach = found.w;
-  let way = result.position - start;
-  let away = start - found.xyz;
-  let square = dot(way, way);
-  let beyond_reach = away + way;
-  if (dot(beyond_reach, beyond_reach) > reach * reach) {
-    let along = dot(way, away);
-    let room = max(reach * reach - dot(away, away), 0.0);
-    result.position = start + clamp((sqrt(along * along + square * room) - along) / square, 0.0, 1.0) * way;
-    // It goes on no faster than reaches let it, or its neighbours would pull it ever faster.
-    result.velocity *= min(1.0, reach / (kDetectInterval * step.time.dt * length(result.velocity)));
-    atomicAdd(&statistics[kStatTruncated], 1u);
-  }
-  return result;
-}
-
-// Equation (6), where a plane is near enough to be met: the way ends before the planes between it and what it would
-// pass through, and a solid side that comes nearer takes the vertex with it.
-fn before_planes(way_so_far : Way, start : vec3f, begin : u32, end : u32, tight : f32) -> Way {
-  var x = way_so_far.position;
-  let length_of_way = 1.001 * length(x - start);
-  let far = length_of_way > free_way();
-  // No solid side comes nearer: a vertex within a margin may stay there.
-  let still = step.contact.collider_travel == 0.0;
-  if (begin >= end || !(far || length_of_way > free_way() - tight)) { return way_so_far; }
-  var part = 1.0;
-  var deepest = vec4f(0.0);
-  for (var k = begin; k < end; k++) {
-    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+  let count_now = part < 1.0 && (held & kCounted) == 0u;
+  vertex_contacts[kVertexWords * vertex + kHeldWord] = held | kHeld | select(0u, kCounted, count_now);
+  if (part >= 1.0) { return; }
+  let end_of_way = start.xyz + part * (wanted - start.xyz);
+  position[vertex] = vec4f(end_of_way, start.w);
+  velocity[vertex] = vec4f(part * velocity[vertex].xyz, 0.0);
+  if (count_now) { atomicAdd(&statistics[kStatTruncated], 1u); }
+  var driven = false;  // an obstacle has come past it, and it cannot give way
+  for (var k = begin; k < end && !driven; k++) {
     let contact = contacts[entries[k] / kEntryPair];
-    if (contact.normal.w <= 0.0) { continue; }  // inside a ball or below a plane: the contact spring moves it out
-    let then = beyond(contact, entries[k] & 3u, x);
-    if (then <= 0.0) { continue; }
-    part = min(part, part_before(beyond(contact, entries[k] & 3u, start), then, contact.solid == 0u || still));
-    if (contact.solid != 0u) { deepest = deeper(deepest, contact, entries[k] & 3u, then); }
+    if (contact.solid != 1u && contact.solid != 2u) { continue; }
+    driven = contact.normal.w > 0.0 && beyond(contact, entries[k] & 3u, end_of_way) > kDrivenPart * contact.thickness;
   }
-  if (part < 1.0) {
-    x = start + part * (x - start);
-    deepest = deepest_push(begin, end, far, x);
-  }
-  let pushed = deepest.w > 0.0;
-  let unpushed = x;
-  for (var round = 1u; round <= kPushes && deepest.w > 0.0; round++) {  // the deepest first
-    x += deepest.w * deepest.xyz;
-    deepest = vec4f(0.0);
-    if (round < kPushes) { deepest = deepest_push(begin, end, far, x); }
-  }
-  if (pushed && still) { x = unpushed + part_before_cloth(begin, end, far, unpushed, x) * (x - unpushed); }
-  return Way(x, way_so_far.velocity, part < 1.0 || pushed);
+  if (driven) { atomicAdd(&statistics[kStatDriven], 1u); }
 }

@@ -1,4 +1,4 @@
-// The boxes of an implicit tree's leaves and of the two levels above them, for cloth grown by its vertices' reaches.
+// The boxes of an implicit tree's leaves and of the two levels above them, for cloth of all that it may reach.
 // One invocation per leaf; a workgroup's leaves fill whole nodes of those levels, since its size is a multiple of 64.
 #include "gpu/index.wgsl"
 #include "contact/proximity/tree.wgsl"
@@ -32,10 +32,14 @@ fn leaf_box(leaf : u32) -> Box {
     let a = position[first + corner.x];
     let b = position[first + corner.y];
     let c = position[first + corner.z];
-    let reach = select(0.0, largest_reach(a, b, c), is_cloth);
-    if (is_finite(a.xyz) && is_finite(b.xyz) && is_finite(c.xyz)) {
-      box = united(box, grown(box_of(a.xyz, b.xyz, c.xyz), reach));
+    if (!(is_finite(a.xyz) && is_finite(b.xyz) && is_finite(c.xyz))) { continue; }
+    var own = box_of(a.xyz, b.xyz, c.xyz);
+    if (is_cloth) {
+      own = grown(swept_box(a.xyz, b.xyz, c.xyz, position[2u * first + corner.x].xyz,
+                            position[2u * first + corner.y].xyz, position[2u * first + corner.z].xyz),
+                  largest_reach(a, b, c));
     }
+    box = united(box, own);
   }
   return box;
 }

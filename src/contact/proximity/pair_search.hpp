@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "contact/proximity/collider_set.hpp"
+#include "contact/proximity/kept_forces.hpp"
 #include "contact/proximity/tree_refit.hpp"
 #include "gpu/kernel.hpp"
 #include "state/contact_pairs.hpp"
@@ -17,22 +18,21 @@ struct SearchParams {
   std::uint32_t candidate_capacity = 0, pair_capacity = 0;
   float thickness = 0, self_thickness = 0;  // [m]
   std::uint32_t vertex_count = 0;
-  float flat_reach = 0;                             // [m]
-  std::uint32_t first_opposite = 0, first_rim = 0;  // words of `trees`
+  std::uint32_t first_opposite = 0, first_rim = 0, first_rest = 0;  // words of `trees`
 };
 static_assert(sizeof(SearchParams) == 48);
 
 /// The settings of a search.
 struct SearchSetup {
   float thickness = 0, self_thickness = 0;  // [m]; the second 0: cloth does not meet cloth
-  float flat_reach = 0;                     // [m]; ProximityLengths::most_reach
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
-  std::uint32_t interval = 4;  // substeps from one that may search to the next
+  std::uint32_t interval = 4;     // substeps from one that may search to the next
+  std::vector<float> most_slack;  // of each vertex [m]: weft::most_slacks
 };
 
 /// Finds and lists all pairs of features nearer than the thickness and how far both may go: broad phase,
 /// narrow phase, entries.
-/// Seven dispatches, which do nothing where no detection is due.
+/// Eleven dispatches, which do nothing where no detection is due.
 /// Reads   state.steps; state.position[parity] [m]: at the start of the substep; the colliders' points.
 /// Writes  pairs; state.statistics.
 /// Errors  Input, Limit, Shader, OutOfMemory. Source: docs/contact.md.
@@ -45,6 +45,8 @@ class PairSearch {
   /// Takes over lists with other room. Errors  Limit, OutOfMemory.
   Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
   void record(gpu::ComputePass& pass) const;
+  /// At the end of a frame: keeps the pairs' forces for the next one.
+  void record_frame_end(gpu::ComputePass& pass) const { kept_.record_frame_end(pass); }
 
   const ColliderSet& colliders() const { return colliders_; }
   const gpu::Buffer<Vec4f>& points() const { return points_; }
@@ -63,14 +65,16 @@ class PairSearch {
   ColliderSet colliders_;
   std::vector<std::uint32_t> order_;
   std::uint32_t vertex_count_ = 0, triangle_count_ = 0;
-  std::uint32_t first_opposite_ = 0, first_rim_ = 0;
+  std::uint32_t first_opposite_ = 0, first_rim_ = 0, first_rest_ = 0;
   ContactRoom room_;
   ImplicitTree tree_;
   gpu::Buffer<TreeWord> triangles_, trees_;
   gpu::Buffer<Vec4f> points_;
+  gpu::Buffer<float> most_slack_;
   gpu::RawBuffer collider_list_, params_;
   gpu::Buffer<std::array<std::uint32_t, 2>> candidates_;
   TreeRefit refit_;
+  KeptForces kept_;
   gpu::Kernel detect_begin_, find_candidates_, find_pairs_, place_entries_, list_entries_;
   std::array<gpu::BindGroup, 2> begin_groups_;  // by parity
   gpu::BindGroup candidate_group_, find_group_, place_group_, list_group_;

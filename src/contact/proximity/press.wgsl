@@ -3,6 +3,7 @@
 #include "gpu/index.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/measure.wgsl"
+#include "contact/proximity/cones.wgsl"
 #include "contact/proximity/press_sums.wgsl"
 //                                                                                 elements      unit
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
@@ -12,10 +13,20 @@
 @group(0) @binding(4) var<storage, read>       contacts   : array<Contact>;
 @group(0) @binding(5) var<storage, read>       statistics : array<u32>;
 @group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>; // kPressWords * vertex_count
+@group(0) @binding(7) var<storage, read>       rings      : array<u32>;         // feature_rings.hpp
+
+const kHoldPart = 0.15;   // of a missing gap, the part that a hold restores in a substep
+const kHoldSpeed = 0.05;  // m/s: no faster, since a hold's way stays in the velocity
 
 fn velocity_of(vertex : u32) -> vec3f { return velocity[vertex].xyz; }
 
-fn add(word : u32, value : f32) { atomicAdd(&presses[word], i32(round(value))); }
+fn add(word : u32, value : f32) {
+  let units = i32(round(value));
+  let before = atomicAdd(&presses[word], units);
+  let after = before + units;  // passes over the end of i32 as the atomic sum does
+  if (units > 0 && after < before) { atomicAdd(&presses[word + kPressWraps], 1); }
+  if (units < 0 && after > before) { atomicAdd(&presses[word + kPressWraps], -1); }
+}
 fn add_vector(word : u32, value : vec3f) {
   add(word, value.x);
   add(word + 1u, value.y);
@@ -34,13 +45,19 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     let r = relative_velocity(ids, weights, measured);
     let way = step.time.dt * dot(measured.normal, r.velocity + r.surface);
     if (!(measured.gap + min(way, 0.0) < kContactTouching * step.contact.thickness)) { continue; }
-    let lack = clamp((step.contact.thickness - measured.gap - way) / step.contact.thickness, -kMostLack, kMostLack);
+    if (!lies_in_cones(ids, measured)) { continue; }
+    let missing = step.contact.thickness - measured.gap;
+    let room = min(missing, min(kHoldPart * missing, kHoldSpeed * step.time.dt));  // what is too near is pushed besides
     let friction = min(friction_of(ids, contacts[pair].surface.w), kMostFriction);
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role]) || weights[role] == 0.0) { continue; }
       let side = sign(weights[role]);
+      let vertex = ids[role] & kIdBits;
+      // A vertex's own way, not the pair's: neighbours that differ in speed would be made to go on differing.
+      let own_way = step.time.dt * dot(measured.normal, side * velocity_of(vertex) + r.surface);
+      let lack = clamp((room - own_way) / step.contact.thickness, -kMostLack, kMostLack);
       let weight = abs(weights[role]) * kPressUnits;
-      let word = kPressWords * (ids[role] & kIdBits);
+      let word = kPressWords * vertex;
       add_vector(word + kPressNormal, weight * side * measured.normal);
       add(word + kPressLack, abs(weights[role]) * kLackUnits * lack);
       add(word + kPressWeight, weight);

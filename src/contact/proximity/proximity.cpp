@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/proximity/feature_rings.hpp"
 #include "contact/rules/contact_law.hpp"
 
 namespace weft::contact {
@@ -33,30 +34,37 @@ Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Cont
   lengths.thickness = thickness;
   if (contact.self) lengths.self_thickness = self_thickness(model, thickness);
   lengths.most_reach = flat_reach(model, contact);
-  lengths.least_reach = std::min(0.5 * thickness, lengths.most_reach);
   return lengths;
 }
 
 Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, const State& state,
                                     const ContactPairs& pairs, const scene::Scene& scene,
-                                    const ColliderMeshes& meshes, std::uint32_t substeps,
-                                    std::uint32_t interval, std::uint32_t workgroup_size) {
+                                    const ColliderMeshes& meshes, const ProximitySetup& wanted) {
   Proximity made;
-  made.interval_ = interval;
+  made.interval_ = wanted.interval;
   made.presses_ = pairs.presses.size() > 0;
-  made.substeps_ = substeps;
+  made.substeps_ = wanted.substeps;
   WEFT_TRY(lengths, proximity_lengths(model.host, scene.contact));
   made.lengths_ = lengths;
   SearchSetup setup;
   setup.thickness = static_cast<float>(lengths.thickness);
   setup.self_thickness = static_cast<float>(lengths.self_thickness);
-  setup.flat_reach = static_cast<float>(lengths.most_reach);
-  setup.interval = interval;
-  setup.workgroup_size = workgroup_size;
+  setup.interval = wanted.interval;
+  setup.workgroup_size = wanted.workgroup_size;
+  for (const double slack : most_slacks(model.host, scene.contact))
+    setup.most_slack.push_back(static_cast<float>(slack));
   WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
   made.search_ = std::move(search);
-  WEFT_CHECK(made.create_kernels(device, state, workgroup_size));
-  WEFT_TRY(respond, Respond::create(device, interval, workgroup_size));
+  const ColliderSet& colliders = made.search_.colliders();
+  WEFT_TRY(rings,
+           gpu::Buffer<std::uint32_t>::create_from(device,
+                                                   feature_rings(model.vertex_count(), model.host.triangles,
+                                                                 colliders.point_count, colliders.faces),
+                                                   "feature rings"));
+  made.rings_ = std::move(rings);
+  WEFT_CHECK(made.create_kernels(device, state, wanted.workgroup_size));
+  WEFT_TRY(respond, Respond::create(device, {wanted.interval, wanted.iterations, lengths.self_thickness > 0,
+                                             wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(state, pairs));
   return made;
@@ -71,11 +79,13 @@ Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) 
   pair_room_ = pairs.room.pairs;
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, evaluate_.bind({state.steps, state.position[parity], pairs.predicted, search_.points(),
-                                    pairs.contacts, pairs.entries, pairs.vertex_contacts, state.statistics}));
+                                    pairs.contacts, pairs.entries, pairs.vertex_contacts, state.statistics,
+                                    rings_}));
     evaluate_groups_[parity] = std::move(group);
     if (!presses_) continue;
-    WEFT_TRY(press_group, press_.bind({state.steps, state.position[parity], state.velocity[parity],
-                                       search_.points(), pairs.contacts, state.statistics, pairs.presses}));
+    WEFT_TRY(press_group,
+             press_.bind({state.steps, state.position[parity], state.velocity[parity], search_.points(),
+                          pairs.contacts, state.statistics, pairs.presses, rings_}));
     press_groups_[parity] = std::move(press_group);
   }
   return respond_.bind(state, pairs);

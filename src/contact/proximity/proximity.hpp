@@ -14,12 +14,18 @@ namespace weft::contact {
 struct ProximityLengths {
   double thickness = 0;       // h
   double self_thickness = 0;  // h_s; 0: cloth does not meet cloth
-  double least_reach = 0;     // b of a vertex at rest
   double most_reach = 0;      // b of a fast one, unless that is too little until the next search
 };
 
 /// Errors  Input: the thickness is not positive, or below the resolution of f32 at the cloth.
 Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Contact& contact);
+
+struct ProximitySetup {
+  std::uint32_t substeps = 1;    // the most of any frame
+  std::uint32_t interval = 4;    // of them from one that may search to the next
+  std::uint32_t iterations = 1;  // of impulses in a substep
+  std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+};
 
 /// Contact by proximity: pairs of near features, answered by impulses.
 /// Reads   state.steps; state.position[parity]; pairs.predicted: the solver's velocities.
@@ -31,8 +37,7 @@ class Proximity : public Stages {
   Proximity() = default;
   static Result<Proximity> create(gpu::Device& device, const GpuModel& model, const State& state,
                                   const ContactPairs& pairs, const scene::Scene& scene,
-                                  const ColliderMeshes& meshes, std::uint32_t substeps,
-                                  std::uint32_t interval, std::uint32_t workgroup_size);
+                                  const ColliderMeshes& meshes, const ProximitySetup& setup);
   /// Takes over lists with other room. Errors  Limit, OutOfMemory.
   Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
   void search(gpu::ComputePass& pass) const override;
@@ -40,6 +45,7 @@ class Proximity : public Stages {
   void measure(gpu::ComputePass& pass) const override;
   void answer(gpu::ComputePass& pass) const override { respond_.record_impulses(pass); }
   void hold_back(gpu::ComputePass& pass) const override { respond_.record_hold_back(pass); }
+  void end_frame(gpu::ComputePass& pass) const { search_.record_frame_end(pass); }
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
   void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
                     std::uint32_t substeps);
@@ -59,6 +65,7 @@ class Proximity : public Stages {
   std::array<gpu::BindGroup, 2> press_groups_, evaluate_groups_;  // by parity
   gpu::Buffer<ColliderPlace> places_;
   gpu::Buffer<Vec4f> shapes_;
+  gpu::Buffer<std::uint32_t> rings_;
   std::vector<ColliderPlace> rows_;  // of one frame; kept so that a frame allocates nothing
   std::uint32_t pair_room_ = 0, substeps_ = 1, interval_ = 4;
   bool presses_ = false;

@@ -2,28 +2,58 @@
 
 namespace weft::contact {
 
-Result<Respond> Respond::create(gpu::Device& device, std::uint32_t interval, std::uint32_t workgroup_size) {
+Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   Respond made;
-  WEFT_TRY(impulse,
-           gpu::Kernel::create(device, "contact/proximity/contact_impulse.wgsl", {}, workgroup_size));
-  made.impulse_ = std::move(impulse);
-  WEFT_TRY(respond,
-           gpu::Kernel::create(device, "contact/proximity/contact_respond.wgsl",
-                               {{"kDetectInterval", static_cast<double>(interval)}}, workgroup_size));
-  made.respond_ = std::move(respond);
+  made.setup_ = setup;
+  struct Wanted {
+    gpu::Kernel& kernel;
+    const char* path;
+    std::vector<gpu::Constant> constants = {};
+  };
+  std::vector<Wanted> all = {{made.last_impulse_, "contact/proximity/contact_impulse.wgsl"},
+                             {made.respond_,
+                              "contact/proximity/contact_respond.wgsl",
+                              {{"kDetectInterval", static_cast<double>(setup.interval)}}}};
+  if (setup.iterations > 1) {
+    all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {{"kLast", 0}}});
+    all.push_back({made.add_, "contact/proximity/add_impulses.wgsl"});
+  }
+  for (std::size_t round = 0; setup.self && round < 2; ++round) {
+    const std::vector<gpu::Constant> constants = {{"kRound", static_cast<double>(round + 1)}};
+    all.push_back({made.rounds_[round].find, "contact/proximity/find_meeting.wgsl", constants});
+    all.push_back({made.rounds_[round].hold, "contact/proximity/hold_back.wgsl", constants});
+  }
+  for (const Wanted& wanted : all) {
+    WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));
+    wanted.kernel = std::move(kernel);
+  }
   return made;
 }
 
 Result<void> Respond::bind(const State& state, const ContactPairs& pairs) {
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(impulse_group, impulse_.bind({state.steps, state.position[parity], pairs.predicted,
-                                           pairs.contacts, pairs.vertex_contacts, state.statistics}));
-    impulse_groups_[parity] = std::move(impulse_group);
-    WEFT_TRY(respond_group,
-             respond_.bind({state.steps, state.position[parity], pairs.predicted, pairs.contacts,
-                            pairs.entries, pairs.vertex_contacts, state.position[1 - parity],
-                            state.velocity[1 - parity], state.statistics}));
-    respond_groups_[parity] = std::move(respond_group);
+    const auto& start = state.position[parity];
+    const auto &position = state.position[1 - parity], &velocity = state.velocity[1 - parity];
+    WEFT_SET(last_impulse_groups_[parity],
+             last_impulse_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
+                                 state.statistics}));
+    WEFT_SET(respond_groups_[parity],
+             respond_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.entries,
+                            pairs.vertex_contacts, position, velocity, state.statistics}));
+    if (setup_.iterations > 1) {
+      WEFT_SET(impulse_groups_[parity], impulse_.bind({state.steps, start, pairs.predicted, pairs.contacts,
+                                                       pairs.vertex_contacts, state.statistics}));
+      WEFT_SET(add_groups_[parity],
+               add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
+    }
+    for (std::size_t r = 0; setup_.self && r < 2; ++r) {
+      Round& round = rounds_[r];
+      WEFT_SET(round.find_groups[parity], round.find.bind({state.steps, position, pairs.contacts,
+                                                           pairs.vertex_contacts, state.statistics}));
+      WEFT_SET(round.hold_groups[parity],
+               round.hold.bind({state.steps, start, pairs.contacts, pairs.entries, pairs.vertex_contacts,
+                                position, velocity, state.statistics}));
+    }
   }
   pair_room_ = pairs.room.pairs;
   vertex_count_ = state.position[0].size();
@@ -31,11 +61,21 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs) {
 }
 
 void Respond::record_impulses(gpu::ComputePass& pass) const {
-  impulse_.dispatch_strided(pass, impulse_groups_[pass.parity()], pair_room_);
+  const std::uint32_t parity = pass.parity();
+  for (std::uint32_t iteration = 1; iteration < setup_.iterations; ++iteration) {
+    impulse_.dispatch_strided(pass, impulse_groups_[parity], pair_room_);
+    add_.dispatch(pass, add_groups_[parity], vertex_count_);
+  }
+  last_impulse_.dispatch_strided(pass, last_impulse_groups_[parity], pair_room_);
 }
 
 void Respond::record_hold_back(gpu::ComputePass& pass) const {
-  respond_.dispatch(pass, respond_groups_[pass.parity()], vertex_count_);
+  const std::uint32_t parity = pass.parity();
+  respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
+  for (std::size_t round = 0; setup_.self && round < 2; ++round) {
+    rounds_[round].find.dispatch_strided(pass, rounds_[round].find_groups[parity], pair_room_);
+    rounds_[round].hold.dispatch(pass, rounds_[round].hold_groups[parity], vertex_count_);
+  }
 }
 
 }  // namespace weft::contact

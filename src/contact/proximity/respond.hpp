@@ -10,14 +10,19 @@ namespace weft::contact {
 /// Answers pairs of features by impulses with friction, and holds vertices back so that they pass through nothing.
 /// Source: docs/contact.md, equations (2) to (7).
 /// Reads   steps; position[parity] [m]; pairs.
-/// Writes  position[1 - parity], velocity[1 - parity]; statistics: vertices truncated, whether pairs are to be
+/// Writes  position[1 - parity], velocity[1 - parity]; pairs; statistics: vertices truncated, whether pairs are to be
 ///         looked for.
 /// Errors  Shader, OutOfMemory.
 class Respond {
  public:
+  struct Setup {
+    std::uint32_t interval = 4;    // substeps from one that may search to the next
+    std::uint32_t iterations = 1;  // of impulses
+    bool self = false;             // whether cloth meets cloth
+    std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+  };
   Respond() = default;
-  /// `interval`: substeps from one that may search to the next.
-  static Result<Respond> create(gpu::Device& device, std::uint32_t interval, std::uint32_t workgroup_size);
+  static Result<Respond> create(gpu::Device& device, const Setup& setup);
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(const State& state, const ContactPairs& pairs);
   /// Sums the velocity changes of the measured pairs at each vertex.
@@ -26,8 +31,16 @@ class Respond {
   void record_hold_back(gpu::ComputePass& pass) const;
 
  private:
-  gpu::Kernel impulse_, respond_;
-  std::array<gpu::BindGroup, 2> impulse_groups_, respond_groups_;  // by parity
+  Setup setup_;
+  gpu::Kernel impulse_, last_impulse_, add_, respond_;
+  std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_,
+      respond_groups_;  // by parity
+  /// The rounds in which cloth is held back from other cloth.
+  struct Round {
+    gpu::Kernel find, hold;
+    std::array<gpu::BindGroup, 2> find_groups, hold_groups;
+  };
+  std::array<Round, 2> rounds_;
   std::size_t pair_room_ = 0, vertex_count_ = 0;
 };
 

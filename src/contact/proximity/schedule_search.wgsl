@@ -1,6 +1,7 @@
 // Whether the next substep that may search has to. The including kernel binds step and statistics, and sets
 // kDetectInterval. Source: docs/contact.md, Reach.
 #include "state/statistics.wgsl"
+#include "contact/proximity/reach.wgsl"
 
 // Once a substep: no vertex's reach covers the travel of colliders, and crossings come apart ring by ring.
 fn schedule_for_colliders() {
@@ -13,6 +14,7 @@ fn schedule_for_colliders() {
 }
 
 // A vertex that is about to leave its reach.
-fn schedule_for_vertex(gone : f32, way : f32, reach : f32) {
-  if (gone + kReachMargin * kDetectInterval * way > reach) { atomicStore(&statistics[kStatDetect], 1u); }
+fn schedule_for_vertex(reach : Reach, start : vec3f, end : vec3f) {
+  let next = end + kReachMargin * kDetectInterval * (end - start);
+  if (distance_from_way(reach, next) > reach.slack) { atomicStore(&statistics[kStatDetect], 1u); }
 }

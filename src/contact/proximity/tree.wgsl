@@ -16,6 +16,9 @@ fn united(a : Box, b : Box) -> Box { return Box(min(a.low, b.low), max(a.high, b
 // Overlaps nothing, and leaves every box that it is united with as it is.
 fn empty_box() -> Box { return Box(vec3f(3e38), vec3f(-3e38)); }
 
-// Of a cloth triangle. From vertex_count on `predicted` has the vertices' places at the search, m, and in w how far
-// each may go from there, m.
+// Of a cloth triangle: places, and slacks in w (reach.wgsl).
 fn largest_reach(a : vec4f, b : vec4f, c : vec4f) -> f32 { return max(max(a.w, b.w), c.w); }
+// The box of all that a cloth triangle may pass on its corners' ways ahead, without their slack.
+fn swept_box(a : vec3f, b : vec3f, c : vec3f, ahead_a : vec3f, ahead_b : vec3f, ahead_c : vec3f) -> Box {
+  return united(box_of(a, b, c), box_of(a + ahead_a, b + ahead_b, c + ahead_c));
+}

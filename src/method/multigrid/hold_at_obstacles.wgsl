@@ -12,8 +12,11 @@ fn free_of_obstacles(node : u32, first_vertex : u32) {
   holds[node] = vec4f(0.0);
 }
 
+fn press_sum(word : u32) -> f32 {
+  return f32(presses[word + kPressWraps]) * 0x1p32 + f32(presses[word]);
+}
 fn press_vector(word : u32) -> vec3f {
-  return vec3f(f32(presses[word]), f32(presses[word + 1u]), f32(presses[word + 2u])) / kPressUnits;
+  return vec3f(press_sum(word), press_sum(word + 1u), press_sum(word + 2u)) / kPressUnits;
 }
 
 struct Hold {
@@ -28,15 +31,15 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
                      diagonal : Symmetric) -> Hold {
   let none = Hold(vec3f(0.0), zero_matrix());
   let word = kPressWords * (first_vertex + node);
-  if (presses[word + kPressWeight] == 0) {
+  let weight = press_sum(word + kPressWeight) / kPressUnits;
+  if (weight == 0.0) {
     holds[node] = vec4f(0.0);
     return none;
   }
-  let weight = f32(presses[word + kPressWeight]) / kPressUnits;
   let sum = press_vector(word + kPressNormal);
-  let lack = f32(presses[word + kPressLack]) / (kLackUnits * weight) * step.contact.thickness;
+  let lack = press_sum(word + kPressLack) / (kLackUnits * weight) * step.contact.thickness;
   let surface = press_vector(word + kPressSurface) / weight;
-  let friction = f32(presses[word + kPressFriction]) / (kPressUnits * weight);
+  let friction = press_sum(word + kPressFriction) / (kPressUnits * weight);
   free_of_obstacles(node, first_vertex);
   let size = length(sum);
   if (size < kAgree * weight) { return none; }

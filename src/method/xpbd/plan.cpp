@@ -39,7 +39,7 @@ StepLimit xpbd_step_limit(const scene::Scene& scene, const Model& model) {
       step = std::min(step, span.spacing * std::sqrt(scene.solver.iterations * kSag / (pull * span.extent)));
   }
   StepLimit limit;
-  limit.longest_auto_step = within_contact_step(step, scene, model);
+  limit.longest_auto_step = step;
   return limit;
 }
 

@@ -5,6 +5,7 @@
 
 #include "contact/reference/proximity/audit.hpp"
 #include "contact/reference/proximity/closest.hpp"
+#include "contact/reference/proximity/cones.hpp"
 
 namespace weft::reference {
 namespace {
@@ -101,8 +102,9 @@ void Features::add_sphere(const Vec3d& center, double radius) {
 }
 
 Features features_of(std::vector<Vec3d> positions, std::vector<mesh::Triangle> triangles) {
-  Features features{std::move(positions), std::move(triangles), {}, {}, {}, {}};
+  Features features{std::move(positions), std::move(triangles), {}, {}, {}, {}, {}};
   features.edges = mesh::mesh_edges(features.triangles);
+  features.triangles_at = mesh::triangle_adjacency(features.positions.size(), features.triangles);
   std::vector<bool> used(features.positions.size());
   for (const mesh::Triangle& triangle : features.triangles)
     for (const std::uint32_t vertex : triangle) used[vertex] = true;
@@ -119,21 +121,28 @@ bool same_features(const FeaturePair& x, const FeaturePair& y) {
 }
 
 FeaturePair measured(const FeaturePair& pair, const Features& cloth, const Features& object) {
+  FeaturePair now = pair;
   switch (pair.kind) {
     case PairKind::VertexTriangle:
-      return vertex_triangle(pair.kind, cloth, pair.a, cloth, pair.b);
+      now = vertex_triangle(pair.kind, cloth, pair.a, cloth, pair.b);
+      break;
     case PairKind::EdgeEdge:
-      return edge_edge(pair.kind, cloth, pair.a, cloth, pair.b);
+      now = edge_edge(pair.kind, cloth, pair.a, cloth, pair.b);
+      break;
     case PairKind::VertexObjectTriangle:
-      return vertex_triangle(pair.kind, cloth, pair.a, object, pair.b);
+      now = vertex_triangle(pair.kind, cloth, pair.a, object, pair.b);
+      break;
     case PairKind::ObjectVertexTriangle:
-      return vertex_triangle(pair.kind, object, pair.a, cloth, pair.b);
+      now = vertex_triangle(pair.kind, object, pair.a, cloth, pair.b);
+      break;
     case PairKind::EdgeObjectEdge:
-      return edge_edge(pair.kind, cloth, pair.a, object, pair.b);
+      now = edge_edge(pair.kind, cloth, pair.a, object, pair.b);
+      break;
     case PairKind::VertexPlane:
       break;
   }
-  return pair;
+  now.in_cones = in_cones(now, cloth, object);
+  return now;
 }
 
 FeatureTrees trees_of(const Features& features) {

@@ -20,6 +20,7 @@ struct Features {
   std::vector<std::uint32_t> vertices;  // rising; a position that no triangle names is none, unless added
   std::vector<double> vertex_radius;    // of each position [m]; where the list ends: 0
   std::vector<double> edge_radius;      // of each edge [m]; where the list ends: 0
+  mesh::Adjacency triangles_at;         // of each position; where the list ends: none
 
   double radius_of_vertex(std::uint32_t v) const { return v < vertex_radius.size() ? vertex_radius[v] : 0; }
   double radius_of_edge(std::uint32_t e) const { return e < edge_radius.size() ? edge_radius[e] : 0; }
@@ -47,7 +48,8 @@ struct FeaturePair {
   Vec3d direction;             // n
   // w of the vertices of A and of B in their order, with their signs; a plane has none.
   std::array<double, 3> weights_a{}, weights_b{};
-  bool inside = true;  // of edges: both closest points are inside; true for all others
+  bool inside = true;    // of edges: both closest points are inside; true for all others
+  bool in_cones = true;  // cones.hpp; found by measured()
 };
 /// By kind, a, b: the identity of a pair.
 bool operator<(const FeaturePair& x, const FeaturePair& y);

@@ -22,10 +22,13 @@ double margin_of(double distance, double thickness) {
 
 Proximity::Proximity(const scene::Scene& scene, const Model& model,
                      std::span<const mesh::TriangleMesh> objects,
-                     std::span<const std::vector<mesh::TriangleMesh>> keyframes)
+                     std::span<const std::vector<mesh::TriangleMesh>> keyframes, std::uint32_t iterations)
     : thickness_(scene.contact.thickness),
-      damping_(contact_damping(scene.contact.restitution)),
+      restitution_(scene.contact.restitution),
+      load_(length(scene.gravity + scene.external_force)),
+      iterations_(iterations),
       cloth_(features_of(model.rest_position, model.triangles)),
+      rest_(cloth_),
       obstacles_(scene, objects, keyframes),
       object_(obstacles_.features()),
       cloth_facts_{rim_distances(model.rest_position, model.triangles),
@@ -39,6 +42,8 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
   }
   object_facts_.kinds.resize(object_.positions.size(), SurfaceKind::OpenMesh);  // balls have no triangles
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
+  for (std::size_t c = 0; c < model.bodies.size(); ++c)
+    body_.insert(body_.end(), model.bodies[c].vertex_count, static_cast<std::uint32_t>(c));
   for (std::size_t c = 0; c < model.bodies.size(); ++c)
     friction_.insert(friction_.end(), model.bodies[c].vertex_count, scene.cloths[c].friction);
 }
@@ -118,6 +123,11 @@ double Proximity::friction_of(const FeaturePair& pair, const Sides& sides) const
   return obstacles_.friction(obstacles_.collider_of_vertex(other.vertices[0])).value_or(own);
 }
 
+double Proximity::thickness_of(const FeaturePair& pair, const Sides& sides) const {
+  if (body_[sides.a.vertices[0]] != body_[sides.b.vertices[0]]) return self_thickness_;
+  return pair_thickness(self_thickness_, measured(pair, rest_, object_).distance);
+}
+
 NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, double dt) const {
   NearPair near;
   for (const Side* side : {&sides.a, &sides.b})
@@ -129,9 +139,16 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, doubl
   near.with_body = with_obstacle;
   near.direction = pair.direction;
   near.distance = pair.distance;
-  near.thickness = with_obstacle ? thickness_ : self_thickness_;
+  near.thickness = with_obstacle                     ? thickness_
+                   : pair.kind <= PairKind::EdgeEdge ? thickness_of(pair, sides)
+                                                     : self_thickness_;
   near.friction = friction_of(pair, sides);
-  near.may = pair.inside || (with_obstacle && object_.radius_of_edge(pair.b) > 0);
+  const auto kept =
+      std::lower_bound(kept_.begin(), kept_.end(), pair,
+                       [](const Kept& one, const FeaturePair& other) { return one.pair < other; });
+  if (kept != kept_.end() && same_features(kept->pair, pair)) near.kept = kept->force;
+  const bool with_capsule = pair.kind == PairKind::EdgeObjectEdge && object_.radius_of_edge(pair.b) > 0;
+  near.may = (pair.inside || with_capsule) && pair.in_cones;
   if (with_obstacle) {
     const double sign = sides.a.obstacle ? 1 : -1;
     near.surface = sign * surface_of(pair, sides, -sign * pair.direction, dt).velocity;
@@ -139,37 +156,45 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, doubl
   return near;
 }
 
-void Proximity::add_planes(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
-                           std::vector<SidePlane>& planes) const {
-  if (!(pair.distance > 0)) return;  // inside a ball or below a plane: the contact spring moves it out
+void Proximity::add_limits(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
+                           std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const {
+  if (!(pair.distance > 0)) return;  // inside a ball or below a plane: pushes move it out
   const auto kinematic = [&](const Side& side) {
     return std::all_of(side.vertices.begin(), side.vertices.begin() + side.count,
                        [&](std::uint32_t v) { return nodes.inverse_mass[v] == 0; });
   };
-  const auto keep = [&](const Side& side, const Vec3d& normal, double offset, bool obstacle) {
-    for (std::uint32_t k = 0; k < side.count; ++k)
-      planes.push_back({side.vertices[k], normal, offset, obstacle});
-  };
+  bool of_cloth = !sides.a.obstacle && !sides.b.obstacle;
   for (const bool other_is_a : {true, false}) {
     const Side &side = other_is_a ? sides.b : sides.a, &other = other_is_a ? sides.a : sides.b;
-    if (side.obstacle) continue;
+    if (side.obstacle || !(other.obstacle || kinematic(other))) continue;
+    of_cloth = false;
     const Vec3d away = other_is_a ? -pair.direction : pair.direction;  // from the other side to this one
+    double offset = 0, speed = 0;
     if (other.obstacle) {
-      keep(side, away, surface_of(pair, sides, away, dt).support + margin_of(pair.distance, thickness_),
-           true);
-    } else if (kinematic(other)) {  // cloth that only its motion moves is an obstacle
-      double support = dot(away, nodes.position[other.vertices[0]]);
-      for (std::uint32_t k = 1; k < other.count; ++k)
-        support = std::max(support, dot(away, nodes.position[other.vertices[k]]));
-      keep(side, away, support + margin_of(pair.distance, self_thickness_), true);
-    } else {
-      double closest = 0;  // of the other side, along `away`
-      for (std::uint32_t k = 0; k < other.count; ++k)
-        closest += std::abs(other.weights[k]) * dot(away, cloth_.positions[other.vertices[k]]);
-      const double margin = std::max(kContactMargin * pair.distance, 0.5 * kContactFloor * self_thickness_);
-      keep(side, away, closest + 0.5 * pair.distance + margin, false);
+      const Surface surface = surface_of(pair, sides, away, dt);
+      offset = surface.support + margin_of(pair.distance, thickness_);
+      speed = dot(away, surface.velocity);
+    } else {  // cloth that only its motion moves is an obstacle
+      for (std::uint32_t k = 0; k < other.count; ++k) {
+        const double along = dot(away, nodes.position[other.vertices[k]]);
+        offset = k == 0 ? along : std::max(offset, along);
+        speed += std::abs(other.weights[k]) * dot(away, nodes.velocity[other.vertices[k]]);
+      }
+      offset += margin_of(pair.distance, thickness_of(pair, sides));
     }
+    for (std::uint32_t k = 0; k < side.count; ++k) planes.push_back({side.vertices[k], away, offset, speed});
   }
+  if (!of_cloth) return;
+  ClothPair both{sides.a.count, sides.b.count, {}, pair.direction};
+  for (std::uint32_t k = 0; k < sides.a.count; ++k) {
+    both.nodes[k] = sides.a.vertices[k];
+    both.middle += sides.a.weights[k] * dot(pair.direction, cloth_.positions[sides.a.vertices[k]]);
+  }
+  for (std::uint32_t k = 0; k < sides.b.count; ++k) both.nodes[sides.a.count + k] = sides.b.vertices[k];
+  both.middle -= 0.5 * pair.distance;
+  both.margin = std::max(kContactMargin * pair.distance, 0.5 * kContactFloor * thickness_of(pair, sides));
+  both.apart = std::min(2 * both.margin, pair.distance);  // what is nearer already comes no nearer
+  cloth.push_back(both);
 }
 
 std::vector<FeaturePair> Proximity::listed(double most, double travel, double obstacle_travel) {
@@ -203,6 +228,10 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   const double most = travel + 0.5 * thickness_;
   const double obstacle_travel = move_obstacles(begin, dt);
   std::vector<FeaturePair> pairs = listed(most, travel, obstacle_travel);
+  std::erase_if(pairs, [&](const FeaturePair& pair) {
+    return pair.kind <= PairKind::EdgeEdge &&
+           thickness_of(pair, sides_of(pair)) <= 0.5 * kTouchingAtRest * self_thickness_;
+  });
   const TangledSurfaces cloth{cloth_, cloth_facts_}, object{object_, object_facts_};
   // Without crossings, only features that come near can cross.
   if (list_.searches() != tangle_searched_ || tangle_.crossings > 0)
@@ -220,20 +249,26 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     near.push_back(near_pair(pairs[p], sides_of(pairs[p]), dt));
     near.back().untangles = untangles[p];
   }
-  const Response response = respond(near, nodes.velocity, nodes.inverse_mass, {dt, damping_});
+  const Response response =
+      respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, iterations_});
+  kept_.clear();
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    if (response.acts[p] && !near[p].untangles) kept_.push_back({pairs[p], response.impulses[p] / dt});
+  std::sort(kept_.begin(), kept_.end(), [](const Kept& a, const Kept& b) { return a.pair < b.pair; });
   for (std::size_t i = 0; i < nodes.position.size(); ++i) {
     if (nodes.inverse_mass[i] == 0) continue;
     nodes.velocity[i] += response.change[i];
-    nodes.position[i] += dt * response.change[i];
+    nodes.position[i] += dt * response.change[i] + response.push[i];
   }
-  std::vector<SidePlane> planes;
-  for (const FeaturePair& pair : pairs) add_planes(pair, sides_of(pair), nodes, dt, planes);
-  const std::vector<Vec3d> wanted(nodes.position.begin(), nodes.position.end());
-  truncated_ += truncate(planes, nodes.previous, nodes.inverse_mass, most, nodes.position);
-  // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull
-  // over a ball at steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose.
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (nodes.position[i] != wanted[i]) nodes.velocity[i] = (nodes.position[i] - nodes.previous[i]) / dt;
+  std::vector<SolidPlane> planes;
+  std::vector<ClothPair> cloth_pairs;
+  for (const FeaturePair& pair : pairs) add_limits(pair, sides_of(pair), nodes, dt, planes, cloth_pairs);
+  // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull over a ball at
+  // steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose. So it is shortened too.
+  const Truncated truncated = truncate(planes, cloth_pairs, most,
+                                       {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity});
+  truncated_.vertices += truncated.vertices;
+  truncated_.driven += truncated.driven;
   return static_cast<std::uint64_t>(std::count(response.acts.begin(), response.acts.end(), true));
 }
 

@@ -18,9 +18,9 @@ namespace weft::reference {
 
 class Proximity {
  public:
-  /// `objects` and `keyframes` as for Obstacles.
+  /// `objects` and `keyframes` as for Obstacles; `iterations` of impulses in a substep.
   Proximity(const scene::Scene& scene, const Model& model, std::span<const mesh::TriangleMesh> objects,
-            std::span<const std::vector<mesh::TriangleMesh>> keyframes);
+            std::span<const std::vector<mesh::TriangleMesh>> keyframes, std::uint32_t iterations);
 
   /// The state of the nodes in a substep: the solver's prediction from `previous`, and moved nodes
   /// where their motions end. All finite.
@@ -37,10 +37,13 @@ class Proximity {
   std::vector<Press> presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity, double begin,
                              double dt);
 
+  /// Forgets the forces that pairs kept.
+  void forget() { kept_.clear(); }
+
   const Obstacles& obstacles() const { return obstacles_; }
   double self_thickness() const { return self_thickness_; }  // h_s [m]; 0: cloth does not meet cloth
-  /// Vertices truncated, in all substeps so far.
-  std::uint64_t truncated() const { return truncated_; }
+  /// In all substeps so far.
+  const Truncated& truncated() const { return truncated_; }
   /// Edges that passed through triangles when it was last looked for them.
   std::size_t crossings() const { return tangle_.crossings; }
 
@@ -64,18 +67,24 @@ class Proximity {
   Sides sides_of(const FeaturePair& pair) const;
   Surface surface_of(const FeaturePair& pair, const Sides& sides, const Vec3d& toward_cloth, double dt) const;
   double friction_of(const FeaturePair& pair, const Sides& sides) const;
+  /// Of a pair of cloth with itself [m].
+  double thickness_of(const FeaturePair& pair, const Sides& sides) const;
   NearPair near_pair(const FeaturePair& pair, const Sides& sides, double dt) const;
-  void add_planes(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
-                  std::vector<SidePlane>& planes) const;
+  /// What a pair asks of truncate(): planes of a side that contact cannot move, or a pair of cloth.
+  void add_limits(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
+                  std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const;
   /// Near pairs for nodes that go up to `most` [m] and obstacles that go `obstacle_travel` [m].
   std::vector<FeaturePair> listed(double most, double travel, double obstacle_travel);
   /// Takes the obstacles to the substep's start and end. Returns how far the farthest of them goes [m].
   double move_obstacles(double begin, double dt);
 
   double thickness_, self_thickness_ = 0;
-  double damping_;
-  std::vector<double> friction_;  // of each vertex's cloth
-  Features cloth_;                // positions: at the start of the substep
+  double restitution_, load_;
+  std::uint32_t iterations_;
+  std::vector<double> friction_;     // of each vertex's cloth
+  std::vector<std::uint32_t> body_;  // of each vertex
+  Features cloth_;                   // positions: at the start of the substep
+  Features rest_;                    // the same at rest
   Obstacles obstacles_;
   Features object_;  // the obstacles at the start of the substep
   NearList list_;
@@ -83,7 +92,13 @@ class Proximity {
   Tangle tangle_;
   std::uint64_t tangle_searched_ = 0;  // searches of `list_` when tangle_ was found
   Obstacles::Placed start_, end_;
-  std::uint64_t truncated_ = 0;
+  /// A pair that acted in the substep before, and its force [N]. Sorted.
+  struct Kept {
+    FeaturePair pair;
+    Vec3d force;
+  };
+  std::vector<Kept> kept_;
+  Truncated truncated_;
 };
 
 }  // namespace weft::reference

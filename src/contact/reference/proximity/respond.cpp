@@ -39,19 +39,47 @@ class OutOfBody {
   double parts_ = 0, thickness_ = 0;
 };
 
-/// Equations (3) and (4), with W > 0.
-Vec3d impulse(const NearPair& pair, const Vec3d& u, double mobility, const ContactLaw& law) {
-  const double h = pair.thickness, d = pair.distance, u_n = dot(pair.direction, u);
-  double normal = std::max(0.0, (std::min(kContactWall * h - d, 0.0) / law.dt - u_n) / mobility);
-  const double spring = d < kContactTouching * h
-                            ? kContactSpring * std::clamp(h - d, 0.0, h) / law.dt - law.damping * u_n
-                            : law.damping * ((h - d) / law.dt - u_n);
-  normal = std::max(normal, spring / mobility);
-  const Vec3d sliding = u - u_n * pair.direction;
-  const double slip = length(sliding);
-  Vec3d total = normal * pair.direction;
-  if (slip > 0) total -= (std::min(pair.friction * normal, slip / mobility) / slip) * sliding;
-  return total;
+/// Equation (3): the least normal velocity that the pair may end with, from the predicted one.
+double least_speed(const NearPair& pair, double u_n, const ContactLaw& law) {
+  const double room = std::max(0.0, pair.distance - pair.thickness);
+  const bool closing = -u_n > kPartingSteps * law.dt * law.load;
+  const bool bounces = law.restitution > 0 && closing && pair.distance + law.dt * u_n < pair.thickness;
+  return bounces ? std::max(-room / law.dt, -law.restitution * u_n) : -room / law.dt;
+}
+
+/// Equation (4), with W > 0: the impulse J of the pair, from the one that it had.
+Vec3d impulse(const NearPair& pair, const Vec3d& had, const Vec3d& u, double least, double mobility) {
+  const Vec3d& n = pair.direction;
+  const double u_n = dot(n, u), had_n = dot(n, had);
+  const double normal = std::max(0.0, had_n + (least - u_n) / mobility);
+  const Vec3d sticking = (had - had_n * n) - (u - u_n * n) / mobility;
+  const double size = length(sticking), most = pair.friction * normal;
+  return normal * n + (size > most ? most / size : 1.0) * sticking;
+}
+
+/// Its part that the cone of friction about n allows.
+Vec3d within_cone(const NearPair& pair, const Vec3d& impulse) {
+  const double normal = std::max(0.0, dot(pair.direction, impulse));
+  const Vec3d along = impulse - dot(pair.direction, impulse) * pair.direction;
+  const double size = length(along), most = pair.friction * normal;
+  return normal * pair.direction + (size > most ? most / size : 1.0) * along;
+}
+
+/// Equation (3a): the impulse that the pair begins with: that of the substep before, less what takes back its parting.
+Vec3d first_impulse(const NearPair& pair, std::span<const Vec3d> velocity,
+                    std::span<const double> inverse_mass, const ContactLaw& law) {
+  double mobility = 0;  // were the pair alone
+  for (std::uint32_t k = 0; k < pair.node_count; ++k)
+    mobility += pair.weights[k] * pair.weights[k] * inverse_mass[pair.nodes[k]];
+  const double parting =
+      dot(pair.direction, relative_velocity(pair, velocity)) - kPartingSteps * law.dt * law.load;
+  return within_cone(pair, law.dt * pair.kept - (std::max(0.0, parting) / mobility) * pair.direction);
+}
+
+/// Equation (5): how much further apart, of what is too near.
+double push_of(const NearPair& pair, const ContactLaw& law) {
+  const double lack = std::clamp(pair.thickness - pair.distance, 0.0, pair.thickness);
+  return std::min(kPushPart * lack, kPushSpeed * law.dt);
 }
 
 }  // namespace
@@ -66,6 +94,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
                  std::span<const double> inverse_mass, const ContactLaw& law) {
   Response response;
   response.change.assign(velocity.size(), {});
+  response.push.assign(velocity.size(), {});
   response.acting.assign(velocity.size(), 0);
   response.impulses.assign(pairs.size(), {});
   response.acts.assign(pairs.size(), false);
@@ -78,9 +107,15 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     if (!response.acts[p]) continue;
     urgency[p] = contact_urgency(pair.distance + std::min(law.dt * u_n, 0.0), pair.thickness);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
-      if (pair.weights[k] != 0) response.acting[pair.nodes[k]] += urgency[p];
+      response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
   }
+  std::vector<Vec3d> now(velocity.begin(), velocity.end());
+  const auto give = [&](std::vector<Vec3d>& nodes, const NearPair& pair, const Vec3d& amount) {
+    for (std::uint32_t k = 0; k < pair.node_count; ++k)
+      nodes[pair.nodes[k]] += (pair.weights[k] * inverse_mass[pair.nodes[k]]) * amount;
+  };
   std::vector<OutOfBody> bodies(velocity.size());
+  std::vector<double> mobility(pairs.size(), 0);  // equation (2); 0: it is not answered here
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     if (!response.acts[p]) continue;
     const NearPair& pair = pairs[p];
@@ -88,21 +123,34 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
       for (std::uint32_t k = 0; k < pair.node_count; ++k) bodies[pair.nodes[k]].add(pair, pair.weights[k]);
       continue;
     }
-    double mobility = 0;  // equation (2)
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
-      mobility +=
-          pair.weights[k] * pair.weights[k] * response.acting[pair.nodes[k]] * inverse_mass[pair.nodes[k]];
-    mobility /= urgency[p];
-    if (!(mobility > 0)) continue;
-    const Vec3d u = relative_velocity(pair, velocity);
-    response.impulses[p] =
-        pair.untangles ? push_apart(pair, u, mobility, law) : impulse(pair, u, mobility, law);
-    for (std::uint32_t k = 0; k < pair.node_count; ++k)
-      response.change[pair.nodes[k]] +=
-          (pair.weights[k] * inverse_mass[pair.nodes[k]]) * response.impulses[p];
+      mobility[p] += std::abs(pair.weights[k]) * response.acting[pair.nodes[k]] * inverse_mass[pair.nodes[k]];
+    mobility[p] /= urgency[p];
+    if (!(mobility[p] > 0)) continue;
+    if (!pair.untangles) response.impulses[p] = first_impulse(pair, velocity, inverse_mass, law);
+    give(now, pair, response.impulses[p]);
   }
-  for (std::size_t node = 0; node < velocity.size(); ++node)
-    response.change[node] += bodies[node].change(velocity[node] + response.change[node], law.dt);
+  std::vector<double> least(pairs.size(), 0);
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    least[p] = least_speed(pairs[p], dot(pairs[p].direction, relative_velocity(pairs[p], velocity)), law);
+  for (std::uint32_t iteration = 0; iteration < law.iterations; ++iteration) {
+    const std::vector<Vec3d> before = now;
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      if (!(mobility[p] > 0)) continue;
+      const NearPair& pair = pairs[p];
+      const Vec3d u = relative_velocity(pair, before), had = response.impulses[p];
+      response.impulses[p] = pair.untangles ? had + push_apart(pair, u, mobility[p], law)
+                                            : impulse(pair, had, u, least[p], mobility[p]);
+      give(now, pair, response.impulses[p] - had);
+    }
+  }
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    if (mobility[p] > 0 && !pairs[p].untangles)
+      give(response.push, pairs[p], (push_of(pairs[p], law) / mobility[p]) * pairs[p].direction);
+  for (std::size_t node = 0; node < velocity.size(); ++node) {
+    now[node] += bodies[node].change(now[node], law.dt);
+    response.change[node] = now[node] - velocity[node];
+  }
   return response;
 }
 

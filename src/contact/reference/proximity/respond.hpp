@@ -1,4 +1,4 @@
-// Answers pairs that are near: the impulses of docs/contact.md, equations (1) to (5), in double.
+// Answers pairs that are near: the impulses and pushes of docs/contact.md, equations (1) to (5), in double.
 #pragma once
 
 #include <array>
@@ -20,29 +20,33 @@ struct NearPair {
   double thickness = 0;                  // h, or h_s for cloth with cloth [m]
   double friction = 0;                   // μ
   Vec3d surface;           // Σ w v over an obstacle's side: its velocity o, or -o where it is side B [m/s]
-  bool may = true;         // false: edges whose closest points are not both inside; never acts
+  Vec3d kept;              // the force with which it ended the substep before [N]
+  bool may = true;         // false: another pair is nearer, FeaturePair::inside and in_cones; never acts
   bool with_body = false;  // one side is an obstacle
   bool untangles =
       false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
 };
 
 struct ContactLaw {
-  double dt = 0;       // [s]
-  double damping = 0;  // ζ, of contact/rules/contact_law.hpp
+  double dt = 0;           // [s]
+  double restitution = 0;  // e
+  double load = 0;         // |a|: of gravity and the external force [m/s²]
+  std::uint32_t iterations = 1;
 };
 
 struct Response {
-  std::vector<Vec3d> change;          // of each node's velocity [m/s]
-  std::vector<std::uint32_t> acting;  // S: sum of the urgencies of the pairs that act, of each node
-  std::vector<Vec3d> impulses;        // J of each pair; zero where it does not act [N·s]
-  std::vector<bool> acts;             // each pair, equation (1)
+  std::vector<Vec3d> change;    // of each node's velocity [m/s]
+  std::vector<Vec3d> push;      // of each node's place, which is not in its velocity [m]
+  std::vector<double> acting;   // S: sum of s |w| of the pairs that act, of each node
+  std::vector<Vec3d> impulses;  // J of each pair; zero where it does not act [N·s]
+  std::vector<bool> acts;       // each pair, equation (1)
 };
 
 /// u = Σ w v over both sides [m/s].
 Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity);
 
-/// The pairs' changes of the predicted velocities. All pairs are answered at once, from the same
-/// velocities; sums are taken in the order of the pairs.
+/// The pairs' changes of the predicted velocities, and how far what is too near goes apart. In an iteration all pairs
+/// are answered at once, from the same velocities; sums are taken in the order of the pairs.
 Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocity,
                  std::span<const double> inverse_mass, const ContactLaw& law);
 

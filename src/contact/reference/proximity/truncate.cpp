@@ -3,38 +3,140 @@
 #include <algorithm>
 
 namespace weft::reference {
+namespace {
 
-std::uint32_t truncate(std::span<const SidePlane> planes, std::span<const Vec3d> previous,
-                       std::span<const double> inverse_mass, double reach, std::span<Vec3d> position) {
-  std::vector<double> part(position.size(), 1);
-  for (std::size_t node = 0; node < position.size(); ++node) {
-    const double far = length(position[node] - previous[node]);
-    if (far > reach) part[node] = reach / far;
+/// How much of a way takes a vertex past no plane, by how far it is on its side at the start and would be at the end.
+double part_before(double at_start, double at_end) {
+  if (at_end >= 0) return 1;
+  if (at_start > 0) return at_start / (at_start - at_end);
+  return at_end < at_start ? 0 : 1;
+}
+
+class Truncation {
+ public:
+  Truncation(std::span<const ClothPair> pairs, const Ways& ways)
+      : pairs_(pairs),
+        ways_(ways),
+        changed_(ways.end.size()),
+        held_(ways.end.size()),
+        lists_(ways.end.size()) {
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      for (std::uint32_t k = 0; k < pairs[p].count_a + pairs[p].count_b; ++k)
+        lists_[pairs[p].nodes[k]].push_back(static_cast<std::uint32_t>(p));
   }
-  for (const SidePlane& plane : planes) {
-    const double before = dot(plane.normal, previous[plane.node]) - plane.offset;
-    const double after = dot(plane.normal, position[plane.node]) - plane.offset;
-    if (after >= 0) continue;
-    if (before > 0)
-      part[plane.node] = std::min(part[plane.node], before / (before - after));
-    else if (!plane.obstacle && after < before)
-      part[plane.node] = 0;
+
+  void before_solids(std::span<const SolidPlane> planes, double reach) {
+    std::vector<double> part(ways_.end.size(), 1);
+    for (std::size_t node = 0; node < part.size(); ++node) {
+      const double far = length(ways_.end[node] - ways_.start[node]);
+      if (far > reach) part[node] = reach / far;
+    }
+    for (const SolidPlane& plane : planes) {
+      const double at_start = dot(plane.normal, ways_.start[plane.node]) - plane.offset;
+      const double at_end = dot(plane.normal, ways_.end[plane.node]) - plane.offset;
+      if (at_start > 0) part[plane.node] = std::min(part[plane.node], part_before(at_start, at_end));
+    }
+    for (std::size_t node = 0; node < part.size(); ++node) shorten(node, part[node]);
+    for (const SolidPlane& plane : planes) {
+      if (ways_.inverse_mass[plane.node] == 0) continue;
+      const double beyond = plane.offset - dot(plane.normal, ways_.end[plane.node]);
+      // A vertex that was put onto the plane may be a rounding error behind it.
+      if (!(beyond > 0)) continue;
+      Vec3d& velocity = ways_.velocity[plane.node];
+      ways_.end[plane.node] += beyond * plane.normal;
+      velocity += std::max(0.0, plane.speed - dot(plane.normal, velocity)) * plane.normal;
+      changed_[plane.node] = true;
+    }
   }
-  std::vector<bool> moved(position.size());
-  for (std::size_t node = 0; node < position.size(); ++node) {
-    if (inverse_mass[node] == 0 || part[node] == 1) continue;
-    position[node] = previous[node] + part[node] * (position[node] - previous[node]);
-    moved[node] = true;
+
+  /// Marks the vertices of pairs that may meet on the way, but for pairs that end before their planes.
+  bool find_meeting() {
+    bool any = false;
+    for (const ClothPair& pair : pairs_) {
+      double least = 0, most = 0;
+      bool all_held = true;
+      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) {
+        const std::uint32_t node = pair.nodes[k];
+        const double along = dot(pair.normal, ways_.end[node]);
+        all_held = all_held && (held_[node] || ways_.inverse_mass[node] == 0);
+        if (k < pair.count_a)
+          least = k == 0 ? along : std::min(least, along);
+        else
+          most = k == pair.count_a ? along : std::max(most, along);
+      }
+      if (least - most >= pair.apart || all_held) continue;
+      any = true;
+      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) marked_.push_back(pair.nodes[k]);
+    }
+    return any;
   }
-  for (const SidePlane& plane : planes) {
-    if (!plane.obstacle || inverse_mass[plane.node] == 0) continue;
-    const double beyond = plane.offset - dot(plane.normal, position[plane.node]);
-    // A vertex that the line above has put onto the plane may be a rounding error behind it.
-    if (!(beyond > 0)) continue;
-    position[plane.node] += beyond * plane.normal;
-    moved[plane.node] = true;
+  void hold_marked() {
+    for (const std::uint32_t node : marked_) hold(node);
+    marked_.clear();
   }
-  return static_cast<std::uint32_t>(std::count(moved.begin(), moved.end(), true));
+  void hold_all() {
+    for (std::size_t node = 0; node < held_.size(); ++node)
+      if (!lists_[node].empty()) hold(node);
+  }
+
+  Truncated count(std::span<const SolidPlane> planes) const {
+    std::vector<bool> driven(held_.size());
+    for (const SolidPlane& plane : planes)
+      if (shortened_by_cloth_.size() > 0 && shortened_by_cloth_[plane.node] &&
+          dot(plane.normal, ways_.end[plane.node]) < plane.offset - 1e-12)
+        driven[plane.node] = true;
+    return {static_cast<std::uint64_t>(std::count(changed_.begin(), changed_.end(), true)),
+            static_cast<std::uint64_t>(std::count(driven.begin(), driven.end(), true))};
+  }
+
+ private:
+  void shorten(std::size_t node, double part) {
+    if (ways_.inverse_mass[node] == 0 || part == 1) return;
+    const Vec3d way = part * (ways_.end[node] - ways_.start[node]);
+    ways_.end[node] = ways_.start[node] + way;
+    ways_.velocity[node] = part * ways_.velocity[node];
+    changed_[node] = true;
+  }
+
+  /// Ends a vertex's way before the planes half way between it and all other cloth.
+  void hold(std::size_t node) {
+    if (held_[node]) return;
+    held_[node] = true;
+    double part = 1;
+    for (const std::uint32_t p : lists_[node]) {
+      const ClothPair& pair = pairs_[p];
+      const bool on_a = std::find(pair.nodes.begin(), pair.nodes.begin() + pair.count_a, node) !=
+                        pair.nodes.begin() + pair.count_a;
+      const double side = on_a ? 1 : -1;
+      const auto inside = [&](const Vec3d& place) {
+        return side * (dot(pair.normal, place) - pair.middle) - pair.margin;
+      };
+      part = std::min(part, part_before(inside(ways_.start[node]), inside(ways_.end[node])));
+    }
+    if (part == 1) return;
+    shortened_by_cloth_.resize(held_.size());
+    shortened_by_cloth_[node] = true;
+    shorten(node, part);
+  }
+
+  std::span<const ClothPair> pairs_;
+  const Ways& ways_;
+  std::vector<bool> changed_, held_, shortened_by_cloth_;
+  std::vector<std::uint32_t> marked_;
+  std::vector<std::vector<std::uint32_t>> lists_;
+};
+
+}  // namespace
+
+Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
+                   const Ways& ways) {
+  Truncation truncation(pairs, ways);
+  truncation.before_solids(planes, reach);
+  if (truncation.find_meeting()) {
+    truncation.hold_marked();
+    if (truncation.find_meeting()) truncation.hold_all();
+  }
+  return truncation.count(planes);
 }
 
 }  // namespace weft::reference

@@ -1,6 +1,8 @@
-// Truncates the motion of vertices at planes that they would pass, in double.
+// Truncates the motion of vertices where they would pass something, in double. Source: docs/contact.md, No
+// pass-through.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,21 +11,41 @@
 
 namespace weft::reference {
 
-/// The side of a plane that a vertex must end on: normal . x >= offset.
-struct SidePlane {
+/// The side of a plane of an obstacle that a vertex must end on: normal . x >= offset. The obstacle's feature ends
+/// there, so the plane may come towards the vertex.
+struct SolidPlane {
   std::uint32_t node = 0;
-  Vec3d normal;           // unit
-  double offset = 0;      // [m]
-  bool obstacle = false;  // the plane is where an obstacle's feature ends, so it may come towards the vertex
+  Vec3d normal;       // unit
+  double offset = 0;  // [m]
+  double speed = 0;   // of the obstacle along the normal [m/s]
 };
 
-/// Moves each position back towards its previous one until it is beyond no plane, and no further than `reach`
-/// [m] from there. What is between two such planes of cloth cannot touch, whatever the other vertices do: the
-/// half space holds the previous position and the new one. A plane of an obstacle that has come past a vertex
-/// takes it along. Nodes with inverse mass 0 stay. Returns how many were moved.
-/// Source: the bounded displacements of Chen et al. 2025, Offset Geometric Contact, with a plane for each
-/// pair.
-std::uint32_t truncate(std::span<const SidePlane> planes, std::span<const Vec3d> previous,
-                       std::span<const double> inverse_mass, double reach, std::span<Vec3d> position);
+/// Two sides of cloth, and the direction that separates them at the start of a substep.
+struct ClothPair {
+  std::uint32_t count_a = 0, count_b = 0;
+  std::array<std::uint32_t, 4> nodes{};  // of A, then of B
+  Vec3d normal;                          // unit, from B to A
+  double middle = 0;                     // along the normal, half way between the closest points [m]
+  double margin = 0;                     // how near to the middle each side may come [m]
+  double apart = 0;                      // how far apart along the normal they have to end [m]
+};
+
+/// The motion of the vertices in a substep.
+struct Ways {
+  std::span<const Vec3d> start;          // [m]
+  std::span<const double> inverse_mass;  // 0: it stays
+  std::span<Vec3d> end, velocity;        // [m], [m/s]
+};
+
+struct Truncated {
+  std::uint64_t vertices = 0;  // whose way is another than the one that they came with
+  std::uint64_t driven =
+      0;  // of these, left beyond the plane of an obstacle that drives them into other cloth
+};
+
+/// Ends each way before the planes of obstacles, and no further than `reach` [m]; an obstacle that has come past a
+/// vertex takes it along. Then shortens ways until no pair of cloth can have met: equation (6).
+Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
+                   const Ways& ways);
 
 }  // namespace weft::reference

@@ -74,9 +74,9 @@ CrossingFace crossing_face(const TangledSurfaces& of, const mesh::Triangle& t) {
 }
 
 /// Finds the edges of one list of triangles that pass through another's, each by its first triangle.
-class Finder {
+class CrossingFinder {
  public:
-  Finder(const TangledSurfaces& edges, const TangledSurfaces& faces, Tangle& found)
+  CrossingFinder(const TangledSurfaces& edges, const TangledSurfaces& faces, Tangle& found)
       : edges_(edges), faces_(faces), one_(&edges == &faces), found_(found) {}
 
   void find() const {
@@ -190,9 +190,9 @@ Tangle find_tangle(const TangledSurfaces& cloth, const TangledSurfaces& object, 
   Tangle found;
   found.with_cloth.resize(cloth.features.positions.size());
   found.with_mesh.resize(cloth.features.positions.size());
-  if (self) Finder(cloth, cloth, found).find();
-  Finder(cloth, object, found).find();
-  Finder(object, cloth, found).find();
+  if (self) CrossingFinder(cloth, cloth, found).find();
+  CrossingFinder(cloth, object, found).find();
+  CrossingFinder(object, cloth, found).find();
   return found;
 }
 
@@ -245,6 +245,7 @@ std::vector<bool> release(const Tangle& tangle, const TangledSurfaces& cloth, co
       const bool over = pair.weights_b[0] < 0 && pair.weights_b[1] < 0 && pair.weights_b[2] < 0;
       if (length(normal) > 0 && (over || touches)) {
         pair.inside = pair.distance < thickness;
+        pair.in_cones = true;
         pair.distance = -1;
         pair.direction = normal;
         released[i] = true;

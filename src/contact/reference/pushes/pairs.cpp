@@ -6,22 +6,22 @@
 namespace weft::reference {
 namespace {
 
-struct Box {
+struct TriangleBox {
   Vec3f low, high;
 };
 
-Box box_of(const mesh::TriangleMesh& mesh, std::uint32_t triangle) {
+TriangleBox box_of(const mesh::TriangleMesh& mesh, std::uint32_t triangle) {
   const mesh::Triangle& t = mesh.triangles[triangle];
   const Vec3f a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
   return {min(min(a, b), c), max(max(a, b), c)};
 }
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const TriangleBox& a, const TriangleBox& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
          a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-Box grown(const Box& box) {
+TriangleBox grown(const TriangleBox& box) {
   float size = 0;
   for (int axis = 0; axis < 3; ++axis)
     size = std::max({size, std::abs(box.low[axis]), std::abs(box.high[axis])});
@@ -45,12 +45,12 @@ TrianglePoints points_of(const mesh::TriangleMesh& mesh, std::uint32_t triangle)
 }
 
 PairList find_pairs(const mesh::TriangleMesh& cloth, const mesh::TriangleMesh& object) {
-  std::vector<Box> boxes;
+  std::vector<TriangleBox> boxes;
   for (std::uint32_t o = 0; o < object.triangles.size(); ++o) boxes.push_back(box_of(object, o));
   PairList list;
   for (std::uint32_t c = 0; c < cloth.triangles.size(); ++c) {
     if (!finite(cloth, c)) continue;
-    const Box query = grown(box_of(cloth, c));
+    const TriangleBox query = grown(box_of(cloth, c));
     for (std::uint32_t o = 0; o < boxes.size(); ++o) {
       if (!overlap(query, boxes[o])) continue;
       ++list.candidates;

@@ -7,9 +7,9 @@
 namespace weft::reference {
 namespace {
 
-constexpr double kRounding = 64.0 / (1U << 24U);
+constexpr double kSegmentRounding = 64.0 / (1U << 24U);
 
-double largest(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double largest_of(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// f32's test x >= 0 with tolerance t.
 Verdict at_least_zero(double x, double t) {
@@ -46,10 +46,10 @@ Verdict segment_triangle(const Vec3d& from, const Vec3d& to, const TrianglePoint
   const Vec3d p = cross(d, e2), q = cross(s, e1);
   const Determinants positive{dot(e1, p), dot(s, p), dot(d, q), dot(e2, q)};
   const Determinants negative{-positive.a, -positive.ua, -positive.va, -positive.ta};
-  const double size_s = kRounding * largest(s), size_d = largest(d), size_1 = largest(e1),
-               size_2 = largest(e2);
-  const Tolerances t{kRounding * size_d * size_1 * size_2, size_s * size_d * size_2, size_s * size_d * size_1,
-                     size_s * size_1 * size_2};
+  const double size_s = kSegmentRounding * largest_of(s), size_d = largest_of(d), size_1 = largest_of(e1),
+               size_2 = largest_of(e2);
+  const Tolerances t{kSegmentRounding * size_d * size_1 * size_2, size_s * size_d * size_2,
+                     size_s * size_d * size_1, size_s * size_1 * size_2};
   // Within 15/64 of the tolerance no error lifts |a| above it; within twice the tolerance its sign may be
   // lost.
   if (std::abs(positive.a) <= 0.2 * t.a) return Verdict::Miss;

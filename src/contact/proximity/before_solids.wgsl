@@ -1,0 +1,76 @@
+// Ends a vertex's way before the planes of its pairs with what contact cannot move: obstacles, and cloth that the scene
+// moves or pins. The including kernel binds step, contacts and entries. Source: docs/contact.md, equation (6).
+#include "state/contact.wgsl"
+#include "contact/proximity/planes.wgsl"
+const kPushes = 4u;
+
+// The end of a vertex's way, and whether anything but what its pairs gave has changed it.
+struct Way {
+  position : vec3f,   // m
+  velocity : vec3f,   // m/s
+  changed : bool,
+}
+
+// How a solid side that has come past a vertex takes it along.
+struct Carry {
+  normal : vec3f,  // away from the side
+  depth : f32,     // m; 0: it does not
+  speed : f32,     // of the side along the normal, m/s
+}
+const kNoCarry = Carry(vec3f(0.0), 0.0, 0.0);
+
+// The deeper of two; of equally deep ones, so that the order of entries does not matter, by direction and speed.
+fn comes_first(a : Carry, b : Carry) -> bool {
+  if (a.depth != b.depth) { return a.depth > b.depth; }
+  if (a.normal.x != b.normal.x) { return a.normal.x > b.normal.x; }
+  if (a.normal.y != b.normal.y) { return a.normal.y > b.normal.y; }
+  if (a.normal.z != b.normal.z) { return a.normal.z > b.normal.z; }
+  return a.speed > b.speed;
+}
+
+fn has_plane(contact : Contact) -> bool {
+  return (contact.solid == 1u || contact.solid == 2u) && contact.normal.w > 0.0;
+}
+
+fn deepest_carry(begin : u32, end : u32, far : bool, x : vec3f) -> Carry {
+  var deepest = kNoCarry;
+  for (var k = begin; k < end; k++) {
+    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+    let contact = contacts[entries[k] / kEntryPair];
+    if (!has_plane(contact)) { continue; }
+    let side = select(-1.0, 1.0, (entries[k] & 3u) < roles_of_a(contact.ids));
+    let carry = Carry(side * contact.normal.xyz, beyond(contact, entries[k] & 3u, x), contact.solid_speed);
+    if (comes_first(carry, deepest)) { deepest = carry; }
+  }
+  return deepest;
+}
+
+// Only where a plane is near enough to be met, or the way so long that any may be.
+fn before_solids(way_so_far : Way, start : vec3f, begin : u32, end : u32, tight : f32) -> Way {
+  var way = way_so_far;
+  let length_of_way = 1.001 * length(way.position - start);
+  let far = length_of_way > free_way();
+  if (begin >= end || !(far || length_of_way > free_way() - tight)) { return way; }
+  var part = 1.0;
+  for (var k = begin; k < end; k++) {
+    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
+    let contact = contacts[entries[k] / kEntryPair];
+    if (!has_plane(contact)) { continue; }
+    let now = beyond(contact, entries[k] & 3u, start);
+    let then = beyond(contact, entries[k] & 3u, way.position);
+    if (now < 0.0 && then > 0.0) { part = min(part, now / (now - then)); }
+  }
+  if (part < 1.0) {
+    way.position = start + part * (way.position - start);
+    way.velocity *= part;
+    way.changed = true;
+  }
+  for (var round = 0u; round < kPushes; round++) {  // the deepest first
+    let carry = deepest_carry(begin, end, far, way.position);
+    if (carry.depth <= 0.0) { break; }
+    way.position += carry.depth * carry.normal;
+    way.velocity += max(0.0, carry.speed - dot(carry.normal, way.velocity)) * carry.normal;
+    way.changed = true;
+  }
+  return way;
+}

@@ -1,0 +1,27 @@
+// Keeps the forces of the pairs that act. Grid-stride loop over the pairs. Source: docs/contact.md, Impulse.
+#include "gpu/index.wgsl"
+#include "state/step.wgsl"
+#include "state/statistics.wgsl"
+#include "contact/proximity/kept_forces.wgsl"
+//                                                                            elements
+@group(0) @binding(0) var<uniform>             step       : StepBlock;
+@group(0) @binding(1) var<storage, read>       contacts   : array<Contact>;
+@group(0) @binding(2) var<storage, read>       statistics : array<u32>;
+@group(0) @binding(3) var<storage, read_write> kept       : array<atomic<u32>>;  // kept_forces.wgsl
+override kList : u32 = 0;  // 0: at the end of a frame; 1: before a search within a frame
+
+@compute @workgroup_size(kWorkgroupSize)
+fn keep_forces(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
+  let searches = (statistics[kStatDue] != 0u) & (step.contact.detect != kDetectAlways);
+  let works = (statistics[kStatRolledBack] == 0u) & ((kList == 0u) | searches);
+  let listed = select(statistics[kStatPairs], statistics[kStatPairsBefore], kList != 0u);
+  let count = select(0u, listed, works);
+  for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
+    let force = contacts[pair].force.xyz;
+    if (contacts[pair].urgency == 0.0 || all(force == vec3f(0.0))) { continue; }
+    let word = kept_word(kList, atomicAdd(&kept[kList], 1u));
+    let ids = contacts[pair].ids;
+    for (var k = 0u; k < 4u; k++) { atomicStore(&kept[word + k], ids[k]); }
+    for (var k = 0u; k < 3u; k++) { atomicStore(&kept[word + 4u + k], bitcast<u32>(force[k])); }
+  }
+}

@@ -1,0 +1,21 @@
+// What pairs give their vertices, as sums of integers. The including kernel declares `vertex_contacts` as atomics.
+#include "state/contact.wgsl"
+
+// The part of a vertex's mass that a pair has, in kShareUnits of the sum that it is a part of: equation (2).
+fn share_units(urgency : f32, weight : f32) -> u32 { return u32(round(kShareUnits * urgency * abs(weight))); }
+
+fn add_units(word : u32, units_in_one : f32, value : vec3f) {
+  let units = vec3i(round(clamp(units_in_one * value, vec3f(-kMostUnits), vec3f(kMostUnits))));
+  for (var axis = 0u; axis < 3u; axis++) {
+    if (units[axis] != 0) { atomicAdd(&vertex_contacts[word + axis], bitcast<u32>(units[axis])); }
+  }
+}
+
+// The part of an impulse or a force that the cone of friction about n allows.
+fn within_cone(whole : vec3f, n : vec3f, friction : f32) -> vec3f {
+  let normal = max(0.0, dot(n, whole));
+  let along = whole - dot(n, whole) * n;
+  let size = length(along);
+  let most = friction * normal;
+  return normal * n + select(1.0, most / size, size > most) * along;
+}
