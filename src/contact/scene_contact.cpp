@@ -112,10 +112,6 @@ void SceneContact::write_places(gpu::Device& device, const scene::Scene& scene, 
   if (proximity_) proximity_->write_places(device, scene, time, step, substeps);
 }
 
-Result<void> SceneContact::make_room(gpu::Device& device, const State& state, const Statistics& short_of) {
-  return make_room(device, state, ContactRoom{short_of.pairs, short_of.candidates});
-}
-
 Result<void> SceneContact::make_room(gpu::Device& device, const State& state, const ContactRoom& wanted) {
   ContactPairs& pairs = *contacts_->pairs;
   WEFT_CHECK(pairs.make_room(device, grown(pairs.room, wanted, device.limits().max_storage_binding_size)));
@@ -144,16 +140,17 @@ Result<std::vector<std::uint32_t>> SceneContact::forces(gpu::Device& device) con
   return forces;
 }
 
-Result<void> SceneContact::set_forces(gpu::Device& device, const State& state,
+Result<bool> SceneContact::set_forces(gpu::Device& device, const State& state,
                                       std::span<const std::uint32_t> forces) {
-  if (!proximity_) return {};
+  if (!proximity_) return false;
   const auto count = static_cast<std::uint32_t>(forces.size() / kKeptWords);
   const ContactRoom& room = contacts_->pairs->room;
-  if (count > room.pairs) WEFT_CHECK(make_room(device, state, ContactRoom{count, room.candidates}));
+  const bool is_short = count > room.pairs;
+  if (is_short) WEFT_CHECK(make_room(device, state, {count, room.candidates}));
   const gpu::Buffer<std::uint32_t>& kept = contacts_->pairs->kept;
   kept.write(device, std::span(&count, 1));
   kept.write(device, forces, kHeader);
-  return {};
+  return is_short;
 }
 
 void SceneContact::record_forget(gpu::CommandList& list) const {

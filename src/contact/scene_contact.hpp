@@ -51,7 +51,7 @@ class SceneContact {
                     std::uint32_t substeps);
 
   /// Makes lists that were too short longer. Recorded commands that name them are void. Errors  Limit, OutOfMemory.
-  Result<void> make_room(gpu::Device& device, const State& state, const Statistics& short_of);
+  Result<void> make_room(gpu::Device& device, const State& state, const ContactRoom& wanted);
   /// At the end of a frame: keeps what the next one begins with.
   void end_frame(gpu::ComputePass& pass) const;
   /// Forgets that, for a state that does not go on from the frame before.
@@ -59,8 +59,9 @@ class SceneContact {
   /// That, as words: for each pair of features that acts at the end of the last frame, kKeptWords (its numbers, its
   /// force).
   Result<std::vector<std::uint32_t>> forces(gpu::Device& device) const;
-  /// Takes it over from a world of the same scene. Errors  Limit, OutOfMemory.
-  Result<void> set_forces(gpu::Device& device, const State& state, std::span<const std::uint32_t> forces);
+  /// Takes it over from a world of the same scene. True if that took longer lists: recorded commands that name them are
+  /// void. Errors  Limit, OutOfMemory.
+  Result<bool> set_forces(gpu::Device& device, const State& state, std::span<const std::uint32_t> forces);
   /// Clears the traces of the first attempt before a frame is repeated.
   void record_forget(gpu::CommandList& list) const;
 
@@ -73,7 +74,6 @@ class SceneContact {
   void record_counts(gpu::ComputePass& pass) const;
 
  private:
-  Result<void> make_room(gpu::Device& device, const State& state, const ContactRoom& wanted);
   Result<void> create_proximity(gpu::Device& device, const GpuModel& model, const State& state,
                                 const scene::Scene& scene, const Assets& assets,
                                 const SceneContactSetup& setup);

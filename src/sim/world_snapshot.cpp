@@ -70,8 +70,8 @@ Result<void> World::restore(const Snapshot& snapshot) {
   state_.position[parity_].write(device_, snapshot.position);
   state_.velocity[parity_].write(device_, velocity);
   last_good_->renew(device_, snapshot.position, velocity, 0);
-  WEFT_CHECK(contact_.set_forces(device_, state_, snapshot.contact_forces));
-  recorder_.forget();  // the lists of contact may be others
+  WEFT_TRY(other_lists, contact_.set_forces(device_, state_, snapshot.contact_forces));
+  if (other_lists) recorder_.forget();
   return {};
 }
 

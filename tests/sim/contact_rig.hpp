@@ -25,6 +25,23 @@ inline std::string lying_cloth(int side, const std::string& translate, const std
          translate + "}" + more + "}";
 }
 
+/// A flat floor of right triangles with legs of `cell`, from x = `begin` to `end` and this wide [m].
+inline mesh::TriangleMesh floor_of(double cell, double begin, double end, double width) {
+  mesh::TriangleMesh floor;
+  const auto nx = static_cast<std::uint32_t>(std::lround((end - begin) / cell));
+  const auto nz = static_cast<std::uint32_t>(std::lround(width / cell));
+  for (std::uint32_t j = 0; j <= nz; ++j)
+    for (std::uint32_t i = 0; i <= nx; ++i)
+      floor.positions.push_back(Vec3d{begin + i * cell, 0, (j - 0.5 * nz) * cell}.to<float>());
+  for (std::uint32_t j = 0; j < nz; ++j)
+    for (std::uint32_t i = 0; i < nx; ++i) {
+      const std::uint32_t at = j * (nx + 1) + i, over = at + nx + 1;
+      floor.triangles.push_back({at, over, at + 1});
+      floor.triangles.push_back({at + 1, over, over + 1});
+    }
+  return floor;
+}
+
 struct Moment {
   std::vector<Vec3d> position, velocity;  // [m], [m/s]
   std::vector<double> mass;               // 0: kinematic [kg]

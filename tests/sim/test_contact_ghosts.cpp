@@ -9,23 +9,6 @@ namespace {
 
 constexpr double kGravity = 9.81;
 
-/// A flat floor of right triangles with legs of `cell`, from x = `begin` to `end` and this wide [m].
-mesh::TriangleMesh floor_of(double cell, double begin, double end, double width) {
-  mesh::TriangleMesh floor;
-  const auto nx = static_cast<std::uint32_t>(std::lround((end - begin) / cell));
-  const auto nz = static_cast<std::uint32_t>(std::lround(width / cell));
-  for (std::uint32_t j = 0; j <= nz; ++j)
-    for (std::uint32_t i = 0; i <= nx; ++i)
-      floor.positions.push_back(Vec3d{begin + i * cell, 0, (j - 0.5 * nz) * cell}.to<float>());
-  for (std::uint32_t j = 0; j < nz; ++j)
-    for (std::uint32_t i = 0; i < nx; ++i) {
-      const std::uint32_t at = j * (nx + 1) + i, over = at + nx + 1;
-      floor.triangles.push_back({at, over, at + 1});
-      floor.triangles.push_back({at + 1, over, over + 1});
-    }
-  return floor;
-}
-
 std::string text_of(double value) { return std::to_string(value); }
 
 struct Slide {

@@ -40,27 +40,12 @@ scene::Scene scene_of(const Setting& s) {
                        R"(}, "cloths": [)" + s.cloths + R"(], "colliders": [)" + s.colliders + "]");
 }
 
-/// A flat floor of right triangles with legs of `cell`, wide and long [m].
-mesh::TriangleMesh floor_of(double cell, double size) {
-  mesh::TriangleMesh floor;
-  const auto n = static_cast<std::uint32_t>(std::lround(size / cell));
-  for (std::uint32_t j = 0; j <= n; ++j)
-    for (std::uint32_t i = 0; i <= n; ++i)
-      floor.positions.push_back(Vec3d{(i - 0.5 * n) * cell, 0, (j - 0.5 * n) * cell}.to<float>());
-  for (std::uint32_t j = 0; j < n; ++j)
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t at = j * (n + 1) + i, over = at + n + 1;
-      floor.triangles.push_back({at, over, at + 1});
-      floor.triangles.push_back({at + 1, over, over + 1});
-    }
-  return floor;
-}
-
 std::unique_ptr<sim::World> world_on(gpu::Device& device, const Setting& setting, double cell = 0.05,
                                      double size = 0.6) {
   const scene::Scene scene = scene_of(setting);
-  const auto assets = load_assets(
-      scene, [&](const std::string&) -> Result<mesh::TriangleMesh> { return floor_of(cell, size); });
+  const auto assets = load_assets(scene, [&](const std::string&) -> Result<mesh::TriangleMesh> {
+    return floor_of(cell, -0.5 * size, 0.5 * size, size);
+  });
   REQUIRE_OK(assets);
   auto world = sim::World::create(device, scene, *assets, {});
   REQUIRE_OK(world);

@@ -49,9 +49,7 @@ fn answer(pair : u32, contact : Contact, w : vec4f) -> Answer {
   let had = step.time.dt * contact.force.xyz;
   let normal = max(0.0, dot(n, had) + (contact.force.w - speed) / mobility);
   let sticking = had - dot(n, had) * n - (u - speed * n) / mobility;
-  let size = length(sticking);
-  let most = contact.surface.w * normal;
-  let impulse = normal * n + select(1.0, most / size, size > most) * sticking;
+  let impulse = normal * n + no_longer(sticking, contact.surface.w * normal);
   contacts[pair].force = vec4f(impulse / step.time.dt, contact.force.w);
   return Answer(impulse - had, mobility);
 }

@@ -19,8 +19,7 @@
 // for as many substeps as are to come before that.
 const kReachIntervals = 2.5;  // of the substeps between two chances to search
 const kFarthest = 4.0;  // of most_reach: how far along its way, if the next search comes before that
-fn way_ahead(v : vec3f, slack : f32) -> vec3f {
-  let way = min(step.time.dt * length(v), 3e38);
+fn way_ahead(v : vec3f, way : f32, slack : f32) -> vec3f {
   let soon = kReachMargin * kDetectInterval;
   if (soon * way <= slack) { return vec3f(0.0); }
   return clamp(kFarthest * step.contact.most_reach / way, soon, kReachIntervals * kDetectInterval) * step.time.dt * v;
@@ -57,9 +56,9 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   // The mean velocity until the next search, by the load: what starts to fall must not be held where it was.
   let v = velocity[vertex].xyz + 0.5 * kReachMargin * kDetectInterval * step.time.dt * step.air.acceleration.xyz;
   let most = most_slack[vertex];
-  let way = min(step.time.dt * length(v), 3e38);
+  let way = min(step.time.dt * length(v), 3e38);  // m, in a substep
   var slack = clamp(kReachIntervals * kDetectInterval * way, min(step.contact.thickness, most), most);
-  var ahead = way_ahead(v, slack);
+  var ahead = way_ahead(v, way, slack);
   if (place.w == 0.0) {
     slack = scripted_reach();
     ahead = vec3f(0.0);

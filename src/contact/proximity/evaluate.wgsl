@@ -14,7 +14,7 @@
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m
-@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 2 * vertex_count  m/s, then m
+@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(3) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
 @group(0) @binding(4) var<storage, read_write> contacts        : array<Contact>;
 @group(0) @binding(5) var<storage, read_write> entries         : array<u32>;
@@ -29,6 +29,11 @@ var<workgroup> crossings : u32;  // that the last search has found
 
 fn velocity_of(vertex : u32) -> vec3f { return predicted[vertex].xyz; }
 
+// The side that contact cannot move: 1 A, 2 B, 0 neither.
+fn solid_side(ids : vec4u) -> u32 {
+  if (is_solid(ids, roles_of_a(ids), role_count(ids))) { return 2u; }
+  return select(0u, 1u, is_solid(ids, 0u, roles_of_a(ids)));
+}
 // Whether roles from `first` to before `end` are a collider's or kinematic.
 fn is_solid(ids : vec4u, first : u32, end : u32) -> bool {
   var solid = true;
@@ -63,6 +68,9 @@ fn solid_speed(ids : vec4u, first : u32, end : u32, w : vec4f, toward : vec3f, s
   return speed;
 }
 
+// How fast features may part, or must close, to be more than moved by their load, m/s: equations (3) and (3a).
+fn speed_of_load() -> f32 { return kPartingSteps * step.time.dt * length(step.air.acceleration.xyz); }
+
 // Equation (3a): the force of the substep before, less what takes back the speed at which the features part.
 fn first_force(ids : vec4u, w : vec4f, n : vec3f, kept : vec3f, friction : f32, speed : f32) -> vec3f {
   var mobility = 0.0;  // were the pair alone, 1/kg
@@ -70,16 +78,14 @@ fn first_force(ids : vec4u, w : vec4f, n : vec3f, kept : vec3f, friction : f32, 
     if (!is_collider(ids[role])) { mobility += w[role] * w[role] * previous[ids[role] & kIdBits].w; }
   }
   if (mobility <= 0.0) { return vec3f(0.0); }
-  let load = length(step.air.acceleration.xyz);
-  let parting = max(0.0, speed - kPartingSteps * step.time.dt * load);
+  let parting = max(0.0, speed - speed_of_load());
   return within_cone(kept - parting / (mobility * step.time.dt) * n, n, friction);
 }
 
 // Equation (3): the least normal velocity that a pair may end with.
 fn least_speed(gap : f32, thickness : f32, speed : f32) -> f32 {
   let dt = step.time.dt;
-  let closing = -speed > kPartingSteps * dt * length(step.air.acceleration.xyz);
-  let bounces = (step.contact.restitution > 0.0) & closing & (gap + dt * speed < thickness);
+  let bounces = (step.contact.restitution > 0.0) & (-speed > speed_of_load()) & (gap + dt * speed < thickness);
   return max(-max(0.0, gap - thickness) / dt, select(-3e38, -step.contact.restitution * speed, bounces));
 }
 
@@ -174,8 +180,9 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let urgency = urgency_of(gap + min(step.time.dt * speed, 0.0), thickness);
     let first_b = roles_of_a(ids);
     let end_b = role_count(ids);
-    if (is_self && !is_near && !untangles && contacts[pair].near == 0u && !is_solid(ids, first_b, end_b) &&
-        !is_solid(ids, 0u, first_b)) {  // most pairs: all but their plane is as it was
+    let solid = solid_side(ids);
+    if (is_self && !is_near && !untangles && contacts[pair].near == 0u && solid == 0u) {
+      // Most pairs: all but their plane is as it was.
       contacts[pair].normal = vec4f(n, gap);
       contacts[pair].place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
       if (any(contacts[pair].force.xyz != vec3f(0.0))) { contacts[pair].force = vec4f(0.0); }
@@ -183,16 +190,12 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     }
     var contact = contacts[pair];
     contact.place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
-    contact.solid = 0u;
+    contact.solid = select(solid, kUntangles, untangles);
     contact.solid_speed = 0.0;
-    if (untangles) {
-      contact.solid = kUntangles;
-    } else if (is_solid(ids, first_b, end_b)) {
-      contact.solid = 2u;
+    if (contact.solid == 2u) {
       contact.place.w = reach_of(ids, first_b, end_b, 1.0, n, measured.radius);
       contact.solid_speed = solid_speed(ids, first_b, end_b, w, n, r.surface);
-    } else if (is_solid(ids, 0u, first_b)) {
-      contact.solid = 1u;
+    } else if (contact.solid == 1u) {
       contact.place.w = reach_of(ids, 0u, first_b, -1.0, n, measured.radius);
       contact.solid_speed = solid_speed(ids, 0u, first_b, w, -n, r.surface);
     }

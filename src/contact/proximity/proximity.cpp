@@ -51,7 +51,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   setup.self_thickness = static_cast<float>(lengths.self_thickness);
   setup.interval = wanted.interval;
   setup.workgroup_size = wanted.workgroup_size;
-  for (const double slack : most_slacks(model.host, scene.contact))
+  for (const double slack : most_slacks(model.host, lengths.most_reach, lengths.self_thickness))
     setup.most_slack.push_back(static_cast<float>(slack));
   WEFT_TRY(search, PairSearch::create(device, model, state, pairs, scene, meshes, setup));
   made.search_ = std::move(search);

@@ -14,7 +14,7 @@ namespace weft::contact {
 struct ProximityLengths {
   double thickness = 0;       // h
   double self_thickness = 0;  // h_s; 0: cloth does not meet cloth
-  double most_reach = 0;      // b of a fast one, unless that is too little until the next search
+  double most_reach = 0;      // b₁: the largest slack of a vertex
 };
 
 /// Errors  Input: the thickness is not positive, or below the resolution of f32 at the cloth.

@@ -11,11 +11,13 @@ fn add_units(word : u32, units_in_one : f32, value : vec3f) {
   }
 }
 
+fn no_longer(v : vec3f, most : f32) -> vec3f {
+  let size = length(v);
+  return select(1.0, most / size, size > most) * v;
+}
+
 // The part of an impulse or a force that the cone of friction about n allows.
 fn within_cone(whole : vec3f, n : vec3f, friction : f32) -> vec3f {
   let normal = max(0.0, dot(n, whole));
-  let along = whole - dot(n, whole) * n;
-  let size = length(along);
-  let most = friction * normal;
-  return normal * n + select(1.0, most / size, size > most) * along;
+  return normal * n + no_longer(whole - dot(n, whole) * n, friction * normal);
 }

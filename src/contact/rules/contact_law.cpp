@@ -48,16 +48,16 @@ double self_thickness(const Model& model, double thickness) {
 double flat_reach(const Model& model, const scene::Contact& contact) {
   const double altitude = typical_altitude(model);
   if (!contact.self) return 0.5 * altitude;
-  return flat_slack(altitude, self_thickness(model, contact.thickness));  // h_s + 2b is below the altitude
+  // h_s + 2b is below the altitude.
+  return flat_slack(altitude, std::min(contact.thickness, 0.5 * altitude));
 }
 
-std::vector<double> most_slacks(const Model& model, const scene::Contact& contact) {
-  const double most = flat_reach(model, contact);
-  std::vector<double> slacks(model.vertex_count(), most);
-  if (!contact.self) return slacks;
-  const double thickness = self_thickness(model, contact.thickness);
+std::vector<double> most_slacks(const Model& model, double most_reach, double self_thickness) {
+  std::vector<double> slacks(model.vertex_count(), most_reach);
+  if (self_thickness == 0) return slacks;
   for (const mesh::Triangle& corners : model.triangles) {
-    const double own = std::clamp(flat_slack(shortest_altitude(model, corners), thickness), most / 4, most);
+    const double own =
+        std::clamp(flat_slack(shortest_altitude(model, corners), self_thickness), most_reach / 4, most_reach);
     for (const std::uint32_t vertex : corners) slacks[vertex] = std::min(slacks[vertex], own);
   }
   return slacks;

@@ -61,18 +61,19 @@ double typical_altitude(const Model& model);
 /// h_s: the thickness between cloth and cloth [m]: no more than half of ℓ, since a vertex of flat cloth lies no
 /// nearer to a triangle of its own sheet. A pair of one cloth may have less: pair_thickness.
 double self_thickness(const Model& model, double thickness);
-/// The thickness of a pair of features of one cloth that are this far apart at rest [m].
-inline double pair_thickness(double self_thickness, double rest_distance) {
-  return rest_distance < 2 * self_thickness ? 0.5 * rest_distance : self_thickness;
-}
 /// Features of one cloth that are no further apart at rest than this part of h_s do not meet: they have no side.
 inline constexpr double kTouchingAtRest = 0.02;
+/// The thickness of a pair of features of one cloth that are this far apart at rest [m]; 0: they do not meet.
+inline double pair_thickness(double self_thickness, double rest_distance) {
+  if (rest_distance <= kTouchingAtRest * self_thickness) return 0;
+  return rest_distance < 2 * self_thickness ? 0.5 * rest_distance : self_thickness;
+}
 
 /// b₁: with no more slack than this, flat cloth lists no pairs with itself [m].
 double flat_reach(const Model& model, const scene::Contact& contact);
 /// The same of each vertex, from the shortest altitude of the triangles around it; at least a quarter of b₁, so that a
 /// sliver lists pairs and is not held back [m].
-std::vector<double> most_slacks(const Model& model, const scene::Contact& contact);
+std::vector<double> most_slacks(const Model& model, double most_reach, double self_thickness);
 /// Factor by which an approaching feature may speed up until then.
 inline constexpr double kReachMargin = 1.25;
 

@@ -128,7 +128,7 @@ double Proximity::thickness_of(const FeaturePair& pair, const Sides& sides) cons
   return pair_thickness(self_thickness_, measured(pair, rest_, object_).distance);
 }
 
-NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, double dt) const {
+NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool untangles, double dt) const {
   NearPair near;
   for (const Side* side : {&sides.a, &sides.b})
     for (std::uint32_t k = 0; !side->obstacle && k < side->count; ++k) {
@@ -139,16 +139,15 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, doubl
   near.with_body = with_obstacle;
   near.direction = pair.direction;
   near.distance = pair.distance;
-  near.thickness = with_obstacle                     ? thickness_
-                   : pair.kind <= PairKind::EdgeEdge ? thickness_of(pair, sides)
-                                                     : self_thickness_;
+  near.thickness = with_obstacle ? thickness_ : untangles ? self_thickness_ : thickness_of(pair, sides);
+  near.untangles = untangles;
   near.friction = friction_of(pair, sides);
   const auto kept =
       std::lower_bound(kept_.begin(), kept_.end(), pair,
                        [](const Kept& one, const FeaturePair& other) { return one.pair < other; });
   if (kept != kept_.end() && same_features(kept->pair, pair)) near.kept = kept->force;
   const bool with_capsule = pair.kind == PairKind::EdgeObjectEdge && object_.radius_of_edge(pair.b) > 0;
-  near.may = (pair.inside || with_capsule) && pair.in_cones;
+  near.may = (pair.inside || with_capsule) && pair.in_cones && near.thickness > 0;
   if (with_obstacle) {
     const double sign = sides.a.obstacle ? 1 : -1;
     near.surface = sign * surface_of(pair, sides, -sign * pair.direction, dt).velocity;
@@ -156,9 +155,11 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, doubl
   return near;
 }
 
-void Proximity::add_limits(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
+void Proximity::add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,
                            std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const {
-  if (!(pair.distance > 0)) return;  // inside a ball or below a plane: pushes move it out
+  // Inside a ball or below a plane pushes move it out.
+  if (!(pair.distance > 0) || !(thickness > 0)) return;
+  const Sides sides = sides_of(pair);
   const auto kinematic = [&](const Side& side) {
     return std::all_of(side.vertices.begin(), side.vertices.begin() + side.count,
                        [&](std::uint32_t v) { return nodes.inverse_mass[v] == 0; });
@@ -172,7 +173,7 @@ void Proximity::add_limits(const FeaturePair& pair, const Sides& sides, const No
     double offset = 0, speed = 0;
     if (other.obstacle) {
       const Surface surface = surface_of(pair, sides, away, dt);
-      offset = surface.support + margin_of(pair.distance, thickness_);
+      offset = surface.support + margin_of(pair.distance, thickness);
       speed = dot(away, surface.velocity);
     } else {  // cloth that only its motion moves is an obstacle
       for (std::uint32_t k = 0; k < other.count; ++k) {
@@ -180,7 +181,7 @@ void Proximity::add_limits(const FeaturePair& pair, const Sides& sides, const No
         offset = k == 0 ? along : std::max(offset, along);
         speed += std::abs(other.weights[k]) * dot(away, nodes.velocity[other.vertices[k]]);
       }
-      offset += margin_of(pair.distance, thickness_of(pair, sides));
+      offset += margin_of(pair.distance, thickness);
     }
     for (std::uint32_t k = 0; k < side.count; ++k) planes.push_back({side.vertices[k], away, offset, speed});
   }
@@ -192,7 +193,7 @@ void Proximity::add_limits(const FeaturePair& pair, const Sides& sides, const No
   }
   for (std::uint32_t k = 0; k < sides.b.count; ++k) both.nodes[sides.a.count + k] = sides.b.vertices[k];
   both.middle -= 0.5 * pair.distance;
-  both.margin = std::max(kContactMargin * pair.distance, 0.5 * kContactFloor * thickness_of(pair, sides));
+  both.margin = std::max(kContactMargin * pair.distance, 0.5 * kContactFloor * thickness);
   both.apart = std::min(2 * both.margin, pair.distance);  // what is nearer already comes no nearer
   cloth.push_back(both);
 }
@@ -214,7 +215,7 @@ std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span
       plane_pairs(cloth_, start_.planes, thickness_ + most + obstacle_travel);
   pairs.insert(pairs.end(), with_planes.begin(), with_planes.end());
   std::vector<NearPair> near;
-  for (const FeaturePair& pair : pairs) near.push_back(near_pair(pair, sides_of(pair), dt));
+  for (const FeaturePair& pair : pairs) near.push_back(near_pair(pair, sides_of(pair), false, dt));
   return presses_of(near, velocity, dt);
 }
 
@@ -228,10 +229,6 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   const double most = travel + 0.5 * thickness_;
   const double obstacle_travel = move_obstacles(begin, dt);
   std::vector<FeaturePair> pairs = listed(most, travel, obstacle_travel);
-  std::erase_if(pairs, [&](const FeaturePair& pair) {
-    return pair.kind <= PairKind::EdgeEdge &&
-           thickness_of(pair, sides_of(pair)) <= 0.5 * kTouchingAtRest * self_thickness_;
-  });
   const TangledSurfaces cloth{cloth_, cloth_facts_}, object{object_, object_facts_};
   // Without crossings, only features that come near can cross.
   if (list_.searches() != tangle_searched_ || tangle_.crossings > 0)
@@ -245,10 +242,8 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   pairs.insert(pairs.end(), with_planes.begin(), with_planes.end());
   untangles.resize(pairs.size(), false);
   std::vector<NearPair> near;
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    near.push_back(near_pair(pairs[p], sides_of(pairs[p]), dt));
-    near.back().untangles = untangles[p];
-  }
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    near.push_back(near_pair(pairs[p], sides_of(pairs[p]), untangles[p], dt));
   const Response response =
       respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, iterations_});
   kept_.clear();
@@ -262,7 +257,8 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   }
   std::vector<SolidPlane> planes;
   std::vector<ClothPair> cloth_pairs;
-  for (const FeaturePair& pair : pairs) add_limits(pair, sides_of(pair), nodes, dt, planes, cloth_pairs);
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    add_limits(pairs[p], near[p].thickness, nodes, dt, planes, cloth_pairs);
   // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull over a ball at
   // steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose. So it is shortened too.
   const Truncated truncated = truncate(planes, cloth_pairs, most,

@@ -69,9 +69,9 @@ class Proximity {
   double friction_of(const FeaturePair& pair, const Sides& sides) const;
   /// Of a pair of cloth with itself [m].
   double thickness_of(const FeaturePair& pair, const Sides& sides) const;
-  NearPair near_pair(const FeaturePair& pair, const Sides& sides, double dt) const;
+  NearPair near_pair(const FeaturePair& pair, const Sides& sides, bool untangles, double dt) const;
   /// What a pair asks of truncate(): planes of a side that contact cannot move, or a pair of cloth.
-  void add_limits(const FeaturePair& pair, const Sides& sides, const Nodes& nodes, double dt,
+  void add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,
                   std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const;
   /// Near pairs for nodes that go up to `most` [m] and obstacles that go `obstacle_travel` [m].
   std::vector<FeaturePair> listed(double most, double travel, double obstacle_travel);

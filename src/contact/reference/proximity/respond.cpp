@@ -47,22 +47,25 @@ double least_speed(const NearPair& pair, double u_n, const ContactLaw& law) {
   return bounces ? std::max(-room / law.dt, -law.restitution * u_n) : -room / law.dt;
 }
 
+Vec3d no_longer(const Vec3d& v, double most) {
+  const double size = length(v);
+  return (size > most ? most / size : 1.0) * v;
+}
+
 /// Equation (4), with W > 0: the impulse J of the pair, from the one that it had.
 Vec3d impulse(const NearPair& pair, const Vec3d& had, const Vec3d& u, double least, double mobility) {
   const Vec3d& n = pair.direction;
   const double u_n = dot(n, u), had_n = dot(n, had);
   const double normal = std::max(0.0, had_n + (least - u_n) / mobility);
   const Vec3d sticking = (had - had_n * n) - (u - u_n * n) / mobility;
-  const double size = length(sticking), most = pair.friction * normal;
-  return normal * n + (size > most ? most / size : 1.0) * sticking;
+  return normal * n + no_longer(sticking, pair.friction * normal);
 }
 
 /// Its part that the cone of friction about n allows.
 Vec3d within_cone(const NearPair& pair, const Vec3d& impulse) {
   const double normal = std::max(0.0, dot(pair.direction, impulse));
   const Vec3d along = impulse - dot(pair.direction, impulse) * pair.direction;
-  const double size = length(along), most = pair.friction * normal;
-  return normal * pair.direction + (size > most ? most / size : 1.0) * along;
+  return normal * pair.direction + no_longer(along, pair.friction * normal);
 }
 
 /// Equation (3a): the impulse that the pair begins with: that of the substep before, less what takes back its parting.

@@ -19,6 +19,7 @@ class Truncation {
         ways_(ways),
         changed_(ways.end.size()),
         held_(ways.end.size()),
+        shortened_by_cloth_(ways.end.size()),
         lists_(ways.end.size()) {
     for (std::size_t p = 0; p < pairs.size(); ++p)
       for (std::uint32_t k = 0; k < pairs[p].count_a + pairs[p].count_b; ++k)
@@ -82,8 +83,7 @@ class Truncation {
   Truncated count(std::span<const SolidPlane> planes) const {
     std::vector<bool> driven(held_.size());
     for (const SolidPlane& plane : planes)
-      if (shortened_by_cloth_.size() > 0 && shortened_by_cloth_[plane.node] &&
-          dot(plane.normal, ways_.end[plane.node]) < plane.offset - 1e-12)
+      if (shortened_by_cloth_[plane.node] && dot(plane.normal, ways_.end[plane.node]) < plane.offset - 1e-12)
         driven[plane.node] = true;
     return {static_cast<std::uint64_t>(std::count(changed_.begin(), changed_.end(), true)),
             static_cast<std::uint64_t>(std::count(driven.begin(), driven.end(), true))};
@@ -114,7 +114,6 @@ class Truncation {
       part = std::min(part, part_before(inside(ways_.start[node]), inside(ways_.end[node])));
     }
     if (part == 1) return;
-    shortened_by_cloth_.resize(held_.size());
     shortened_by_cloth_[node] = true;
     shorten(node, part);
   }
