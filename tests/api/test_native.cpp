@@ -13,7 +13,8 @@ constexpr WGPUTextureFormat kFormats[] = {WGPUTextureFormat_RGBA8Unorm, WGPUText
 
 /// A sheet that falls onto a ball, with pairs in contact.
 constexpr const char* kDrape = R"({ "format": "weft-scene/1",
-  "cloths": [{ "grid": [12, 12], "size": [1, 1], "plane": "xz", "density": 0.2 }],
+  "cloths": [{ "grid": [12, 12], "size": [1, 1], "plane": "xz", "density": 0.2,
+    "stiffness": { "structural": 8, "shear": 2, "bend": 0.1 } }],
   "colliders": [{ "kind": "sphere", "center": [0, -0.31, 0], "radius": 0.3 }] })";
 
 World world_on(const CallersDevice& device, const Scene& scene) {

@@ -10,16 +10,19 @@ namespace {
 
 constexpr const char* kAlone = R"(, "contact": {"method": "none"})";
 
-/// A sheet of 1 m by 1 m and 9 x 9 nodes, with frames of `frames_per_second` in steps of 1/3840 s.
-scene::Scene sheet(int frames_per_second, const std::string& cloth, const std::string& more = "") {
+/// A sheet of 1 m by 1 m and 9 x 9 nodes, with frames of `frames_per_second` in so many steps a second; of fewer steps
+/// it is as much softer as they need.
+scene::Scene sheet(int frames_per_second, const std::string& cloth, const std::string& more = "", int steps = 3840) {
+  const double softer = std::pow(steps / 3840.0, 2);
   auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "drag": 0.5, "solver": {"kind": "mass_spring"},
           "time": {"frame": )" +
           std::to_string(1.0 / frames_per_second) + R"(, "substeps": )" +
-          std::to_string(3840 / frames_per_second) + "}" + (more.empty() ? kAlone : more) +
+          std::to_string(steps / frames_per_second) + "}" + (more.empty() ? kAlone : more) +
           R"(, "cloths": [{"grid": [9, 9], "size": [1, 1], "plane": "xz", "density": 0.4, "damping": 0.01,
-              "stiffness": {"structural": 450, "shear": 130, "bend": 10})" +
-          cloth + "}]}",
+              "stiffness": {"structural": )" +
+          std::to_string(450 * softer) + R"(, "shear": )" + std::to_string(130 * softer) + R"(, "bend": )" +
+          std::to_string(10 * softer) + "}" + cloth + "}]}",
       "sheet.json");
   REQUIRE_OK(scene);
   scene->time.frame = 1.0 / frames_per_second;  // its decimals are not all in the text
@@ -125,9 +128,9 @@ TEST_CASE("after a restore a moving floor still carries what lies on it") {
   const std::string floor = R"(, "contact": {"method": "proximity", "thickness": 0.005}, "colliders": [
     {"kind": "box", "center": [0, -0.11, 0], "size": [2, 0.2, 2],
      "motion": {"kind": "line", "direction": [0, 1, 0], "speed": 0.5, "ramp": 0.2}}])";
-  auto world = world_of(fixture.device(), sheet(60, "", floor));
+  auto world = world_of(fixture.device(), sheet(60, "", floor, 960));
   advance(*world, 24);
-  auto other = world_of(fixture.device(), sheet(120, "", floor));
+  auto other = world_of(fixture.device(), sheet(120, "", floor, 960));
   REQUIRE(other->restore(state_of(*world)));
   advance(*other, 12);
   const double top = -0.01 + 0.5 * (0.5 - 0.1);  // at 0.5 s
@@ -145,7 +148,8 @@ TEST_CASE("after a restore gusts and the scene's grabs go on, also where the win
   const std::string held =
       R"(, "pins": ["left"], "grabs": [{"node": "bottom_right", "start": 0.05, "path": [
            {"time": 0, "point": [0.5, 0, 0.5]}, {"time": 0.5, "point": [0.5, 0.4, 0.4]}]}])";
-  const std::string wind = R"(, "wind": {"velocity": [3, 1, 2], "gusts": 0.8, "wavelength": 0.5})";
+  const std::string wind =
+      std::string(kAlone) + R"(, "wind": {"velocity": [3, 1, 2], "gusts": 0.8, "wavelength": 0.5})";
   auto world = world_of(fixture.device(), sheet(60, held, wind));
   advance(*world, 5);
   scene::Scene changed = world->scene();

@@ -24,13 +24,8 @@ fn add(word : u32, value : f32) {
   let units = i32(round(value));
   let before = atomicAdd(&presses[word], units);
   let after = before + units;  // passes over the end of i32 as the atomic sum does
-  if (units > 0 && after < before) { atomicAdd(&presses[word + kPressWraps], 1); }
-  if (units < 0 && after > before) { atomicAdd(&presses[word + kPressWraps], -1); }
-}
-fn add_vector(word : u32, value : vec3f) {
-  add(word, value.x);
-  add(word + 1u, value.y);
-  add(word + 2u, value.z);
+  let wraps = select(0, 1, units > 0 && after < before) - select(0, 1, units < 0 && after > before);
+  if (wraps != 0) { atomicAdd(&presses[word + kPressWraps], wraps); }
 }
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -57,12 +52,18 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
       let own_way = step.time.dt * dot(measured.normal, side * velocity_of(vertex) + r.surface);
       let lack = clamp((room - own_way) / step.contact.thickness, -kMostLack, kMostLack);
       let weight = abs(weights[role]) * kPressUnits;
-      let word = kPressWords * vertex;
-      add_vector(word + kPressNormal, weight * side * measured.normal);
-      add(word + kPressLack, abs(weights[role]) * kLackUnits * lack);
-      add(word + kPressWeight, weight);
-      add_vector(word + kPressSurface, weight * clamp(-side * r.surface, vec3f(-kMostSurface), vec3f(kMostSurface)));
-      add(word + kPressFriction, weight * friction);
+      let normal = weight * side * measured.normal;
+      let surface = weight * clamp(-side * r.surface, vec3f(-kMostSurface), vec3f(kMostSurface));
+      var sums : array<f32, kPressWraps>;
+      for (var k = 0u; k < 3u; k++) {
+        sums[kPressNormal + k] = normal[k];
+        sums[kPressSurface + k] = surface[k];
+      }
+      sums[kPressLack] = abs(weights[role]) * kLackUnits * lack;
+      sums[kPressWeight] = weight;
+      sums[kPressFriction] = weight * friction;
+      // A loop: SwiftShader needs minutes and gigabytes to compile nine calls.
+      for (var k = 0u; k < kPressWraps; k++) { add(kPressWords * vertex + k, sums[k]); }
     }
   }
 }
