@@ -43,8 +43,7 @@ class Altered {
   void say_all(const sim::World& world) const {
     if (frames_ > 0)
       say("In %u frames, from frame %u on, contact shortened more than 0.1 %% of the vertices' ways, at most "
-          "%.2g %% "
-          "in a frame, since cloth or an obstacle would have been passed: more substeps help.",
+          "%.2g %% in a frame, since cloth or an obstacle would have been passed: more substeps help.",
           frames_, first_, 100 * most_);
     if (world.totals().driven > 0)
       say("Obstacles have come past cloth %llu times, since the cloth behind it did not give way.",
@@ -58,11 +57,11 @@ class Altered {
   double most_ = 0;
 };
 
-Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& options, Summary& summary) {
+Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& options, Summary& summary,
+                      Altered& altered) {
   const std::uint32_t frames = options.frames.value_or(world.scene().time.frames);
   Progress progress("simulating", frames);
   bool tangled = false;
-  Altered altered;
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
     if (interrupted())
       return make_error(ErrorKind::Interrupted, "Interrupted after %u of %u frames.", frame, frames);
@@ -75,15 +74,13 @@ Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& o
     if (world.totals().crossings > 0 && !tangled) {
       tangled = true;
       say("Cloth is in a tangle since frame %u: edges pass through triangles at %u places, and contact moves "
-          "them "
-          "apart.",
+          "them apart.",
           frame, world.totals().crossings);
     }
     altered.add(world, frame);
     if (pictures != nullptr) WEFT_CHECK(pictures->draw(world));
     progress.show(frame + 1, summary.frame_ms.back());
   }
-  altered.say_all(world);
   return {};
 }
 
@@ -142,11 +139,13 @@ Result<void> run_scene(const RunOptions& options) {
   Summary summary;
   summary.scene = options.scene.path;
   const auto start = Clock::now();
-  const Result<void> ended = simulate(*world, pictures.get(), options, summary);
+  Altered altered;
+  const Result<void> ended = simulate(*world, pictures.get(), options, summary, altered);
   // After a divergence or an interrupt the device still works, and what was reached is kept.
   if (!ended && ended.error().kind != ErrorKind::Diverged && ended.error().kind != ErrorKind::Interrupted)
     return ended;
   if (pictures) WEFT_CHECK(pictures->finish());
+  altered.say_all(*world);
   if (world->totals().crossings_left > 0)
     say("Cloth ends in a tangle: edges pass through triangles at %u places.", world->totals().crossings_left);
   summary.end = end_of(ended);

@@ -12,7 +12,8 @@ constexpr const char* kAlone = R"(, "contact": {"method": "none"})";
 
 /// A sheet of 1 m by 1 m and 9 x 9 nodes, with frames of `frames_per_second` in so many steps a second; of fewer steps
 /// it is as much softer as they need.
-scene::Scene sheet(int frames_per_second, const std::string& cloth, const std::string& more = "", int steps = 3840) {
+scene::Scene sheet(int frames_per_second, const std::string& cloth, const std::string& more = "",
+                   int steps = 3840) {
   const double softer = std::pow(steps / 3840.0, 2);
   auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "drag": 0.5, "solver": {"kind": "mass_spring"},
