@@ -14,6 +14,7 @@ struct Contact {
   other_end : u32,  // of a crossing: the id of the edge's other end
   thickness : f32,  // the distance that it keeps, m
   solid_speed : f32,  // of a solid side, toward the other, m/s
+  begun : f32,      // the normal part of the force that the last iteration ended with, before it went ahead, N
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
 const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; else vertex and triangle

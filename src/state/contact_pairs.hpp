@@ -25,7 +25,8 @@ struct Contact {
   std::uint32_t other_end = 0;  // of a crossing: the id of the edge's other end
   float thickness = 0;          // the distance that it keeps [m]
   float solid_speed = 0;        // of a solid side, toward the other [m/s]
-  std::array<std::uint32_t, 2> unused{};
+  float begun = 0;              // the normal part of the force before it went ahead [N]
+  std::uint32_t unused = 0;
 };
 static_assert(sizeof(Contact) == 128 && offsetof(Contact, normal) == 32 && offsetof(Contact, force) == 80);
 

@@ -89,10 +89,10 @@ TEST_CASE(
   for (const Method& method : methods()) {
     const std::string solver = scene::name_of(method.kind);
     CAPTURE(solver);
-    const double one = dispatches(solver, cloth, 24);  // both below the step from which on contact iterates
+    const double one = dispatches(solver, cloth, 56);  // both below the step from which on contact iterates
     CHECK(dispatches(solver, cloth, 40) == one);
     CHECK(one == std::floor(one * 2) / 2);  // a dispatch of mass_spring may take two steps
-    const double two = dispatches(solver, cloth + ", " + cloth, 24);
+    const double two = dispatches(solver, cloth + ", " + cloth, 56);
     CHECK(dispatches(solver, cloth + ", " + cloth, 40) == two);
     CHECK(two >= one);  // a method may take all cloths in one dispatch
   }

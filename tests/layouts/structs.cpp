@@ -223,7 +223,7 @@ Json contact_of_pair() {
   using T = Contact;
   return row("Contact", "state/contact.wgsl", sizeof(T), kUniform,
              {M(ids), M(slots), M(normal), M(place), M(surface), M(force), M(urgency), M(solid), M(near),
-              M(other_end), M(thickness), M(solid_speed)});
+              M(other_end), M(thickness), M(solid_speed), M(begun)});
 }
 Json search_params() {
   using T = contact::SearchParams;
@@ -368,6 +368,7 @@ Json shared_constants() {
       real("kContactTouching", "state/contact.wgsl", kContactTouching),
       real("kHoldPart", "contact/proximity/press.wgsl", kHoldPart),
       real("kHoldSpeed", "contact/proximity/press.wgsl", kHoldSpeed),
+      real("kAhead", "contact/proximity/contact_impulse.wgsl", kImpulseAhead),
       real("kPushPart", "state/contact.wgsl", kPushPart),
       real("kPushSpeed", "state/contact.wgsl", kPushSpeed),
       real("kPartingSteps", "state/contact.wgsl", kPartingSteps),

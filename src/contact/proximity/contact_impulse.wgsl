@@ -13,6 +13,7 @@
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read>       statistics      : array<u32>;
 override kLast : u32 = 1;  // of the substep's iterations
+const kAhead = 0.5;        // of its change from one iteration to the next, the part by which a force goes ahead
 
 struct Answer {
   impulse : vec3f,   // how much the impulse on side A grows, N·s
@@ -26,7 +27,7 @@ fn first_change(vertex : u32) -> vec3f {
                      bitcast<i32>(atomicLoad(&vertex_contacts[word + 2u])))) / kSpeedUnits;
 }
 
-// Equations (2) to (4) and (7); stores the force.
+// Equations (2) to (4a) and (7); stores the force.
 fn answer(pair : u32, contact : Contact, w : vec4f) -> Answer {
   let ids = contact.ids;
   var u = contact.surface.xyz;
@@ -49,8 +50,10 @@ fn answer(pair : u32, contact : Contact, w : vec4f) -> Answer {
   let had = step.time.dt * contact.force.xyz;
   let normal = max(0.0, dot(n, had) + (contact.force.w - speed) / mobility);
   let sticking = had - dot(n, had) * n - (u - speed * n) / mobility;
-  let impulse = normal * n + no_longer(sticking, contact.surface.w * normal);
+  let ahead = select(kAhead, 0.0, kLast != 0u) * (normal - step.time.dt * contact.begun);
+  let impulse = (normal + ahead) * n + no_longer(sticking, contact.surface.w * normal);
   contacts[pair].force = vec4f(impulse / step.time.dt, contact.force.w);
+  contacts[pair].begun = normal / step.time.dt;
   return Answer(impulse - had, mobility);
 }
 

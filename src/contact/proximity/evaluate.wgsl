@@ -206,6 +206,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     var force = vec3f(0.0);
     if (acts && !untangles) { force = first_force(ids, w, n, contact.force.xyz, friction, speed); }
     contact.force = vec4f(force, least_speed(gap, thickness, speed));
+    contact.begun = dot(n, force);
     let is_kept = any(force != vec3f(0.0));
     let holds = gap > 0.0 && contact.solid != 0u;  // has planes that what is not solid must not pass
     let near_flag = select(0u, kEntryNear, is_near || holds);
@@ -218,6 +219,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     contacts[pair].urgency = contact.urgency;
     contacts[pair].solid = contact.solid;
     contacts[pair].solid_speed = contact.solid_speed;
+    contacts[pair].begun = contact.begun;
     contacts[pair].near = contact.near;
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role])) { continue; }

@@ -11,7 +11,7 @@ std::uint32_t contact_urgency(double gap, double thickness) {
   return 1 + static_cast<std::uint32_t>(255 * depth * depth);
 }
 
-std::uint32_t contact_iterations(double step) { return step > 1e-3 ? 4 : 1; }
+std::uint32_t contact_iterations(double step) { return step > 1e-3 ? 6 : step > 5e-4 ? 2 : 1; }
 
 namespace {
 

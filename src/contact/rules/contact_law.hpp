@@ -17,6 +17,8 @@ inline constexpr double kPushSpeed = 0.5;
 /// load's acceleration begins with less: a blow that goes through layers would else throw them back. Eight layers
 /// that fall from 0.5 m rebounded with 30 % of their energy without this, with 4 % with it.
 inline constexpr double kPartingSteps = 2;
+/// Between two iterations the normal part of an impulse goes ahead by this part of its last change.
+inline constexpr double kImpulseAhead = 0.5;
 /// A feature no further away than this many thicknesses is in contact, despite the rounding of its place.
 inline constexpr double kContactTouching = 1.001;
 /// The cosine by which a direction may lie outside of a feature's Voronoi cone: what lies right over an edge of a
@@ -52,7 +54,7 @@ inline constexpr double kTouch = 0.01;
 std::uint32_t contact_urgency(double gap, double thickness);
 
 /// Iterations of impulses in a substep of this length [s]. Forces are kept from substep to substep, so short ones need
-/// one: 16 layers at rest carry their weight within 1 % with one in 1/1,920 s and with four in 1/480 s.
+/// one; with six in 1/960 s fifty layers that drop end at 239 of 250 mm.
 std::uint32_t contact_iterations(double step);
 
 /// ℓ: of each cloth the median of its triangles' shortest altitudes at rest, of all cloths the least [m]; infinite

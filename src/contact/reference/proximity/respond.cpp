@@ -136,14 +136,20 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
   std::vector<double> least(pairs.size(), 0);
   for (std::size_t p = 0; p < pairs.size(); ++p)
     least[p] = least_speed(pairs[p], dot(pairs[p].direction, relative_velocity(pairs[p], velocity)), law);
+  std::vector<Vec3d> begun = response.impulses;  // what the last iteration ended with, before it went ahead
   for (std::uint32_t iteration = 0; iteration < law.iterations; ++iteration) {
     const std::vector<Vec3d> before = now;
+    const double ahead = iteration + 1 < law.iterations ? kImpulseAhead : 0;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       if (!(mobility[p] > 0)) continue;
       const NearPair& pair = pairs[p];
       const Vec3d u = relative_velocity(pair, before), had = response.impulses[p];
-      response.impulses[p] = pair.untangles ? had + push_apart(pair, u, mobility[p], law)
-                                            : impulse(pair, had, u, least[p], mobility[p]);
+      const Vec3d wanted = pair.untangles ? had + push_apart(pair, u, mobility[p], law)
+                                          : impulse(pair, had, u, least[p], mobility[p]);
+      response.impulses[p] = wanted;
+      if (!pair.untangles)  // equation (4a)
+        response.impulses[p] += ahead * dot(pair.direction, wanted - begun[p]) * pair.direction;
+      begun[p] = wanted;
       give(now, pair, response.impulses[p] - had);
     }
   }
