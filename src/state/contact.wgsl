@@ -80,6 +80,7 @@ const kCounted = 4u; // among the truncated
 const kBesideSolid = 8u;  // it has a pair with what contact cannot move
 const kInBody = 3e38;           // in place of a plane's nearness: a pair moves the vertex out of a body
 
+const kSoftLack = 0.02;      // of the thickness: of a smaller lack less is restored, in proportion to it
 const kPushPart = 0.7;       // β: of a missing gap, the part that a substep restores, by a push that is in no velocity
 const kPushSpeed = 0.5;      // m/s: of a push
 const kPartingSteps = 2.0;   // what parts faster than the load moves it in so many substeps keeps less of its force

@@ -370,6 +370,7 @@ Json shared_constants() {
       real("kHoldSpeed", "contact/proximity/press.wgsl", kHoldSpeed),
       real("kAhead", "contact/proximity/contact_impulse.wgsl", kImpulseAhead),
       real("kPushPart", "state/contact.wgsl", kPushPart),
+      real("kSoftLack", "state/contact.wgsl", kSoftLack),
       real("kPushSpeed", "state/contact.wgsl", kPushSpeed),
       real("kPartingSteps", "state/contact.wgsl", kPartingSteps),
       constant("kHeader", "contact/proximity/kept_forces.wgsl", kHeader),

@@ -18,7 +18,7 @@ TEST_CASE("six scenes have the bits that every machine must have") {
                                {"sheet", "[16,16]", 5, "af04c8e56fcc1192"},
                                {"breeze", "[24,16]", 10, "453b402d469758d2"},
                                {"drag", "[16,16]", 40, "4c7d1a904baab260"},
-                               {"pull-sphere", "[16,16]", 12, "62965eeabd47314d", "\"proximity\""}}) {
+                               {"pull-sphere", "[16,16]", 12, "c73a03dc3c1a71b1", "\"proximity\""}}) {
     CAPTURE(golden.scene);
     std::vector<scene::Override> overrides = {{"cloths.0.grid", golden.grid}};
     if (!golden.method.empty()) overrides.push_back({"contact.method", golden.method});

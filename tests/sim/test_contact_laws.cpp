@@ -363,8 +363,7 @@ TEST_CASE("what friction does not hold slides with g (sin - friction cos)") {
   }
 }
 
-TEST_CASE(
-    "long: a strip over a capsule holds up to the ratio of its ends that friction says, and slides beyond") {
+TEST_CASE("a strip over a capsule holds up to the ratio of its ends that friction says, and slides beyond") {
   // With its own weight on the arc, R from its middle: L' = (L + c) e^(mu pi) + c, c = 2 mu R / (1 + mu²).
   constexpr double kFriction = 0.3, kRadius = 0.05, kThickness = 0.002, kSpacing = 0.01, kLeft = 0.1;
   constexpr double kArc = std::numbers::pi * (kRadius + kThickness);
@@ -372,7 +371,7 @@ TEST_CASE(
   const double most = (kLeft + c) * std::exp(kFriction * std::numbers::pi) + c;
   GpuFixture fixture;
   // Light, so that weak springs hold it and 48 substeps are stable.
-  for (const double part : {0.7, 1.05}) {
+  for (const double part : {0.9, 1.05}) {
     const double right = part * most;
     const long rows = std::lround((kLeft + kArc + right) / kSpacing) + 1;
     Setting setting{.gravity = "[0, -0.981, 0]", .contact = R"("thickness": 0.002)", .substeps = 48};
@@ -398,7 +397,7 @@ TEST_CASE(
     const double gone = Moment(*world).position.front().y - begin;  // of the short end, up
     MESSAGE(part, " of the ratio that friction holds: goes ", 1e3 * gone, " mm in 0.3 s");
     if (part < 1)
-      CHECK(std::abs(gone) < 1e-4);
+      CHECK(std::abs(gone) < 0.3 * 1e-5);  // m/s: no creep
     else
       CHECK(gone > 5e-3);
   }

@@ -68,7 +68,8 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
     let given = answer(pair, contact, w);
     if (given.mobility <= 0.0) { continue; }
     let lack = clamp(contact.thickness - contact.normal.w, 0.0, contact.thickness);
-    let apart = min(kPushPart * lack, kPushSpeed * step.time.dt);  // equation (5), m
+    let restored = kPushPart * min(1.0, lack / (kSoftLack * contact.thickness));
+    let apart = min(restored * lack, kPushSpeed * step.time.dt);  // equation (5a), m
     let pushes = kLast != 0u && contact.solid != kUntangles && apart > 0.0;
     for (var role = 0u; role < role_count(contact.ids); role++) {
       if (is_collider(contact.ids[role])) { continue; }

@@ -11,6 +11,9 @@ namespace weft {
 
 /// β: the part of a missing gap that a substep restores, by a push that is in no velocity.
 inline constexpr double kPushPart = 0.7;
+/// Of a gap that lacks less than this part of the thickness a smaller part is restored, in proportion to what it lacks:
+/// pushes of a few roundings would keep contacts chattering, and what chatters creeps.
+inline constexpr double kSoftLack = 0.02;
 /// The fastest push [m/s].
 inline constexpr double kPushSpeed = 0.5;
 /// A pair begins a substep with the force of the one before. What parts faster than by this many substeps of the
@@ -54,7 +57,7 @@ inline constexpr double kTouch = 0.01;
 std::uint32_t contact_urgency(double gap, double thickness);
 
 /// Iterations of impulses in a substep of this length [s]. Forces are kept from substep to substep, so short ones need
-/// one; with six in 1/960 s fifty layers that drop end at 239 of 250 mm.
+/// one; with six in 1/960 s fifty layers that drop end at 236 of 250 mm.
 std::uint32_t contact_iterations(double step);
 
 /// ℓ: of each cloth the median of its triangles' shortest altitudes at rest, of all cloths the least [m]; infinite

@@ -79,10 +79,11 @@ Vec3d first_impulse(const NearPair& pair, std::span<const Vec3d> velocity,
   return within_cone(pair, law.dt * pair.kept - (std::max(0.0, parting) / mobility) * pair.direction);
 }
 
-/// Equation (5): how much further apart, of what is too near.
+/// Equation (5a): how much further apart, of what is too near.
 double push_of(const NearPair& pair, const ContactLaw& law) {
   const double lack = std::clamp(pair.thickness - pair.distance, 0.0, pair.thickness);
-  return std::min(kPushPart * lack, kPushSpeed * law.dt);
+  const double part = kPushPart * std::min(1.0, lack / (kSoftLack * pair.thickness));
+  return std::min(part * lack, kPushSpeed * law.dt);
 }
 
 }  // namespace
