@@ -73,8 +73,8 @@ struct Setting {
   scene::Scene scene;
   Assets assets;
   Pull pull;
-  sim::Snapshot
-      pulled;  // where its full speed begins, reached without a crossing: by proximity with self-contact
+  /// Where its full speed begins, reached without a crossing: by proximity with self-contact.
+  sim::Snapshot pulled;
   CrossingCount crossings;
 };
 
@@ -138,8 +138,8 @@ class Poses {
   }
 
  private:
-  std::optional<Result<Pose>> pushes_, proximity_,
-      self_;  // of bvh and paper; of proximity and none; with self-contact
+  // Of bvh and paper; of proximity and none; with self-contact.
+  std::optional<Result<Pose>> pushes_, proximity_, self_;
 };
 
 Result<Row> measure(gpu::Device& device, const Case& c, Setting& setting, Poses& poses,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/reference/proximity/audit.hpp"
+#include "method/mass_spring/reference/mass_spring.hpp"
 #include "scene/motion.hpp"
 #include "world_rig.hpp"
 
@@ -40,6 +41,14 @@ inline mesh::TriangleMesh floor_of(double cell, double begin, double end, double
       floor.triangles.push_back({at + 1, over, over + 1});
     }
   return floor;
+}
+
+inline constexpr double kGravity = 9.81;  // [m/s²]
+
+inline std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
 }
 
 struct Moment {
@@ -81,12 +90,42 @@ struct Moment {
   }
 };
 
-/// Gives nodes from `begin` to before `end` a velocity [m/s].
-inline void push(sim::World& world, std::size_t begin, std::size_t end, const Vec3d& velocity) {
+/// Puts in what `change` makes of each node's place [m] and velocity [m/s].
+template <class Change>
+void change_state(sim::World& world, const Change& change) {
   auto snapshot = world.snapshot();
   REQUIRE_OK(snapshot);
-  for (std::size_t i = begin; i < end; ++i) snapshot->velocity[i] = Vec4f::from(velocity.to<float>(), 0);
-  REQUIRE(world.restore(*snapshot));
+  for (std::size_t i = 0; i < snapshot->position.size(); ++i) {
+    Vec3d x = snapshot->position[i].xyz().to<double>(), v = snapshot->velocity[i].xyz().to<double>();
+    change(i, x, v);
+    snapshot->position[i] = Vec4f::from(x.to<float>(), snapshot->position[i].w);
+    snapshot->velocity[i] = Vec4f::from(v.to<float>(), 0);
+  }
+  const auto restored = world.restore(*snapshot);
+  REQUIRE_OK(restored);
+}
+
+/// Gives nodes from `begin` to before `end` a velocity [m/s].
+inline void push(sim::World& world, std::size_t begin, std::size_t end, const Vec3d& velocity) {
+  change_state(world, [&](std::size_t node, Vec3d&, Vec3d& v) {
+    if (node >= begin && node < end) v = velocity;
+  });
+}
+
+/// The world's springs and masses with the state `now`; its energy is kinetic, elastic and gravitational.
+inline reference::MassSpringSystem system_of(const sim::World& world, const Moment& now) {
+  reference::MassSpringSystem system;
+  system.position = now.position;
+  system.velocity = now.velocity;
+  for (const double mass : now.mass) system.inverse_mass.push_back(mass > 0 ? 1 / mass : 0);
+  for (const Spring s : world.model().host.springs())
+    system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
+                              static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
+  system.acceleration = world.scene().gravity;
+  return system;
+}
+inline double energy_of(const sim::World& world, const Moment& now) {
+  return reference::energy(system_of(world, now));  // [J]
 }
 
 /// Everything that has passed through anything: cloth through cloth, through meshes and boxes as `objects`

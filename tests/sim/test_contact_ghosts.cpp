@@ -7,10 +7,6 @@ using namespace weft;
 
 namespace {
 
-constexpr double kGravity = 9.81;
-
-std::string text_of(double value) { return std::to_string(value); }
-
 struct Slide {
   double cell = 0.005;  // [m]; 0: the floor is a box
   double friction = 0;
@@ -48,17 +44,15 @@ double way_of(gpu::Device& device, const Slide& slide) {
   const auto assets = load_assets(scene, [&](const std::string&) -> Result<mesh::TriangleMesh> {
     return floor_of(slide.cell, begin, end, size + 0.06);
   });
-  REQUIRE_OK(assets);
-  const auto world = sim::World::create(device, scene, *assets, {});
-  REQUIRE_OK(world);
-  const double before = Moment(**world).mean_position().x;
-  advance(**world, slide.frames);
-  const Moment now(**world);
+  const auto world = world_from(device, scene, assets);
+  const double before = Moment(*world).mean_position().x;
+  advance(*world, slide.frames);
+  const Moment now(*world);
   REQUIRE(now.finite());
   const double gone = now.mean_position().x - before;
   MESSAGE(slide.solver, " cell ", 1000 * slide.cell, " mm, friction ", slide.friction, ", ", slide.speed,
           " m/s, slope ", slide.slope, ": way ", 1000 * gone, " mm, height ", 1000 * now.mean_position().y,
-          " mm, contacts ", (*world)->totals().contacts, ", truncated ", (*world)->totals().truncated);
+          " mm, contacts ", world->totals().contacts, ", truncated ", world->totals().truncated);
   return gone;
 }
 

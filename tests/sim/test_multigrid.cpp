@@ -79,17 +79,8 @@ void check_soft_shear(std::uint32_t frames) {
 CapstanWatch seen_by_kernels(const Capstan& capstan) {
   GpuFixture fixture;
   auto world = world_of(fixture.device(), capstan.scene());
-  auto start = world->snapshot();
-  REQUIRE_OK(start);
-  for (Vec4f& x : start->position) x = Vec4f::from(capstan.draped(x.xyz().to<double>()).to<float>(), x.w);
-  REQUIRE(world->restore(*start));
-  reference::MassSpringSystem strip;
-  for (const Spring s : world->model().host.springs())
-    strip.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
-                             static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
-  for (const Vec4f& x : start->position) strip.inverse_mass.push_back(static_cast<double>(x.w));
-  strip.acceleration = world->scene().gravity;
-  CapstanWatch watch(std::move(strip));
+  change_state(*world, [&](std::size_t, Vec3d& x, Vec3d&) { x = capstan.draped(x); });
+  CapstanWatch watch(system_of(*world, Moment(*world)));
   for (int frame = 0; frame < 60; ++frame) {
     advance(*world, 1);
     const Moment now(*world);

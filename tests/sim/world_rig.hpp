@@ -24,13 +24,17 @@ inline scene::Scene shipped_scene(const std::string& name,
   return std::move(*scene);
 }
 
-inline std::unique_ptr<sim::World> world_of(gpu::Device& device, const scene::Scene& scene,
-                                            const sim::WorldOptions& options = {}) {
-  auto assets = load_assets(scene, kModels);
+inline std::unique_ptr<sim::World> world_from(gpu::Device& device, const scene::Scene& scene,
+                                              const Result<Assets>& assets,
+                                              const sim::WorldOptions& options = {}) {
   REQUIRE_OK(assets);
   auto world = sim::World::create(device, scene, *assets, options);
   REQUIRE_OK(world);
   return std::move(*world);
+}
+inline std::unique_ptr<sim::World> world_of(gpu::Device& device, const scene::Scene& scene,
+                                            const sim::WorldOptions& options = {}) {
+  return world_from(device, scene, load_assets(scene, kModels), options);
 }
 
 inline void advance(sim::World& world, std::uint32_t frames) {

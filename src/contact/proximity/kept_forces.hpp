@@ -9,8 +9,10 @@
 namespace weft::contact {
 
 /// Keeps the forces of pairs that act beyond a search and beyond the end of a frame, so that the next substep begins
-/// with them. Source: docs/contact.md, Impulse; src/contact/proximity/kept_forces.wgsl. Reads   steps;
-/// pairs.contacts; statistics. Writes  pairs.kept, pairs.kept_places. Errors  Shader, OutOfMemory.
+/// with them. Source: docs/contact.md, Impulse; src/contact/proximity/kept_forces.wgsl.
+/// Reads   steps; pairs.contacts; statistics.
+/// Writes  pairs.kept, pairs.kept_places.
+/// Errors  Shader, OutOfMemory.
 class KeptForces {
  public:
   KeptForces() = default;

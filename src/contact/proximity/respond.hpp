@@ -33,8 +33,8 @@ class Respond {
  private:
   Setup setup_;
   gpu::Kernel impulse_, last_impulse_, add_, respond_;
-  std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_,
-      respond_groups_;  // by parity
+  // By parity.
+  std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_, respond_groups_;
   /// The rounds in which cloth is held back from other cloth.
   struct Round {
     gpu::Kernel find, hold;

@@ -69,13 +69,12 @@ Vec3d within_cone(const NearPair& pair, const Vec3d& impulse) {
 }
 
 /// Equation (3a): the impulse that the pair begins with: that of the substep before, less what takes back its parting.
-Vec3d first_impulse(const NearPair& pair, std::span<const Vec3d> velocity,
-                    std::span<const double> inverse_mass, const ContactLaw& law) {
+Vec3d first_impulse(const NearPair& pair, double u_n, std::span<const double> inverse_mass,
+                    const ContactLaw& law) {
   double mobility = 0;  // were the pair alone
   for (std::uint32_t k = 0; k < pair.node_count; ++k)
     mobility += pair.weights[k] * pair.weights[k] * inverse_mass[pair.nodes[k]];
-  const double parting =
-      dot(pair.direction, relative_velocity(pair, velocity)) - kPartingSteps * law.dt * law.load;
+  const double parting = u_n - kPartingSteps * law.dt * law.load;
   return within_cone(pair, law.dt * pair.kept - (std::max(0.0, parting) / mobility) * pair.direction);
 }
 
@@ -103,12 +102,16 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
   response.impulses.assign(pairs.size(), {});
   response.acts.assign(pairs.size(), false);
   std::vector<std::uint32_t> urgency(pairs.size(), 0);
+  std::vector<double> least(pairs.size(), 0),
+      first_speed(pairs.size(), 0);  // w and u_n of the predicted velocities
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const NearPair& pair = pairs[p];
     if (!pair.may) continue;
     const double u_n = dot(pair.direction, relative_velocity(pair, velocity));
     response.acts[p] = pair.distance + std::min(law.dt * u_n, 0.0) < kContactTouching * pair.thickness;
     if (!response.acts[p]) continue;
+    first_speed[p] = u_n;
+    least[p] = least_speed(pair, u_n, law);
     urgency[p] = contact_urgency(pair.distance + std::min(law.dt * u_n, 0.0), pair.thickness);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
@@ -131,12 +134,9 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
       mobility[p] += std::abs(pair.weights[k]) * response.acting[pair.nodes[k]] * inverse_mass[pair.nodes[k]];
     mobility[p] /= urgency[p];
     if (!(mobility[p] > 0)) continue;
-    if (!pair.untangles) response.impulses[p] = first_impulse(pair, velocity, inverse_mass, law);
+    if (!pair.untangles) response.impulses[p] = first_impulse(pair, first_speed[p], inverse_mass, law);
     give(now, pair, response.impulses[p]);
   }
-  std::vector<double> least(pairs.size(), 0);
-  for (std::size_t p = 0; p < pairs.size(); ++p)
-    least[p] = least_speed(pairs[p], dot(pairs[p].direction, relative_velocity(pairs[p], velocity)), law);
   std::vector<Vec3d> begun = response.impulses;  // what the last iteration ended with, before it went ahead
   for (std::uint32_t iteration = 0; iteration < law.iterations; ++iteration) {
     const std::vector<Vec3d> before = now;

@@ -1,0 +1,97 @@
+// Friction of contact is Coulomb's: what it holds does not creep, what it does not hold slides as it should.
+#include <cmath>
+#include <numbers>
+
+#include "capstan.hpp"
+#include "contact_laws_rig.hpp"
+
+using namespace weft;
+
+namespace {
+
+/// A sheet on a slope of this part of the angle of friction, with gravity tilted instead.
+Setting on_slope(const std::string& solver, const std::string& collider, double part, double friction) {
+  const double slope = part * std::atan(friction);
+  return {.solver = solver,
+          .gravity =
+              "[" + text_of(kGravity * std::sin(slope)) + "," + text_of(-kGravity * std::cos(slope)) + ",0]",
+          .contact = R"("thickness": 0.005)",
+          .cloths = R"({"grid": [4, 4], "size": [0.1, 0.1], "plane": "xz", "density": 0.3, "damping": 0.0003,
+      "stiffness": {"structural": 0.5, "shear": 0.1, "bend": 0.003},
+      "transform": {"translate": [0.0013, 0.005, 0.0007]}})",
+          .colliders = "{" + collider + R"(, "friction": )" + text_of(friction) + "}"};
+}
+
+const std::string kFloors[] = {R"("kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0])",
+                               R"("kind": "box", "center": [0, -0.1, 0], "size": [4, 0.2, 1])",
+                               R"("kind": "mesh", "mesh": "floor.obj")"};
+
+/// How fast a sheet creeps at 0.98 of the angle, between two frames [m/s].
+double creep_of(gpu::Device& device, const std::string& solver, const std::string& floor, std::uint32_t from,
+                std::uint32_t to) {
+  auto world = world_on(device, on_slope(solver, floor, 0.98, 0.5), 0.005, 0.2);
+  advance(*world, from);
+  const double begin = Moment(*world).mean_position().x;
+  advance(*world, to - from);
+  const double creep = (Moment(*world).mean_position().x - begin) * 60 / (to - from);
+  MESSAGE(solver, " ", floor, ": creeps at ", 1e6 * creep, " um/s");
+  return std::abs(creep);
+}
+
+}  // namespace
+
+TEST_CASE("what friction holds does not creep") {
+  GpuFixture fixture;
+  for (const std::string& floor : kFloors)
+    CHECK(creep_of(fixture.device(), "mass_spring", floor, 10, 40) < 1e-5);
+}
+TEST_CASE("long: what friction holds does not creep in ten seconds") {
+  GpuFixture fixture;
+  for (const std::string solver : kSolvers)
+    for (const std::string& floor : kFloors) CHECK(creep_of(fixture.device(), solver, floor, 60, 600) < 1e-5);
+}
+
+TEST_CASE("what friction does not hold slides with g (sin - friction cos)") {
+  GpuFixture fixture;
+  const double slope = 1.05 * std::atan(0.5);
+  const double exact = kGravity * (std::sin(slope) - 0.5 * std::cos(slope));
+  for (const std::string& floor : kFloors) {
+    auto world = world_on(fixture.device(), on_slope("mass_spring", floor, 1.05, 0.5), 0.005, 0.3);
+    advance(*world, 3);
+    const double begin = Moment(*world).mean_velocity().x;
+    advance(*world, 15);
+    const double found = (Moment(*world).mean_velocity().x - begin) * 4;
+    MESSAGE(floor, ": ", found / exact, " of the acceleration");
+    CHECK(found == doctest::Approx(exact).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a strip over a capsule holds up to the ratio of its ends that friction says, and slides beyond") {
+  // With its own weight on the arc, R from its middle: L' = (L + c) e^(mu pi) + c, c = 2 mu R / (1 + mu²).
+  constexpr double kFriction = 0.3, kLeft = 0.1;
+  const double c = 2 * kFriction * Capstan::kDistance / (1 + kFriction * kFriction);
+  const double most = (kLeft + c) * std::exp(kFriction * std::numbers::pi) + c;
+  GpuFixture fixture;
+  // Light, so that weak springs hold it and 48 substeps are stable.
+  for (const double part : {0.9, 1.05}) {
+    const double right = part * most;
+    const Capstan strip{kLeft, right, kFriction};
+    Setting setting{.gravity = "[0, -0.981, 0]", .contact = R"("thickness": 0.002)", .substeps = 48};
+    setting.cloths = R"({"grid": [)" + std::to_string(strip.rows()) + R"(, 3], "size": [)" +
+                     text_of(Capstan::kSpacing * (strip.rows() - 1)) +
+                     R"(, 0.02], "plane": "xz", "density": 0.2,
+      "damping": 0.001, "friction": 0.3, "stiffness": {"structural": 30, "shear": 6, "bend": 0.05}})";
+    setting.colliders = R"({"kind": "capsule", "a": [0, 0, -0.2], "b": [0, 0, 0.2], "radius": 0.05})";
+    auto world = world_on(fixture.device(), setting);
+    change_state(*world, [&](std::size_t, Vec3d& x, Vec3d&) { x = strip.draped(x); });
+    advance(*world, part < 1 ? 90 : 12);
+    const double begin = Moment(*world).position.front().y;
+    advance(*world, 18);
+    const double gone = Moment(*world).position.front().y - begin;  // of the short end, up
+    MESSAGE(part, " of the ratio that friction holds: goes ", 1e3 * gone, " mm in 0.3 s");
+    if (part < 1)
+      CHECK(std::abs(gone) < 0.3 * 1e-5);  // m/s: no creep
+    else
+      CHECK(gone > 5e-3);
+  }
+}
