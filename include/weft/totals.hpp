@@ -31,6 +31,8 @@ struct Totals {
   std::uint32_t pairs = 0;
   /// Pairs of triangles that the last search of a frame has listed (proximity), the most of any.
   std::uint32_t candidates = 0;
+  /// Of the pairs, those near enough to have a record, at the end of a frame (proximity), the most of any.
+  std::uint32_t near = 0;
   /// Nodes that are not finite; 0 but where a run diverged.
   std::uint32_t nonfinite = 0;
   /// Edges that pass through triangles, as the last search has found them (proximity).
@@ -52,6 +54,7 @@ void for_each(const Totals& totals, Visit&& visit) {
   visit("driven", totals.driven);
   visit("pairs", totals.pairs);
   visit("candidates", totals.candidates);
+  visit("near", totals.near);
   visit("nonfinite", totals.nonfinite);
   visit("crossings_left", totals.crossings_left);
 }

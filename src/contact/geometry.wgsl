@@ -6,6 +6,11 @@ struct Box { low : vec3f, high : vec3f }
 const kRounding = 3.814697265625e-06;  // 64 * 2^-24
 
 fn largest(a : vec3f) -> f32 { return max(max(abs(a.x), abs(a.y)), abs(a.z)); }
+fn unit(v : vec3f) -> vec3f {
+  let size = length(v);
+  if (size > 0.0) { return v / size; }
+  return vec3f(0.0);
+}
 
 // Found on the bits: a compiler may take NaN and infinity to be absent.
 fn is_finite(v : vec3f) -> bool {

@@ -26,7 +26,9 @@ PushSetup push_setup(const scene::Scene& scene, const Assets& assets, std::uint3
 
 /// The initial capacity of the lists; make_room makes them longer when they are short.
 ContactRoom first_room(const GpuModel& model) {
-  return {std::max(32768U, 2 * model.triangle_count()), std::max(131072U, 12 * model.triangle_count())};
+  const std::uint32_t triangles = model.triangle_count();
+  return {std::max(32768U, 2 * triangles), std::max(16384U, triangles / 2),
+          std::max(131072U, 12 * triangles)};
 }
 
 }  // namespace
@@ -124,7 +126,7 @@ void SceneContact::end_frame(gpu::ComputePass& pass) const {
 }
 
 void SceneContact::record_rest(gpu::CommandList& list) const {
-  if (proximity_) list.clear(contacts_->pairs->kept.range(0, 4 * kHeader));
+  if (proximity_) list.clear(contacts_->pairs->kept.range(0, 4 * kKeptRoomWord));
 }
 
 Result<std::vector<std::uint32_t>> SceneContact::forces(gpu::Device& device) const {
@@ -145,8 +147,8 @@ Result<bool> SceneContact::set_forces(gpu::Device& device, const State& state,
   if (!proximity_) return false;
   const auto count = static_cast<std::uint32_t>(forces.size() / kKeptWords);
   const ContactRoom& room = contacts_->pairs->room;
-  const bool is_short = count > room.pairs;
-  if (is_short) WEFT_CHECK(make_room(device, state, {count, room.candidates}));
+  const bool is_short = count > room.near;
+  if (is_short) WEFT_CHECK(make_room(device, state, {room.pairs, count, room.candidates}));
   const gpu::Buffer<std::uint32_t>& kept = contacts_->pairs->kept;
   kept.write(device, std::span(&count, 1));
   kept.write(device, forces, kHeader);

@@ -97,7 +97,8 @@ Result<void> World::repeat_from(const Report& report) {
   frame_ = report.frame;
   ++attempt_;
   ++totals_.repeated_frames;
-  WEFT_CHECK(contact_.make_room(device_, state_, {report.statistics.pairs, report.statistics.candidates}));
+  WEFT_CHECK(contact_.make_room(
+      device_, state_, {report.statistics.pairs, report.statistics.near, report.statistics.candidates}));
   recorder_.forget();
   clear_statistics();
   gpu::CommandList list;

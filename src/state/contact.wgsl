@@ -1,8 +1,17 @@
-// A listed pair of features, and its measurement in this substep. Mirror: Contact in src/state/contact_pairs.hpp.
-// Names and equations: docs/contact.md.
+// A pair of features as the last search has listed it. Mirror: ListedPair in src/state/contact_pairs.hpp.
+struct ListedPair {
+  ids : vec4u,    // side A first, then side B; see kColliderPoint, kPairFlag, kCrossingFlag
+  words : vec4u,  // kHasRecord and the record's number; before it has one, the distance that the pair keeps, m. The
+                  // cloth's friction; the gap in this substep, m. Of a crossing: its edge's other end, kIdBits, and how
+                  // the edge has to move, in parts of the speed of equation (7). Numbers as the bits of f32.
+}
+const kHasRecord = 0x80000000u;
+
+// The record of a listed pair that is near, and its measurement in this substep. Mirror: Contact in
+// src/state/contact_pairs.hpp. Names and equations: docs/contact.md.
 struct Contact {
-  ids : vec4u,      // side A first, then side B; see kColliderPoint, kPairFlag, kCrossingFlag
-  slots : array<u32, 4>,  // where each cloth vertex of ids has this pair in `entries`
+  ids : vec4u,
+  next : array<u32, 4>,  // links: of each cloth vertex of ids, to the record that it had before this one
   normal : vec4f,   // n, from B to A; w: the gap d, m; of what untangles: minus the part of that speed
   place : vec4f,    // s, t: where on the features (weights_of); n·p_A; n·(how far a solid side comes), m
   surface : vec4f,  // the collider's part of the relative velocity, m/s; w: friction
@@ -10,7 +19,7 @@ struct Contact {
                     // normal velocity of equation (3), m/s
   urgency : f32,    // its share of its vertices' masses, before they are shared; 0: it does not act, equation (1)
   solid : u32,      // the side that contact cannot move (collider, fixed vertex): 1 A, 2 B, 0 neither; or kUntangles
-  near : u32,       // flag of its entries: kEntryNear or 0
+  near : u32,       // 1: it acts, or would but that another feature is nearer, or has a plane that must hold
   other_end : u32,  // of a crossing: the id of the edge's other end
   thickness : f32,  // the distance that it keeps, m
   solid_speed : f32,  // of a solid side, toward the other, m/s
@@ -22,9 +31,10 @@ const kCrossingFlag = 0x40000000u;   // of ids.z: an end of an edge, and the tri
 const kIdBits = 0x3fffffffu;
 const kUntangles = 4u;               // of `solid`: it separates features on the wrong side, equation (7)
 
-// An entry is 8 * pair + flag + role: how a vertex knows its pairs.
-const kEntryNear = 4u;  // the pair acts, or would but that another feature is nearer
-const kEntryPair = 8u;
+// A link is 4 * (number + 1) + role, 0 at the end: how a vertex knows its records, the newest first.
+fn link_to(number : u32, role : u32) -> u32 { return 4u * (number + 1u) + role; }
+fn record_of(link : u32) -> u32 { return link / 4u - 1u; }
+fn role_of(link : u32) -> u32 { return link & 3u; }
 
 const kContactTouching = 1.001;  // of the thickness: what rests there is in contact, whatever the rounding of its place
 
@@ -53,23 +63,25 @@ fn urgency_of(gap : f32, thickness : f32) -> u32 {
   return 1u + u32(kMostUrgent * depth * depth);
 }
 
-// The words of each vertex: where its entries begin, and their number; then of this substep the sum of its pairs'
-// shares of its mass, in kShareUnits, and by how much the nearest plane of a solid side is nearer than free_way, m, as
-// the bits of a positive f32; a count that the listing needs; the sums of what pairs give it, of integers, since pairs
-// have no order: changes of velocity by impulses, the same by the impulses that pairs begin with, in kSpeedUnits, and
-// pushes, in kPushUnits; and how it was held back, as bits.
+// The words of each vertex: the link to its records; then of this substep the part of its way that passes no plane
+// between it and other cloth, as the inverted bits of f32, 0: all of it; the sum of its pairs' shares of its mass, in
+// kShareUnits, and by how much the nearest plane of a solid side is nearer than free_way, m, as the bits of a positive
+// f32; of the last search, whether it is tangled; the sums of what pairs give it, of integers, since pairs have no
+// order: changes of velocity by impulses, the same by the impulses that pairs begin with, in kSpeedUnits, and pushes,
+// in kPushUnits; and how it was held back, as bits.
 const kVertexWords = 16u;
+const kLinkWord = 0u;
+const kPartWord = 1u;
 const kShareWord = 2u;
 const kTightWord = 3u;
-const kCursorWord = 4u;
+const kTangledWord = 4u;
 const kChangeWord = 5u;  // and two more
 const kFirstWord = 8u;   // and two more
 const kPushWord = 11u;   // and two more
 const kHeldWord = 14u;
-// Beside that count, whether the vertex is of an edge or a triangle that passes through another: of cloth, of a mesh.
-const kTangledCloth = 0x40000000u;
-const kTangledMesh = 0x80000000u;
-const kCursorBits = 0x3fffffffu;
+// Of kTangledWord: the vertex is of an edge or a triangle that passes through another, of cloth, of a mesh.
+const kTangledCloth = 1u;
+const kTangledMesh = 2u;
 const kShareUnits = 256.0;
 const kSpeedUnits = 4194304.0;  // 2^22 in a metre a second: sums stay below 512 m/s
 const kPushUnits = 1073741824.0;  // 2^30 in a metre: sums stay below 2 m
@@ -77,7 +89,8 @@ const kMostUnits = 1.0e9;       // of one pair
 const kMarked = 1u;  // of kHeldWord: it may meet other cloth on its way
 const kHeld = 2u;    // its way ends before the planes between it and other cloth
 const kCounted = 4u; // among the truncated
-const kBesideSolid = 8u;  // it has a pair with what contact cannot move
+const kBesideSolid = 8u;  // it has a record with what contact cannot move
+const kFarWay = 16u;  // it goes farther than free_way: planes of obstacles without a record count, too
 const kInBody = 3e38;           // in place of a plane's nearness: a pair moves the vertex out of a body
 
 const kSoftLack = 0.02;      // of the thickness: of a smaller lack less is restored, in proportion to it

@@ -13,7 +13,8 @@ ContactRoom grown(const ContactRoom& room, const ContactRoom& wanted, std::uint6
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(needs + needs / 2ULL, most));
   };
   constexpr std::uint64_t kCandidateBytes = 8;
-  return {longer(room.pairs, wanted.pairs, sizeof(Contact)),
+  return {longer(room.pairs, wanted.pairs, sizeof(ListedPair)),
+          longer(room.near, wanted.near, sizeof(Contact)),
           longer(room.candidates, wanted.candidates, kCandidateBytes)};
 }
 
@@ -34,25 +35,22 @@ Result<ContactPairs> ContactPairs::create(gpu::Device& device, const Model& mode
 }
 
 Result<void> ContactPairs::make_room(gpu::Device& device, const ContactRoom& wanted) {
-  contacts = {};  // freed before larger ones are allocated
-  entries = {};
-  WEFT_TRY(contact_buffer, gpu::Buffer<Contact>::create(device, wanted.pairs, "contact pairs"));
+  listed = {};  // freed before larger ones are allocated
+  contacts = {};
+  WEFT_TRY(listed_buffer, gpu::Buffer<ListedPair>::create(device, wanted.pairs, "contact pairs"));
+  listed = std::move(listed_buffer);
+  WEFT_TRY(contact_buffer, gpu::Buffer<Contact>::create(device, wanted.near, "near pairs"));
   contacts = std::move(contact_buffer);
-  WEFT_TRY(entry_buffer, gpu::Buffer<std::uint32_t>::create(device, 4UL * wanted.pairs, "contact entries"));
-  entries = std::move(entry_buffer);
-  WEFT_TRY(kept_buffer, gpu::Buffer<std::uint32_t>::create(device, kHeader + 2ULL * kKeptWords * wanted.pairs,
-                                                           "kept forces"));
+  const std::uint64_t words = kHeader + 2ULL * kKeptWords * wanted.near + std::bit_ceil(2ULL * wanted.near);
+  WEFT_TRY(kept_buffer, gpu::Buffer<std::uint32_t>::create(device, words, "kept forces"));
   if (kept.size() > 0) {  // the list of the frame's end, which comes first
-    const std::uint64_t bytes = 4ULL * (kHeader + kKeptWords * std::min(room.pairs, wanted.pairs));
+    const std::uint64_t bytes = 4ULL * (kHeader + kKeptWords * std::min(room.near, wanted.near));
     gpu::CommandList list;
     list.copy(kept.range(0, bytes), kept_buffer.range(0, bytes));
     WEFT_CHECK(device.submit(list));
   }
   kept = std::move(kept_buffer);
-  kept_places = {};
-  WEFT_TRY(places,
-           gpu::Buffer<std::uint32_t>::create(device, std::bit_ceil(2ULL * wanted.pairs), "kept places"));
-  kept_places = std::move(places);
+  kept.write(device, std::span(&wanted.near, 1), kKeptRoomWord);
   room = wanted;
   return {};
 }

@@ -31,8 +31,8 @@ struct Statistics {
   std::uint32_t pairs = 0;
   /// Pairs of triangles that the last search of a frame has listed (proximity).
   std::uint32_t candidates = 0;
-  /// Entries of the pairs by vertex, at the end of a frame (proximity).
-  std::uint32_t entries = 0;
+  /// Of the pairs, those near enough to have a record, at the end of a frame (proximity).
+  std::uint32_t near = 0;
   /// Nodes that are not finite; 0 but where a run diverged.
   std::uint32_t nonfinite = 0;
   /// 1 once the state is frozen at the last good frame.
@@ -45,8 +45,10 @@ struct Statistics {
   std::uint32_t due = 0;
   /// Edges that pass through triangles, as the last search has found them (proximity).
   std::uint32_t crossings_left = 0;
-  /// Pairs before the search that is under way.
-  std::uint32_t pairs_before = 0;
+  /// Near pairs before the search that is under way.
+  std::uint32_t near_before = 0;
+  /// 1: some vertex goes farther than to the obstacles that have records (proximity).
+  std::uint32_t far_ways = 0;
   /// 1: on its way some cloth may meet other cloth.
   std::uint32_t meeting = 0;
   /// 1: the same after those vertices were held back.
@@ -56,7 +58,7 @@ struct Statistics {
   /// How far one may have gone since this search [m].
   float travel = 0;
 };
-static_assert(sizeof(Statistics) == 22 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 23 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -73,6 +75,7 @@ inline void add(Totals& totals, const Statistics& frame) {
   totals.driven += frame.driven;
   totals.pairs = std::max(totals.pairs, frame.pairs);
   totals.candidates = std::max(totals.candidates, frame.candidates);
+  totals.near = std::max(totals.near, frame.near);
   totals.nonfinite = frame.nonfinite;
   totals.crossings_left = frame.crossings_left;
 }
@@ -90,14 +93,15 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("driven", statistics.driven);
   visit("pairs", statistics.pairs);
   visit("candidates", statistics.candidates);
-  visit("entries", statistics.entries);
+  visit("near", statistics.near);
   visit("nonfinite", statistics.nonfinite);
   visit("frozen", statistics.frozen);
   visit("rolled_back", statistics.rolled_back);
   visit("detect", statistics.detect);
   visit("due", statistics.due);
   visit("crossings_left", statistics.crossings_left);
-  visit("pairs_before", statistics.pairs_before);
+  visit("near_before", statistics.near_before);
+  visit("far_ways", statistics.far_ways);
   visit("meeting", statistics.meeting);
   visit("still_meeting", statistics.still_meeting);
   visit("reach", statistics.reach);

@@ -20,8 +20,8 @@ const kStatDriven = 7u;
 const kStatPairs = 8u;
 // Pairs of triangles that the last search of a frame has listed (proximity).
 const kStatCandidates = 9u;
-// Entries of the pairs by vertex, at the end of a frame (proximity).
-const kStatEntries = 10u;
+// Of the pairs, those near enough to have a record, at the end of a frame (proximity).
+const kStatNear = 10u;
 // Nodes that are not finite; 0 but where a run diverged.
 const kStatNonfinite = 11u;
 // 1 once the state is frozen at the last good frame.
@@ -34,13 +34,15 @@ const kStatDetect = 14u;
 const kStatDue = 15u;
 // Edges that pass through triangles, as the last search has found them (proximity).
 const kStatCrossingsLeft = 16u;
-// Pairs before the search that is under way.
-const kStatPairsBefore = 17u;
+// Near pairs before the search that is under way.
+const kStatNearBefore = 17u;
+// 1: some vertex goes farther than to the obstacles that have records (proximity).
+const kStatFarWays = 18u;
 // 1: on its way some cloth may meet other cloth.
-const kStatMeeting = 18u;
+const kStatMeeting = 19u;
 // 1: the same after those vertices were held back.
-const kStatStillMeeting = 19u;
+const kStatStillMeeting = 20u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
-const kStatReach = 20u;
+const kStatReach = 21u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
-const kStatTravel = 21u;
+const kStatTravel = 22u;

@@ -5,6 +5,7 @@
 //
 // That line is for the loader (gpu/shader_source.cpp): a uniform of this type is the block of the dispatch's substep.
 const kMaxGrabs = 4u;
+const kDetectNo = 0u;
 const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
 const kDetectAlways = 2u;
 // Substeps from one that may search to the next: Method::search_interval in src/method/method.hpp.
@@ -27,7 +28,7 @@ struct StepContact {
   most_reach : f32,       // m: a fast one, unless that is too little until the next detection
   restitution : f32,
   collider_travel : f32,  // m: how far a collider may go in the substep
-  detect : u32,           // kDetectIfDue or kDetectAlways; 0: not in this substep
+  detect : u32,           // kDetectNo, kDetectIfDue or kDetectAlways
   point_count : u32,      // of colliders
   first_place : u32,      // where this substep's block of `places` begins
 }

@@ -235,7 +235,13 @@ inline std::size_t check_object_candidates(const SearchFound& found, const Named
 /// A pair of features by its kind and vertices, whichever way round they were named.
 using FeatureKey = std::array<std::uint32_t, 5>;
 
-inline bool is_crossing(const Contact& contact) { return (contact.ids[2] & kCrossingFlag) != 0; }
+inline bool is_crossing(const ListedPair& pair) { return (pair.ids[2] & kCrossingFlag) != 0; }
+/// The distance that a pair without record keeps [m].
+inline float thickness_of(const ListedPair& pair) {
+  float thickness = 0;
+  std::memcpy(&thickness, &pair.words[0], sizeof thickness);
+  return thickness;
+}
 
 inline FeatureKey corner_key(std::uint32_t vertex, std::array<std::uint32_t, 3> face) {
   std::sort(face.begin(), face.end());
@@ -438,17 +444,18 @@ class Sick {
 };
 
 /// The distance that a listed pair keeps is that of the law (contact_law.hpp) for its features at rest.
-inline void check_thickness(const Contact& contact, const SearchRun& run, double band) {
+inline void check_thickness(const ListedPair& pair, const SearchRun& run, double band) {
   const SearchCase& setup = run.setup();
-  std::array<std::uint32_t, 4> v = contact.ids;
+  const float thickness = thickness_of(pair);
+  std::array<std::uint32_t, 4> v = pair.ids;
   const bool plane = (v[1] & kPairFlag) != 0, edges = !plane && (v[0] & kPairFlag) != 0;
   if (plane || ((v[0] | v[1] | v[2] | v[3]) & kColliderPoint) != 0) {
-    CHECK(contact.thickness == setup.thickness);
+    CHECK(thickness == setup.thickness);
     return;
   }
   v[0] &= kIdBits;
   if (run.cloth_of(v[0]) != run.cloth_of(v[2])) {
-    CHECK(contact.thickness == setup.self_thickness);
+    CHECK(thickness == setup.self_thickness);
     return;
   }
   const auto at = [&](std::size_t k) { return run.rest()[v[k]].to<double>(); };
@@ -464,9 +471,9 @@ inline void check_thickness(const Contact& contact, const SearchRun& run, double
   const double touching = kTouchingAtRest * setup.self_thickness;
   const double expected = apart <= touching ? 0 : pair_thickness(setup.self_thickness, apart);
   const bool doubtful = std::abs(apart - touching) <= band;
-  if (!(std::abs(contact.thickness - expected) <= band || (doubtful && contact.thickness == 0)))
+  if (!(std::abs(thickness - expected) <= band || (doubtful && thickness == 0)))
     FAIL_CHECK("a pair of ", v[0], " ", v[1], " ", v[2], " ", v[3], ", ", apart, " m apart at rest, keeps ",
-               contact.thickness, " m, expected ", expected);
+               thickness, " m, expected ", expected);
 }
 
 struct ListCheck {
@@ -474,15 +481,15 @@ struct ListCheck {
 };
 
 /// The listed pairs are the law's, each as often as brute force finds it; `band` [m] as of possible_pairs.
-inline ListCheck check_contacts(const SearchFound& found, const SearchRun& run, double band) {
+inline ListCheck check_pairs(const SearchFound& found, const SearchRun& run, double band) {
   std::map<FeatureKey, PairCount> counts;
   add_lawful(counts, possible_pairs(found, run, band));
   ListCheck result;
-  for (const Contact& contact : found.contacts) {
-    if (is_crossing(contact)) continue;
-    ++counts[key_of(contact.ids)].found;
+  for (const ListedPair& pair : found.pairs) {
+    if (is_crossing(pair)) continue;
+    ++counts[key_of(pair.ids)].found;
     ++result.pairs;
-    check_thickness(contact, run, band);
+    check_thickness(pair, run, band);
   }
   const Sick sick(run);
   std::size_t wrong = 0;
@@ -499,46 +506,6 @@ inline ListCheck check_contacts(const SearchFound& found, const SearchRun& run, 
   CHECK(wrong == 0);
   CHECK(result.doubtful * 50 <= result.pairs + 500);
   return result;
-}
-
-/// Each cloth vertex's entries are the pairs that it is in, and the pairs know where they stand.
-inline void check_entries(const SearchFound& found) {
-  std::size_t roles = 0, wrong = 0;
-  std::vector<bool> seen(found.entries.size());
-  for (std::uint32_t pair = 0; pair < found.contacts.size(); ++pair) {
-    const Contact& contact = found.contacts[pair];
-    const std::uint32_t count = (contact.ids[1] & kPairFlag) != 0 ? 2 : 4;
-    for (std::uint32_t role = 0; role < count; ++role) {
-      if ((contact.ids[role] & kColliderPoint) != 0) continue;
-      ++roles;
-      const std::uint32_t slot = contact.slots[role], word = kVertexWords * (contact.ids[role] & kIdBits);
-      REQUIRE(slot < found.entries.size());
-      const std::uint32_t first = found.vertex_contacts[word], number = found.vertex_contacts[word + 1];
-      if (seen[slot] || found.entries[slot] != 8 * pair + role || slot < first || slot >= first + number)
-        ++wrong;
-      seen[slot] = true;
-    }
-  }
-  CHECK(wrong == 0);
-  CHECK(roles == found.entries.size());
-  std::size_t counted = 0;
-  for (std::size_t word = 0; word < found.vertex_contacts.size(); word += kVertexWords) {
-    counted += found.vertex_contacts[word + 1];
-    if (found.vertex_contacts[word + 1] != (found.vertex_contacts[word + kCursorWord] & kCursorBits)) ++wrong;
-  }
-  CHECK(wrong == 0);
-  CHECK(counted == found.entries.size());
-}
-
-/// Broad phase, narrow phase and entries of the case as it stands.
-inline ListCheck check_all(SearchRun& run, double band = 0) {
-  const SearchFound found = run.run();
-  const NamedCandidates names = named(found, run);
-  check_self_candidates(found, names, run);
-  for (std::size_t o = 0; o < run.setup().objects.size(); ++o) check_object_candidates(found, names, run, o);
-  const ListCheck checked = check_contacts(found, run, band > 0 ? band : 1e-5 * run.setup().self_radius());
-  check_entries(found);
-  return checked;
 }
 
 }  // namespace weft

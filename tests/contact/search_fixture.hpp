@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "contact/proximity/near_pairs.hpp"
 #include "contact/proximity/pair_search.hpp"
 #include "gpu/gpu_fixture.hpp"
 #include "gpu/readback.hpp"
@@ -33,7 +34,7 @@ struct SearchCase {
   float most_reach = 0;  // of a fast one; 0: three times that
   std::array<std::uint32_t, 2>
       second_cloth{};  // its first vertex and its first triangle; 0: all are one cloth
-  ContactRoom room{60000, 60000};
+  ContactRoom room{60000, 60000, 60000};
 
   float most() const { return most_reach > 0 ? most_reach : 3 * reach; }
   /// Of slow vertices.
@@ -46,8 +47,11 @@ struct SearchFound {
   std::vector<Vec4f> places;  // of each vertex at the search [m]; w: its slack [m]
   std::vector<Vec3f> aheads;  // its way ahead [m]
   std::vector<std::array<std::uint32_t, 2>> candidates;
-  std::vector<Contact> contacts;
-  std::vector<std::uint32_t> entries, vertex_contacts;
+  std::vector<ListedPair> pairs;
+  // In the first substep behind it.
+  std::vector<ListedPair> after;
+  std::vector<Contact> records;
+  std::vector<std::uint32_t> vertex_contacts;
 };
 
 /// p' = rotation p + translation, row by row, as the GPU has it.
@@ -89,6 +93,8 @@ class SearchRun {
     state_.steps.write(device, std::span(&step, 1));
     gpu::ComputePass pass(list_, "search");
     search_.record(pass);
+    gpu::ComputePass near_pass(near_list_, "near pairs");
+    near_.record(near_pass);
   }
 
   /// Other places of the cloth's vertices: a pipeline takes far longer to make than to run.
@@ -112,6 +118,7 @@ class SearchRun {
     std::vector<Vec4f> places;
     for (const Vec3f& p : positions) places.push_back(Vec4f::from(p, 0));
     search_.points().write(device_, places, first_point(object));
+    search_.points().write(device_, places, search_.colliders().point_count + first_point(object));
   }
   void move_object(std::size_t object, const RigidRows& to) {
     std::vector<Vec3f> moved;
@@ -124,10 +131,13 @@ class SearchRun {
     gpu::CommandList clear;
     clear.clear(state_.statistics.source());
     clear.clear(search_.candidates().source());
+    clear.clear(pairs_.listed.source());
     clear.clear(pairs_.contacts.source());
     REQUIRE(device_.submit(clear));
     REQUIRE(device_.submit(list_));
     SearchFound found;
+    found.pairs = read(pairs_.listed);
+    REQUIRE(device_.submit(near_list_));
     const std::vector<std::uint32_t> words = read(state_.statistics);
     REQUIRE(words.size() * 4 == sizeof(Statistics));
     std::memcpy(static_cast<void*>(&found.statistics), words.data(), sizeof(Statistics));
@@ -142,10 +152,11 @@ class SearchRun {
     }
     found.candidates = read(search_.candidates());
     found.candidates.resize(found.statistics.candidates);
-    found.contacts = read(pairs_.contacts);
-    found.contacts.resize(found.statistics.pairs);
-    found.entries = read(pairs_.entries);
-    found.entries.resize(found.statistics.entries);
+    found.pairs.resize(found.statistics.pairs);
+    found.after = read(pairs_.listed);
+    found.after.resize(found.statistics.pairs);
+    found.records = read(pairs_.contacts);
+    found.records.resize(found.statistics.near);
     found.vertex_contacts = read(pairs_.vertex_contacts);
     return found;
   }
@@ -209,6 +220,10 @@ class SearchRun {
                                               {setup_.objects, colliders, keyframes}, search_setup);
     REQUIRE_MESSAGE(search, search.error().message);
     search_ = std::move(*search);
+    auto near = contact::NearPairs::create(device_, workgroup_size);
+    REQUIRE(near);
+    near_ = std::move(*near);
+    REQUIRE(near_.bind(state_, pairs_, search_.points()));
   }
 
   template <class T>
@@ -225,7 +240,8 @@ class SearchRun {
   State state_;
   ContactPairs pairs_;
   contact::PairSearch search_;
-  gpu::CommandList list_;
+  contact::NearPairs near_;
+  gpu::CommandList list_, near_list_;
 };
 
 /// The first triangles of a square grid, 1 m long and wide, flat in xz; cells of 1/8 m or, where that is too

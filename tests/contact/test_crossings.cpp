@@ -130,14 +130,16 @@ Compared compare(SearchRun& run, const SearchCase& rest) {
   std::map<CrossingKey, std::set<std::uint32_t>> listed;
   std::set<std::uint32_t> tangled;
   Compared result;
-  for (const Contact& contact : found.contacts) {
-    if (!is_crossing(contact)) continue;
-    const std::uint32_t p = contact.ids[0], q = contact.other_end;
-    const std::array<std::uint32_t, 3> face{contact.ids[1], contact.ids[2] & ~kCrossingFlag, contact.ids[3]};
+  for (const ListedPair& pair : found.pairs) {
+    if (!is_crossing(pair)) continue;
+    const std::uint32_t p = pair.ids[0], q = pair.words[0] | (p & kColliderPoint);
+    const std::array<std::uint32_t, 3> face{pair.ids[1], pair.ids[2] & ~kCrossingFlag, pair.ids[3]};
     CHECK(listed[crossing_key(p, q, face)].insert(p).second);
     for (const std::uint32_t v : {p, q, face[0], face[1], face[2]})
       if ((v & kColliderPoint) == 0) tangled.insert(v);
-    const Vec3d way = -static_cast<double>(contact.normal.w) * contact.normal.xyz().to<double>();
+    std::array<float, 3> numbers{};
+    std::memcpy(numbers.data(), &pair.words[1], sizeof numbers);
+    const Vec3d way = Vec3f{numbers[0], numbers[1], numbers[2]}.to<double>();
     double off = 3;
     for (const Vec3d& expected : all.ways(p, q, face)) off = std::min(off, length(way - expected));
     result.worst = std::max(result.worst, off < 1e-3 ? off : 0);
@@ -152,7 +154,7 @@ Compared compare(SearchRun& run, const SearchCase& rest) {
   CHECK(missing * 200 <= exact.size());  // what touches within rounding does not cross for f32
   CHECK(found.statistics.crossings_left == listed.size());
   for (std::uint32_t v = 0; v < run.setup().cloth.positions.size(); ++v) {
-    const bool mark = (found.vertex_contacts[kVertexWords * v + kCursorWord] & ~kCursorBits) != 0;
+    const bool mark = (found.vertex_contacts[kVertexWords * v + kTangledWord]) != 0;
     CHECK(mark == (tangled.count(v) != 0));
     result.marked += mark ? 1 : 0;
   }

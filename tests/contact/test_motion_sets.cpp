@@ -1,6 +1,6 @@
 // What a search lists beyond places: where vertices may go until the next search, that nothing unlisted comes near
 // meanwhile, and that neighbours are left out only where they hold no pair.
-#include "contact/search_checks.hpp"
+#include "contact/record_checks.hpp"
 #include "mesh/primitives.hpp"
 
 using namespace weft;
@@ -91,8 +91,8 @@ SearchCase flying_soup(std::uint64_t seed) {
 void check_unlisted(const SearchFound& found, const SearchRun& run, std::uint32_t motions,
                     std::uint64_t seed) {
   std::map<FeatureKey, std::size_t> listed;
-  for (const Contact& contact : found.contacts)
-    if (!is_crossing(contact)) ++listed[key_of(contact.ids)];
+  for (const ListedPair& pair : found.pairs)
+    if (!is_crossing(pair)) ++listed[key_of(pair.ids)];
   Random random(seed);
   std::size_t unlisted = 0, near = 0, wrong = 0;
   const double band = 1e-5 * run.setup().self_radius();
@@ -128,7 +128,7 @@ SearchCase lawful_sheet(std::uint32_t triangle_count) {
   made.most_reach = 0.5F * (0.95F * altitude - made.self_thickness);
   made.reach = std::min(0.5F * made.thickness, made.most_reach);
   made.substep = 1.0F / 480;
-  made.room = {20000, 2200000};
+  made.room = {20000, 20000, 2200000};
   return made;
 }
 
@@ -247,7 +247,7 @@ TEST_CASE("vertices of a sheet with objects that fly each its own way are listed
   for (Vec3f& p : box.positions) p += Vec3f{0.1F, 0.07F, 0.2F};
   setup.objects = {ball, box};
   setup.deforming = {false, true};
-  setup.room = {1000000, 200000};
+  setup.room = {1000000, 1000000, 200000};
   Random random(5);
   for (std::size_t v = 0; v < setup.cloth.positions.size(); ++v)
     setup.velocities.push_back(
@@ -312,7 +312,7 @@ TEST_CASE(
     const SearchFound found = run.run();
     // Coordinates of 28 m are good for 28 * 2^-24 = 1.7e-6 m.
     const CandidateCount count = check_self_candidates(found, named(found, run), run);
-    const ListCheck listed = check_contacts(found, run, 1e-5);
+    const ListCheck listed = check_pairs(found, run, 1e-5);
     std::printf("hinges: %zu flat, %zu candidates, %zu pairs\n", count.flat, count.expected, listed.pairs);
     CHECK(count.flat > 20);
     CHECK(listed.pairs > 100);
@@ -345,7 +345,7 @@ TEST_CASE("bent strips, sheets of slivers and compressed sheets list all that th
         run.place(bent);
         const SearchFound found = run.run();
         left_out += check_self_candidates(found, named(found, run), run).flat;
-        check_contacts(found, run, 1e-5 * setup.self_radius());
+        check_pairs(found, run, 1e-5 * setup.self_radius());
       }
     }
     CHECK(left_out > 100);
@@ -376,25 +376,25 @@ TEST_CASE(
   setup.cloth = cloth;
   setup.thickness = setup.self_thickness = 0.005F;
   setup.reach = 0.0012F;
-  setup.room = {400000, 400000};
+  setup.room = {400000, 400000, 400000};
   for (const bool two_cloths : {false, true}) {
     CAPTURE(two_cloths);
     if (two_cloths) setup.second_cloth = {static_cast<std::uint32_t>(vertices), 80};
     SearchRun run(fixture.device(), setup);
     const SearchFound found = run.run();
-    check_contacts(found, run, 1e-7);
+    check_pairs(found, run, 1e-7);
     std::size_t touching = 0, thin = 0, whole = 0;
-    for (const Contact& contact : found.contacts) {
-      if (is_crossing(contact)) continue;
-      touching += contact.thickness == 0 ? 1 : 0;
-      thin += contact.thickness > 0 && contact.thickness < setup.self_thickness ? 1 : 0;
-      whole += contact.thickness == setup.self_thickness ? 1 : 0;
+    for (const ListedPair& pair : found.pairs) {
+      if (is_crossing(pair)) continue;
+      touching += thickness_of(pair) == 0 ? 1 : 0;
+      thin += thickness_of(pair) > 0 && thickness_of(pair) < setup.self_thickness ? 1 : 0;
+      whole += thickness_of(pair) == setup.self_thickness ? 1 : 0;
       // Slanted edges of 100 mm, 3 mm apart across them; a vertex that stands at one place with another.
-      const FeatureKey key = key_of(contact.ids);
+      const FeatureKey key = key_of(pair.ids);
       if (key == edge_key({2, 23}, {5, 26}))
-        CHECK(contact.thickness == doctest::Approx(0.0015).epsilon(1e-4));
+        CHECK(thickness_of(pair) == doctest::Approx(0.0015).epsilon(1e-4));
       if (key == corner_key(63, {0, 1, 21}))
-        CHECK(contact.thickness == (two_cloths ? setup.self_thickness : 0));
+        CHECK(thickness_of(pair) == (two_cloths ? setup.self_thickness : 0));
     }
     CHECK(thin > 500);
     if (two_cloths) {

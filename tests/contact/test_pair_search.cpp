@@ -1,6 +1,6 @@
 // The search for pairs of features: its broad phase against boxes in f32, which it must equal exactly; its
 // narrow phase against double; its lists against themselves.
-#include "contact/search_checks.hpp"
+#include "contact/record_checks.hpp"
 #include "mesh/primitives.hpp"
 
 using namespace weft;
@@ -58,8 +58,9 @@ TEST_CASE(
     const CandidateCount self = check_self_candidates(found, names, run);
     const std::size_t ball = check_object_candidates(found, names, run, 0),
                       box = check_object_candidates(found, names, run, 1);
-    const ListCheck listed = check_contacts(found, run, 1e-5 * setup.self_radius());
-    check_entries(found);
+    const double rounding = 1e-5 * setup.self_radius();
+    const ListCheck listed = check_pairs(found, run, rounding);
+    check_records(found, run, rounding);
     std::printf("pose %d: candidates %zu + %zu + %zu, flat %zu, pairs %zu, doubtful %zu\n",
                 static_cast<int>(shape), self.expected, ball, box, self.flat, listed.pairs, listed.doubtful);
     CHECK(ball > 50);
@@ -133,8 +134,8 @@ TEST_CASE("every triangle of a rigid object that has turned and moved is a candi
   CHECK(sure > 200);
   CHECK(missing == 0);
   CHECK(stray == 0);
-  CHECK(check_contacts(found, run, 1e-5 * setup.radius()).pairs > 100);
-  check_entries(found);
+  CHECK(check_pairs(found, run, 1e-5 * setup.radius()).pairs > 100);
+  check_records(found, run, 1e-5 * setup.radius());
 }
 
 TEST_CASE("an object that deforms is found exactly where it is now") {
@@ -176,8 +177,8 @@ TEST_CASE("what a search lists does not hang on the size of workgroups") {
   for (const std::uint32_t size : {64U, 128U, 256U}) {
     SearchRun run(fixture.device(), setup, size);
     lists.emplace_back();
-    for (const Contact& contact : run.run().contacts)
-      if (!is_crossing(contact)) lists.back().push_back(key_of(contact.ids));
+    for (const ListedPair& pair : run.run().pairs)
+      if (!is_crossing(pair)) lists.back().push_back(key_of(pair.ids));
     std::sort(lists.back().begin(), lists.back().end());
     CHECK(std::adjacent_find(lists.back().begin(), lists.back().end()) == lists.back().end());
     CHECK(lists.back() == lists.front());

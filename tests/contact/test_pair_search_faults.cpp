@@ -2,7 +2,7 @@
 // lengths far from a metre, and coordinates that are no numbers.
 #include <doctest/doctest.h>
 
-#include "contact/search_checks.hpp"
+#include "contact/record_checks.hpp"
 #include "mesh/primitives.hpp"
 
 using namespace weft;
@@ -36,8 +36,8 @@ mesh::TriangleMesh loose_triangles(std::uint32_t count, double range, double siz
 
 std::vector<FeatureKey> keys_of(const SearchFound& found) {
   std::vector<FeatureKey> keys;
-  for (const Contact& contact : found.contacts)
-    if (!is_crossing(contact)) keys.push_back(key_of(contact.ids));
+  for (const ListedPair& pair : found.pairs)
+    if (!is_crossing(pair)) keys.push_back(key_of(pair.ids));
   std::sort(keys.begin(), keys.end());
   return keys;
 }
@@ -114,8 +114,8 @@ TEST_CASE("vertices that stand at one place are features of their own, at distan
   setup.objects[0].triangles.push_back(setup.objects[0].triangles[0]);  // named twice
   SearchRun run(fixture.device(), setup);
   const SearchFound found = run.run();
-  CHECK(check_contacts(found, run, 1e-5 * setup.radius()).pairs > 300);
-  check_entries(found);
+  CHECK(check_pairs(found, run, 1e-5 * setup.radius()).pairs > 300);
+  check_records(found, run, 1e-5 * setup.radius());
   const std::vector<FeatureKey> keys = keys_of(found);
   for (std::uint32_t v = 0; v < 90; ++v)
     CHECK(std::binary_search(keys.begin(), keys.end(),
@@ -171,24 +171,24 @@ TEST_CASE("all lengths ten thousand times smaller or larger give the same pairs"
     for (Vec3f& p : setup.objects[0].positions) p = scale * p;
     setup.thickness *= scale, setup.self_thickness *= scale, setup.reach *= scale;
     SearchRun run(fixture.device(), setup);
-    CHECK(check_contacts(run.run(), run, 1e-5 * setup.self_radius()).pairs > 1000);
+    CHECK(check_pairs(run.run(), run, 1e-5 * setup.self_radius()).pairs > 1000);
     const SearchFound found = run.run();
     check_object_candidates(found, named(found, run), run, 0);
-    check_entries(found);
+    check_records(found, run, 1e-5 * setup.self_radius());
   }
 }
 
 TEST_CASE("with all vertices at one point every pair that shares no vertex is listed once") {
   GpuFixture fixture;
   SearchCase setup = sheet_of(33);
-  setup.room = {60000, 2000};
+  setup.room = {60000, 60000, 2000};
   setup.objects = {loose_triangles(1, 0.01, 0.01, 2)};
   const std::size_t count = setup.cloth.positions.size();
   SearchRun run(fixture.device(), setup);
   run.place(std::vector<Vec3f>(count, {0.015625F, 0.015625F, 0.015625F}));
   const SearchFound found = run.run();
-  check_contacts(found, run, 1e-5 * setup.self_radius());
-  check_entries(found);
+  check_pairs(found, run, 1e-5 * setup.self_radius());
+  check_records(found, run, 1e-5 * setup.self_radius());
   CHECK(found.statistics.candidates == 33 * 32 / 2 + 33);  // nothing lies flat where nothing has a direction
 }
 
@@ -218,7 +218,7 @@ TEST_CASE("without objects, and with an object of one triangle, only what is the
   const SearchFound found = nothing.run();
   CHECK(found.statistics.candidates == 0);
   CHECK(found.statistics.pairs == 0);
-  CHECK(found.statistics.entries == 0);
+  CHECK(found.statistics.near == 0);
   setup.objects = {{{{0, 0, 0}, {0.25F, 0, 0}, {0, 0.125F, 0.25F}}, {{0, 1, 2}}}};
   for (const bool deforming : {false, true}) {
     setup.deforming = {deforming};
@@ -234,7 +234,7 @@ TEST_CASE("triangles with a vertex that is no number list nothing, and all other
   for (Vec3f& p : soft.positions) p = 0.2F * p + Vec3f{0.1F, 0.1F, 0};
   setup.objects.push_back(soft);
   setup.deforming = {false, true};
-  setup.room = {60000, 60000};
+  setup.room = {60000, 60000, 60000};
   SearchRun run(fixture.device(), setup);
   const std::vector<Vec3f> clean = run.setup().cloth.positions;
   const std::vector<FeatureKey> expected = keys_of(run.run());
@@ -258,7 +258,7 @@ TEST_CASE("triangles with a vertex that is no number list nothing, and all other
     check_self_candidates(blind, names, run);
     CHECK(check_object_candidates(blind, names, run, 0) > 1000);
     CHECK(check_object_candidates(blind, names, run, 1) > 1000);
-    check_entries(blind);
+    check_records(blind, run, 1e-5 * setup.self_radius());
     run.place_object(1, soft.positions);
   }
   run.place(clean);
@@ -275,7 +275,7 @@ TEST_CASE("triangles with a vertex that is no number list nothing, and all other
     run.place(placed);
     const SearchFound found = run.run();
     check_self_candidates(found, named(found, run), run);
-    check_entries(found);
+    check_records(found, run, 1e-5 * setup.self_radius());
   }
   std::vector<Vec3f> placed = clean;  // a denormal may count as zero
   placed[40] = {std::numeric_limits<float>::denorm_min(), 0, -1e-41F};

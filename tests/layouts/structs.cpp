@@ -219,10 +219,14 @@ Json analytic_collider() {
   using T = contact::AnalyticCollider;
   return row("AnalyticCollider", "contact/pushes/analytic.wgsl", sizeof(T), kExact, {M(point), M(normal)});
 }
+Json listed_pair() {
+  using T = ListedPair;
+  return row("ListedPair", "state/contact.wgsl", sizeof(T), kExact, {M(ids), M(words)});
+}
 Json contact_of_pair() {
   using T = Contact;
   return row("Contact", "state/contact.wgsl", sizeof(T), kUniform,
-             {M(ids), M(slots), M(normal), M(place), M(surface), M(force), M(urgency), M(solid), M(near),
+             {M(ids), M(next), M(normal), M(place), M(surface), M(force), M(urgency), M(solid), M(near),
               M(other_end), M(thickness), M(solid_speed), M(begun)});
 }
 Json search_params() {
@@ -312,6 +316,7 @@ Json struct_layouts() {
                       tree_node(),
                       pair_range(),
                       analytic_collider(),
+                      listed_pair(),
                       contact_of_pair(),
                       search_params(),
                       tree_params(),
@@ -345,16 +350,18 @@ Json shared_constants() {
       constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::kTaps),
       constant("kReachMargin", "state/step.wgsl", kReachMargin),
       constant("kPressWords", "contact/proximity/press_sums.wgsl", kPressWords),
+      constant("kDetectNo", "state/step.wgsl", static_cast<double>(Detect::No)),
       constant("kDetectIfDue", "state/step.wgsl", static_cast<double>(Detect::IfDue)),
       constant("kDetectAlways", "state/step.wgsl", static_cast<double>(Detect::Always)),
       constant("kColliderPoint", "state/contact.wgsl", kColliderPoint),
       constant("kPairFlag", "state/contact.wgsl", kPairFlag),
       constant("kIdBits", "state/contact.wgsl", kIdBits),
       constant("kVertexWords", "state/contact.wgsl", kVertexWords),
-      constant("kCursorWord", "state/contact.wgsl", kCursorWord),
+      constant("kTangledWord", "state/contact.wgsl", kTangledWord),
+      constant("kHasRecord", "state/contact.wgsl", kHasRecord),
+      constant("kKeptRoomWord", "contact/proximity/kept_forces.wgsl", kKeptRoomWord),
       constant("kCrossingFlag", "state/contact.wgsl", kCrossingFlag),
       constant("kUntangles", "state/contact.wgsl", kUntangles),
-      constant("kCursorBits", "state/contact.wgsl", kCursorBits),
       constant("kNoCorner", "contact/proximity/triangles.wgsl", kNoCorner),
       real("kUntanglePart", "state/contact.wgsl", kUntanglePart),
       real("kUntangleRate", "state/contact.wgsl", kUntangleRate),

@@ -92,7 +92,7 @@ TEST_CASE("the numbers of contacts for pictures are those of the listed pairs, a
   GpuFixture fixture;
   auto world = world_of(fixture.device(),
                         shipped_scene("stack", {{"cloths.0.grid", "[8,8]"}, {"cloths.0.copies.count", "3"}}),
-                        {.contact_room = ContactRoom{500, 100000}});
+                        {.contact_room = ContactRoom{500, 500, 100000}});
   REQUIRE(world->count_contacts(true));
   advance(*world, 10);
   REQUIRE(world->totals().repeated_frames > 0);

@@ -72,22 +72,24 @@ TEST_CASE("a snapshot of a contact goes on with the same bits in a new world and
 }
 
 TEST_CASE("lists grow by half more than was wanted, unless only what was wanted fits a binding") {
-  const std::uint64_t limit = 1000000 * sizeof(Contact);
+  const std::uint64_t limit = 1000000 * sizeof(ListedPair);
   const auto pairs = [&](std::uint32_t has, std::uint32_t wanted) {
-    return grown({has, 10}, {wanted, 10}, limit).pairs;
+    return grown({has, 10, 10}, {wanted, 10, 10}, limit).pairs;
   };
   CHECK(pairs(1000, 900) == 1000);
   CHECK(pairs(1000, 2000) == 3000);
   CHECK(pairs(1000, 900000) == 1000000);   // 1.35 million do not fit
   CHECK(pairs(1000, 1200000) == 1200000);  // nor do these: the buffer says so, with both numbers
-  CHECK(grown({10, 1000}, {10, 11000000}, limit).candidates == limit / 8);
+  CHECK(grown({10, 10, 1000}, {10, 10, 3500000}, limit).candidates == limit / 8);
+  CHECK(grown({10, 1000, 10}, {10, 240000, 10}, limit).near == limit / sizeof(Contact));
 }
 
 TEST_CASE("lists that are too short grow, their frames are run again, and the bits are the same") {
   GpuFixture fixture;
   const Ran roomy = run(fixture.device());
-  for (const ContactRoom& room : {ContactRoom{8, 100000}, {100000, 8}}) {
+  for (const ContactRoom& room : {ContactRoom{8, 100000, 100000}, {100000, 8, 100000}, {100000, 100000, 8}}) {
     CAPTURE(room.pairs);
+    CAPTURE(room.near);
     CAPTURE(room.candidates);
     auto world = world_of(fixture.device(), falling(), {.contact_room = room});
     advance(*world, kFrames);
@@ -105,7 +107,7 @@ TEST_CASE(
   const auto middle = roomy->snapshot();
   REQUIRE_OK(middle);
   advance(*roomy, 2);
-  auto world = world_of(fixture.device(), falling(), {.contact_room = ContactRoom{8, 8}});
+  auto world = world_of(fixture.device(), falling(), {.contact_room = ContactRoom{8, 8, 8}});
   REQUIRE(world->restore(*middle));
   advance(*world, 2);
   CHECK(world->totals().repeated_frames > 0);
@@ -115,7 +117,7 @@ TEST_CASE(
 TEST_CASE("lists that are too short grow also where a reset came before the frame was reported") {
   GpuFixture fixture;
   const Ran roomy = run(fixture.device());
-  auto world = world_of(fixture.device(), falling(), {.contact_room = ContactRoom{8, 8}});
+  auto world = world_of(fixture.device(), falling(), {.contact_room = ContactRoom{8, 8, 8}});
   for (int frame = 0; frame < 3; ++frame) REQUIRE(world->advance_frame());
   REQUIRE(world->reset());
   advance(*world, kFrames);
@@ -125,7 +127,7 @@ TEST_CASE("lists that are too short grow also where a reset came before the fram
 TEST_CASE("lists that are too short grow the same when frames are asked for one by one") {
   GpuFixture fixture;
   const Ran roomy = run(fixture.device());
-  auto world = world_of(fixture.device(), falling(), {.contact_room = ContactRoom{8, 8}});
+  auto world = world_of(fixture.device(), falling(), {.contact_room = ContactRoom{8, 8, 8}});
   for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
     REQUIRE(world->advance_frame());
     REQUIRE(world->finish());  // a frame at a time, where advance() asks for all at once

@@ -176,6 +176,32 @@ TEST_CASE("sheets that fly at each other at one, ten and a hundred thicknesses a
   }
 }
 
+TEST_CASE("a sheet that another one strikes does not get through a floor that it flew along") {
+  GpuFixture fixture;
+  // The floor is 1.3 thicknesses below: in the first step no pair with it is near, until the lower sheet is struck.
+  const std::string floors[] = {
+      R"("kind": "plane", "point": [0, -0.0039, 0], "normal": [0, 1, 0])",
+      R"("kind": "box", "center": [0, -0.1039, 0], "size": [4, 0.2, 4])",
+      R"("kind": "capsule", "a": [-2, -2.0039, 0], "b": [2, -2.0039, 0], "radius": 2)"};
+  for (const std::string& floor : floors)
+    for (const double times : {3.0, 5.0, 50.0}) {
+      CAPTURE(floor);
+      CAPTURE(times);
+      auto world = world_of(
+          fixture.device(),
+          contact_scene(
+              R"("gravity": [0, 0, 0], "time": {"frame": 0.002, "substeps": 1}, "contact": {"method": "proximity", )"
+              R"("thickness": 0.003}, "cloths": [)" +
+              lying_cloth(10, "[0, 0, 0]") + "," + lying_cloth(10, "[0.013, 0.004, 0.017]") +
+              R"(], "colliders": [{)" + floor + "}]"));
+      const double thickness = 0.003 / world->step();  // [m/s]
+      push(*world, 0, 100, {0.3 * thickness, 0, 0});   // so fast that it may go far before the next search
+      push(*world, 100, 200, {0.3 * thickness, -times * thickness, 0});
+      CHECK(bad_frames(*world, 6) == 0);
+      CHECK(world->totals().contacts > 500);
+    }
+}
+
 TEST_CASE(
     "a flag whose patches fly apart at one, ten and a hundred thicknesses a substep passes nowhere through "
     "itself") {

@@ -155,7 +155,7 @@ TEST_CASE(
   GpuFixture fixture;
   const std::string hash = fallen(fixture.device());
   CHECK(fallen(fixture.device(), {.workgroup_size = 64}) == hash);
-  for (const ContactRoom& room : {ContactRoom{8, 100000}, {100000, 8}}) {
+  for (const ContactRoom& room : {ContactRoom{8, 100000, 100000}, {100000, 8, 100000}, {100000, 100000, 8}}) {
     auto world = world_of(fixture.device(), falling(), {.contact_room = room});
     advance(*world, kFalling);
     CHECK(world->totals().repeated_frames > 0);

@@ -160,7 +160,7 @@ TEST_CASE("lists that are too short for a tangle grow, and the bits are the same
   GpuFixture fixture;
   const scene::Scene crossed = tangle(sheet(9, "[0, 0, 0]") + "," + sheet(8, "[0.03, 0, 0.02]", 30));
   auto roomy = world_of(fixture.device(), crossed);
-  auto tight = world_of(fixture.device(), crossed, {.contact_room = ContactRoom{8, 8}});
+  auto tight = world_of(fixture.device(), crossed, {.contact_room = ContactRoom{8, 8, 8}});
   for (sim::World* world : {roomy.get(), tight.get()}) advance(*world, 6);
   CHECK(tight->totals().repeated_frames > 0);
   CHECK(tight->totals().crossings == roomy->totals().crossings);

@@ -31,12 +31,16 @@ export async function adapterLimits(): Promise<Limits> {
 
 // Bytes a node, and a triangle of an obstacle, measured at 32² to 256² nodes; tests/web/page/memory.test.ts holds the
 // sum to info.gpuBytes within 10 %.
-const NODE = { all: 189, proximity: 154, pushes: 17 }; // beside what the solver asks for: catalog().methods
-const OBSTACLE = { drawn: 29, proximity: 85, pushes: 71 };
-// The lists of first_room (src/contact/scene_contact.cpp): pairs and candidates. They grow where they are short.
-const LISTS = [{ least: 32_768, triangle: 2, entry: 112 }, { least: 131_072, triangle: 12, entry: 8 }] as const;
+const NODE = { all: 189, proximity: 273, pushes: 17 }; // beside what the solver asks for: catalog().methods
+const OBSTACLE = { drawn: 29, proximity: 112, pushes: 71 };
+// The lists of first_room (src/contact/scene_contact.cpp). They grow where they are short.
+const LISTS = {
+  pairs: { least: 32_768, triangle: 2, entry: 32 },
+  near: { least: 16_384, triangle: 1 / 2, entry: 128 },
+  candidates: { least: 131_072, triangle: 12, entry: 8 },
+} as const;
+const KEPT = 64; // of a near pair: the forces that ContactPairs::kept has room for, beside the table over them
 const POSITION = 16; // of a node
-const PAIR = 96; // of an entry, what lies in one buffer
 
 /** What the scene's solver asks for a node; where it is "auto", the most that it may become. */
 function solverMemory(scene: LoadedScene): { readonly node: number; readonly buffer: number } {
@@ -46,19 +50,30 @@ function solverMemory(scene: LoadedScene): { readonly node: number; readonly buf
   return { node: Math.max(...chosen.map(({ node }) => node)), buffer: Math.max(...chosen.map(({ buffer }) => buffer)) };
 }
 
+/** The buffers of proximity's lists over so many triangles of cloth. */
+function listBuffers(triangles: number): number[] {
+  const entries = (list: keyof typeof LISTS) =>
+    Math.max(LISTS[list].least, Math.floor(triangles * LISTS[list].triangle));
+  const near = entries("near");
+  const table = 4 * 2 ** Math.ceil(Math.log2(2 * near));
+  return [
+    ...(["pairs", "near", "candidates"] as const).map((list) => entries(list) * LISTS[list].entry),
+    near * KEPT + table,
+  ];
+}
+
 /** What `nodes` nodes in all ask for, in this scene with its methods. */
 export function demand(nodes: number, scene: LoadedScene): Demand {
   const method = scene.now(CONTACT_METHOD);
   const [proximity, pushes] = [method === "proximity", method === "bvh" || method === "paper"];
-  const entries = LISTS.map(({ least, triangle }) => Math.max(least, 2 * nodes * triangle)) as [number, number];
+  const lists = proximity ? listBuffers(2 * nodes) : [];
   const solver = solverMemory(scene);
   const node = NODE.all + solver.node + (proximity ? NODE.proximity : pushes ? NODE.pushes : 0);
   const obstacle = OBSTACLE.drawn + (proximity ? OBSTACLE.proximity : pushes ? OBSTACLE.pushes : 0);
-  const lists = proximity ? entries[0] * LISTS[0].entry + entries[1] * LISTS[1].entry : 0;
   return {
     nodes,
-    gpu: nodes * node + scene.obstacleTriangles * obstacle + lists,
-    buffer: Math.max(Math.max(POSITION, solver.buffer) * nodes, proximity ? entries[0] * PAIR : 0),
+    gpu: lists.reduce((sum, bytes) => sum + bytes, nodes * node + scene.obstacleTriangles * obstacle),
+    buffer: Math.max(Math.max(POSITION, solver.buffer) * nodes, ...lists),
     module: MODULE_NODE * nodes,
   };
 }

@@ -25,6 +25,8 @@ export interface Totals {
   pairs: number;
   /** Pairs of triangles that the last search of a frame has listed (proximity), the most of any. */
   candidates: number;
+  /** Of the pairs, those near enough to have a record, at the end of a frame (proximity), the most of any. */
+  near: number;
   /** Nodes that are not finite; 0 but where a run diverged. */
   nonfinite: number;
   /** Edges that pass through triangles, as the last search has found them (proximity). */
@@ -45,6 +47,7 @@ export const TOTALS = [
   "driven",
   "pairs",
   "candidates",
+  "near",
   "nonfinite",
   "crossingsLeft",
 ] as const satisfies readonly (keyof Totals)[];
@@ -64,6 +67,7 @@ export function noTotals(): Totals {
     driven: 0,
     pairs: 0,
     candidates: 0,
+    near: 0,
     nonfinite: 0,
     crossingsLeft: 0,
   };

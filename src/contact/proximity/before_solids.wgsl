@@ -1,6 +1,7 @@
 // Ends a vertex's way before the planes of its pairs with what contact cannot move: obstacles, and cloth that the scene
-// moves or pins. The including kernel binds step, contacts and entries. Source: docs/contact.md, equation (6).
+// moves or pins. The including kernel binds step and contacts. Source: docs/contact.md, equation (6).
 #include "state/contact.wgsl"
+#include "contact/proximity/links.wgsl"
 #include "contact/proximity/planes.wgsl"
 const kPushes = 4u;
 
@@ -19,7 +20,7 @@ struct Carry {
 }
 const kNoCarry = Carry(vec3f(0.0), 0.0, 0.0);
 
-// The deeper of two; of equally deep ones, so that the order of entries does not matter, by direction and speed.
+// The deeper of two; of equally deep ones, so that the order of records does not matter, by direction and speed.
 fn comes_first(a : Carry, b : Carry) -> bool {
   if (a.depth != b.depth) { return a.depth > b.depth; }
   if (a.normal.x != b.normal.x) { return a.normal.x > b.normal.x; }
@@ -32,32 +33,30 @@ fn has_plane(contact : Contact) -> bool {
   return (contact.solid == 1u || contact.solid == 2u) && contact.normal.w > 0.0;
 }
 
-fn deepest_carry(begin : u32, end : u32, far : bool, x : vec3f) -> Carry {
+fn deepest_carry(first : u32, far : bool, x : vec3f) -> Carry {
   var deepest = kNoCarry;
-  for (var k = begin; k < end; k++) {
-    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-    let contact = contacts[entries[k] / kEntryPair];
-    if (!has_plane(contact)) { continue; }
-    let side = select(-1.0, 1.0, (entries[k] & 3u) < roles_of_a(contact.ids));
-    let carry = Carry(side * contact.normal.xyz, beyond(contact, entries[k] & 3u, x), contact.solid_speed);
+  for (var link = first; link != 0u; link = next_of(link)) {
+    let contact = contacts[record_of(link)];
+    if (!has_plane(contact) || !(far || contact.near != 0u)) { continue; }
+    let side = select(-1.0, 1.0, role_of(link) < roles_of_a(contact.ids));
+    let carry = Carry(side * contact.normal.xyz, beyond(contact, role_of(link), x), contact.solid_speed);
     if (comes_first(carry, deepest)) { deepest = carry; }
   }
   return deepest;
 }
 
 // Only where a plane is near enough to be met, or the way so long that any may be.
-fn before_solids(way_so_far : Way, start : vec3f, begin : u32, end : u32, tight : f32) -> Way {
+fn before_solids(way_so_far : Way, start : vec3f, first : u32, tight : f32) -> Way {
   var way = way_so_far;
   let length_of_way = 1.001 * length(way.position - start);
   let far = length_of_way > free_way();
-  if (begin >= end || !(far || length_of_way > free_way() - tight)) { return way; }
+  if (first == 0u || !(far || length_of_way > free_way() - tight)) { return way; }
   var part = 1.0;
-  for (var k = begin; k < end; k++) {
-    if (!far && (entries[k] & kEntryNear) == 0u) { continue; }
-    let contact = contacts[entries[k] / kEntryPair];
-    if (!has_plane(contact)) { continue; }
-    let now = beyond(contact, entries[k] & 3u, start);
-    let then = beyond(contact, entries[k] & 3u, way.position);
+  for (var link = first; link != 0u; link = next_of(link)) {
+    let contact = contacts[record_of(link)];
+    if (!has_plane(contact) || !(far || contact.near != 0u)) { continue; }
+    let now = beyond(contact, role_of(link), start);
+    let then = beyond(contact, role_of(link), way.position);
     if (now < 0.0 && then > 0.0) { part = min(part, now / (now - then)); }
   }
   if (part < 1.0) {
@@ -66,7 +65,7 @@ fn before_solids(way_so_far : Way, start : vec3f, begin : u32, end : u32, tight 
     way.changed = true;
   }
   for (var round = 0u; round < kPushes; round++) {  // the deepest first
-    let carry = deepest_carry(begin, end, far, way.position);
+    let carry = deepest_carry(first, far, way.position);
     if (carry.depth <= 0.0) { break; }
     way.position += carry.depth * carry.normal;
     way.velocity += max(0.0, carry.speed - dot(carry.normal, way.velocity)) * carry.normal;

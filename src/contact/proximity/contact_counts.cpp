@@ -7,7 +7,7 @@ Result<ContactCounts> ContactCounts::create(gpu::Device& device, const ContactPa
   ContactCounts made;
   WEFT_TRY(kernel, gpu::Kernel::create(device, "contact/proximity/count_contacts.wgsl"));
   made.kernel_ = std::move(kernel);
-  WEFT_TRY(group, made.kernel_.bind({pairs.contacts, pairs.entries, pairs.vertex_contacts, counts}));
+  WEFT_TRY(group, made.kernel_.bind({pairs.contacts, pairs.vertex_contacts, counts}));
   made.group_ = std::move(group);
   made.vertex_count_ = counts.size();
   return made;

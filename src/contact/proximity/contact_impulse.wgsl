@@ -1,5 +1,5 @@
 // An iteration of the pairs' impulses, all from the same velocities; the last one also pushes apart what is too near.
-// Grid-stride loop over the pairs. Source: docs/contact.md, equations (2) to (5) and (7).
+// Grid-stride loop over the records. Source: docs/contact.md, equations (2) to (5) and (7).
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
@@ -28,7 +28,7 @@ fn first_change(vertex : u32) -> vec3f {
 }
 
 // Equations (2) to (4a) and (7); stores the force.
-fn answer(pair : u32, contact : Contact, w : vec4f) -> Answer {
+fn answer(number : u32, contact : Contact, w : vec4f) -> Answer {
   let ids = contact.ids;
   var u = contact.surface.xyz;
   var mobility = 0.0;
@@ -52,20 +52,20 @@ fn answer(pair : u32, contact : Contact, w : vec4f) -> Answer {
   let sticking = had - dot(n, had) * n - (u - speed * n) / mobility;
   let ahead = select(kAhead, 0.0, kLast != 0u) * (normal - step.time.dt * contact.begun);
   let impulse = (normal + ahead) * n + no_longer(sticking, contact.surface.w * normal);
-  contacts[pair].force = vec4f(impulse / step.time.dt, contact.force.w);
-  contacts[pair].begun = normal / step.time.dt;
+  contacts[number].force = vec4f(impulse / step.time.dt, contact.force.w);
+  contacts[number].begun = normal / step.time.dt;
   return Answer(impulse - had, mobility);
 }
 
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let count = select(statistics[kStatPairs], 0u, statistics[kStatRolledBack] != 0u);
-  for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
-    if (contacts[pair].urgency == 0.0) { continue; }
-    let contact = contacts[pair];
+  let count = select(statistics[kStatNear], 0u, statistics[kStatRolledBack] != 0u);
+  for (var number = id.x; number < count; number += groups.x * kWorkgroupSize) {
+    if (contacts[number].urgency == 0.0) { continue; }
+    let contact = contacts[number];
     if (contact.solid == kUntangles && !is_self_pair(contact.ids)) { continue; }  // see contact_respond
     let w = weights_of(contact.ids, contact.place.x, contact.place.y);
-    let given = answer(pair, contact, w);
+    let given = answer(number, contact, w);
     if (given.mobility <= 0.0) { continue; }
     let lack = clamp(contact.thickness - contact.normal.w, 0.0, contact.thickness);
     let restored = kPushPart * min(1.0, lack / (kSoftLack * contact.thickness));

@@ -14,11 +14,10 @@
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 3 * vertex_count  m/s, then m
 @group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
-@group(0) @binding(4) var<storage, read>       entries         : array<u32>;
-@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<vec4u>; // 4 * vertex_count: state/contact.wgsl
-@group(0) @binding(6) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
-@group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
-@group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
+@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<vec4u>; // 4 * vertex_count: state/contact.wgsl
+@group(0) @binding(5) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
+@group(0) @binding(6) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
@@ -27,13 +26,12 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let at = kVertexWords / 4u * vertex;
   let words = vertex_contacts[at];
   let sums = array(vertex_contacts[at + 1u], vertex_contacts[at + 2u], vertex_contacts[at + 3u]);
-  let begin = words.x;
-  let end = begin + words.y;
+  let records = words[kLinkWord];
   let acted_on = words[kShareWord] != 0u;
   let tight = bitcast<f32>(words[kTightWord]);
   // Cleared for the next substep.
-  if (acted_on || tight > 0.0 || sums[2].z != 0u) {
-    vertex_contacts[at] = vec4u(begin, words.y, 0u, 0u);
+  if (acted_on || tight > 0.0 || sums[2].z != 0u || words[kPartWord] != 0u) {
+    vertex_contacts[at] = vec4u(records, 0u, 0u, 0u);
     vertex_contacts[at + 1u] = vec4u(sums[0].x, 0u, 0u, 0u);
     vertex_contacts[at + 2u] = vec4u(0u);
     vertex_contacts[at + 3u] = vec4u(0u);
@@ -58,7 +56,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       way.position += step.time.dt * change + push;
     }
     if (tight >= kInBody) {
-      let change = out_of_body(bodies_around(begin, end), way.velocity);
+      let change = out_of_body(bodies_around(records), way.velocity);
       way.velocity += change;
       way.position += step.time.dt * change;
     }
@@ -69,11 +67,12 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       let slower = min(back / step.time.dt, max(0.0, -dot(n, way.velocity)));  // a push is in no velocity
       way = Way(within, way.velocity + slower * n, true);
     }
-    if ((sums[2].z & kBesideSolid) != 0u) { way = before_solids(way, start.xyz, begin, end, tight); }
-    if (way.changed) {
-      atomicAdd(&statistics[kStatTruncated], 1u);
-      vertex_contacts[at + 3u] = vec4u(0u, 0u, kCounted, 0u);
-    }
+    if ((sums[2].z & kBesideSolid) != 0u) { way = before_solids(way, start.xyz, records, tight); }
+    if (way.changed) { atomicAdd(&statistics[kStatTruncated], 1u); }
+    let goes_far = length(way.position - start.xyz) > free_way();
+    if (goes_far) { atomicStore(&statistics[kStatFarWays], 1u); }
+    let held = select(0u, kCounted, way.changed) | select(0u, kFarWay, goes_far);
+    if (held != 0u) { vertex_contacts[at + 3u] = vec4u(0u, 0u, held, 0u); }
     position[vertex] = vec4f(way.position, inverse_mass);
   }
   // An impulse breaks the motion that an implicit solver extrapolates (Method::history), so its history is invalid.

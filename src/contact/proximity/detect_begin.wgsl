@@ -46,9 +46,9 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
       atomicAdd(&statistics[kStatDetections], 1u);
       atomicStore(&statistics[kStatCrossingsLeft], 0u);
       atomicStore(&statistics[kStatCandidates], 0u);
-      atomicStore(&statistics[kStatPairsBefore], atomicLoad(&statistics[kStatPairs]));
+      atomicStore(&statistics[kStatNearBefore], atomicLoad(&statistics[kStatNear]));
       atomicStore(&statistics[kStatPairs], 0u);
-      atomicStore(&statistics[kStatEntries], 0u);
+      atomicStore(&statistics[kStatNear], 0u);
     }
   }
   if (!due || vertex >= step.nodes.count) { return; }
@@ -65,11 +65,9 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   }
   predicted[step.nodes.count + vertex] = vec4f(place.xyz, slack);
   predicted[2u * step.nodes.count + vertex] = vec4f(ahead, 0.0);
-  vertex_contacts[kVertexWords * vertex + 1u] = 0u;
-  vertex_contacts[kVertexWords * vertex + kCursorWord] = 0u;
+  vertex_contacts[kVertexWords * vertex + kLinkWord] = 0u;
+  vertex_contacts[kVertexWords * vertex + kTangledWord] = 0u;
   if (step.contact.detect == kDetectAlways) {  // the first substep of a frame, whatever the one before it was
-    for (var word = kShareWord; word < kVertexWords; word++) {
-      if (word != kCursorWord) { vertex_contacts[kVertexWords * vertex + word] = 0u; }
-    }
+    for (var word = 0u; word < kVertexWords; word++) { vertex_contacts[kVertexWords * vertex + word] = 0u; }
   }
 }

@@ -1,15 +1,16 @@
-// Measures every listed pair at the start of a substep, decides which act, and with which impulses they begin:
-// equations (1) and (3a) of docs/contact.md. Grid-stride loop over the pairs. A pair's vertices count it, and their
-// entries bear its marks.
+// Measures every pair that has a record at the start of a substep, decides which act, and with which impulses they
+// begin: equations (1) and (3a) of docs/contact.md. Grid-stride loop over the records. A pair's vertices count it.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/hash_pair.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/crossing.wgsl"
-#include "contact/proximity/measure.wgsl"
+#include "contact/proximity/relative_velocity.wgsl"
 #include "contact/proximity/cones.wgsl"
 #include "contact/proximity/planes.wgsl"
+#include "contact/proximity/sides.wgsl"
+#include "contact/proximity/solid_reach.wgsl"
 #include "contact/proximity/sums.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
@@ -17,47 +18,17 @@
 @group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(3) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
 @group(0) @binding(4) var<storage, read_write> contacts        : array<Contact>;
-@group(0) @binding(5) var<storage, read_write> entries         : array<u32>;
-@group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
-@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
-@group(0) @binding(8) var<storage, read>       rings           : array<u32>;   // feature_rings.hpp
+@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(6) var<storage, read_write> statistics      : array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read>       rings           : array<u32>;   // feature_rings.hpp
 
 const kTouch = 0.01;  // of the thickness: a nearer feature has no side of its own
 
-var<workgroup> listed : u32;
+var<workgroup> records : u32;
 var<workgroup> crossings : u32;  // that the last search has found
 
 fn velocity_of(vertex : u32) -> vec3f { return predicted[vertex].xyz; }
-
-// The side that contact cannot move: 1 A, 2 B, 0 neither.
-fn solid_side(ids : vec4u) -> u32 {
-  if (is_solid(ids, roles_of_a(ids), role_count(ids))) { return 2u; }
-  return select(0u, 1u, is_solid(ids, 0u, roles_of_a(ids)));
-}
-// Whether roles from `first` to before `end` are a collider's or kinematic.
-fn is_solid(ids : vec4u, first : u32, end : u32) -> bool {
-  var solid = true;
-  for (var role = first; role < end; role++) {
-    solid = solid && (is_collider(ids[role]) || previous[ids[role] & kIdBits].w == 0.0);
-  }
-  return solid;
-}
-
-// How far along n a solid side will be at the end of the substep, in the direction of the other.
-fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius : f32) -> f32 {
-  var reach = -3e38;
-  for (var role = first; role < end; role++) {
-    let id = ids[role];
-    var place : vec3f;
-    if (is_collider(id)) {
-      place = end_of(id).xyz;
-    } else {
-      place = previous[id & kIdBits].xyz + step.time.dt * predicted[id & kIdBits].xyz;
-    }
-    reach = max(reach, sign * dot(n, place));
-  }
-  return sign * (reach + radius);
-}
+fn end_of_way(vertex : u32) -> vec3f { return previous[vertex].xyz + step.time.dt * predicted[vertex].xyz; }
 
 // The speed of a solid side in the direction of the other.
 fn solid_speed(ids : vec4u, first : u32, end : u32, w : vec4f, toward : vec3f, surface : vec3f) -> f32 {
@@ -89,56 +60,37 @@ fn least_speed(gap : f32, thickness : f32, speed : f32) -> f32 {
   return max(-max(0.0, gap - thickness) / dt, select(-3e38, -step.contact.restitution * speed, bounces));
 }
 
-// Marks of the last search at the cloth vertices from role `first` to before `end`: kTangledCloth, kTangledMesh.
-fn tangles_of(ids : vec4u, first : u32, end : u32) -> u32 {
-  var marks = 0u;
-  for (var role = first; role < end; role++) {
-    if (!is_collider(ids[role])) {
-      marks |= atomicLoad(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kCursorWord]);
-    }
-  }
-  return marks & ~kCursorBits;
-}
-
 // Whether the collider of the pair, if it has one, is a closed mesh.
 fn is_of_closed_mesh(ids : vec4u) -> bool {
   return min(min(start_of(ids.x).w, start_of(ids.y).w), start_of(ids.z).w) < 0.0;
-}
-
-// Whether both features belong to a crossing, so that either may be on its wrong side.
-fn is_tangled(ids : vec4u, is_self : bool) -> bool {
-  if (is_plane_pair(ids)) { return false; }
-  let of_a = tangles_of(ids, 0u, roles_of_a(ids));
-  let of_b = tangles_of(ids, roles_of_a(ids), 4u);
-  if (is_self) { return (of_a & of_b & kTangledCloth) != 0u; }
-  return ((of_a | of_b) & kTangledMesh) != 0u;
 }
 
 @compute @workgroup_size(kWorkgroupSize)
 fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
             @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
-    listed = select(atomicLoad(&statistics[kStatPairs]), 0u, atomicLoad(&statistics[kStatRolledBack]) != 0u);
+    if (id.x == 0u) { atomicStore(&statistics[kStatFarWays], 0u); }
+    records = select(atomicLoad(&statistics[kStatNear]), 0u, atomicLoad(&statistics[kStatRolledBack]) != 0u);
     crossings = atomicLoad(&statistics[kStatCrossingsLeft]);
   }
-  let count = workgroupUniformLoad(&listed);
+  let count = workgroupUniformLoad(&records);
   let tangled = workgroupUniformLoad(&crossings) != 0u;
   var hits = 0u;
   var hash = 0u;
-  for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
-    let ids = contacts[pair].ids;
+  for (var number = id.x; number < count; number += groups.x * kWorkgroupSize) {
+    let ids = contacts[number].ids;
     let is_self = is_self_pair(ids);
     var measured : Measured;
-    var friction = contacts[pair].surface.w;
+    var friction = contacts[number].surface.w;
     var untangles = false;
     if (is_crossing(ids)) {
       let p = start_of(ids.x).xyz;
-      let q = start_of(contacts[pair].other_end).xyz;
+      let q = start_of(contacts[number].other_end).xyz;
       let p1 = start_of(ids.y).xyz;
       let p2 = start_of(ids.z).xyz;
       let p3 = start_of(ids.w).xyz;
       let at = crossing_place(p, q, p1, p2, p3);
-      let way = contacts[pair].normal;
+      let way = contacts[number].normal;
       measured = Measured(at.x, at.y, crosses(p, q, p1, p2, p3), way.xyz, way.w, 0.0, 0.0);
       untangles = true;
     } else {
@@ -164,7 +116,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
         }
       }
     }
-    let thickness = contacts[pair].thickness;
+    let thickness = contacts[number].thickness;
     if (thickness == 0.0) {  // of one cloth, and touching at rest
       measured.counts = false;
       measured.gap = 0.0;
@@ -181,14 +133,14 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let first_b = roles_of_a(ids);
     let end_b = role_count(ids);
     let solid = solid_side(ids);
-    if (is_self && !is_near && !untangles && contacts[pair].near == 0u && solid == 0u) {
+    if (is_self && !is_near && !untangles && contacts[number].near == 0u && solid == 0u) {
       // Most pairs: all but their plane is as it was.
-      contacts[pair].normal = vec4f(n, gap);
-      contacts[pair].place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
-      if (any(contacts[pair].force.xyz != vec3f(0.0))) { contacts[pair].force = vec4f(0.0); }
+      contacts[number].normal = vec4f(n, gap);
+      contacts[number].place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
+      if (any(contacts[number].force.xyz != vec3f(0.0))) { contacts[number].force = vec4f(0.0); }
       continue;
     }
-    var contact = contacts[pair];
+    var contact = contacts[number];
     contact.place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
     contact.solid = select(solid, kUntangles, untangles);
     contact.solid_speed = 0.0;
@@ -209,22 +161,18 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     contact.begun = dot(n, force);
     let is_kept = any(force != vec3f(0.0));
     let holds = gap > 0.0 && contact.solid != 0u;  // has planes that what is not solid must not pass
-    let near_flag = select(0u, kEntryNear, is_near || holds);
-    let is_other = near_flag != contact.near;  // most stay as they were
-    contact.near = near_flag;
-    contacts[pair].normal = contact.normal;
-    contacts[pair].place = contact.place;
-    contacts[pair].surface = contact.surface;
-    contacts[pair].force = contact.force;
-    contacts[pair].urgency = contact.urgency;
-    contacts[pair].solid = contact.solid;
-    contacts[pair].solid_speed = contact.solid_speed;
-    contacts[pair].begun = contact.begun;
-    contacts[pair].near = contact.near;
+    contact.near = select(0u, 1u, is_near || holds);
+    contacts[number].normal = contact.normal;
+    contacts[number].place = contact.place;
+    contacts[number].surface = contact.surface;
+    contacts[number].force = contact.force;
+    contacts[number].urgency = contact.urgency;
+    contacts[number].solid = contact.solid;
+    contacts[number].solid_speed = contact.solid_speed;
+    contacts[number].begun = contact.begun;
+    contacts[number].near = contact.near;
     for (var role = 0u; role < role_count(ids); role++) {
-      if (is_collider(ids[role])) { continue; }
-      if (is_other) { entries[contact.slots[role]] = kEntryPair * pair + near_flag + role; }
-      if (near_flag == 0u) { continue; }
+      if (is_collider(ids[role]) || contact.near == 0u) { continue; }
       let vertex = ids[role] & kIdBits;
       if (acts) {
         atomicAdd(&vertex_contacts[kVertexWords * vertex + kShareWord], share_units(f32(urgency), w[role]));

@@ -20,7 +20,7 @@
 @group(0) @binding(3) var<storage, read>       trees           : array<vec4u>;
 @group(0) @binding(4) var<storage, read>       points          : array<vec4f>;       // of colliders: move_points.wgsl
 @group(0) @binding(5) var<storage, read>       candidates      : array<vec2u>;
-@group(0) @binding(6) var<storage, read_write> contacts        : array<Contact>;     // pair_capacity
+@group(0) @binding(6) var<storage, read_write> listed          : array<ListedPair>;  // pair_capacity
 @group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>; // see state/contact.wgsl
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 
@@ -201,12 +201,6 @@ fn pair_of_shape(a : vec3u, kind : u32, point : u32, hit : u32) -> vec4u {
   return vec4u(edge_ids(a, hit), id, id + 2u) | vec4u(kPairFlag, 0u, 0u, 0u);
 }
 
-fn count_roles(ids : vec4u) {
-  for (var role = 0u; role < role_count(ids); role++) {
-    if (!is_collider(ids[role])) { atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + 1u], 1u); }
-  }
-}
-
 fn rim_of(id : u32) -> f32 {
   let place = select(id, params.vertex_count + (id & kIdBits), (id & kColliderPoint) != 0u);
   return bitcast<f32>(trees[params.first_rim + place / 4u][place % 4u]);
@@ -243,16 +237,15 @@ fn list_crossing(own : Face, number : u32, k : u32, onto : Face, second : bool, 
     }
   }
   let way = untangling(edge, e, turn, face);
-  contacts[pair].ids = vec4u(select(pq.x, pq.y, second), onto.ids.x, onto.ids.y | kCrossingFlag, onto.ids.z);
-  contacts[pair].other_end = select(pq.y, pq.x, second);
-  contacts[pair].normal = vec4f(unit(way), -length(way));
+  listed[pair].ids = vec4u(select(pq.x, pq.y, second), onto.ids.x, onto.ids.y | kCrossingFlag, onto.ids.z);
+  listed[pair].words = vec4u(select(pq.y, pq.x, second) & kIdBits, bitcast<vec3u>(way));
   let mark = select(kTangledMesh, kTangledCloth, edge.kind == kFromCloth && face.kind == kFromCloth);
   mark_tangled(pq.x, mark);
   mark_tangled(pq.y, mark);
   for (var corner = 0u; corner < 3u; corner++) { mark_tangled(corner_id(onto.ids, corner), mark); }
 }
 fn mark_tangled(id : u32, mark : u32) {
-  if ((id & kColliderPoint) == 0u) { atomicOr(&vertex_contacts[kVertexWords * id + kCursorWord], mark); }
+  if ((id & kColliderPoint) == 0u) { atomicOr(&vertex_contacts[kVertexWords * id + kTangledWord], mark); }
 }
 
 // Crossings as bits of a candidate: 15 to 17 the edges of a through b, 18 to 20 of b through a, each by its first
@@ -305,11 +298,6 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
     while (hits != 0u && pair < params.pair_capacity) {
       let hit = firstTrailingBit(hits);
       hits &= hits - 1u;
-      contacts[pair].surface = vec4f(0.0, 0.0, 0.0, friction);
-      contacts[pair].urgency = 0.0;
-      contacts[pair].solid = 0u;
-      contacts[pair].near = 0u;
-      contacts[pair].thickness = select(params.thickness, params.self_thickness, kind == kNearCloth);
       if (hit >= kFirstCrossing) {
         let a = cloth_face(candidate.x & kPlaceBits);
         let b = other_face(candidate);
@@ -320,15 +308,14 @@ fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) gro
         } else {
           list_crossing(b, candidate.y, edge - 3u, a, second, pair);
         }
-        count_roles(contacts[pair].ids);
         pair++;
         continue;
       }
       var ids = pair_of_faces(ids_a, ids_b, hit);
       if (kind >= kNearSphere) { ids = pair_of_shape(ids_a, kind, candidate.y, hit); }
-      contacts[pair].ids = ids;
-      if (kind == kNearCloth) { contacts[pair].thickness = thickness_of(ids); }
-      count_roles(ids);
+      var thickness = params.thickness;
+      if (kind == kNearCloth) { thickness = thickness_of(ids); }
+      listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, 0u));
       pair++;
     }
   }

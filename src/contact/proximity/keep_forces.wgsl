@@ -1,4 +1,4 @@
-// Keeps the forces of the pairs that act. Grid-stride loop over the pairs. Source: docs/contact.md, Impulse.
+// Keeps the forces of the pairs that act. Grid-stride loop over the records. Source: docs/contact.md, Impulse.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/statistics.wgsl"
@@ -14,13 +14,14 @@ override kList : u32 = 0;  // 0: at the end of a frame; 1: before a search withi
 fn keep_forces(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
   let searches = (statistics[kStatDue] != 0u) & (step.contact.detect != kDetectAlways);
   let works = (statistics[kStatRolledBack] == 0u) & ((kList == 0u) | searches);
-  let listed = select(statistics[kStatPairs], statistics[kStatPairsBefore], kList != 0u);
-  let count = select(0u, listed, works);
-  for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
-    let force = contacts[pair].force.xyz;
-    if (contacts[pair].urgency == 0.0 || all(force == vec3f(0.0))) { continue; }
-    let word = kept_word(kList, atomicAdd(&kept[kList], 1u));
-    let ids = contacts[pair].ids;
+  let near = select(statistics[kStatNear], statistics[kStatNearBefore], kList != 0u);
+  let count = select(0u, near, works);
+  let room = atomicLoad(&kept[kKeptRoomWord]);
+  for (var number = id.x; number < count; number += groups.x * kWorkgroupSize) {
+    let force = contacts[number].force.xyz;
+    if (contacts[number].urgency == 0.0 || all(force == vec3f(0.0))) { continue; }
+    let word = kept_word(room, kList, atomicAdd(&kept[kList], 1u));
+    let ids = contacts[number].ids;
     for (var k = 0u; k < 4u; k++) { atomicStore(&kept[word + k], ids[k]); }
     for (var k = 0u; k < 3u; k++) { atomicStore(&kept[word + 4u + k], bitcast<u32>(force[k])); }
   }

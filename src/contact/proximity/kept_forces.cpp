@@ -28,24 +28,23 @@ Result<void> KeptForces::bind(const State& state, const ContactPairs& pairs) {
     WEFT_TRY(keep, keep_[list].bind({state.steps, pairs.contacts, state.statistics, pairs.kept}));
     keep_groups_[list] = std::move(keep);
   }
-  WEFT_TRY(clear, clear_.bind({state.statistics, pairs.kept_places}));
+  WEFT_TRY(clear, clear_.bind({state.statistics, pairs.kept}));
   clear_group_ = std::move(clear);
-  WEFT_TRY(place, place_.bind({state.steps, state.statistics, pairs.kept, pairs.kept_places}));
+  WEFT_TRY(place, place_.bind({state.steps, state.statistics, pairs.kept}));
   place_group_ = std::move(place);
-  pair_room_ = pairs.room.pairs;
-  places_ = pairs.kept_places.size();
+  near_room_ = pairs.room.near;
   return {};
 }
 
 void KeptForces::record_keep(gpu::ComputePass& pass, std::size_t list) const {
   begin_[list].dispatch_groups(pass, begin_groups_[list], 1);
-  keep_[list].dispatch_strided(pass, keep_groups_[list], pair_room_);
+  keep_[list].dispatch_strided(pass, keep_groups_[list], near_room_);
 }
 
 void KeptForces::record_search(gpu::ComputePass& pass) const {
   record_keep(pass, 1);
-  clear_.dispatch_strided(pass, clear_group_, places_);
-  place_.dispatch_strided(pass, place_group_, pair_room_);
+  clear_.dispatch_strided(pass, clear_group_, 2 * near_room_);
+  place_.dispatch_strided(pass, place_group_, near_room_);
 }
 
 void KeptForces::record_frame_end(gpu::ComputePass& pass) const { record_keep(pass, 0); }

@@ -11,7 +11,7 @@ namespace weft::contact {
 /// Keeps the forces of pairs that act beyond a search and beyond the end of a frame, so that the next substep begins
 /// with them. Source: docs/contact.md, Impulse; src/contact/proximity/kept_forces.wgsl.
 /// Reads   steps; pairs.contacts; statistics.
-/// Writes  pairs.kept, pairs.kept_places.
+/// Writes  pairs.kept.
 /// Errors  Shader, OutOfMemory.
 class KeptForces {
  public:
@@ -31,7 +31,7 @@ class KeptForces {
   gpu::Kernel clear_, place_;
   std::array<gpu::BindGroup, 2> begin_groups_, keep_groups_;
   gpu::BindGroup clear_group_, place_group_;
-  std::size_t pair_room_ = 0, places_ = 0;
+  std::size_t near_room_ = 0;
 };
 
 }  // namespace weft::contact

@@ -1,6 +1,7 @@
-// How a vertex leaves the bodies that it is inside of. The including kernel binds step, contacts and entries.
+// How a vertex leaves the bodies that it is inside of. The including kernel binds step and contacts.
 // Source: docs/contact.md, equation (7d).
 #include "state/contact.wgsl"
+#include "contact/proximity/links.wgsl"
 
 // Sums of integers over a vertex's pairs with the bodies that it is inside of.
 struct OutOfBody {
@@ -10,13 +11,12 @@ struct OutOfBody {
 }
 const kPartUnits = 65536.0;
 
-fn bodies_around(begin : u32, end : u32) -> OutOfBody {
+fn bodies_around(first : u32) -> OutOfBody {
   var body = OutOfBody(vec3i(0), vec3i(0), 0u);
-  for (var k = begin; k < end; k++) {
-    if ((entries[k] & kEntryNear) == 0u) { continue; }
-    let contact = contacts[entries[k] / kEntryPair];
+  for (var link = first; link != 0u; link = next_of(link)) {
+    let contact = contacts[record_of(link)];
     if (contact.solid != kUntangles || contact.urgency == 0.0 || is_self_pair(contact.ids)) { continue; }
-    let weight = weights_of(contact.ids, contact.place.x, contact.place.y)[entries[k] & 3u];
+    let weight = weights_of(contact.ids, contact.place.x, contact.place.y)[role_of(link)];
     let part = kPartUnits * weight * -contact.normal.w;
     body.way += vec3i(round(part * contact.normal.xyz));
     body.surface -= vec3i(round(clamp(part * contact.surface.xyz, vec3f(-kMostUnits), vec3f(kMostUnits))));

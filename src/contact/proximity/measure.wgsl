@@ -1,6 +1,5 @@
-// The relative position of the two features of a listed pair at the start of a substep, and a collider's motion. The
-// including kernel binds `step`, `previous` and `points`, and has the velocities of cloth, velocity_of(vertex). Source:
-// docs/contact.md.
+// The relative position of the two features of a listed pair at the start of a substep, and a collider's friction. The
+// including kernel binds `step`, `previous` and `points`. Source: docs/contact.md.
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "contact/proximity/closest.wgsl"
@@ -45,30 +44,6 @@ fn measure(ids : vec4u) -> Measured {
   var place_a = dot(n, p0.xyz);
   if (is_edge_pair(ids)) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }
   return Measured(near.s, near.t, near.inside || radius > 0.0, n, distance - radius, radius, place_a);
-}
-
-struct Relative {
-  velocity : vec3f,  // the cloth's part of u, m/s
-  surface : vec3f,   // the collider's part, m/s
-}
-
-fn relative_velocity(ids : vec4u, w : vec4f, measured : Measured) -> Relative {
-  var r = Relative(vec3f(0.0), vec3f(0.0));
-  for (var role = 0u; role < role_count(ids); role++) {
-    let id = ids[role];
-    if (is_collider(id)) {
-      r.surface += w[role] * ((end_of(id).xyz - start_of(id).xyz) / step.time.dt);
-    } else {
-      r.velocity += w[role] * velocity_of(id & kIdBits);
-    }
-  }
-  if (measured.radius > 0.0) {  // the surface of a ball that turns: its spin is the point after its centre
-    let on_a = is_collider(ids.x);
-    let id = select(ids.z, ids.x, on_a) & kIdBits;
-    let arm = select(measured.radius, -measured.radius, on_a) * measured.normal;
-    r.surface += select(-1.0, 1.0, on_a) * cross(points[id + 1u].xyz, arm);
-  }
-  return r;
 }
 
 // A collider's friction is stored with its points at the end of the substep; negative: it has none of its own.

@@ -130,9 +130,7 @@ Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state,
         {find_candidates_,
          "contact/proximity/find_candidates.wgsl",
          {{"kLanes", static_cast<double>(lanes_of(triangle_count_))}}},
-        {find_pairs_, "contact/proximity/find_pairs.wgsl"},
-        {place_entries_, "contact/proximity/place_entries.wgsl"},
-        {list_entries_, "contact/proximity/list_entries.wgsl"}}) {
+        {find_pairs_, "contact/proximity/find_pairs.wgsl"}}) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup_.workgroup_size));
     wanted.kernel = std::move(kernel);
   }
@@ -144,8 +142,6 @@ Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state,
                                  pairs.vertex_contacts, state.statistics, most_slack_}));
     begin_groups_[parity] = std::move(group);
   }
-  WEFT_TRY(place_group, place_entries_.bind({pairs.vertex_contacts, state.statistics}));
-  place_group_ = std::move(place_group);
   return {};
 }
 
@@ -171,12 +167,8 @@ Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, con
                                                points_, candidates_, state.statistics}));
   candidate_group_ = std::move(broad_group);
   WEFT_TRY(narrow_group, find_pairs_.bind({params_, pairs.predicted, triangles_, trees_, points_, candidates_,
-                                           pairs.contacts, pairs.vertex_contacts, state.statistics}));
+                                           pairs.listed, pairs.vertex_contacts, state.statistics}));
   find_group_ = std::move(narrow_group);
-  WEFT_TRY(list_group,
-           list_entries_.bind({state.steps, state.statistics, pairs.contacts, pairs.vertex_contacts,
-                               pairs.entries, pairs.kept, pairs.kept_places}));
-  list_group_ = std::move(list_group);
   return kept_.bind(state, pairs);
 }
 
@@ -186,8 +178,6 @@ void PairSearch::record(gpu::ComputePass& pass) const {
   refit_.record(pass);
   find_candidates_.dispatch(pass, candidate_group_, std::size_t{lanes_of(triangle_count_)} * triangle_count_);
   find_pairs_.dispatch_strided(pass, find_group_, room_.candidates);
-  place_entries_.dispatch(pass, place_group_, vertex_count_);
-  list_entries_.dispatch_strided(pass, list_group_, room_.pairs);
 }
 
 }  // namespace weft::contact

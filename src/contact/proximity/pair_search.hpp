@@ -31,8 +31,8 @@ struct SearchSetup {
 };
 
 /// Finds and lists all pairs of features nearer than the thickness and how far both may go: broad phase,
-/// narrow phase, entries.
-/// Eleven dispatches, which do nothing where no detection is due.
+/// narrow phase.
+/// Nine dispatches, which do nothing where no detection is due.
 /// Reads   state.steps; state.position[parity] [m]: at the start of the substep; the colliders' points.
 /// Writes  pairs; state.statistics.
 /// Errors  Input, Limit, Shader, OutOfMemory. Source: docs/contact.md.
@@ -75,9 +75,9 @@ class PairSearch {
   gpu::Buffer<std::array<std::uint32_t, 2>> candidates_;
   TreeRefit refit_;
   KeptForces kept_;
-  gpu::Kernel detect_begin_, find_candidates_, find_pairs_, place_entries_, list_entries_;
+  gpu::Kernel detect_begin_, find_candidates_, find_pairs_;
   std::array<gpu::BindGroup, 2> begin_groups_;  // by parity
-  gpu::BindGroup candidate_group_, find_group_, place_group_, list_group_;
+  gpu::BindGroup candidate_group_, find_group_;
 };
 
 }  // namespace weft::contact

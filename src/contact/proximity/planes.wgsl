@@ -11,18 +11,22 @@ fn margin_of(gap : f32, thickness : f32) -> f32 {
 // How far apart along the normal they have to end, m: where they are nearer already, no nearer.
 fn least_apart(gap : f32, thickness : f32) -> f32 { return min(2.0 * margin_of(gap, thickness), gap); }
 
-// How far beyond the plane that it must stay behind a place lies, m; negative: it is on its own side.
+// How far beyond the plane before a solid side, which it must stay behind, a place lies, m; negative: it is on its own
+// side.
 fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
-  let on_a = role < roles_of_a(contact.ids);
-  let side = select(-1.0, 1.0, on_a);
-  let gap = contact.normal.w;
-  var plane = contact.place.z - 0.5 * gap + side * margin_of(gap, contact.thickness);
-  if (contact.solid != 0u) {
-    let thickness = contact.thickness;
-    plane = contact.place.w + side * max(kContactMargin * min(gap, thickness), kContactFloor * thickness);
-  }
-  return side * (plane - dot(contact.normal.xyz, place));
+  let side = select(-1.0, 1.0, role < roles_of_a(contact.ids));
+  return beyond_solid(side, dot(contact.normal.xyz, place), contact.place.w, contact.normal.w, contact.thickness);
+}
+// side: of the place, 1 A, -1 B; along: of the place on the normal; reach: of the solid side at the end; m.
+fn beyond_solid(side : f32, along : f32, reach : f32, gap : f32, thickness : f32) -> f32 {
+  let margin = max(kContactMargin * min(gap, thickness), kContactFloor * thickness);
+  return side * (reach + side * margin - along);
+}
+// The same of the plane half way between two sides of cloth. place_a: of side A at the start of the substep, m.
+fn beyond_half(side : f32, along : f32, place_a : f32, gap : f32, thickness : f32) -> f32 {
+  return side * (place_a - 0.5 * gap + side * margin_of(gap, thickness) - along);
 }
 
-// A vertex that moves no further than this in a substep passes no obstacle that is not near.
-fn free_way() -> f32 { return 0.45 * step.contact.thickness; }
+// A vertex that moves no farther than this in a substep passes no obstacle that has no record: those are farther away.
+const kFreeWay = 0.45;  // of the thickness
+fn free_way() -> f32 { return kFreeWay * step.contact.thickness; }

@@ -2,7 +2,7 @@
 // the pairs. Source: docs/solvers/multigrid.md, Contact.
 #include "gpu/index.wgsl"
 #include "state/statistics.wgsl"
-#include "contact/proximity/measure.wgsl"
+#include "contact/proximity/relative_velocity.wgsl"
 #include "contact/proximity/cones.wgsl"
 #include "contact/proximity/press_sums.wgsl"
 //                                                                                 elements      unit
@@ -10,7 +10,7 @@
 @group(0) @binding(1) var<storage, read>       previous   : array<vec4f>;       // vertex_count  m; w: 1/kg
 @group(0) @binding(2) var<storage, read>       velocity   : array<vec4f>;       // vertex_count  m/s
 @group(0) @binding(3) var<storage, read>       points     : array<vec4f>;       // of colliders: move_points.wgsl
-@group(0) @binding(4) var<storage, read>       contacts   : array<Contact>;
+@group(0) @binding(4) var<storage, read>       listed     : array<ListedPair>;
 @group(0) @binding(5) var<storage, read>       statistics : array<u32>;
 @group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>; // kPressWords * vertex_count
 @group(0) @binding(7) var<storage, read>       rings      : array<u32>;         // feature_rings.hpp
@@ -32,7 +32,7 @@ fn add(word : u32, value : f32) {
 fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
   let count = select(statistics[kStatPairs], 0u, statistics[kStatRolledBack] != 0u);
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
-    let ids = contacts[pair].ids;
+    let ids = listed[pair].ids;
     if (is_self_pair(ids) || is_crossing(ids)) { continue; }
     let measured = measure(ids);
     if (!measured.counts) { continue; }
@@ -43,7 +43,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     if (!lies_in_cones(ids, measured)) { continue; }
     let missing = step.contact.thickness - measured.gap;
     let room = min(missing, min(kHoldPart * missing, kHoldSpeed * step.time.dt));  // what is too near is pushed besides
-    let friction = min(friction_of(ids, contacts[pair].surface.w), kMostFriction);
+    let friction = min(friction_of(ids, bitcast<f32>(listed[pair].words.y)), kMostFriction);
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role]) || weights[role] == 0.0) { continue; }
       let side = sign(weights[role]);

@@ -63,6 +63,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
                                                    "feature rings"));
   made.rings_ = std::move(rings);
   WEFT_CHECK(made.create_kernels(device, state, wanted.workgroup_size));
+  WEFT_SET(made.near_, NearPairs::create(device, wanted.workgroup_size));
   WEFT_TRY(respond, Respond::create(device, {wanted.interval, wanted.iterations, lengths.self_thickness > 0,
                                              wanted.workgroup_size}));
   made.respond_ = std::move(respond);
@@ -77,18 +78,19 @@ Result<void> Proximity::bind_lists(gpu::Device& device, const State& state, cons
 
 Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) {
   pair_room_ = pairs.room.pairs;
+  near_room_ = pairs.room.near;
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, evaluate_.bind({state.steps, state.position[parity], pairs.predicted, search_.points(),
-                                    pairs.contacts, pairs.entries, pairs.vertex_contacts, state.statistics,
-                                    rings_}));
+                                    pairs.contacts, pairs.vertex_contacts, state.statistics, rings_}));
     evaluate_groups_[parity] = std::move(group);
     if (!presses_) continue;
     WEFT_TRY(press_group,
              press_.bind({state.steps, state.position[parity], state.velocity[parity], search_.points(),
-                          pairs.contacts, state.statistics, pairs.presses, rings_}));
+                          pairs.listed, state.statistics, pairs.presses, rings_}));
     press_groups_[parity] = std::move(press_group);
   }
-  return respond_.bind(state, pairs);
+  WEFT_CHECK(near_.bind(state, pairs, search_.points()));
+  return respond_.bind(state, pairs, search_.points());
 }
 
 Result<void> Proximity::create_kernels(gpu::Device& device, const State& state,
@@ -139,7 +141,8 @@ void Proximity::press(gpu::ComputePass& pass) const {
 }
 
 void Proximity::measure(gpu::ComputePass& pass) const {
-  evaluate_.dispatch_strided(pass, evaluate_groups_[pass.parity()], pair_room_);
+  near_.record(pass);
+  evaluate_.dispatch_strided(pass, evaluate_groups_[pass.parity()], near_room_);
 }
 
 }  // namespace weft::contact

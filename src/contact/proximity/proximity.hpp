@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/proximity/near_pairs.hpp"
 #include "contact/proximity/pair_search.hpp"
 #include "contact/proximity/respond.hpp"
 #include "contact/stages/stages.hpp"
@@ -59,6 +60,7 @@ class Proximity : public Stages {
 
   ProximityLengths lengths_;
   PairSearch search_;
+  NearPairs near_;
   Respond respond_;
   gpu::Kernel move_points_, press_, evaluate_;
   gpu::BindGroup move_group_;
@@ -67,7 +69,7 @@ class Proximity : public Stages {
   gpu::Buffer<Vec4f> shapes_;
   gpu::Buffer<std::uint32_t> rings_;
   std::vector<ColliderPlace> rows_;  // of one frame; kept so that a frame allocates nothing
-  std::uint32_t pair_room_ = 0, substeps_ = 1, interval_ = 4;
+  std::uint32_t pair_room_ = 0, near_room_ = 0, substeps_ = 1, interval_ = 4;
   bool presses_ = false;
 };
 

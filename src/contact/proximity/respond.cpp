@@ -18,10 +18,12 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {{"kLast", 0}}});
     all.push_back({made.add_, "contact/proximity/add_impulses.wgsl"});
   }
-  for (std::size_t round = 0; setup.self && round < 2; ++round) {
-    const std::vector<gpu::Constant> constants = {{"kRound", static_cast<double>(round + 1)}};
-    all.push_back({made.rounds_[round].find, "contact/proximity/find_meeting.wgsl", constants});
-    all.push_back({made.rounds_[round].hold, "contact/proximity/hold_back.wgsl", constants});
+  for (std::size_t round = 0; round < made.round_count(); ++round) {
+    const gpu::Constant number{"kRound", static_cast<double>(round + 1)};
+    all.push_back({made.rounds_[round].find,
+                   "contact/proximity/find_meeting.wgsl",
+                   {number, {"kSelf", setup.self ? 1.0 : 0.0}}});
+    all.push_back({made.rounds_[round].hold, "contact/proximity/hold_back.wgsl", {number}});
   }
   for (const Wanted& wanted : all) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));
@@ -30,7 +32,7 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   return made;
 }
 
-Result<void> Respond::bind(const State& state, const ContactPairs& pairs) {
+Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points) {
   for (std::size_t parity = 0; parity < 2; ++parity) {
     const auto& start = state.position[parity];
     const auto &position = state.position[1 - parity], &velocity = state.velocity[1 - parity];
@@ -38,24 +40,26 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs) {
              last_impulse_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
                                  state.statistics}));
     WEFT_SET(respond_groups_[parity],
-             respond_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.entries,
-                            pairs.vertex_contacts, position, velocity, state.statistics}));
+             respond_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
+                            position, velocity, state.statistics}));
     if (setup_.iterations > 1) {
       WEFT_SET(impulse_groups_[parity], impulse_.bind({state.steps, start, pairs.predicted, pairs.contacts,
                                                        pairs.vertex_contacts, state.statistics}));
       WEFT_SET(add_groups_[parity],
                add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
     }
-    for (std::size_t r = 0; setup_.self && r < 2; ++r) {
+    for (std::size_t r = 0; r < round_count(); ++r) {
       Round& round = rounds_[r];
-      WEFT_SET(round.find_groups[parity], round.find.bind({state.steps, position, pairs.contacts,
-                                                           pairs.vertex_contacts, state.statistics}));
+      WEFT_SET(round.find_groups[parity],
+               round.find.bind({state.steps, start, position, points, pairs.listed, pairs.contacts,
+                                pairs.vertex_contacts, state.statistics}));
       WEFT_SET(round.hold_groups[parity],
-               round.hold.bind({state.steps, start, pairs.contacts, pairs.entries, pairs.vertex_contacts,
-                                position, velocity, state.statistics}));
+               round.hold.bind({state.steps, start, pairs.contacts, pairs.vertex_contacts, position, velocity,
+                                state.statistics}));
     }
   }
   pair_room_ = pairs.room.pairs;
+  near_room_ = pairs.room.near;
   vertex_count_ = state.position[0].size();
   return {};
 }
@@ -63,16 +67,16 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs) {
 void Respond::record_impulses(gpu::ComputePass& pass) const {
   const std::uint32_t parity = pass.parity();
   for (std::uint32_t iteration = 1; iteration < setup_.iterations; ++iteration) {
-    impulse_.dispatch_strided(pass, impulse_groups_[parity], pair_room_);
+    impulse_.dispatch_strided(pass, impulse_groups_[parity], near_room_);
     add_.dispatch(pass, add_groups_[parity], vertex_count_);
   }
-  last_impulse_.dispatch_strided(pass, last_impulse_groups_[parity], pair_room_);
+  last_impulse_.dispatch_strided(pass, last_impulse_groups_[parity], near_room_);
 }
 
 void Respond::record_hold_back(gpu::ComputePass& pass) const {
   const std::uint32_t parity = pass.parity();
   respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
-  for (std::size_t round = 0; setup_.self && round < 2; ++round) {
+  for (std::size_t round = 0; round < round_count(); ++round) {
     rounds_[round].find.dispatch_strided(pass, rounds_[round].find_groups[parity], pair_room_);
     rounds_[round].hold.dispatch(pass, rounds_[round].hold_groups[parity], vertex_count_);
   }

@@ -9,7 +9,7 @@ namespace weft::contact {
 
 /// Answers pairs of features by impulses with friction, and holds vertices back so that they pass through nothing.
 /// Source: docs/contact.md, equations (2) to (7).
-/// Reads   steps; position[parity] [m]; pairs.
+/// Reads   steps; position[parity] [m]; pairs; the colliders' points [m].
 /// Writes  position[1 - parity], velocity[1 - parity]; pairs; statistics: vertices truncated, whether pairs are to be
 ///         looked for.
 /// Errors  Shader, OutOfMemory.
@@ -24,7 +24,7 @@ class Respond {
   Respond() = default;
   static Result<Respond> create(gpu::Device& device, const Setup& setup);
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
-  Result<void> bind(const State& state, const ContactPairs& pairs);
+  Result<void> bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points);
   /// Sums the velocity changes of the measured pairs at each vertex.
   void record_impulses(gpu::ComputePass& pass) const;
   /// Gives each vertex that change and holds it back.
@@ -35,13 +35,14 @@ class Respond {
   gpu::Kernel impulse_, last_impulse_, add_, respond_;
   // By parity.
   std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_, respond_groups_;
-  /// The rounds in which cloth is held back from other cloth.
+  /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and in two from other cloth.
   struct Round {
     gpu::Kernel find, hold;
     std::array<gpu::BindGroup, 2> find_groups, hold_groups;
   };
+  std::size_t round_count() const { return setup_.self ? 2 : 1; }
   std::array<Round, 2> rounds_;
-  std::size_t pair_room_ = 0, vertex_count_ = 0;
+  std::size_t pair_room_ = 0, near_room_ = 0, vertex_count_ = 0;
 };
 
 }  // namespace weft::contact

@@ -18,12 +18,6 @@ const kOutwardPart = 0.25;
 const kLeastOutward = 0.25;
 const kLeastSlope = 0.1;    // lower bound of the slope, so that grazing crossings give finite distances
 
-fn unit(v : vec3f) -> vec3f {
-  let size = length(v);
-  if (size > 0.0) { return v / size; }
-  return vec3f(0.0);
-}
-
 // The rim's distance is linear in a triangle: its gradient is a sum of the gradients of the weights.
 fn sheet_of(a : vec3f, b : vec3f, c : vec3f, rim : vec3f, at : vec3f, kind : u32) -> Sheet {
   let n = unit(cross(b - a, c - a));
