@@ -117,10 +117,6 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       }
     }
     let thickness = contacts[number].thickness;
-    if (thickness == 0.0) {  // of one cloth, and touching at rest
-      measured.counts = false;
-      measured.gap = 0.0;
-    }
     let w = weights_of(ids, measured.s, measured.t);
     let n = measured.normal;
     let gap = measured.gap;
@@ -133,13 +129,6 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let first_b = roles_of_a(ids);
     let end_b = role_count(ids);
     let solid = solid_side(ids);
-    if (is_self && !is_near && !untangles && contacts[number].near == 0u && solid == 0u) {
-      // Most pairs: all but their plane is as it was.
-      contacts[number].normal = vec4f(n, gap);
-      contacts[number].place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
-      if (any(contacts[number].force.xyz != vec3f(0.0))) { contacts[number].force = vec4f(0.0); }
-      continue;
-    }
     var contact = contacts[number];
     contact.place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
     contact.solid = select(solid, kUntangles, untangles);
