@@ -26,8 +26,8 @@ bool strikes(const std::string& fault, const char* kind, std::uint32_t frame) {
   return fault == std::string(kind) + "@" + std::to_string(frame);
 }
 
-/// Says in which frames contact shortened more than one in a thousand ways of vertices, and how many an obstacle has
-/// passed.
+/// Says in which frames contact shortened more than one in a thousand ways of vertices, how many an obstacle has
+/// passed, and what linear systems were left with.
 class Altered {
  public:
   void add(const sim::World& world, std::uint32_t frame) {
@@ -48,6 +48,12 @@ class Altered {
     if (world.totals().driven > 0)
       say("Obstacles have come past cloth %llu times, since the cloth behind it did not give way.",
           static_cast<unsigned long long>(world.totals().driven));
+    const sim::Totals& totals = world.totals();
+    if (totals.unsolved > 0)
+      say("Linear systems of substeps kept more than %g of their residual %llu times, at most %.2g after %u "
+          "iteration%s: more substeps help.",
+          world.scene().solver.residual, static_cast<unsigned long long>(totals.unsolved),
+          static_cast<double>(totals.residual), totals.iterations, totals.iterations == 1 ? "" : "s");
   }
 
  private:

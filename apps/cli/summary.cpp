@@ -88,6 +88,9 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   line(text, "  contact     %s: %llu hits, overflow %llu", about.contact_method.c_str(),
        static_cast<unsigned long long>(totals.contacts),
        static_cast<unsigned long long>(totals.contact_overflow));
+  if (totals.iterations > 0)
+    line(text, "  residual    at most %.2g of a linear system's, after at most %u iteration%s",
+         static_cast<double>(totals.residual), totals.iterations, totals.iterations == 1 ? "" : "s");
   line(text, "  stretch     at most %.4f of the rest length", static_cast<double>(totals.max_stretch));
   line(text, "  memory      %.1f MiB on the GPU",
        static_cast<double>(world.device().allocated_bytes()) / 1048576);

@@ -9,7 +9,7 @@ namespace weft {
 struct Totals {
   /// Frames that have reported, but for one that diverged.
   std::uint32_t frames = 0;
-  /// Frames that were run again with longer lists.
+  /// Frames that were run again with longer lists or more iterations.
   std::uint32_t repeated_frames = 0;
   /// Narrow-phase hits, summed over substeps.
   std::uint64_t contacts = 0;
@@ -33,6 +33,12 @@ struct Totals {
   std::uint32_t candidates = 0;
   /// Of the pairs, those near enough to have a record, at the end of a frame (proximity), the most of any.
   std::uint32_t near = 0;
+  /// Iterations that the linear system of a substep took, the most (implicit solver), the most of any.
+  std::uint32_t iterations = 0;
+  /// The largest part of its residual that a linear system kept (implicit solver), the most of any.
+  float residual = 0;
+  /// Linear systems that were left with a larger residual than wanted (implicit solver).
+  std::uint64_t unsolved = 0;
   /// Nodes that are not finite; 0 but where a run diverged.
   std::uint32_t nonfinite = 0;
   /// Edges that pass through triangles, as the last search has found them (proximity).
@@ -55,6 +61,9 @@ void for_each(const Totals& totals, Visit&& visit) {
   visit("pairs", totals.pairs);
   visit("candidates", totals.candidates);
   visit("near", totals.near);
+  visit("iterations", totals.iterations);
+  visit("residual", totals.residual);
+  visit("unsolved", totals.unsolved);
   visit("nonfinite", totals.nonfinite);
   visit("crossings_left", totals.crossings_left);
 }

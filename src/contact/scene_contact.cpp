@@ -115,8 +115,11 @@ void SceneContact::write_places(gpu::Device& device, const scene::Scene& scene, 
 }
 
 Result<void> SceneContact::make_room(gpu::Device& device, const State& state, const ContactRoom& wanted) {
+  if (!proximity_) return {};
   ContactPairs& pairs = *contacts_->pairs;
-  WEFT_CHECK(pairs.make_room(device, grown(pairs.room, wanted, device.limits().max_storage_binding_size)));
+  const ContactRoom room = grown(pairs.room, wanted, device.limits().max_storage_binding_size);
+  if (room == pairs.room) return {};  // the frame is repeated for another reason
+  WEFT_CHECK(pairs.make_room(device, room));
   WEFT_CHECK(proximity_->bind_lists(device, state, pairs));
   return counter_ ? create_counter(device) : Result<void>{};
 }

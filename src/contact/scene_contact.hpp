@@ -50,7 +50,8 @@ class SceneContact {
   void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
                     std::uint32_t substeps);
 
-  /// Makes lists that were too short longer. Recorded commands that name them are void. Errors  Limit, OutOfMemory.
+  /// Makes lists longer that were too short, if any was. Recorded commands that name them are void. Errors  Limit,
+  /// OutOfMemory.
   Result<void> make_room(gpu::Device& device, const State& state, const ContactRoom& wanted);
   /// At the end of a frame: keeps what the next one begins with.
   void end_frame(gpu::ComputePass& pass) const;

@@ -27,6 +27,9 @@ class Solver {
   ///         position[1 - parity] and, the velocity, to SolverInputs::predicted.
   /// A single substep calls the stages of contact in the order of contact/stages/stages.hpp.
   virtual void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const = 0;
+  /// Takes in what a frame has reported, also one that is to be repeated since the solver had no room for its work.
+  /// True: it records otherwise from now on.
+  virtual bool adapt(gpu::Device&, const Statistics&) { return false; }
   /// Fills the solver's own part of the block that each substep's kernels read.
   virtual void fill(StepBlock::Method&) const {}
 };

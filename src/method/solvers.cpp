@@ -10,7 +10,7 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
     case scene::SolverKind::MassSpring:
       return SolverMassSpring::create(settings, inputs);
     case scene::SolverKind::Multigrid:
-      return SolverMultigrid::create(inputs);
+      return SolverMultigrid::create(inputs, settings.residual);
     case scene::SolverKind::Xpbd:
       return SolverXpbd::create(settings, inputs);
     case scene::SolverKind::Auto:

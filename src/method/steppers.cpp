@@ -9,7 +9,7 @@ namespace weft::reference {
 std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model& model) {
   switch (settings.kind) {
     case scene::SolverKind::Multigrid:
-      return std::make_unique<ImplicitStepper>(model);
+      return std::make_unique<ImplicitStepper>(model, settings.residual);
     case scene::SolverKind::Xpbd:
       return std::make_unique<XpbdStepper>(model, settings.iterations);
     case scene::SolverKind::MassSpring:

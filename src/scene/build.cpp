@@ -79,6 +79,7 @@ class Builder {
     solver.kind = word<SolverKind>(at(json, "kind"), kSolverKindNames);
     if (const Json* forces = json.find("forces")) solver.forces = word<Forces>(*forces, kForcesNames);
     if (const Json* iterations = json.find("iterations")) solver.iterations = whole(*iterations);
+    if (json.find("residual") != nullptr) solver.residual = number(json, "residual");
     return solver;
   }
 

@@ -36,6 +36,7 @@ std::optional<std::string> fixed_difference(const Scene& running, const Scene& w
   if (running.solver.kind != wanted.solver.kind) return "solver.kind";
   if (running.solver.forces != wanted.solver.forces) return "solver.forces";
   if (running.solver.iterations != wanted.solver.iterations) return "solver.iterations";
+  if (running.solver.residual != wanted.solver.residual) return "solver.residual";
   if (running.contact.method != wanted.contact.method) return "contact.method";
   if (running.contact.thickness != wanted.contact.thickness) return "contact.thickness";
   if (running.contact.self != wanted.contact.self) return "contact.self";

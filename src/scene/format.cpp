@@ -87,11 +87,16 @@ constexpr Key kXpbdKeys[] = {
     {"iterations", &kIterations,
      "Sweeps over all springs in a substep; more substeps do more for the same work", "1"},
 };
+constexpr Type kResidual{.kind = Kind::Number, .least = 1e-5, .most = 0.5};
+constexpr Key kMultigridKeys[] = {
+    {"residual", &kResidual,
+     "What a substep may leave of its linear system's residual, by what it began with", "0.01"},
+};
 constexpr Variant kSolverVariants[] = {  // in the order of SolverKind
     {kSolverKindNames[0], kMassSpringKeys},
-    {kSolverKindNames[1], {}},
+    {kSolverKindNames[1], kMultigridKeys},
     {kSolverKindNames[2], kXpbdKeys},
-    {kSolverKindNames[3], {}}};
+    {kSolverKindNames[3], kMultigridKeys}};
 static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 

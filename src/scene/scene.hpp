@@ -221,6 +221,8 @@ struct Solver {
   SolverKind kind = SolverKind::MassSpring;
   Forces forces = Forces::NodeCentric;  // of MassSpring
   std::uint32_t iterations = 1;         // of Xpbd: sweeps over the springs in a substep
+  double residual =
+      0.01;  // of Multigrid: what a substep leaves of its linear system's, by what it began with
 };
 
 enum class ContactMethod { None, Paper, Bvh, Proximity };

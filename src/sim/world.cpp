@@ -99,6 +99,7 @@ Result<void> World::repeat_from(const Report& report) {
   ++totals_.repeated_frames;
   WEFT_CHECK(contact_.make_room(
       device_, state_, {report.statistics.pairs, report.statistics.near, report.statistics.candidates}));
+  solver_->adapt(device_, report.statistics);
   recorder_.forget();
   clear_statistics();
   gpu::CommandList list;
@@ -156,6 +157,7 @@ Result<void> World::take(const Report& report) {
   }
   ++totals_.frames;
   add(totals_, statistics);
+  if (solver_->adapt(device_, statistics)) recorder_.forget();
   return {};
 }
 

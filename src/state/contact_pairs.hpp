@@ -49,6 +49,8 @@ struct ContactRoom {
   std::uint32_t pairs = 0;       // of features
   std::uint32_t near = 0;        // of these, the ones that are near, and have records
   std::uint32_t candidates = 0;  // pairs of triangles that may hold some
+
+  bool operator==(const ContactRoom&) const = default;
 };
 
 /// Room for lists that were too short: half as much again as was wanted, since the next frames may need more,

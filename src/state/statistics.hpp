@@ -33,6 +33,12 @@ struct Statistics {
   std::uint32_t candidates = 0;
   /// Of the pairs, those near enough to have a record, at the end of a frame (proximity).
   std::uint32_t near = 0;
+  /// Iterations that the linear system of a substep took, the most (implicit solver).
+  std::uint32_t iterations = 0;
+  /// The largest part of its residual that a linear system kept (implicit solver).
+  float residual = 0;
+  /// Linear systems that were left with a larger residual than wanted (implicit solver).
+  std::uint32_t unsolved = 0;
   /// Nodes that are not finite; 0 but where a run diverged.
   std::uint32_t nonfinite = 0;
   /// 1 once the state is frozen at the last good frame.
@@ -58,7 +64,7 @@ struct Statistics {
   /// How far one may have gone since this search [m].
   float travel = 0;
 };
-static_assert(sizeof(Statistics) == 23 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 26 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -76,6 +82,9 @@ inline void add(Totals& totals, const Statistics& frame) {
   totals.pairs = std::max(totals.pairs, frame.pairs);
   totals.candidates = std::max(totals.candidates, frame.candidates);
   totals.near = std::max(totals.near, frame.near);
+  totals.iterations = std::max(totals.iterations, frame.iterations);
+  totals.residual = std::max(totals.residual, frame.residual);
+  totals.unsolved += frame.unsolved;
   totals.nonfinite = frame.nonfinite;
   totals.crossings_left = frame.crossings_left;
 }
@@ -94,6 +103,9 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("pairs", statistics.pairs);
   visit("candidates", statistics.candidates);
   visit("near", statistics.near);
+  visit("iterations", statistics.iterations);
+  visit("residual", statistics.residual);
+  visit("unsolved", statistics.unsolved);
   visit("nonfinite", statistics.nonfinite);
   visit("frozen", statistics.frozen);
   visit("rolled_back", statistics.rolled_back);

@@ -22,27 +22,33 @@ const kStatPairs = 8u;
 const kStatCandidates = 9u;
 // Of the pairs, those near enough to have a record, at the end of a frame (proximity).
 const kStatNear = 10u;
+// Iterations that the linear system of a substep took, the most (implicit solver).
+const kStatIterations = 11u;
+// The largest part of its residual that a linear system kept (implicit solver), as the bits of a positive f32.
+const kStatResidual = 12u;
+// Linear systems that were left with a larger residual than wanted (implicit solver).
+const kStatUnsolved = 13u;
 // Nodes that are not finite; 0 but where a run diverged.
-const kStatNonfinite = 11u;
+const kStatNonfinite = 14u;
 // 1 once the state is frozen at the last good frame.
-const kStatFrozen = 12u;
+const kStatFrozen = 15u;
 // 1 once a list was too short: the state is as before the frame until the list is longer.
-const kStatRolledBack = 13u;
+const kStatRolledBack = 16u;
 // 1: a vertex is about to leave its reach.
-const kStatDetect = 14u;
+const kStatDetect = 17u;
 // 1: a search is under way.
-const kStatDue = 15u;
+const kStatDue = 18u;
 // Edges that pass through triangles, as the last search has found them (proximity).
-const kStatCrossingsLeft = 16u;
+const kStatCrossingsLeft = 19u;
 // Near pairs before the search that is under way.
-const kStatNearBefore = 17u;
+const kStatNearBefore = 20u;
 // 1: some vertex goes farther than to the obstacles that have records (proximity).
-const kStatFarWays = 18u;
+const kStatFarWays = 21u;
 // 1: on its way some cloth may meet other cloth.
-const kStatMeeting = 19u;
+const kStatMeeting = 22u;
 // 1: the same after those vertices were held back.
-const kStatStillMeeting = 20u;
+const kStatStillMeeting = 23u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
-const kStatReach = 21u;
+const kStatReach = 24u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
-const kStatTravel = 22u;
+const kStatTravel = 25u;

@@ -162,12 +162,13 @@ Json spring_grid_row() {
 Json level_of_grid() {
   using T = GridLevelParams;
   return row("GridLevelParams", "method/multigrid/grid_level.wgsl", sizeof(T), kExact,
-             {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(bend_end_i),
-              M(bend_end_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
+             {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(last_bend_i),
+              M(last_bend_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
 }
 Json cloth_nodes() {
   using T = ClothNodes;
-  return row("ClothNodes", "method/multigrid/cloth.wgsl", sizeof(T), kUniform, {M(first_vertex), M(count)});
+  return row("ClothNodes", "method/multigrid/cloth.wgsl", sizeof(T), kUniform,
+             {M(first_vertex), M(count), M(residual), M(may_retry)});
 }
 Json level_of_mesh() {
   using T = MeshLevelParams;

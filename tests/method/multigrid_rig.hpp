@@ -5,6 +5,7 @@
 #include "method/multigrid/grid_cycle.hpp"
 #include "method/multigrid/mesh_cycle.hpp"
 #include "method/multigrid/reference/implicit_step.hpp"
+#include "method/multigrid/solve_limits.hpp"
 #include "solver_rig.hpp"
 
 namespace weft {
@@ -30,8 +31,9 @@ class ImplicitRig {
     REQUIRE_OK(sums);
     press_sums_ = std::move(*sums);
     const Predicted predicted = {&state_.velocity[1], &state_.velocity[0]};
-    const CycleInputs inputs{device,        model_, state_, predicted, presses ? &press_sums_ : nullptr,
-                             workgroup_size};
+    const CycleInputs inputs{
+        device,        model_, state_, predicted, presses ? &press_sums_ : nullptr, scene_.solver.residual,
+        workgroup_size};
     const auto kernels = Kernels::create(inputs);
     REQUIRE_OK(kernels);
     auto cycle = ClothCycle::create(inputs, *kernels, model_.host.bodies[0]);
@@ -180,6 +182,10 @@ class ImplicitRig {
   }
 
   const ClothCycle& cycle() const { return cycle_; }
+  /// That the reference takes at most.
+  std::uint32_t iterations() const {
+    return presses_.empty() ? multigrid::kMostIterations : multigrid::kMostHeldIterations;
+  }
   const State& state() const { return state_; }
   const GpuModel& model() const { return model_; }
   const reference::MassSpringSystem& system() const { return system_; }
@@ -207,7 +213,7 @@ using MeshRig = ImplicitRig<MeshCycle, MeshKernels>;
 /// `pressed`, if any may be, begin anew.
 template <class Rig>
 void check_substep(Rig& rig, const std::vector<bool>& pressed = {}) {
-  rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass); });
+  rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.iterations()); });
   const reference::MassSpringSystem expected = rig.advanced();
   const reference::Field after = field(rig.download(rig.state().position[1]));
   const std::vector<Vec4f> velocity = rig.download(rig.state().velocity[1]);

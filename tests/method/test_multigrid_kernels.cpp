@@ -22,6 +22,9 @@ const std::string kPlain =
 const std::string kBending =
     R"("density": 0.1, "damping": 0, "pins": ["left"],
        "stiffness": {"structural": 800, "shear": 100, "bend": 0, "bending": 0.01})";
+const std::string kPinnedInside =
+    R"("density": 0.1, "damping": 0.01, "pins": [{"nodes": [24, 60, 61]}],
+       "stiffness": {"structural": 800, "shear": 100, "bend": 20, "bending": 0.01})";
 const std::string kNodeMass =
     R"("node_mass": 0.002, "damping": 2, "stiffness": {"structural": 0, "shear": 900, "bend": 300, "bending": 1e-3})";
 
@@ -48,7 +51,7 @@ Field stored_product(MultigridRig& rig, std::size_t l, const Field& x) {
 
 }  // namespace
 
-TEST_CASE("the residual, the diagonal and the first smoothing sweep equal the reference's") {
+TEST_CASE("the residual and the diagonal equal the reference's") {
   GpuFixture fixture;
   struct Case {
     std::uint32_t nx, ny;
@@ -73,16 +76,13 @@ TEST_CASE("the residual, the diagonal and the first smoothing sweep equal the re
     // By what D⁻¹ does to a vector with D in it: both may be far apart where a block is nearly singular.
     const std::vector<Sym3> inverse = expected.matrix.inverse_diagonal();
     const std::vector<Vec4f> a = rig.vector(0, kInverse), b = rig.vector(0, kInverse + 1);
-    Field found, wanted, steps;
+    Field found, wanted;
     const Field some = random_field(inverse.size(), 5);
     for (std::size_t n = 0; n < inverse.size(); ++n) {
       found.push_back(sym3(a[n], b[n].x, b[n].y) * some[n]);
       wanted.push_back(inverse[n] * some[n]);
-      steps.push_back(2 / (reference::kSmoothHigh + reference::kSmoothLow) *
-                      (inverse[n] * expected.residual[n]));
     }
     CHECK(difference(found, wanted) < 2e-3);
-    CHECK(difference(field(rig.vector(0, kDirection)), steps) < 2e-3);
   }
 }
 
@@ -92,7 +92,11 @@ TEST_CASE("the matrices of coarse levels equal the reference's") {
     std::uint32_t nx, ny;
     std::string cloth;
   };
-  for (const Case& c : {Case{34, 21, kPlain}, {7, 50, kBending}, {100, 80, kNodeMass}, {128, 3, kPlain}}) {
+  for (const Case& c : {Case{34, 21, kPlain},
+                        {7, 50, kBending},
+                        {22, 18, kPinnedInside},
+                        {100, 80, kNodeMass},
+                        {128, 3, kPlain}}) {
     CAPTURE(c.nx);
     CAPTURE(c.cloth);
     MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth));
@@ -132,6 +136,7 @@ TEST_CASE("smoothing, restriction and the cycle of the coarsest levels equal the
     rig.run([&](gpu::ComputePass& pass) {
       rig.cycle().record_system(pass);
       rig.cycle().record_matrices(pass);
+      rig.cycle().record_guess(pass);
       rig.cycle().record_down(pass);
     });
     const reference::LinearStep step = rig.linearise();
@@ -216,7 +221,7 @@ TEST_CASE("an implicit substep has the same bits for every workgroup, and on eve
   for (const std::uint32_t size : {64U, 64U, 128U, 256U}) {
     MultigridRig rig(fixture.device(), cloth(71, 60, kPlain), 1.0 / 480, size);
     rig.perturb(4, 0.01, 2);
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass); });
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, multigrid::kMostIterations); });
     positions.push_back(rig.download(rig.state().position[1]));
     CHECK(same_bits(positions.back(), positions.front()));
   }

@@ -66,7 +66,7 @@ Field inverses_times(MeshRig& rig, std::size_t l, const Field& x) {
 
 }  // namespace
 
-TEST_CASE("a mesh's residual, matrices, diagonals and first smoothing sweep equal the reference's") {
+TEST_CASE("a mesh's residual, matrices and diagonals equal the reference's") {
   GpuFixture fixture;
   for (const Case& c : cases()) {
     CAPTURE(std::string(c.name));
@@ -89,9 +89,6 @@ TEST_CASE("a mesh's residual, matrices, diagonals and first smoothing sweep equa
       CHECK(difference(each_times(blocks_of(rig, l), some), each_times(level.blocks, some)) < 1e-5);
       CHECK(difference(inverses_times(rig, l, some), each_times(level.inverse_diagonal(), some)) < 2e-3);
     }
-    Field steps = each_times(expected.matrix.inverse_diagonal(), expected.residual);
-    for (Vec3d& step : steps) step *= 2 / (reference::kSmoothHigh + reference::kSmoothLow);
-    CHECK(difference(field(rig.vector(0, kDirection)), steps) < 2e-3);
   }
 }
 
@@ -106,6 +103,7 @@ TEST_CASE("smoothing, restriction and the cycle of a mesh's coarsest levels equa
     rig.run([&](gpu::ComputePass& pass) {
       rig.cycle().record_system(pass);
       rig.cycle().record_matrices(pass);
+      rig.cycle().record_guess(pass);
       rig.cycle().record_down(pass);
     });
     const reference::MeshStep step = rig.linearise();
@@ -178,7 +176,7 @@ TEST_CASE("an implicit substep of a mesh has the same bits for every workgroup, 
   for (const std::uint32_t size : {64U, 64U, 128U, 256U}) {
     MeshRig rig(fixture.device(), cloth(kPlain), 1.0 / 480, size, false, {jittered_sheet(51, 40, 2, 2)});
     rig.perturb(4, 0.01, 2);
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass); });
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, multigrid::kMostIterations); });
     positions.push_back(rig.download(rig.state().position[1]));
     CHECK(same_bits(positions.back(), positions.front()));
   }

@@ -19,11 +19,20 @@ TEST_CASE("a side of N nodes becomes one of N / 2 + 1, until it has five or fewe
 
 TEST_CASE("an even side leaves a short last interval, on all coarser levels too") {
   const auto levels = grid_levels(34, 33);  // 34, 18, 10, 6, 4 and 33, 17, 9, 5
-  CHECK(levels[0].even_i);
-  for (std::size_t l = 1; l < levels.size(); ++l) {
-    CHECK_FALSE(levels[l].even_i);
-    CHECK(levels[l].even_j);
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const GridLevel& level = levels[l];
+    CHECK(level.interval_i == 1U << l);
+    // The nodes of all levels span the same side.
+    CHECK((level.nx - 2) * level.interval_i + level.last_i == 33);
+    CHECK(level.last_i == 1);
+    CHECK(level.last_j == level.interval_j);
   }
+  const auto odd = grid_levels(23, 23);  // 23, 12, 7, 4: the even side is a coarse one
+  CHECK(odd[1].last_i == 2);
+  CHECK(odd[2].last_i == 2);
+  CHECK(odd[2].interval_i == 4);
+  CHECK(odd[3].last_i == 6);
+  CHECK(odd[3].interval_i == 8);
 }
 
 TEST_CASE("resistance to bending halves from level to level, and by the side where one stays") {

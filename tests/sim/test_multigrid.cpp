@@ -163,6 +163,66 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a frame is repeated until its systems are solved, and the number recorded changes no bit") {
+  GpuFixture fixture;
+  // A strip that resists bending, clamped at one end: more iterations than are recorded at first.
+  const auto strip = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"},
+      "contact": {"method": "none"}, "cloths": [{"grid": [82, 5], "size": [0.5, 0.025], "plane": "xz", "density": 0.2,
+      "damping": 0.01, "stiffness": {"structural": 2000, "shear": 500, "bend": 0, "bending": 0.05},
+      "pins": ["left"]}]})",
+                                        "strip.json");
+  REQUIRE_OK(strip);
+  auto world = world_of(fixture.device(), *strip);
+  advance(*world, 6);
+  const sim::Totals first = world->totals();
+  CHECK(first.repeated_frames > 0);
+  CHECK(first.iterations > 4);
+  CHECK(first.unsolved == 0);
+  CHECK(first.residual <= 0.01F);
+  CHECK(first.residual > 0);
+  const std::string hash = hash_of(*world);
+  REQUIRE(world->reset());  // it goes on with the number that was enough
+  advance(*world, 6);
+  CHECK(world->totals().repeated_frames == 0);
+  CHECK(world->totals().iterations == first.iterations);
+  CHECK(hash_of(*world) == hash);
+  auto exact = reference::Simulation::create(*strip, world->assets());
+  REQUIRE_OK(exact);
+  const std::vector<Vec3d> start = exact->positions();
+  for (int frame = 0; frame < 6; ++frame) REQUIRE(exact->advance_frame());
+  const auto snapshot = world->snapshot();
+  REQUIRE_OK(snapshot);
+  // Within what both may leave of their residual.
+  CHECK(relative_error(places_of(*snapshot), exact->positions(), start) < 0.01);
+}
+
+TEST_CASE("a smaller residual is asked for in the scene, and what is missed is counted") {
+  GpuFixture fixture;
+  const auto solved = [&](const std::string& solver) {
+    auto changed = scene::parse_scene(
+        R"({"format": "weft-scene/1", "solver": {"kind": "multigrid")" + solver +
+            R"(}, "contact": {"method": "none"}, "cloths": [{"grid": [33, 25], "size": [2, 1.5],
+            "density": 0.2, "pins": ["top_left", "top_right"]}]})",
+        "sheet.json");
+    REQUIRE_OK(changed);
+    auto world = world_of(fixture.device(), *changed);
+    advance(*world, 8);
+    return world->totals();
+  };
+  const sim::Totals usual = solved(""), fine = solved(R"(, "residual": 1e-4)");
+  CHECK(usual.residual <= 0.01F);
+  CHECK(fine.residual <= 1e-4F);
+  CHECK(fine.iterations > usual.iterations);
+  CHECK(fine.unsolved == 0);
+  // With obstacles in the matrix there is one iteration: the report says what it leaves.
+  auto world = world_of(fixture.device(), falling());
+  advance(*world, kFalling);
+  CHECK(world->totals().iterations == 1);
+  CHECK(world->totals().unsolved > 0);
+  CHECK(world->totals().residual > 0.01F);
+  CHECK(world->totals().repeated_frames == 0);
+}
+
 TEST_CASE("a state that is put in goes on by itself, whatever was there a step before") {
   GpuFixture fixture;
   const scene::Scene scene = sheet("");

@@ -3,7 +3,7 @@
 export interface Totals {
   /** Frames that have reported, but for one that diverged. */
   frames: number;
-  /** Frames that were run again with longer lists. */
+  /** Frames that were run again with longer lists or more iterations. */
   repeatedFrames: number;
   /** Narrow-phase hits, summed over substeps. */
   contacts: number;
@@ -27,6 +27,12 @@ export interface Totals {
   candidates: number;
   /** Of the pairs, those near enough to have a record, at the end of a frame (proximity), the most of any. */
   near: number;
+  /** Iterations that the linear system of a substep took, the most (implicit solver), the most of any. */
+  iterations: number;
+  /** The largest part of its residual that a linear system kept (implicit solver), the most of any. */
+  residual: number;
+  /** Linear systems that were left with a larger residual than wanted (implicit solver). */
+  unsolved: number;
   /** Nodes that are not finite; 0 but where a run diverged. */
   nonfinite: number;
   /** Edges that pass through triangles, as the last search has found them (proximity). */
@@ -48,6 +54,9 @@ export const TOTALS = [
   "pairs",
   "candidates",
   "near",
+  "iterations",
+  "residual",
+  "unsolved",
   "nonfinite",
   "crossingsLeft",
 ] as const satisfies readonly (keyof Totals)[];
@@ -68,6 +77,9 @@ export function noTotals(): Totals {
     pairs: 0,
     candidates: 0,
     near: 0,
+    iterations: 0,
+    residual: 0,
+    unsolved: 0,
     nonfinite: 0,
     crossingsLeft: 0,
   };

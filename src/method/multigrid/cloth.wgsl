@@ -2,6 +2,8 @@
 struct ClothNodes {  // mirror: src/method/multigrid/cycle.hpp
   first_vertex : u32,  // where they begin among the vertices
   count : u32,
+  residual : f32,   // what its linear system may leave of the residual: squared, of the norm
+  may_retry : u32,  // 1: a frame whose system is not solved in the iterations recorded is run again with more
 }
 
 // The vectors of a level in the buffer `vectors`: node after node, one vector after the other.
@@ -11,3 +13,7 @@ const kDirection = 3u;  // m: the last smoothing sweep; between: the residual th
 const kFirst = 4u;      // m: the solution; of the finest level: first the step's start
 const kSecond = 5u;     // m: the solution, while smoothing; of the finest level: first the start's velocity, m/s
 const kVectors = 6u;
+// Further ones of the finest level: those of conjugate gradients.
+const kSolution = 6u;   // m
+const kSearch = 7u;     // m: p of this iteration, and in the next vector that of the last, in turns
+const kProduct = 9u;    // N: A p

@@ -1,6 +1,7 @@
 // Adds the coarser level's correction on the finest level of a grid. One invocation per node.
 #include "gpu/index.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
+#include "method/multigrid/solve.wgsl"
 //                                                                               elements       unit
 @group(0) @binding(0) var<uniform>             levels  : array<GridLevelParams, 2>;
 @group(0) @binding(1) var<storage, read>       place   : array<vec4f>;        // nx * ny        m (w: N/m; 0: fixed)
@@ -9,5 +10,6 @@
 @compute @workgroup_size(kWorkgroupSize)
 fn correct_fine(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node < node_count(levels[0]) && place[node].w != 0.0) { correct_node(levels[0], levels[1], node); }
+  if (node >= node_count(levels[0]) || is_solved()) { return; }
+  if (place[node].w != 0.0) { correct_node(levels[0], levels[1], node); }
 }

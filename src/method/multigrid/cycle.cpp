@@ -1,6 +1,24 @@
 #include "method/multigrid/cycle.hpp"
 
+#include "method/multigrid/kernels.hpp"
+
 namespace weft {
+
+using gpu::Dispatch;
+
+void Cycle::record(gpu::ComputePass& pass, std::uint32_t iterations) const {
+  record_system(pass);
+  record_matrices(pass);
+  record_guess(pass);
+  for (std::uint32_t k = 0; k < iterations; ++k) record_iteration(pass);
+  finish_.record(pass);
+}
+
+void Cycle::set_may_retry(gpu::Device& device, bool may) const {
+  ClothNodes nodes = own_nodes_;
+  nodes.may_retry = may ? 1 : 0;
+  nodes_.write(device, std::span(&nodes, 1));
+}
 
 void Cycle::record_system(gpu::ComputePass& pass) const {
   predict_.record(pass);
@@ -9,6 +27,27 @@ void Cycle::record_system(gpu::ComputePass& pass) const {
 
 void Cycle::record_matrices(gpu::ComputePass& pass) const {
   for (const Level& level : levels_) level.coarsen.record(pass);
+}
+
+void Cycle::record_guess(gpu::ComputePass& pass) const {
+  begin_solve_.record(pass);
+  first_norm_.record(pass);
+  record_step(pass);
+}
+
+void Cycle::record_iteration(gpu::ComputePass& pass) const {
+  record_down(pass);
+  record_up(pass);
+  weigh_.record(pass);
+  rho_.record(pass);
+  record_step(pass);
+}
+
+void Cycle::record_step(gpu::ComputePass& pass) const {
+  search_.record(pass);
+  square_.record(pass);
+  advance_.record(pass);
+  norm_.record(pass);
 }
 
 void Cycle::record_down(gpu::ComputePass& pass) const {
@@ -26,21 +65,46 @@ void Cycle::record_up(gpu::ComputePass& pass) const {
     levels_[l].smooth_begin.record(pass);
     levels_[l].smooth_up.record(pass);
   }
-  finish_.record(pass);
 }
 
-gpu::Dispatch::Bindings Cycle::predict_bindings(const CycleInputs& inputs, std::size_t parity) const {
+Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels& kernels) {
   const State& state = inputs.state;
-  return {state.steps,
-          nodes_,
-          state.position[parity],
-          state.velocity[parity],
-          state.position[1 - parity],
-          state.velocity[1 - parity],
-          inputs.model.rest_position,
-          state.motions,
-          place_,
-          vectors_};
+  const Dispatch::Workgroups nodes = kernels.predict->workgroups_of(own_nodes_.count);
+  const Dispatch::Bindings sums = {nodes_, vectors_, partials_};
+  WEFT_SET(predict_,
+           Dispatch::create_by_parity(kernels.predict, nodes, [&](std::size_t p) -> Dispatch::Bindings {
+             return {state.steps,
+                     nodes_,
+                     state.position[p],
+                     state.velocity[p],
+                     state.position[1 - p],
+                     state.velocity[1 - p],
+                     inputs.model.rest_position,
+                     state.motions,
+                     place_,
+                     vectors_};
+           }));
+  WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes, sums));
+  WEFT_SET(weigh_, Dispatch::create(kernels.weigh, nodes, sums));
+  WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, sums));
+  WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, {1, 1}, sums));
+  WEFT_SET(square_, Dispatch::create(kernels.square, {1, 1}, sums));
+  WEFT_SET(norm_, Dispatch::create(kernels.norm, {1, 1}, sums));
+  WEFT_SET(rho_, Dispatch::create(kernels.rho, {1, 1}, sums));
+  WEFT_SET(finish_,
+           Dispatch::create_by_parity(kernels.finish, nodes, [&](std::size_t p) -> Dispatch::Bindings {
+             return {state.steps,
+                     nodes_,
+                     place_,
+                     holds_,
+                     vectors_,
+                     state.position[p],
+                     state.velocity[p],
+                     state.position[1 - p],
+                     *inputs.predicted[p],
+                     state.statistics};
+           }));
+  return {};
 }
 
 }  // namespace weft

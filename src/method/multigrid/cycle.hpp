@@ -6,6 +6,7 @@
 
 #include "gpu/dispatch.hpp"
 #include "method/predicted.hpp"
+#include "scene/scene.hpp"
 #include "state/state.hpp"
 
 namespace weft {
@@ -15,15 +16,27 @@ namespace multigrid {
 /// Vectors that each level has, one vec4f a node each: src/method/multigrid/cloth.wgsl.
 inline constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFirst = 4, kSecond = 5;
 inline constexpr std::uint32_t kVectors = 6;
+/// Further ones of the finest level, those of conjugate gradients.
+inline constexpr std::uint32_t kSolution = 6, kSearch = 7, kProduct = 9;
+inline constexpr std::uint32_t kFineVectors = 10;
+/// At the end of the vectors: src/method/multigrid/solve.wgsl.
+inline constexpr std::uint32_t kSolveWords = 2;
+inline constexpr std::uint32_t kChunk = 64;  // nodes of a partial sum: src/method/multigrid/partial_sums.wgsl
+
+/// Of level `l`, the finest being 0.
+inline std::uint32_t vector_count(std::size_t l) { return l == 0 ? kFineVectors : kVectors; }
 
 }  // namespace multigrid
 
 /// Mirror of src/method/multigrid/cloth.wgsl: the nodes of one cloth among the vertices.
 struct ClothNodes {
   std::uint32_t first_vertex = 0, count = 0;
-  std::uint32_t padding[2] = {};
+  float residual = 0;
+  std::uint32_t may_retry = 1;
 };
 static_assert(sizeof(ClothNodes) == 16);
+
+struct SharedKernels;
 
 /// The inputs of the cycles of a model's bodies.
 struct CycleInputs {
@@ -32,28 +45,29 @@ struct CycleInputs {
   const State& state;
   Predicted predicted;
   const gpu::Buffer<std::int32_t>* presses = nullptr;  // obstacles' demands on vertices; null: none
+  double residual = scene::Solver{}.residual;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 
-/// One implicit substep of a cloth: the linear system, one V-cycle, the new state. GridCycle and
-/// MeshCycle define its levels and the kernel of each stage.
+/// One implicit substep of a cloth: the linear system, conjugate gradients with a V-cycle in each iteration, the new
+/// state. GridCycle and MeshCycle define its levels and the kernel of each stage.
 /// Source  docs/solvers/multigrid.md.
 /// Reads   steps, motions; position and velocity of both parities, of which [1 - parity] are those of a step
 ///         before; rest_position.
-/// Writes  position[1 - parity] [m], predicted[parity] [m/s] of the cloth's vertices.
+/// Writes  position[1 - parity] [m], predicted[parity] [m/s] of the cloth's vertices; statistics.
 class Cycle {
  public:
-  void record(gpu::ComputePass& pass) const {
-    record_system(pass);
-    record_matrices(pass);
-    record_down(pass);
-    record_up(pass);
-  }
+  /// With so many iterations at most; those behind the last that is needed do nothing.
+  void record(gpu::ComputePass& pass, std::uint32_t iterations) const;
+  /// Whether a frame whose system is not solved in the iterations recorded is to be rolled back.
+  void set_may_retry(gpu::Device& device, bool may) const;
   // Its parts.
   void record_system(gpu::ComputePass& pass) const;
   void record_matrices(gpu::ComputePass& pass) const;
+  void record_guess(gpu::ComputePass& pass) const;
   void record_down(gpu::ComputePass& pass) const;
   void record_up(gpu::ComputePass& pass) const;
+  void record_iteration(gpu::ComputePass& pass) const;
 
   // Their results on the GPU, for tests.
   const gpu::Buffer<Vec4f>& vectors() const { return vectors_; }
@@ -78,14 +92,23 @@ class Cycle {
   const gpu::RawBuffer& presses(const CycleInputs& inputs) const {
     return inputs.presses != nullptr ? *inputs.presses : no_presses_;
   }
-  gpu::Dispatch::Bindings predict_bindings(const CycleInputs& inputs, std::size_t parity) const;
+  /// What grids and meshes do alike: all but the matrix.
+  Result<void> create_shared(const CycleInputs& inputs, const SharedKernels& kernels);
 
   std::vector<Level> levels_;  // all but the coarsest; at least one
   std::size_t tail_ = 1;
-  gpu::RawBuffer nodes_, tail_levels_;
+  gpu::Buffer<ClothNodes> nodes_;
+  gpu::RawBuffer tail_levels_;
   gpu::Buffer<std::int32_t> no_presses_;
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
+  gpu::Buffer<std::array<float, 2>> partials_;
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_;
+  gpu::Dispatch begin_solve_, weigh_, search_, advance_;  // of conjugate gradients
+  gpu::Dispatch first_norm_, square_, norm_, rho_;        // sums over the nodes
+  ClothNodes own_nodes_;
+
+ private:
+  void record_step(gpu::ComputePass& pass) const;
 };
 
 template <class Shape>
@@ -95,7 +118,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const Body& body,
   while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > tail_nodes) ++tail_;
   std::size_t vectors = 0;
   for (std::size_t l = 0; l < shapes.size(); ++l) {
-    vectors += std::size_t{multigrid::kVectors} * node_count(shapes[l]);
+    vectors += std::size_t{multigrid::vector_count(l)} * node_count(shapes[l]);
     if (l > 0 && l + 1 == shapes.size()) continue;
     std::array<Shape, 2> pair = {shapes[l]};
     if (l + 1 < shapes.size()) pair[1] = shapes[l + 1];
@@ -105,14 +128,19 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const Body& body,
   }
   WEFT_SET(tail_levels_, gpu::Buffer<Shape>::create_from(device, std::span(shapes).subspan(tail_),
                                                          "coarsest multigrid levels"));
-  WEFT_SET(nodes_,
-           gpu::create_uniform(device, ClothNodes{body.first_vertex, body.vertex_count}, "cloth nodes"));
+  own_nodes_ = {body.first_vertex, body.vertex_count, static_cast<float>(inputs.residual * inputs.residual),
+                inputs.presses == nullptr ? 1U : 0U};
+  WEFT_SET(nodes_, gpu::create_uniform(device, own_nodes_, "cloth nodes"));
+  WEFT_SET(partials_,
+           (gpu::Buffer<std::array<float, 2>>::create(
+               device, (body.vertex_count + multigrid::kChunk - 1) / multigrid::kChunk, "partial sums")));
   WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, body.vertex_count, "multigrid place"));
   // One element each where nothing holds: kernels bind buffers that they do not read.
   const std::size_t count = inputs.presses != nullptr ? body.vertex_count : 1;
   WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, count, "multigrid holds"));
   WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
-  WEFT_SET(vectors_, gpu::Buffer<Vec4f>::create(device, vectors, "multigrid vectors"));
+  WEFT_SET(vectors_,
+           gpu::Buffer<Vec4f>::create(device, vectors + multigrid::kSolveWords, "multigrid vectors"));
   return {};
 }
 

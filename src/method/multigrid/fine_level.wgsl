@@ -1,6 +1,7 @@
 // Bindings and sweeps of the smoothing kernels of a grid's finest level.
 #include "gpu/index.wgsl"
 #include "method/multigrid/fine_operator.wgsl"
+#include "method/multigrid/operand.wgsl"
 #include "method/multigrid/smoothing.wgsl"
 //                                                                               elements       unit
 @group(0) @binding(0) var<uniform>             step    : StepBlock;

@@ -1,8 +1,7 @@
 // A x on the finest level of a grid, where A is not stored: each spring's block is recomputed from the positions of its
-// nodes. The including kernel binds `step`, `grid`, `place`, `holds` and `vectors`.
+// nodes. The including kernel binds `step`, `grid`, `place`, `holds` and `vectors`, and has operand(level, x, node).
 #include "method/multigrid/bending.wgsl"
 #include "method/multigrid/hold.wgsl"
-#include "method/multigrid/operand.wgsl"
 #include "method/multigrid/spring.wgsl"
 #include "element/spring/springs_of_node.wgsl"
 

@@ -63,6 +63,34 @@ fn add_structural(a : Taps, b : Taps, rest_length : f32, at : i32, side : i32, w
   add_spring(a, b, rest_length, weight * grid.stiffness.x + above * bend, damping);
 }
 
+// Second differences of the fine grid that name a fixed node: coarse levels know of none, so these are not in their own
+// bending. Where the middle node is fixed, |a + b|² <= 2 |a|² + 2 |b|² takes the others apart.
+fn add_fixed_bend(coarse : vec2i, coarse_sides : vec2i, at : vec2i, along : vec2i, stiffness : f32) {
+  let sides = vec2i(vec2u(grid.nx, grid.ny));
+  let before = at - along;
+  let behind = at + along;
+  if (stiffness == 0.0 || any(before < vec2i(0)) || any(behind >= sides)) { return; }
+  let fixed_before = place[u32(before.y) * grid.nx + u32(before.x)].w == 0.0;
+  let fixed_at = place[u32(at.y) * grid.nx + u32(at.x)].w == 0.0;
+  let fixed_behind = place[u32(behind.y) * grid.nx + u32(behind.x)].w == 0.0;
+  if (!(fixed_before || fixed_at || fixed_behind)) { return; }
+  let a = taps_of_node(coarse, coarse_sides, before);
+  let b = taps_of_node(coarse, coarse_sides, behind);
+  if (fixed_at && !fixed_before && !fixed_behind) {
+    add(identity(2.0 * stiffness), a.right.x, a.right, a.left);
+    add(identity(2.0 * stiffness), b.right.x, b.right, b.left);
+    return;
+  }
+  let m = taps_of_node(coarse, coarse_sides, at);
+  let right = a.right - 2.0 * m.right + b.right;
+  add(identity(stiffness), right.x, right, a.left - 2.0 * m.left + b.left);
+}
+fn taps_of_node(coarse : vec2i, coarse_sides : vec2i, at : vec2i) -> Taps {
+  let sides = vec2i(vec2u(grid.nx, grid.ny));
+  return taps_at(at.x, at.y, line_taps(at.x, 0, coarse.x, sides.x, coarse_sides.x, false),
+                 line_taps(at.y, 0, coarse.y, sides.y, coarse_sides.y, false));
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
   let coarse = levels[1];
@@ -105,6 +133,10 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
       var own = identity(a.at.w);
       if (kHolds) { own = sum_of(own, hold_block(u32(y) * grid.nx + u32(x))); }
       add(own, a.right.x, a.right, a.left);
+      let rim_i = select(1.0, levels[0].rim, on_rim(u32(y), grid.ny));
+      let rim_j = select(1.0, levels[0].rim, on_rim(u32(x), grid.nx));
+      add_fixed_bend(vec2i(i, j), vec2i(mx, my), vec2i(x, y), vec2i(1, 0), rim_i * levels[0].bending_i);
+      add_fixed_bend(vec2i(i, j), vec2i(mx, my), vec2i(x, y), vec2i(0, 1), rim_j * levels[0].bending_j);
       if (x + 1 < nx) {
         let column = line_taps(x + 1, center_i, i, nx, mx, regular_i);
         b = taps_at(x + 1, y, column, row);

@@ -1,5 +1,5 @@
-// The residual at the start of the unknown, the inverse of the matrix's diagonal, and the first smoothing sweep.
-// One invocation per node. Sums run in a fixed order: the same bits every run.
+// The residual at the start of the unknown, and the inverse of the matrix's diagonal. One invocation per node. Sums run
+// in a fixed order: the same bits every run.
 // Source: docs/solvers/multigrid.md, equations 5 and 6.
 #include "gpu/index.wgsl"
 #include "method/multigrid/bending.wgsl"
@@ -48,7 +48,6 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   let here = place[node];
   if (here.w == 0.0) {
     store_inverse(level, node, zero_matrix());
-    vectors[vector_at(level, kDirection, node)] = vec4f(0.0);
     if (kHolds) { free_of_obstacles(node, grid.first_vertex); }
     return;
   }
@@ -65,7 +64,6 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }
-  let inverted = inverse(diagonal);
-  store_inverse(level, node, inverted);
-  start_level(level, node, residual, inverted);
+  store_inverse(level, node, inverse(diagonal));
+  vectors[vector_at(level, kResidual, node)] = vec4f(residual, 0.0);
 }

@@ -25,38 +25,24 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
 }
 
 Result<void> GridCycle::create_system(const CycleInputs& inputs, const GridKernels& kernels) {
-  const State& state = inputs.state;
+  const gpu::Buffer<StepBlock>& steps = inputs.state.steps;
   const gpu::RawBuffer& levels = levels_[0].levels;
-  const Dispatch::Workgroups nodes = kernels.predict->workgroups_of(node_count(shapes_[0]));
-  WEFT_SET(predict_, Dispatch::create_by_parity(kernels.predict, nodes,
-                                                [&](std::size_t p) { return predict_bindings(inputs, p); }));
-  WEFT_SET(gradient_,
-           Dispatch::create(kernels.gradient, nodes,
-                            {state.steps, grid_, levels, place_, holds_, vectors_, presses(inputs)}));
-  WEFT_SET(finish_,
-           Dispatch::create_by_parity(kernels.finish, nodes, [&](std::size_t p) -> Dispatch::Bindings {
-             return {state.steps,
-                     nodes_,
-                     grid_,
-                     levels,
-                     place_,
-                     holds_,
-                     vectors_,
-                     state.position[p],
-                     state.velocity[p],
-                     state.position[1 - p],
-                     *inputs.predicted[p]};
-           }));
+  const Dispatch::Workgroups nodes = kernels.gradient->workgroups_of(node_count(shapes_[0]));
+  WEFT_CHECK(create_shared(inputs, kernels.shared));
+  WEFT_SET(gradient_, Dispatch::create(kernels.gradient, nodes,
+                                       {steps, grid_, levels, place_, holds_, vectors_, presses(inputs)}));
+  WEFT_SET(search_, Dispatch::create(kernels.search, nodes,
+                                     {steps, grid_, levels, place_, holds_, vectors_, partials_}));
   return {};
 }
 
-// The last smoothing sweep is `finish`.
 Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels& kernels) {
   Level& fine = levels_[0];
   const Dispatch::Workgroups nodes = kernels.smooth_fine->workgroups_of(node_count(shapes_[0]));
   const Dispatch::Bindings bindings = {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_};
   WEFT_SET(fine.smooth_down, Dispatch::create(kernels.smooth_fine, nodes, bindings));
   WEFT_SET(fine.smooth_begin, Dispatch::create(kernels.prolong_fine, nodes, bindings));
+  WEFT_SET(fine.smooth_up, Dispatch::create(kernels.smooth_fine_up, nodes, bindings));
   if (shapes_.size() == 1) return {};
   const Dispatch::Workgroups coarse = kernels.galerkin_fine->workgroups_of(node_count(shapes_[1]));
   WEFT_SET(fine.coarsen,

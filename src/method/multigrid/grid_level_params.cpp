@@ -1,7 +1,5 @@
 #include "method/multigrid/grid_level_params.hpp"
 
-#include <algorithm>
-
 #include "method/multigrid/cycle.hpp"
 #include "method/multigrid/grid_levels.hpp"
 
@@ -10,8 +8,8 @@ namespace weft {
 std::vector<GridLevelParams> grid_level_params(const Body& body) {
   const mesh::Grid& grid = *body.grid;
   const auto [along_i, along_j] = bending_stiffness(body);
-  const auto end = [](std::uint32_t side, bool even) {
-    return side - std::min(side, even ? 1U : 2U);  // without the inner node of a shorter last interval
+  const auto ratio = [](std::uint32_t interval, std::uint32_t last) {
+    return static_cast<float>(interval) / static_cast<float>(last);
   };
   std::vector<GridLevelParams> levels;
   std::uint32_t vectors = 0, operators = 0;
@@ -23,10 +21,10 @@ std::vector<GridLevelParams> grid_level_params(const Body& body) {
     level.first_operator = operators;
     level.bending_i = static_cast<float>(along_i * shape.bending_i);
     level.bending_j = static_cast<float>(along_j * shape.bending_j);
-    level.bend_end_i = end(shape.nx, shape.even_i);
-    level.bend_end_j = end(shape.ny, shape.even_j);
+    level.last_bend_i = ratio(shape.interval_i, shape.last_i);
+    level.last_bend_j = ratio(shape.interval_j, shape.last_j);
     level.rim = body.weights == mesh::BoundaryWeights::Uniform ? 1.0F : 0.5F;
-    vectors += multigrid::kVectors * node_count(level);
+    vectors += multigrid::vector_count(levels.size()) * node_count(level);
     if (!levels.empty()) operators += multigrid::kOperatorParts * node_count(level);
     levels.push_back(level);
   }

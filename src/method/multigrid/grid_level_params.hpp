@@ -13,7 +13,7 @@ struct GridLevelParams {
   std::uint32_t nx = 0, ny = 0;                        // nodes; 0: there is no such level
   std::uint32_t first_vector = 0, first_operator = 0;  // [vec4f], [vec2f]
   float bending_i = 0, bending_j = 0;                  // [N/m]
-  std::uint32_t bend_end_i = 0, bend_end_j = 0;        // second differences are taken about nodes 1 to this
+  float last_bend_i = 1, last_bend_j = 1;              // an interval by the last one, which may be shorter
   float rim = 0;                                       // part of the bending that boundary lines have
   std::uint32_t padding_a = 0, padding_b = 0, padding_c = 0;
 };

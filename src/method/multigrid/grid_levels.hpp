@@ -17,8 +17,10 @@ constexpr std::uint32_t coarser_side(std::uint32_t nodes) {
 }
 
 struct GridLevel {
-  std::uint32_t nx = 0, ny = 0;       // nodes
-  bool even_i = true, even_j = true;  // whether the last interval is as long as the others
+  std::uint32_t nx = 0, ny = 0;  // nodes
+  std::uint32_t interval_i = 1,
+                interval_j = 1;  // of the finest grid, but for the last, which may be shorter:
+  std::uint32_t last_i = 1, last_j = 1;
   /// Factor of the resistance to bending on this level, along i and along j. Of the second
   /// differences of a coarse field that is linear between its nodes, the fine grid sees half, in every second
   /// node, and in two lines for one.

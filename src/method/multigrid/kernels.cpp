@@ -39,27 +39,52 @@ gpu::Constant bend(const CycleInputs& inputs) {
   return {"kBend", any ? 1.0 : 0.0};
 }
 
+std::vector<gpu::Constant> with(std::vector<gpu::Constant> constants, const gpu::Constant& more) {
+  constants.push_back(more);
+  return constants;
+}
+
 /// The vector in which the second smoothing sweep finds the solution: the first sweep itself on the way
 /// down.
 gpu::Constant down() { return {"kFrom", multigrid::kDirection}; }
 gpu::Constant up() { return {"kFrom", multigrid::kSecond}; }
 
+/// Which sum: src/method/multigrid/add_up.wgsl.
+gpu::Constant sum(std::uint32_t number) { return {"kSum", static_cast<double>(number)}; }
+
 }  // namespace
+
+Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
+  const std::uint32_t size = inputs.workgroup_size, lone = lone_workgroup_size(inputs.device);
+  using K = SharedKernels;
+  const Row<K> table[] = {
+      {&K::predict, "predict", size, {holds(inputs)}},
+      {&K::finish, "finish", size, {holds(inputs)}},
+      {&K::begin_solve, "begin_solve", size},
+      {&K::weigh, "weigh", size},
+      {&K::advance, "advance", size},
+      {&K::first_norm, "add_up", lone, {sum(0)}},
+      {&K::square, "add_up", lone, {sum(1)}},
+      {&K::norm, "add_up", lone, {sum(2)}},
+      {&K::rho, "add_up", lone, {sum(3)}},
+  };
+  return create_all<K>(inputs.device, table);
+}
 
 Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
   const std::uint32_t size = inputs.workgroup_size;
   const std::vector<gpu::Constant> of_springs = {holds(inputs), bend(inputs)};
   using K = GridKernels;
   const Row<K> table[] = {
-      {&K::predict, "predict", size},
       {&K::gradient, "gradient", size, of_springs},
       {&K::galerkin_fine, "galerkin_fine", size, {holds(inputs)}},
       {&K::galerkin, "galerkin", size},
-      {&K::smooth_fine, "smooth_fine", size, of_springs},
+      {&K::smooth_fine, "smooth_fine", size, with(of_springs, down())},
       {&K::residual_fine, "residual_fine", size, of_springs},
       {&K::correct_fine, "correct_fine", size},
       {&K::prolong_fine, "prolong_fine", size, of_springs},
-      {&K::finish, "finish", size, of_springs},
+      {&K::smooth_fine_up, "smooth_fine", size, with(of_springs, up())},
+      {&K::search, "search_fine", size, of_springs},
       {&K::smooth_down, "smooth_coarse", size, {down()}},
       {&K::residual, "residual_coarse", size},
       {&K::prolong, "prolong_coarse", size},
@@ -67,14 +92,15 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
       {&K::restrict_residual, "restrict_residual", size},
       {&K::cycle_tail, "cycle_tail", lone_workgroup_size(inputs.device)},
   };
-  return create_all<K>(inputs.device, table);
+  WEFT_TRY(made, create_all<K>(inputs.device, table));
+  WEFT_SET(made.shared, SharedKernels::create(inputs));
+  return made;
 }
 
 Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
   const std::uint32_t size = inputs.workgroup_size;
   using K = MeshKernels;
   const Row<K> table[] = {
-      {&K::predict, "predict", size},
       {&K::gradient, "mesh_gradient", size, {holds(inputs)}},
       {&K::galerkin, "mesh_galerkin", size},
       {&K::smooth_down, "mesh_smooth_end", size, {down()}},
@@ -84,9 +110,11 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
       {&K::prolong, "mesh_prolong", size},
       {&K::smooth_begin, "mesh_smooth_begin", size},
       {&K::smooth_up, "mesh_smooth_end", size, {up()}},
-      {&K::finish, "mesh_finish", size, {holds(inputs)}},
+      {&K::search, "mesh_search", size},
   };
-  return create_all<K>(inputs.device, table);
+  WEFT_TRY(made, create_all<K>(inputs.device, table));
+  WEFT_SET(made.shared, SharedKernels::create(inputs));
+  return made;
 }
 
 }  // namespace weft

@@ -4,16 +4,28 @@
 
 namespace weft {
 
+/// The kernels of grids and meshes alike: the system, conjugate gradients, the new state.
+struct SharedKernels {
+  gpu::SharedKernel predict, finish;
+  gpu::SharedKernel begin_solve, weigh, advance;
+  gpu::SharedKernel first_norm, square, norm, rho;  // add_up.wgsl for each sum
+
+  /// Errors  Shader.
+  static Result<SharedKernels> create(const CycleInputs& inputs);
+};
+
 /// The kernels of grids, shared by all of them. Those of the finest level recompute its matrix from the
 /// nodes' positions; the others read that of their level. Source: docs/solvers/multigrid.md.
 struct GridKernels {
-  gpu::SharedKernel predict, gradient;                          // the linear system
-  gpu::SharedKernel galerkin_fine, galerkin;                    // matrices of coarse levels
-  gpu::SharedKernel smooth_fine, residual_fine;                 // the cycle on the finest level, down
-  gpu::SharedKernel correct_fine, prolong_fine, finish;         // and up
-  gpu::SharedKernel smooth_down, residual, prolong, smooth_up;  // on those between
-  gpu::SharedKernel restrict_residual;                          // from level to level
-  gpu::SharedKernel cycle_tail;                                 // on the coarsest
+  SharedKernels shared;
+  gpu::SharedKernel gradient;                                    // the linear system
+  gpu::SharedKernel galerkin_fine, galerkin;                     // matrices of coarse levels
+  gpu::SharedKernel smooth_fine, residual_fine;                  // the cycle on the finest level, down
+  gpu::SharedKernel correct_fine, prolong_fine, smooth_fine_up;  // and up
+  gpu::SharedKernel search;                                      // A p
+  gpu::SharedKernel smooth_down, residual, prolong, smooth_up;   // on those between
+  gpu::SharedKernel restrict_residual;                           // from level to level
+  gpu::SharedKernel cycle_tail;                                  // on the coarsest
 
   /// Errors  Shader.
   static Result<GridKernels> create(const CycleInputs& inputs);
@@ -21,10 +33,12 @@ struct GridKernels {
 
 /// The kernels of meshes: the same for all levels.
 struct MeshKernels {
-  gpu::SharedKernel predict, gradient, galerkin;               // the linear system, and its coarse levels
+  SharedKernels shared;
+  gpu::SharedKernel gradient, galerkin;                        // the linear system, and its coarse levels
   gpu::SharedKernel smooth_down, residual, restrict_residual;  // the cycle: down
   gpu::SharedKernel tail;                                      // on the coarsest levels
-  gpu::SharedKernel prolong, smooth_begin, smooth_up, finish;  // up
+  gpu::SharedKernel prolong, smooth_begin, smooth_up;          // up
+  gpu::SharedKernel search;                                    // A p
 
   /// Errors  Shader.
   static Result<MeshKernels> create(const CycleInputs& inputs);

@@ -38,26 +38,14 @@ Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists
 }
 
 Result<void> MeshCycle::create_system(const CycleInputs& inputs, const MeshKernels& kernels) {
-  const State& state = inputs.state;
-  const Dispatch::Workgroups nodes = kernels.predict->workgroups_of(node_count(shapes_[0]));
-  WEFT_SET(predict_, Dispatch::create_by_parity(kernels.predict, nodes,
-                                                [&](std::size_t p) { return predict_bindings(inputs, p); }));
-  WEFT_SET(gradient_,
-           Dispatch::create(kernels.gradient, nodes,
-                            {state.steps, nodes_, levels_[0].levels, place_, holds_, vectors_, blocks_,
-                             lists_.row_starts, lists_.rows, lists_.springs, presses(inputs)}));
-  WEFT_SET(finish_,
-           Dispatch::create_by_parity(kernels.finish, nodes, [&](std::size_t p) -> Dispatch::Bindings {
-             return {state.steps,
-                     nodes_,
-                     place_,
-                     holds_,
-                     vectors_,
-                     state.position[p],
-                     state.velocity[p],
-                     state.position[1 - p],
-                     *inputs.predicted[p]};
-           }));
+  const Dispatch::Workgroups nodes = kernels.gradient->workgroups_of(node_count(shapes_[0]));
+  const gpu::RawBuffer& levels = levels_[0].levels;
+  WEFT_CHECK(create_shared(inputs, kernels.shared));
+  WEFT_SET(search_, Dispatch::create(kernels.search, nodes,
+                                     {levels, vectors_, blocks_, lists_.row_starts, lists_.rows, partials_}));
+  WEFT_SET(gradient_, Dispatch::create(kernels.gradient, nodes,
+                                       {inputs.state.steps, nodes_, levels, place_, holds_, vectors_, blocks_,
+                                        lists_.row_starts, lists_.rows, lists_.springs, presses(inputs)}));
   return {};
 }
 

@@ -1,5 +1,5 @@
-// The residual of a mesh at the start of the unknown, its matrix, the inverse of the diagonal, and the first
-// smoothing sweep. One invocation per node, which also keeps the blocks that it shares with nodes of higher number.
+// The residual of a mesh at the start of the unknown, its matrix, and the inverse of the diagonal. One invocation per
+// node, which also keeps the blocks that it shares with nodes of higher number.
 // Sums run in a fixed order. Source: docs/solvers/multigrid.md, equations 5, 6 and 11.
 #include "gpu/index.wgsl"
 #include "method/multigrid/hold_at_obstacles.wgsl"
@@ -52,8 +52,7 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }
-  let inverted = inverse(diagonal);
   store_block(level, node, diagonal);
-  store_inverse(level, node, inverted);
-  start_level(level, node, residual, inverted);
+  store_inverse(level, node, inverse(diagonal));
+  vectors[vector_at(level, kResidual, node)] = vec4f(residual, 0.0);
 }

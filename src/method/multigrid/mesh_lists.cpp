@@ -30,7 +30,7 @@ MeshLists mesh_lists(const std::vector<MeshLevel>& levels) {
     made.first_product = append(level.products, lists.product_starts, lists.products);
     made.first_taps = static_cast<std::uint32_t>(lists.taps.size());
     for (const auto& taps : level.taps) lists.taps.insert(lists.taps.end(), taps.begin(), taps.end());
-    lists.vector_count += std::size_t{multigrid::kVectors} * level.node_count;
+    lists.vector_count += std::size_t{multigrid::vector_count(lists.levels.size())} * level.node_count;
     lists.block_count += level.block_count;
     lists.levels.push_back(made);
   }

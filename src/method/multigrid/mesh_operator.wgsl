@@ -1,6 +1,6 @@
-// A x on a level of a mesh. The including kernel binds `vectors`, `blocks`, `row_starts` and `rows`.
+// A x on a level of a mesh. The including kernel binds `vectors`, `blocks`, `row_starts` and `rows`, and has
+// operand(level, x, node).
 #include "method/multigrid/mesh_block.wgsl"
-#include "method/multigrid/operand.wgsl"
 
 fn product(level : Level, x : u32, node : u32) -> vec3f {
   var sum = times(block_of(level, node), operand(level, x, node));

@@ -1,6 +1,7 @@
 // Adds the correction of the coarser level of a mesh. One invocation per node.
 #include "gpu/index.wgsl"
 #include "method/multigrid/mesh_correction.wgsl"
+#include "method/multigrid/solve.wgsl"
 //                                                                               elements
 @group(0) @binding(0) var<uniform>             levels  : array<MeshLevelParams, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors : array<vec4f>;        // method/multigrid/cloth.wgsl
@@ -9,5 +10,5 @@
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_prolong(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node < node_count(levels[0])) { correct_node(levels[0], levels[1], node); }
+  if (node < node_count(levels[0]) && !is_solved()) { correct_node(levels[0], levels[1], node); }
 }

@@ -4,5 +4,5 @@
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_smooth_begin(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node < node_count(levels[0])) { begin_smoothing(levels[0], kFirst, kSecond, node); }
+  if (node < node_count(levels[0]) && !is_solved()) { begin_smoothing(levels[0], kFirst, kSecond, node); }
 }

@@ -5,5 +5,5 @@ override kFrom : u32;  // kDirection on the way down, where the solution is the 
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_smooth_end(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node < node_count(levels[0])) { end_smoothing(levels[0], kFrom, kFirst, node); }
+  if (node < node_count(levels[0]) && !is_solved()) { end_smoothing(levels[0], kFrom, kFirst, node); }
 }

@@ -1,6 +1,7 @@
 // Bindings and sweeps of the smoothing kernels of a mesh's levels.
 #include "gpu/index.wgsl"
 #include "method/multigrid/mesh_operator.wgsl"
+#include "method/multigrid/operand.wgsl"
 #include "method/multigrid/smoothing.wgsl"
 //                                                                                  elements
 @group(0) @binding(0) var<uniform>             levels     : array<MeshLevelParams, 2>;

@@ -2,6 +2,7 @@
 #include "method/multigrid/mesh_correction.wgsl"
 #include "method/multigrid/mesh_operator.wgsl"
 #include "method/multigrid/mesh_restriction.wgsl"
+#include "method/multigrid/operand.wgsl"
 #include "method/multigrid/tail.wgsl"
 //                                                                                     elements
 @group(0) @binding(0) var<storage, read>       tail          : array<MeshLevelParams>;  // the coarsest levels

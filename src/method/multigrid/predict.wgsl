@@ -18,6 +18,8 @@
 @group(0) @binding(8) var<storage, read_write> place           : array<vec4f>;   // count          m (w: N/m)
 @group(0) @binding(9) var<storage, read_write> vectors         : array<vec4f>;   // cloth.wgsl: the finest
 
+override kHolds : bool = false;  // obstacles may hold nodes: there is no guess
+
 @compute @workgroup_size(kWorkgroupSize)
 fn predict(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
@@ -27,12 +29,14 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   let residual_at = kResidual * nodes.count + index;
   let start_at = kFirst * nodes.count + index;
   let start_velocity_at = kSecond * nodes.count + index;
+  let guess_at = kSearch * nodes.count + index;
   if (is_prescribed(node, now)) {
     let after = integrate_prescribed(node, now);
     place[index] = vec4f(after.position.xyz, 0.0);
     vectors[residual_at] = vec4f(0.0);
     vectors[start_at] = vec4f(0.0);
     vectors[start_velocity_at] = vec4f(after.velocity.xyz, 0.0);
+    vectors[guess_at] = vec4f(0.0);
     return;
   }
   let formula = formula_of(step.time.step_ratio * now.velocity.w);
@@ -40,11 +44,15 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   let v = now.velocity.xyz;
   let mass = 1.0 / now.position.w;
   let start = step.time.dt * v;
-  let base_velocity = v + formula.c * (v - velocity_before[node].xyz);
+  let change = v - velocity_before[node].xyz;
+  let base_velocity = v + formula.c * change;
   let start_velocity = (start - formula.c * (x - position_before[node].xyz)) / formula.he;
+  let guess = formula.he * (v + step.time.step_ratio * change - start_velocity);
   let pull_of_field = step.air.acceleration.xyz + step.air.drag * (wind_at(x) - start_velocity);
   place[index] = vec4f(x, mass * (1.0 / formula.he + step.air.drag) / formula.he);
   vectors[residual_at] = vec4f(mass * ((base_velocity - start_velocity) / formula.he + pull_of_field), 0.0);
   vectors[start_at] = vec4f(start, 0.0);
   vectors[start_velocity_at] = vec4f(start_velocity, 0.0);
+  let has_guess = !kHolds && now.velocity.w == 1.0 && step.time.step_ratio > 0.0;
+  vectors[guess_at] = vec4f(select(vec3f(0.0), guess, has_guess), 0.0);
 }

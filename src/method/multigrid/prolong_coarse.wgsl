@@ -10,5 +10,5 @@ fn operand(level : Level, x : u32, node : u32) -> vec3f {
 @compute @workgroup_size(kWorkgroupSize)
 fn prolong_coarse(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node < node_count(levels[0])) { begin_smoothing(levels[0], kFirst, kSecond, node); }
+  if (node < node_count(levels[0]) && !is_solved()) { begin_smoothing(levels[0], kFirst, kSecond, node); }
 }

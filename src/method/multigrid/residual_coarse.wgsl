@@ -5,5 +5,5 @@
 @compute @workgroup_size(kWorkgroupSize)
 fn residual_coarse(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
-  if (node < node_count(levels[0])) { keep_residual(levels[0], node); }
+  if (node < node_count(levels[0]) && !is_solved()) { keep_residual(levels[0], node); }
 }

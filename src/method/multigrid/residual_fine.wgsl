@@ -5,7 +5,7 @@
 fn residual_fine(@builtin(global_invocation_id) id : vec3u) {
   let level = levels[0];
   let node = flat_index(id);
-  if (node >= node_count(level)) { return; }
+  if (node >= node_count(level) || is_solved()) { return; }
   if (place[node].w > 0.0) {
     keep_residual(level, node);
   } else {

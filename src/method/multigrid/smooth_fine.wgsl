@@ -1,13 +1,9 @@
-// The second smoothing sweep on the finest level of a grid: x += keep d + take D⁻¹ (r - A x) with x = d, the first
-// sweep. One invocation per node. Source: docs/solvers/multigrid.md, equation 8.
+// The second smoothing sweep on the finest level of a grid. One invocation per node.
 #include "method/multigrid/fine_level.wgsl"
+override kFrom : u32;  // kDirection on the way down, where the solution is the first sweep; kSecond on the way up
 
 @compute @workgroup_size(kWorkgroupSize)
 fn smooth_fine(@builtin(global_invocation_id) id : vec3u) {
-  let level = levels[0];
   let node = flat_index(id);
-  if (node >= node_count(level)) { return; }
-  let d = operand(level, kDirection, node);
-  let x = d + kKeep * d + kTake * times(inverse_at(level, node), left_of(level, kDirection, node));
-  vectors[vector_at(level, kFirst, node)] = vec4f(x, 0.0);
+  if (node < node_count(levels[0]) && !is_solved()) { end_smoothing(levels[0], kFrom, kFirst, node); }
 }

@@ -3,6 +3,7 @@
 // operand(level, x, node). x is the number of one of the level's vectors.
 // Source: docs/solvers/multigrid.md, equation 8.
 #include "method/multigrid/chebyshev.wgsl"
+#include "method/multigrid/solve.wgsl"
 
 // r - A x
 fn left_of(level : Level, x : u32, node : u32) -> vec3f {

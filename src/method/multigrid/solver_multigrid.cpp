@@ -1,20 +1,51 @@
 #include "method/multigrid/solver_multigrid.hpp"
 
+#include <algorithm>
 #include <optional>
 
+#include "method/multigrid/solve_limits.hpp"
+
 namespace weft {
+namespace {
+
+constexpr std::uint32_t kAtFirst = 4;      // iterations recorded
+constexpr std::uint32_t kSpare = 2;        // iterations beyond those of the last frames
+constexpr std::uint32_t kFramesSeen = 60;  // before fewer are recorded
+
+}  // namespace
 
 void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   contact.search(pass);
   contact.press(pass);
-  for (const GridCycle& cycle : grids_) cycle.record(pass);
-  for (const MeshCycle& cycle : meshes_) cycle.record(pass);
+  for (const GridCycle& cycle : grids_) cycle.record(pass, iterations_);
+  for (const MeshCycle& cycle : meshes_) cycle.record(pass, iterations_);
   contact.measure(pass);
   contact.answer(pass);
   contact.hold_back(pass);
 }
 
+bool SolverMultigrid::adapt(gpu::Device& device, const Statistics& report) {
+  const std::uint32_t before = iterations_;
+  most_seen_ = std::max(most_seen_, report.iterations);
+  if (report.rolled_back != 0) {
+    if (report.iterations >= iterations_) set_iterations(device, std::min(2 * iterations_, most_iterations_));
+  } else if (++frames_seen_ >= kFramesSeen) {
+    set_iterations(device, std::min(iterations_, most_seen_ + kSpare));
+  }
+  return iterations_ != before;
+}
+
+void SolverMultigrid::set_iterations(gpu::Device& device, std::uint32_t iterations) {
+  const bool may_retry = iterations < most_iterations_;
+  for (const GridCycle& cycle : grids_) cycle.set_may_retry(device, may_retry);
+  for (const MeshCycle& cycle : meshes_) cycle.set_may_retry(device, may_retry);
+  iterations_ = iterations;
+  most_seen_ = frames_seen_ = 0;
+}
+
 Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
+  most_iterations_ = inputs.presses != nullptr ? multigrid::kMostHeldIterations : multigrid::kMostIterations;
+  iterations_ = std::min(kAtFirst, most_iterations_);
   std::optional<GridKernels> grid_kernels;
   std::optional<MeshKernels> mesh_kernels;
   for (const Body& body : inputs.model.host.bodies) {
@@ -31,10 +62,10 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   return {};
 }
 
-Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs) {
+Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs, double residual) {
   auto made = std::make_unique<SolverMultigrid>();
   WEFT_CHECK(made->create_cycles({inputs.device, inputs.model, inputs.state, inputs.predicted(),
-                                  inputs.presses(), inputs.workgroup_size}));
+                                  inputs.presses(), residual, inputs.workgroup_size}));
   return std::unique_ptr<Solver>(std::move(made));
 }
 

@@ -8,19 +8,27 @@
 
 namespace weft {
 
-/// Cloth by BDF2, linearised once a substep and solved by one V-cycle. Source: docs/solvers/multigrid.md.
+/// Cloth by BDF2, linearised once a substep and solved by conjugate gradients with V-cycles, to a residual. Iterations
+/// are recorded ahead, a few more than the last frames took; where that was too little, the frame is repeated with
+/// more. Source: docs/solvers/multigrid.md.
 class SolverMultigrid : public Solver {
  public:
   /// Errors  Shader, Limit, OutOfMemory.
-  static Result<std::unique_ptr<Solver>> create(const SolverInputs& inputs);
+  static Result<std::unique_ptr<Solver>> create(const SolverInputs& inputs, double residual);
 
   void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
+  bool adapt(gpu::Device& device, const Statistics& report) override;
 
  private:
   Result<void> create_cycles(const CycleInputs& inputs);
+  void set_iterations(gpu::Device& device, std::uint32_t iterations);
 
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
+  std::uint32_t most_iterations_ = 0;  // that a substep may take
+  std::uint32_t iterations_ = 0;       // that are recorded
+  std::uint32_t most_seen_ = 0;        // that frames took since then
+  std::uint32_t frames_seen_ = 0;
 };
 
 }  // namespace weft

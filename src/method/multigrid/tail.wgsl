@@ -37,7 +37,11 @@ fn solve_bottom(level : Level, local : u32) {
   }
 }
 
+var<workgroup> solved : u32;
+
 fn solve_tail(local : u32) {
+  if (local == 0u) { solved = select(0u, 1u, is_solved()); }
+  if (workgroupUniformLoad(&solved) == 1u) { return; }
   let last = arrayLength(&tail) - 1u;
   for (var l = 0u; l < last; l++) {
     let level = tail[l];

@@ -67,6 +67,7 @@ class Cycle {
     return x;
   }
   const std::vector<Matrix>& levels() const { return levels_; }
+  const std::vector<std::vector<Sym3>>& inverse_diagonals() const { return inverse_; }
 
  protected:
   void add(Matrix matrix) {

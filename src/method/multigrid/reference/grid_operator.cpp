@@ -24,11 +24,11 @@ Field GridOperator::apply(const Field& x) const {
   }
   for (const bool along_i : {true, false}) {
     const std::uint32_t stride = along_i ? 1 : nx;
-    for_each_bend(*this, along_i, [&](std::uint32_t m, double stiffness) {
-      const Vec3d curve = stiffness * (x[m - stride] - 2.0 * x[m] + x[m + stride]);
+    for_each_bend(*this, along_i, [&](std::uint32_t m, double stiffness, double r) {
+      const Vec3d curve = stiffness * (x[m - stride] - (1 + r) * x[m] + r * x[m + stride]);
       y[m - stride] += curve;
-      y[m] -= 2.0 * curve;
-      y[m + stride] += curve;
+      y[m] -= (1 + r) * curve;
+      y[m + stride] += r * curve;
     });
   }
   for (std::size_t a = 0; a < size(); ++a)
@@ -45,10 +45,10 @@ std::vector<Sym3> GridOperator::diagonal() const {
   }
   for (const bool along_i : {true, false}) {
     const std::uint32_t stride = along_i ? 1 : nx;
-    for_each_bend(*this, along_i, [&](std::uint32_t m, double stiffness) {
+    for_each_bend(*this, along_i, [&](std::uint32_t m, double stiffness, double r) {
       blocks[m - stride] += Sym3::identity(stiffness);
-      blocks[m] += Sym3::identity(4 * stiffness);
-      blocks[m + stride] += Sym3::identity(stiffness);
+      blocks[m] += Sym3::identity((1 + r) * (1 + r) * stiffness);
+      blocks[m + stride] += Sym3::identity(r * r * stiffness);
     });
   }
   return blocks;

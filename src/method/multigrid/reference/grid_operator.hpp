@@ -17,12 +17,12 @@ struct FarSpring {
   Sym3 block;  // [N/m]
 };
 
-/// Resistance to bending: k/2 |x(m-1) - 2 x(m) + x(m+1)|² for each node m of each row, and of each column;
-/// half of it along the boundary, where there is cloth on one side only. [N/m]
+/// Resistance to bending: k/2 |x(m-1) - (1 + r) x(m) + r x(m+1)|² for each inner node m of each row, and of
+/// each column; half of it along the boundary, where there is cloth on one side only. [N/m]
 struct GridBending {
   double along_i = 0, along_j = 0;
-  bool even_i = true, even_j = true;  // where not, the term about the last interval's inner node is left out
-  bool uniform = false;               // along the boundary too it counts in full
+  double last_i = 1, last_j = 1;  // r of the last m: an interval by the last one; 1 elsewhere
+  bool uniform = false;           // along the boundary too it counts in full
 };
 
 /// Of a node: its own block, and those towards (i+1, j), (i, j+1), (i+1, j+1) and (i-1, j+1).
@@ -50,18 +50,20 @@ struct GridOperator {
 /// Part of a block's trace that is added to its diagonal before it is inverted.
 inline constexpr double kDiagonalMargin = 4e-6;
 
-/// Calls visit(m, weight) for the middle node m of each term of GridBending along i (stride 1) or j (stride nx).
+/// Calls visit(m, weight, r) for the middle node m of each term of GridBending along i (stride 1) or j (stride nx).
 template <class Visit>
 void for_each_bend(const GridOperator& grid, bool along_i, const Visit& visit) {
   const GridBending& bending = grid.bending;
   const std::uint32_t n = along_i ? grid.nx : grid.ny, lines = along_i ? grid.ny : grid.nx;
-  const std::uint32_t last = n - ((along_i ? bending.even_i : bending.even_j) ? 1 : 2);
   const double stiffness = along_i ? bending.along_i : bending.along_j;
-  if (stiffness == 0 || n < 3) return;
+  if (stiffness == 0) return;
   for (std::uint32_t line = 0; line < lines; ++line) {
     const bool rim = (line == 0 || line + 1 == lines) && !bending.uniform;
-    for (std::uint32_t m = 1; m < last; ++m)
-      visit(along_i ? line * grid.nx + m : m * grid.nx + line, rim ? stiffness / 2 : stiffness);
+    for (std::uint32_t m = 1; m + 1 < n; ++m)
+      visit(along_i ? line * grid.nx + m : m * grid.nx + line, rim ? stiffness / 2 : stiffness,
+            m + 2 < n ? 1
+            : along_i ? bending.last_i
+                      : bending.last_j);
   }
 }
 

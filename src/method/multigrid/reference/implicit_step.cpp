@@ -56,6 +56,27 @@ void add_near(GridOperator& matrix, const Link& link, const Sym3& block) {
   if (!matrix.fixed[link.a] && !matrix.fixed[link.b]) matrix.rows[link.a][place_of(link)] += -1.0 * block;
 }
 
+/// Adds the differences that name a fixed node: no coarse level has those, since it knows of no fixed node. Where the
+/// middle one is fixed, |a + b|² <= 2 |a|² + 2 |b|² takes the others apart.
+void add_held_bending(GridOperator& source) {
+  for (const bool along_i : {true, false}) {
+    const std::uint32_t stride = along_i ? 1 : source.nx;
+    for_each_bend(source, along_i, [&](std::uint32_t m, double stiffness, double) {
+      const std::uint32_t before = m - stride, behind = m + stride;
+      if (!source.fixed[before] && !source.fixed[m] && !source.fixed[behind]) return;
+      const bool apart = source.fixed[m] && !source.fixed[before] && !source.fixed[behind];
+      const double ends = apart ? 2 * stiffness : stiffness;
+      source.rows[before][0] += Sym3::identity(ends);
+      source.rows[m][0] += Sym3::identity(4 * stiffness);
+      source.rows[behind][0] += Sym3::identity(ends);
+      const std::size_t next = along_i ? 1 : 2;
+      if (!source.fixed[before] && !source.fixed[m])
+        source.rows[before][next] += Sym3::identity(-2 * stiffness);
+      if (!source.fixed[m] && !source.fixed[behind]) source.rows[m][next] += Sym3::identity(-2 * stiffness);
+    });
+  }
+}
+
 /// Where a node would come nearer to obstacles than the thickness, or is there and pressed on: add(node,
 /// block) puts what holds it into the matrix, and the residual gets the force to where it belongs.
 template <class Add>
@@ -88,8 +109,10 @@ StepFormula step_formula(double dt, double ratio) {
   return {dt * (1 + ratio) / (1 + 2 * ratio), ratio * ratio / (1 + 2 * ratio)};
 }
 
-ImplicitStepper::ImplicitStepper(const Model& model)
-    : position_before_(model.vertex_count()), velocity_before_(model.vertex_count()) {
+ImplicitStepper::ImplicitStepper(const Model& model, double residual)
+    : wanted_residual(residual),
+      position_before_(model.vertex_count()),
+      velocity_before_(model.vertex_count()) {
   std::size_t springs = 0;
   for (const Body& body : model.bodies) {
     Cloth made{body.first_vertex, body.vertex_count};
@@ -97,7 +120,7 @@ ImplicitStepper::ImplicitStepper(const Model& model)
       made.nx = body.grid->nx;
       made.ny = body.grid->ny;
       const auto [along_i, along_j] = bending_stiffness(body);
-      made.bending = {along_i, along_j, true, true, body.weights == mesh::BoundaryWeights::Uniform};
+      made.bending = {along_i, along_j, 1, 1, body.weights == mesh::BoundaryWeights::Uniform};
       springs += mesh::grid_spring_count(*body.grid);
     } else {
       const Springs own = model.springs(body);
@@ -125,6 +148,7 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
   step.start.resize(cloth.count);
   step.start_velocity.resize(cloth.count);
   step.residual.resize(cloth.count);
+  step.guess.resize(cloth.count);
   step.inertia.resize(cloth.count);
   step.fixed.assign(cloth.count, false);
   step.pressed.assign(cloth.count, false);
@@ -143,6 +167,7 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
       const Vec3d base_velocity = known_[node] ? v + formula.c * (v - velocity_before_[node]) : v;
       const Vec3d pull = system.acceleration + system.drag * wind_at(system.wind, x, system.time);
       step.start[a] = dt * v;
+      if (known_[node]) step.guess[a] = s + he * (v + ratio * (v - velocity_before_[node])) - step.start[a];
       step.start_velocity[a] = (step.start[a] - s) / he;
       step.residual[a] = mass * ((base_velocity - step.start_velocity[a]) / he + pull -
                                  system.drag * step.start_velocity[a]);
@@ -231,6 +256,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
              spring_block(step.place[link.b] - step.place[link.a], s.rest_length, s.stiffness + more,
                           (s.damping + more_damping) * rate));
   }
+  add_held_bending(step.source);
   GridOperator bending = step.matrix;  // its force is linear: that at place + start
   bending.rows.assign(count, {});
   bending.far.clear();
@@ -249,19 +275,21 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
 }
 
 template <class Levels>
-Field ImplicitStepper::solve(const Levels& hierarchy, const Field& r) const {
-  Field x = hierarchy.cycle(r);
-  for (int more = 1; more < cycles; ++more) {
-    const Field correction = hierarchy.cycle(residual(hierarchy.levels()[0], r, x));
-    for (std::size_t a = 0; a < x.size(); ++a) x[a] += correction[a];
-  }
-  return x;
+Field ImplicitStepper::solved(const Levels& hierarchy, const StepStart& step, bool held) {
+  Solution solution = held ? solve(hierarchy, step.residual, Field(step.guess.size()), wanted_residual,
+                                   multigrid::kMostHeldIterations)
+                           : solve(hierarchy, step.residual, step.guess, wanted_residual);
+  iterations_ = std::max(iterations_, solution.iterations);
+  residual_ = std::max(residual_, solution.residual);
+  return std::move(solution.x);
 }
 
 void ImplicitStepper::advance(const Substep& substep) {
   const auto& [system, places, dt, ratio, presses] = substep;
   std::vector<Vec3d> position = system.position, velocity = system.velocity;
   std::vector<std::size_t> stopped;
+  iterations_ = 0;
+  residual_ = 0;
   const auto finish = [&, dt = dt, ratio = ratio](const Cloth& cloth, const StepStart& step,
                                                   const Field& dz) {
     for (std::size_t a = 0; a < dz.size(); ++a) {
@@ -277,10 +305,10 @@ void ImplicitStepper::advance(const Substep& substep) {
   for (std::size_t c = 0; c < cloths_.size(); ++c)
     if (cloths_[c].levels.empty()) {
       const LinearStep step = linearise(system, places, dt, ratio, c, presses);
-      finish(cloths_[c], step, solve(Hierarchy(step.matrix, step.source), step.residual));
+      finish(cloths_[c], step, solved(Hierarchy(step.matrix, step.source), step, !presses.empty()));
     } else {
       const MeshStep step = linearise_mesh(system, places, dt, ratio, c, presses);
-      finish(cloths_[c], step, solve(MeshHierarchy(step.matrix), step.residual));
+      finish(cloths_[c], step, solved(MeshHierarchy(step.matrix), step, !presses.empty()));
     }
   remember(system.position, system.velocity);
   for (const std::size_t node : stopped) forget(node);

@@ -6,7 +6,7 @@
 
 #include "contact/reference/proximity/press.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
-#include "method/multigrid/reference/cycle.hpp"
+#include "method/multigrid/reference/conjugate_gradients.hpp"
 #include "method/stepper.hpp"
 #include "model/model.hpp"
 
@@ -16,6 +16,7 @@ namespace weft::reference {
 struct StepStart {
   Field place, start, start_velocity;  // [m], [m], [m/s]
   Field residual;                      // r [N]
+  Field guess;                         // of dz: velocities change on as in the step before [m]
   std::vector<double> inertia;         // its part of the diagonal of A [N/m]
   std::vector<bool> fixed;
   std::vector<bool> pressed;  // nodes that an obstacle holds: in the matrix, and no history after it
@@ -47,7 +48,8 @@ inline constexpr double kHoldStiffness = 10, kAgree = 0.3;
 /// Steps the cloths of a model by BDF2, linearised at the start of the step.
 class ImplicitStepper : public Stepper {
  public:
-  explicit ImplicitStepper(const Model& model);
+  /// `residual`: what a substep may leave of its linear system's.
+  explicit ImplicitStepper(const Model& model, double residual = scene::Solver{}.residual);
 
   void advance(const Substep& substep) override;
   /// The state a step before the one that is advanced next.
@@ -64,7 +66,11 @@ class ImplicitStepper : public Stepper {
   MeshStep linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
                           double ratio, std::size_t c, std::span<const Press> presses = {}) const;
 
-  int cycles = 1;  // V-cycles a step
+  /// Of the last substep: the most that a cloth took, and the largest that one left.
+  std::uint32_t iterations() const { return iterations_; }
+  double residual() const { return residual_; }
+
+  double wanted_residual;
 
  private:
   struct Cloth {
@@ -77,13 +83,14 @@ class ImplicitStepper : public Stepper {
 
   StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
                   const Cloth& cloth) const;
-  /// The solution of A x = r by a step's V-cycles.
   template <class Levels>
-  Field solve(const Levels& hierarchy, const Field& r) const;
+  Field solved(const Levels& hierarchy, const StepStart& step, bool held);
 
   std::vector<Cloth> cloths_;
   std::vector<Vec3d> position_before_, velocity_before_;
   std::vector<bool> known_;  // whether they are those of the step before
+  std::uint32_t iterations_ = 0;
+  double residual_ = 0;
 };
 
 }  // namespace weft::reference

@@ -19,6 +19,8 @@ struct MeshOperator {
   /// A x.
   Field apply(const Field& x) const;
   /// As GridOperator's.
+  /// The diagonal's blocks, 0 where nodes are fixed.
+  std::span<const Sym3> diagonal() const { return std::span(blocks).first(size()); }
   std::vector<Sym3> inverse_diagonal() const;
 };
 

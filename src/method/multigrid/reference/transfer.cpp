@@ -15,6 +15,8 @@ void for_each_tap(const GridOperator& fine, std::uint32_t node, const Visit& vis
     }
 }
 
+double ratio(std::uint32_t interval, std::uint32_t last) { return static_cast<double>(interval) / last; }
+
 }  // namespace
 
 Taps taps(std::uint32_t i, std::uint32_t n) {
@@ -44,8 +46,9 @@ GridOperator coarsened(const GridOperator& fine, const GridLevel& level, const G
   coarse.ny = level.ny;
   coarse.rows.resize(std::size_t{level.nx} * level.ny);
   coarse.fixed.assign(coarse.rows.size(), false);
-  coarse.bending = {bending.along_i * level.bending_i, bending.along_j * level.bending_j, level.even_i,
-                    level.even_j, bending.uniform};
+  coarse.bending = {bending.along_i * level.bending_i, bending.along_j * level.bending_j,
+                    ratio(level.interval_i, level.last_i), ratio(level.interval_j, level.last_j),
+                    bending.uniform};
   // Adds `block` at row K, column L. Of the two blocks of a pair one is stored, and of the two halves of a
   // pair that becomes one coarse node both count.
   const auto add = [&](std::uint32_t k, std::uint32_t l, const Sym3& block) {

@@ -1,0 +1,63 @@
+// Adds up the partial sums over a cloth's nodes, and takes what conjugate gradients decide from the sum. One workgroup,
+// in an order that its size does not change. Source: docs/solvers/multigrid.md, equations 13 to 15.
+#include "gpu/index.wgsl"
+#include "method/multigrid/cloth.wgsl"
+#include "method/multigrid/solve.wgsl"
+//                                                                                elements
+@group(0) @binding(0) var<uniform>             nodes    : ClothNodes;
+@group(0) @binding(1) var<storage, read_write> vectors  : array<vec4f>;       // method/multigrid/cloth.wgsl
+@group(0) @binding(2) var<storage, read>       partials : array<vec2f>;       // partial_sums.wgsl
+override kSum : u32;
+const kFirstNorm = 0u;  // mirror: src/method/multigrid/kernels.cpp
+const kSquare = 1u;     // p·A p
+const kNorm = 2u;
+const kRho = 3u;
+const kGuessPart = 10.0;  // mirror: src/method/multigrid/solve_limits.hpp
+const kLanes = 256u;
+var<workgroup> lanes : array<vec2f, kLanes>;
+
+fn total(local : u32) -> vec2f {
+  let count = arrayLength(&partials);
+  for (var lane = local; lane < kLanes; lane += kWorkgroupSize) {
+    var sum = vec2f(0.0);
+    for (var k = lane; k < count; k += kLanes) { sum += partials[k]; }
+    lanes[lane] = sum;
+  }
+  workgroupBarrier();
+  for (var half = kLanes / 2u; half > 0u; half /= 2u) {
+    for (var lane = local; lane < half; lane += kWorkgroupSize) { lanes[lane] += lanes[lane + half]; }
+    workgroupBarrier();
+  }
+  return lanes[0];
+}
+
+fn after(state : Solve, sum : vec2f) -> Solve {
+  var next = state;
+  if (kSum == kSquare) { next.rate = select(0.0, state.rho / sum.x, sum.x > 0.0); }
+  if (kSum == kNorm) {
+    next.left = sum.x;
+    if (state.turn == 0u) { next.enough = nodes.residual * min(state.first, kGuessPart * kGuessPart * sum.x); }
+    next.done = sum.x <= next.enough || !is_finite(sum.x);  // finish.wgsl reports it
+    next.turn++;
+  }
+  if (kSum == kRho) {
+    next.keep = select(0.0, sum.x / state.rho, state.turn > 1u && state.rho > 0.0);
+    next.rho = sum.x;
+  }
+  return next;
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn add_up(@builtin(local_invocation_index) local : u32) {
+  let sum = total(local);
+  if (local != 0u) { return; }
+  var state = Solve(sum.x, sum.x, 0.0, sum.y, 0.0, 1.0, 0u, sum.x == 0.0);
+  if (kSum != kFirstNorm) {
+    state = solve_state();
+    if (state.done) { return; }
+    state = after(state, sum);
+  }
+  let at = arrayLength(&vectors) - kSolveWords;
+  vectors[at] = vec4f(state.first, state.left, state.enough, state.rho);
+  vectors[at + 1u] = vec4f(state.rate, state.keep, f32(state.turn), select(0.0, 1.0, state.done));
+}

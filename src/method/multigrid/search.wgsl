@@ -1,0 +1,26 @@
+// The direction p of an iteration and A p, for one node. The including kernel binds `vectors` and `partials`, and has
+// the Level and its product(level, x, node). Source: docs/solvers/multigrid.md, equation 14.
+#include "method/multigrid/partial_sums.wgsl"
+#include "method/multigrid/solve.wgsl"
+var<private> state : Solve;
+
+// p = z + keep times the last p; the guess is the last p itself.
+fn operand(level : Level, x : u32, node : u32) -> vec3f {
+  let z = vectors[vector_at(level, kFirst, node)].xyz;
+  return select(1.0, 0.0, state.turn == 0u) * z + state.keep * vectors[vector_at(level, x, node)].xyz;
+}
+
+fn search_from(level : Level, local : u32, node : u32, has_unknown : bool) {
+  state = solve_state();
+  var part = 0.0;
+  if (node < node_count(level) && !state.done) {
+    let x = last_search(state);
+    let p = operand(level, x, node);
+    var q = vec3f(0.0);
+    if (has_unknown) { q = product(level, x, node); }
+    vectors[vector_at(level, this_search(state), node)] = vec4f(p, 0.0);
+    vectors[vector_at(level, kProduct, node)] = vec4f(q, 0.0);
+    part = dot(p, q);
+  }
+  store_partial(local, node, node_count(level), vec2f(part, 0.0));
+}

@@ -1,0 +1,30 @@
+// The state of a substep's conjugate gradients, in the last elements of `vectors`: so every kernel of the cycle sees,
+// without another binding, whether there is something left to do. The including kernel binds `vectors`. Source:
+// docs/solvers/multigrid.md, equations 13 to 15.
+const kSolveWords = 2u;  // mirror: src/method/multigrid/cycle.hpp
+
+struct Solve {
+  first : f32,   // norm of the residual at the start, squared
+  left : f32,    // the same now
+  enough : f32,  // the same of a solved system
+  rho : f32,     // r·z, of the guess r·p
+  rate : f32,    // how far it goes along p
+  keep : f32,    // the part of the last p in p
+  turn : u32,    // iterations, and one more for the guess
+  done : bool,
+}
+
+// Tested by the exponent's bits, since a compiler may assume that what is not finite does not occur.
+fn is_finite(value : f32) -> bool { return (bitcast<u32>(value) & 0x7f800000u) != 0x7f800000u; }
+
+fn is_solved() -> bool { return vectors[arrayLength(&vectors) - 1u].w != 0.0; }
+fn solve_state() -> Solve {
+  let at = arrayLength(&vectors) - kSolveWords;
+  let a = vectors[at];
+  let b = vectors[at + 1u];
+  return Solve(a.x, a.y, a.z, a.w, b.x, b.y, u32(b.z), b.w != 0.0);
+}
+
+// Where p of the last iteration is, and where that of this one goes.
+fn last_search(state : Solve) -> u32 { return kSearch + (state.turn & 1u); }
+fn this_search(state : Solve) -> u32 { return kSearch + 1u - (state.turn & 1u); }
