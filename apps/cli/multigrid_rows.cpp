@@ -62,6 +62,11 @@ nlohmann::ordered_json json_of(const bench::MultigridRow& row) {
   }
   json["substeps"] = row.run.substeps;
   json["dispatches_per_step"] = row.run.dispatches_per_step;
+  if (row.run.totals.iterations > 0) {
+    json["iterations"] = row.run.totals.iterations;
+    json["residual"] = row.run.totals.residual;
+    json["unsolved"] = row.run.totals.unsolved;
+  }
   json["ms_per_frame"] = json_of(row.run.frame);
   json["ms_per_step"] = json_of(part_of(row.run.frame, row.run.substeps));
   json["real_time_factor"] = row.run.real_time_factor;
