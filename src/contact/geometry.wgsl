@@ -1,4 +1,6 @@
 // Shared by the tests on triangles and boxes.
+#include "gpu/finite.wgsl"
+
 struct Box { low : vec3f, high : vec3f }
 
 // Of a determinant of differences, a sum of six products, in parts of the product of the largest components:
@@ -10,9 +12,4 @@ fn unit(v : vec3f) -> vec3f {
   let size = length(v);
   if (size > 0.0) { return v / size; }
   return vec3f(0.0);
-}
-
-// Found on the bits: a compiler may take NaN and infinity to be absent.
-fn is_finite(v : vec3f) -> bool {
-  return all((bitcast<vec3u>(v) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
 }

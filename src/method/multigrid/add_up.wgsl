@@ -1,5 +1,6 @@
 // Adds up the partial sums over a cloth's nodes, and takes what conjugate gradients decide from the sum. One workgroup,
 // in an order that its size does not change. Source: docs/solvers/multigrid.md, equations 13 to 15.
+#include "gpu/finite.wgsl"
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
 #include "method/multigrid/solve.wgsl"
@@ -37,7 +38,7 @@ fn after(state : Solve, sum : vec2f) -> Solve {
   if (kSum == kNorm) {
     next.left = sum.x;
     if (state.turn == 0u) { next.enough = nodes.residual * min(state.first, kGuessPart * kGuessPart * sum.x); }
-    next.done = sum.x <= next.enough || !is_finite(sum.x);  // finish.wgsl reports it
+    next.done = sum.x <= next.enough || !is_finite(vec3f(sum.x));  // finish.wgsl reports it
     next.turn++;
   }
   if (kSum == kRho) {

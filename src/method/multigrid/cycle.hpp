@@ -16,9 +16,7 @@ namespace multigrid {
 /// Vectors that each level has, one vec4f a node each: src/method/multigrid/cloth.wgsl.
 inline constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFirst = 4, kSecond = 5;
 inline constexpr std::uint32_t kVectors = 6;
-/// Further ones of the finest level, those of conjugate gradients.
-inline constexpr std::uint32_t kSolution = 6, kSearch = 7, kProduct = 9;
-inline constexpr std::uint32_t kFineVectors = 10;
+inline constexpr std::uint32_t kFineVectors = 10;  // of the finest level, with those of conjugate gradients
 /// At the end of the vectors: src/method/multigrid/solve.wgsl.
 inline constexpr std::uint32_t kSolveWords = 2;
 inline constexpr std::uint32_t kChunk = 64;  // nodes of a partial sum: src/method/multigrid/partial_sums.wgsl

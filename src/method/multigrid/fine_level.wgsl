@@ -1,12 +1,6 @@
-// Bindings and sweeps of the smoothing kernels of a grid's finest level.
+// Sweeps of the smoothing kernels of a grid's finest level.
 #include "gpu/index.wgsl"
+#include "method/multigrid/fine_bindings.wgsl"
 #include "method/multigrid/fine_operator.wgsl"
 #include "method/multigrid/operand.wgsl"
 #include "method/multigrid/smoothing.wgsl"
-//                                                                               elements       unit
-@group(0) @binding(0) var<uniform>             step    : StepBlock;
-@group(0) @binding(1) var<uniform>             grid    : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels  : array<GridLevelParams, 2>;
-@group(0) @binding(3) var<storage, read>       place   : array<vec4f>;        // nx * ny        m (w: N/m; 0: fixed)
-@group(0) @binding(4) var<storage, read>       holds   : array<vec4f>;        // method/multigrid/hold.wgsl
-@group(0) @binding(5) var<storage, read_write> vectors : array<vec4f>;        // method/multigrid/cloth.wgsl

@@ -1,5 +1,6 @@
 // The end of a substep: each node's new position and velocity, and what the solution took. One invocation per node.
 // Source: docs/solvers/multigrid.md, equation 9.
+#include "gpu/finite.wgsl"
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
 #include "method/multigrid/hold.wgsl"
@@ -41,7 +42,7 @@ fn finish_free(index : u32, solution : vec3f) {
 fn report() {
   let state = solve_state();
   atomicMax(&statistics[kStatIterations], max(state.turn, 1u) - 1u);
-  let has_norm = is_finite(state.first) && is_finite(state.left);
+  let has_norm = is_finite(vec3f(state.first, state.left, 0.0));
   if (has_norm && state.first > 0.0) {
     atomicMax(&statistics[kStatResidual], bitcast<u32>(sqrt(state.left / state.first)));
   }

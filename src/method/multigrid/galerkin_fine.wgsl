@@ -3,19 +3,13 @@
 // stiffer by twice their stiffness each: exact where both springs that they span have the same stretch. Source:
 // docs/solvers/multigrid.md, equation 10.
 #include "gpu/index.wgsl"
+#include "method/multigrid/fine_bindings.wgsl"
 #include "method/multigrid/grid_store_block.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
 #include "method/multigrid/hold.wgsl"
 #include "method/multigrid/spring.wgsl"
-#include "element/spring/spring_grid.wgsl"
-//                                                                            elements       unit
-@group(0) @binding(0) var<uniform>             step      : StepBlock;
-@group(0) @binding(1) var<uniform>             grid      : SpringGrid;
-@group(0) @binding(2) var<uniform>             levels    : array<GridLevelParams, 2>;
-@group(0) @binding(3) var<storage, read>       place     : array<vec4f>;   // nx * ny        m (w: N/m; 0: fixed)
-@group(0) @binding(4) var<storage, read>       holds     : array<vec4f>;   // method/multigrid/hold.wgsl
-@group(0) @binding(5) var<storage, read_write> vectors   : array<vec4f>;   // method/multigrid/cloth.wgsl
-@group(0) @binding(6) var<storage, read_write> operators : array<vec2f>;   // method/multigrid/grid_block.wgsl
+//                                                                                 elements
+@group(0) @binding(6) var<storage, read_write> operators : array<vec2f>;        // method/multigrid/grid_block.wgsl
 var<private> blocks : array<Symmetric, 5>;
 var<private> rate : f32;  // 1/s
 

@@ -14,9 +14,6 @@ struct Solve {
   done : bool,
 }
 
-// Tested by the exponent's bits, since a compiler may assume that what is not finite does not occur.
-fn is_finite(value : f32) -> bool { return (bitcast<u32>(value) & 0x7f800000u) != 0x7f800000u; }
-
 fn is_solved() -> bool { return vectors[arrayLength(&vectors) - 1u].w != 0.0; }
 fn solve_state() -> Solve {
   let at = arrayLength(&vectors) - kSolveWords;

@@ -14,7 +14,6 @@ struct Solution {
   Field x;
   std::uint32_t iterations = 0;
   double residual = 0;  // its norm over that of the right-hand side
-  bool reached = true;  // the wanted residual
 };
 
 inline double inner_product(const Field& a, const Field& b) {
@@ -58,7 +57,6 @@ Solution solve(const Cycle<Matrix>& hierarchy, Field r, const Field& guess, doub
     ++found.iterations;
   }
   found.residual = first > 0 ? left / first : 0;
-  found.reached = left <= enough;
   return found;
 }
 
