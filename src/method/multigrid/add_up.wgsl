@@ -17,11 +17,17 @@ const kGuessPart = 10.0;  // mirror: src/method/multigrid/solve_limits.hpp
 const kLanes = 256u;
 var<workgroup> lanes : array<vec2f, kLanes>;
 
+fn partial(k : u32, count : u32) -> vec2f { return select(vec2f(0.0), partials[min(k, count - 1u)], k < count); }
+
+// Four at a time, since one workgroup waits for each of its loads.
 fn total(local : u32) -> vec2f {
   let count = arrayLength(&partials);
   for (var lane = local; lane < kLanes; lane += kWorkgroupSize) {
     var sum = vec2f(0.0);
-    for (var k = lane; k < count; k += kLanes) { sum += partials[k]; }
+    for (var k = lane; k < count; k += 4u * kLanes) {
+      sum += (partial(k, count) + partial(k + kLanes, count)) +
+             (partial(k + 2u * kLanes, count) + partial(k + 3u * kLanes, count));
+    }
     lanes[lane] = sum;
   }
   workgroupBarrier();

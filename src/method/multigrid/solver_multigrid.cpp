@@ -9,8 +9,11 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t kAtFirst = 4;      // iterations recorded
-constexpr std::uint32_t kSpare = 2;        // iterations beyond those of the last frames
-constexpr std::uint32_t kFramesSeen = 60;  // before fewer are recorded
+constexpr std::uint32_t kSpare = 1;        // iterations beyond those of the last frames
+constexpr std::uint32_t kFramesSeen = 12;  // before fewer are recorded
+
+/// After a frame that took more.
+std::uint32_t raised(std::uint32_t iterations) { return iterations + std::max(2U, iterations / 2); }
 
 }  // namespace
 
@@ -28,7 +31,8 @@ bool SolverMultigrid::adapt(gpu::Device& device, const Statistics& report) {
   const std::uint32_t before = iterations_;
   most_seen_ = std::max(most_seen_, report.iterations);
   if (report.rolled_back != 0) {
-    if (report.iterations >= iterations_) set_iterations(device, std::min(2 * iterations_, most_iterations_));
+    if (report.iterations >= iterations_)
+      set_iterations(device, std::min(raised(iterations_), most_iterations_));
   } else if (++frames_seen_ >= kFramesSeen) {
     set_iterations(device, std::min(iterations_, most_seen_ + kSpare));
   }
