@@ -1,14 +1,14 @@
 // Broad phase: finds the candidates near each cloth triangle, by boxes grown by thickness and reaches. One invocation
-// per cloth triangle; of small cloths kLanes, each of which begins at another child of a root, since a walk waits for
-// memory at each node and few walks fill no adapter. It walks the cloths' own tree for later triangles, and every
-// collider: once to count and, if it found many, once more to write. The list's order depends on scheduling; no result
-// depends on the order. Source: docs/contact.md.
+// per cloth triangle. The triangles of a workgroup lie side by side, so it walks each tree once for all of them
+// (walk.wgsl), the cloths' own for later triangles and those of colliders, and each invocation asks the triangles that
+// are met. The list's order depends on scheduling; no result depends on the order. Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/tree.wgsl"
 #include "contact/proximity/triangles.wgsl"
 #include "contact/proximity/allocate.wgsl"
+#include "contact/proximity/walk.wgsl"
 // A collider: its kind, then
 const kColliderTree = 0u;       // a rigid mesh: first word of its nodes, first word of its triangles, its number
 const kColliderImplicit = 1u;   // a deforming mesh: first word of its tree, first of its `triangles`, their number
@@ -27,13 +27,6 @@ struct Colliders { list : array<vec4u, kMostColliders> }
 @group(0) @binding(6) var<storage, read_write> candidates : array<vec2u>; // candidate_capacity
 @group(0) @binding(7) var<storage, read_write> statistics : array<atomic<u32>>;
 
-override kLanes : u32 = 1;  // or kTreeArity; the trees of rigid meshes have four children a node
-const kMostKept = 32u;
-var<private> lane : u32;
-var<private> found : u32;
-var<private> kept : array<vec2u, kMostKept>;  // the first of them
-var<private> next : u32;  // where to write, once `writing`
-var<private> writing : bool;
 var<private> own : u32;
 var<private> corners : vec3u;
 var<private> a : vec3f;  // the corners' places, m
@@ -47,27 +40,18 @@ var<private> own_reach : f32;  // its slack, and how far its corners go along th
 var<private> own_slack : f32;
 var<workgroup> due : u32;
 
-fn emit(kind : u32, place : u32) {
-  if (writing) {
-    candidates[next] = vec2u(own | (kind << kKindShift), place);
-    next++;
-  } else {
-    if (found < kMostKept) { kept[found] = vec2u(own | (kind << kKindShift), place); }
-    found++;
-  }
+// The corners that another triangle has too, as bits.
+fn shares(other : vec3u) -> u32 {
+  return select(0u, 1u, any(other == corners.xxx)) | select(0u, 2u, any(other == corners.yyy)) |
+         select(0u, 4u, any(other == corners.zzz));
 }
 
-// Whether two triangles that share an edge have no features, other than shared ones, within the thickness and all that
-// both may go. Laid flat on either side of their edge they have none nearer than their shortest altitude a; bent, with
-// c the cosine between their faces, 1 where they lie flat, none nearer than a sqrt((1 + c) / 2).
-fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f, way : f32) -> bool {
-  let same_a = vec3<bool>(corners.x == other.x || corners.x == other.y || corners.x == other.z,
-                          corners.y == other.x || corners.y == other.y || corners.y == other.z,
-                          corners.z == other.x || corners.z == other.y || corners.z == other.z);
-  let shared_count = select(0u, 1u, same_a.x) + select(0u, 1u, same_a.y) + select(0u, 1u, same_a.z);
-  if (shared_count != 2u) { return false; }
-  let first = select(b, a, same_a.x);
-  let along = select(b, c, same_a.z) - first;
+// Whether two triangles that share two corners have no features, other than shared ones, within the thickness and all
+// that both may go. Laid flat on either side of their edge they have none nearer than their shortest altitude a; bent,
+// with c the cosine between their faces, 1 where they lie flat, none nearer than a sqrt((1 + c) / 2).
+fn lie_flat(shared_corners : u32, d : vec3f, e : vec3f, f : vec3f, way : f32) -> bool {
+  let first = select(b, a, (shared_corners & 1u) != 0u);
+  let along = select(b, c, (shared_corners & 4u) != 0u) - first;
   let u = (a - first) + (b - first) + (c - first) - along;  // to the corner that is not shared
   let v = (d - first) + (e - first) + (f - first) - along;
   let area = cross(u, along);
@@ -83,79 +67,121 @@ fn lie_flat(other : vec3u, d : vec3f, e : vec3f, f : vec3f, way : f32) -> bool {
          shortened * dot(other_area, other_area) > least * other_longest;
 }
 
-// Which children of a node overlap the box, as bits; none whose triangles all come before `after`.
-fn child_hits(tree : u32, level : u32, node : u32, box : Box, after : u32) -> u32 {
-  let place = trees[tree + level];  // of the level below
+// The box of a triangle of a tree; an empty one where it is not finite.
+fn box_in(tree : Tree, place : u32) -> Box {
+  if (tree.kind == kNearRigid) {
+    return box_of(bitcast<vec3f>(trees[place].xyz), bitcast<vec3f>(trees[place + 1u].xyz),
+                  bitcast<vec3f>(trees[place + 2u].xyz));
+  }
+  let corner = triangles[place];
+  if (tree.kind == kNearDeforming) {
+    let d = points[corner.x].xyz;
+    let e = points[corner.y].xyz;
+    let f = points[corner.z].xyz;
+    return finite_box(d, e, f, box_of(d, e, f));
+  }
+  let d = predicted[params.vertex_count + corner.x];
+  let e = predicted[params.vertex_count + corner.y];
+  let f = predicted[params.vertex_count + corner.z];
+  let box = swept_box(d.xyz, e.xyz, f.xyz, predicted[2u * params.vertex_count + corner.x].xyz,
+                      predicted[2u * params.vertex_count + corner.y].xyz,
+                      predicted[2u * params.vertex_count + corner.z].xyz);
+  return finite_box(d.xyz, e.xyz, f.xyz, grown(box, largest_reach(d, e, f)));
+}
+fn finite_box(d : vec3f, e : vec3f, f : vec3f, box : Box) -> Box {
+  if (is_finite(d) && is_finite(e) && is_finite(f)) { return box; }
+  return empty_box();
+}
+
+// Whether a triangle of the cloths whose box overlaps is a candidate.
+fn meets_cloth(place : u32) -> bool {
+  if (place <= own) { return false; }
+  let other = triangles[place].xyz;
+  let shared_corners = shares(other);
+  if (countOneBits(shared_corners) != 2u) { return true; }
+  let d = predicted[params.vertex_count + other.x];
+  let e = predicted[params.vertex_count + other.y];
+  let f = predicted[params.vertex_count + other.z];
+  let way = max(max(length(predicted[2u * params.vertex_count + other.x].xyz),
+                    length(predicted[2u * params.vertex_count + other.y].xyz)),
+                length(predicted[2u * params.vertex_count + other.z].xyz));
+  return !lie_flat(shared_corners, d.xyz, e.xyz, f.xyz, own_reach + largest_reach(d, e, f) + way);
+}
+
+// Room for what this invocation has found, in all together.
+fn allocate_candidates(thread : u32, found : u32) -> u32 {
+  let next = allocate(thread, found, kStatCandidates);
+  if (found > 0u && next + found > params.candidate_capacity) {
+    atomicStore(&statistics[kStatRolledBack], 1u);
+    return params.candidate_capacity;
+  }
+  return next;
+}
+
+// Which of 32 boxes that the workgroup holds overlap, as bits; four at a time, since each waits for workgroup memory.
+fn held_hits(first : u32, end : u32, box : Box) -> u32 {
+  if (first >= end) { return 0u; }
   var hits = 0u;
-  for (var k = 0u; k < kTreeArity; k++) {
-    let child = kTreeArity * node + k;
-    let word = place.x + 2u * min(child, place.y - 1u);
-    let low = bitcast<vec3f>(trees[word].xyz);
-    let high = bitcast<vec3f>(trees[word + 1u].xyz);
-    let last = kLeafTriangles * ((child + 1u) << (3u * (level - 1u)));
-    hits |= select(0u, 1u << k, child < place.y && last > after && overlap(box, Box(low, high)));
+  for (var k = 0u; k < 32u; k += 4u) {
+    hits |= (held_hit(first + k, box) | (held_hit(first + k + 1u, box) << 1u) |
+             (held_hit(first + k + 2u, box) << 2u) | (held_hit(first + k + 3u, box) << 3u)) << k;
+  }
+  return select(hits, hits & ((1u << (end - first)) - 1u), end - first < 32u);
+}
+fn held_hit(k : u32, box : Box) -> u32 { return select(0u, 1u, overlap(box, Box(lows[k], highs[k]))); }
+
+// Of hits from this place of `met` on, those that are candidates.
+fn candidates_of(tree : Tree, first : u32, overlapping : u32) -> u32 {
+  if (tree.kind != kNearCloth) { return overlapping; }
+  var hits = 0u;
+  for (var left = overlapping; left != 0u; left &= left - 1u) {
+    let hit = firstTrailingBit(left);
+    hits |= select(0u, 1u << hit, meets_cloth(met[first + hit]));
   }
   return hits;
 }
-
-// Tests the triangles of a leaf.
-fn meet_leaf(first : u32, begin : u32, end : u32, deforming : bool, box : Box) {
-  for (var t = begin; t < end; t++) {
-    let other = triangles[first + t];
-    if (deforming) {
-      let d = points[other.x].xyz;
-      let e = points[other.y].xyz;
-      let f = points[other.z].xyz;
-      let finite = is_finite(d) && is_finite(e) && is_finite(f);
-      if (overlap(box, box_of(d, e, f)) && finite) { emit(kNearDeforming, first + t); }
-      continue;
-    }
-    let d = predicted[params.vertex_count + other.x];
-    let e = predicted[params.vertex_count + other.y];
-    let f = predicted[params.vertex_count + other.z];
-    let slack = largest_reach(d, e, f);
-    let ahead_d = predicted[2u * params.vertex_count + other.x].xyz;
-    let ahead_e = predicted[2u * params.vertex_count + other.y].xyz;
-    let ahead_f = predicted[2u * params.vertex_count + other.z].xyz;
-    if (!overlap(box, grown(swept_box(d.xyz, e.xyz, f.xyz, ahead_d, ahead_e, ahead_f), slack))) { continue; }
-    if (!(is_finite(d.xyz) && is_finite(e.xyz) && is_finite(f.xyz))) { continue; }
-    let reach = slack + max(max(length(ahead_d), length(ahead_e)), length(ahead_f));
-    if (!lie_flat(other.xyz, d.xyz, e.xyz, f.xyz, own_reach + reach)) { emit(kNearCloth, t); }
+fn list_candidates(tree : Tree, first : u32, listed : u32, place : u32) {
+  var next = place;
+  for (var hits = listed; hits != 0u && next < params.candidate_capacity; hits &= hits - 1u) {
+    candidates[next] = vec2u(own | (tree.kind << kKindShift), met[first + firstTrailingBit(hits)]);
+    next++;
   }
 }
 
-// Traverses an implicit tree. The open siblings of each level are stored as eight bits: of the lower four levels in one
-// word, of the upper four in another.
-fn walk_implicit(tree : u32, first : u32, count : u32, deforming : bool, after : u32, box : Box) {
-  let top = trees[tree].x;
-  var waiting = vec2u(0u);
-  var level = top;
-  var node = 0u;
-  var hits = child_hits(tree, level, node, box, after) & select(255u, 1u << lane, kLanes > 1u);
-  loop {
-    if (hits == 0u) {
-      if (level == top) { break; }
-      level++;
-      node = node >> 3u;
-      let shift = 8u * (level & 3u);
-      hits = (select(waiting.x, waiting.y, level > 3u) >> shift) & 255u;
-      continue;
+// Lists the candidates among the triangles that a walk has met. All invocations of a workgroup, of kWalkers, call it:
+// each reads one triangle, whose box all then ask.
+fn meet_triangles(tree : Tree, held : u32, box : Box, thread : u32) {
+  for (var first = 0u; first < held; first += kWalkers) {
+    let end = min(kWalkers, held - first);
+    if (thread < end) {
+      let other = box_in(tree, met[first + thread]);
+      lows[thread] = other.low;
+      highs[thread] = other.high;
     }
-    let child = kTreeArity * node + firstTrailingBit(hits);
-    hits &= hits - 1u;
-    if (level == 1u) {
-      let begin = kLeafTriangles * child;
-      meet_leaf(first, max(begin, after), min(begin + kLeafTriangles, count), deforming, box);
-    } else {
-      let shift = 8u * (level & 3u);
-      if (level > 3u) {
-        waiting.y = (waiting.y & ~(255u << shift)) | (hits << shift);
-      } else {
-        waiting.x = (waiting.x & ~(255u << shift)) | (hits << shift);
+    workgroupBarrier();
+    let near = candidates_of(tree, first, held_hits(0u, end, box));
+    let far = candidates_of(tree, first + 32u, held_hits(32u, end, box));
+    let next = allocate_candidates(thread, countOneBits(near) + countOneBits(far));
+    list_candidates(tree, first, near, next);
+    list_candidates(tree, first + 32u, far, next + countOneBits(near));
+  }
+}
+
+// Walks a tree with the boxes of all triangles of the workgroup.
+fn meet_tree(tree : Tree, box : Box, thread : u32) {
+  let whole = united_boxes(box, thread);
+  begin_walk(tree, thread);
+  loop {
+    let sizes = workgroupUniformLoad(&walk_sizes);
+    if (sizes.x == 0u && sizes.y == 0u) { break; }
+    if (sizes.x == 0u || sizes.y > kMetRoom - kMostOfLeaf * kWalkers) {
+      meet_triangles(tree, sizes.y, box, thread);
+      if (thread == 0u) {
+        walk_sizes = vec2u(sizes.x, 0u);
+        atomicStore(&met_count, 0u);
       }
-      level--;
-      node = child;
-      hits = child_hits(tree, level, node, box, after);
+    } else {
+      walk_on(tree, whole, sizes.x, thread);
     }
   }
 }
@@ -170,106 +196,97 @@ fn local(collider : u32, p : vec3f) -> vec3f {
   return d.x * rx.xyz + d.y * ry.xyz + d.z * rz.xyz;
 }
 
-// Walks the tree of a rigid mesh (src/contact/object_tree.hpp) in the mesh's own space.
-const kStackSize = 32u;
-fn walk_rigid(collider : vec4u, radius : f32) {
-  let m = collider.w;
-  let box = grown(united(box_of(local(m, a), local(m, b), local(m, c)),
-                         box_of(local(m, a + ahead_a), local(m, b + ahead_b), local(m, c + ahead_c))), radius);
-  var stack : array<u32, kStackSize>;
-  var size = 1u;
-  var at_root = true;
-  while (size > 0u) {
-    size--;
-    let node = collider.y + 8u * stack[size];
-    let child = trees[node + 6u];
-    let hit = (vec4f(box.low.x) <= bitcast<vec4f>(trees[node + 3u])) &
-              (bitcast<vec4f>(trees[node]) <= vec4f(box.high.x)) &
-              (vec4f(box.low.y) <= bitcast<vec4f>(trees[node + 4u])) &
-              (bitcast<vec4f>(trees[node + 1u]) <= vec4f(box.high.y)) &
-              (vec4f(box.low.z) <= bitcast<vec4f>(trees[node + 5u])) &
-              (bitcast<vec4f>(trees[node + 2u]) <= vec4f(box.high.z));
-    for (var k = 0u; k < 4u; k++) {
-      if (!hit[k] || (kLanes > 1u && at_root && k != lane)) { continue; }
-      let count = child[k] % 8u;
-      let index = child[k] / 8u;
-      if (count == 0u) {
-        if (index > 0u && size < kStackSize) { stack[size] = index; size++; }
-        continue;
-      }
-      for (var t = index; t < index + count; t++) {
-        let word = collider.z + 3u * t;
-        let other = box_of(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz),
-                           bitcast<vec3f>(trees[word + 2u].xyz));
-        if (overlap(box, other)) { emit(kNearRigid, word); }
-      }
-    }
-    at_root = false;
-  }
+// The box of the triangle in the space of a rigid mesh.
+fn local_box(collider : u32) -> Box {
+  return united(box_of(local(collider, a), local(collider, b), local(collider, c)),
+                box_of(local(collider, a + ahead_a), local(collider, b + ahead_b), local(collider, c + ahead_c)));
 }
 
-fn meet_all(scripted_reach : f32) {
-  let radius = params.thickness + own_slack + scripted_reach;
+// The candidate kind of a collider without triangles, as far as it is near; 0 where it is not.
+fn shape_near(collider : vec4u, radius : f32) -> u32 {
   let wide = grown(own_box, radius);
-  if (params.self_contact == 1u) {
-    walk_implicit(0u, 0u, params.triangle_count, false, own + 1u, grown(own_box, params.self_thickness + own_slack));
+  if (collider.x == kColliderSphere) {
+    let ball = points[collider.y];
+    return select(0u, kNearSphere, overlap(grown(Box(ball.xyz, ball.xyz), ball.w), wide));
   }
-  for (var k = 0u; k < params.collider_count; k++) {
-    let collider = colliders.list[k];
-    if (collider.x == kColliderTree) { walk_rigid(collider, radius); }
-    if (collider.x == kColliderImplicit) { walk_implicit(collider.y, collider.z, collider.w, true, 0u, wide); }
-    if (k % kLanes != lane) { continue; }  // shapes have no tree
-    if (collider.x == kColliderSphere) {
-      let ball = points[collider.y];
-      if (overlap(grown(Box(ball.xyz, ball.xyz), ball.w), wide)) { emit(kNearSphere, collider.y); }
+  if (collider.x == kColliderCapsule) {
+    let start = points[collider.y];
+    let far = points[collider.y + 2u];
+    let bounds = grown(Box(min(start.xyz, far.xyz), max(start.xyz, far.xyz)), start.w);
+    return select(0u, kNearCapsule, overlap(bounds, wide));
+  }
+  if (collider.x == kColliderPlane) {
+    let q = points[collider.y].xyz;
+    let n = points[collider.y + 1u].xyz;
+    let lowest = select(own_box.high, own_box.low, n > vec3f(0.0));
+    return select(0u, kNearPlane, dot(lowest - q, n) < radius);
+  }
+  return 0u;
+}
+
+fn meet_shapes(radius : f32, works : bool, thread : u32) {
+  for (var first = 0u; first < params.collider_count; first += 32u) {
+    var hits = 0u;
+    for (var k = 0u; works && k < min(32u, params.collider_count - first); k++) {
+      hits |= select(0u, 1u << k, shape_near(colliders.list[first + k], radius) != 0u);
     }
-    if (collider.x == kColliderCapsule) {
-      let start = points[collider.y];
-      let far = points[collider.y + 2u];
-      let bounds = grown(Box(min(start.xyz, far.xyz), max(start.xyz, far.xyz)), start.w);
-      if (overlap(bounds, wide)) { emit(kNearCapsule, collider.y); }
-    }
-    if (collider.x == kColliderPlane) {
-      let q = points[collider.y].xyz;
-      let n = points[collider.y + 1u].xyz;
-      let lowest = select(own_box.high, own_box.low, n > vec3f(0.0));
-      if (dot(lowest - q, n) < radius) { emit(kNearPlane, collider.y); }
+    var next = allocate_candidates(thread, countOneBits(hits));
+    while (hits != 0u && next < params.candidate_capacity) {
+      let collider = colliders.list[first + firstTrailingBit(hits)];
+      hits &= hits - 1u;
+      candidates[next] = vec2u(own | (shape_near(collider, radius) << kKindShift), collider.y);
+      next++;
     }
   }
 }
 
-@compute @workgroup_size(kWorkgroupSize)
-fn find_candidates(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) thread : u32) {
+fn read_own() {
+  corners = triangles[own].xyz;
+  let place_a = predicted[params.vertex_count + corners.x];
+  let place_b = predicted[params.vertex_count + corners.y];
+  let place_c = predicted[params.vertex_count + corners.z];
+  a = place_a.xyz;
+  b = place_b.xyz;
+  c = place_c.xyz;
+  ahead_a = predicted[2u * params.vertex_count + corners.x].xyz;
+  ahead_b = predicted[2u * params.vertex_count + corners.y].xyz;
+  ahead_c = predicted[2u * params.vertex_count + corners.z].xyz;
+  own_box = swept_box(a, b, c, ahead_a, ahead_b, ahead_c);
+  own_slack = largest_reach(place_a, place_b, place_c);
+  own_reach = own_slack + max(max(length(ahead_a), length(ahead_b)), length(ahead_c));
+}
+
+fn if_works(works : bool, box : Box) -> Box {
+  if (works) { return box; }
+  return empty_box();
+}
+
+@compute @workgroup_size(kWalkers)
+fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) { due = atomicLoad(&statistics[kStatDue]); }
   if (workgroupUniformLoad(&due) == 0u) { return; }
-  own = flat_index(id) / kLanes;
-  lane = flat_index(id) % kLanes;
-  let scripted_reach = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
+  let first = kWalkers * flat_group(group);
+  own = first + thread;
   var works = own < params.triangle_count;
   if (works) {
-    corners = triangles[own].xyz;
-    let place_a = predicted[params.vertex_count + corners.x];
-    let place_b = predicted[params.vertex_count + corners.y];
-    let place_c = predicted[params.vertex_count + corners.z];
-    a = place_a.xyz;
-    b = place_b.xyz;
-    c = place_c.xyz;
-    ahead_a = predicted[2u * params.vertex_count + corners.x].xyz;
-    ahead_b = predicted[2u * params.vertex_count + corners.y].xyz;
-    ahead_c = predicted[2u * params.vertex_count + corners.z].xyz;
-    own_box = swept_box(a, b, c, ahead_a, ahead_b, ahead_c);
-    own_slack = largest_reach(place_a, place_b, place_c);
-    own_reach = own_slack + max(max(length(ahead_a), length(ahead_b)), length(ahead_c));
+    read_own();
     works = is_finite(a) && is_finite(b) && is_finite(c);
   }
-  if (works) { meet_all(scripted_reach); }
-  next = allocate(thread, found, kStatCandidates);
-  if (found > 0u && next + found > params.candidate_capacity) { atomicStore(&statistics[kStatRolledBack], 1u); }
-  if (next + found > params.candidate_capacity) { return; }
-  if (found > kMostKept) {
-    writing = true;
-    meet_all(scripted_reach);
-  } else {
-    for (var k = 0u; k < found; k++) { candidates[next + k] = kept[k]; }
+  if (params.self_contact == 1u) {
+    let tree = Tree(kNearCloth, 0u, 0u, params.triangle_count, first + 1u);
+    meet_tree(tree, if_works(works, grown(own_box, params.self_thickness + own_slack)), thread);
   }
+  let radius = params.thickness + own_slack + bitcast<f32>(atomicLoad(&statistics[kStatReach]));
+  for (var k = 0u; k < params.collider_count; k++) {
+    let collider = colliders.list[k];
+    if (collider.x == kColliderTree) {
+      let box = if_works(works, grown(local_box(collider.w), radius));
+      meet_tree(Tree(kNearRigid, collider.y, collider.z, 0u, 0u), box, thread);
+    }
+    if (collider.x == kColliderImplicit) {
+      let tree = Tree(kNearDeforming, collider.y, collider.z, collider.w, 0u);
+      meet_tree(tree, if_works(works, grown(own_box, radius)), thread);
+    }
+  }
+  meet_shapes(radius, works, thread);
 }

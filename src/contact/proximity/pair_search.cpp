@@ -11,9 +11,9 @@
 namespace weft::contact {
 namespace {
 
-/// The invocations of find_candidates a triangle. On an H100 eight took 1.3 times as long as one at 130,000 triangles.
-constexpr std::uint32_t kManyTriangles = 20000;
-std::uint32_t lanes_of(std::uint32_t triangles) { return triangles < kManyTriangles ? kTreeArity : 1; }
+/// Of find_candidates: the triangles that walk a tree together. The more there are, the more of what they meet each of
+/// them asks in vain.
+constexpr std::uint32_t kWalkers = 64;
 
 /// Friction is stored beside the bits of the owned features, in 24 bits as a multiple of 2^-17: up to 128, to
 /// 4e-6.
@@ -122,16 +122,16 @@ Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state,
   struct Wanted {
     gpu::Kernel& kernel;
     const char* path;
+    std::uint32_t workgroup_size;
     std::vector<gpu::Constant> constants = {};
   };
+  const std::uint32_t size = setup_.workgroup_size;
   const double interval = static_cast<double>(setup_.interval);
   for (const Wanted& wanted :
-       {Wanted{detect_begin_, "contact/proximity/detect_begin.wgsl", {{"kDetectInterval", interval}}},
-        {find_candidates_,
-         "contact/proximity/find_candidates.wgsl",
-         {{"kLanes", static_cast<double>(lanes_of(triangle_count_))}}},
-        {find_pairs_, "contact/proximity/find_pairs.wgsl"}}) {
-    WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup_.workgroup_size));
+       {Wanted{detect_begin_, "contact/proximity/detect_begin.wgsl", size, {{"kDetectInterval", interval}}},
+        {find_candidates_, "contact/proximity/find_candidates.wgsl", kWalkers},
+        {find_pairs_, "contact/proximity/find_pairs.wgsl", size}}) {
+    WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, wanted.workgroup_size));
     wanted.kernel = std::move(kernel);
   }
   WEFT_TRY(kept, KeptForces::create(device, setup_.workgroup_size));
@@ -176,7 +176,7 @@ void PairSearch::record(gpu::ComputePass& pass) const {
   detect_begin_.dispatch(pass, begin_groups_[pass.parity()], vertex_count_);
   kept_.record_search(pass);
   refit_.record(pass);
-  find_candidates_.dispatch(pass, candidate_group_, std::size_t{lanes_of(triangle_count_)} * triangle_count_);
+  find_candidates_.dispatch(pass, candidate_group_, triangle_count_);
   find_pairs_.dispatch_strided(pass, find_group_, room_.candidates);
 }
 

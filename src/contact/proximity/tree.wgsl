@@ -11,7 +11,7 @@ const kTreeArity = 8u;
 
 fn box_of(a : vec3f, b : vec3f, c : vec3f) -> Box { return Box(min(min(a, b), c), max(max(a, b), c)); }
 fn grown(box : Box, r : f32) -> Box { return Box(box.low - vec3f(r), box.high + vec3f(r)); }
-fn overlap(a : Box, b : Box) -> bool { return all(a.low <= b.high) && all(b.low <= a.high); }
+fn overlap(a : Box, b : Box) -> bool { return all((a.low <= b.high) & (b.low <= a.high)); }
 fn united(a : Box, b : Box) -> Box { return Box(min(a.low, b.low), max(a.high, b.high)); }
 // Overlaps nothing, and leaves every box that it is united with as it is.
 fn empty_box() -> Box { return Box(vec3f(3e38), vec3f(-3e38)); }

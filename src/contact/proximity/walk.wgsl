@@ -1,0 +1,115 @@
+// A walk through a tree by all invocations of a workgroup at once, each of which tests a child of a node: with the box
+// of all their triangles, since those lie side by side and meet nearly the same nodes. The triangles of the leaves that
+// it meets wait in `met`. The including kernel binds `trees`.
+#include "contact/proximity/tree.wgsl"
+#include "contact/proximity/triangles.wgsl"
+struct Tree {
+  kind : u32,   // of its triangles, as candidates have it
+  tree : u32,   // its first word of `trees`; of a rigid mesh: of its nodes (src/contact/object_tree.hpp)
+  first : u32,  // of `triangles`, its first one; of a rigid mesh: of `trees`, the first word of its triangles
+  count : u32,  // its triangles; not of a rigid mesh
+  after : u32,  // only triangles from this one on
+}
+const kWalkers = 64u;  // invocations of a workgroup; mirror: src/contact/proximity/pair_search.cpp
+const kRigidArity = 4u;
+const kRigidNode = 8u;  // words
+const kMostOfLeaf = 7u;
+
+const kStackRoom = 512u;
+const kMetRoom = 1024u;
+const kStackSize = 32u;  // what a walk needs that takes one node at a time: src/contact/object_tree.hpp
+const kLevelShift = 28u;
+var<workgroup> lows : array<vec3f, kWalkers>;
+var<workgroup> highs : array<vec3f, kWalkers>;
+var<workgroup> stack : array<u32, kStackRoom>;  // nodes: of implicit trees with their level in the upper four bits
+var<workgroup> met : array<u32, kMetRoom>;      // places of triangles, as candidates have them
+var<workgroup> met_count : atomic<u32>;
+var<workgroup> inner_bits : array<atomic<u32>, kWalkers>;  // of each node taken: its inner children that are met
+var<workgroup> walk_sizes : vec2u;              // nodes in the stack; places in `met`
+
+fn united_boxes(box : Box, thread : u32) -> Box {
+  lows[thread] = box.low;
+  highs[thread] = box.high;
+  for (var half = kWalkers / 2u; half > 0u; half /= 2u) {
+    workgroupBarrier();
+    if (thread < half) {
+      lows[thread] = min(lows[thread], lows[thread + half]);
+      highs[thread] = max(highs[thread], highs[thread + half]);
+    }
+  }
+  workgroupBarrier();
+  return Box(lows[0], highs[0]);
+}
+
+fn begin_walk(tree : Tree, thread : u32) {
+  if (thread == 0u) {
+    stack[0] = 0u;  // the root
+    if (tree.kind != kNearRigid) { stack[0] = trees[tree.tree].x << kLevelShift; }
+    walk_sizes = vec2u(1u, 0u);
+    atomicStore(&met_count, 0u);
+  }
+  atomicStore(&inner_bits[thread], 0u);
+}
+
+// What a walk goes on with at a child that meets the box: a node, or the triangles of a leaf.
+struct Child { node : u32, first : u32, count : u32, inner : bool }
+
+fn rigid_child(tree : Tree, node : u32, k : u32, box : Box) -> Child {
+  let word = tree.tree + kRigidNode * node;
+  let low = bitcast<vec3f>(vec3u(trees[word][k], trees[word + 1u][k], trees[word + 2u][k]));
+  let high = bitcast<vec3f>(vec3u(trees[word + 3u][k], trees[word + 4u][k], trees[word + 5u][k]));
+  let child = trees[word + 6u][k];
+  if (child == 0u || !overlap(box, Box(low, high))) { return Child(0u, 0u, 0u, false); }
+  return Child(child / 8u, tree.first + 3u * (child / 8u), child % 8u, child % 8u == 0u);
+}
+
+fn implicit_child(tree : Tree, entry : u32, k : u32, box : Box) -> Child {
+  let level = (entry >> kLevelShift) - 1u;  // the child's
+  let node = kTreeArity * (entry & ((1u << kLevelShift) - 1u)) + k;
+  let place = trees[tree.tree + 1u + level];
+  let end = kLeafTriangles * ((node + 1u) << (3u * level));
+  if (node >= place.y || end <= tree.after) { return Child(0u, 0u, 0u, false); }
+  let word = place.x + 2u * node;
+  if (!overlap(box, Box(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz)))) {
+    return Child(0u, 0u, 0u, false);
+  }
+  let first = max(kLeafTriangles * node, tree.after);
+  return Child((level << kLevelShift) | node, tree.first + first, select(min(end, tree.count) - first, 0u, level > 0u),
+               level > 0u);
+}
+
+// Takes some nodes from the stack, puts there those of their children that meet the box, and to `met` the triangles of
+// leaves. All invocations of a workgroup call it. Near the end of the stack it takes one node at a time, whose children
+// come in their order: the room left is enough for that.
+fn walk_on(tree : Tree, box : Box, waiting : u32, thread : u32) {
+  let arity = select(kTreeArity, kRigidArity, tree.kind == kNearRigid);
+  var taken = min(waiting, kWalkers / arity);
+  if (waiting + kWalkers + kStackSize > kStackRoom) { taken = 1u; }
+  let slot = thread / arity;
+  let k = thread % arity;
+  var child = Child(0u, 0u, 0u, false);
+  if (slot < taken) {
+    let entry = stack[waiting - 1u - slot];
+    if (tree.kind == kNearRigid) {
+      child = rigid_child(tree, entry, k, box);
+    } else {
+      child = implicit_child(tree, entry, k, box);
+    }
+  }
+  if (child.count > 0u) {
+    let place = atomicAdd(&met_count, child.count);
+    let step = select(1u, 3u, tree.kind == kNearRigid);
+    for (var t = 0u; t < child.count; t++) { met[place + t] = child.first + step * t; }
+  }
+  if (child.inner) { atomicOr(&inner_bits[slot], 1u << k); }
+  workgroupBarrier();
+  var before = 0u;  // inner children of the nodes before this one
+  for (var s = 0u; s < min(slot, taken - 1u); s++) { before += countOneBits(atomicLoad(&inner_bits[s])); }
+  let inner = atomicLoad(&inner_bits[min(slot, taken - 1u)]);
+  if (child.inner) { stack[waiting - taken + before + countOneBits(inner & ((1u << k) - 1u))] = child.node; }
+  workgroupBarrier();
+  if (thread == arity * (taken - 1u)) {
+    walk_sizes = vec2u(waiting - taken + before + countOneBits(inner), atomicLoad(&met_count));
+  }
+  atomicStore(&inner_bits[thread], 0u);
+}
