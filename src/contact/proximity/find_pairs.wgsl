@@ -158,7 +158,24 @@ fn crossing_edges(a : Face, b : Face) -> u32 {
 }
 fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool {
   if (owned == 0u || any(b.ids == pq.xxx) || any(b.ids == pq.yyy)) { return false; }
-  return crosses(p, q, b.a, b.b, b.c);
+  return crosses(p, q, b.a, b.b, b.c) && !touch_at_rest(pq, b.ids);
+}
+
+// Whether an edge and a triangle of one cloth touch at rest: such do not meet, and are not untangled.
+fn touch_at_rest(pq : vec2u, ids : vec3u) -> bool {
+  if (((pq.x | ids.x) & kColliderPoint) != 0u) { return false; }
+  let first = rest_of(pq.x);
+  let corner = rest_of(ids.x);
+  if (first.w != corner.w) { return false; }
+  let p = bitcast<vec3f>(first.xyz);
+  let q = bitcast<vec3f>(rest_of(pq.y).xyz);
+  let a = bitcast<vec3f>(corner.xyz);
+  let b = bitcast<vec3f>(rest_of(ids.y).xyz);
+  let c = bitcast<vec3f>(rest_of(ids.z).xyz);
+  let least = min(min(length(closest_on_triangle(p, a, b, c).apart), length(closest_on_triangle(q, a, b, c).apart)),
+                  min(min(length(closest_on_edges(p, q, a, b).apart), length(closest_on_edges(p, q, b, c).apart)),
+                      length(closest_on_edges(p, q, c, a).apart)));
+  return least <= kTouchingAtRest * params.self_thickness;
 }
 
 // Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's

@@ -44,6 +44,9 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
   for (std::size_t c = 0; c < model.bodies.size(); ++c)
     body_.insert(body_.end(), model.bodies[c].vertex_count, static_cast<std::uint32_t>(c));
+  cloth_facts_.rest = model.rest_position;
+  cloth_facts_.bodies = body_;
+  cloth_facts_.touching = kTouchingAtRest * self_thickness_;
   for (std::size_t c = 0; c < model.bodies.size(); ++c)
     friction_.insert(friction_.end(), model.bodies[c].vertex_count, scene.cloths[c].friction);
 }

@@ -73,6 +73,18 @@ CrossingFace crossing_face(const TangledSurfaces& of, const mesh::Triangle& t) {
   return face;
 }
 
+/// Whether an edge and a triangle of one cloth touch at rest: such do not meet, and are not untangled.
+bool touch_at_rest(const SurfaceFacts& facts, std::uint32_t p, std::uint32_t q, const mesh::Triangle& t) {
+  if (facts.bodies[p] != facts.bodies[t[0]]) return false;
+  const Vec3d &from = facts.rest[p], &to = facts.rest[q];
+  const std::array<Vec3d, 3> at{facts.rest[t[0]], facts.rest[t[1]], facts.rest[t[2]]};
+  double least = std::min(closest_on_triangle(from, at[0], at[1], at[2]).distance,
+                          closest_on_triangle(to, at[0], at[1], at[2]).distance);
+  for (std::size_t k = 0; k < 3; ++k)
+    least = std::min(least, closest_segments(from, to, at[k], at[(k + 1) % 3]).distance);
+  return least <= facts.touching;
+}
+
 /// Finds the edges of one list of triangles that pass through another's, each by its first triangle.
 class CrossingFinder {
  public:
@@ -118,6 +130,7 @@ class CrossingFinder {
     const CrossingFace crossed = crossing_face(faces_, other);
     const Vec3d &from = edges_.features.positions[p], &to = edges_.features.positions[q];
     if (!segment_crosses(from, to, crossed.corners[0], crossed.corners[1], crossed.corners[2])) return;
+    if (one_ && touch_at_rest(edges_.facts, p, q, other)) return;
     ++found_.crossings;
     const bool cloth_edge = edges_.facts.kinds[p] == SurfaceKind::Cloth,
                cloth_face = crossed.kind == SurfaceKind::Cloth;

@@ -35,6 +35,9 @@ struct SurfaceFacts {
   std::vector<double> rims;               // of each position [m]
   std::vector<SurfaceKind> kinds;         // of each position
   std::vector<mesh::Triangle> opposites;  // of each triangle, of cloth
+  std::vector<Vec3d> rest;                // of cloth, each position at rest [m]
+  std::vector<std::uint32_t> bodies;      // of cloth, whose each position is
+  double touching = 0;                    // features of one cloth no further apart at rest do not meet [m]
 };
 struct TangledSurfaces {
   const Features& features;
