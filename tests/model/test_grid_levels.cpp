@@ -60,10 +60,10 @@ TEST_CASE("auto takes multigrid for large grids, and never for meshes") {
     return choose_method(*scene, *model);
   };
   using Kind = scene::SolverKind;
-  CHECK(choice("auto", R"("grid": [316, 316], "size": [1, 1])").method->kind == Kind::MassSpring);  // 99,856
-  const MethodChoice large = choice("auto", R"("grid": [317, 316], "size": [1, 1])");               // 100,172
+  CHECK(choice("auto", R"("grid": [707, 707], "size": [1, 1])").method->kind == Kind::MassSpring);  // 499,849
+  const MethodChoice large = choice("auto", R"("grid": [708, 707], "size": [1, 1])");               // 500,556
   CHECK(large.method->kind == Kind::Multigrid);
-  CHECK(large.reason == "100172 nodes are not fewer than the 100000, from which on multigrid is cheaper");
+  CHECK(large.reason == "500556 nodes are not fewer than the 500000, from which on multigrid is cheaper");
   CHECK(choice("auto", R"("mesh": "a.obj")").method->kind == Kind::MassSpring);
   CHECK(choice("multigrid", R"("grid": [4, 4], "size": [1, 1])").method->kind == Kind::Multigrid);
   CHECK(choice("mass_spring", R"("grid": [4, 4], "size": [1, 1])").reason.empty());
