@@ -21,7 +21,7 @@ struct Totals {
   std::uint64_t contact_overflow = 0;
   /// Searches for pairs of features (proximity).
   std::uint64_t detections = 0;
-  /// Edges that pass through triangles, the most that a search has found (proximity), the most of any.
+  /// Edges through triangles that they do not touch at rest, the most of a search (proximity), the most of any.
   std::uint32_t crossings = 0;
   /// Vertices truncated by contact, summed over substeps (proximity).
   std::uint64_t truncated = 0;
@@ -41,7 +41,7 @@ struct Totals {
   std::uint64_t unsolved = 0;
   /// Nodes that are not finite; 0 but where a run diverged.
   std::uint32_t nonfinite = 0;
-  /// Edges that pass through triangles, as the last search has found them (proximity).
+  /// Edges through triangles that they do not touch at rest, of the last search (proximity).
   std::uint32_t crossings_left = 0;
 };
 

@@ -33,7 +33,8 @@ struct ObjectTree {
   std::uint32_t stack_size = 0;           // entries that a walk needs at most, whatever it looks for
 };
 
-/// Entries of a walk's stack in bvh.wgsl; the same number as there.
+/// Entries of a walk's stack in bvh.wgsl, and in walk.wgsl beyond those of a walk that takes many at once; the same
+/// number as there.
 ///
 /// Why it suffices. A walk pops a node and pushes its inner children in their order, so the last is walked
 /// first, and child k is walked while k others wait. Where all boxes are hit a node needs max over k of (k +

@@ -21,7 +21,7 @@ struct Statistics {
   std::uint32_t contact_overflow = 0;
   /// Searches for pairs of features (proximity).
   std::uint32_t detections = 0;
-  /// Edges that pass through triangles, the most that a search has found (proximity).
+  /// Edges through triangles that they do not touch at rest, the most of a search (proximity).
   std::uint32_t crossings = 0;
   /// Vertices truncated by contact, summed over substeps (proximity).
   std::uint32_t truncated = 0;
@@ -49,7 +49,7 @@ struct Statistics {
   std::uint32_t detect = 0;
   /// 1: a search is under way.
   std::uint32_t due = 0;
-  /// Edges that pass through triangles, as the last search has found them (proximity).
+  /// Edges through triangles that they do not touch at rest, of the last search (proximity).
   std::uint32_t crossings_left = 0;
   /// Near pairs before the search that is under way.
   std::uint32_t near_before = 0;

@@ -10,7 +10,7 @@ const kStatMaxStretch = 2u;
 const kStatContactOverflow = 3u;
 // Searches for pairs of features (proximity).
 const kStatDetections = 4u;
-// Edges that pass through triangles, the most that a search has found (proximity).
+// Edges through triangles that they do not touch at rest, the most of a search (proximity).
 const kStatCrossings = 5u;
 // Vertices truncated by contact, summed over substeps (proximity).
 const kStatTruncated = 6u;
@@ -38,7 +38,7 @@ const kStatRolledBack = 16u;
 const kStatDetect = 17u;
 // 1: a search is under way.
 const kStatDue = 18u;
-// Edges that pass through triangles, as the last search has found them (proximity).
+// Edges through triangles that they do not touch at rest, of the last search (proximity).
 const kStatCrossingsLeft = 19u;
 // Near pairs before the search that is under way.
 const kStatNearBefore = 20u;

@@ -210,7 +210,7 @@ TEST_CASE("auto says which solver it took and why, and multigrid needs no stable
   const auto chosen = run_json(scene, {"--frames", "1", "--solver", "auto"});
   CHECK(chosen.at("solver") == "mass_spring");
   CHECK(chosen.at("solver_reason") ==
-        "30 nodes are fewer than the 100000, from which on multigrid is cheaper");
+        "30 nodes are fewer than the 500000, from which on multigrid is cheaper");
   const auto implicit = run_json(scene, {"--frames", "1", "--solver", "multigrid"});
   CHECK(implicit.at("solver") == "multigrid");
   CHECK_FALSE(implicit.contains("forces"));

@@ -15,7 +15,7 @@ export interface Totals {
   contactOverflow: number;
   /** Searches for pairs of features (proximity). */
   detections: number;
-  /** Edges that pass through triangles, the most that a search has found (proximity), the most of any. */
+  /** Edges through triangles that they do not touch at rest, the most of a search (proximity), the most of any. */
   crossings: number;
   /** Vertices truncated by contact, summed over substeps (proximity). */
   truncated: number;
@@ -35,7 +35,7 @@ export interface Totals {
   unsolved: number;
   /** Nodes that are not finite; 0 but where a run diverged. */
   nonfinite: number;
-  /** Edges that pass through triangles, as the last search has found them (proximity). */
+  /** Edges through triangles that they do not touch at rest, of the last search (proximity). */
   crossingsLeft: number;
 }
 

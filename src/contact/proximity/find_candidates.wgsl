@@ -1,7 +1,8 @@
 // Broad phase: finds the candidates near each cloth triangle, by boxes grown by thickness and reaches. One invocation
 // per cloth triangle. The triangles of a workgroup lie side by side, so it walks each tree once for all of them
-// (walk.wgsl), the cloths' own for later triangles and those of colliders, and each invocation asks the triangles that
-// are met. The list's order depends on scheduling; no result depends on the order. Source: docs/contact.md.
+// (walk.wgsl), the cloths' own for later triangles and those of colliders, and each invocation tests its own box
+// against the triangles met. The list's order depends on scheduling; no result depends on the order.
+// Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -108,7 +109,7 @@ fn meets_cloth(place : u32) -> bool {
   return !lie_flat(shared_corners, d.xyz, e.xyz, f.xyz, own_reach + largest_reach(d, e, f) + way);
 }
 
-// Room for what this invocation has found, in all together.
+// The first place of the list for what this invocation has found; the list's length where it has no room.
 fn allocate_candidates(thread : u32, found : u32) -> u32 {
   let next = allocate(thread, found, kStatCandidates);
   if (found > 0u && next + found > params.candidate_capacity) {
@@ -167,9 +168,9 @@ fn meet_triangles(tree : Tree, held : u32, box : Box, thread : u32) {
   }
 }
 
-// Walks a tree with the boxes of all triangles of the workgroup.
+// Meets the triangles of a tree.
 fn meet_tree(tree : Tree, box : Box, thread : u32) {
-  let whole = united_boxes(box, thread);
+  unite_parts(box, thread);
   begin_walk(tree, thread);
   loop {
     let sizes = workgroupUniformLoad(&walk_sizes);
@@ -181,7 +182,7 @@ fn meet_tree(tree : Tree, box : Box, thread : u32) {
         atomicStore(&met_count, 0u);
       }
     } else {
-      walk_on(tree, whole, sizes.x, thread);
+      walk_on(tree, sizes.x, thread);
     }
   }
 }
@@ -202,39 +203,39 @@ fn local_box(collider : u32) -> Box {
                 box_of(local(collider, a + ahead_a), local(collider, b + ahead_b), local(collider, c + ahead_c)));
 }
 
-// The candidate kind of a collider without triangles, as far as it is near; 0 where it is not.
-fn shape_near(collider : vec4u, radius : f32) -> u32 {
+// Whether a collider without triangles is near.
+fn shape_near(collider : vec4u, radius : f32) -> bool {
   let wide = grown(own_box, radius);
   if (collider.x == kColliderSphere) {
     let ball = points[collider.y];
-    return select(0u, kNearSphere, overlap(grown(Box(ball.xyz, ball.xyz), ball.w), wide));
+    return overlap(grown(Box(ball.xyz, ball.xyz), ball.w), wide);
   }
   if (collider.x == kColliderCapsule) {
     let start = points[collider.y];
     let far = points[collider.y + 2u];
     let bounds = grown(Box(min(start.xyz, far.xyz), max(start.xyz, far.xyz)), start.w);
-    return select(0u, kNearCapsule, overlap(bounds, wide));
+    return overlap(bounds, wide);
   }
   if (collider.x == kColliderPlane) {
     let q = points[collider.y].xyz;
     let n = points[collider.y + 1u].xyz;
     let lowest = select(own_box.high, own_box.low, n > vec3f(0.0));
-    return select(0u, kNearPlane, dot(lowest - q, n) < radius);
+    return dot(lowest - q, n) < radius;
   }
-  return 0u;
+  return false;
 }
 
 fn meet_shapes(radius : f32, works : bool, thread : u32) {
   for (var first = 0u; first < params.collider_count; first += 32u) {
     var hits = 0u;
     for (var k = 0u; works && k < min(32u, params.collider_count - first); k++) {
-      hits |= select(0u, 1u << k, shape_near(colliders.list[first + k], radius) != 0u);
+      hits |= select(0u, 1u << k, shape_near(colliders.list[first + k], radius));
     }
     var next = allocate_candidates(thread, countOneBits(hits));
     while (hits != 0u && next < params.candidate_capacity) {
       let collider = colliders.list[first + firstTrailingBit(hits)];
       hits &= hits - 1u;
-      candidates[next] = vec2u(own | (shape_near(collider, radius) << kKindShift), collider.y);
+      candidates[next] = vec2u(own | ((collider.x + kNearSphere - kColliderSphere) << kKindShift), collider.y);
       next++;
     }
   }

@@ -2,8 +2,8 @@
 // where their distance is less than that, the slacks of both and how far the ways ahead of either side may bring it
 // along the line between them (docs/contact.md, Reach). Grid-stride loop over the candidates. A vertex or edge belongs
 // to one of its triangles, so that each pair of features is found once (Curtis et al. 2008, Fast Collision Detection
-// for Deformable Models using Representative-Triangles). An edge that passes through a triangle is counted, and listed
-// with the direction in which both come apart.
+// for Deformable Models using Representative-Triangles). An edge that passes through a triangle which it does not
+// touch at rest is counted, and listed with the direction in which both come apart.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -161,7 +161,8 @@ fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool
   return crosses(p, q, b.a, b.b, b.c) && !touch_at_rest(pq, b.ids);
 }
 
-// Whether an edge and a triangle of one cloth touch at rest: such do not meet, and are not untangled.
+// Whether some features of an edge and a triangle of one cloth do not meet, since they touch at rest: nothing keeps
+// these apart, so that they cross is no tangle.
 fn touch_at_rest(pq : vec2u, ids : vec3u) -> bool {
   if (((pq.x | ids.x) & kColliderPoint) != 0u) { return false; }
   let first = rest_of(pq.x);

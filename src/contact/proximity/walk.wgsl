@@ -1,6 +1,6 @@
-// A walk through a tree by all invocations of a workgroup at once, each of which tests a child of a node: with the box
-// of all their triangles, since those lie side by side and meet nearly the same nodes. The triangles of the leaves that
-// it meets wait in `met`. The including kernel binds `trees`.
+// A walk through a tree by all invocations of a workgroup at once, each of which tests a child of a node: with the
+// boxes of all their triangles, since those lie side by side and meet nearly the same nodes. The triangles of the
+// leaves that it meets wait in `met`. The including kernel binds `trees`.
 #include "contact/proximity/tree.wgsl"
 #include "contact/proximity/triangles.wgsl"
 struct Tree {
@@ -13,32 +13,46 @@ struct Tree {
 const kWalkers = 64u;  // invocations of a workgroup; mirror: src/contact/proximity/pair_search.cpp
 const kRigidArity = 4u;
 const kRigidNode = 8u;  // words
-const kMostOfLeaf = 7u;
+const kMostOfLeaf = 7u;  // what three bits can say
+const kParts = 8u;
 
 const kStackRoom = 512u;
 const kMetRoom = 1024u;
-const kStackSize = 32u;  // what a walk needs that takes one node at a time: src/contact/object_tree.hpp
+// What a walk of a rigid mesh needs that takes one node at a time: src/contact/object_tree.hpp. Those of implicit trees
+// never do: a child lies at most 63 places above its parent, nodes of level 7 within the first 32 places, and so all
+// within 410.
+const kStackSize = 32u;
 const kLevelShift = 28u;
 var<workgroup> lows : array<vec3f, kWalkers>;
 var<workgroup> highs : array<vec3f, kWalkers>;
+var<workgroup> part_lows : array<vec3f, kParts>;
+var<workgroup> part_highs : array<vec3f, kParts>;
 var<workgroup> stack : array<u32, kStackRoom>;  // nodes: of implicit trees with their level in the upper four bits
 var<workgroup> met : array<u32, kMetRoom>;      // places of triangles, as candidates have them
 var<workgroup> met_count : atomic<u32>;
 var<workgroup> inner_bits : array<atomic<u32>, kWalkers>;  // of each node taken: its inner children that are met
 var<workgroup> walk_sizes : vec2u;              // nodes in the stack; places in `met`
 
-fn united_boxes(box : Box, thread : u32) -> Box {
+// The boxes of the workgroup's triangles, united in kParts: one box for all would cover all that lies between two
+// cloths that share a workgroup.
+fn unite_parts(box : Box, thread : u32) {
   lows[thread] = box.low;
   highs[thread] = box.high;
-  for (var half = kWalkers / 2u; half > 0u; half /= 2u) {
-    workgroupBarrier();
-    if (thread < half) {
-      lows[thread] = min(lows[thread], lows[thread + half]);
-      highs[thread] = max(highs[thread], highs[thread + half]);
-    }
-  }
   workgroupBarrier();
-  return Box(lows[0], highs[0]);
+  if (thread < kParts) {
+    var part = empty_box();
+    for (var k = thread * kWalkers / kParts; k < (thread + 1u) * kWalkers / kParts; k++) {
+      part = united(part, Box(lows[k], highs[k]));
+    }
+    part_lows[thread] = part.low;
+    part_highs[thread] = part.high;
+  }
+}
+
+fn meets_parts(box : Box) -> bool {
+  var meets = false;
+  for (var k = 0u; k < kParts; k++) { meets = meets || overlap(box, Box(part_lows[k], part_highs[k])); }
+  return meets;
 }
 
 fn begin_walk(tree : Tree, thread : u32) {
@@ -51,26 +65,26 @@ fn begin_walk(tree : Tree, thread : u32) {
   atomicStore(&inner_bits[thread], 0u);
 }
 
-// What a walk goes on with at a child that meets the box: a node, or the triangles of a leaf.
+// What a walk goes on with at a child that meets the boxes: a node, or the triangles of a leaf.
 struct Child { node : u32, first : u32, count : u32, inner : bool }
 
-fn rigid_child(tree : Tree, node : u32, k : u32, box : Box) -> Child {
+fn rigid_child(tree : Tree, node : u32, k : u32) -> Child {
   let word = tree.tree + kRigidNode * node;
   let low = bitcast<vec3f>(vec3u(trees[word][k], trees[word + 1u][k], trees[word + 2u][k]));
   let high = bitcast<vec3f>(vec3u(trees[word + 3u][k], trees[word + 4u][k], trees[word + 5u][k]));
   let child = trees[word + 6u][k];
-  if (child == 0u || !overlap(box, Box(low, high))) { return Child(0u, 0u, 0u, false); }
+  if (child == 0u || !meets_parts(Box(low, high))) { return Child(0u, 0u, 0u, false); }
   return Child(child / 8u, tree.first + 3u * (child / 8u), child % 8u, child % 8u == 0u);
 }
 
-fn implicit_child(tree : Tree, entry : u32, k : u32, box : Box) -> Child {
+fn implicit_child(tree : Tree, entry : u32, k : u32) -> Child {
   let level = (entry >> kLevelShift) - 1u;  // the child's
   let node = kTreeArity * (entry & ((1u << kLevelShift) - 1u)) + k;
   let place = trees[tree.tree + 1u + level];
   let end = kLeafTriangles * ((node + 1u) << (3u * level));
   if (node >= place.y || end <= tree.after) { return Child(0u, 0u, 0u, false); }
   let word = place.x + 2u * node;
-  if (!overlap(box, Box(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz)))) {
+  if (!meets_parts(Box(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz)))) {
     return Child(0u, 0u, 0u, false);
   }
   let first = max(kLeafTriangles * node, tree.after);
@@ -78,10 +92,10 @@ fn implicit_child(tree : Tree, entry : u32, k : u32, box : Box) -> Child {
                level > 0u);
 }
 
-// Takes some nodes from the stack, puts there those of their children that meet the box, and to `met` the triangles of
-// leaves. All invocations of a workgroup call it. Near the end of the stack it takes one node at a time, whose children
-// come in their order: the room left is enough for that.
-fn walk_on(tree : Tree, box : Box, waiting : u32, thread : u32) {
+// Takes some nodes from the stack, puts there those of their children that meet the boxes, and to `met` the triangles
+// of leaves. All invocations of a workgroup call it. Near the end of the stack it takes one node at a time, whose
+// children come in their order: the room left is enough for that.
+fn walk_on(tree : Tree, waiting : u32, thread : u32) {
   let arity = select(kTreeArity, kRigidArity, tree.kind == kNearRigid);
   var taken = min(waiting, kWalkers / arity);
   if (waiting + kWalkers + kStackSize > kStackRoom) { taken = 1u; }
@@ -91,9 +105,9 @@ fn walk_on(tree : Tree, box : Box, waiting : u32, thread : u32) {
   if (slot < taken) {
     let entry = stack[waiting - 1u - slot];
     if (tree.kind == kNearRigid) {
-      child = rigid_child(tree, entry, k, box);
+      child = rigid_child(tree, entry, k);
     } else {
-      child = implicit_child(tree, entry, k, box);
+      child = implicit_child(tree, entry, k);
     }
   }
   if (child.count > 0u) {

@@ -73,7 +73,8 @@ CrossingFace crossing_face(const TangledSurfaces& of, const mesh::Triangle& t) {
   return face;
 }
 
-/// Whether an edge and a triangle of one cloth touch at rest: such do not meet, and are not untangled.
+/// Whether some features of an edge and a triangle of one cloth do not meet, since they touch at rest: nothing keeps
+/// these apart, so that they cross is no tangle.
 bool touch_at_rest(const SurfaceFacts& facts, std::uint32_t p, std::uint32_t q, const mesh::Triangle& t) {
   if (facts.bodies[p] != facts.bodies[t[0]]) return false;
   const Vec3d &from = facts.rest[p], &to = facts.rest[q];

@@ -45,13 +45,13 @@ struct TangledSurfaces {
 };
 
 struct Tangle {
-  std::size_t crossings = 0;  // edges through triangles
+  std::size_t crossings = 0;  // edges through triangles that they do not touch at rest
   std::vector<FeaturePair>
       pairs;  // ends of such edges and the triangles; distance: minus the part of the speed
   std::vector<bool> with_cloth,
       with_mesh;  // of each cloth vertex: it belongs to a crossing of cloth, of a mesh
 };
-/// All that passes through each other now. `self`: whether cloth meets cloth.
+/// All that passes through each other now. `self`: whether cloth meets cloth; then the facts of cloth are all there.
 Tangle find_tangle(const TangledSurfaces& cloth, const TangledSurfaces& object, bool self);
 
 /// A feature that is, or may be, on the wrong side of its pair does not act; a vertex inside a closed mesh is sent
