@@ -27,7 +27,25 @@ std::vector<Command> search_dispatches(sim::World& world) {
   return search;
 }
 
+namespace {
+
+/// What the first substep does before it searches: a search needs to know where vertices come.
+Result<void> predict(sim::World& world) {
+  const gpu::CommandList& frame = two_steps(world);
+  gpu::CommandList list;
+  {
+    gpu::ComputePass pass(list, "prediction");
+    for (std::size_t at = 0; at < frame.commands().size() && frame.phase_of(at) != "search"; ++at)
+      if (frame.phase_of(at) == "step" && frame.commands()[at].kind == CommandKind::Dispatch)
+        pass.repeat(frame, frame.commands()[at]);
+  }
+  return world.device().submit(list);
+}
+
+}  // namespace
+
 Result<SearchCost> time_search(sim::World& world, const Effort& effort) {
+  WEFT_CHECK(predict(world));
   gpu::CommandList list;
   {
     gpu::ComputePass pass(list, "searches");

@@ -104,9 +104,11 @@ class SearchRun {
     for (std::size_t v = 0; v < positions.size(); ++v)
       places.push_back(Vec4f::from(positions[v], v < setup_.held.size() && setup_.held[v] ? 0.0F : 1.0F));
     state_.position[0].write(device_, places);
-    std::vector<Vec4f> velocities;
-    for (const Vec3f& v : setup_.velocities) velocities.push_back(Vec4f::from(v, 0));
-    state_.velocity[0].write(device_, velocities);
+    for (std::size_t v = 0; v < setup_.velocities.size(); ++v) {  // where the solver has predicted them
+      const Vec3d end = positions[v].to<double>() + setup_.substep * setup_.velocities[v].to<double>();
+      places[v] = Vec4f::from(end.to<float>(), places[v].w);
+    }
+    state_.position[1].write(device_, places);
   }
   void move(const std::vector<Vec3f>& positions, const std::vector<Vec3f>& velocities) {
     setup_.velocities = velocities;

@@ -46,14 +46,14 @@ std::string refusal_of(const Substep& substep) {
 TEST_CASE("a substep that calls the stages of contact in their order is recorded as it is") {
   CHECK(refusal_of({kSearch, kMeasure, kHoldBack}) == "");
   CHECK(refusal_of({kSearch, kMeasure, kAnswer, kHoldBack}) == "");
-  CHECK(refusal_of({kSearch, kPress, kMeasure, kAnswer, kHoldBack}) == "");
+  CHECK(refusal_of({kPress, kSearch, kMeasure, kAnswer, kHoldBack}) == "");
   CHECK(refusal_of({kSearch, kMeasure, kAnswer, kMeasure, kAnswer, kHoldBack}) == "");
   gpu::CommandList list;
   gpu::ComputePass pass(list, "substep");
   const Notes notes;
   contact::CheckedStages checked(notes);
-  for (const auto stage : Substep{kSearch, kPress, kMeasure, kAnswer, kHoldBack}) (checked.*stage)(pass);
-  CHECK(notes.text == "search press measure answer hold_back ");
+  for (const auto stage : Substep{kPress, kSearch, kMeasure, kAnswer, kHoldBack}) (checked.*stage)(pass);
+  CHECK(notes.text == "press search measure answer hold_back ");
 }
 
 TEST_CASE("a solver that forgets what it owes contact is refused with what it broke") {
@@ -65,10 +65,11 @@ TEST_CASE("a solver that forgets what it owes contact is refused with what it br
   CHECK(refusal_of({kSearch, kHoldBack}) == begin + "holds back what it has not measured, or twice.");
   CHECK(refusal_of({kMeasure, kHoldBack}) == begin + "measures before it has searched, or twice.");
   CHECK(refusal_of({kSearch, kAnswer, kMeasure, kHoldBack}) == begin + "answers what it has not measured.");
-  CHECK(refusal_of({kSearch, kMeasure, kPress, kHoldBack}) ==
-        begin + "presses before it has searched, or after it has measured.");
-  CHECK(refusal_of({kSearch, kSearch, kMeasure, kHoldBack}) ==
-        begin + "searches after the beginning of the substep, or twice.");
+  CHECK(refusal_of({kSearch, kPress, kMeasure, kHoldBack}) ==
+        begin + "presses after it has searched, or twice.");
+  CHECK(refusal_of({kPress, kPress, kSearch, kMeasure, kHoldBack}) ==
+        begin + "presses after it has searched, or twice.");
+  CHECK(refusal_of({kSearch, kSearch, kMeasure, kHoldBack}) == begin + "searches twice.");
   CHECK(refusal_of({kSearch, kMeasure, kHoldBack, kHoldBack}) ==
         begin + "holds back what it has not measured, or twice.");
 }

@@ -78,5 +78,4 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   // An impulse breaks the motion that an implicit solver extrapolates (Method::history), so its history is invalid.
   let untouched = all(way.velocity == predicted[vertex].xyz) && all(way.position == unhindered);
   velocity[vertex] = vec4f(way.velocity, select(0.0, predicted[vertex].w, untouched));
-  schedule_for_vertex(reach, start.xyz, way.position);
 }

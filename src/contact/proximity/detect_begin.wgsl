@@ -1,5 +1,5 @@
-// Begins a search if one is due: the step demands it, or a vertex is about to leave its reach. Records where each
-// vertex is and where it may go until the next search, and clears the counts of the lists. One invocation per vertex.
+// Begins a search if one is due: the step demands it, or a vertex leaves its reach. Records where each vertex is and
+// where it may go until the next search, and clears the counts of the lists. One invocation per vertex.
 // Source: docs/contact.md, Reach.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
@@ -8,11 +8,13 @@
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       position        : array<vec4f>; // vertex_count      m
-@group(0) @binding(2) var<storage, read>       velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(2) var<storage, read>       motion          : array<vec4f>; // vertex_count      see kPredicted
 @group(0) @binding(3) var<storage, read_write> predicted       : array<vec4f>; // 3 * vertex_count  m: reach.wgsl
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;   // kVertexWords * vertex_count
 @group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read>       most_slack      : array<f32>;   // vertex_count      m
+override kPredicted : bool = true;       // `motion` has where vertices come in this substep, m; false: velocities, m/s
+override kIsFirst : bool = true;         // false: the substep has searched before it was predicted, if it demands that
 
 // A vertex has a ball of a thickness, since what is at rest may be struck before the next search, or of its way for
 // some time, but none larger than lets flat cloth list nothing of itself. A faster one goes on along its way, too:
@@ -35,8 +37,8 @@ fn scripted_reach() -> f32 {
 @compute @workgroup_size(kWorkgroupSize)
 fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
-  let wanted = step.contact.detect == kDetectAlways ||
-               (step.contact.detect == kDetectIfDue && atomicLoad(&statistics[kStatDetect]) != 0u);
+  let wanted = (kIsFirst && step.contact.detect == kDetectAlways) ||
+               (step.contact.detect != kDetectNo && atomicLoad(&statistics[kStatDetect]) != 0u);
   let due = wanted && atomicLoad(&statistics[kStatRolledBack]) == 0u;
   if (vertex == 0u) {
     atomicStore(&statistics[kStatDue], select(0u, 1u, due));
@@ -54,7 +56,9 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   if (!due || vertex >= step.nodes.count) { return; }
   let place = position[vertex];
   // The mean velocity until the next search, by the load: what starts to fall must not be held where it was.
-  let v = velocity[vertex].xyz + 0.5 * kReachMargin * kDetectInterval * step.time.dt * step.air.acceleration.xyz;
+  var v = motion[vertex].xyz;
+  if (kPredicted) { v = (v - place.xyz) / step.time.dt; }
+  v += 0.5 * kReachMargin * kDetectInterval * step.time.dt * step.air.acceleration.xyz;
   let most = most_slack[vertex];
   let way = min(step.time.dt * length(v), 3e38);  // m, in a substep
   var slack = clamp(kReachIntervals * kDetectInterval * way, min(step.contact.thickness, most), most);

@@ -107,7 +107,8 @@ fn find_near(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) grou
   let end = workgroupUniformLoad(&pairs);
   let tangled = workgroupUniformLoad(&crossings) != 0u;
   // No branch on the uniform, for which lavapipe would compile the kernel again in each substep.
-  let searched = (step.contact.detect != kDetectNo) & (atomicLoad(&statistics[kStatDue]) != 0u);
+  let searched = (step.contact.detect == kDetectAlways) |
+                 ((step.contact.detect != kDetectNo) & (atomicLoad(&statistics[kStatDue]) != 0u));
   for (var first = group.x * kWorkgroupSize; first < end; first += groups.x * kWorkgroupSize) {
     let pair = first + thread;
     var is_near = false;

@@ -118,30 +118,39 @@ Result<void> PairSearch::create_trees(gpu::Device& device, const State& state, c
   return {};
 }
 
-Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs) {
-  struct Wanted {
-    gpu::Kernel& kernel;
-    const char* path;
-    std::uint32_t workgroup_size;
-    std::vector<gpu::Constant> constants = {};
-  };
+Result<void> PairSearch::create_begin(gpu::Device& device, const State& state, const ContactPairs& pairs) {
   const std::uint32_t size = setup_.workgroup_size;
-  const double interval = static_cast<double>(setup_.interval);
-  for (const Wanted& wanted :
-       {Wanted{detect_begin_, "contact/proximity/detect_begin.wgsl", size, {{"kDetectInterval", interval}}},
-        {find_candidates_, "contact/proximity/find_candidates.wgsl", kWalkers},
-        {find_pairs_, "contact/proximity/find_pairs.wgsl", size}}) {
-    WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, wanted.workgroup_size));
-    wanted.kernel = std::move(kernel);
-  }
-  WEFT_TRY(kept, KeptForces::create(device, setup_.workgroup_size));
-  kept_ = std::move(kept);
+  const gpu::Constant interval{"kDetectInterval", static_cast<double>(setup_.interval)};
+  const auto begin = [&](bool early) {
+    return gpu::Kernel::create(
+        device, "contact/proximity/detect_begin.wgsl",
+        {interval, {"kPredicted", early ? 0.0 : 1.0}, {"kIsFirst", early || !setup_.presses ? 1.0 : 0.0}},
+        size);
+  };
+  WEFT_SET(leave_reach_, gpu::Kernel::create(device, "contact/proximity/leave_reach.wgsl", {interval}, size));
+  WEFT_SET(detect_begin_, begin(false));
+  if (setup_.presses) WEFT_SET(early_begin_, begin(true));
   for (std::size_t parity = 0; parity < 2; ++parity) {
-    WEFT_TRY(group,
-             detect_begin_.bind({state.steps, state.position[parity], state.velocity[parity], pairs.predicted,
-                                 pairs.vertex_contacts, state.statistics, most_slack_}));
-    begin_groups_[parity] = std::move(group);
+    const auto &start = state.position[parity], &end = state.position[1 - parity];
+    const auto bind = [&](const gpu::Kernel& kernel, const gpu::Buffer<Vec4f>& motion) {
+      return kernel.bind({state.steps, start, motion, pairs.predicted, pairs.vertex_contacts,
+                          state.statistics, most_slack_});
+    };
+    WEFT_SET(leave_groups_[parity],
+             leave_reach_.bind({state.steps, start, end, pairs.predicted, state.statistics}));
+    WEFT_SET(begin_groups_[parity], bind(detect_begin_, end));
+    if (setup_.presses) WEFT_SET(early_groups_[parity], bind(early_begin_, state.velocity[parity]));
   }
+  return {};
+}
+
+Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs) {
+  WEFT_CHECK(create_begin(device, state, pairs));
+  WEFT_SET(find_candidates_,
+           gpu::Kernel::create(device, "contact/proximity/find_candidates.wgsl", {}, kWalkers));
+  WEFT_SET(find_pairs_,
+           gpu::Kernel::create(device, "contact/proximity/find_pairs.wgsl", {}, setup_.workgroup_size));
+  WEFT_SET(kept_, KeptForces::create(device, setup_.workgroup_size));
   return {};
 }
 
@@ -172,8 +181,18 @@ Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, con
   return kept_.bind(state, pairs);
 }
 
+void PairSearch::record_early(gpu::ComputePass& pass) const {
+  early_begin_.dispatch(pass, early_groups_[pass.parity()], vertex_count_);
+  record_lists(pass);
+}
+
 void PairSearch::record(gpu::ComputePass& pass) const {
+  leave_reach_.dispatch(pass, leave_groups_[pass.parity()], vertex_count_);
   detect_begin_.dispatch(pass, begin_groups_[pass.parity()], vertex_count_);
+  record_lists(pass);
+}
+
+void PairSearch::record_lists(gpu::ComputePass& pass) const {
   kept_.record_search(pass);
   refit_.record(pass);
   find_candidates_.dispatch(pass, candidate_group_, triangle_count_);

@@ -27,13 +27,15 @@ struct SearchSetup {
   float thickness = 0, self_thickness = 0;  // [m]; the second 0: cloth does not meet cloth
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   std::uint32_t interval = 4;     // substeps from one that may search to the next
+  bool presses = false;           // a solver asks for the lists before it predicts
   std::vector<float> most_slack;  // of each vertex [m]: weft::most_slacks
 };
 
 /// Finds and lists all pairs of features nearer than the thickness and how far both may go: broad phase,
 /// narrow phase.
-/// Nine dispatches, which do nothing where no detection is due.
-/// Reads   state.steps; state.position[parity] [m]: at the start of the substep; the colliders' points.
+/// Ten dispatches, which do nothing where no detection is due.
+/// Reads   state.steps; state.position[parity] [m], at the start of the substep; where the solver has predicted that
+///         vertices come, state.position[1 - parity], or their velocities, state.velocity[parity]; colliders' points.
 /// Writes  pairs; state.statistics.
 /// Errors  Input, Limit, Shader, OutOfMemory. Source: docs/contact.md.
 class PairSearch {
@@ -44,6 +46,9 @@ class PairSearch {
                                    const ColliderMeshes& meshes, const SearchSetup& setup);
   /// Takes over lists with other room. Errors  Limit, OutOfMemory.
   Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
+  /// Before the solver has predicted, by the velocities: in the first substep of a frame, which starts without lists.
+  void record_early(gpu::ComputePass& pass) const;
+  /// After it, by where vertices come.
   void record(gpu::ComputePass& pass) const;
   /// At the end of a frame: keeps the pairs' forces for the next one.
   void record_frame_end(gpu::ComputePass& pass) const { kept_.record_frame_end(pass); }
@@ -57,6 +62,8 @@ class PairSearch {
  private:
   Result<void> create_buffers(gpu::Device& device, const GpuModel& model, const scene::Scene& scene,
                               const ColliderMeshes& meshes);
+  Result<void> create_begin(gpu::Device& device, const State& state, const ContactPairs& pairs);
+  void record_lists(gpu::ComputePass& pass) const;
   Result<void> create_trees(gpu::Device& device, const State& state, const ContactPairs& pairs,
                             std::uint32_t workgroup_size);
   Result<void> create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs);
@@ -75,8 +82,8 @@ class PairSearch {
   gpu::Buffer<std::array<std::uint32_t, 2>> candidates_;
   TreeRefit refit_;
   KeptForces kept_;
-  gpu::Kernel detect_begin_, find_candidates_, find_pairs_;
-  std::array<gpu::BindGroup, 2> begin_groups_;  // by parity
+  gpu::Kernel leave_reach_, detect_begin_, early_begin_, find_candidates_, find_pairs_;
+  std::array<gpu::BindGroup, 2> leave_groups_, begin_groups_, early_groups_;  // by parity
   gpu::BindGroup candidate_group_, find_group_;
 };
 

@@ -50,6 +50,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   setup.thickness = static_cast<float>(lengths.thickness);
   setup.self_thickness = static_cast<float>(lengths.self_thickness);
   setup.interval = wanted.interval;
+  setup.presses = made.presses_;
   setup.workgroup_size = wanted.workgroup_size;
   for (const double slack : most_slacks(model.host, lengths.most_reach, lengths.self_thickness))
     setup.most_slack.push_back(static_cast<float>(slack));
@@ -125,19 +126,30 @@ void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, dou
   places_.write(device, std::span(rows_).first((substeps + 1) * count));
 }
 
-void Proximity::search(gpu::ComputePass& pass) const {
+void Proximity::move_colliders(gpu::ComputePass& pass) const {
   const ColliderSet& colliders = search_.colliders();
   if (colliders.moves)
     move_points_.dispatch(pass, move_group_,
                           std::max<std::size_t>(colliders.point_count, 3 * colliders.list.size()));
+}
+
+void Proximity::press(gpu::ComputePass& pass) const {
+  if (!presses_) return;
+  move_colliders(pass);
+  if (pass.step() == 0) {
+    pass.begin_phase("search");
+    search_.record_early(pass);
+    pass.begin_phase("step");
+  }
+  press_.dispatch_strided(pass, press_groups_[pass.parity()], pair_room_);
+}
+
+void Proximity::search(gpu::ComputePass& pass) const {
+  if (!presses_) move_colliders(pass);
   if (pass.step() % interval_ != 0) return;
   pass.begin_phase("search");
   search_.record(pass);
   pass.begin_phase("step");
-}
-
-void Proximity::press(gpu::ComputePass& pass) const {
-  if (presses_) press_.dispatch_strided(pass, press_groups_[pass.parity()], pair_room_);
 }
 
 void Proximity::measure(gpu::ComputePass& pass) const {

@@ -41,8 +41,8 @@ class Proximity : public Stages {
                                   const ColliderMeshes& meshes, const ProximitySetup& setup);
   /// Takes over lists with other room. Errors  Limit, OutOfMemory.
   Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
-  void search(gpu::ComputePass& pass) const override;
   void press(gpu::ComputePass& pass) const override;
+  void search(gpu::ComputePass& pass) const override;
   void measure(gpu::ComputePass& pass) const override;
   void answer(gpu::ComputePass& pass) const override { respond_.record_impulses(pass); }
   void hold_back(gpu::ComputePass& pass) const override { respond_.record_hold_back(pass); }
@@ -56,6 +56,7 @@ class Proximity : public Stages {
 
  private:
   Result<void> create_kernels(gpu::Device& device, const State& state, std::uint32_t workgroup_size);
+  void move_colliders(gpu::ComputePass& pass) const;
   Result<void> bind_own(const State& state, const ContactPairs& pairs);
 
   ProximityLengths lengths_;

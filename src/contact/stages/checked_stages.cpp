@@ -6,15 +6,16 @@ void CheckedStages::expect(bool allowed, const char* fault) const {
   if (!allowed && fault_ == nullptr) fault_ = fault;
 }
 
-void CheckedStages::search(gpu::ComputePass& pass) const {
-  expect(last_ == Stage::Begin, "searches after the beginning of the substep, or twice");
-  last_ = Stage::Searched;
-  stages_.search(pass);
+void CheckedStages::press(gpu::ComputePass& pass) const {
+  expect(last_ == Stage::Begin, "presses after it has searched, or twice");
+  last_ = Stage::Pressed;
+  stages_.press(pass);
 }
 
-void CheckedStages::press(gpu::ComputePass& pass) const {
-  expect(last_ == Stage::Searched, "presses before it has searched, or after it has measured");
-  stages_.press(pass);
+void CheckedStages::search(gpu::ComputePass& pass) const {
+  expect(last_ == Stage::Begin || last_ == Stage::Pressed, "searches twice");
+  last_ = Stage::Searched;
+  stages_.search(pass);
 }
 
 void CheckedStages::measure(gpu::ComputePass& pass) const {

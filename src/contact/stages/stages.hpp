@@ -7,8 +7,8 @@ namespace weft::contact {
 
 /// The stages of contact in a substep. A solver calls them where its algorithm needs them, in this order:
 ///
-///   search     once, before anything is predicted: moves colliders, lists near features where that is due.
-///   press      before it is solved, by a solver whose matrix holds obstacles: their demands on each vertex.
+///   press      optional, before it is solved, by a solver whose matrix holds obstacles: their demands on each vertex.
+///   search     once, at the predicted state: lists near features where that is due.
 ///   measure    at the predicted state; again after each iteration that answers: gaps and weights of the pairs.
 ///   answer     optional, as often as measured: impulses between the pairs measured, added up for each vertex.
 ///   hold_back  owed by every solver, once, last: gives each vertex the sum of `answer`, holds it back from
@@ -20,8 +20,8 @@ namespace weft::contact {
 class Stages {
  public:
   virtual ~Stages() = default;
-  virtual void search(gpu::ComputePass&) const {}
   virtual void press(gpu::ComputePass&) const {}
+  virtual void search(gpu::ComputePass&) const {}
   virtual void measure(gpu::ComputePass&) const {}
   virtual void answer(gpu::ComputePass&) const {}
   virtual void hold_back(gpu::ComputePass&) const {}

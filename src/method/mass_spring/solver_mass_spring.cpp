@@ -24,8 +24,8 @@ void SolverMassSpring::record(gpu::ComputePass& pass, const contact::Stages& con
     for (const AdvanceGridTwice& advance : twice_) advance.record(pass);
     return;
   }
-  contact.search(pass);
   record_predict(pass);
+  contact.search(pass);
   contact.measure(pass);
   contact.answer(pass);
   contact.hold_back(pass);

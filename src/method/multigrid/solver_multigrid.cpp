@@ -18,10 +18,10 @@ std::uint32_t raised(std::uint32_t iterations) { return iterations + std::max(2U
 }  // namespace
 
 void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
-  contact.search(pass);
   contact.press(pass);
   for (const GridCycle& cycle : grids_) cycle.record(pass, iterations_);
   for (const MeshCycle& cycle : meshes_) cycle.record(pass, iterations_);
+  contact.search(pass);
   contact.measure(pass);
   contact.answer(pass);
   contact.hold_back(pass);

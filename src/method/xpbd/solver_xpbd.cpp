@@ -3,12 +3,12 @@
 namespace weft {
 
 void SolverXpbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
-  contact.search(pass);
   predict_way_.record(pass);
   for (const gpu::Dispatch& color : first_sweep_) color.record(pass);
   for (std::uint32_t more = 1; more < iterations_; ++more)
     for (const gpu::Dispatch& color : later_sweep_) color.record(pass);
   end_way_.record(pass);
+  contact.search(pass);
   contact.measure(pass);
   contact.answer(pass);
   contact.hold_back(pass);
