@@ -12,23 +12,6 @@ using gpu::Command, gpu::CommandKind;
 /// A frame of two substeps.
 const gpu::CommandList& two_steps(sim::World& world) { return world.frame_commands(world.parity(), 2); }
 
-}  // namespace
-
-std::vector<Command> search_dispatches(sim::World& world) {
-  const gpu::CommandList& frame = two_steps(world);
-  std::vector<Command> search;
-  for (std::size_t at = 0; at < frame.commands().size(); ++at) {
-    if (frame.phase_of(at) != "search") {
-      if (!search.empty()) break;  // of the first substep alone
-    } else if (frame.commands()[at].kind == CommandKind::Dispatch) {
-      search.push_back(frame.commands()[at]);
-    }
-  }
-  return search;
-}
-
-namespace {
-
 /// What the first substep does before it searches: a search needs to know where vertices come.
 Result<void> predict(sim::World& world) {
   const gpu::CommandList& frame = two_steps(world);
@@ -43,6 +26,19 @@ Result<void> predict(sim::World& world) {
 }
 
 }  // namespace
+
+std::vector<Command> search_dispatches(sim::World& world) {
+  const gpu::CommandList& frame = two_steps(world);
+  std::vector<Command> search;
+  for (std::size_t at = 0; at < frame.commands().size(); ++at) {
+    if (frame.phase_of(at) != "search") {
+      if (!search.empty()) break;  // of the first substep alone
+    } else if (frame.commands()[at].kind == CommandKind::Dispatch) {
+      search.push_back(frame.commands()[at]);
+    }
+  }
+  return search;
+}
 
 Result<SearchCost> time_search(sim::World& world, const Effort& effort) {
   WEFT_CHECK(predict(world));

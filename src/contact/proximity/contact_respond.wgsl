@@ -1,5 +1,5 @@
 // What contact gives a vertex in a substep: the velocity change and the push of its pairs; then its reach and the
-// planes of obstacles end its way. Decides whether the next substep searches, and clears its words. One invocation per
+// planes of obstacles end its way. Asks for a search where colliders need one, and clears its words. One invocation per
 // vertex. Source: docs/contact.md, equations (5) to (6) and (7d).
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"

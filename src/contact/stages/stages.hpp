@@ -12,7 +12,7 @@ namespace weft::contact {
 ///   measure    at the predicted state; again after each iteration that answers: gaps and weights of the pairs.
 ///   answer     optional, as often as measured: impulses between the pairs measured, added up for each vertex.
 ///   hold_back  owed by every solver, once, last: gives each vertex the sum of `answer`, holds it back from
-///              what it would pass through, clears its words for the next substep, and decides whether that searches.
+///              what it would pass through, clears its words, and asks for a search where colliders go far.
 ///
 /// Reads   position[parity], the state before the substep; position[1 - parity], the prediction.
 /// Writes  position[1 - parity], velocity[1 - parity] (hold_back alone); statistics.
