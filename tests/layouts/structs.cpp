@@ -345,6 +345,8 @@ Json shared_constants() {
       constant("kResidual", "method/multigrid/cloth.wgsl", multigrid::kResidual),
       constant("kInverse", "method/multigrid/cloth.wgsl", multigrid::kInverse),
       constant("kDirection", "method/multigrid/cloth.wgsl", multigrid::kDirection),
+      constant("kCoarseTile", "method/multigrid/descend_coarse.wgsl", multigrid::kCoarseTile),
+      constant("kTile", "method/multigrid/ascend_coarse.wgsl", multigrid::kTile),
       constant("kFirst", "method/multigrid/cloth.wgsl", multigrid::kFirst),
       constant("kSecond", "method/multigrid/cloth.wgsl", multigrid::kSecond),
       constant("kVectors", "method/multigrid/cloth.wgsl", multigrid::kVectors),

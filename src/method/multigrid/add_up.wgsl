@@ -18,15 +18,22 @@ const kLanes = 256u;
 var<workgroup> lanes : array<vec2f, kLanes>;
 
 fn partial(k : u32, count : u32) -> vec2f { return select(vec2f(0.0), partials[min(k, count - 1u)], k < count); }
+fn four(k : u32, count : u32) -> vec2f {
+  return (partial(k, count) + partial(k + kLanes, count)) +
+         (partial(k + 2u * kLanes, count) + partial(k + 3u * kLanes, count));
+}
 
-// Four at a time, since one workgroup waits for each of its loads.
+// Sixteen at a time, since one workgroup waits for each of its loads.
 fn total(local : u32) -> vec2f {
   let count = arrayLength(&partials);
   for (var lane = local; lane < kLanes; lane += kWorkgroupSize) {
     var sum = vec2f(0.0);
-    for (var k = lane; k < count; k += 4u * kLanes) {
-      sum += (partial(k, count) + partial(k + kLanes, count)) +
-             (partial(k + 2u * kLanes, count) + partial(k + 3u * kLanes, count));
+    for (var k = lane; k < count; k += 16u * kLanes) {
+      let a = four(k, count);
+      let b = four(k + 4u * kLanes, count);
+      let c = four(k + 8u * kLanes, count);
+      let d = four(k + 12u * kLanes, count);
+      sum = (((sum + a) + b) + c) + d;
     }
     lanes[lane] = sum;
   }
@@ -54,16 +61,16 @@ fn after(state : Solve, sum : vec2f) -> Solve {
   return next;
 }
 
+var<workgroup> idle : u32;
+
 @compute @workgroup_size(kWorkgroupSize)
 fn add_up(@builtin(local_invocation_index) local : u32) {
+  if (local == 0u) { idle = select(0u, 1u, kSum != kFirstNorm && is_solved()); }
+  if (workgroupUniformLoad(&idle) == 1u) { return; }
   let sum = total(local);
   if (local != 0u) { return; }
   var state = Solve(sum.x, sum.x, 0.0, sum.y, 0.0, 1.0, 0u, sum.x == 0.0);
-  if (kSum != kFirstNorm) {
-    state = solve_state();
-    if (state.done) { return; }
-    state = after(state, sum);
-  }
+  if (kSum != kFirstNorm) { state = after(solve_state(), sum); }
   let at = arrayLength(&vectors) - kSolveWords;
   vectors[at] = vec4f(state.first, state.left, state.enough, state.rho);
   vectors[at + 1u] = vec4f(state.rate, state.keep, f32(state.turn), select(0.0, 1.0, state.done));

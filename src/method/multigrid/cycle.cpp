@@ -38,7 +38,6 @@ void Cycle::record_guess(gpu::ComputePass& pass) const {
 void Cycle::record_iteration(gpu::ComputePass& pass) const {
   record_down(pass);
   record_up(pass);
-  weigh_.record(pass);
   rho_.record(pass);
   record_step(pass);
 }
@@ -85,7 +84,6 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      vectors_};
            }));
   WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes, sums));
-  WEFT_SET(weigh_, Dispatch::create(kernels.weigh, nodes, sums));
   WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, sums));
   WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, {1, 1}, sums));
   WEFT_SET(square_, Dispatch::create(kernels.square, {1, 1}, sums));

@@ -101,8 +101,8 @@ class Cycle {
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<std::array<float, 2>> partials_;
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_;
-  gpu::Dispatch begin_solve_, weigh_, search_, advance_;  // of conjugate gradients
-  gpu::Dispatch first_norm_, square_, norm_, rho_;        // sums over the nodes
+  gpu::Dispatch begin_solve_, search_, advance_;    // of conjugate gradients
+  gpu::Dispatch first_norm_, square_, norm_, rho_;  // sums over the nodes
   ClothNodes own_nodes_;
 
  private:

@@ -1,6 +1,7 @@
 // The V-cycle on the coarsest levels of a grid, by one workgroup: tail.wgsl.
 #include "method/multigrid/coarse_operator.wgsl"
-#include "method/multigrid/grid_transfer.wgsl"
+#include "method/multigrid/grid_restriction.wgsl"
+#include "method/multigrid/level_left.wgsl"
 #include "method/multigrid/operand.wgsl"
 #include "method/multigrid/tail.wgsl"
 //                                                                                 elements

@@ -10,6 +10,7 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/grid_store_block.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
+#include "method/multigrid/level_start.wgsl"
 //                                                                                 elements
 @group(0) @binding(0) var<uniform>             levels    : array<GridLevelParams, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;        // method/multigrid/cloth.wgsl

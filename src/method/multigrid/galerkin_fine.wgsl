@@ -6,6 +6,7 @@
 #include "method/multigrid/fine_bindings.wgsl"
 #include "method/multigrid/grid_store_block.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
+#include "method/multigrid/level_start.wgsl"
 #include "method/multigrid/hold.wgsl"
 #include "method/multigrid/spring.wgsl"
 //                                                                                 elements

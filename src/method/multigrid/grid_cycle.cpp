@@ -6,6 +6,16 @@ namespace weft {
 
 using gpu::Dispatch;
 
+namespace {
+
+/// A workgroup for each tile of so many nodes a side.
+Dispatch::Workgroups tiles(const gpu::Kernel& kernel, const GridLevelParams& level, std::uint32_t side) {
+  const std::uint64_t across = (level.nx + side - 1) / side, along = (level.ny + side - 1) / side;
+  return kernel.workgroups_of(across * along * kernel.workgroup_size());
+}
+
+}  // namespace
+
 Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels& kernels, const Body& body) {
   GridCycle made;
   made.shapes_ = grid_level_params(body);
@@ -42,7 +52,9 @@ Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels
   const Dispatch::Bindings bindings = {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_};
   WEFT_SET(fine.smooth_down, Dispatch::create(kernels.smooth_fine, nodes, bindings));
   WEFT_SET(fine.smooth_begin, Dispatch::create(kernels.prolong_fine, nodes, bindings));
-  WEFT_SET(fine.smooth_up, Dispatch::create(kernels.smooth_fine_up, nodes, bindings));
+  WEFT_SET(fine.smooth_up,
+           Dispatch::create(kernels.smooth_last, nodes,
+                            {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_, partials_}));
   if (shapes_.size() == 1) return {};
   const Dispatch::Workgroups coarse = kernels.galerkin_fine->workgroups_of(node_count(shapes_[1]));
   WEFT_SET(fine.coarsen,
@@ -55,7 +67,7 @@ Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels
   return {};
 }
 
-// The correction is part of the first smoothing sweep.
+// Between the finest level and the tail, one dispatch does all stages down and one all of those up.
 Result<void> GridCycle::create_coarse(const GridKernels& kernels) {
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     Level& level = levels_[l];
@@ -67,14 +79,11 @@ Result<void> GridCycle::create_coarse(const GridKernels& kernels) {
                          kernels.galerkin->workgroups_of(std::uint64_t{multigrid::kBlocks} * coarse_nodes),
                          bindings));
     if (l >= tail_) continue;
-    const Dispatch::Workgroups nodes = kernels.smooth_down->workgroups_of(node_count(shapes_[l]));
-    const Dispatch::Workgroups coarse = kernels.restrict_residual->workgroups_of(coarse_nodes);
-    WEFT_SET(level.smooth_down, Dispatch::create(kernels.smooth_down, nodes, bindings));
-    WEFT_SET(level.residual, Dispatch::create(kernels.residual, nodes, bindings));
     WEFT_SET(level.restrict_down,
-             Dispatch::create(kernels.restrict_residual, coarse, {level.levels, vectors_}));
-    WEFT_SET(level.smooth_begin, Dispatch::create(kernels.prolong, nodes, bindings));
-    WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_up, nodes, bindings));
+             Dispatch::create(kernels.descend,
+                              tiles(*kernels.descend, shapes_[l + 1], multigrid::kCoarseTile), bindings));
+    WEFT_SET(level.correct, Dispatch::create(kernels.ascend,
+                                             tiles(*kernels.ascend, shapes_[l], multigrid::kTile), bindings));
   }
   return {};
 }

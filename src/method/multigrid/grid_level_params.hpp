@@ -30,6 +30,9 @@ inline constexpr std::uint32_t kOperatorParts = kBlocks * kBlockParts;
 /// The cycle on levels of no more nodes is done by one workgroup: a stage there takes less than it takes to
 /// begin a dispatch.
 inline constexpr std::uint32_t kTailNodes = 33 * 33;
+/// Nodes a side of what a workgroup smooths on the levels between: src/method/multigrid/descend_coarse.wgsl, of the
+/// coarser level, and ascend_coarse.wgsl.
+inline constexpr std::uint32_t kCoarseTile = 8, kTile = 16;
 
 }  // namespace multigrid
 

@@ -2,7 +2,6 @@
 // fine nodes between take the mean. A side that is not halved stays as it is. The including kernel binds `vectors`.
 // Source: docs/solvers/multigrid.md, equation 7.
 #include "method/multigrid/grid_level.wgsl"
-#include "method/multigrid/level_start.wgsl"
 
 // How much fine node `fine` takes from coarse node `coarse`, along a side of n fine and m coarse nodes.
 fn tap(fine : i32, coarse : i32, n : i32, m : i32) -> f32 {
@@ -45,25 +44,4 @@ fn correction(fine : Level, coarse : Level, node : u32) -> vec3f {
 fn correct_node(fine : Level, coarse : Level, node : u32) {
   let at = vector_at(fine, kFirst, node);
   vectors[at] = vec4f(vectors[at].xyz + correction(fine, coarse, node), 0.0);
-}
-
-fn restrict_row(first : u32, x : vec3u, column : vec3f) -> vec3f {
-  return column.x * vectors[first + x.x].xyz + column.y * vectors[first + x.y].xyz +
-         column.z * vectors[first + x.z].xyz;
-}
-
-// Pᵀ of the finer level's residual after smoothing, and the first smoothing sweep on the coarser one.
-fn restrict_node(fine : Level, coarse : Level, node : u32) {
-  let j = node / coarse.nx;
-  let i = node - j * coarse.nx;
-  let center_i = center_of(i, fine.nx, coarse.nx);
-  let center_j = center_of(j, fine.ny, coarse.ny);
-  let column = taps_about(i32(center_i), i32(i), i32(fine.nx), i32(coarse.nx));
-  let row = taps_about(i32(center_j), i32(j), i32(fine.ny), i32(coarse.ny));
-  let x = vec3u(max(center_i, 1u) - 1u, center_i, min(center_i + 1u, fine.nx - 1u));
-  let y = fine.nx * vec3u(max(center_j, 1u) - 1u, center_j, min(center_j + 1u, fine.ny - 1u));
-  let left = vector_at(fine, kDirection, 0u);
-  let sum = row.x * restrict_row(left + y.x, x, column) + row.y * restrict_row(left + y.y, x, column) +
-            row.z * restrict_row(left + y.z, x, column);
-  start_level(coarse, node, sum, inverse_at(coarse, node));
 }

@@ -39,11 +39,6 @@ gpu::Constant bend(const CycleInputs& inputs) {
   return {"kBend", any ? 1.0 : 0.0};
 }
 
-std::vector<gpu::Constant> with(std::vector<gpu::Constant> constants, const gpu::Constant& more) {
-  constants.push_back(more);
-  return constants;
-}
-
 /// The vector in which the second smoothing sweep finds the solution: the first sweep itself on the way
 /// down.
 gpu::Constant down() { return {"kFrom", multigrid::kDirection}; }
@@ -61,7 +56,6 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::predict, "predict", size, {holds(inputs)}},
       {&K::finish, "finish", size, {holds(inputs)}},
       {&K::begin_solve, "begin_solve", size},
-      {&K::weigh, "weigh", size},
       {&K::advance, "advance", size},
       {&K::first_norm, "add_up", lone, {sum(0)}},
       {&K::square, "add_up", lone, {sum(1)}},
@@ -79,17 +73,15 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
       {&K::gradient, "gradient", size, of_springs},
       {&K::galerkin_fine, "galerkin_fine", size, {holds(inputs)}},
       {&K::galerkin, "galerkin", size},
-      {&K::smooth_fine, "smooth_fine", size, with(of_springs, down())},
+      {&K::smooth_fine, "smooth_fine", size, of_springs},
       {&K::residual_fine, "residual_fine", size, of_springs},
       {&K::correct_fine, "correct_fine", size},
       {&K::prolong_fine, "prolong_fine", size, of_springs},
-      {&K::smooth_fine_up, "smooth_fine", size, with(of_springs, up())},
+      {&K::smooth_last, "smooth_last_fine", size, of_springs},
       {&K::search, "search_fine", size, of_springs},
-      {&K::smooth_down, "smooth_coarse", size, {down()}},
-      {&K::residual, "residual_coarse", size},
-      {&K::prolong, "prolong_coarse", size},
-      {&K::smooth_up, "smooth_coarse", size, {up()}},
       {&K::restrict_residual, "restrict_residual", size},
+      {&K::descend, "descend_coarse", size},
+      {&K::ascend, "ascend_coarse", size},
       {&K::cycle_tail, "cycle_tail", lone_workgroup_size(inputs.device)},
   };
   WEFT_TRY(made, create_all<K>(inputs.device, table));
@@ -110,6 +102,7 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
       {&K::prolong, "mesh_prolong", size},
       {&K::smooth_begin, "mesh_smooth_begin", size},
       {&K::smooth_up, "mesh_smooth_end", size, {up()}},
+      {&K::smooth_last, "mesh_smooth_last", size},
       {&K::search, "mesh_search", size},
   };
   WEFT_TRY(made, create_all<K>(inputs.device, table));

@@ -7,7 +7,7 @@ namespace weft {
 /// The kernels of grids and meshes alike: the system, conjugate gradients, the new state.
 struct SharedKernels {
   gpu::SharedKernel predict, finish;
-  gpu::SharedKernel begin_solve, weigh, advance;
+  gpu::SharedKernel begin_solve, advance;
   gpu::SharedKernel first_norm, square, norm, rho;  // add_up.wgsl for each sum
 
   /// Errors  Shader.
@@ -18,14 +18,14 @@ struct SharedKernels {
 /// nodes' positions; the others read that of their level. Source: docs/solvers/multigrid.md.
 struct GridKernels {
   SharedKernels shared;
-  gpu::SharedKernel gradient;                                    // the linear system
-  gpu::SharedKernel galerkin_fine, galerkin;                     // matrices of coarse levels
-  gpu::SharedKernel smooth_fine, residual_fine;                  // the cycle on the finest level, down
-  gpu::SharedKernel correct_fine, prolong_fine, smooth_fine_up;  // and up
-  gpu::SharedKernel search;                                      // A p
-  gpu::SharedKernel smooth_down, residual, prolong, smooth_up;   // on those between
-  gpu::SharedKernel restrict_residual;                           // from level to level
-  gpu::SharedKernel cycle_tail;                                  // on the coarsest
+  gpu::SharedKernel gradient;                                 // the linear system
+  gpu::SharedKernel galerkin_fine, galerkin;                  // matrices of coarse levels
+  gpu::SharedKernel smooth_fine, residual_fine;               // the cycle on the finest level, down
+  gpu::SharedKernel correct_fine, prolong_fine, smooth_last;  // and up
+  gpu::SharedKernel search;                                   // A p
+  gpu::SharedKernel restrict_residual;                        // from there to the next level
+  gpu::SharedKernel descend, ascend;                          // on those between
+  gpu::SharedKernel cycle_tail;                               // on the coarsest
 
   /// Errors  Shader.
   static Result<GridKernels> create(const CycleInputs& inputs);
@@ -38,6 +38,7 @@ struct MeshKernels {
   gpu::SharedKernel smooth_down, residual, restrict_residual;  // the cycle: down
   gpu::SharedKernel tail;                                      // on the coarsest levels
   gpu::SharedKernel prolong, smooth_begin, smooth_up;          // up
+  gpu::SharedKernel smooth_last;                               // on the finest
   gpu::SharedKernel search;                                    // A p
 
   /// Errors  Shader.

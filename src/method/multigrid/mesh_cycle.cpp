@@ -63,7 +63,13 @@ Result<void> MeshCycle::create_levels(const MeshKernels& kernels) {
     const Dispatch::Bindings bindings = {level.levels, vectors_, blocks_, lists_.row_starts, lists_.rows};
     WEFT_SET(level.smooth_down, Dispatch::create(kernels.smooth_down, nodes, bindings));
     WEFT_SET(level.smooth_begin, Dispatch::create(kernels.smooth_begin, nodes, bindings));
-    WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_up, nodes, bindings));
+    if (l == 0) {
+      WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_last, nodes,
+                                                 {level.levels, vectors_, blocks_, lists_.row_starts,
+                                                  lists_.rows, partials_}));
+    } else {
+      WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_up, nodes, bindings));
+    }
     if (coarsest) continue;
     const Dispatch::Workgroups coarse = kernels.restrict_residual->workgroups_of(node_count(shapes_[l + 1]));
     WEFT_SET(level.residual, Dispatch::create(kernels.residual, nodes, bindings));

@@ -1,3 +1,3 @@
 // The operand of a level's matrix: one of its vectors. The including kernel binds `vectors` and has the Level.
-// gradient.wgsl and prolong_coarse.wgsl add something to the vector, and have an operand of their own.
+// Kernels that take it from elsewhere, or add something to it, have an operand of their own.
 fn operand(level : Level, x : u32, node : u32) -> vec3f { return vectors[vector_at(level, x, node)].xyz; }

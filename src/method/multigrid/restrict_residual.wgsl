@@ -1,6 +1,7 @@
 // Restricts the residual after smoothing on a level of a grid to the coarser one. One invocation per coarse node.
 #include "gpu/index.wgsl"
-#include "method/multigrid/grid_transfer.wgsl"
+#include "method/multigrid/grid_restriction.wgsl"
+#include "method/multigrid/level_left.wgsl"
 #include "method/multigrid/solve.wgsl"
 //                                                                               elements
 @group(0) @binding(0) var<uniform>             levels  : array<GridLevelParams, 2>;
