@@ -4,6 +4,7 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
 #include "method/multigrid/solve.wgsl"
+#include "method/multigrid/whole_workgroup.wgsl"
 //                                                                                elements
 @group(0) @binding(0) var<uniform>             nodes    : ClothNodes;
 @group(0) @binding(1) var<storage, read_write> vectors  : array<vec4f>;       // method/multigrid/cloth.wgsl
@@ -61,12 +62,9 @@ fn after(state : Solve, sum : vec2f) -> Solve {
   return next;
 }
 
-var<workgroup> idle : u32;
-
 @compute @workgroup_size(kWorkgroupSize)
 fn add_up(@builtin(local_invocation_index) local : u32) {
-  if (local == 0u) { idle = select(0u, 1u, kSum != kFirstNorm && is_solved()); }
-  if (workgroupUniformLoad(&idle) == 1u) { return; }
+  if (are_all_idle(local, kSum != kFirstNorm && is_solved())) { return; }
   let sum = total(local);
   if (local != 0u) { return; }
   var state = Solve(sum.x, sum.x, 0.0, sum.y, 0.0, 1.0, 0u, sum.x == 0.0);

@@ -2,9 +2,9 @@
 // does kTile x kTile nodes; sweeps of nodes between two tiles are done by both.
 // Source: docs/solvers/multigrid.md, equations 7 and 8.
 #include "method/multigrid/grid_tile.wgsl"
-const kTile = 16u;                   // mirror: src/method/multigrid/grid_level_params.hpp
-const kBegunSide = kTile + 4u;       // of the nodes that these look at: kReach more on each side
-const kCorrectedSide = kTile + 8u;   // and of those that these look at
+const kTile = 16u;                            // mirror: src/method/multigrid/grid_level_params.hpp
+const kBegunSide = kTile + 2u * kReach;       // of the nodes that these look at
+const kCorrectedSide = kTile + 4u * kReach;   // and of those that these look at
 var<workgroup> corrected : array<vec3f, kCorrectedSide * kCorrectedSide>;
 var<workgroup> begun : array<vec3f, kBegunSide * kBegunSide>;
 var<private> start : vec2i;
@@ -18,9 +18,8 @@ fn operand(level : Level, x : u32, node : u32) -> vec3f {
 @compute @workgroup_size(kWorkgroupSize)
 fn ascend_coarse(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local : u32) {
   let level = levels[0];
-  var first : vec2u;
-  let has_tile = tile_of(level, kTile, flat_group(group), &first);
-  if (is_idle(local, has_tile)) { return; }
+  let first = tile_start(level, kTile, flat_group(group));
+  if (!has_work(local, level, first)) { return; }
   start = vec2i(first);
   for (var k = local; k < kCorrectedSide * kCorrectedSide; k += kWorkgroupSize) {
     let at = in_square(start - 2 * kReach, kCorrectedSide, k);

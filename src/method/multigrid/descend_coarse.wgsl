@@ -3,9 +3,9 @@
 // nodes between two tiles are done by both. Source: docs/solvers/multigrid.md, equations 7 and 8.
 #include "method/multigrid/grid_tile.wgsl"
 #include "method/multigrid/grid_restriction.wgsl"
-const kCoarseTile = 8u;                        // mirror: src/method/multigrid/grid_level_params.hpp
-const kLeftSide = 2u * kCoarseTile + 1u;       // of the nodes that these take residuals from
-const kSmoothedSide = kLeftSide + 4u;      // and of those that residuals take solutions from: kReach more on each side
+const kCoarseTile = 8u;                         // mirror: src/method/multigrid/grid_level_params.hpp
+const kLeftSide = 2u * kCoarseTile + 1u;        // of the nodes that these take residuals from
+const kSmoothedSide = kLeftSide + 2u * kReach;  // and of those that residuals take solutions from
 var<workgroup> smoothed : array<vec3f, kSmoothedSide * kSmoothedSide>;
 var<workgroup> left : array<vec3f, kLeftSide * kLeftSide>;
 var<private> left_start : vec2i;
@@ -33,9 +33,8 @@ fn own_end(first : vec2u) -> vec2i {
 fn descend_coarse(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local : u32) {
   let fine = levels[0];
   let coarse = levels[1];
-  var first : vec2u;
-  let has_tile = tile_of(coarse, kCoarseTile, flat_group(group), &first);
-  if (is_idle(local, has_tile)) { return; }
+  let first = tile_start(coarse, kCoarseTile, flat_group(group));
+  if (!has_work(local, coarse, first)) { return; }
   let own_start = finer(first);
   left_start = own_start - 1;
   smoothed_start = left_start - kReach;

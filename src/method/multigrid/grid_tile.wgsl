@@ -1,9 +1,11 @@
 // A tile of a coarse level of a grid: one workgroup smooths its nodes, and so many about them that none has to wait for
-// another workgroup. Bindings, and the nodes of a tile; the including kernel has operand(level, x, node).
+// another workgroup. What others still read is not written: between the way down and the way up the solution is in
+// kSecond. Bindings, and the nodes of a tile; the including kernel has operand(level, x, node).
 #include "gpu/index.wgsl"
 #include "method/multigrid/coarse_operator.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
 #include "method/multigrid/smoothing.wgsl"
+#include "method/multigrid/whole_workgroup.wgsl"
 //                                                                                 elements
 @group(0) @binding(0) var<uniform>             levels    : array<GridLevelParams, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;        // method/multigrid/cloth.wgsl
@@ -21,17 +23,13 @@ fn place_in(level : Level, start : vec2i, side : u32, node : u32) -> u32 {
   return u32(from_start.y) * side + u32(from_start.x);
 }
 
-// The first node of a workgroup's tile, of so many nodes a side; false past the last tile.
-fn tile_of(level : Level, side : u32, group : u32, first : ptr<function, vec2u>) -> bool {
+// The first node of a workgroup's tile, of so many nodes a side; below the last row past the last tile.
+fn tile_start(level : Level, side : u32, group : u32) -> vec2u {
   let across = (level.nx + side - 1u) / side;
-  *first = side * vec2u(group % across, group / across);
-  return (*first).y < level.ny;
+  return side * vec2u(group % across, group / across);
 }
 
-var<workgroup> idle : u32;
-
-// Whether a workgroup has nothing to do; the same for all of its invocations.
-fn is_idle(local : u32, has_tile : bool) -> bool {
-  if (local == 0u) { idle = select(0u, 1u, is_solved() || !has_tile); }
-  return workgroupUniformLoad(&idle) == 1u;
+// For all invocations of a workgroup at once, whose tile begins there.
+fn has_work(local : u32, level : Level, first : vec2u) -> bool {
+  return !are_all_idle(local, is_solved() || first.y >= level.ny);
 }

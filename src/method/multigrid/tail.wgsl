@@ -4,6 +4,7 @@
 // restrict_node and correct_node. Source: docs/solvers/multigrid.md, equations 7 and 8.
 #include "gpu/index.wgsl"
 #include "method/multigrid/smoothing.wgsl"
+#include "method/multigrid/whole_workgroup.wgsl"
 
 // The coarsest level has nothing below it that could take the low eigenvalues, so more sweeps, for a wider range.
 const kBottomLow = kHigh / 30.0;
@@ -37,11 +38,8 @@ fn solve_bottom(level : Level, local : u32) {
   }
 }
 
-var<workgroup> solved : u32;
-
 fn solve_tail(local : u32) {
-  if (local == 0u) { solved = select(0u, 1u, is_solved()); }
-  if (workgroupUniformLoad(&solved) == 1u) { return; }
+  if (are_all_idle(local, is_solved())) { return; }
   let last = arrayLength(&tail) - 1u;
   for (var l = 0u; l < last; l++) {
     let level = tail[l];
