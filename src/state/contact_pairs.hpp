@@ -41,7 +41,7 @@ inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000
 inline constexpr std::uint32_t kCrossingFlag = 0x40000000U, kUntangles = 4;
 inline constexpr std::uint32_t kHasRecord = 0x80000000U;             // of ListedPair::words[0]
 inline constexpr std::uint32_t kVertexWords = 16, kTangledWord = 4;  // of ContactPairs::vertex_contacts
-inline constexpr std::uint32_t kPressWords = 18;                     // of ContactPairs::presses
+inline constexpr std::uint32_t kPressWords = 20;                     // of ContactPairs::presses
 inline constexpr std::uint32_t kHeader = 8, kKeptRoomWord = 2, kKeptWords = 8;  // of ContactPairs::kept
 
 /// The capacities of the lists of proximity contact.

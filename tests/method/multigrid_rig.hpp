@@ -120,8 +120,9 @@ class ImplicitRig {
       std::int32_t* sums = &words[kPressWords * n];
       const auto put = [&](std::size_t word, double value) {
         const std::int64_t sum = std::llround(value * kUnits);
-        sums[word] = static_cast<std::int32_t>(sum);                                   // its lowest 32 bits
-        sums[word + 9] = static_cast<std::int32_t>((sum - sums[word]) / (1LL << 32));  // kPressWraps
+        sums[word] = static_cast<std::int32_t>(sum);  // its lowest 32 bits
+        sums[word + kPressWords / 2] =
+            static_cast<std::int32_t>((sum - sums[word]) / (1LL << 32));  // how often past an end
         return static_cast<double>(sum) / kUnits;
       };
       const double weight = put(4, random.uniform(0.1, 3) * (n % (4 * every) == 0 ? 20000 : 1));
@@ -129,6 +130,8 @@ class ImplicitRig {
       press.weight = weight;
       press.normal = {put(0, weight * normal.x), put(1, weight * normal.y), put(2, weight * normal.z)};
       press.lack = put(3, weight * lack) * static_cast<double>(params_.contact.thickness);
+      press.restored =
+          put(9, weight * std::max(0.15 * lack, 0.0)) * static_cast<double>(params_.contact.thickness);
       press.surface = {put(5, weight * surface.x), put(6, weight * surface.y), put(7, weight * surface.z)};
       press.friction = put(8, weight * friction);
     }
@@ -157,8 +160,10 @@ class ImplicitRig {
     const auto& l = cycle_.shapes()[level];
     const std::uint32_t count = node_count(l);
     const std::vector<Vec4f> all = download(cycle_.vectors());
-    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(l.first_vector + number * count);
-    return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+    const auto values = std::span(all).subspan(l.first_vector + std::size_t{number} * count, count);
+    std::vector<Vec4f> found;
+    for (const Vec4f& value : values) found.push_back(value);
+    return found;
   }
   template <class T>
   std::vector<T> download(const gpu::Buffer<T>& buffer) {

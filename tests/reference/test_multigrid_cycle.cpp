@@ -175,7 +175,10 @@ TEST_CASE("coarse matrices have what obstacles hold nodes with") {
        a += 3) {  // ten metres too far in; nothing sticks, or all does
     const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), weight = random.uniform(0.2, 2);
     const Vec3d n = Vec3d{x, y, 1} / length(Vec3d{x, y, 1});
-    presses[a] = {weight * n, 10 * weight, weight, {}, a % 2 == 0 ? 0 : weight * 1e9};
+    presses[a] = {.normal = weight * n,
+                  .lack = 10 * weight,
+                  .weight = weight,
+                  .friction = a % 2 == 0 ? 0 : weight * 1e9};
     double trace = 0;
     for (int k = 0; k < 3; ++k) trace += full.coeff(3 * static_cast<int>(a) + k, 3 * static_cast<int>(a) + k);
     const Eigen::Vector3d m(n.x, n.y, n.z);

@@ -84,7 +84,7 @@ TEST_CASE("above the angle of friction a sheet slides with g (sin - mu cos), of 
   }
 }
 
-TEST_CASE("implicit cloth that starts too deep in a floor leaves it no faster than a hold may move it") {
+TEST_CASE("implicit cloth that starts too deep in a floor leaves it and keeps no speed") {
   auto simulation = simulation_of_text(R"("gravity": [0, 0, 0], "solver": {"kind": "multigrid"},
     "contact": {"method": "proximity", "thickness": 0.01},
     "cloths": [{"grid": [9, 9], "size": [0.4, 0.4], "plane": "xz", "density": 0.3, "damping": 0.01,
@@ -92,7 +92,7 @@ TEST_CASE("implicit cloth that starts too deep in a floor leaves it no faster th
     "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])");
   advance(simulation, 2);
   for (const Vec3d& p : simulation.positions()) CHECK(p.y > 0.00999);
-  for (const Vec3d& v : simulation.velocities()) CHECK(length(v) < 1.01 * kHoldSpeed);
+  for (const Vec3d& v : simulation.velocities()) CHECK(length(v) < 0.02 * kHoldSpeed);
 }
 
 TEST_CASE("a dropped sheet bounces as its restitution says") {

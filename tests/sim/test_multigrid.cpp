@@ -339,7 +339,7 @@ TEST_CASE("a floor of 1,000 planes holds a sheet as one plane does") {
   CHECK(most < 2e-3);  // of 1.57 m: impulses of 1,000 pairs are rounded, each to 2^-22 m/s in each iteration
 }
 
-TEST_CASE("cloth that starts too deep in a floor leaves it no faster than a hold may move it") {
+TEST_CASE("cloth that starts too deep in a floor leaves it and keeps no speed") {
   GpuFixture fixture;
   auto world =
       world_of(fixture.device(), contact_scene(R"("solver": {"kind": "multigrid"}, "gravity": [0, 0, 0],
@@ -349,7 +349,7 @@ TEST_CASE("cloth that starts too deep in a floor leaves it no faster than a hold
   advance(*world, 2);
   const Moment now(*world);
   for (const Vec3d& p : now.position) CHECK(p.y > 0.00999);
-  CHECK(now.largest_speed() < 1.01 * kHoldSpeed);
+  CHECK(now.largest_speed() < 0.02 * kHoldSpeed);
 }
 
 TEST_CASE("cloth that hangs over a ridge is stretched as with explicit steps") {

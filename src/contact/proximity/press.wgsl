@@ -16,7 +16,7 @@
 @group(0) @binding(7) var<storage, read>       rings      : array<u32>;         // feature_rings.hpp
 
 const kHoldPart = 0.15;   // of a missing gap, the part that a hold restores in a substep
-const kHoldSpeed = 0.05;  // m/s: no faster, since a hold's way stays in the velocity
+const kHoldSpeed = 0.05;  // m/s: no faster
 
 fn velocity_of(vertex : u32) -> vec3f { return velocity[vertex].xyz; }
 
@@ -60,6 +60,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
         sums[kPressSurface + k] = surface[k];
       }
       sums[kPressLack] = abs(weights[role]) * kLackUnits * lack;
+      sums[kPressRestored] = abs(weights[role]) * kLackUnits * max(room, 0.0) / step.contact.thickness;
       sums[kPressWeight] = weight;
       sums[kPressFriction] = weight * friction;
       // A loop: SwiftShader needs minutes and gigabytes to compile nine calls.

@@ -5,13 +5,14 @@
 // words: its lowest 32 bits as an i32, and how often that has passed over either end, + 2^32 each. No addend is
 // beyond kMost = 64 units of 2^20 = 2^26, and no list has 2^32 pairs, so a sum stays below 2^58, and the second word
 // below 2^27. Both are the same in any order: the lowest bits do not depend on it, so neither does what is left.
-const kPressWords = 18u;
+const kPressWords = 20u;
 const kPressNormal = 0u;    // three: the direction that they press in; kPressUnits
 const kPressLack = 3u;      // how far along it the vertex has to go beyond its velocity; kLackUnits in a thickness
 const kPressWeight = 4u;    // kPressUnits
 const kPressSurface = 5u;   // three: the obstacle's velocity, m/s; kPressUnits
 const kPressFriction = 8u;  // kPressUnits
-const kPressWraps = 9u;     // from a sum's first word to its second
+const kPressRestored = 9u;  // the part of that lack by which the vertex is too near; kLackUnits in a thickness
+const kPressWraps = 10u;    // from a sum's first word to its second
 const kPressUnits = 1048576.0;  // 2^20
 const kLackUnits = 1048576.0;
 const kMostLack = 16.0;     // thicknesses

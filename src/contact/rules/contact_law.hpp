@@ -28,8 +28,8 @@ inline constexpr double kContactTouching = 1.001;
 /// flat floor is in the cone of neither triangle by the rounding of f32, some 1e-4 of a gap that is a few thousand
 /// steps of f32 wide. A floor pushes sideways by no more than this part of what it bears.
 inline constexpr double kConeSlack = 1e-3;
-/// The part of a missing gap that a hold of the implicit solver restores in a substep, and how fast at most [m/s]:
-/// that way stays in the velocity. At 0.05 m/s it lifts a node by 0.13 mm.
+/// The part of a missing gap that a hold of the implicit solver restores in a substep, and how fast at most [m/s].
+/// The node does not keep that speed.
 inline constexpr double kHoldPart = 0.15, kHoldSpeed = 0.05;
 /// A press says no more than this of how far a node has to go, in thicknesses, so that sums of integers hold:
 /// docs/solvers/multigrid.md, Contact.

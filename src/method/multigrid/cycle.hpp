@@ -134,7 +134,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const Body& body,
                device, (body.vertex_count + multigrid::kChunk - 1) / multigrid::kChunk, "partial sums")));
   WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, body.vertex_count, "multigrid place"));
   // One element each where nothing holds: kernels bind buffers that they do not read.
-  const std::size_t count = inputs.presses != nullptr ? body.vertex_count : 1;
+  const std::size_t count = inputs.presses != nullptr ? std::size_t{2} * body.vertex_count : 1;
   WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, count, "multigrid holds"));
   WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
   WEFT_SET(vectors_,

@@ -36,7 +36,9 @@ fn finish_free(index : u32, solution : vec3f) {
   let way = step.time.dt * velocity.xyz + solution;
   let before = position_out[node].xyz;
   position_out[node] = vec4f(now.xyz + way, now.w);
-  velocity_out[node] = vec4f((way - formula.c * (now.xyz - before)) / formula.he, select(1.0, 0.0, pressed));
+  var after = (way - formula.c * (now.xyz - before)) / formula.he;
+  if (pressed) { after -= holds[restored_at(index)].xyz; }
+  velocity_out[node] = vec4f(after, select(1.0, 0.0, pressed));
 }
 
 fn report() {

@@ -6,10 +6,15 @@
 const kHoldStiffness = 10.0;  // of the trace of the diagonal
 const kAgree = 0.3;           // of the normals: with less there is no one direction to hold it along
 
+fn let_go(node : u32) {
+  holds[node] = vec4f(0.0);
+  holds[restored_at(node)] = vec4f(0.0);
+}
+
 // Clears the sums of `press` for the node, and its hold.
 fn free_of_obstacles(node : u32, first_vertex : u32) {
   for (var word = 0u; word < kPressWords; word++) { presses[kPressWords * (first_vertex + node) + word] = 0; }
-  holds[node] = vec4f(0.0);
+  let_go(node);
 }
 
 fn press_sum(word : u32) -> f32 {
@@ -33,13 +38,14 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   let word = kPressWords * (first_vertex + node);
   let weight = press_sum(word + kPressWeight) / kPressUnits;
   if (weight == 0.0) {
-    holds[node] = vec4f(0.0);
+    let_go(node);
     return none;
   }
   let sum = press_vector(word + kPressNormal);
   let lack = press_sum(word + kPressLack) / (kLackUnits * weight) * step.contact.thickness;
   let surface = press_vector(word + kPressSurface) / weight;
   let friction = press_sum(word + kPressFriction) / (kPressUnits * weight);
+  let restored = press_sum(word + kPressRestored) / (kLackUnits * weight) * step.contact.thickness;
   free_of_obstacles(node, first_vertex);
   let size = length(sum);
   if (size < kAgree * weight) { return none; }
@@ -47,7 +53,9 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   let pressed = inertia * lack - dot(residual, n);  // force that holds it there
   if (pressed <= 0.0) { return none; }
   let stiffness = kHoldStiffness * min(weight, 1.0) * (diagonal.diagonal.x + diagonal.diagonal.y + diagonal.diagonal.z);
-  let most = friction * pressed * stiffness / (stiffness + inertia);  // compliance of the hold
+  holds[restored_at(node)] = vec4f(restored / step.time.dt * n, 0.0);
+  let borne = max(0.0, pressed - inertia * restored);
+  let most = friction * borne * stiffness / (stiffness + inertia);  // compliance of the hold
   let slip = start - step.time.dt * surface;
   let along = slip - dot(slip, n) * n;
   let needed = -inertia * along - (residual - dot(residual, n) * n);

@@ -26,6 +26,7 @@ std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const V
       Press& press = presses[pair.nodes[k]];
       press.normal += weight * side * pair.direction;
       press.lack += weight * lack;
+      press.restored += weight * std::max(room, 0.0);
       press.weight += weight;
       press.surface -= weight * side * pair.surface;
       press.friction += weight * pair.friction;

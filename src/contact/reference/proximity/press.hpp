@@ -13,6 +13,7 @@ namespace weft::reference {
 struct Press {
   Vec3d normal;         // the direction that they press in
   double lack = 0;      // how much further along it the node has to go than its velocity takes it [m]
+  double restored = 0;  // the part of it by which the node is too near [m]
   double weight = 0;    // 0: there is none
   Vec3d surface;        // the obstacle's velocity [m/s]
   double friction = 0;  // μ

@@ -88,18 +88,21 @@ void hold_at_obstacles(StepStart& step, std::span<const Sym3> diagonal, std::spa
     if (press.weight == 0 || step.fixed[a] || size < kAgree * press.weight) continue;
     const Vec3d n = press.normal / size, residual = step.residual[a];
     const double lack = press.lack / press.weight, friction = press.friction / press.weight;
+    const double restored = press.restored / press.weight;
     const double pressed = inertia * lack - dot(residual, n);
     if (!(pressed > 0)) continue;
     const double stiffness = kHoldStiffness * std::min(press.weight, 1.0) * diagonal[a].trace();
     const Vec3d slip = step.start[a] - dt / press.weight * press.surface, along = slip - dot(slip, n) * n;
     const Vec3d needed = -inertia * along - (residual - dot(residual, n) * n);
     const double grip = length(needed);
-    const double most = friction * pressed * stiffness / (stiffness + inertia);  // compliance of the hold
+    const double borne = std::max(0.0, pressed - inertia * restored);
+    const double most = friction * borne * stiffness / (stiffness + inertia);  // compliance of the hold
     const bool sticks = grip <= most;
     step.residual[a] += stiffness * lack * n;
     step.residual[a] += sticks ? -stiffness * along : most / grip * needed;
     add(a, sticks ? Sym3::identity(stiffness) : Sym3::outer(n, stiffness));
     step.pressed[a] = true;
+    step.restored[a] = restored / dt * n;
   }
 }
 
@@ -152,6 +155,7 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
   step.inertia.resize(cloth.count);
   step.fixed.assign(cloth.count, false);
   step.pressed.assign(cloth.count, false);
+  step.restored.resize(cloth.count);
   for (std::size_t a = 0; a < cloth.count; ++a) {
     const std::size_t node = cloth.first + a;
     const Vec3d x = system.position[node], v = system.velocity[node];
@@ -298,7 +302,7 @@ void ImplicitStepper::advance(const Substep& substep) {
       position[node] = step.place[a] + step.start[a] + dz[a];
       velocity[node] = step.start_velocity[a] + (step.fixed[a] ? Vec3d{} : dz[a] / formula.he);
       if (!step.pressed[a]) continue;  // an impulse breaks the history of BDF2
-      velocity[node] = (step.start[a] + dz[a]) / dt;
+      velocity[node] = (step.start[a] + dz[a]) / dt - step.restored[a];
       stopped.push_back(node);
     }
   };

@@ -19,6 +19,7 @@ struct StepStart {
   Field guess;                         // of dz: velocities change on as in the step before [m]
   std::vector<double> inertia;         // its part of the diagonal of A [N/m]
   std::vector<bool> fixed;
+  Field restored;             // the speed at which a hold brings a node away, which it does not keep [m/s]
   std::vector<bool> pressed;  // nodes that an obstacle holds: in the matrix, and no history after it
 };
 
