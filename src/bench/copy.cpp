@@ -46,7 +46,7 @@ Result<CopyRow> measure_dispatch(gpu::Device& device, bool quick) {
   gpu::CommandList list;
   {
     gpu::ComputePass pass(list, "dispatches in order");
-    for (std::uint32_t k = 0; k < dispatches; ++k) kernel.dispatch_groups(pass, group, 1);
+    for (std::uint32_t k = 0; k < dispatches; ++k) kernel.dispatch_groups(pass, group, {1});
   }
   WEFT_TRY(time, time_list(device, list, dispatches, quick));
   WEFT_TRY(counted, gpu::download(device, word));

@@ -12,7 +12,6 @@ namespace weft::gpu {
 class Dispatch {
  public:
   using Bindings = std::vector<Binding>;
-  using Workgroups = std::array<std::uint32_t, 2>;  // along x and y: Kernel::workgroups_of
 
   Dispatch() = default;
 
@@ -33,7 +32,7 @@ class Dispatch {
   void record(ComputePass& pass) const {
     if (kernel_ == nullptr) return;
     const BindGroup& group = groups_.size() == 1 ? groups_[0] : groups_[pass.parity()];
-    kernel_->dispatch_groups(pass, group, workgroups_[0], workgroups_[1]);
+    kernel_->dispatch_groups(pass, group, workgroups_);
   }
 
  private:

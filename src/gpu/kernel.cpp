@@ -84,14 +84,12 @@ Result<BindGroup> Kernel::bind(std::span<const Binding> sources) const {
 }
 
 void Kernel::dispatch(ComputePass& pass, const BindGroup& group, std::uint64_t count) const {
-  const auto [x, y] = workgroups_of(count);
-  dispatch_groups(pass, group, x, y);
+  dispatch_groups(pass, group, workgroups_of(count));
 }
 
-std::array<std::uint32_t, 2> Kernel::workgroups_of(std::uint64_t count) const {
+Workgroups Kernel::workgroups_of(std::uint64_t count) const {
   const std::uint64_t groups = (count + workgroup_size_ - 1) / workgroup_size_;
-  if (groups <= device_->limits().max_workgroups_per_dimension)
-    return {static_cast<std::uint32_t>(groups), 1};
+  if (groups <= device_->limits().max_workgroups_per_dimension) return {static_cast<std::uint32_t>(groups)};
   const std::uint64_t rows = (groups + kGroupsPerRow - 1) / kGroupsPerRow;
   assert(rows <= device_->limits().max_workgroups_per_dimension);
   return {kGroupsPerRow, static_cast<std::uint32_t>(rows)};
@@ -100,12 +98,12 @@ std::array<std::uint32_t, 2> Kernel::workgroups_of(std::uint64_t count) const {
 void Kernel::dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const {
   const std::uint64_t most = device_->adapter().type == "CPU" ? 16 : 262144 / workgroup_size_;
   const std::uint64_t groups = (capacity + workgroup_size_ - 1) / workgroup_size_;
-  dispatch_groups(pass, group, static_cast<std::uint32_t>(std::clamp<std::uint64_t>(groups, 1, most)));
+  dispatch_groups(pass, group, {static_cast<std::uint32_t>(std::clamp<std::uint64_t>(groups, 1, most))});
 }
 
-void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x,
-                             std::uint32_t y) const {
-  pass.dispatch(compiled_->pipeline.id(), group.id(), label_, {x, y, 1}, compiled_->reads_step);
+void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, const Workgroups& workgroups) const {
+  pass.dispatch(compiled_->pipeline.id(), group.id(), label_, {workgroups.x, workgroups.y, workgroups.z},
+                compiled_->reads_step);
 }
 
 }  // namespace weft::gpu

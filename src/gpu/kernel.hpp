@@ -38,6 +38,11 @@ class BindGroup {
 
 inline constexpr std::uint32_t kDefaultWorkgroupSize = 256;
 
+/// How many there are of a dispatch, along each of its dimensions.
+struct Workgroups {
+  std::uint32_t x = 1, y = 1, z = 1;
+};
+
 /// A compute kernel: one WGSL file whose entry point bears the file's name.
 class Kernel {
  public:
@@ -61,9 +66,9 @@ class Kernel {
   /// For a grid-stride loop over up to `capacity` elements, whose number only the GPU knows: as many invocations as
   /// keep the adapter busy.
   void dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const;
-  void dispatch_groups(ComputePass& pass, const BindGroup& group, std::uint32_t x, std::uint32_t y = 1) const;
+  void dispatch_groups(ComputePass& pass, const BindGroup& group, const Workgroups& workgroups) const;
   /// How many workgroups `dispatch` makes of `count` invocations, along x and y.
-  std::array<std::uint32_t, 2> workgroups_of(std::uint64_t count) const;
+  Workgroups workgroups_of(std::uint64_t count) const;
 
   std::uint32_t workgroup_size() const { return workgroup_size_; }
 

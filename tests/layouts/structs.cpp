@@ -163,12 +163,13 @@ Json level_of_grid() {
   using T = GridLevelParams;
   return row("GridLevelParams", "method/multigrid/grid_level.wgsl", sizeof(T), kExact,
              {M(nx), M(ny), M(first_vector), M(first_operator), M(bending_i), M(bending_j), M(last_bend_i),
-              M(last_bend_j), M(rim), M(padding_a), M(padding_b), M(padding_c)});
+              M(last_bend_j), M(rim), M(vectors), M(operators), M(padding)});
 }
 Json cloth_nodes() {
   using T = ClothNodes;
   return row("ClothNodes", "method/multigrid/cloth.wgsl", sizeof(T), kUniform,
-             {M(first_vertex), M(count), M(residual), M(may_retry)});
+             {M(first_vertex), M(count), M(residual), M(may_retry), M(vectors), M(padding_a), M(padding_b),
+              M(padding_c)});
 }
 Json level_of_mesh() {
   using T = MeshLevelParams;

@@ -36,7 +36,7 @@ class ImplicitRig {
         workgroup_size};
     const auto kernels = Kernels::create(inputs);
     REQUIRE_OK(kernels);
-    auto cycle = ClothCycle::create(inputs, *kernels, model_.host.bodies[0]);
+    auto cycle = ClothCycle::create(inputs, *kernels, {model_.host.bodies[0]});
     REQUIRE_OK(cycle);
     cycle_ = std::move(*cycle);
     params_.air.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);

@@ -230,3 +230,39 @@ TEST_CASE("an implicit substep has the same bits for every workgroup, and on eve
     CHECK(same_bits(positions.back(), positions.front()));
   }
 }
+
+TEST_CASE(
+    "grids in a row that differ in their places alone are one cycle, as many as a binding has room for") {
+  const auto grid = [](const std::string& side, const std::string& more) {
+    return R"({"grid": [)" + side + ", 30], \"size\": [1, 1], \"density\": 0.2" + more + "}";
+  };
+  const std::string plain = grid("40", ""),
+                    other_place =
+                        grid("40", R"(, "transform": {"translate": [3, 0, 0], "rotate": [0, 0.6, 0, 0.8]})"),
+                    pinned = grid("40", R"(, "pins": ["top_left"])"), longer = grid("41", ""),
+                    damped = grid("40", R"(, "damping": 0.5)"),
+                    stiffer = grid("40", R"(, "stiffness": {"bending": 1})"),
+                    wider = grid("40", R"(, "transform": {"scale": 2})");
+  gpu::Limits limits;
+  limits.max_workgroups_per_dimension = 65535;
+  limits.max_storage_binding_size = std::uint64_t{1} << 27U;
+  const auto equal_of = [&](const std::vector<std::string>& cloths) {
+    std::string list;
+    for (const std::string& cloth : cloths) list += (list.empty() ? "" : ",") + cloth;
+    const scene::Scene scene = scene_of("\"cloths\": [" + list + "]");
+    const auto model = build_model(scene, std::vector<mesh::TriangleMesh>(cloths.size()));
+    REQUIRE_OK(model);
+    return equal_grids(model->bodies, most_cloths(model->bodies[0], limits));
+  };
+  CHECK(equal_of({plain}) == 1);
+  CHECK(equal_of({plain, other_place, pinned, longer, plain}) == 3);
+  for (const std::string& other : {longer, damped, stiffer, wider}) CHECK(equal_of({plain, other}) == 1);
+  limits.max_workgroups_per_dimension = 2;
+  CHECK(equal_of({plain, plain, plain}) == 2);
+  limits.max_workgroups_per_dimension = 65535;
+  limits.max_storage_binding_size = std::uint64_t{4} * 40 * 30 * 200;  // bytes: some 193 a node
+  CHECK(equal_of({plain, plain, plain, plain, plain}) < 5);
+  CHECK(equal_of({plain, plain, plain, plain, plain}) > 1);
+  limits.max_storage_binding_size = 1024;  // none fits: its own buffers say so
+  CHECK(equal_of({plain, plain}) == 1);
+}

@@ -131,3 +131,61 @@ TEST_CASE(
     }
   }
 }
+
+namespace {
+
+/// A cloth of so many nodes a side.
+std::string square(int side, const char* x, const char* more = "") {
+  return R"({"grid": [)" + std::to_string(side) + ", " + std::to_string(side) +
+         R"(], "size": [1, 1], "plane": "xz",
+      "density": 0.2, "stiffness": {"structural": 10, "shear": 2, "bend": 0.1}, "transform": {"translate": [)" +
+         x + ", 0.011, 0]}" + more + "}";
+}
+
+struct Equal {
+  std::vector<Vec3d> places;
+  std::size_t dispatches;  // of a frame
+};
+Equal run_equal(gpu::Device& device, const std::string& members, const std::string& cloths,
+                const sim::WorldOptions& options) {
+  auto world = world_of(device, contact_scene(members + R"("cloths": [)" + cloths + "]"), options);
+  advance(*world, 2);
+  return {places_of(*world), world->frame_commands(0, world->substeps()).dispatch_count()};
+}
+
+}  // namespace
+
+TEST_CASE("cloths that are equal, which may share dispatches, have the bits that they have among others") {
+  GpuFixture fixture;
+  // The first hangs, the second falls to the floor. 70 a side: two levels of a cycle are no part of its tail.
+  constexpr std::size_t kNodes = 70 * 70, kOthers = 20 * 20;
+  const std::string hangs = square(70, "0", R"(, "pins": ["left", "right"])"), falls = square(70, "4"),
+                    other = square(20, "-4");
+  for (const Method& method : methods()) {
+    for (const bool contact : {true, false}) {
+      CAPTURE(word_of(method));
+      CAPTURE(contact);
+      const std::string members =
+          by(method) + (contact ? R"("contact": {"method": "proximity", "thickness": 0.01},
+            "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}], )"
+                                : R"("contact": {"method": "none"}, )");
+      const sim::WorldOptions options{.two_steps =
+                                          true};  // the solver that can does so where nothing touches
+      const Equal together = run_equal(fixture.device(), members, other + "," + hangs + "," + falls, options),
+                  apart = run_equal(fixture.device(), members, hangs + "," + other + "," + falls, options);
+      REQUIRE(together.places.size() == 2 * kNodes + kOthers);
+      std::size_t differ = 0, moved = 0;
+      for (std::size_t node = 0; node < kNodes; ++node) {
+        const Vec3d& one = together.places[kOthers + node];
+        const Vec3d& two = together.places[kOthers + kNodes + node];
+        differ += one != apart.places[node] ? 1 : 0;
+        differ += two != apart.places[kNodes + kOthers + node] ? 1 : 0;
+        moved += length(two - one - Vec3d{4, 0, 0}) > 1e-4 ? 1 : 0;
+      }
+      CHECK(differ == 0);
+      CHECK(moved > 100);  // they are two
+      CHECK(together.dispatches <= apart.dispatches);
+      if (method.kind != scene::SolverKind::Xpbd) CHECK(together.dispatches < apart.dispatches);
+    }
+  }
+}

@@ -37,7 +37,7 @@ Result<void> KeptForces::bind(const State& state, const ContactPairs& pairs) {
 }
 
 void KeptForces::record_keep(gpu::ComputePass& pass, std::size_t list) const {
-  begin_[list].dispatch_groups(pass, begin_groups_[list], 1);
+  begin_[list].dispatch_groups(pass, begin_groups_[list], {1});
   keep_[list].dispatch_strided(pass, keep_groups_[list], near_room_);
 }
 

@@ -34,7 +34,7 @@ Result<void> TreeRefit::add(gpu::Device& device, const gpu::Buffer<StepBlock>& s
 void TreeRefit::record(gpu::ComputePass& pass) const {
   for (const Part& part : parts_) {
     leaf_boxes_.dispatch(pass, part.leaves, part.leaf_count);
-    if (part.top > 2) upper_boxes_.dispatch_groups(pass, part.upper, 1);
+    if (part.top > 2) upper_boxes_.dispatch_groups(pass, part.upper, {1});
   }
 }
 

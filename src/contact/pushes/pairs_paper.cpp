@@ -61,7 +61,7 @@ Result<PairsPaper> PairsPaper::create(gpu::Device& device, const GpuModel& model
 
 void PairsPaper::record(gpu::ComputePass& pass) const {
   for (const Dispatch& dispatch : dispatches_)
-    kernel_.dispatch_groups(pass, dispatch.groups[pass.parity()], workgroups_, dispatch.chunks);
+    kernel_.dispatch_groups(pass, dispatch.groups[pass.parity()], {workgroups_, dispatch.chunks});
 }
 
 }  // namespace weft::contact

@@ -17,7 +17,9 @@ struct SpringGrid {
   Vec4f damping;                      // the same; 0 where the stiffness is 0 [N·s/m]
   Vec4f rest_length;                  // structural along i, along j, shear [m]
   std::array<float, 2> bending = {};  // of second differences along i, along j [N/m]
-  float padding[2] = {};
+  std::array<float, 2> padding = {};
+
+  bool operator==(const SpringGrid&) const = default;
 };
 static_assert(sizeof(SpringGrid) == 80 && offsetof(SpringGrid, bending) == 64);
 

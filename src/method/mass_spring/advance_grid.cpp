@@ -21,7 +21,7 @@ Result<gpu::Buffer<SpringGrid>> grid_uniform(gpu::Device& device, const Body& bo
 }
 
 Result<gpu::Dispatch> grid_dispatch(const SolverInputs& inputs, const gpu::SharedKernel& kernel,
-                                    const gpu::Dispatch::Workgroups& workgroups, const gpu::RawBuffer& grid) {
+                                    const gpu::Workgroups& workgroups, const gpu::RawBuffer& grid) {
   const State& state = inputs.state;
   return gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
     return {state.steps,
@@ -35,7 +35,8 @@ Result<gpu::Dispatch> grid_dispatch(const SolverInputs& inputs, const gpu::Share
   });
 }
 
-Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const Body& body) {
+Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const EqualCloths& cloths) {
+  const Body& body = cloths.first;
   const std::uint32_t nx = body.grid->nx, ny = body.grid->ny, size = inputs.workgroup_size;
   // Workgroups are 64 or 32 nodes wide, whichever leaves fewer invocations idle.
   const std::uint32_t narrow = std::min(32U, size), wide = std::min(64U, size);
@@ -46,7 +47,8 @@ Result<AdvanceGrid> AdvanceGrid::create(const SolverInputs& inputs, const Body& 
   WEFT_TRY(kernel,
            gpu::create_shared_kernel(inputs.device, "method/mass_spring/advance_grid.wgsl", constants, size));
   const std::uint64_t tiles = std::uint64_t{tiles_of(nx, width)} * tiles_of(ny, size / width);
-  const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(tiles * size);
+  gpu::Workgroups workgroups = kernel->workgroups_of(tiles * size);
+  workgroups.z = cloths.count;
   AdvanceGrid made;
   WEFT_SET(made.grid_, grid_uniform(inputs.device, body));
   WEFT_SET(made.dispatch_, grid_dispatch(inputs, kernel, workgroups, made.grid_));

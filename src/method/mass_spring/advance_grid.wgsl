@@ -1,5 +1,5 @@
 // One substep of a grid cloth, prediction included: gathers the forces of a node's springs and integrates it. One
-// invocation per node; a workgroup has nodes of several rows, which share most of their reads.
+// invocation per node, equal cloths along z; a workgroup has nodes of several rows, which share most of their reads.
 // Source: docs/solvers/mass_spring.md, "node-centric".
 #include "method/mass_spring/grid_force.wgsl"
 #include "gpu/index.wgsl"
@@ -28,7 +28,7 @@ fn advance_grid(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_
   let i = (tile - tile_j * kTilesX) * kTileWidth + local - local_j * kTileWidth;
   let j = tile_j * (kWorkgroupSize / kTileWidth) + local_j;
   if (i >= grid.nx || j >= grid.ny) { return; }
-  let node = grid.first_vertex + j * grid.nx + i;
+  let node = grid.first_vertex + (group.z * grid.ny + j) * grid.nx + i;
   let before = NodeState(position_in[node], velocity_in[node]);
   let force = grid_force(Own(before.position.xyz, before.velocity.xyz), node, grid.nx, i, j);
   let after = integrate_node(node, before, force);

@@ -22,6 +22,7 @@ const kPlaces = kRow * (kTileHeight + 2u * kRim);
 const kInvocations = 256u;  // as many as have a node in the first substep, and 16 more
 
 var<private> step : StepBlock;
+var<private> cloth : u32;  // of equal ones, along z
 // 28 bytes per node: 10.5 of the 16 KiB that every adapter has.
 var<workgroup> tile_position : array<vec4f, kPlaces>;
 var<workgroup> tile_velocity_x : array<f32, kPlaces>;
@@ -56,7 +57,8 @@ fn site_of(tile : vec2u, index : u32, inset : u32) -> Site {
   let j = i32(tile.y * kTileHeight + local_j) - i32(kRim);
   let inside = local_j < kTileHeight + 2u * kRim - inset;
   let there = inside && i >= 0 && j >= 0 && i < i32(grid.nx) && j < i32(grid.ny);
-  return Site(there, local_j * kRow + local_i, u32(i), u32(j), grid.first_vertex + u32(j) * grid.nx + u32(i));
+  let node = grid.first_vertex + (cloth * grid.ny + u32(j)) * grid.nx + u32(i);
+  return Site(there, local_j * kRow + local_i, u32(i), u32(j), node);
 }
 
 fn advance(site : Site) -> NodeState {
@@ -68,6 +70,7 @@ fn advance(site : Site) -> NodeState {
 @compute @workgroup_size(kInvocations)
 fn advance_grid_twice(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local : u32) {
   let tile = group.xy;
+  cloth = group.z;
   for (var index = local; index < kPlaces; index += kInvocations) {
     let site = site_of(tile, index, 0u);
     if (site.there) { put(site.place, NodeState(position_in[site.node], velocity_in[site.node])); }

@@ -20,7 +20,7 @@ Result<AdvanceMesh> AdvanceMesh::create(const SolverInputs& inputs, const Body& 
   const double damped = body.damping > 0 ? 1 : 0;
   WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/mass_spring/advance_mesh.wgsl",
                                              {{"kDamped", damped}}, inputs.workgroup_size));
-  const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(body.vertex_count);
+  const gpu::Workgroups workgroups = kernel->workgroups_of(body.vertex_count);
   WEFT_SET(made.dispatch_,
            gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
              return {state.steps,

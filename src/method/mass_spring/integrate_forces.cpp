@@ -7,7 +7,7 @@ Result<IntegrateForces> IntegrateForces::create(const SolverInputs& inputs,
   const State& state = inputs.state;
   WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/integrate_forces.wgsl", {},
                                              inputs.workgroup_size));
-  const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(inputs.model.vertex_count());
+  const gpu::Workgroups workgroups = kernel->workgroups_of(inputs.model.vertex_count());
   IntegrateForces made;
   WEFT_SET(made.dispatch_,
            gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {

@@ -75,16 +75,21 @@ Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
   const bool two =
       inputs.contacts == nullptr && two_pay(inputs) &&
       std::all_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.grid.has_value(); });
-  for (const Body& body : bodies) {
+  const std::size_t most = inputs.device.limits().max_workgroups_per_dimension;
+  for (std::size_t b = 0; b < bodies.size();) {
+    const Body& body = bodies[b];
     if (!body.grid) {
       WEFT_TRY(advance, AdvanceMesh::create(inputs, body));
       meshes_.push_back(std::move(advance));
+      ++b;
       continue;
     }
-    WEFT_TRY(advance, AdvanceGrid::create(inputs, body));
+    const EqualCloths cloths = {body, equal_grids(std::span(bodies).subspan(b), most)};
+    b += cloths.count;
+    WEFT_TRY(advance, AdvanceGrid::create(inputs, cloths));
     grids_.push_back(std::move(advance));
     if (!two) continue;
-    WEFT_TRY(twice, AdvanceGridTwice::create(inputs, body));
+    WEFT_TRY(twice, AdvanceGridTwice::create(inputs, cloths));
     twice_.push_back(std::move(twice));
   }
   return {};

@@ -14,7 +14,7 @@ Result<SpringBlockForces> SpringBlockForces::create(gpu::Device& device, const G
   WEFT_SET(made.kinds_, gpu::Buffer<SpringKind>::create_from(device, built.kinds, "spring kinds"));
   WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/mass_spring/spring_block_forces.wgsl", {},
                                              workgroup_size));
-  const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(built.blocks.size() * workgroup_size);
+  const gpu::Workgroups workgroups = kernel->workgroups_of(built.blocks.size() * workgroup_size);
   WEFT_SET(made.dispatch_,
            gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
              return {state.steps, state.position[p], state.velocity[p], made.blocks_,

@@ -15,7 +15,7 @@ Result<SpringForces> SpringForces::create(gpu::Device& device, const State& stat
   WEFT_SET(made.kinds_, gpu::Buffer<SpringKind>::create_from(device, packed.kinds, "spring kinds"));
   WEFT_TRY(kernel,
            gpu::create_shared_kernel(device, "method/mass_spring/spring_forces.wgsl", {}, workgroup_size));
-  const gpu::Dispatch::Workgroups workgroups = kernel->workgroups_of(springs.size());
+  const gpu::Workgroups workgroups = kernel->workgroups_of(springs.size());
   WEFT_SET(made.dispatch_,
            gpu::Dispatch::create_by_parity(kernel, workgroups, [&](std::size_t p) -> gpu::Dispatch::Bindings {
              return {state.steps, state.position[p], state.velocity[p], made.springs_, made.kinds_, force};

@@ -1,8 +1,9 @@
-// Adds up the partial sums over a cloth's nodes, and takes what conjugate gradients decide from the sum. One workgroup,
-// in an order that its size does not change. Source: docs/solvers/multigrid.md, equations 13 to 15.
+// Adds up the partial sums over a cloth's nodes, and takes what conjugate gradients decide from the sum. One workgroup
+// a cloth, in an order that its size does not change. Source: docs/solvers/multigrid.md, equations 13 to 15.
 #include "gpu/finite.wgsl"
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
+#include "method/multigrid/chunks.wgsl"
 #include "method/multigrid/solve.wgsl"
 #include "method/multigrid/whole_workgroup.wgsl"
 //                                                                                elements
@@ -18,7 +19,9 @@ const kGuessPart = 10.0;  // mirror: src/method/multigrid/solve_limits.hpp
 const kLanes = 256u;
 var<workgroup> lanes : array<vec2f, kLanes>;
 
-fn partial(k : u32, count : u32) -> vec2f { return select(vec2f(0.0), partials[min(k, count - 1u)], k < count); }
+fn partial(k : u32, count : u32) -> vec2f {
+  return select(vec2f(0.0), partials[cloth * count + min(k, count - 1u)], k < count);
+}
 fn four(k : u32, count : u32) -> vec2f {
   return (partial(k, count) + partial(k + kLanes, count)) +
          (partial(k + 2u * kLanes, count) + partial(k + 3u * kLanes, count));
@@ -26,7 +29,7 @@ fn four(k : u32, count : u32) -> vec2f {
 
 // Sixteen at a time, since one workgroup waits for each of its loads.
 fn total(local : u32) -> vec2f {
-  let count = arrayLength(&partials);
+  let count = chunk_count(nodes.count);
   for (var lane = local; lane < kLanes; lane += kWorkgroupSize) {
     var sum = vec2f(0.0);
     for (var k = lane; k < count; k += 16u * kLanes) {
@@ -63,13 +66,14 @@ fn after(state : Solve, sum : vec2f) -> Solve {
 }
 
 @compute @workgroup_size(kWorkgroupSize)
-fn add_up(@builtin(local_invocation_index) local : u32) {
+fn add_up(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local : u32) {
+  cloth = group.z;
   if (are_all_idle(local, kSum != kFirstNorm && is_solved())) { return; }
   let sum = total(local);
   if (local != 0u) { return; }
   var state = Solve(sum.x, sum.x, 0.0, sum.y, 0.0, 1.0, 0u, sum.x == 0.0);
   if (kSum != kFirstNorm) { state = after(solve_state(), sum); }
-  let at = arrayLength(&vectors) - kSolveWords;
+  let at = solve_at();
   vectors[at] = vec4f(state.first, state.left, state.enough, state.rho);
   vectors[at + 1u] = vec4f(state.rate, state.keep, f32(state.turn), select(0.0, 1.0, state.done));
 }

@@ -4,8 +4,9 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn advance(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) local : u32) {
+  cloth = id.z;
   let node = flat_index(id);
-  let level = Level(nodes.count);
+  let level = finest();
   let state = solve_state();
   var part = 0.0;
   if (node < nodes.count && !state.done) {

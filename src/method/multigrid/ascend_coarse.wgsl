@@ -17,6 +17,7 @@ fn operand(level : Level, x : u32, node : u32) -> vec3f {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn ascend_coarse(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local : u32) {
+  cloth = group.z;
   let level = levels[0];
   let first = tile_start(level, kTile, flat_group(group));
   if (!has_work(local, level, first)) { return; }

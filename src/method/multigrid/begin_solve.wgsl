@@ -4,8 +4,9 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn begin_solve(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) local : u32) {
+  cloth = id.z;
   let node = flat_index(id);
-  let level = Level(nodes.count);
+  let level = finest();
   var part = vec2f(0.0);
   if (node < nodes.count) {
     let r = vectors[vector_at(level, kResidual, node)].xyz;

@@ -1,10 +1,17 @@
-// One cloth's nodes, and the vectors that each level of its hierarchy has.
+// The nodes of a cycle's cloths, which are equal, and the vectors that each level of a cloth's hierarchy has.
 struct ClothNodes {  // mirror: src/method/multigrid/cycle.hpp
-  first_vertex : u32,  // where they begin among the vertices
+  first_vertex : u32,  // where those of the first cloth begin among the vertices; the others follow
   count : u32,
   residual : f32,   // what its linear system may leave of the residual: squared, of the norm
   may_retry : u32,  // 1: a frame whose system is not solved in the iterations recorded is run again with more
+  vectors : u32,    // of a cloth, in vec4f
+  padding_a : u32,
+  padding_b : u32,
+  padding_c : u32,
 }
+
+// The cloth that an invocation works on, along z of the dispatch: its kernel sets it.
+var<private> cloth : u32;
 
 // The vectors of a level in the buffer `vectors`: node after node, one vector after the other.
 const kResidual = 0u;   // N; of the finest level: first the residual of inertia

@@ -9,7 +9,8 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn correct_fine(@builtin(global_invocation_id) id : vec3u) {
+  cloth = id.z;
   let node = flat_index(id);
   if (node >= node_count(levels[0]) || is_solved()) { return; }
-  if (place[node].w != 0.0) { correct_node(levels[0], levels[1], node); }
+  if (place[among_all(levels[0], node)].w != 0.0) { correct_node(levels[0], levels[1], node); }
 }

@@ -68,7 +68,8 @@ void Cycle::record_up(gpu::ComputePass& pass) const {
 
 Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels& kernels) {
   const State& state = inputs.state;
-  const Dispatch::Workgroups nodes = kernels.predict->workgroups_of(own_nodes_.count);
+  const gpu::Workgroups nodes = for_each_cloth(kernels.predict->workgroups_of(own_nodes_.count));
+  const gpu::Workgroups lone = for_each_cloth({});
   const Dispatch::Bindings sums = {nodes_, vectors_, partials_};
   WEFT_SET(predict_,
            Dispatch::create_by_parity(kernels.predict, nodes, [&](std::size_t p) -> Dispatch::Bindings {
@@ -85,10 +86,10 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
            }));
   WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes, sums));
   WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, sums));
-  WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, {1, 1}, sums));
-  WEFT_SET(square_, Dispatch::create(kernels.square, {1, 1}, sums));
-  WEFT_SET(norm_, Dispatch::create(kernels.norm, {1, 1}, sums));
-  WEFT_SET(rho_, Dispatch::create(kernels.rho, {1, 1}, sums));
+  WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, lone, sums));
+  WEFT_SET(square_, Dispatch::create(kernels.square, lone, sums));
+  WEFT_SET(norm_, Dispatch::create(kernels.norm, lone, sums));
+  WEFT_SET(rho_, Dispatch::create(kernels.rho, lone, sums));
   WEFT_SET(finish_,
            Dispatch::create_by_parity(kernels.finish, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {state.steps,

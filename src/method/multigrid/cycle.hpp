@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/dispatch.hpp"
+#include "method/equal_cloths.hpp"
 #include "method/predicted.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
@@ -26,13 +27,15 @@ inline std::uint32_t vector_count(std::size_t l) { return l == 0 ? kFineVectors 
 
 }  // namespace multigrid
 
-/// Mirror of src/method/multigrid/cloth.wgsl: the nodes of one cloth among the vertices.
+/// Mirror of src/method/multigrid/cloth.wgsl: the nodes of a cycle's cloths among the vertices.
 struct ClothNodes {
-  std::uint32_t first_vertex = 0, count = 0;
+  std::uint32_t first_vertex = 0, count = 0;  // of the first cloth, of each
   float residual = 0;
   std::uint32_t may_retry = 1;
+  std::uint32_t vectors = 0;  // of each cloth [vec4f]
+  std::uint32_t padding_a = 0, padding_b = 0, padding_c = 0;
 };
-static_assert(sizeof(ClothNodes) == 16);
+static_assert(sizeof(ClothNodes) == 32);
 
 struct SharedKernels;
 
@@ -47,8 +50,8 @@ struct CycleInputs {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 
-/// One implicit substep of a cloth: the linear system, conjugate gradients with a V-cycle in each iteration, the new
-/// state. GridCycle and MeshCycle define its levels and the kernel of each stage.
+/// One implicit substep of a cloth, or of several equal ones: the linear system, conjugate gradients with a V-cycle in
+/// each iteration, the new state. GridCycle and MeshCycle define its levels and the kernel of each stage.
 /// Source  docs/solvers/multigrid.md.
 /// Reads   steps, motions; position and velocity of both parities, of which [1 - parity] are those of a step
 ///         before; rest_position.
@@ -84,8 +87,10 @@ class Cycle {
 
   /// The part that grids and meshes share: `shapes` are the levels as kernels read them, the finest first.
   template <class Shape>
-  Result<void> create_buffers(const CycleInputs& inputs, const Body& body, const std::vector<Shape>& shapes,
-                              std::uint32_t tail_nodes);
+  Result<void> create_buffers(const CycleInputs& inputs, const EqualCloths& cloths,
+                              const std::vector<Shape>& shapes, std::uint32_t tail_nodes);
+  /// The same workgroups for each cloth.
+  gpu::Workgroups for_each_cloth(const gpu::Workgroups& one) const { return {one.x, one.y, cloths_}; }
   /// The buffer bound for `presses` where nothing presses.
   const gpu::RawBuffer& presses(const CycleInputs& inputs) const {
     return inputs.presses != nullptr ? *inputs.presses : no_presses_;
@@ -104,15 +109,19 @@ class Cycle {
   gpu::Dispatch begin_solve_, search_, advance_;    // of conjugate gradients
   gpu::Dispatch first_norm_, square_, norm_, rho_;  // sums over the nodes
   ClothNodes own_nodes_;
+  std::uint32_t cloths_ = 1;
 
  private:
   void record_step(gpu::ComputePass& pass) const;
 };
 
 template <class Shape>
-Result<void> Cycle::create_buffers(const CycleInputs& inputs, const Body& body,
+Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths& cloths,
                                    const std::vector<Shape>& shapes, std::uint32_t tail_nodes) {
   gpu::Device& device = inputs.device;
+  const std::uint32_t nodes = cloths.first.vertex_count;
+  const std::size_t all_nodes = std::size_t{cloths.count} * nodes;
+  cloths_ = cloths.count;
   while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > tail_nodes) ++tail_;
   std::size_t vectors = 0;
   for (std::size_t l = 0; l < shapes.size(); ++l) {
@@ -126,19 +135,20 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const Body& body,
   }
   WEFT_SET(tail_levels_, gpu::Buffer<Shape>::create_from(device, std::span(shapes).subspan(tail_),
                                                          "coarsest multigrid levels"));
-  own_nodes_ = {body.first_vertex, body.vertex_count, static_cast<float>(inputs.residual * inputs.residual),
-                inputs.presses == nullptr ? 1U : 0U};
+  own_nodes_ = {cloths.first.first_vertex, nodes, static_cast<float>(inputs.residual * inputs.residual),
+                inputs.presses == nullptr ? 1U : 0U, static_cast<std::uint32_t>(vectors)};
   WEFT_SET(nodes_, gpu::create_uniform(device, own_nodes_, "cloth nodes"));
   WEFT_SET(partials_,
            (gpu::Buffer<std::array<float, 2>>::create(
-               device, (body.vertex_count + multigrid::kChunk - 1) / multigrid::kChunk, "partial sums")));
-  WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, body.vertex_count, "multigrid place"));
+               device, std::size_t{cloths_} * ((nodes + multigrid::kChunk - 1) / multigrid::kChunk),
+               "partial sums")));
+  WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, all_nodes, "multigrid place"));
   // One element each where nothing holds: kernels bind buffers that they do not read.
-  const std::size_t count = inputs.presses != nullptr ? std::size_t{2} * body.vertex_count : 1;
+  const std::size_t count = inputs.presses != nullptr ? 2 * all_nodes : 1;
   WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, count, "multigrid holds"));
   WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
-  WEFT_SET(vectors_,
-           gpu::Buffer<Vec4f>::create(device, vectors + multigrid::kSolveWords, "multigrid vectors"));
+  WEFT_SET(vectors_, gpu::Buffer<Vec4f>::create(device, cloths_ * (vectors + multigrid::kSolveWords),
+                                                "multigrid vectors"));
   return {};
 }
 

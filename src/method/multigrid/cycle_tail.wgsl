@@ -1,4 +1,4 @@
-// The V-cycle on the coarsest levels of a grid, by one workgroup: tail.wgsl.
+// The V-cycle on the coarsest levels of a grid, by one workgroup a cloth: tail.wgsl.
 #include "method/multigrid/coarse_operator.wgsl"
 #include "method/multigrid/grid_restriction.wgsl"
 #include "method/multigrid/level_left.wgsl"
@@ -10,4 +10,7 @@
 @group(0) @binding(2) var<storage, read>       operators : array<vec2f>;        // method/multigrid/grid_block.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
-fn cycle_tail(@builtin(local_invocation_index) local : u32) { solve_tail(local); }
+fn cycle_tail(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local : u32) {
+  cloth = group.z;
+  solve_tail(local);
+}

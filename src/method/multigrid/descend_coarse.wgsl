@@ -31,6 +31,7 @@ fn own_end(first : vec2u) -> vec2i {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn descend_coarse(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) local : u32) {
+  cloth = group.z;
   let fine = levels[0];
   let coarse = levels[1];
   let first = tile_start(coarse, kCoarseTile, flat_group(group));

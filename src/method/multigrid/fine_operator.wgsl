@@ -15,7 +15,7 @@ struct Own {  // the node whose springs are summed
 
 fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32, damping : f32) -> vec3f {
   if (stiffness == 0.0) { return vec3f(0.0); }
-  let span = place[other].xyz - own.place;
+  let span = place[among_all(own.level, other)].xyz - own.place;
   let hessian = spring_block(span, rest_length, weight * stiffness, own.rate * (weight * damping));
   return block_times(hessian, own.value - operand(own.level, own.x, other));
 }
@@ -23,10 +23,10 @@ fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32
 fn product(level : Level, x : u32, node : u32) -> vec3f {
   let j = node / level.nx;
   let i = node - j * level.nx;
-  let here = place[node];
+  let here = place[among_all(level, node)];
   let own = Own(here.xyz, operand(level, x, node), 1.0 / formula_of(step.time.step_ratio).he, level, x);
   let springs = sum_of_springs(own, grid, node, grid.nx, i, j);
   let sum = here.w * own.value + springs + bending_product(level, x, i, j, node);
   if (!kHolds) { return sum; }
-  return sum + hold_product(node, own.value);
+  return sum + hold_product(among_all(level, node), own.value);
 }

@@ -8,6 +8,9 @@
 @group(0) @binding(0) var<uniform>             nodes    : ClothNodes;
 @group(0) @binding(1) var<storage, read_write> vectors  : array<vec4f>;       // method/multigrid/cloth.wgsl
 @group(0) @binding(2) var<storage, read_write> partials : array<vec2f>;       // one a kChunk nodes
-struct Level { count : u32 }
+struct Level { count : u32, vectors : u32 }
 
-fn vector_at(level : Level, vector : u32, node : u32) -> u32 { return vector * level.count + node; }
+fn finest() -> Level { return Level(nodes.count, nodes.vectors); }
+fn vector_at(level : Level, vector : u32, node : u32) -> u32 {
+  return cloth * level.vectors + vector * level.count + node;
+}

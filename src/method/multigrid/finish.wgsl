@@ -19,25 +19,25 @@
 @group(0) @binding(8) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count   m/s
 @group(0) @binding(9) var<storage, read_write> statistics   : array<atomic<u32>>;
 
-fn finish_held(index : u32) {
-  let node = nodes.first_vertex + index;
+fn finish_held(among_all : u32) {
+  let node = nodes.first_vertex + among_all;
   let now = position_in[node];
-  let held_at = place[index].xyz;
+  let held_at = place[among_all].xyz;
   position_out[node] = vec4f(held_at, now.w);
   velocity_out[node] = vec4f((held_at - now.xyz) / step.time.dt, 1.0);
 }
 
-fn finish_free(index : u32, solution : vec3f) {
-  let node = nodes.first_vertex + index;
+fn finish_free(among_all : u32, solution : vec3f) {
+  let node = nodes.first_vertex + among_all;
   let now = position_in[node];
   let velocity = velocity_in[node];
-  let pressed = is_pressed(index);
+  let pressed = is_pressed(among_all);
   let formula = formula_of(select(step.time.step_ratio * velocity.w, 0.0, pressed));
   let way = step.time.dt * velocity.xyz + solution;
   let before = position_out[node].xyz;
   position_out[node] = vec4f(now.xyz + way, now.w);
   var after = (way - formula.c * (now.xyz - before)) / formula.he;
-  if (pressed) { after -= holds[restored_at(index)].xyz; }
+  if (pressed) { after -= holds[restored_at(among_all)].xyz; }
   velocity_out[node] = vec4f(after, select(1.0, 0.0, pressed));
 }
 
@@ -58,12 +58,14 @@ fn report() {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn finish(@builtin(global_invocation_id) id : vec3u) {
+  cloth = id.z;
   let index = flat_index(id);
   if (index >= nodes.count) { return; }
   if (index == 0u) { report(); }
-  if (place[index].w == 0.0) {
-    finish_held(index);
+  let among_all = cloth * nodes.count + index;
+  if (place[among_all].w == 0.0) {
+    finish_held(among_all);
   } else {
-    finish_free(index, vectors[kSolution * nodes.count + index].xyz);
+    finish_free(among_all, vectors[cloth * nodes.vectors + kSolution * nodes.count + index].xyz);
   }
 }

@@ -86,6 +86,7 @@ fn coarsen(fine : Level, coarse : Level, node : u32, number : u32) {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn galerkin(@builtin(global_invocation_id) id : vec3u) {
+  cloth = id.z;
   let count = node_count(levels[1]);
   let index = flat_index(id);
   if (index < kBlocks * count) { coarsen(levels[0], levels[1], index % count, index / count); }

@@ -24,12 +24,16 @@ fn line_taps(at : i32, center : i32, coarse : i32, n : i32, m : i32, regular : b
 }
 fn is_regular(center : i32, n : i32, m : i32) -> bool { return n != m && center > 3 && center + 4 < n; }
 
+// A fine node, among those of all cloths.
+fn node_at(x : i32, y : i32) -> u32 { return among_all(levels[0], u32(y) * grid.nx + u32(x)); }
+fn place_at(x : i32, y : i32) -> vec4f { return place[node_at(x, y)]; }
+
 // Weights of a fine node, from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w),
 // and to the left of that.
 struct Taps { right : vec4f, left : f32, at : vec4f }
 
 fn taps_at(x : i32, y : i32, column : vec3f, row : vec3f) -> Taps {
-  let at = place[u32(y) * grid.nx + u32(x)];
+  let at = place_at(x, y);
   if (at.w == 0.0) { return Taps(vec4f(0.0), 0.0, at); }
   return Taps(vec4f(column.xy * row.x, column.xy * row.y), column.z * row.y, at);
 }
@@ -65,9 +69,9 @@ fn add_fixed_bend(coarse : vec2i, coarse_sides : vec2i, at : vec2i, along : vec2
   let before = at - along;
   let behind = at + along;
   if (stiffness == 0.0 || any(before < vec2i(0)) || any(behind >= sides)) { return; }
-  let fixed_before = place[u32(before.y) * grid.nx + u32(before.x)].w == 0.0;
-  let fixed_at = place[u32(at.y) * grid.nx + u32(at.x)].w == 0.0;
-  let fixed_behind = place[u32(behind.y) * grid.nx + u32(behind.x)].w == 0.0;
+  let fixed_before = place_at(before.x, before.y).w == 0.0;
+  let fixed_at = place_at(at.x, at.y).w == 0.0;
+  let fixed_behind = place_at(behind.x, behind.y).w == 0.0;
   if (!(fixed_before || fixed_at || fixed_behind)) { return; }
   let a = taps_of_node(coarse, coarse_sides, before);
   let b = taps_of_node(coarse, coarse_sides, behind);
@@ -88,6 +92,7 @@ fn taps_of_node(coarse : vec2i, coarse_sides : vec2i, at : vec2i) -> Taps {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
+  cloth = id.z;
   let coarse = levels[1];
   let node = flat_index(id);
   if (node >= coarse.nx * coarse.ny) { return; }
@@ -126,7 +131,7 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
       let before = below_a;
       below_a = below_b;
       var own = identity(a.at.w);
-      if (kHolds) { own = sum_of(own, hold_block(u32(y) * grid.nx + u32(x))); }
+      if (kHolds) { own = sum_of(own, hold_block(node_at(x, y))); }
       add(own, a.right.x, a.right, a.left);
       let rim_i = select(1.0, levels[0].rim, on_rim(u32(y), grid.ny));
       let rim_j = select(1.0, levels[0].rim, on_rim(u32(x), grid.nx));

@@ -26,7 +26,7 @@ struct Own {  // the node whose springs are summed
 
 // Bending acts on where the nodes have come.
 fn operand(level : Level, x : u32, node : u32) -> vec3f {
-  return place[node].xyz + vectors[vector_at(level, x, node)].xyz;
+  return place[among_all(level, node)].xyz + vectors[vector_at(level, x, node)].xyz;
 }
 
 fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32, damping : f32) -> vec3f {
@@ -34,7 +34,7 @@ fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32
   let span_step = vectors[vector_at(levels[0], kFirst, other)].xyz - own.start;
   var rate_of_span = vec3f(0.0);
   if (damping > 0.0) { rate_of_span = vectors[vector_at(levels[0], kSecond, other)].xyz - own.start_velocity; }
-  let span = place[other].xyz - own.place;
+  let span = place[among_all(levels[0], other)].xyz - own.place;
   let pulled = pull_of(span, span_step, rate_of_span, rest_length, weight * stiffness, weight * damping, own.rate);
   diagonal = sum_of(diagonal, sum_of(outer(pulled.block.direction, pulled.block.along), identity(pulled.block.across)));
   return pulled.force;
@@ -42,13 +42,15 @@ fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32
 
 @compute @workgroup_size(kWorkgroupSize)
 fn gradient(@builtin(global_invocation_id) id : vec3u) {
+  cloth = id.z;
   let node = flat_index(id);
   if (node >= grid.nx * grid.ny) { return; }
   let level = levels[0];
-  let here = place[node];
+  let whole = among_all(level, node);
+  let here = place[whole];
   if (here.w == 0.0) {
     store_inverse(level, node, zero_matrix());
-    if (kHolds) { free_of_obstacles(node, grid.first_vertex); }
+    if (kHolds) { free_of_obstacles(whole, grid.first_vertex); }
     return;
   }
   let j = node / grid.nx;
@@ -60,7 +62,7 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   var residual = vectors[vector_at(level, kResidual, node)].xyz + sum_of_springs(own, grid, node, grid.nx, i, j) -
                  bending_product(level, kFirst, i, j, node);
   if (kHolds) {
-    let hold = hold_at_obstacles(node, grid.first_vertex, here.w, residual, start, diagonal);
+    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual, start, diagonal);
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }

@@ -1,5 +1,7 @@
 #include "method/multigrid/grid_cycle.hpp"
 
+#include <algorithm>
+
 #include "element/spring/spring_grid.hpp"
 
 namespace weft {
@@ -9,23 +11,29 @@ using gpu::Dispatch;
 namespace {
 
 /// A workgroup for each tile of so many nodes a side.
-Dispatch::Workgroups tiles(const gpu::Kernel& kernel, const GridLevelParams& level, std::uint32_t side) {
+gpu::Workgroups tiles(const gpu::Kernel& kernel, const GridLevelParams& level, std::uint32_t side) {
   const std::uint64_t across = (level.nx + side - 1) / side, along = (level.ny + side - 1) / side;
   return kernel.workgroups_of(across * along * kernel.workgroup_size());
 }
 
 }  // namespace
 
-Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels& kernels, const Body& body) {
+std::size_t most_cloths(const Body& body, const gpu::Limits& limits) {
+  const std::size_t vectors = grid_level_params(body)[0].vectors + multigrid::kSolveWords;
+  return std::min<std::size_t>(limits.max_workgroups_per_dimension,
+                               limits.max_storage_binding_size / (sizeof(Vec4f) * vectors));
+}
+
+Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels& kernels,
+                                    const EqualCloths& cloths) {
+  const Body& body = cloths.first;
   GridCycle made;
   made.shapes_ = grid_level_params(body);
-  WEFT_CHECK(made.create_buffers(inputs, body, made.shapes_, multigrid::kTailNodes));
+  WEFT_CHECK(made.create_buffers(inputs, cloths, made.shapes_, multigrid::kTailNodes));
   WEFT_SET(made.grid_,
            gpu::create_uniform(inputs.device, spring_grid(*body.grid, body.material(), body.first_vertex),
                                "spring grid"));
-  std::size_t operators = 0;
-  for (std::size_t l = 1; l < made.shapes_.size(); ++l)
-    operators += std::size_t{multigrid::kOperatorParts} * node_count(made.shapes_[l]);
+  const std::size_t operators = std::size_t{cloths.count} * made.shapes_[0].operators;
   WEFT_SET(made.operators_,
            gpu::Buffer<multigrid::BlockPart>::create(inputs.device, operators, "multigrid operators"));
   WEFT_CHECK(made.create_system(inputs, kernels));
@@ -37,7 +45,7 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
 Result<void> GridCycle::create_system(const CycleInputs& inputs, const GridKernels& kernels) {
   const gpu::Buffer<StepBlock>& steps = inputs.state.steps;
   const gpu::RawBuffer& levels = levels_[0].levels;
-  const Dispatch::Workgroups nodes = kernels.gradient->workgroups_of(node_count(shapes_[0]));
+  const gpu::Workgroups nodes = for_each_cloth(kernels.gradient->workgroups_of(node_count(shapes_[0])));
   WEFT_CHECK(create_shared(inputs, kernels.shared));
   WEFT_SET(gradient_, Dispatch::create(kernels.gradient, nodes,
                                        {steps, grid_, levels, place_, holds_, vectors_, presses(inputs)}));
@@ -48,7 +56,7 @@ Result<void> GridCycle::create_system(const CycleInputs& inputs, const GridKerne
 
 Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels& kernels) {
   Level& fine = levels_[0];
-  const Dispatch::Workgroups nodes = kernels.smooth_fine->workgroups_of(node_count(shapes_[0]));
+  const gpu::Workgroups nodes = for_each_cloth(kernels.smooth_fine->workgroups_of(node_count(shapes_[0])));
   const Dispatch::Bindings bindings = {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_};
   WEFT_SET(fine.smooth_down, Dispatch::create(kernels.smooth_fine, nodes, bindings));
   WEFT_SET(fine.smooth_begin, Dispatch::create(kernels.prolong_fine, nodes, bindings));
@@ -56,14 +64,15 @@ Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels
            Dispatch::create(kernels.smooth_last, nodes,
                             {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_, partials_}));
   if (shapes_.size() == 1) return {};
-  const Dispatch::Workgroups coarse = kernels.galerkin_fine->workgroups_of(node_count(shapes_[1]));
+  const gpu::Workgroups coarse = for_each_cloth(kernels.galerkin_fine->workgroups_of(node_count(shapes_[1])));
   WEFT_SET(fine.coarsen,
            Dispatch::create(kernels.galerkin_fine, coarse,
                             {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_, operators_}));
   WEFT_SET(fine.residual, Dispatch::create(kernels.residual_fine, nodes, bindings));
   WEFT_SET(fine.restrict_down, Dispatch::create(kernels.restrict_residual, coarse, {fine.levels, vectors_}));
   WEFT_SET(fine.correct, Dispatch::create(kernels.correct_fine, nodes, {fine.levels, place_, vectors_}));
-  WEFT_SET(tail_cycle_, Dispatch::create(kernels.cycle_tail, {1, 1}, {tail_levels_, vectors_, operators_}));
+  WEFT_SET(tail_cycle_,
+           Dispatch::create(kernels.cycle_tail, for_each_cloth({}), {tail_levels_, vectors_, operators_}));
   return {};
 }
 
@@ -73,17 +82,19 @@ Result<void> GridCycle::create_coarse(const GridKernels& kernels) {
     Level& level = levels_[l];
     const Dispatch::Bindings bindings = {level.levels, vectors_, operators_};
     const std::uint32_t coarse_nodes = node_count(shapes_[l + 1]);
-    WEFT_SET(
-        level.coarsen,
-        Dispatch::create(kernels.galerkin,
-                         kernels.galerkin->workgroups_of(std::uint64_t{multigrid::kBlocks} * coarse_nodes),
-                         bindings));
+    WEFT_SET(level.coarsen, Dispatch::create(kernels.galerkin,
+                                             for_each_cloth(kernels.galerkin->workgroups_of(
+                                                 std::uint64_t{multigrid::kBlocks} * coarse_nodes)),
+                                             bindings));
     if (l >= tail_) continue;
     WEFT_SET(level.restrict_down,
              Dispatch::create(kernels.descend,
-                              tiles(*kernels.descend, shapes_[l + 1], multigrid::kCoarseTile), bindings));
-    WEFT_SET(level.correct, Dispatch::create(kernels.ascend,
-                                             tiles(*kernels.ascend, shapes_[l], multigrid::kTile), bindings));
+                              for_each_cloth(tiles(*kernels.descend, shapes_[l + 1], multigrid::kCoarseTile)),
+                              bindings));
+    WEFT_SET(
+        level.correct,
+        Dispatch::create(kernels.ascend, for_each_cloth(tiles(*kernels.ascend, shapes_[l], multigrid::kTile)),
+                         bindings));
   }
   return {};
 }

@@ -7,11 +7,15 @@
 
 namespace weft {
 
-/// Of a cloth that is a grid.
+/// How many cloths like this one a cycle has room for in a binding and in a dispatch.
+std::size_t most_cloths(const Body& body, const gpu::Limits& limits);
+
+/// Of cloths that are grids.
 class GridCycle : public Cycle {
  public:
   /// Errors  Limit, OutOfMemory.
-  static Result<GridCycle> create(const CycleInputs& inputs, const GridKernels& kernels, const Body& body);
+  static Result<GridCycle> create(const CycleInputs& inputs, const GridKernels& kernels,
+                                  const EqualCloths& cloths);
 
   // For tests.
   const std::vector<GridLevelParams>& shapes() const { return shapes_; }

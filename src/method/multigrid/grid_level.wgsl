@@ -11,9 +11,9 @@ struct GridLevelParams {  // mirror: src/method/multigrid/grid_level_params.hpp
   last_bend_i : f32,     // an interval by the last one, which may be shorter
   last_bend_j : f32,
   rim : f32,             // part of the bending that lines along the boundary have
-  padding_a : u32,
-  padding_b : u32,
-  padding_c : u32,
+  vectors : u32,         // of a cloth, all levels, in vec4f
+  operators : u32,       // the same in vec2f
+  padding : u32,
 }
 // The level type of the files that grids and meshes share. A kernel's uniform `levels` has the level that it works
 // on, and the next coarser one.
@@ -21,11 +21,13 @@ alias Level = GridLevelParams;
 
 fn node_count(level : Level) -> u32 { return level.nx * level.ny; }
 fn vector_at(level : Level, vector : u32, node : u32) -> u32 {
-  return level.first_vector + vector * (level.nx * level.ny) + node;
+  return cloth * level.vectors + level.first_vector + vector * (level.nx * level.ny) + node;
 }
 fn operator_at(level : Level, part : u32, node : u32) -> u32 {
-  return level.first_operator + part * (level.nx * level.ny) + node;
+  return cloth * level.operators + level.first_operator + part * (level.nx * level.ny) + node;
 }
+// Of the finest level: a node among those of all cloths.
+fn among_all(level : Level, node : u32) -> u32 { return cloth * (level.nx * level.ny) + node; }
 
 // The second difference about node `at` of a line of `side` nodes is x(at-1) - (1 + r) x(at) + r x(at+1), r = 1 but for
 // the last one, where the intervals may differ. 0 where there is none.

@@ -28,6 +28,10 @@ std::vector<GridLevelParams> grid_level_params(const Body& body) {
     if (!levels.empty()) operators += multigrid::kOperatorParts * node_count(level);
     levels.push_back(level);
   }
+  for (GridLevelParams& level : levels) {
+    level.vectors = vectors;
+    level.operators = operators;
+  }
   return levels;
 }
 

@@ -15,7 +15,8 @@ struct GridLevelParams {
   float bending_i = 0, bending_j = 0;                  // [N/m]
   float last_bend_i = 1, last_bend_j = 1;              // an interval by the last one, which may be shorter
   float rim = 0;                                       // part of the bending that boundary lines have
-  std::uint32_t padding_a = 0, padding_b = 0, padding_c = 0;
+  std::uint32_t vectors = 0, operators = 0;            // of a cloth, all levels [vec4f], [vec2f]
+  std::uint32_t padding = 0;
 };
 static_assert(sizeof(GridLevelParams) == 48);
 

@@ -9,7 +9,7 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
   const Springs springs = inputs.model.host.springs(body);
   const MeshLists lists = mesh_lists(mesh_levels(inputs.model.host, body, springs));
   made.shapes_ = lists.levels;
-  WEFT_CHECK(made.create_buffers(inputs, body, made.shapes_, multigrid::kMeshTailNodes));
+  WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_, multigrid::kMeshTailNodes));
   WEFT_CHECK(made.create_lists(inputs.device, lists, springs));
   WEFT_CHECK(made.create_system(inputs, kernels));
   WEFT_CHECK(made.create_levels(kernels));
@@ -38,7 +38,7 @@ Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists
 }
 
 Result<void> MeshCycle::create_system(const CycleInputs& inputs, const MeshKernels& kernels) {
-  const Dispatch::Workgroups nodes = kernels.gradient->workgroups_of(node_count(shapes_[0]));
+  const gpu::Workgroups nodes = kernels.gradient->workgroups_of(node_count(shapes_[0]));
   const gpu::RawBuffer& levels = levels_[0].levels;
   WEFT_CHECK(create_shared(inputs, kernels.shared));
   WEFT_SET(search_, Dispatch::create(kernels.search, nodes,
@@ -59,7 +59,7 @@ Result<void> MeshCycle::create_levels(const MeshKernels& kernels) {
                                 {level.levels, vectors_, blocks_, lists_.product_starts, lists_.products}));
     }
     if (l >= tail_) continue;
-    const Dispatch::Workgroups nodes = kernels.smooth_down->workgroups_of(node_count(shapes_[l]));
+    const gpu::Workgroups nodes = kernels.smooth_down->workgroups_of(node_count(shapes_[l]));
     const Dispatch::Bindings bindings = {level.levels, vectors_, blocks_, lists_.row_starts, lists_.rows};
     WEFT_SET(level.smooth_down, Dispatch::create(kernels.smooth_down, nodes, bindings));
     WEFT_SET(level.smooth_begin, Dispatch::create(kernels.smooth_begin, nodes, bindings));
@@ -71,7 +71,7 @@ Result<void> MeshCycle::create_levels(const MeshKernels& kernels) {
       WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_up, nodes, bindings));
     }
     if (coarsest) continue;
-    const Dispatch::Workgroups coarse = kernels.restrict_residual->workgroups_of(node_count(shapes_[l + 1]));
+    const gpu::Workgroups coarse = kernels.restrict_residual->workgroups_of(node_count(shapes_[l + 1]));
     WEFT_SET(level.residual, Dispatch::create(kernels.residual, nodes, bindings));
     WEFT_SET(level.restrict_down,
              Dispatch::create(kernels.restrict_residual, coarse,

@@ -24,15 +24,17 @@ override kHolds : bool = false;  // obstacles may hold nodes: there is no guess
 fn predict(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
   if (index >= nodes.count) { return; }
-  let node = nodes.first_vertex + index;
+  let among_all = id.z * nodes.count + index;
+  let node = nodes.first_vertex + among_all;
   let now = NodeState(position_in[node], velocity_in[node]);
-  let residual_at = kResidual * nodes.count + index;
-  let start_at = kFirst * nodes.count + index;
-  let start_velocity_at = kSecond * nodes.count + index;
-  let guess_at = kSearch * nodes.count + index;
+  let first = id.z * nodes.vectors + index;
+  let residual_at = first + kResidual * nodes.count;
+  let start_at = first + kFirst * nodes.count;
+  let start_velocity_at = first + kSecond * nodes.count;
+  let guess_at = first + kSearch * nodes.count;
   if (is_prescribed(node, now)) {
     let after = integrate_prescribed(node, now);
-    place[index] = vec4f(after.position.xyz, 0.0);
+    place[among_all] = vec4f(after.position.xyz, 0.0);
     vectors[residual_at] = vec4f(0.0);
     vectors[start_at] = vec4f(0.0);
     vectors[start_velocity_at] = vec4f(after.velocity.xyz, 0.0);
@@ -49,7 +51,7 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   let start_velocity = (start - formula.c * (x - position_before[node].xyz)) / formula.he;
   let guess = formula.he * (v + step.time.step_ratio * change - start_velocity);
   let pull_of_field = step.air.acceleration.xyz + step.air.drag * (wind_at(x) - start_velocity);
-  place[index] = vec4f(x, mass * (1.0 / formula.he + step.air.drag) / formula.he);
+  place[among_all] = vec4f(x, mass * (1.0 / formula.he + step.air.drag) / formula.he);
   vectors[residual_at] = vec4f(mass * ((base_velocity - start_velocity) / formula.he + pull_of_field), 0.0);
   vectors[start_at] = vec4f(start, 0.0);
   vectors[start_velocity_at] = vec4f(start_velocity, 0.0);

@@ -9,6 +9,7 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn restrict_residual(@builtin(global_invocation_id) id : vec3u) {
+  cloth = id.z;
   let node = flat_index(id);
   if (node < node_count(levels[1]) && !is_solved()) { restrict_node(levels[0], levels[1], node); }
 }

@@ -9,6 +9,8 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn search_fine(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) local : u32) {
+  cloth = id.z;
+  let level = levels[0];
   let node = flat_index(id);
-  search_from(levels[0], local, node, node < arrayLength(&place) && place[node].w > 0.0);
+  search_from(level, local, node, node < node_count(level) && place[among_all(level, node)].w > 0.0);
 }

@@ -3,6 +3,7 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn smooth_fine(@builtin(global_invocation_id) id : vec3u) {
+  cloth = id.z;
   let node = flat_index(id);
   if (node < node_count(levels[0]) && !is_solved()) { end_smoothing(levels[0], kDirection, kFirst, node); }
 }

@@ -6,5 +6,6 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn smooth_last_fine(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) local : u32) {
+  cloth = id.z;
   end_cycle(levels[0], local, flat_index(id));
 }

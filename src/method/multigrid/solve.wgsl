@@ -1,6 +1,6 @@
-// The state of a substep's conjugate gradients, in the last elements of `vectors`: so every kernel of the cycle sees,
-// without another binding, whether there is something left to do. The including kernel binds `vectors`. Source:
-// docs/solvers/multigrid.md, equations 13 to 15.
+// The state of a substep's conjugate gradients, in the last elements of `vectors`, cloth by cloth from the end: so
+// every kernel of the cycle sees, without another binding, whether there is something left to do. The including kernel
+// binds `vectors`. Source: docs/solvers/multigrid.md, equations 13 to 15.
 const kSolveWords = 2u;  // mirror: src/method/multigrid/cycle.hpp
 
 struct Solve {
@@ -14,9 +14,10 @@ struct Solve {
   done : bool,
 }
 
-fn is_solved() -> bool { return vectors[arrayLength(&vectors) - 1u].w != 0.0; }
+fn solve_at() -> u32 { return arrayLength(&vectors) - kSolveWords * (cloth + 1u); }
+fn is_solved() -> bool { return vectors[solve_at() + 1u].w != 0.0; }
 fn solve_state() -> Solve {
-  let at = arrayLength(&vectors) - kSolveWords;
+  let at = solve_at();
   let a = vectors[at];
   let b = vectors[at + 1u];
   return Solve(a.x, a.y, a.z, a.w, b.x, b.y, u32(b.z), b.w != 0.0);

@@ -52,15 +52,20 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   iterations_ = std::min(kAtFirst, most_iterations_);
   std::optional<GridKernels> grid_kernels;
   std::optional<MeshKernels> mesh_kernels;
-  for (const Body& body : inputs.model.host.bodies) {
+  const std::span<const Body> bodies = inputs.model.host.bodies;
+  for (std::size_t b = 0; b < bodies.size();) {
+    const Body& body = bodies[b];
     if (body.grid) {
+      const std::uint32_t count = equal_grids(bodies.subspan(b), most_cloths(body, inputs.device.limits()));
       if (!grid_kernels) WEFT_SET(grid_kernels, GridKernels::create(inputs));
-      WEFT_TRY(cycle, GridCycle::create(inputs, *grid_kernels, body));
+      WEFT_TRY(cycle, GridCycle::create(inputs, *grid_kernels, {body, count}));
       grids_.push_back(std::move(cycle));
+      b += count;
     } else {
       if (!mesh_kernels) WEFT_SET(mesh_kernels, MeshKernels::create(inputs));
       WEFT_TRY(cycle, MeshCycle::create(inputs, *mesh_kernels, body));
       meshes_.push_back(std::move(cycle));
+      ++b;
     }
   }
   return {};
