@@ -37,12 +37,28 @@ var<private> ahead_a : vec3f;  // their ways ahead, m
 var<private> ahead_b : vec3f;
 var<private> ahead_c : vec3f;
 var<private> own_box : Box;    // of all that the triangle may pass on its ways ahead
-var<private> own_reach : f32;  // its slack, and how far its corners go along their ways, m
 var<private> own_slack : f32;
 var<workgroup> due : u32;
+var<workgroup> own_corners : array<vec3u, kWalkers>;  // of the workgroup's triangles
 
-// The corners that another triangle has too, as bits.
-fn shares(other : vec3u) -> u32 {
+// A cloth triangle: its corners' numbers and places, m; the largest of their slacks and ways ahead together, m.
+struct Sheet {
+  corners : vec3u,
+  a : vec3f, b : vec3f, c : vec3f,
+  reach : f32,
+}
+fn sheet_of(corners : vec3u) -> Sheet {
+  let a = predicted[params.vertex_count + corners.x];
+  let b = predicted[params.vertex_count + corners.y];
+  let c = predicted[params.vertex_count + corners.z];
+  let way = max(max(length(predicted[2u * params.vertex_count + corners.x].xyz),
+                    length(predicted[2u * params.vertex_count + corners.y].xyz)),
+                length(predicted[2u * params.vertex_count + corners.z].xyz));
+  return Sheet(corners, a.xyz, b.xyz, c.xyz, largest_reach(a, b, c) + way);
+}
+
+// The corners of a triangle that another one has too, as bits.
+fn shares(corners : vec3u, other : vec3u) -> u32 {
   return select(0u, 1u, any(other == corners.xxx)) | select(0u, 2u, any(other == corners.yyy)) |
          select(0u, 4u, any(other == corners.zzz));
 }
@@ -50,11 +66,13 @@ fn shares(other : vec3u) -> u32 {
 // Whether two triangles that share two corners have no features, other than shared ones, within the thickness and all
 // that both may go. Laid flat on either side of their edge they have none nearer than their shortest altitude a; bent,
 // with c the cosine between their faces, 1 where they lie flat, none nearer than a sqrt((1 + c) / 2).
-fn lie_flat(shared_corners : u32, d : vec3f, e : vec3f, f : vec3f, way : f32) -> bool {
-  let first = select(b, a, (shared_corners & 1u) != 0u);
-  let along = select(b, c, (shared_corners & 4u) != 0u) - first;
-  let u = (a - first) + (b - first) + (c - first) - along;  // to the corner that is not shared
-  let v = (d - first) + (e - first) + (f - first) - along;
+fn lie_flat(sheet : Sheet, other : Sheet) -> bool {
+  let shared_corners = shares(sheet.corners, other.corners);
+  let first = select(sheet.b, sheet.a, (shared_corners & 1u) != 0u);
+  let along = select(sheet.b, sheet.c, (shared_corners & 4u) != 0u) - first;
+  // Each to the corner that is not shared.
+  let u = (sheet.a - first) + (sheet.b - first) + (sheet.c - first) - along;
+  let v = (other.a - first) + (other.b - first) + (other.c - first) - along;
   let area = cross(u, along);
   let other_area = cross(v, along);
   let size = dot(along, along);
@@ -63,7 +81,8 @@ fn lie_flat(shared_corners : u32, d : vec3f, e : vec3f, f : vec3f, way : f32) ->
   let areas = length(area) * length(other_area);
   if (!(areas > 0.0)) { return false; }
   let shortened = 0.5 - 0.5 * dot(area, other_area) / areas;
-  let least = (params.self_thickness + way) * (params.self_thickness + way);
+  let within = params.self_thickness + sheet.reach + other.reach;
+  let least = within * within;
   return shortened * dot(area, area) > least * longest &&
          shortened * dot(other_area, other_area) > least * other_longest;
 }
@@ -94,21 +113,6 @@ fn finite_box(d : vec3f, e : vec3f, f : vec3f, box : Box) -> Box {
   return empty_box();
 }
 
-// Whether a triangle of the cloths whose box overlaps is a candidate.
-fn meets_cloth(place : u32) -> bool {
-  if (place <= own) { return false; }
-  let other = triangles[place].xyz;
-  let shared_corners = shares(other);
-  if (countOneBits(shared_corners) != 2u) { return true; }
-  let d = predicted[params.vertex_count + other.x];
-  let e = predicted[params.vertex_count + other.y];
-  let f = predicted[params.vertex_count + other.z];
-  let way = max(max(length(predicted[2u * params.vertex_count + other.x].xyz),
-                    length(predicted[2u * params.vertex_count + other.y].xyz)),
-                length(predicted[2u * params.vertex_count + other.z].xyz));
-  return !lie_flat(shared_corners, d.xyz, e.xyz, f.xyz, own_reach + largest_reach(d, e, f) + way);
-}
-
 // The first place of the list for what this invocation has found; the list's length where it has no room.
 fn allocate_candidates(thread : u32, found : u32) -> u32 {
   let next = allocate(thread, found, kStatCandidates);
@@ -119,64 +123,82 @@ fn allocate_candidates(thread : u32, found : u32) -> u32 {
   return next;
 }
 
-// Which of 32 boxes that the workgroup holds overlap, as bits; four at a time, since each waits for workgroup memory.
-fn held_hits(first : u32, end : u32, box : Box) -> u32 {
-  if (first >= end) { return 0u; }
-  var hits = 0u;
-  for (var k = 0u; k < 32u; k += 4u) {
-    hits |= (held_hit(first + k, box) | (held_hit(first + k + 1u, box) << 1u) |
-             (held_hit(first + k + 2u, box) << 2u) | (held_hit(first + k + 3u, box) << 3u)) << k;
-  }
-  return select(hits, hits & ((1u << (end - first)) - 1u), end - first < 32u);
+// Which of the workgroup's triangles a box meets, as bits: part by part, since it meets few of them.
+fn triangles_met(box : Box) -> vec2u {
+  return vec2u(half_met(box, 0u), half_met(box, kParts / 2u));
 }
-fn held_hit(k : u32, box : Box) -> u32 { return select(0u, 1u, overlap(box, Box(lows[k], highs[k]))); }
-
-// Of hits from this place of `met` on, those that are candidates.
-fn candidates_of(tree : Tree, first : u32, overlapping : u32) -> u32 {
-  if (tree.kind != kNearCloth) { return overlapping; }
+fn half_met(box : Box, first : u32) -> u32 {
   var hits = 0u;
-  for (var left = overlapping; left != 0u; left &= left - 1u) {
-    let hit = firstTrailingBit(left);
-    hits |= select(0u, 1u << hit, meets_cloth(met[first + hit]));
+  for (var part = 0u; part < kParts / 2u; part++) {
+    let k = first + part;
+    if (overlap(box, Box(part_lows[k], part_highs[k]))) { hits |= part_met(box, kOfPart * k) << (kOfPart * part); }
   }
   return hits;
 }
-fn list_candidates(tree : Tree, first : u32, listed : u32, place : u32) {
+// All at once, since each waits for workgroup memory.
+fn part_met(box : Box, first : u32) -> u32 {
+  return own_met(box, first) | (own_met(box, first + 1u) << 1u) | (own_met(box, first + 2u) << 2u) |
+         (own_met(box, first + 3u) << 3u) | (own_met(box, first + 4u) << 4u) | (own_met(box, first + 5u) << 5u) |
+         (own_met(box, first + 6u) << 6u) | (own_met(box, first + 7u) << 7u);
+}
+fn own_met(box : Box, k : u32) -> u32 { return select(0u, 1u, overlap(box, Box(lows[k], highs[k]))); }
+
+// Of 32 of the workgroup's triangles from this one on, those that a later cloth triangle meets.
+fn candidates_of(hits : u32, first : u32, later : u32, corners_of_later : vec3u) -> u32 {
+  let earlier = min(32u, max(later, first) - first);
+  var left = hits & select((1u << earlier) - 1u, 0xffffffffu, earlier == 32u);
+  var beside = 0u;  // those that share an edge
+  for (var bits = left; bits != 0u; bits &= bits - 1u) {
+    let k = firstTrailingBit(bits);
+    let shared_corners = shares(own_corners[(first + k) % kWalkers], corners_of_later);
+    beside |= select(0u, 1u << k, countOneBits(shared_corners) == 2u);
+  }
+  if (beside == 0u) { return left; }
+  let sheet = sheet_of(corners_of_later);
+  for (; beside != 0u; beside &= beside - 1u) {
+    let k = firstTrailingBit(beside);
+    if (lie_flat(sheet, sheet_of(own_corners[(first + k) % kWalkers]))) { left &= ~(1u << k); }
+  }
+  return left;
+}
+fn list_candidates(kind : u32, first : u32, listed : u32, other : u32, place : u32) {
   var next = place;
   for (var hits = listed; hits != 0u && next < params.candidate_capacity; hits &= hits - 1u) {
-    candidates[next] = vec2u(own | (tree.kind << kKindShift), met[first + firstTrailingBit(hits)]);
+    candidates[next] = vec2u((first + firstTrailingBit(hits)) | (kind << kKindShift), other);
     next++;
   }
 }
 
-// Lists the candidates among the triangles that a walk has met. All invocations of a workgroup, of kWalkers, call it:
-// each reads one triangle, whose box all then ask.
-fn meet_triangles(tree : Tree, held : u32, box : Box, thread : u32) {
+// Lists the candidates among the triangles that a walk has met. All invocations of a workgroup, whose first triangle is
+// `first_own`, call it; each takes a triangle met and asks which of theirs it meets.
+fn meet_triangles(tree : Tree, held : u32, first_own : u32, thread : u32) {
   for (var first = 0u; first < held; first += kWalkers) {
-    let end = min(kWalkers, held - first);
-    if (thread < end) {
-      let other = box_in(tree, met[first + thread]);
-      lows[thread] = other.low;
-      highs[thread] = other.high;
+    var hits = vec2u(0u);
+    var place = 0u;
+    if (first + thread < held) {
+      place = met[first + thread];
+      hits = triangles_met(box_in(tree, place));
+      if (tree.kind == kNearCloth && any(hits != vec2u(0u))) {
+        let corners_of_later = triangles[place].xyz;
+        hits = vec2u(candidates_of(hits.x, first_own, place, corners_of_later),
+                     candidates_of(hits.y, first_own + 32u, place, corners_of_later));
+      }
     }
-    workgroupBarrier();
-    let near = candidates_of(tree, first, held_hits(0u, end, box));
-    let far = candidates_of(tree, first + 32u, held_hits(32u, end, box));
-    let next = allocate_candidates(thread, countOneBits(near) + countOneBits(far));
-    list_candidates(tree, first, near, next);
-    list_candidates(tree, first + 32u, far, next + countOneBits(near));
+    let next = allocate_candidates(thread, countOneBits(hits.x) + countOneBits(hits.y));
+    list_candidates(tree.kind, first_own, hits.x, place, next);
+    list_candidates(tree.kind, first_own + 32u, hits.y, place, next + countOneBits(hits.x));
   }
 }
 
 // Meets the triangles of a tree.
-fn meet_tree(tree : Tree, box : Box, thread : u32) {
+fn meet_tree(tree : Tree, box : Box, first_own : u32, thread : u32) {
   unite_parts(box, thread);
   begin_walk(tree, thread);
   loop {
     let sizes = workgroupUniformLoad(&walk_sizes);
     if (sizes.x == 0u && sizes.y == 0u) { break; }
     if (sizes.x == 0u || sizes.y > kMetRoom - kMostOfLeaf * kWalkers) {
-      meet_triangles(tree, sizes.y, box, thread);
+      meet_triangles(tree, sizes.y, first_own, thread);
       if (thread == 0u) {
         walk_sizes = vec2u(sizes.x, 0u);
         atomicStore(&met_count, 0u);
@@ -254,7 +276,6 @@ fn read_own() {
   ahead_c = predicted[2u * params.vertex_count + corners.z].xyz;
   own_box = swept_box(a, b, c, ahead_a, ahead_b, ahead_c);
   own_slack = largest_reach(place_a, place_b, place_c);
-  own_reach = own_slack + max(max(length(ahead_a), length(ahead_b)), length(ahead_c));
 }
 
 fn if_works(works : bool, box : Box) -> Box {
@@ -271,22 +292,23 @@ fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocati
   var works = own < params.triangle_count;
   if (works) {
     read_own();
+    own_corners[thread] = corners;
     works = is_finite(a) && is_finite(b) && is_finite(c);
   }
   if (params.self_contact == 1u) {
     let tree = Tree(kNearCloth, 0u, 0u, params.triangle_count, first + 1u);
-    meet_tree(tree, if_works(works, grown(own_box, params.self_thickness + own_slack)), thread);
+    meet_tree(tree, if_works(works, grown(own_box, params.self_thickness + own_slack)), first, thread);
   }
   let radius = params.thickness + own_slack + bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   for (var k = 0u; k < params.collider_count; k++) {
     let collider = colliders.list[k];
     if (collider.x == kColliderTree) {
       let box = if_works(works, grown(local_box(collider.w), radius));
-      meet_tree(Tree(kNearRigid, collider.y, collider.z, 0u, 0u), box, thread);
+      meet_tree(Tree(kNearRigid, collider.y, collider.z, 0u, 0u), box, first, thread);
     }
     if (collider.x == kColliderImplicit) {
       let tree = Tree(kNearDeforming, collider.y, collider.z, collider.w, 0u);
-      meet_tree(tree, if_works(works, grown(own_box, radius)), thread);
+      meet_tree(tree, if_works(works, grown(own_box, radius)), first, thread);
     }
   }
   meet_shapes(radius, works, thread);

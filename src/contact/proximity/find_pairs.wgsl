@@ -1,16 +1,19 @@
 // Narrow phase: lists the feature pairs of the candidates that may come within the thickness before the next search:
 // where their distance is less than that, the slacks of both and how far the ways ahead of either side may bring it
-// along the line between them (docs/contact.md, Reach). Grid-stride loop over the candidates. A vertex or edge belongs
-// to one of its triangles, so that each pair of features is found once (Curtis et al. 2008, Fast Collision Detection
-// for Deformable Models using Representative-Triangles). An edge that passes through a triangle which it does not
-// touch at rest is counted, and listed with the direction in which both come apart.
-#include "gpu/index.wgsl"
+// along the line between them (docs/contact.md, Reach). A vertex or edge belongs to one of its triangles, so that each
+// pair of features is found once (Curtis et al. 2008, Fast Collision Detection for Deformable Models using
+// Representative-Triangles). An edge that passes through a triangle which it does not touch at rest is counted, and
+// listed with the direction in which both come apart.
+//
+// Grid-stride loop over the candidates, kTesters at a time. Of the 15 pairs of features that two triangles may have
+// some three are their own. A workgroup collects these and shares them out: invocations that each tested all pairs of
+// their own candidate would wait for each other at every one of the 15.
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/tree.wgsl"
 #include "contact/proximity/triangles.wgsl"
-#include "contact/proximity/closest.wgsl"
 #include "contact/proximity/crossing.wgsl"
+#include "contact/proximity/pair_tests.wgsl"
 #include "contact/proximity/untangle.wgsl"
 #include "contact/proximity/allocate.wgsl"
 //                                                                                      elements
@@ -24,109 +27,7 @@
 @group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>; // see state/contact.wgsl
 @group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 
-// A triangle and the features that it owns: bits 0 to 2 its corners, 3 to 5 the edges from them.
-struct Face {
-  a : vec3f, b : vec3f, c : vec3f,  // m
-  reach : vec3f,  // slack of each corner, m
-  ahead_a : vec3f, ahead_b : vec3f, ahead_c : vec3f,  // ways ahead, m
-  ids : vec3u,
-  owned : u32,
-}
-
-var<workgroup> count : u32;
-
-fn cloth_face(t : u32) -> Face {
-  let corner = triangles[t];
-  let a = predicted[params.vertex_count + corner.x];
-  let b = predicted[params.vertex_count + corner.y];
-  let c = predicted[params.vertex_count + corner.z];
-  return Face(a.xyz, b.xyz, c.xyz, vec3f(a.w, b.w, c.w), predicted[2u * params.vertex_count + corner.x].xyz,
-              predicted[2u * params.vertex_count + corner.y].xyz, predicted[2u * params.vertex_count + corner.z].xyz,
-              corner.xyz, corner.w & 63u);
-}
-
-// The other side of a candidate that is a triangle.
-fn other_face(candidate : vec2u) -> Face {
-  let kind = candidate.x >> kKindShift;
-  if (kind == kNearCloth) { return cloth_face(candidate.y); }
-  var ids : vec3u;
-  var owned : u32;
-  if (kind == kNearDeforming) {
-    let corner = triangles[candidate.y];
-    ids = corner.xyz;
-    owned = corner.w & 63u;
-  } else {
-    let w = vec3u(trees[candidate.y].w, trees[candidate.y + 1u].w, trees[candidate.y + 2u].w);
-    ids = w & vec3u(kIdBits);
-    let corners = ((w >> vec3u(30u)) & vec3u(1u)) << vec3u(0u, 1u, 2u);  // bit 30: owns the corner; 31: its edge
-    let edges = (w >> vec3u(31u)) << vec3u(3u, 4u, 5u);
-    owned = corners.x | corners.y | corners.z | edges.x | edges.y | edges.z;
-  }
-  let reach = vec3f(bitcast<f32>(atomicLoad(&statistics[kStatReach])));
-  return Face(points[ids.x].xyz, points[ids.y].xyz, points[ids.z].xyz, reach, vec3f(0.0), vec3f(0.0), vec3f(0.0),
-              ids | vec3u(kColliderPoint), owned);
-}
-
-// Whether features that are `apart`, from B to A, may come nearer than the radius; on each side one vertex may go its
-// way ahead while the other side stops, so only what brings that side nearer counts.
-fn may_come(apart : vec3f, radius : f32, ahead_a : array<vec3f, 3>, ahead_b : array<vec3f, 3>) -> bool {
-  let distance = length(apart);
-  if (distance <= 0.0) { return true; }
-  let n = apart / distance;
-  let of_a = max(max(-dot(n, ahead_a[0]), -dot(n, ahead_a[1])), -dot(n, ahead_a[2]));
-  let of_b = max(max(dot(n, ahead_b[0]), dot(n, ahead_b[1])), dot(n, ahead_b[2]));
-  return distance < radius + max(0.0, of_a) + max(0.0, of_b);
-}
-fn corner_near(p : vec3f, ahead : vec3f, reach : f32, id : u32, face : Face, thickness : f32) -> bool {
-  if (any(face.ids == vec3u(id))) { return false; }
-  let near = closest_on_triangle(p, face.a, face.b, face.c);
-  return may_come(near.apart, thickness + reach + largest(face.reach), array(ahead, ahead, ahead),
-                  array(face.ahead_a, face.ahead_b, face.ahead_c));
-}
-
-// An edge with its ends, m, their ways ahead, m, and their numbers; how far either end may go beside its way, m.
-struct Edge {
-  p : vec3f, q : vec3f,
-  ahead_p : vec3f, ahead_q : vec3f,
-  ids : vec2u,
-  reach : f32,
-}
-fn edge_of(face : Face, k : u32) -> Edge {
-  if (k == 0u) {
-    return Edge(face.a, face.b, face.ahead_a, face.ahead_b, face.ids.xy, max(face.reach.x, face.reach.y));
-  }
-  if (k == 1u) {
-    return Edge(face.b, face.c, face.ahead_b, face.ahead_c, face.ids.yz, max(face.reach.y, face.reach.z));
-  }
-  return Edge(face.c, face.a, face.ahead_c, face.ahead_a, face.ids.zx, max(face.reach.z, face.reach.x));
-}
-fn edges_near(a : Edge, b : Edge, radius : f32) -> bool {
-  if (any(a.ids == b.ids) || any(a.ids == b.ids.yx)) { return false; }
-  let near = closest_on_edges(a.p, a.q, b.p, b.q);
-  return may_come(near.apart, radius + a.reach + b.reach, array(a.ahead_p, a.ahead_q, a.ahead_q),
-                  array(b.ahead_p, b.ahead_q, b.ahead_q));
-}
-
-fn bit(k : u32, near : bool) -> u32 { return select(0u, 1u << k, near); }
-
-// Which features are near, as bits: 0 to 2 corners of a, 3 to 5 corners of b, 6 + 3 k + l edge k of a and edge l of b.
-fn near_features(a : Face, b : Face, thickness : f32) -> u32 {
-  var hits = 0u;
-  if ((a.owned & 1u) != 0u) { hits |= bit(0u, corner_near(a.a, a.ahead_a, a.reach.x, a.ids.x, b, thickness)); }
-  if ((a.owned & 2u) != 0u) { hits |= bit(1u, corner_near(a.b, a.ahead_b, a.reach.y, a.ids.y, b, thickness)); }
-  if ((a.owned & 4u) != 0u) { hits |= bit(2u, corner_near(a.c, a.ahead_c, a.reach.z, a.ids.z, b, thickness)); }
-  if ((b.owned & 1u) != 0u) { hits |= bit(3u, corner_near(b.a, b.ahead_a, b.reach.x, b.ids.x, a, thickness)); }
-  if ((b.owned & 2u) != 0u) { hits |= bit(4u, corner_near(b.b, b.ahead_b, b.reach.y, b.ids.y, a, thickness)); }
-  if ((b.owned & 4u) != 0u) { hits |= bit(5u, corner_near(b.c, b.ahead_c, b.reach.z, b.ids.z, a, thickness)); }
-  for (var k = 0u; k < 3u; k++) {
-    if ((a.owned & (8u << k)) == 0u) { continue; }
-    let edge = edge_of(a, k);
-    for (var l = 0u; l < 3u; l++) {
-      if ((b.owned & (8u << l)) != 0u) { hits |= bit(6u + 3u * k + l, edges_near(edge, edge_of(b, l), thickness)); }
-    }
-  }
-  return hits;
-}
+var<workgroup> count : u32;  // of the candidates
 
 // The distance that two features of cloth keep: of one cloth no more than half of what they have at rest; 0: they do
 // not meet.
@@ -150,15 +51,20 @@ fn thickness_of(ids : vec4u) -> f32 {
   return select(params.self_thickness, 0.5 * apart, apart < 2.0 * params.self_thickness);
 }
 
-// The edges of `a`, each found by its owner, that pass through `b`, as bits.
-fn crossing_edges(a : Face, b : Face) -> u32 {
-  return bit(0u, edge_crosses(a.a, a.b, a.ids.xy, a.owned & 8u, b)) |
-         bit(1u, edge_crosses(a.b, a.c, a.ids.yz, a.owned & 16u, b)) |
-         bit(2u, edge_crosses(a.c, a.a, a.ids.zx, a.owned & 32u, b));
+// Of a candidate's two triangles one whose edges may pass through the other one.
+struct Crossing { own : Face, onto : Face }
+fn crossing_of(a : Face, b : Face, by_b : bool) -> Crossing {
+  if (by_b) { return Crossing(b, a); }
+  return Crossing(a, b);
 }
-fn edge_crosses(p : vec3f, q : vec3f, pq : vec2u, owned : u32, b : Face) -> bool {
-  if (owned == 0u || any(b.ids == pq.xxx) || any(b.ids == pq.yyy)) { return false; }
-  return crosses(p, q, b.a, b.b, b.c) && !touch_at_rest(pq, b.ids);
+fn corner_at(face : Face, k : u32) -> vec3f { return select(select(face.c, face.b, k == 1u), face.a, k == 0u); }
+
+fn edge_crosses(own : Face, k : u32, onto : Face) -> bool {
+  let pq = edge_ids(own.ids, k);
+  if ((own.owned & (8u << k)) == 0u || any(onto.ids == pq.xxx) || any(onto.ids == pq.yyy)) { return false; }
+  let p = corner_at(own, k);
+  let q = corner_at(own, (k + 1u) % 3u);
+  return crosses(p, q, onto.a, onto.b, onto.c) && !touch_at_rest(pq, onto.ids);
 }
 
 // Whether some features of an edge and a triangle of one cloth do not meet, since they touch at rest: nothing keeps
@@ -181,37 +87,30 @@ fn touch_at_rest(pq : vec2u, ids : vec3u) -> bool {
 
 // Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's
 // ends, 3 a ball.
-fn near_shape(a : Face, kind : u32, point : u32) -> u32 {
+fn near_shape(triangle : vec4u, kind : u32, point : u32) -> u32 {
   let p = points[point];
-  let scripted = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
-  if (kind == kNearPlane) {
-    let n = points[point + 1u].xyz;
-    let reach = a.reach + vec3f(params.thickness + scripted);
-    return a.owned & (bit(0u, dot(a.a - p.xyz, n) + min(0.0, dot(a.ahead_a, n)) < reach.x) |
-                      bit(1u, dot(a.b - p.xyz, n) + min(0.0, dot(a.ahead_b, n)) < reach.y) |
-                      bit(2u, dot(a.c - p.xyz, n) + min(0.0, dot(a.ahead_c, n)) < reach.z));
-  }
+  let far = points[point + select(0u, 2u, kind == kNearCapsule)].xyz;
+  let n = points[point + select(0u, 1u, kind == kNearPlane)].xyz;
   let radius = params.thickness + p.w + scripted;
-  let none = kColliderPoint | point;
-  var hits = bit(3u, corner_near(p.xyz, vec3f(0.0), 0.0, none, a, radius));
-  if (kind == kNearSphere) { return hits; }
-  let q = points[point + 2u].xyz;
-  hits |= bit(4u, corner_near(q, vec3f(0.0), 0.0, none, a, radius));
-  let axis = Edge(p.xyz, q, vec3f(0.0), vec3f(0.0), vec2u(kColliderPoint), 0.0);
+  var corners = array(corner_of(triangle.x), corner_of(triangle.y), corner_of(triangle.z));
+  var ends = array(Corner(p.xyz, 0.0, vec3f(0.0)), Corner(far, 0.0, vec3f(0.0)));
+  var hits = 0u;
   for (var k = 0u; k < 3u; k++) {
-    if ((a.owned & (8u << k)) != 0u) { hits |= bit(k, edges_near(edge_of(a, k), axis, radius)); }
+    if (kind == kNearPlane) { hits |= bit(k, (triangle.w & (1u << k)) != 0u && plane_near(corners[k], p.xyz, n)); }
+    if (kind == kNearCapsule && (triangle.w & (8u << k)) != 0u) {
+      hits |= bit(k, edges_near(corners[k], corners[(k + 1u) % 3u], ends[0], ends[1], radius));
+    }
+  }
+  if (kind == kNearPlane) { return hits; }
+  for (var end = 0u; end < select(1u, 2u, kind == kNearCapsule); end++) {
+    hits |= bit(3u + end, corner_near(ends[end], corners[0], corners[1], corners[2], radius));
   }
   return hits;
 }
-
-fn corner_id(ids : vec3u, k : u32) -> u32 { return select(select(ids.z, ids.y, k == 1u), ids.x, k == 0u); }
-fn edge_ids(ids : vec3u, k : u32) -> vec2u { return select(select(ids.zx, ids.yz, k == 1u), ids.xy, k == 0u); }
-
-fn pair_of_faces(a : vec3u, b : vec3u, hit : u32) -> vec4u {
-  if (hit < 3u) { return vec4u(corner_id(a, hit), b); }
-  if (hit < 6u) { return vec4u(corner_id(b, hit - 3u), a); }
-  return vec4u(edge_ids(a, (hit - 6u) / 3u), edge_ids(b, (hit - 6u) % 3u)) | vec4u(kPairFlag, 0u, 0u, 0u);
+fn plane_near(corner : Corner, q : vec3f, n : vec3f) -> bool {
+  return dot(n, corner.at - q) < params.thickness + scripted + corner.slack + way_against(n, corner);
 }
+
 fn pair_of_shape(a : vec3u, kind : u32, point : u32, hit : u32) -> vec4u {
   let id = kColliderPoint | point;
   if (kind == kNearPlane) { return vec4u(corner_id(a, hit), id | kPairFlag, 0u, 0u); }
@@ -234,9 +133,9 @@ fn kind_of(id : u32) -> u32 {
 // first or its second end.
 fn list_crossing(own : Face, number : u32, k : u32, onto : Face, second : bool, pair : u32) {
   let pq = edge_ids(own.ids, k);
-  let p = select(select(own.c, own.b, k == 1u), own.a, k == 0u);
-  let q = select(select(own.a, own.c, k == 1u), own.b, k == 0u);
-  let tip = select(select(own.b, own.a, k == 1u), own.c, k == 0u);
+  let p = corner_at(own, k);
+  let q = corner_at(own, (k + 1u) % 3u);
+  let tip = corner_at(own, (k + 2u) % 3u);
   let e = unit(q - p);
   let at = crossing_place(p, q, onto.a, onto.b, onto.c);
   let weights = vec3f(1.0 - at.x - at.y, at);
@@ -271,70 +170,101 @@ fn mark_tangled(id : u32, mark : u32) {
 const kFirstCrossing = 15u;
 const kByOtherEnd = 6u;
 
-@compute @workgroup_size(kWorkgroupSize)
+// The edges of a candidate's triangles that pass through the other one, as bits from kFirstCrossing on.
+fn crossings_of(candidate : vec2u, own : vec4u, other : vec4u) -> u32 {
+  let a = face_of(own);
+  let b = face_of(other);
+  if (!overlap(box_of(a.a, a.b, a.c), box_of(b.a, b.b, b.c))) { return 0u; }
+  var found = 0u;
+  for (var edge = 0u; edge < 6u; edge++) {
+    let crossing = crossing_of(a, b, edge >= 3u);
+    found |= bit(edge, edge_crosses(crossing.own, edge % 3u, crossing.onto));
+  }
+  if (found == 0u) { return 0u; }
+  atomicAdd(&statistics[kStatCrossingsLeft], countOneBits(found));
+  let twice = select(found & 7u, found, candidate.x >> kKindShift == kNearCloth);
+  return (found | (twice << kByOtherEnd)) << kFirstCrossing;
+}
+
+fn list_features(pair : u32, candidate : vec2u, ids : vec4u) {
+  var thickness = params.thickness;
+  if (candidate.x >> kKindShift == kNearCloth) { thickness = thickness_of(ids); }
+  let friction = f32(triangles[candidate.x & kPlaceBits].w >> 8u) * kFrictionUnit;
+  listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, 0u));
+}
+
+// Lists what an invocation has found: of its own candidate pairs with a shape and crossings; then the tests that it has
+// made and that have found a pair.
+fn list_found(thread : u32, candidate : vec2u, of_own : u32, tested : u32, first : u32) {
+  var own_left = of_own;
+  var tests_left = tested;
+  for (var pair = first; (own_left | tests_left) != 0u && pair < params.pair_capacity; pair++) {
+    let hit = firstTrailingBit(own_left);
+    if (own_left != 0u && hit >= kFirstCrossing) {
+      own_left &= own_left - 1u;
+      let edge = (hit - kFirstCrossing) % kByOtherEnd;
+      let by_other = edge >= 3u;
+      let crossing = crossing_of(face_of(own_triangle(candidate)), face_of(other_triangle(candidate)), by_other);
+      list_crossing(crossing.own, select(candidate.x & kPlaceBits, candidate.y, by_other), edge % 3u, crossing.onto,
+                    hit >= kFirstCrossing + kByOtherEnd, pair);
+      continue;
+    }
+    var source = candidate;
+    var ids : vec4u;
+    if (own_left != 0u) {
+      own_left &= own_left - 1u;
+      ids = pair_of_shape(own_triangle(source).xyz, source.x >> kKindShift, source.y, hit);
+    } else {
+      let test = test_at(firstTrailingBit(tests_left) * kTesters + thread);
+      tests_left &= tests_left - 1u;
+      source = taken[test >> 4u];
+      ids = pair_of_faces(own_triangle(source).xyz, other_triangle(source).xyz, test & 15u);
+    }
+    list_features(pair, source, ids);
+  }
+}
+
+@compute @workgroup_size(kTesters)
 fn find_pairs(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) groups : vec3u,
               @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
     let works = atomicLoad(&statistics[kStatDue]) != 0u && atomicLoad(&statistics[kStatRolledBack]) == 0u;
     count = select(0u, atomicLoad(&statistics[kStatCandidates]), works);
+    scripted = bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   }
   let end = workgroupUniformLoad(&count);
-  for (var first = group.x * kWorkgroupSize; first < end; first += groups.x * kWorkgroupSize) {
-    var hits = 0u;
+  for (var first = group.x * kTesters; first < end; first += groups.x * kTesters) {
+    if (thread == 0u) {
+      atomicStore(&corner_tests, 0u);
+      atomicStore(&edge_tests, 0u);
+    }
+    workgroupBarrier();
     var candidate = vec2u(0u);
-    var kind = 0u;
-    var ids_a = vec3u(0u);
-    var ids_b = vec3u(0u);
-    var friction = 0.0;
+    var of_own = 0u;
     if (first + thread < end) {
       candidate = candidates[first + thread];
-      kind = candidate.x >> kKindShift;
-      let own = candidate.x & kPlaceBits;
-      let a = cloth_face(own);
-      friction = f32(triangles[own].w >> 8u) * kFrictionUnit;
-      ids_a = a.ids;
+      taken[thread] = candidate;
+      let kind = candidate.x >> kKindShift;
+      let own = own_triangle(candidate);
       if (kind >= kNearSphere) {
-        hits = near_shape(a, kind, candidate.y);
+        of_own = near_shape(own, kind, candidate.y);
       } else {
-        let b = other_face(candidate);
-        hits = near_features(a, b, select(params.thickness, params.self_thickness, kind == kNearCloth));
-        ids_b = b.ids;
-        if (overlap(box_of(a.a, a.b, a.c), box_of(b.a, b.b, b.c))) {
-          let of_a = crossing_edges(a, b);
-          let of_b = crossing_edges(b, a);
-          if ((of_a | of_b) != 0u) {
-            atomicAdd(&statistics[kStatCrossingsLeft], countOneBits(of_a) + countOneBits(of_b));
-            let twice = select(of_a, of_a | (of_b << 3u), kind == kNearCloth);
-            hits |= (of_a | (of_b << 3u) | (twice << kByOtherEnd)) << kFirstCrossing;
-          }
-        }
+        let other = other_triangle(candidate);
+        hand_out(thread, owned_tests(own, other));
+        of_own = crossings_of(candidate, own, other);
       }
     }
-    let wanted = countOneBits(hits);
-    var pair = allocate(thread, wanted, kStatPairs);
+    workgroupBarrier();
+    if (thread == 0u) { test_counts = vec2u(atomicLoad(&corner_tests), atomicLoad(&edge_tests)); }
+    let counts = workgroupUniformLoad(&test_counts);
+    var found = 0u;
+    for (var k = 0u; k * kTesters + thread < counts.x + counts.y; k++) {
+      found |= bit(k, is_near(test_at(k * kTesters + thread)));
+    }
+    let wanted = countOneBits(of_own) + countOneBits(found);
+    let pair = allocate(thread, wanted, kStatPairs);
     if (wanted > 0u && pair + wanted > params.pair_capacity) { atomicStore(&statistics[kStatRolledBack], 1u); }
-    while (hits != 0u && pair < params.pair_capacity) {
-      let hit = firstTrailingBit(hits);
-      hits &= hits - 1u;
-      if (hit >= kFirstCrossing) {
-        let a = cloth_face(candidate.x & kPlaceBits);
-        let b = other_face(candidate);
-        let edge = (hit - kFirstCrossing) % kByOtherEnd;
-        let second = hit >= kFirstCrossing + kByOtherEnd;
-        if (edge < 3u) {
-          list_crossing(a, candidate.x & kPlaceBits, edge, b, second, pair);
-        } else {
-          list_crossing(b, candidate.y, edge - 3u, a, second, pair);
-        }
-        pair++;
-        continue;
-      }
-      var ids = pair_of_faces(ids_a, ids_b, hit);
-      if (kind >= kNearSphere) { ids = pair_of_shape(ids_a, kind, candidate.y, hit); }
-      var thickness = params.thickness;
-      if (kind == kNearCloth) { thickness = thickness_of(ids); }
-      listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, 0u));
-      pair++;
-    }
+    list_found(thread, candidate, of_own, found, pair);
+    workgroupBarrier();
   }
 }

@@ -14,6 +14,8 @@ namespace {
 /// Of find_candidates: the triangles that walk a tree together. The more there are, the more of what they meet each of
 /// them asks in vain.
 constexpr std::uint32_t kWalkers = 64;
+/// Of find_pairs: the candidates whose tests a workgroup shares out.
+constexpr std::uint32_t kTesters = 128;
 
 /// Friction is stored beside the bits of the owned features, in 24 bits as a multiple of 2^-17: up to 128, to
 /// 4e-6.
@@ -148,8 +150,7 @@ Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state,
   WEFT_CHECK(create_begin(device, state, pairs));
   WEFT_SET(find_candidates_,
            gpu::Kernel::create(device, "contact/proximity/find_candidates.wgsl", {}, kWalkers));
-  WEFT_SET(find_pairs_,
-           gpu::Kernel::create(device, "contact/proximity/find_pairs.wgsl", {}, setup_.workgroup_size));
+  WEFT_SET(find_pairs_, gpu::Kernel::create(device, "contact/proximity/find_pairs.wgsl", {}, kTesters));
   WEFT_SET(kept_, KeptForces::create(device, setup_.workgroup_size));
   return {};
 }

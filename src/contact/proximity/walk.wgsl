@@ -15,6 +15,7 @@ const kRigidArity = 4u;
 const kRigidNode = 8u;  // words
 const kMostOfLeaf = 7u;  // what three bits can say
 const kParts = 8u;
+const kOfPart = kWalkers / kParts;  // triangles
 
 const kStackRoom = 512u;
 const kMetRoom = 1024u;
@@ -41,7 +42,7 @@ fn unite_parts(box : Box, thread : u32) {
   workgroupBarrier();
   if (thread < kParts) {
     var part = empty_box();
-    for (var k = thread * kWalkers / kParts; k < (thread + 1u) * kWalkers / kParts; k++) {
+    for (var k = thread * kOfPart; k < (thread + 1u) * kOfPart; k++) {
       part = united(part, Box(lows[k], highs[k]));
     }
     part_lows[thread] = part.low;
