@@ -11,16 +11,31 @@
 @group(0) @binding(3) var<storage, read>       product_starts : array<u32>;          // block_count + 1 of each level
 @group(0) @binding(4) var<storage, read>       products       : array<Share>;        // of blocks of the finer level
 
+// Of the list that ends there: without weight beyond its end.
+fn product_at(k : u32, end : u32) -> Share {
+  let product = products[min(k, end - 1u)];
+  return Share(product.index, select(0.0, product.weight, k < end));
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_galerkin(@builtin(global_invocation_id) id : vec3u) {
   let number = flat_index(id);
   let coarse = levels[1];
   if (number >= coarse.block_count) { return; }
   let list = coarse.first_product + number;
+  let end = product_starts[list + 1u];
   var sum = zero_matrix();
-  for (var k = product_starts[list]; k < product_starts[list + 1u]; k++) {
-    let product = products[k];
-    sum = sum_of(sum, scaled(product.weight, block_of(levels[0], product.index)));
+  for (var k = product_starts[list]; k < end; k += 4u) {  // each waits for memory, so four at a time
+    let a = product_at(k, end);
+    let b = product_at(k + 1u, end);
+    let c = product_at(k + 2u, end);
+    let d = product_at(k + 3u, end);
+    let block_a = block_of(levels[0], a.index);
+    let block_b = block_of(levels[0], b.index);
+    let block_c = block_of(levels[0], c.index);
+    let block_d = block_of(levels[0], d.index);
+    sum = sum_of(sum_of(sum, scaled(a.weight, block_a)), scaled(b.weight, block_b));
+    sum = sum_of(sum_of(sum, scaled(c.weight, block_c)), scaled(d.weight, block_d));
   }
   store_block(coarse, number, sum);
   if (number < coarse.node_count) { store_inverse(coarse, number, inverse(sum)); }

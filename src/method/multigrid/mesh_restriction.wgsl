@@ -5,10 +5,21 @@
 
 fn restrict_node(fine : Level, coarse : Level, node : u32) {
   let list = coarse.first_source + node;
+  let end = source_starts[list + 1u];
   var sum = vec3f(0.0);
-  for (var k = source_starts[list]; k < source_starts[list + 1u]; k++) {
-    let source = sources[k];
-    sum += source.weight * vectors[vector_at(fine, kDirection, source.index)].xyz;
+  for (var k = source_starts[list]; k < end; k += 4u) {  // each waits for memory, so four at a time
+    let a = sources[k];
+    let b = sources[min(k + 1u, end - 1u)];
+    let c = sources[min(k + 2u, end - 1u)];
+    let d = sources[min(k + 3u, end - 1u)];
+    let of_a = vectors[vector_at(fine, kDirection, a.index)].xyz;
+    let of_b = vectors[vector_at(fine, kDirection, b.index)].xyz;
+    let of_c = vectors[vector_at(fine, kDirection, c.index)].xyz;
+    let of_d = vectors[vector_at(fine, kDirection, d.index)].xyz;
+    sum += a.weight * of_a;
+    sum += select(0.0, b.weight, k + 1u < end) * of_b;
+    sum += select(0.0, c.weight, k + 2u < end) * of_c;
+    sum += select(0.0, d.weight, k + 3u < end) * of_d;
   }
   start_level(coarse, node, sum, inverse_at(coarse, node));
 }
