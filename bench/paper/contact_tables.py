@@ -162,12 +162,18 @@ def contact_self(results):
 
 def contact_objects(results):
     lines = [
-        [f"{row['object_triangles']:,}", f"{row['nodes']:,}", row["method"]] + measured_or_skipped(row, contact_cells)
+        [row["pose"], f"{row['object_triangles']:,}", f"{row['nodes']:,}", row["method"]]
+        + measured_or_skipped(row, contact_cells)
         for row in results["rows"]
         if row["object_triangles"]
     ]
     return Table(
-        right("object triangles", "nodes") + left("contact") + right(*CONTACT_HEADS) + left("state hash"), lines
+        left("pose")
+        + right("object triangles", "nodes")
+        + left("contact")
+        + right(*CONTACT_HEADS)
+        + left("state hash"),
+        lines,
     )
 
 
@@ -195,7 +201,7 @@ def contact_kernels(results):
 def growth_groups(rows):
     """Rows that differ in one thing: (what, over what, rows)."""
     cloth = [row for row in rows if not row["object_triangles"]]
-    draped = [row for row in rows if row["object_triangles"]]
+    draped = [row for row in rows if row["pose"] == "draped"]
     for pose, part in dict.fromkeys((row["pose"], row["part"]) for row in cloth):
         yield pose + share(part), "nodes", [r for r in cloth if (r["pose"], r["part"]) == (pose, part)]
     for nodes in dict.fromkeys(row["nodes"] for row in cloth):

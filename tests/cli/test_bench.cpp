@@ -98,7 +98,7 @@ TEST_CASE("bench contact gives the same rows and the same bits in two runs, and 
   }
   CHECK(rows ==
         "flat proximity_self, folded proximity_self, crumpled proximity_self, draped bvh, draped proximity, "
-        "draped proximity_self, ");
+        "draped proximity_self, moving proximity, moving proximity_self, ");
 }
 
 TEST_CASE("bench hanging measures the sides and formulations that are asked for") {
