@@ -129,7 +129,9 @@ void SceneContact::end_frame(gpu::ComputePass& pass) const {
 }
 
 void SceneContact::record_rest(gpu::CommandList& list) const {
-  if (proximity_) list.clear(contacts_->pairs->kept.range(0, 4 * kKeptRoomWord));
+  if (!proximity_) return;
+  list.clear(contacts_->pairs->kept.range(0, 4 * kKeptRoomWord));
+  if (presses() != nullptr) list.clear(presses()->source());
 }
 
 Result<std::vector<std::uint32_t>> SceneContact::forces(gpu::Device& device) const {
@@ -161,7 +163,23 @@ Result<bool> SceneContact::set_forces(gpu::Device& device, const State& state,
 void SceneContact::record_forget(gpu::CommandList& list) const {
   if (!proximity_) return;
   list.clear(contacts_->pairs->vertex_contacts.source());
-  if (contacts_->pairs->presses.size() > 0) list.clear(contacts_->pairs->presses.source());
+  if (presses() != nullptr) list.clear(presses()->source());
+}
+
+const gpu::Buffer<std::int32_t>* SceneContact::presses() const {
+  return proximity_ && contacts_->pairs->presses.size() > 0 ? &contacts_->pairs->presses : nullptr;
+}
+
+Result<std::vector<std::int32_t>> SceneContact::hold_forces(gpu::Device& device) const {
+  if (presses() == nullptr) return std::vector<std::int32_t>{};
+  std::vector<std::int32_t> forces(presses()->size() / (kHoldWords + kPressWords) * kHoldWords);
+  WEFT_TRY(bytes, gpu::download_bytes(device, presses()->range(0, sizeof(std::int32_t) * forces.size())));
+  std::memcpy(forces.data(), bytes.data(), bytes.size());
+  return forces;
+}
+
+void SceneContact::set_hold_forces(gpu::Device& device, std::span<const std::int32_t> forces) {
+  if (presses() != nullptr) presses()->write(device, forces);
 }
 
 Result<void> SceneContact::create_counter(gpu::Device& device) {

@@ -63,6 +63,11 @@ class SceneContact {
   /// Takes it over from a world of the same scene. True if that took longer lists: recorded commands that name them are
   /// void. Errors  Limit, OutOfMemory.
   Result<bool> set_forces(gpu::Device& device, const State& state, std::span<const std::uint32_t> forces);
+  /// Obstacles' demands on vertices, for a solver whose matrix has them; null: none.
+  const gpu::Buffer<std::int32_t>* presses() const;
+  /// The forces with which such a solver holds vertices, kHoldWords each; none: it does not.
+  Result<std::vector<std::int32_t>> hold_forces(gpu::Device& device) const;
+  void set_hold_forces(gpu::Device& device, std::span<const std::int32_t> forces);
   /// Clears the traces of the first attempt before a frame is repeated.
   void record_forget(gpu::CommandList& list) const;
 

@@ -29,6 +29,10 @@ class Stepper {
   virtual void forget() {}
   /// The same for one node.
   virtual void forget(std::size_t) {}
+  /// Cloth lies on the node, and the pairs of both bear it: what the method's matrix holds it with does not stay.
+  virtual void forget_hold(std::size_t) {}
+  /// Nodes whose pairs with obstacles the last step has answered in its matrix; none: no node's.
+  virtual std::vector<bool> held() const { return {}; }
 };
 
 /// Of a scene's "solver" object, whose kind is not Auto (choose_method). The model must outlive it.

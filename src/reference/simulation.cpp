@@ -131,8 +131,12 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
   if (!proximity_) {
     answer_contacts(previous);
   } else if (finite()) {
-    contacts_ += proximity_->answer({previous, system_.inverse_mass, system_.position, system_.velocity},
-                                    before * dt, dt);
+    contacts_ += proximity_->answer(
+        {previous, system_.inverse_mass, system_.position, system_.velocity, stepper_->held()}, before * dt,
+        dt);
+    const std::vector<bool>& beside_cloth = proximity_->beside_cloth();
+    for (std::size_t node = 0; node < beside_cloth.size(); ++node)
+      if (beside_cloth[node]) stepper_->forget_hold(node);
   }
   for (std::size_t node = 0; node < position.size(); ++node)  // an impulse is no part of a smooth motion
     if (system_.position[node] != position[node] || system_.velocity[node] != velocity[node])

@@ -37,6 +37,8 @@ struct Snapshot {
   Gusts gusts;  // of the wind then
   std::vector<std::uint32_t>
       contact_forces;  // with which pairs of features act: contact::SceneContact::forces
+  std::vector<std::int32_t>
+      hold_forces;  // of vertices that the solver holds: contact::SceneContact::hold_forces
   /// XXH3-64 of the bits of position, then velocity, as 16 hexadecimal digits.
   std::string hash() const;
 };

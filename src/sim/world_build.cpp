@@ -39,7 +39,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   solver_ = std::move(solver);
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);
-  WEFT_TRY(last_good, LastGood::create(device_, state_, method.history > 0));
+  WEFT_TRY(last_good, LastGood::create(device_, state_, method.history > 0, contact_.presses()));
   last_good_ = std::move(last_good);
   WEFT_TRY(recorder, FrameRecorder::create(state_, *solver_, contact_, *last_good_, *surface_));
   recorder_ = std::move(recorder);

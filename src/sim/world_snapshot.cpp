@@ -32,6 +32,7 @@ Result<Snapshot> World::snapshot() {
   WEFT_TRY(velocity, gpu::download(device_, state_.velocity[parity_]));
   snapshot.velocity = std::move(velocity);
   WEFT_SET(snapshot.contact_forces, contact_.forces(device_));
+  WEFT_SET(snapshot.hold_forces, contact_.hold_forces(device_));
   snapshot.time = plan_.time_of(diverged_ ? bad_frame_ : frame_);  // frozen as it was before the bad frame
   snapshot.gusts = steps_.gusts();
   return snapshot;
@@ -72,6 +73,11 @@ Result<void> World::restore(const Snapshot& snapshot) {
   last_good_->renew(device_, snapshot.position, velocity, 0);
   WEFT_TRY(other_lists, contact_.set_forces(device_, state_, snapshot.contact_forces));
   if (other_lists) recorder_.forget();
+  // Those of a world whose solver holds nothing are none.
+  std::vector<std::int32_t> holds = snapshot.hold_forces;
+  holds.resize(std::size_t{kHoldWords} * model_.vertex_count());
+  contact_.set_hold_forces(device_, holds);
+  last_good_->renew_holds(device_, holds);
   return {};
 }
 

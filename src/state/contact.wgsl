@@ -24,6 +24,7 @@ struct Contact {
   thickness : f32,  // the distance that it keeps, m
   solid_speed : f32,  // of a solid side, toward the other, m/s
   begun : f32,      // the normal part of the force that the last iteration ended with, before it went ahead, N
+  held : u32,       // 1: the solver's matrix has answered it
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
 const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; else vertex and triangle
@@ -90,11 +91,13 @@ const kMarked = 1u;  // of kHeldWord: it may meet other cloth on its way
 const kHeld = 2u;    // its way ends before the planes between it and other cloth
 const kCounted = 4u; // among the truncated
 const kBesideSolid = 8u;  // it has a record with what contact cannot move
+const kBesideCloth = 32u;  // a pair of cloth with cloth acts on it
 const kFarWay = 16u;  // it goes farther than free_way: planes of obstacles without a record count, too
 const kInBody = 3e38;           // in place of a plane's nearness: a pair moves the vertex out of a body
 
 const kSoftLack = 0.02;      // of the thickness: of a smaller lack less is restored, in proportion to it
 const kPushPart = 0.7;       // β: of a missing gap, the part that a substep restores, by a push that is in no velocity
+const kHeldLack = 0.2;       // of the thickness: what a pair may lack that is left to the solver, before it is pushed
 const kPushSpeed = 0.5;      // m/s: of a push
 const kPartingSteps = 2.0;   // what parts faster than the load moves it in so many substeps keeps less of its force
 const kUntanglePart = 0.125;  // of the thickness: how far apart what crosses comes in a substep

@@ -28,7 +28,8 @@ Result<ContactPairs> ContactPairs::create(gpu::Device& device, const Model& mode
   WEFT_TRY(words, gpu::Buffer<std::uint32_t>::create(device, kVertexWords * vertices, "vertex contacts"));
   made.vertex_contacts = std::move(words);
   if (presses) {
-    WEFT_TRY(sums, gpu::Buffer<std::int32_t>::create(device, kPressWords * vertices, "presses"));
+    WEFT_TRY(sums,
+             gpu::Buffer<std::int32_t>::create(device, (kHoldWords + kPressWords) * vertices, "presses"));
     made.presses = std::move(sums);
   }
   return made;

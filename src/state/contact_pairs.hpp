@@ -33,7 +33,7 @@ struct Contact {
   float thickness = 0;          // the distance that it keeps [m]
   float solid_speed = 0;        // of a solid side, toward the other [m/s]
   float begun = 0;              // the normal part of the force before it went ahead [N]
-  std::uint32_t unused = 0;
+  std::uint32_t held = 0;       // 1: the solver's matrix has answered it
 };
 static_assert(sizeof(Contact) == 128 && offsetof(Contact, normal) == 32 && offsetof(Contact, force) == 80);
 
@@ -41,7 +41,7 @@ inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000
 inline constexpr std::uint32_t kCrossingFlag = 0x40000000U, kUntangles = 4;
 inline constexpr std::uint32_t kHasRecord = 0x80000000U;             // of ListedPair::words[0]
 inline constexpr std::uint32_t kVertexWords = 16, kTangledWord = 4;  // of ContactPairs::vertex_contacts
-inline constexpr std::uint32_t kPressWords = 20;                     // of ContactPairs::presses
+inline constexpr std::uint32_t kHoldWords = 4, kPressWords = 20;     // of ContactPairs::presses
 inline constexpr std::uint32_t kHeader = 8, kKeptRoomWord = 2, kKeptWords = 8;  // of ContactPairs::kept
 
 /// The capacities of the lists of proximity contact.
@@ -71,8 +71,9 @@ struct ContactPairs {
   /// them (src/contact/proximity/kept_forces.wgsl).
   gpu::Buffer<std::uint32_t> kept;
 
-  /// Sums over each vertex's pairs with obstacles before a substep is solved
-  /// (src/contact/proximity/press_sums.wgsl); kPressWords * vertex_count, or none where the solver needs none.
+  /// Of each vertex the force that holds it at obstacles; then the sums over its pairs with obstacles before a substep
+  /// is solved (src/contact/proximity/press_sums.wgsl). (kHoldWords + kPressWords) * vertex_count, or none where the
+  /// solver needs none.
   gpu::Buffer<std::int32_t> presses;
 
   /// Errors  Limit, OutOfMemory.

@@ -14,13 +14,17 @@ namespace weft {
 /// same once frozen; statistics.nonfinite, statistics.frozen. Errors  Shader, Limit, OutOfMemory.
 class LastGood {
  public:
-  static Result<LastGood> create(gpu::Device& device, const State& state, bool with_step_before);
+  /// `presses`: ContactPairs::presses, whose forces of holds are part of the state; null: there are none.
+  static Result<LastGood> create(gpu::Device& device, const State& state, bool with_step_before,
+                                 const gpu::Buffer<std::int32_t>* presses);
   void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
   /// Makes the saved copy the state of this parity.
   void record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const;
   /// Keeps this state of the vertices from `first` on, if all of it is finite.
   void renew(gpu::Device& device, std::span<const Vec4f> position, std::span<const Vec4f> velocity,
              std::size_t first) const;
+  /// The same of the forces of holds.
+  void renew_holds(gpu::Device& device, std::span<const std::int32_t> forces) const;
 
  private:
   /// A state that is kept: the last one, or that of the substep before it.
@@ -32,6 +36,10 @@ class LastGood {
   gpu::Kernel guard_, keep_;
   std::array<gpu::BindGroup, 2> guard_groups_;
   std::vector<Kept> kept_;  // the last, then, if it is wanted, the one before
+  const gpu::Buffer<std::int32_t>* presses_ = nullptr;
+  gpu::Buffer<std::int32_t> holds_;
+  gpu::Kernel keep_holds_;
+  gpu::BindGroup keep_holds_group_;
 };
 
 }  // namespace weft

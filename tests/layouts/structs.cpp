@@ -168,7 +168,7 @@ Json level_of_grid() {
 Json cloth_nodes() {
   using T = ClothNodes;
   return row("ClothNodes", "method/multigrid/cloth.wgsl", sizeof(T), kUniform,
-             {M(first_vertex), M(count), M(residual), M(may_retry), M(vectors), M(padding_a), M(padding_b),
+             {M(first_vertex), M(count), M(residual), M(may_retry), M(vectors), M(iterations), M(padding_b),
               M(padding_c)});
 }
 Json level_of_mesh() {
@@ -229,7 +229,7 @@ Json contact_of_pair() {
   using T = Contact;
   return row("Contact", "state/contact.wgsl", sizeof(T), kUniform,
              {M(ids), M(next), M(normal), M(place), M(surface), M(force), M(urgency), M(solid), M(near),
-              M(other_end), M(thickness), M(solid_speed), M(begun)});
+              M(other_end), M(thickness), M(solid_speed), M(begun), M(held)});
 }
 Json search_params() {
   using T = contact::SearchParams;
@@ -353,6 +353,7 @@ Json shared_constants() {
       constant("kVectors", "method/multigrid/cloth.wgsl", multigrid::kVectors),
       constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::kTaps),
       constant("kReachMargin", "state/step.wgsl", kReachMargin),
+      constant("kHoldWords", "contact/proximity/press_sums.wgsl", kHoldWords),
       constant("kPressWords", "contact/proximity/press_sums.wgsl", kPressWords),
       constant("kDetectNo", "state/step.wgsl", static_cast<double>(Detect::No)),
       constant("kDetectIfDue", "state/step.wgsl", static_cast<double>(Detect::IfDue)),
@@ -378,10 +379,12 @@ Json shared_constants() {
       real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
       real("kContactTouching", "state/contact.wgsl", kContactTouching),
       real("kHoldPart", "contact/proximity/press.wgsl", kHoldPart),
-      real("kHoldSpeed", "contact/proximity/press.wgsl", kHoldSpeed),
+      real("kHoldRate", "method/multigrid/hold_at_obstacles.wgsl", kHoldRate),
+      real("kHoldSpeed", "method/multigrid/hold_at_obstacles.wgsl", kHoldSpeed),
       real("kAhead", "contact/proximity/contact_impulse.wgsl", kImpulseAhead),
       real("kPushPart", "state/contact.wgsl", kPushPart),
       real("kSoftLack", "state/contact.wgsl", kSoftLack),
+      real("kHeldLack", "state/contact.wgsl", kHeldLack),
       real("kPushSpeed", "state/contact.wgsl", kPushSpeed),
       real("kPartingSteps", "state/contact.wgsl", kPartingSteps),
       constant("kHeader", "contact/proximity/kept_forces.wgsl", kHeader),

@@ -1,6 +1,9 @@
 // One cloth's implicit substep on the GPU beside the reference's, from the same state.
 #pragma once
 
+#include <array>
+#include <bit>
+
 #include "fields.hpp"
 #include "method/multigrid/grid_cycle.hpp"
 #include "method/multigrid/mesh_cycle.hpp"
@@ -27,7 +30,8 @@ class ImplicitRig {
     auto state = State::create(device, model_.host, 1);
     REQUIRE_OK(state);
     state_ = std::move(*state);
-    auto sums = gpu::Buffer<std::int32_t>::create(device, kPressWords * model_.vertex_count(), "presses");
+    auto sums = gpu::Buffer<std::int32_t>::create(device, (kHoldWords + kPressWords) * model_.vertex_count(),
+                                                  "presses");
     REQUIRE_OK(sums);
     press_sums_ = std::move(*sums);
     const Predicted predicted = {&state_.velocity[1], &state_.velocity[0]};
@@ -103,6 +107,7 @@ class ImplicitRig {
   }
   /// Obstacles at every `every`-th node, in sums as the kernels keep them: some press, some do not, some
   /// agree on no direction; with friction from none to much. Every fourth has thousands of pairs: sums beyond 32 bits.
+  /// Most nodes have been held before, with forces of the size of what presses now.
   void press(std::uint64_t seed, std::uint32_t every) {
     params_.contact.thickness = 0.01F;
     state_.steps.write(device_, std::span(&params_, 1));
@@ -113,11 +118,12 @@ class ImplicitRig {
     };
     constexpr double kUnits = 1048576;  // of all sums: src/contact/proximity/press_sums.wgsl
     std::vector<std::int32_t> words(press_sums_.size());
+    std::vector<reference::HoldForce> forces(model_.vertex_count());
     presses_.assign(model_.vertex_count(), {});
     for (std::size_t n = 0; n < presses_.size(); n += every) {
       const Vec3d normal = draw(), surface = 0.5 * draw();
       const double lack = random.uniform(-0.2, 1), friction = 2 * random.uniform(0, 1);
-      std::int32_t* sums = &words[kPressWords * n];
+      std::int32_t* sums = &words[kHoldWords * forces.size() + kPressWords * n];
       const auto put = [&](std::size_t word, double value) {
         const std::int64_t sum = std::llround(value * kUnits);
         sums[word] = static_cast<std::int32_t>(sum);  // its lowest 32 bits
@@ -134,8 +140,18 @@ class ImplicitRig {
           put(9, weight * std::max(0.15 * lack, 0.0)) * static_cast<double>(params_.contact.thickness);
       press.surface = {put(5, weight * surface.x), put(6, weight * surface.y), put(7, weight * surface.z)};
       press.friction = put(8, weight * friction);
+      if (n % (3 * every) == 0) continue;
+      const double scale = 1e-3 / (dt_ * dt_ * system_.inverse_mass[n]);  // moves the node by a millimetre
+      if (!(scale < 1e9)) continue;
+      const Vec3d along = scale * draw();
+      const double bears = scale * random.uniform(0, 1);
+      const std::array<double, kHoldWords> force = {along.x, along.y, along.z, bears};
+      for (std::size_t k = 0; k < kHoldWords; ++k)
+        words[kHoldWords * n + k] = std::bit_cast<std::int32_t>(static_cast<float>(force[k]));
+      forces[n] = {bears, along};
     }
     press_sums_.write(device_, words);
+    stepper_->set_hold_forces(std::move(forces));
   }
   const gpu::Buffer<std::int32_t>& press_sums() const { return press_sums_; }
   void set_ratio(double ratio) {
@@ -187,10 +203,20 @@ class ImplicitRig {
   }
 
   const ClothCycle& cycle() const { return cycle_; }
-  /// That the reference takes at most.
-  std::uint32_t iterations() const {
-    return presses_.empty() ? multigrid::kMostIterations : multigrid::kMostHeldIterations;
+  /// The forces of holds that are kept on the GPU.
+  std::vector<reference::HoldForce> hold_forces() {
+    const std::vector<std::int32_t> words = download(press_sums_);
+    std::vector<reference::HoldForce> forces(model_.vertex_count());
+    for (std::size_t n = 0; n < forces.size(); ++n) {
+      std::array<double, kHoldWords> force{};
+      for (std::size_t k = 0; k < kHoldWords; ++k)
+        force[k] = static_cast<double>(std::bit_cast<float>(words[kHoldWords * n + k]));
+      forces[n] = {force[3], {force[0], force[1], force[2]}};
+    }
+    return forces;
   }
+  const std::vector<reference::HoldForce>& expected_hold_forces() const { return stepper_->hold_forces(); }
+  bool held(std::size_t node) const { return stepper_->held()[node]; }
   const State& state() const { return state_; }
   const GpuModel& model() const { return model_; }
   const reference::MassSpringSystem& system() const { return system_; }
@@ -214,11 +240,11 @@ class ImplicitRig {
 using MultigridRig = ImplicitRig<GridCycle, GridKernels>;
 using MeshRig = ImplicitRig<MeshCycle, MeshKernels>;
 
-/// After its whole substep the rig's nodes have come where the reference's have, and as fast; those that are
-/// `pressed`, if any may be, begin anew.
+/// After its whole substep the rig's nodes have come where the reference's have, and as fast; those that obstacles
+/// hold, if any may, begin anew, and keep the force that held them.
 template <class Rig>
-void check_substep(Rig& rig, const std::vector<bool>& pressed = {}) {
-  rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, rig.iterations()); });
+void check_substep(Rig& rig, const std::vector<std::optional<reference::Hold>>& holds = {}) {
+  rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, multigrid::kMostIterations); });
   const reference::MassSpringSystem expected = rig.advanced();
   const reference::Field after = field(rig.download(rig.state().position[1]));
   const std::vector<Vec4f> velocity = rig.download(rig.state().velocity[1]);
@@ -226,10 +252,18 @@ void check_substep(Rig& rig, const std::vector<bool>& pressed = {}) {
   for (std::size_t n = 0; n < after.size(); ++n) {
     way.push_back(after[n] - rig.system().position[n]);
     wanted.push_back(expected.position[n] - rig.system().position[n]);
-    CHECK(velocity[n].w == (!pressed.empty() && pressed[n] ? 0 : 1));
+    CHECK(velocity[n].w == (holds.empty() || !holds[n] ? 1 : rig.held(n) ? -1 : 0));
   }
   CHECK(difference(way, wanted) < 1e-3);
   CHECK(difference(field(velocity), expected.velocity) < 1e-3);
+  if (holds.empty()) return;
+  reference::Field found_force, wanted_force;
+  const std::vector<reference::HoldForce> found = rig.hold_forces(), kept = rig.expected_hold_forces();
+  for (std::size_t n = 0; n < kept.size(); ++n) {
+    found_force.insert(found_force.end(), {found[n].along, {found[n].normal, 0, 0}});
+    wanted_force.insert(wanted_force.end(), {kept[n].along, {kept[n].normal, 0, 0}});
+  }
+  CHECK(difference(found_force, wanted_force) < 1e-3);
 }
 
 }  // namespace weft

@@ -214,13 +214,24 @@ TEST_CASE("a smaller residual is asked for in the scene, and what is missed is c
   CHECK(fine.residual <= 1e-4F);
   CHECK(fine.iterations > usual.iterations);
   CHECK(fine.unsolved == 0);
-  // With obstacles in the matrix there is one iteration: the report says what it leaves.
+  // With obstacles in the matrix too: to a third.
   auto world = world_of(fixture.device(), falling());
   advance(*world, kFalling);
-  CHECK(world->totals().iterations == 1);
-  CHECK(world->totals().unsolved > 0);
-  CHECK(world->totals().residual > 0.01F);
-  CHECK(world->totals().repeated_frames == 0);
+  CHECK(world->totals().unsolved == 0);
+  CHECK(world->totals().residual <= 0.003F);
+  // A stiff narrow strip takes more iterations than there are: the report says what they leave.
+  auto stiff = scene::parse_scene(
+      R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, "time": {"substeps": 8},
+          "contact": {"method": "none"}, "cloths": [{"grid": [82, 5], "size": [0.5, 0.025], "density": 0.2,
+          "pins": ["top_left", "bottom_left"], "stiffness": {"structural": 1000, "shear": 300, "bend": 0,
+          "bending": 0.25}}]})",
+      "strip.json");
+  REQUIRE_OK(stiff);
+  auto strip = world_of(fixture.device(), *stiff);
+  advance(*strip, 2);
+  CHECK(strip->totals().iterations == 64);
+  CHECK(strip->totals().unsolved > 0);
+  CHECK(strip->totals().residual > 0.01F);
 }
 
 TEST_CASE("a state that is put in goes on by itself, whatever was there a step before") {
@@ -327,8 +338,42 @@ TEST_CASE("implicit cloth meets obstacles at rest, moving and turning as the ref
   }
 }
 
-TEST_CASE("a strip over a capsule rests where friction holds it, and gains no energy") {
+TEST_CASE("a strip over a capsule rests where friction holds it and slides where not, and gains no energy") {
   check_capstan(seen_by_kernels);
+}
+
+TEST_CASE(
+    "the force that holds a strip is part of the state: of a frame that is repeated, of a reset, of a "
+    "snapshot") {
+  GpuFixture fixture;
+  const Capstan capstan{0.3, 0.72, 0.3};
+  const auto draped = [&] {
+    auto world = world_of(fixture.device(), capstan.scene());
+    change_state(*world, [&](std::size_t, Vec3d& x, Vec3d&) { x = capstan.draped(x); });
+    return world;
+  };
+  auto world = draped();
+  advance(*world, 20);
+  CHECK(world->totals().repeated_frames > 0);  // it takes more iterations than are recorded at first
+  const std::string once = hash_of(*world);
+  const auto repeated = world->totals().repeated_frames;
+  REQUIRE(world->reset());
+  change_state(*world, [&](std::size_t, Vec3d& x, Vec3d&) { x = capstan.draped(x); });
+  advance(*world, 20);
+  CHECK(world->totals().repeated_frames < 2 * repeated);
+  CHECK(hash_of(*world) == once);
+  advance(*world, 20);
+  const auto snapshot = world->snapshot();
+  REQUIRE_OK(snapshot);
+  auto fresh = world_of(fixture.device(), capstan.scene());
+  REQUIRE(fresh->restore(*snapshot));
+  advance(*world, 5);  // what comes after it is forgotten
+  REQUIRE(world->restore(*snapshot));
+  advance(*fresh, 12);
+  advance(*world, 12);
+  CHECK(hash_of(*fresh) == hash_of(*world));
+  const double gone = Moment(*world).position.back().y - static_cast<double>(snapshot->position.back().y);
+  CHECK(std::abs(gone) < 0.2 * 3e-4);  // m/s: it still rests
 }
 
 TEST_CASE("a floor of 1,000 planes holds a sheet as one plane does") {

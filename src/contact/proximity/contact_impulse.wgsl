@@ -4,6 +4,7 @@
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
+#include "contact/proximity/press_sums.wgsl"
 #include "contact/proximity/sums.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
@@ -12,6 +13,8 @@
 @group(0) @binding(3) var<storage, read_write> contacts        : array<Contact>;
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read>       statistics      : array<u32>;
+@group(0) @binding(6) var<storage, read_write> presses         : array<atomic<i32>>; // press_sums.wgsl
+override kPresses : u32 = 0;  // 1: a solver holds vertices at obstacles, and `presses` is that buffer
 override kLast : u32 = 1;  // of the substep's iterations
 const kAhead = 0.5;        // of its change from one iteration to the next, the part by which a force goes ahead
 
@@ -27,8 +30,25 @@ fn first_change(vertex : u32) -> vec3f {
                      bitcast<i32>(atomicLoad(&vertex_contacts[word + 2u])))) / kSpeedUnits;
 }
 
+// Whether the pair is left to the solver, which has answered it: where no cloth lies on its vertices. What pairs of
+// cloth press on them comes after the solver's answer.
+fn is_left(contact : Contact) -> bool {
+  if (contact.held == 0u) { return false; }
+  for (var role = 0u; role < role_count(contact.ids); role++) {
+    if (is_collider(contact.ids[role])) { continue; }
+    let vertex = contact.ids[role] & kIdBits;
+    if ((atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]) & kBesideCloth) != 0u) { return false; }
+  }
+  return true;
+}
+
+// Where cloth lies on a vertex, the pairs of both bear it: the force that the solver holds it with does not stay.
+fn forget_hold(vertex : u32) {
+  for (var k = 0u; k < kHoldWords; k++) { atomicStore(&presses[kHoldWords * vertex + k], 0); }
+}
+
 // Equations (2) to (4a) and (7); stores the force.
-fn answer(number : u32, contact : Contact, w : vec4f) -> Answer {
+fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
   let ids = contact.ids;
   var u = contact.surface.xyz;
   var mobility = 0.0;
@@ -48,6 +68,11 @@ fn answer(number : u32, contact : Contact, w : vec4f) -> Answer {
     return Answer(max(0.0, wanted - speed) / mobility * n, mobility);
   }
   let had = step.time.dt * contact.force.xyz;
+  if (left) {
+    contacts[number].force = vec4f(vec3f(0.0), contact.force.w);
+    contacts[number].begun = 0.0;
+    return Answer(-had, mobility);
+  }
   let normal = max(0.0, dot(n, had) + (contact.force.w - speed) / mobility);
   let sticking = had - dot(n, had) * n - (u - speed * n) / mobility;
   let ahead = select(kAhead, 0.0, kLast != 0u) * (normal - step.time.dt * contact.begun);
@@ -65,15 +90,18 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
     let contact = contacts[number];
     if (contact.solid == kUntangles && !is_self_pair(contact.ids)) { continue; }  // see contact_respond
     let w = weights_of(contact.ids, contact.place.x, contact.place.y);
-    let given = answer(number, contact, w);
+    let left = is_left(contact);
+    let given = answer(number, contact, w, left);
     if (given.mobility <= 0.0) { continue; }
-    let lack = clamp(contact.thickness - contact.normal.w, 0.0, contact.thickness);
+    let spared = select(0.0, kHeldLack, left) * contact.thickness;
+    let lack = clamp(contact.thickness - spared - contact.normal.w, 0.0, contact.thickness);
     let restored = kPushPart * min(1.0, lack / (kSoftLack * contact.thickness));
     let apart = min(restored * lack, kPushSpeed * step.time.dt);  // equation (5a), m
     let pushes = kLast != 0u && contact.solid != kUntangles && apart > 0.0;
     for (var role = 0u; role < role_count(contact.ids); role++) {
       if (is_collider(contact.ids[role])) { continue; }
       let vertex = contact.ids[role] & kIdBits;
+      if (kPresses != 0u && kLast != 0u && is_self_pair(contact.ids)) { forget_hold(vertex); }
       let part = previous[vertex].w * w[role];
       add_units(kVertexWords * vertex + kChangeWord, kSpeedUnits, part * given.impulse);
       if (pushes) {

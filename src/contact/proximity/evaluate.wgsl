@@ -65,6 +65,17 @@ fn is_of_closed_mesh(ids : vec4u) -> bool {
   return min(min(start_of(ids.x).w, start_of(ids.y).w), start_of(ids.z).w) < 0.0;
 }
 
+// Whether the solver's matrix has answered the pair: of a vertex that it holds by all that presses it (a velocity's w
+// is -1), where it lay before the substep, so that it was among that.
+fn is_held(ids : vec4u, w : vec4f, gap : f32, thickness : f32) -> bool {
+  var any_held = false;
+  for (var role = 0u; role < role_count(ids); role++) {
+    if (is_collider(ids[role]) || w[role] == 0.0) { continue; }
+    any_held |= predicted[ids[role] & kIdBits].w < 0.0;
+  }
+  return any_held && gap < kContactTouching * thickness;
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
             @builtin(local_invocation_index) thread : u32) {
@@ -144,6 +155,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     contact.normal = vec4f(n, gap);
     contact.surface = vec4f(r.surface, friction);
     contact.urgency = select(0.0, f32(urgency), acts);
+    contact.held = select(0u, 1u, acts && !untangles && !is_self && is_held(ids, w, gap, thickness));
     var force = vec3f(0.0);
     if (acts && !untangles) { force = first_force(ids, w, n, contact.force.xyz, friction, speed); }
     contact.force = vec4f(force, least_speed(gap, thickness, speed));
@@ -159,6 +171,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     contacts[number].solid = contact.solid;
     contacts[number].solid_speed = contact.solid_speed;
     contacts[number].begun = contact.begun;
+    contacts[number].held = contact.held;
     contacts[number].near = contact.near;
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role]) || contact.near == 0u) { continue; }
@@ -166,6 +179,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       if (acts) {
         atomicAdd(&vertex_contacts[kVertexWords * vertex + kShareWord], share_units(f32(urgency), w[role]));
       }
+      if (acts && is_self) { atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideCloth); }
       if (is_kept) {
         add_units(kVertexWords * vertex + kFirstWord, kSpeedUnits,
                   previous[vertex].w * w[role] * step.time.dt * force);

@@ -12,11 +12,10 @@
 @group(0) @binding(3) var<storage, read>       points     : array<vec4f>;       // of colliders: move_points.wgsl
 @group(0) @binding(4) var<storage, read>       listed     : array<ListedPair>;
 @group(0) @binding(5) var<storage, read>       statistics : array<u32>;
-@group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>; // kPressWords * vertex_count
+@group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>; // press_sums.wgsl
 @group(0) @binding(7) var<storage, read>       rings      : array<u32>;         // feature_rings.hpp
 
-const kHoldPart = 0.15;   // of a missing gap, the part that a hold restores in a substep
-const kHoldSpeed = 0.05;  // m/s: no faster
+const kHoldPart = 0.15;  // of a missing gap, the part that a hold restores in a substep, if that is not too fast
 
 fn velocity_of(vertex : u32) -> vec3f { return velocity[vertex].xyz; }
 
@@ -42,7 +41,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     if (!(measured.gap + min(way, 0.0) < kContactTouching * step.contact.thickness)) { continue; }
     if (!lies_in_cones(ids, measured)) { continue; }
     let missing = step.contact.thickness - measured.gap;
-    let room = min(missing, min(kHoldPart * missing, kHoldSpeed * step.time.dt));  // what is too near is pushed besides
+    let room = min(missing, kHoldPart * missing);
     let friction = min(friction_of(ids, bitcast<f32>(listed[pair].words.y)), kMostFriction);
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role]) || weights[role] == 0.0) { continue; }
@@ -64,7 +63,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
       sums[kPressWeight] = weight;
       sums[kPressFriction] = weight * friction;
       // A loop: SwiftShader needs minutes and gigabytes to compile nine calls.
-      for (var k = 0u; k < kPressWraps; k++) { add(kPressWords * vertex + k, sums[k]); }
+      for (var k = 0u; k < kPressWraps; k++) { add(press_words(vertex) + k, sums[k]); }
     }
   }
 }

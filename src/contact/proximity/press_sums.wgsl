@@ -5,6 +5,10 @@
 // words: its lowest 32 bits as an i32, and how often that has passed over either end, + 2^32 each. No addend is
 // beyond kMost = 64 units of 2^20 = 2^26, and no list has 2^32 pairs, so a sum stays below 2^58, and the second word
 // below 2^27. Both are the same in any order: the lowest bits do not depend on it, so neither does what is left.
+//
+// Before the sums of all vertices stand four words of each: the force that holds it, which stays from substep to
+// substep, τ and λ, N, as the bits of f32. The including kernel binds `step`.
+const kHoldWords = 4u;
 const kPressWords = 20u;
 const kPressNormal = 0u;    // three: the direction that they press in; kPressUnits
 const kPressLack = 3u;      // how far along it the vertex has to go beyond its velocity; kLackUnits in a thickness
@@ -18,3 +22,6 @@ const kLackUnits = 1048576.0;
 const kMostLack = 16.0;     // thicknesses
 const kMostSurface = 64.0;  // m/s
 const kMostFriction = 64.0;
+
+// Where the sums of a vertex begin.
+fn press_words(vertex : u32) -> u32 { return kHoldWords * step.nodes.count + kPressWords * vertex; }

@@ -66,7 +66,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   WEFT_CHECK(made.create_kernels(device, state, wanted.workgroup_size));
   WEFT_SET(made.near_, NearPairs::create(device, wanted.workgroup_size));
   WEFT_TRY(respond, Respond::create(device, {wanted.interval, wanted.iterations, lengths.self_thickness > 0,
-                                             wanted.workgroup_size}));
+                                             made.presses_, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(state, pairs));
   return made;

@@ -10,12 +10,13 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     const char* path;
     std::vector<gpu::Constant> constants = {};
   };
-  std::vector<Wanted> all = {{made.last_impulse_, "contact/proximity/contact_impulse.wgsl"},
+  const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0};
+  std::vector<Wanted> all = {{made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses}},
                              {made.respond_,
                               "contact/proximity/contact_respond.wgsl",
                               {{"kDetectInterval", static_cast<double>(setup.interval)}}}};
   if (setup.iterations > 1) {
-    all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {{"kLast", 0}}});
+    all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, {"kLast", 0}}});
     all.push_back({made.add_, "contact/proximity/add_impulses.wgsl"});
   }
   for (std::size_t round = 0; round < made.round_count(); ++round) {
@@ -33,18 +34,21 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
 }
 
 Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points) {
+  // A kernel binds buffers that it does not read.
+  const gpu::RawBuffer& presses =
+      setup_.presses ? static_cast<const gpu::RawBuffer&>(pairs.presses) : pairs.kept;
   for (std::size_t parity = 0; parity < 2; ++parity) {
     const auto& start = state.position[parity];
     const auto &position = state.position[1 - parity], &velocity = state.velocity[1 - parity];
     WEFT_SET(last_impulse_groups_[parity],
              last_impulse_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
-                                 state.statistics}));
+                                 state.statistics, presses}));
     WEFT_SET(respond_groups_[parity],
              respond_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
                             position, velocity, state.statistics}));
     if (setup_.iterations > 1) {
       WEFT_SET(impulse_groups_[parity], impulse_.bind({state.steps, start, pairs.predicted, pairs.contacts,
-                                                       pairs.vertex_contacts, state.statistics}));
+                                                       pairs.vertex_contacts, state.statistics, presses}));
       WEFT_SET(add_groups_[parity],
                add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
     }

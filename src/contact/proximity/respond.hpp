@@ -19,6 +19,7 @@ class Respond {
     std::uint32_t interval = 4;    // substeps from one that may search to the next
     std::uint32_t iterations = 1;  // of impulses
     bool self = false;             // whether cloth meets cloth
+    bool presses = false;          // a solver's matrix holds vertices at obstacles
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   };
   Respond() = default;

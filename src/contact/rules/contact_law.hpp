@@ -28,9 +28,13 @@ inline constexpr double kContactTouching = 1.001;
 /// flat floor is in the cone of neither triangle by the rounding of f32, some 1e-4 of a gap that is a few thousand
 /// steps of f32 wide. A floor pushes sideways by no more than this part of what it bears.
 inline constexpr double kConeSlack = 1e-3;
-/// The part of a missing gap that a hold of the implicit solver restores in a substep, and how fast at most [m/s].
-/// The node does not keep that speed.
-inline constexpr double kHoldPart = 0.15, kHoldSpeed = 0.05;
+/// The part of a missing gap that a hold of the implicit solver restores in a substep, and how fast at most [m/s]; of a
+/// node that it has borne before, no more than so much a second [1/s], and as much slower. The node does not keep that
+/// speed. Faster, the edges of a strip that bends over a capsule are moved about, and stretched three times as much.
+inline constexpr double kHoldPart = 0.15, kHoldRate = 10, kHoldSpeed = 0.05;
+/// What a hold has answered is pushed only where it lacks more than this part of the thickness: so deep the pushes of
+/// layers bring it, which are faster than the hold, while those of edges that bend over a body make it creep.
+inline constexpr double kHeldLack = 0.2;
 /// A press says no more than this of how far a node has to go, in thicknesses, so that sums of integers hold:
 /// docs/solvers/multigrid.md, Contact.
 inline constexpr double kMostLack = 16;

@@ -1,15 +1,18 @@
-// Adds up the partial sums over a cloth's nodes, and takes what conjugate gradients decide from the sum. One workgroup
-// a cloth, in an order that its size does not change. Source: docs/solvers/multigrid.md, equations 13 to 15.
+// Adds up the partial sums over a cloth's nodes, takes what conjugate gradients decide from the sum, and reports what
+// the solution took. One workgroup a cloth, in an order that its size does not change.
+// Source: docs/solvers/multigrid.md, equations 13 to 15.
 #include "gpu/finite.wgsl"
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
 #include "method/multigrid/chunks.wgsl"
 #include "method/multigrid/solve.wgsl"
 #include "method/multigrid/whole_workgroup.wgsl"
+#include "state/statistics.wgsl"
 //                                                                                elements
-@group(0) @binding(0) var<uniform>             nodes    : ClothNodes;
-@group(0) @binding(1) var<storage, read_write> vectors  : array<vec4f>;       // method/multigrid/cloth.wgsl
-@group(0) @binding(2) var<storage, read>       partials : array<vec2f>;       // partial_sums.wgsl
+@group(0) @binding(0) var<uniform>             nodes      : ClothNodes;
+@group(0) @binding(1) var<storage, read_write> vectors    : array<vec4f>;     // method/multigrid/cloth.wgsl
+@group(0) @binding(2) var<storage, read>       partials   : array<vec2f>;     // partial_sums.wgsl
+@group(0) @binding(3) var<storage, read_write> statistics : array<atomic<u32>>;
 override kSum : u32;
 const kFirstNorm = 0u;  // mirror: src/method/multigrid/kernels.cpp
 const kSquare = 1u;     // p·A p
@@ -55,7 +58,7 @@ fn after(state : Solve, sum : vec2f) -> Solve {
   if (kSum == kNorm) {
     next.left = sum.x;
     if (state.turn == 0u) { next.enough = nodes.residual * min(state.first, kGuessPart * kGuessPart * sum.x); }
-    next.done = sum.x <= next.enough || !is_finite(vec3f(sum.x));  // finish.wgsl reports it
+    next.done = sum.x <= next.enough || !is_finite(vec3f(sum.x));  // which `report` counts
     next.turn++;
   }
   if (kSum == kRho) {
@@ -63,6 +66,20 @@ fn after(state : Solve, sum : vec2f) -> Solve {
     next.rho = sum.x;
   }
   return next;
+}
+
+fn report(state : Solve) {
+  atomicMax(&statistics[kStatIterations], state.turn - 1u);
+  let has_norm = is_finite(vec3f(state.first, state.left, 0.0));
+  if (has_norm && state.first > 0.0) {
+    atomicMax(&statistics[kStatResidual], bitcast<u32>(sqrt(state.left / state.first)));
+  }
+  if (state.done && has_norm) { return; }
+  if (nodes.may_retry == 1u && has_norm) {
+    atomicStore(&statistics[kStatRolledBack], 1u);
+  } else {
+    atomicAdd(&statistics[kStatUnsolved], 1u);
+  }
 }
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -73,6 +90,8 @@ fn add_up(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index)
   if (local != 0u) { return; }
   var state = Solve(sum.x, sum.x, 0.0, sum.y, 0.0, 1.0, 0u, sum.x == 0.0);
   if (kSum != kFirstNorm) { state = after(solve_state(), sum); }
+  let is_last = state.done || state.turn > nodes.iterations;
+  if (kSum == kNorm && is_last) { report(state); }
   let at = solve_at();
   vectors[at] = vec4f(state.first, state.left, state.enough, state.rho);
   vectors[at + 1u] = vec4f(state.rate, state.keep, f32(state.turn), select(0.0, 1.0, state.done));

@@ -5,7 +5,7 @@ struct ClothNodes {  // mirror: src/method/multigrid/cycle.hpp
   residual : f32,   // what its linear system may leave of the residual: squared, of the norm
   may_retry : u32,  // 1: a frame whose system is not solved in the iterations recorded is run again with more
   vectors : u32,    // of a cloth, in vec4f
-  padding_a : u32,
+  iterations : u32,  // recorded
   padding_b : u32,
   padding_c : u32,
 }

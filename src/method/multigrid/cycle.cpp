@@ -14,9 +14,10 @@ void Cycle::record(gpu::ComputePass& pass, std::uint32_t iterations) const {
   finish_.record(pass);
 }
 
-void Cycle::set_may_retry(gpu::Device& device, bool may) const {
+void Cycle::set_iterations(gpu::Device& device, std::uint32_t iterations, bool may_retry) const {
   ClothNodes nodes = own_nodes_;
-  nodes.may_retry = may ? 1 : 0;
+  nodes.iterations = iterations;
+  nodes.may_retry = may_retry ? 1 : 0;
   nodes_.write(device, std::span(&nodes, 1));
 }
 
@@ -70,7 +71,8 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
   const State& state = inputs.state;
   const gpu::Workgroups nodes = for_each_cloth(kernels.predict->workgroups_of(own_nodes_.count));
   const gpu::Workgroups lone = for_each_cloth({});
-  const Dispatch::Bindings sums = {nodes_, vectors_, partials_};
+  const Dispatch::Bindings parts = {nodes_, vectors_, partials_};
+  const Dispatch::Bindings sums = {nodes_, vectors_, partials_, state.statistics};
   WEFT_SET(predict_,
            Dispatch::create_by_parity(kernels.predict, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {state.steps,
@@ -84,8 +86,8 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      place_,
                      vectors_};
            }));
-  WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes, sums));
-  WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, sums));
+  WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes, parts));
+  WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, parts));
   WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, lone, sums));
   WEFT_SET(square_, Dispatch::create(kernels.square, lone, sums));
   WEFT_SET(norm_, Dispatch::create(kernels.norm, lone, sums));
@@ -101,7 +103,7 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      state.velocity[p],
                      state.position[1 - p],
                      *inputs.predicted[p],
-                     state.statistics};
+                     presses(inputs)};
            }));
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include "gpu/dispatch.hpp"
 #include "method/equal_cloths.hpp"
+#include "method/multigrid/solve_limits.hpp"
 #include "method/predicted.hpp"
 #include "scene/scene.hpp"
 #include "state/state.hpp"
@@ -32,8 +33,9 @@ struct ClothNodes {
   std::uint32_t first_vertex = 0, count = 0;  // of the first cloth, of each
   float residual = 0;
   std::uint32_t may_retry = 1;
-  std::uint32_t vectors = 0;  // of each cloth [vec4f]
-  std::uint32_t padding_a = 0, padding_b = 0, padding_c = 0;
+  std::uint32_t vectors = 0;                              // of each cloth [vec4f]
+  std::uint32_t iterations = multigrid::kMostIterations;  // recorded
+  std::uint32_t padding_b = 0, padding_c = 0;
 };
 static_assert(sizeof(ClothNodes) == 32);
 
@@ -60,8 +62,8 @@ class Cycle {
  public:
   /// With so many iterations at most; those behind the last that is needed do nothing.
   void record(gpu::ComputePass& pass, std::uint32_t iterations) const;
-  /// Whether a frame whose system is not solved in the iterations recorded is to be rolled back.
-  void set_may_retry(gpu::Device& device, bool may) const;
+  /// How many iterations are recorded, and whether a frame whose system they do not solve is to be rolled back.
+  void set_iterations(gpu::Device& device, std::uint32_t iterations, bool may_retry) const;
   // Its parts.
   void record_system(gpu::ComputePass& pass) const;
   void record_matrices(gpu::ComputePass& pass) const;
@@ -135,8 +137,9 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   }
   WEFT_SET(tail_levels_, gpu::Buffer<Shape>::create_from(device, std::span(shapes).subspan(tail_),
                                                          "coarsest multigrid levels"));
-  own_nodes_ = {cloths.first.first_vertex, nodes, static_cast<float>(inputs.residual * inputs.residual),
-                inputs.presses == nullptr ? 1U : 0U, static_cast<std::uint32_t>(vectors)};
+  const double residual = (inputs.presses != nullptr ? multigrid::kHeldPart : 1) * inputs.residual;
+  own_nodes_ = {cloths.first.first_vertex, nodes, static_cast<float>(residual * residual), 1,
+                static_cast<std::uint32_t>(vectors)};
   WEFT_SET(nodes_, gpu::create_uniform(device, own_nodes_, "cloth nodes"));
   WEFT_SET(partials_,
            (gpu::Buffer<std::array<float, 2>>::create(
@@ -144,7 +147,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
                "partial sums")));
   WEFT_SET(place_, gpu::Buffer<Vec4f>::create(device, all_nodes, "multigrid place"));
   // One element each where nothing holds: kernels bind buffers that they do not read.
-  const std::size_t count = inputs.presses != nullptr ? 2 * all_nodes : 1;
+  const std::size_t count = inputs.presses != nullptr ? 3 * all_nodes : 1;
   WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, count, "multigrid holds"));
   WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
   WEFT_SET(vectors_, gpu::Buffer<Vec4f>::create(device, cloths_ * (vectors + multigrid::kSolveWords),

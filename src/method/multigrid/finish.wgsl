@@ -1,12 +1,11 @@
-// The end of a substep: each node's new position and velocity, and what the solution took. One invocation per node.
-// Source: docs/solvers/multigrid.md, equation 9.
-#include "gpu/finite.wgsl"
+// The end of a substep: each node's new position and velocity, and the force that holds it at obstacles. One invocation
+// per node. A velocity's w is 1 where the next substep may read this one, 0 where an obstacle holds the node, and -1
+// where it does by all that presses the node (contact/proximity/evaluate.wgsl).
+// Source: docs/solvers/multigrid.md, equations 9 and 11.
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
-#include "method/multigrid/hold.wgsl"
-#include "method/multigrid/solve.wgsl"
+#include "method/multigrid/hold_force.wgsl"
 #include "method/multigrid/spring.wgsl"
-#include "state/statistics.wgsl"
 //                                                                               elements       unit
 @group(0) @binding(0) var<uniform>             step         : StepBlock;
 @group(0) @binding(1) var<uniform>             nodes        : ClothNodes;
@@ -17,7 +16,7 @@
 @group(0) @binding(6) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count   m/s (w: as in predict)
 @group(0) @binding(7) var<storage, read_write> position_out : array<vec4f>;   // vertex_count   m; came as a step before
 @group(0) @binding(8) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count   m/s
-@group(0) @binding(9) var<storage, read_write> statistics   : array<atomic<u32>>;
+@group(0) @binding(9) var<storage, read_write> presses      : array<i32>;     // press_sums.wgsl
 
 fn finish_held(among_all : u32) {
   let node = nodes.first_vertex + among_all;
@@ -31,29 +30,36 @@ fn finish_free(among_all : u32, solution : vec3f) {
   let node = nodes.first_vertex + among_all;
   let now = position_in[node];
   let velocity = velocity_in[node];
-  let pressed = is_pressed(among_all);
-  let formula = formula_of(select(step.time.step_ratio * velocity.w, 0.0, pressed));
+  let formula = formula_of(step.time.step_ratio * max(velocity.w, 0.0));
   let way = step.time.dt * velocity.xyz + solution;
   let before = position_out[node].xyz;
   position_out[node] = vec4f(now.xyz + way, now.w);
-  var after = (way - formula.c * (now.xyz - before)) / formula.he;
-  if (pressed) { after -= holds[restored_at(among_all)].xyz; }
-  velocity_out[node] = vec4f(after, select(1.0, 0.0, pressed));
+  velocity_out[node] = vec4f((way - formula.c * (now.xyz - before)) / formula.he, 1.0);
 }
 
-fn report() {
-  let state = solve_state();
-  atomicMax(&statistics[kStatIterations], max(state.turn, 1u) - 1u);
-  let has_norm = is_finite(vec3f(state.first, state.left, 0.0));
-  if (has_norm && state.first > 0.0) {
-    atomicMax(&statistics[kStatResidual], bitcast<u32>(sqrt(state.left / state.first)));
-  }
-  if (state.done && has_norm) { return; }
-  if (nodes.may_retry == 1u && has_norm) {
-    atomicStore(&statistics[kStatRolledBack], 1u);
-  } else {
-    atomicAdd(&statistics[kStatUnsolved], 1u);
-  }
+fn finish_pressed(among_all : u32, solution : vec3f) {
+  let node = nodes.first_vertex + among_all;
+  let now = position_in[node];
+  let start = step.time.dt * velocity_in[node].xyz;
+  let way = start + solution;
+  let hold = holds[among_all];
+  let surface = holds[hold_way_at(among_all)];
+  let force = holds[hold_force_at(among_all)];
+  let kept = hold_force(node);
+  let stiffness = dot(hold.xyz, hold.xyz) + hold.w;
+  let n = hold.xyz / length(hold.xyz);
+  let grip = Grip(n, turned(kept.along, n), stiffness / kHoldStiffness, surface.xyz, force.y);
+  let pressed = force.x - stiffness * dot(n, solution);
+  let reached = reach_of(grip, way);
+  let borne = max(0.0, pressed - place[among_all].w * surface.w);
+  let after = HoldForce(no_longer(reached, grip.friction * borne), borne);
+  let had = select(no_longer(reach_of(grip, start), grip.friction * kept.normal), reached, hold.w > 0.0);
+  // What acted beyond what counts is taken out of the velocity, and so is the speed at which a gap is restored.
+  let more = after.along - had + max(0.0, -pressed) * n;
+  keep_hold_force(node, after);
+  position_out[node] = vec4f(now.xyz + way, now.w);
+  velocity_out[node] = vec4f((way - surface.w * n) / step.time.dt + step.time.dt * now.w * more,
+                             select(0.0, -1.0, force.z > 0.0));
 }
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -61,11 +67,15 @@ fn finish(@builtin(global_invocation_id) id : vec3u) {
   cloth = id.z;
   let index = flat_index(id);
   if (index >= nodes.count) { return; }
-  if (index == 0u) { report(); }
   let among_all = cloth * nodes.count + index;
   if (place[among_all].w == 0.0) {
     finish_held(among_all);
+    return;
+  }
+  let solution = vectors[cloth * nodes.vectors + kSolution * nodes.count + index].xyz;
+  if (is_pressed(among_all)) {
+    finish_pressed(among_all, solution);
   } else {
-    finish_free(among_all, vectors[cloth * nodes.vectors + kSolution * nodes.count + index].xyz);
+    finish_free(among_all, solution);
   }
 }

@@ -14,7 +14,7 @@
 @group(0) @binding(3) var<storage, read>       place       : array<vec4f>;   // nx * ny        m (w: N/m; 0: fixed)
 @group(0) @binding(4) var<storage, read_write> holds       : array<vec4f>;   // method/multigrid/hold.wgsl
 @group(0) @binding(5) var<storage, read_write> vectors     : array<vec4f>;   // method/multigrid/cloth.wgsl
-@group(0) @binding(6) var<storage, read_write> presses     : array<i32>;     // kPressWords * vertex_count
+@group(0) @binding(6) var<storage, read_write> presses     : array<i32>;     // press_sums.wgsl
 var<private> diagonal : Symmetric;
 
 struct Own {  // the node whose springs are summed
@@ -62,7 +62,7 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   var residual = vectors[vector_at(level, kResidual, node)].xyz + sum_of_springs(own, grid, node, grid.nx, i, j) -
                  bending_product(level, kFirst, i, j, node);
   if (kHolds) {
-    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual, start, diagonal);
+    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual, start);
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }

@@ -1,8 +1,9 @@
-// The matrix terms of obstacles in this substep: for each node a k and m, for the block k I + m mᵀ that its
-// contact adds to the matrix; then for each node the speed at which that brings it away from what it is too near to. It
-// does not keep that. The including kernel binds `holds`. Source: docs/solvers/multigrid.md, Contact.
+// The matrix terms of obstacles in this substep: for each node an m and a k, for the block m mᵀ + k I that its contact
+// adds to the matrix; then for each node what `finish` needs to know of its hold. The including kernel binds `holds`.
+// Source: docs/solvers/multigrid.md, Contact.
 #include "method/multigrid/symmetric.wgsl"
 override kHolds : bool = false;  // false: there is no contact to hold any, and `holds` is not read
+const kHoldStiffness = 30.0;     // along the normal, in the inertia of what presses; across it: 1
 
 fn hold_block(node : u32) -> Symmetric {
   let hold = holds[node];
@@ -12,5 +13,9 @@ fn hold_product(node : u32, x : vec3f) -> vec3f {
   let hold = holds[node];
   return hold.w * x + dot(hold.xyz, x) * hold.xyz;
 }
-fn restored_at(node : u32) -> u32 { return arrayLength(&holds) / 2u + node; }  // of a vec3f, m/s
 fn is_pressed(node : u32) -> bool { return kHolds && any(holds[node] != vec4f(0.0)); }
+
+// The way of the obstacle's surface, m, and how far the node is to be restored, m; then λ + k g, N, μ, and 1 where all
+// that presses the node has about one direction.
+fn hold_way_at(node : u32) -> u32 { return arrayLength(&holds) / 3u + node; }
+fn hold_force_at(node : u32) -> u32 { return arrayLength(&holds) / 3u * 2u + node; }

@@ -1,20 +1,26 @@
 // The effect of obstacles on a node: equation 11 of docs/solvers/multigrid.md. The including kernel binds `step`,
 // `holds` and `presses`.
-#include "contact/proximity/press_sums.wgsl"
-#include "method/multigrid/hold.wgsl"
+#include "method/multigrid/hold_force.wgsl"
 #include "state/step.wgsl"
-const kHoldStiffness = 10.0;  // of the trace of the diagonal
-const kAgree = 0.3;           // of the normals: with less there is no one direction to hold it along
+const kAgree = 0.3;  // of the normals: with less there is no one direction to hold it along
+const kAlike = 0.9;  // with no less its pairs are the hold's: src/contact/proximity/evaluate.wgsl
+const kHoldPart = 0.15;  // of a missing gap, the part that a hold restores in a substep: contact/proximity/press.wgsl
+const kHoldRate = 10.0;  // 1/s: of a node that it has borne before, no more than so much a second
+const kHoldSpeed = 0.05;  // m/s: and no faster
 
-fn let_go(node : u32) {
+fn let_go(node : u32, vertex : u32) {
   holds[node] = vec4f(0.0);
-  holds[restored_at(node)] = vec4f(0.0);
+  keep_hold_force(vertex, HoldForce(vec3f(0.0), 0.0));
+}
+
+fn clear_presses(vertex : u32) {
+  for (var word = 0u; word < kPressWords; word++) { presses[press_words(vertex) + word] = 0; }
 }
 
 // Clears the sums of `press` for the node, and its hold.
 fn free_of_obstacles(node : u32, first_vertex : u32) {
-  for (var word = 0u; word < kPressWords; word++) { presses[kPressWords * (first_vertex + node) + word] = 0; }
-  let_go(node);
+  clear_presses(first_vertex + node);
+  let_go(node, first_vertex + node);
 }
 
 fn press_sum(word : u32) -> f32 {
@@ -29,41 +35,47 @@ struct Hold {
   block : Symmetric,  // N/m: its part of the matrix
 }
 
-// Where the node would come nearer to obstacles than the thickness, or is there and pressed on: what holds it, also in
-// `holds`. `inertia` is what that resists with, N/m; `residual` and `diagonal` are the node's without it; `start` is
-// where its unknown starts, m.
-fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : vec3f, start : vec3f,
-                     diagonal : Symmetric) -> Hold {
+// Where obstacles press the node: what holds it, also in `holds`. `inertia` is what that resists with, N/m; `residual`
+// is the node's without it; `start` is where its unknown starts, m.
+fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : vec3f, start : vec3f) -> Hold {
   let none = Hold(vec3f(0.0), zero_matrix());
-  let word = kPressWords * (first_vertex + node);
+  let vertex = first_vertex + node;
+  let word = press_words(vertex);
   let weight = press_sum(word + kPressWeight) / kPressUnits;
   if (weight == 0.0) {
-    let_go(node);
+    let_go(node, vertex);
     return none;
   }
   let sum = press_vector(word + kPressNormal);
-  let lack = press_sum(word + kPressLack) / (kLackUnits * weight) * step.contact.thickness;
+  let wanted = press_sum(word + kPressLack) / (kLackUnits * weight) * step.contact.thickness;
   let surface = press_vector(word + kPressSurface) / weight;
   let friction = press_sum(word + kPressFriction) / (kPressUnits * weight);
-  let restored = press_sum(word + kPressRestored) / (kLackUnits * weight) * step.contact.thickness;
+  let gap = press_sum(word + kPressRestored) / (kLackUnits * weight) * step.contact.thickness;
+  let kept = hold_force(vertex);
   free_of_obstacles(node, first_vertex);
   let size = length(sum);
   if (size < kAgree * weight) { return none; }
   let n = sum / size;
-  let pressed = inertia * lack - dot(residual, n);  // force that holds it there
-  if (pressed <= 0.0) { return none; }
-  let stiffness = kHoldStiffness * min(weight, 1.0) * (diagonal.diagonal.x + diagonal.diagonal.y + diagonal.diagonal.z);
-  holds[restored_at(node)] = vec4f(restored / step.time.dt * n, 0.0);
-  let borne = max(0.0, pressed - inertia * restored);
-  let most = friction * borne * stiffness / (stiffness + inertia);  // compliance of the hold
-  let slip = start - step.time.dt * surface;
-  let along = slip - dot(slip, n) * n;
-  let needed = -inertia * along - (residual - dot(residual, n) * n);
-  let grip = length(needed);
-  if (grip <= most) {
-    holds[node] = vec4f(vec3f(0.0), stiffness);
-    return Hold(stiffness * (lack * n - along), identity(stiffness));
+  let bears = kept.normal > 0.0;
+  let part = select(1.0, min(1.0, kHoldRate * step.time.dt / kHoldPart), bears);
+  let restored = min(part * gap, kHoldSpeed * step.time.dt);
+  let lack = wanted - (gap - restored);
+  let pressed = inertia * lack - dot(residual, n);
+  if (!bears && pressed <= 0.0) { return none; }
+  keep_hold_force(vertex, kept);
+  let soft = min(weight, 1.0) * inertia;
+  let stiffness = kHoldStiffness * soft;
+  let grip = Grip(n, turned(kept.along, n), soft, step.time.dt * surface, friction);
+  let normal = kept.normal + stiffness * lack;
+  holds[hold_way_at(node)] = vec4f(grip.surface_way, restored);
+  let alike = size >= kAlike * weight && bears;
+  holds[hold_force_at(node)] = vec4f(normal, friction, select(0.0, 1.0, alike), 0.0);
+  let tried = reach_of(grip, start);
+  let most = friction * kept.normal;
+  if (length(tried) <= most) {
+    holds[node] = vec4f(sqrt(stiffness - soft) * n, soft);
+    return Hold(normal * n + tried, sum_of(outer(n, stiffness - soft), identity(soft)));
   }
   holds[node] = vec4f(sqrt(stiffness) * n, 0.0);
-  return Hold(stiffness * lack * n + (most / grip) * needed, outer(n, stiffness));
+  return Hold(normal * n + no_longer(tried, most), outer(n, stiffness));
 }

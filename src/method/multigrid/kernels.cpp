@@ -53,7 +53,7 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
   const std::uint32_t size = inputs.workgroup_size, lone = lone_workgroup_size(inputs.device);
   using K = SharedKernels;
   const Row<K> table[] = {
-      {&K::predict, "predict", size, {holds(inputs)}},
+      {&K::predict, "predict", size},
       {&K::finish, "finish", size, {holds(inputs)}},
       {&K::begin_solve, "begin_solve", size},
       {&K::advance, "advance", size},

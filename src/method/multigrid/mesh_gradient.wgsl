@@ -17,7 +17,7 @@
 @group(0) @binding(7) var<storage, read>       row_starts : array<u32>;        // node_count + 1 of each level
 @group(0) @binding(8) var<storage, read>       rows       : array<Coupling>;
 @group(0) @binding(9) var<storage, read>       springs    : array<vec4f>;      // of each coupling: m, N/m, N·s/m
-@group(0) @binding(10) var<storage, read_write> presses   : array<i32>;        // kPressWords * vertex_count
+@group(0) @binding(10) var<storage, read_write> presses   : array<i32>;        // press_sums.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
@@ -48,7 +48,7 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
     residual = vec3f(0.0);
     if (kHolds) { free_of_obstacles(node, nodes.first_vertex); }
   } else if (kHolds) {
-    let hold = hold_at_obstacles(node, nodes.first_vertex, own.w, residual, start, diagonal);
+    let hold = hold_at_obstacles(node, nodes.first_vertex, own.w, residual, start);
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }

@@ -33,7 +33,7 @@ Method multigrid_method() {
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = long_substeps;
   row.auto_verdict = auto_verdict;
-  row.memory = [](const scene::Solver&) { return SolverMemory{267, 193}; };
+  row.memory = [](const scene::Solver&) { return SolverMemory{299, 193}; };
   row.settings_word = [](const scene::Solver&) { return ""; };
   row.search_interval = 1;
   row.holds_obstacles = true;

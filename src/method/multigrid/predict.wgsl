@@ -18,8 +18,6 @@
 @group(0) @binding(8) var<storage, read_write> place           : array<vec4f>;   // count          m (w: N/m)
 @group(0) @binding(9) var<storage, read_write> vectors         : array<vec4f>;   // cloth.wgsl: the finest
 
-override kHolds : bool = false;  // obstacles may hold nodes: there is no guess
-
 @compute @workgroup_size(kWorkgroupSize)
 fn predict(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
@@ -41,7 +39,7 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
     vectors[guess_at] = vec4f(0.0);
     return;
   }
-  let formula = formula_of(step.time.step_ratio * now.velocity.w);
+  let formula = formula_of(step.time.step_ratio * max(now.velocity.w, 0.0));
   let x = now.position.xyz;
   let v = now.velocity.xyz;
   let mass = 1.0 / now.position.w;
@@ -55,6 +53,6 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   vectors[residual_at] = vec4f(mass * ((base_velocity - start_velocity) / formula.he + pull_of_field), 0.0);
   vectors[start_at] = vec4f(start, 0.0);
   vectors[start_velocity_at] = vec4f(start_velocity, 0.0);
-  let has_guess = !kHolds && now.velocity.w == 1.0 && step.time.step_ratio > 0.0;
+  let has_guess = now.velocity.w == 1.0 && step.time.step_ratio > 0.0;
   vectors[guess_at] = vec4f(select(vec3f(0.0), guess, has_guess), 0.0);
 }

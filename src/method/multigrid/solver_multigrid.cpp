@@ -32,7 +32,7 @@ bool SolverMultigrid::adapt(gpu::Device& device, const Statistics& report) {
   most_seen_ = std::max(most_seen_, report.iterations);
   if (report.rolled_back != 0) {
     if (report.iterations >= iterations_)
-      set_iterations(device, std::min(raised(iterations_), most_iterations_));
+      set_iterations(device, std::min(raised(iterations_), multigrid::kMostIterations));
   } else if (++frames_seen_ >= kFramesSeen) {
     set_iterations(device, std::min(iterations_, most_seen_ + kSpare));
   }
@@ -40,16 +40,14 @@ bool SolverMultigrid::adapt(gpu::Device& device, const Statistics& report) {
 }
 
 void SolverMultigrid::set_iterations(gpu::Device& device, std::uint32_t iterations) {
-  const bool may_retry = iterations < most_iterations_;
-  for (const GridCycle& cycle : grids_) cycle.set_may_retry(device, may_retry);
-  for (const MeshCycle& cycle : meshes_) cycle.set_may_retry(device, may_retry);
+  const bool may_retry = iterations < multigrid::kMostIterations;
+  for (const GridCycle& cycle : grids_) cycle.set_iterations(device, iterations, may_retry);
+  for (const MeshCycle& cycle : meshes_) cycle.set_iterations(device, iterations, may_retry);
   iterations_ = iterations;
   most_seen_ = frames_seen_ = 0;
 }
 
 Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
-  most_iterations_ = inputs.presses != nullptr ? multigrid::kMostHeldIterations : multigrid::kMostIterations;
-  iterations_ = std::min(kAtFirst, most_iterations_);
   std::optional<GridKernels> grid_kernels;
   std::optional<MeshKernels> mesh_kernels;
   const std::span<const Body> bodies = inputs.model.host.bodies;
@@ -68,6 +66,7 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
       ++b;
     }
   }
+  set_iterations(inputs.device, kAtFirst);
   return {};
 }
 

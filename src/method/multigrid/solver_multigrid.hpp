@@ -25,9 +25,8 @@ class SolverMultigrid : public Solver {
 
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
-  std::uint32_t most_iterations_ = 0;  // that a substep may take
-  std::uint32_t iterations_ = 0;       // that are recorded
-  std::uint32_t most_seen_ = 0;        // that frames took since then
+  std::uint32_t iterations_ = 0;  // that are recorded
+  std::uint32_t most_seen_ = 0;   // that frames took since then
   std::uint32_t frames_seen_ = 0;
 };
 

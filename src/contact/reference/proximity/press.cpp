@@ -14,8 +14,7 @@ std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const V
     const double way = dt * dot(pair.direction, relative_velocity(pair, velocity));
     if (!(pair.distance + std::min(way, 0.0) < kContactTouching * pair.thickness)) continue;
     const double missing = pair.thickness - pair.distance, most = kMostLack * pair.thickness;
-    const double room =
-        std::min({missing, kHoldPart * missing, kHoldSpeed * dt});  // what is too near is pushed besides
+    const double room = std::min(missing, kHoldPart * missing);  // Hold bounds its speed
     for (std::uint32_t k = 0; k < pair.node_count; ++k) {
       const double weight = std::abs(pair.weights[k]);
       if (weight == 0) continue;

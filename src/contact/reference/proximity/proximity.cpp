@@ -222,7 +222,16 @@ std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span
   return presses_of(near, velocity, dt);
 }
 
+bool Proximity::is_held(const NearPair& pair, const std::vector<bool>& held) {
+  if (held.empty() || !pair.with_body || pair.untangles) return false;
+  if (!(pair.distance < kContactTouching * pair.thickness)) return false;
+  for (std::uint32_t k = 0; k < pair.node_count; ++k)
+    if (pair.weights[k] != 0 && held[pair.nodes[k]]) return true;
+  return false;
+}
+
 std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
+  beside_cloth_.clear();
   if (obstacles_.empty() && self_thickness_ == 0) return 0;
   cloth_.positions.assign(nodes.previous.begin(), nodes.previous.end());
   double travel = 0;
@@ -247,7 +256,8 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   std::vector<NearPair> near;
   for (std::size_t p = 0; p < pairs.size(); ++p)
     near.push_back(near_pair(pairs[p], sides_of(pairs[p]), untangles[p], dt));
-  const Response response =
+  for (NearPair& pair : near) pair.held = is_held(pair, nodes.held);
+  Response response =
       respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, iterations_});
   kept_.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p)
@@ -268,6 +278,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
                                        {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity});
   truncated_.vertices += truncated.vertices;
   truncated_.driven += truncated.driven;
+  beside_cloth_ = std::move(response.beside_cloth);
   return static_cast<std::uint64_t>(std::count(response.acts.begin(), response.acts.end(), true));
 }
 

@@ -28,10 +28,14 @@ class Proximity {
     std::span<const Vec3d> previous;       // [m]
     std::span<const double> inverse_mass;  // [1/kg]
     std::span<Vec3d> position, velocity;   // [m], [m/s]
+    std::vector<bool> held = {};           // Stepper::held
   };
   /// Changes position and velocity of vertices in contact in the substep from `begin`, of `dt` [s]. Returns how many
   /// pairs act.
   std::uint64_t answer(const Nodes& nodes, double begin, double dt);
+
+  /// Nodes on which pairs of cloth with cloth have acted in the last answer.
+  const std::vector<bool>& beside_cloth() const { return beside_cloth_; }
 
   /// The effect of obstacles on nodes in the substep from `begin`, of `dt` [s], before it is solved.
   std::vector<Press> presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity, double begin,
@@ -70,6 +74,9 @@ class Proximity {
   /// Of a pair of cloth with itself [m].
   double thickness_of(const FeaturePair& pair, const Sides& sides) const;
   NearPair near_pair(const FeaturePair& pair, const Sides& sides, bool untangles, double dt) const;
+  /// Whether the solver's matrix has answered the pair: of a node that it holds, where it lay before the substep, so
+  /// that it was among what pressed the node.
+  static bool is_held(const NearPair& pair, const std::vector<bool>& held);
   /// What a pair asks of truncate(): planes of a side that contact cannot move, or a pair of cloth.
   void add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,
                   std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const;
@@ -98,6 +105,7 @@ class Proximity {
     Vec3d force;
   };
   std::vector<Kept> kept_;
+  std::vector<bool> beside_cloth_;
   Truncated truncated_;
 };
 

@@ -79,8 +79,9 @@ Vec3d first_impulse(const NearPair& pair, double u_n, std::span<const double> in
 }
 
 /// Equation (5a): how much further apart, of what is too near.
-double push_of(const NearPair& pair, const ContactLaw& law) {
-  const double lack = std::clamp(pair.thickness - pair.distance, 0.0, pair.thickness);
+double push_of(const NearPair& pair, bool left, const ContactLaw& law) {
+  const double spared = left ? kHeldLack * pair.thickness : 0;
+  const double lack = std::clamp(pair.thickness - spared - pair.distance, 0.0, pair.thickness);
   const double part = kPushPart * std::min(1.0, lack / (kSoftLack * pair.thickness));
   return std::min(part * lack, kPushSpeed * law.dt);
 }
@@ -101,9 +102,11 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
   response.acting.assign(velocity.size(), 0);
   response.impulses.assign(pairs.size(), {});
   response.acts.assign(pairs.size(), false);
+  response.beside_cloth.assign(velocity.size(), false);
   std::vector<std::uint32_t> urgency(pairs.size(), 0);
   std::vector<double> least(pairs.size(), 0),
-      first_speed(pairs.size(), 0);  // w and u_n of the predicted velocities
+      first_speed(pairs.size(), 0);             // w and u_n of the predicted velocities
+  std::vector<bool> left(pairs.size(), false);  // pairs that are left to the solver
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const NearPair& pair = pairs[p];
     if (!pair.may) continue;
@@ -115,6 +118,8 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     urgency[p] = contact_urgency(pair.distance + std::min(law.dt * u_n, 0.0), pair.thickness);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
+    for (std::uint32_t k = 0; k < pair.node_count; ++k)
+      if (!pair.with_body) response.beside_cloth[pair.nodes[k]] = true;
   }
   std::vector<Vec3d> now(velocity.begin(), velocity.end());
   const auto give = [&](std::vector<Vec3d>& nodes, const NearPair& pair, const Vec3d& amount) {
@@ -134,6 +139,8 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
       mobility[p] += std::abs(pair.weights[k]) * response.acting[pair.nodes[k]] * inverse_mass[pair.nodes[k]];
     mobility[p] /= urgency[p];
     if (!(mobility[p] > 0)) continue;
+    left[p] = pair.held && std::none_of(pair.nodes.begin(), pair.nodes.begin() + pair.node_count,
+                                        [&](std::uint32_t node) { return response.beside_cloth[node]; });
     if (!pair.untangles) response.impulses[p] = first_impulse(pair, first_speed[p], inverse_mass, law);
     give(now, pair, response.impulses[p]);
   }
@@ -146,9 +153,10 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
       const NearPair& pair = pairs[p];
       const Vec3d u = relative_velocity(pair, before), had = response.impulses[p];
       const Vec3d wanted = pair.untangles ? had + push_apart(pair, u, mobility[p], law)
+                           : left[p]      ? Vec3d{}
                                           : impulse(pair, had, u, least[p], mobility[p]);
       response.impulses[p] = wanted;
-      if (!pair.untangles)  // equation (4a)
+      if (!pair.untangles && !left[p])  // equation (4a)
         response.impulses[p] += ahead * dot(pair.direction, wanted - begun[p]) * pair.direction;
       begun[p] = wanted;
       give(now, pair, response.impulses[p] - had);
@@ -156,7 +164,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
   }
   for (std::size_t p = 0; p < pairs.size(); ++p)
     if (mobility[p] > 0 && !pairs[p].untangles)
-      give(response.push, pairs[p], (push_of(pairs[p], law) / mobility[p]) * pairs[p].direction);
+      give(response.push, pairs[p], (push_of(pairs[p], left[p], law) / mobility[p]) * pairs[p].direction);
   for (std::size_t node = 0; node < velocity.size(); ++node) {
     now[node] += bodies[node].change(now[node], law.dt);
     response.change[node] = now[node] - velocity[node];

@@ -23,6 +23,7 @@ struct NearPair {
   Vec3d kept;              // the force with which it ended the substep before [N]
   bool may = true;         // false: another pair is nearer, FeaturePair::inside and in_cones; never acts
   bool with_body = false;  // one side is an obstacle
+  bool held = false;       // the solver's matrix has answered it
   bool untangles =
       false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
 };
@@ -35,11 +36,12 @@ struct ContactLaw {
 };
 
 struct Response {
-  std::vector<Vec3d> change;    // of each node's velocity [m/s]
-  std::vector<Vec3d> push;      // of each node's place, which is not in its velocity [m]
-  std::vector<double> acting;   // S: sum of s |w| of the pairs that act, of each node
-  std::vector<Vec3d> impulses;  // J of each pair; zero where it does not act [N·s]
-  std::vector<bool> acts;       // each pair, equation (1)
+  std::vector<Vec3d> change;       // of each node's velocity [m/s]
+  std::vector<Vec3d> push;         // of each node's place, which is not in its velocity [m]
+  std::vector<double> acting;      // S: sum of s |w| of the pairs that act, of each node
+  std::vector<Vec3d> impulses;     // J of each pair; zero where it does not act [N·s]
+  std::vector<bool> acts;          // each pair, equation (1)
+  std::vector<bool> beside_cloth;  // nodes on which pairs of cloth with cloth act
 };
 
 /// u = Σ w v over both sides [m/s].

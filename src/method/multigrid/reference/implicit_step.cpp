@@ -77,32 +77,18 @@ void add_held_bending(GridOperator& source) {
   }
 }
 
-/// Where a node would come nearer to obstacles than the thickness, or is there and pressed on: add(node,
-/// block) puts what holds it into the matrix, and the residual gets the force to where it belongs.
+/// Where obstacles press nodes of a cloth: add(node, block) puts what holds one into the matrix, and the residual gets
+/// its force.
 template <class Add>
-void hold_at_obstacles(StepStart& step, std::span<const Sym3> diagonal, std::span<const Press> presses,
-                       double dt, const Add& add) {
+void hold_at_obstacles(StepStart& step, std::span<const Press> presses, std::span<const HoldForce> kept,
+                       std::span<const double> inverse_mass, double dt, const Add& add) {
   for (std::size_t a = 0; a < presses.size(); ++a) {
-    const Press& press = presses[a];
-    const double size = length(press.normal), inertia = step.inertia[a];
-    if (press.weight == 0 || step.fixed[a] || size < kAgree * press.weight) continue;
-    const Vec3d n = press.normal / size, residual = step.residual[a];
-    const double lack = press.lack / press.weight, friction = press.friction / press.weight;
-    const double restored = press.restored / press.weight;
-    const double pressed = inertia * lack - dot(residual, n);
-    if (!(pressed > 0)) continue;
-    const double stiffness = kHoldStiffness * std::min(press.weight, 1.0) * diagonal[a].trace();
-    const Vec3d slip = step.start[a] - dt / press.weight * press.surface, along = slip - dot(slip, n) * n;
-    const Vec3d needed = -inertia * along - (residual - dot(residual, n) * n);
-    const double grip = length(needed);
-    const double borne = std::max(0.0, pressed - inertia * restored);
-    const double most = friction * borne * stiffness / (stiffness + inertia);  // compliance of the hold
-    const bool sticks = grip <= most;
-    step.residual[a] += stiffness * lack * n;
-    step.residual[a] += sticks ? -stiffness * along : most / grip * needed;
-    add(a, sticks ? Sym3::identity(stiffness) : Sym3::outer(n, stiffness));
-    step.pressed[a] = true;
-    step.restored[a] = restored / dt * n;
+    if (step.fixed[a]) continue;
+    step.holds[a] = Hold::of(presses[a], kept[a],
+                             {step.inertia[a], 1 / inverse_mass[a], dt, step.residual[a], step.start[a]});
+    if (!step.holds[a]) continue;
+    step.residual[a] += step.holds[a]->force();
+    add(a, step.holds[a]->block());
   }
 }
 
@@ -142,7 +128,10 @@ void ImplicitStepper::remember(std::vector<Vec3d> position, std::vector<Vec3d> v
   known_.assign(position_before_.size(), true);
 }
 
-void ImplicitStepper::forget() { known_.assign(position_before_.size(), false); }
+void ImplicitStepper::forget() {
+  known_.assign(position_before_.size(), false);
+  hold_forces_.assign(position_before_.size(), {});
+}
 
 StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
                                  double ratio, const Cloth& cloth) const {
@@ -154,8 +143,7 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
   step.guess.resize(cloth.count);
   step.inertia.resize(cloth.count);
   step.fixed.assign(cloth.count, false);
-  step.pressed.assign(cloth.count, false);
-  step.restored.resize(cloth.count);
+  step.holds.resize(cloth.count);
   for (std::size_t a = 0; a < cloth.count; ++a) {
     const std::size_t node = cloth.first + a;
     const Vec3d x = system.position[node], v = system.velocity[node];
@@ -206,8 +194,10 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   for (std::size_t a = 0; a < cloth.count; ++a)
     if (step.fixed[a]) step.residual[a] = {};
   if (!presses.empty())
-    hold_at_obstacles(step, std::span(blocks).first(cloth.count), presses.subspan(cloth.first, cloth.count),
-                      dt, [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
+    hold_at_obstacles(step, presses.subspan(cloth.first, cloth.count),
+                      std::span(hold_forces_).subspan(cloth.first),
+                      std::span(system.inverse_mass).subspan(cloth.first), dt,
+                      [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
   return step;
 }
 
@@ -270,7 +260,8 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   for (std::size_t a = 0; a < count; ++a)
     step.residual[a] = step.matrix.fixed[a] ? Vec3d{} : step.residual[a] - curve[a];
   if (!presses.empty())
-    hold_at_obstacles(step, step.matrix.diagonal(), presses.subspan(cloth.first, count), dt,
+    hold_at_obstacles(step, presses.subspan(cloth.first, count), std::span(hold_forces_).subspan(cloth.first),
+                      std::span(system.inverse_mass).subspan(cloth.first), dt,
                       [&](std::size_t a, const Sym3& hold) {
                         step.matrix.rows[a][0] += hold;
                         step.source.rows[a][0] += hold;
@@ -279,10 +270,9 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
 }
 
 template <class Levels>
-Field ImplicitStepper::solved(const Levels& hierarchy, const StepStart& step, bool held) {
-  Solution solution = held ? solve(hierarchy, step.residual, Field(step.guess.size()), wanted_residual,
-                                   multigrid::kMostHeldIterations)
-                           : solve(hierarchy, step.residual, step.guess, wanted_residual);
+Field ImplicitStepper::solved(const Levels& hierarchy, const StepStart& step, bool may_hold) {
+  const double part = may_hold ? multigrid::kHeldPart : 1;
+  Solution solution = solve(hierarchy, step.residual, step.guess, part * wanted_residual);
   iterations_ = std::max(iterations_, solution.iterations);
   residual_ = std::max(residual_, solution.residual);
   return std::move(solution.x);
@@ -294,6 +284,7 @@ void ImplicitStepper::advance(const Substep& substep) {
   std::vector<std::size_t> stopped;
   iterations_ = 0;
   residual_ = 0;
+  held_.assign(position.size(), false);
   const auto finish = [&, dt = dt, ratio = ratio](const Cloth& cloth, const StepStart& step,
                                                   const Field& dz) {
     for (std::size_t a = 0; a < dz.size(); ++a) {
@@ -301,9 +292,13 @@ void ImplicitStepper::advance(const Substep& substep) {
       const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
       position[node] = step.place[a] + step.start[a] + dz[a];
       velocity[node] = step.start_velocity[a] + (step.fixed[a] ? Vec3d{} : dz[a] / formula.he);
-      if (!step.pressed[a]) continue;  // an impulse breaks the history of BDF2
-      velocity[node] = (step.start[a] + dz[a]) / dt - step.restored[a];
-      stopped.push_back(node);
+      hold_forces_[node] = {};
+      if (!step.holds[a]) continue;
+      const Hold::End end = step.holds[a]->end(dz[a]);
+      hold_forces_[node] = end.force;
+      velocity[node] = end.velocity;
+      held_[node] = step.holds[a]->alike();
+      stopped.push_back(node);  // an impulse breaks the history of BDF2
     }
   };
   for (std::size_t c = 0; c < cloths_.size(); ++c)

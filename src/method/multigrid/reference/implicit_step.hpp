@@ -2,11 +2,13 @@
 // docs/solvers/multigrid.md.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contact/reference/proximity/press.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "method/multigrid/reference/conjugate_gradients.hpp"
+#include "method/multigrid/reference/hold.hpp"
 #include "method/stepper.hpp"
 #include "model/model.hpp"
 
@@ -19,8 +21,8 @@ struct StepStart {
   Field guess;                         // of dz: velocities change on as in the step before [m]
   std::vector<double> inertia;         // its part of the diagonal of A [N/m]
   std::vector<bool> fixed;
-  Field restored;             // the speed at which a hold brings a node away, which it does not keep [m/s]
-  std::vector<bool> pressed;  // nodes that an obstacle holds: in the matrix, and no history after it
+  std::vector<std::optional<Hold>>
+      holds;  // of nodes that an obstacle holds: in the matrix, and no history after it
 };
 
 /// The linear system of a grid.
@@ -42,10 +44,6 @@ struct StepFormula {
 /// `ratio` is that of the step to the one before it; 0: there is none, backward Euler.
 StepFormula step_formula(double dt, double ratio);
 
-/// How stiffly an obstacle holds a node, in traces of the diagonal, and from what agreement of its pairs'
-/// normals on: docs/solvers/multigrid.md, Contact.
-inline constexpr double kHoldStiffness = 10, kAgree = 0.3;
-
 /// Steps the cloths of a model by BDF2, linearised at the start of the step.
 class ImplicitStepper : public Stepper {
  public:
@@ -59,6 +57,11 @@ class ImplicitStepper : public Stepper {
   void forget() override;
   /// The same for one node.
   void forget(std::size_t node) override { known_[node] = false; }
+  void forget_hold(std::size_t node) override { hold_forces_[node] = {}; }
+  std::vector<bool> held() const override { return held_; }
+  /// The forces that holds have left, of each node.
+  const std::vector<HoldForce>& hold_forces() const { return hold_forces_; }
+  void set_hold_forces(std::vector<HoldForce> forces) { hold_forces_ = std::move(forces); }
 
   /// The linear system of cloth c, a grid, that advance would solve.
   LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
@@ -85,11 +88,13 @@ class ImplicitStepper : public Stepper {
   StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
                   const Cloth& cloth) const;
   template <class Levels>
-  Field solved(const Levels& hierarchy, const StepStart& step, bool held);
+  Field solved(const Levels& hierarchy, const StepStart& step, bool may_hold);
 
   std::vector<Cloth> cloths_;
   std::vector<Vec3d> position_before_, velocity_before_;
   std::vector<bool> known_;  // whether they are those of the step before
+  std::vector<HoldForce> hold_forces_;
+  std::vector<bool> held_;  // in the last substep, where all that pressed the node was alike
   std::uint32_t iterations_ = 0;
   double residual_ = 0;
 };

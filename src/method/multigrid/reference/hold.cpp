@@ -1,0 +1,69 @@
+#include "method/multigrid/reference/hold.hpp"
+
+#include <algorithm>
+
+#include "contact/rules/contact_law.hpp"
+
+namespace weft::reference {
+namespace {
+
+Vec3d no_longer(const Vec3d& v, double most) {
+  const double size = length(v);
+  return (size > most ? most / size : 1.0) * v;
+}
+
+}  // namespace
+
+std::optional<Hold> Hold::of(const Press& press, const HoldForce& kept, const HoldInputs& node) {
+  const double size = length(press.normal);
+  if (press.weight == 0 || size < kAgree * press.weight) return {};
+  Hold hold;
+  hold.node_ = node;
+  hold.normal_ = press.normal / size;
+  const bool bears = kept.normal > 0;
+  const double gap = press.restored / press.weight;
+  const double part = bears ? std::min(1.0, kHoldRate * node.dt / kHoldPart) : 1.0;
+  hold.restored_ = std::min(part * gap, kHoldSpeed * node.dt);
+  hold.lack_ = press.lack / press.weight - (gap - hold.restored_);
+  const double pressed = node.inertia * hold.lack_ - dot(node.residual, hold.normal_);
+  if (!bears && !(pressed > 0)) return {};
+  const Vec3d turned = hold.across(kept.along);  // with the obstacle's surface
+  hold.kept_ = {kept.normal, length(turned) > 0 ? length(kept.along) / length(turned) * turned : Vec3d{}};
+  const double inertia = std::min(press.weight, 1.0) * node.inertia;
+  hold.stiffness_ = kHoldStiffness * inertia;
+  hold.slip_stiffness_ = kSlipStiffness * inertia;
+  hold.friction_ = press.friction / press.weight;
+  hold.surface_way_ = node.dt / press.weight * press.surface;
+  hold.alike_ = size >= kAlike * press.weight && bears;
+  hold.sticks_ = length(hold.reach(node.start)) <= hold.friction_ * kept.normal;
+  return hold;
+}
+
+Vec3d Hold::reach(const Vec3d& way) const {
+  return kept_.along - slip_stiffness_ * across(way - surface_way_);
+}
+
+Vec3d Hold::force() const {
+  const Vec3d tried = reach(node_.start);
+  return (kept_.normal + stiffness_ * lack_) * normal_ +
+         (sticks_ ? tried : no_longer(tried, friction_ * kept_.normal));
+}
+
+Sym3 Hold::block() const {
+  const Sym3 normal = Sym3::outer(normal_, stiffness_);
+  if (!sticks_) return normal;
+  return normal + slip_stiffness_ * (Sym3::identity(1) + Sym3::outer(normal_, -1));
+}
+
+Hold::End Hold::end(const Vec3d& unknown) const {
+  const Vec3d way = node_.start + unknown, reached = reach(way);
+  const double pressed = kept_.normal + stiffness_ * (lack_ - dot(normal_, unknown));
+  const double borne = std::max(0.0, pressed - node_.inertia * restored_);
+  const HoldForce force{borne, no_longer(reached, friction_ * borne)};
+  const Vec3d had = sticks_ ? reached : no_longer(reach(node_.start), friction_ * kept_.normal);
+  // What acted beyond what counts is taken out of the velocity, and so is the speed at which a gap is restored.
+  const Vec3d more = force.along - had + std::max(0.0, -pressed) * normal_;
+  return {force, way / node_.dt - restored_ / node_.dt * normal_ + node_.dt / node_.mass * more};
+}
+
+}  // namespace weft::reference

@@ -1,0 +1,61 @@
+// What holds a node at obstacles within an implicit step, and the force that stays of it, in double. Source:
+// docs/solvers/multigrid.md, Contact.
+#pragma once
+
+#include <optional>
+
+#include "contact/reference/proximity/press.hpp"
+#include "method/multigrid/reference/sym3.hpp"
+
+namespace weft::reference {
+
+/// How stiffly an obstacle holds a node along its normal and across it, in the node's inertia; from what agreement of
+/// its pairs' normals on it does, and from what on its pairs are left to it.
+inline constexpr double kHoldStiffness = 30, kSlipStiffness = 1, kAgree = 0.3, kAlike = 0.9;
+
+/// The force that obstacles hold a node with [N]: it stays from substep to substep.
+struct HoldForce {
+  double normal = 0;  // λ: what it bears, without what restores a gap
+  Vec3d along;        // τ, of friction
+};
+
+/// A node before its system is solved.
+struct HoldInputs {
+  double inertia = 0;  // a [N/m]
+  double mass = 0;     // [kg]
+  double dt = 0;       // [s]
+  Vec3d residual;      // R [N]
+  Vec3d start;         // d₀ [m]
+};
+
+/// Equation (11) for one node.
+class Hold {
+ public:
+  /// None where nothing presses the node.
+  static std::optional<Hold> of(const Press& press, const HoldForce& kept, const HoldInputs& node);
+
+  Vec3d force() const;  // what the residual gets [N]
+  Sym3 block() const;   // what the matrix gets [N/m]
+  bool sticks() const { return sticks_; }
+  /// All that presses the node has about one direction, and it has borne before: its pairs are the hold's.
+  bool alike() const { return alike_; }
+
+  struct End {
+    HoldForce force;
+    Vec3d velocity;  // [m/s]
+  };
+  /// After the solution: `unknown` is e [m].
+  End end(const Vec3d& unknown) const;
+
+ private:
+  Vec3d across(const Vec3d& v) const { return v - dot(v, normal_) * normal_; }
+  /// τ - k_t s, where the node has come by `way` [N].
+  Vec3d reach(const Vec3d& way) const;
+  HoldInputs node_;
+  HoldForce kept_;
+  Vec3d normal_, surface_way_;  // the way of the obstacle's surface [m]
+  double stiffness_ = 0, slip_stiffness_ = 0, lack_ = 0, restored_ = 0, friction_ = 0;
+  bool sticks_ = false, alike_ = false;
+};
+
+}  // namespace weft::reference
