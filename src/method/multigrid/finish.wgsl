@@ -37,6 +37,11 @@ fn finish_free(among_all : u32, solution : vec3f) {
   velocity_out[node] = vec4f((way - formula.c * (now.xyz - before)) / formula.he, 1.0);
 }
 
+// The most by which a node's velocity changes for what acted beyond what counts, by its speed over the surface: that of
+// a node that slips, in backward Euler. One that lands, whose substep is of BDF2, would turn around, and springs that
+// let go would give far more than the node can take.
+const kMostFreed = 1.0;
+
 fn finish_pressed(among_all : u32, solution : vec3f) {
   let node = nodes.first_vertex + among_all;
   let now = position_in[node];
@@ -58,8 +63,9 @@ fn finish_pressed(among_all : u32, solution : vec3f) {
   let more = after.along - had + max(0.0, -pressed) * n;
   keep_hold_force(node, after);
   position_out[node] = vec4f(now.xyz + way, now.w);
-  velocity_out[node] = vec4f((way - surface.w * n) / step.time.dt + step.time.dt * now.w * more,
-                             select(0.0, -1.0, force.z > 0.0));
+  let moved = way - surface.xyz - surface.w * n;  // over the surface, m
+  let freed = no_longer(step.time.dt * now.w * more, kMostFreed / step.time.dt * length(moved));
+  velocity_out[node] = vec4f((way - surface.w * n) / step.time.dt + freed, select(0.0, -1.0, force.z > 0.0));
 }
 
 @compute @workgroup_size(kWorkgroupSize)

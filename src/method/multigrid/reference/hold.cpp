@@ -63,7 +63,11 @@ Hold::End Hold::end(const Vec3d& unknown) const {
   const Vec3d had = sticks_ ? reached : no_longer(reach(node_.start), friction_ * kept_.normal);
   // What acted beyond what counts is taken out of the velocity, and so is the speed at which a gap is restored.
   const Vec3d more = force.along - had + std::max(0.0, -pressed) * normal_;
-  return {force, way / node_.dt - restored_ / node_.dt * normal_ + node_.dt / node_.mass * more};
+  // No more than a node that slips has to gain, its own speed over the surface: springs that let go would give it far
+  // more than it can take.
+  const Vec3d moved = way - surface_way_ - restored_ * normal_;
+  const Vec3d freed = no_longer(node_.dt / node_.mass * more, kMostFreed / node_.dt * length(moved));
+  return {force, way / node_.dt - restored_ / node_.dt * normal_ + freed};
 }
 
 }  // namespace weft::reference

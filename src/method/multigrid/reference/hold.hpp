@@ -11,7 +11,7 @@ namespace weft::reference {
 
 /// How stiffly an obstacle holds a node along its normal and across it, in the node's inertia; from what agreement of
 /// its pairs' normals on it does, and from what on its pairs are left to it.
-inline constexpr double kHoldStiffness = 30, kSlipStiffness = 1, kAgree = 0.3, kAlike = 0.9;
+inline constexpr double kHoldStiffness = 30, kSlipStiffness = 1, kAgree = 0.3, kAlike = 0.9, kMostFreed = 1;
 
 /// The force that obstacles hold a node with [N]: it stays from substep to substep.
 struct HoldForce {
