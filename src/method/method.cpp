@@ -1,8 +1,13 @@
 #include "method/method.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace weft {
@@ -33,20 +38,6 @@ const Method& method_of(scene::SolverKind kind) {
   return *row;
 }
 
-MethodChoice choose_method(const scene::Scene& scene, const Model& model) {
-  if (scene.solver.kind != scene::SolverKind::Auto) return {&method_of(scene.solver.kind), ""};
-  MethodChoice choice;
-  for (const Method& method : methods()) {
-    if (method.auto_verdict == nullptr) continue;
-    AutoVerdict verdict = method.auto_verdict(model);
-    if (!verdict.reason.empty()) choice.reason = std::move(verdict.reason);
-    if (!verdict.takes) continue;
-    choice.method = &method;
-    break;
-  }
-  return choice;
-}
-
 Result<void> check_elements(const scene::Scene& scene, const Model& model, const Method& method) {
   for (std::size_t c = 0; c < model.bodies.size(); ++c) {
     for (std::size_t k = 0; k < kElementKinds; ++k) {
@@ -60,10 +51,75 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
   return {};
 }
 
-Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const Method& method,
-                                      const StepLimit& limit) {
-  if (scene.time.substeps) return *scene.time.substeps;
-  return method.auto_substeps(scene, limit);
+namespace {
+
+/// Bodies that are dispatched together count once: grids of one size, one behind the other, as copies of a cloth are.
+bool is_copy(const Model& model, std::size_t body) {
+  if (body == 0) return false;
+  const auto &grid = model.bodies[body].grid, &before = model.bodies[body - 1].grid;
+  return grid && before && grid->nx == before->nx && grid->ny == before->ny;
+}
+
+double of_nodes(const StepCost& cost, double nodes) { return cost.step + cost.node * nodes; }
+
+/// How a method would step the scene, if it can. Errors  as choose_method.
+Result<MethodChoice> choice_of(const scene::Scene& scene, const Model& model, const Method& method) {
+  WEFT_CHECK(check_elements(scene, model, method));
+  MethodChoice choice{&method, method.step_limit(scene, model)};
+  if (scene.time.substeps) {
+    choice.substeps = *scene.time.substeps;
+  } else {
+    WEFT_SET(choice.substeps, method.auto_substeps(scene, choice.limit));
+  }
+  return choice;
+}
+
+std::string cost_of(const MethodChoice& choice, double milliseconds) {
+  std::array<char, 128> text{};
+  std::snprintf(text.data(), text.size(), "%s %.2g ms in %u substeps", scene::name_of(choice.method->kind),
+                milliseconds, choice.substeps);
+  return text.data();
+}
+
+}  // namespace
+
+double predicted_frame(const scene::Scene& scene, const Model& model, const Method& method,
+                       std::uint32_t substeps) {
+  double step = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body& body = model.bodies[b];
+    const StepCost& cost = body.grid ? method.cost->grid : method.cost->mesh;
+    step += cost.node * body.vertex_count + (is_copy(model, b) ? 0 : cost.step);
+  }
+  if (scene.contact.method == scene::ContactMethod::Proximity)
+    step += of_nodes(method.cost->contact, static_cast<double>(model.vertex_count()));
+  return substeps * step;
+}
+
+Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model) {
+  if (scene.solver.kind != scene::SolverKind::Auto)
+    return choice_of(scene, model, method_of(scene.solver.kind));
+  std::optional<Error> refused;
+  std::optional<MethodChoice> best;
+  double least = HUGE_VAL;
+  std::string costs;
+  for (const Method& method : methods()) {
+    if (method.cost == nullptr) continue;
+    Result<MethodChoice> choice = choice_of(scene, model, method);
+    if (!choice) {
+      refused = choice.error();
+      continue;
+    }
+    if (!unstable_step(choice->limit, scene.time.frame, choice->substeps).empty()) continue;
+    const double cost = predicted_frame(scene, model, method, choice->substeps);
+    costs += (costs.empty() ? "" : ", ") + cost_of(*choice, cost);
+    if (cost >= least) continue;
+    least = cost;
+    best = std::move(*choice);
+  }
+  if (!best) return *refused;  // some method is stable at any step, so it was not for the step
+  best->reason = "a frame is predicted to take " + costs;
+  return std::move(*best);
 }
 
 bool solves_with_obstacles(const scene::Scene& scene, const Method& method) {

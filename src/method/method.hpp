@@ -12,11 +12,15 @@
 
 namespace weft {
 
-/// Whether "auto" takes a method for a model, and why.
-struct AutoVerdict {
-  bool takes = false;
-  std::string
-      reason;  // completes "chosen since ..."; empty: the reason why "auto" skipped the methods before it
+/// What a substep takes by the nodes it moves, a straight line fitted to runs on one GPU. It is there to compare
+/// methods: elsewhere each takes another time. Source: docs/solvers/multigrid.md, Auto.
+struct StepCost {
+  double step = 0;  // of a set of dispatches, whatever its nodes [ms]
+  double node = 0;  // [ms]
+};
+struct MethodCost {
+  StepCost grid, mesh;  // without contact
+  StepCost contact;     // what "proximity" adds to it
 };
 
 /// GPU memory of a solver besides the state, for grids, measured at 32² to 256² nodes [bytes per node].
@@ -35,8 +39,8 @@ struct Method {
   StepLimit (*with_drag)(const StepLimit& limit, double drag);
   /// The value of time.substeps "auto". Errors  Limit: more than scenes allow.
   Result<std::uint32_t> (*auto_substeps)(const scene::Scene& scene, const StepLimit& limit);
-  /// Null: "auto" never takes the method. The last row that has one takes every model.
-  AutoVerdict (*auto_verdict)(const Model& model);
+  /// Null: "auto" never takes the method.
+  const MethodCost* cost;
   SolverMemory (*memory)(const scene::Solver& settings);
   /// How its settings read in a summary; "" without settings.
   const char* (*settings_word)(const scene::Solver& settings);
@@ -50,25 +54,26 @@ struct Method {
   std::uint32_t history;
 };
 
-/// All methods, those that "auto" prefers first.
+/// All methods.
 std::span<const Method> methods();
 /// The row of a kind that is not Auto.
 const Method& method_of(scene::SolverKind kind);
 
-/// Which method a scene gets, and why if the scene leaves that open.
+/// The method of a scene, and how it steps.
 struct MethodChoice {
   const Method* method = nullptr;
-  std::string reason;  // empty: the scene names it
+  StepLimit limit;
+  std::uint32_t substeps = 1;  // of a frame
+  std::string reason;          // why "auto" took it; empty: the scene names it
 };
-MethodChoice choose_method(const scene::Scene& scene, const Model& model);
-
-/// Errors  Input: a cloth has elements that the method does not take.
-Result<void> check_elements(const scene::Scene& scene, const Model& model, const Method& method);
-
-/// The substeps of a frame: the scene's, or this method's for "auto".
-/// Errors  Limit: more than scenes allow.
-Result<std::uint32_t> choose_substeps(const scene::Scene& scene, const Method& method,
-                                      const StepLimit& limit);
+/// The method that the scene names; for "auto" the one whose frame is predicted to take least, of those that take the
+/// elements and are stable in the scene's substeps.
+/// Errors  Input: a cloth has elements that the method does not take. Limit: "auto" needs more substeps than scenes
+///         allow.
+Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model);
+/// What a frame of the method is predicted to take [ms].
+double predicted_frame(const scene::Scene& scene, const Model& model, const Method& method,
+                       std::uint32_t substeps);
 
 /// Whether the method's matrix includes obstacles in this scene. Restitution is left to impulses.
 bool solves_with_obstacles(const scene::Scene& scene, const Method& method);

@@ -77,26 +77,27 @@ constexpr Type kTime{.kind = Kind::Object, .keys = kTimeKeys};
 // solver
 constexpr Type kSolverKind{.kind = Kind::Choice, .choices = kSolverKindNames};
 constexpr Type kForces{.kind = Kind::Choice, .choices = kForcesNames};
-constexpr Key kSolverKeys[] = {{"kind", &kSolverKind, "The method", "\"mass_spring\""}};
-constexpr Key kMassSpringKeys[] = {
-    {"forces", &kForces, "Gather over each node's springs, or scatter from each spring by atomic adds",
-     "\"node_centric\""},
-};
+constexpr Key kSolverKeys[] = {{"kind", &kSolverKind, "The method", "\"auto\""}};
+constexpr Key kForcesKey = {"forces", &kForces,
+                            "Gather over each node's springs, or scatter from each spring by atomic adds",
+                            "\"node_centric\""};
+constexpr Key kMassSpringKeys[] = {kForcesKey};
 constexpr Type kIterations{.kind = Kind::Number, .least = 1, .most = 1000, .whole = true};
 constexpr Key kXpbdKeys[] = {
     {"iterations", &kIterations,
      "Sweeps over all springs in a substep; more substeps do more for the same work", "1"},
 };
 constexpr Type kResidual{.kind = Kind::Number, .least = 1e-5, .most = 0.5};
-constexpr Key kMultigridKeys[] = {
-    {"residual", &kResidual,
-     "What a substep may leave of its linear system's residual, by what it began with", "0.01"},
-};
-constexpr Variant kSolverVariants[] = {  // in the order of SolverKind
+constexpr Key kResidualKey = {
+    "residual", &kResidual, "What a substep may leave of its linear system's residual, by what it began with",
+    "0.01"};
+constexpr Key kMultigridKeys[] = {kResidualKey};
+constexpr Key kAutoKeys[] = {kForcesKey, kResidualKey};  // of whichever it takes
+constexpr Variant kSolverVariants[] = {                  // in the order of SolverKind
     {kSolverKindNames[0], kMassSpringKeys},
     {kSolverKindNames[1], kMultigridKeys},
     {kSolverKindNames[2], kXpbdKeys},
-    {kSolverKindNames[3], kMultigridKeys}};
+    {kSolverKindNames[3], kAutoKeys}};
 static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 

@@ -218,7 +218,7 @@ enum class SolverKind {
 };
 enum class Forces { NodeCentric, SpringCentric, SpringBlocks };
 struct Solver {
-  SolverKind kind = SolverKind::MassSpring;
+  SolverKind kind = SolverKind::Auto;
   Forces forces = Forces::NodeCentric;  // of MassSpring
   std::uint32_t iterations = 1;         // of Xpbd: sweeps over the springs in a substep
   double residual =

@@ -13,7 +13,8 @@
 namespace weft {
 
 /// A sheet of 20 x 20 nodes by two corners, which swings down.
-inline constexpr const char* kSheet = R"({ "format": "weft-scene/1", "contact": { "method": "none" },
+inline constexpr const char* kSheet = R"({ "format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+    "contact": { "method": "none" },
   "cloths": [{ "grid": [20, 20], "size": [1, 1], "plane": "xz", "density": 0.2,
                 "pins": ["top_left", "top_right"] }] })";
 

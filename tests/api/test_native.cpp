@@ -12,7 +12,7 @@ constexpr WGPUTextureFormat kFormats[] = {WGPUTextureFormat_RGBA8Unorm, WGPUText
                                           WGPUTextureFormat_BGRA8Unorm, WGPUTextureFormat_BGRA8UnormSrgb};
 
 /// A sheet that falls onto a ball, with pairs in contact.
-constexpr const char* kDrape = R"({ "format": "weft-scene/1",
+constexpr const char* kDrape = R"({ "format": "weft-scene/1", "solver": {"kind": "mass_spring"},
   "cloths": [{ "grid": [12, 12], "size": [1, 1], "plane": "xz", "density": 0.2,
     "stiffness": { "structural": 8, "shear": 2, "bend": 0.1 } }],
   "colliders": [{ "kind": "sphere", "center": [0, -0.31, 0], "radius": 0.3 }] })";

@@ -7,7 +7,8 @@ using namespace weft;
 namespace {
 
 /// Two upright sheets of 9 x 9 nodes, the second 0.5 m behind the first and twice.
-constexpr const char* kSheets = R"({ "format": "weft-scene/1", "contact": { "method": "none" }, "cloths": [
+constexpr const char* kSheets = R"({ "format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+    "contact": { "method": "none" }, "cloths": [
   { "grid": [9, 9], "size": [1, 1], "plane": "xy", "density": 0.2, "pins": ["top"] },
   { "grid": [9, 9], "size": [1, 1], "plane": "xy", "density": 0.2, "pins": ["top"],
     "transform": { "translate": [0, 0, -0.5] }, "copies": { "count": 2, "offset": [3, 0, 0] } }] })";

@@ -96,9 +96,9 @@ TEST_CASE("a run that diverges in its first frame ends at rest") { check_diverge
 TEST_CASE("a step far beyond the stable one diverges, and what is left can be read") {
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", tiny_scene()), out = folder.path("out");
-  const Ended ended =
-      run_weft({"run", scene, "--out", out, "--json", "--frames", "1000", "--set", "time.substeps=1", "--set",
-                "contact.method=none", "--set", "cloths.0.stiffness.structural=1e6"});
+  const Ended ended = run_weft({"run", scene, "--out", out, "--json", "--frames", "1000", "--set",
+                                "time.substeps=1", "--solver", "mass_spring", "--set", "contact.method=none",
+                                "--set", "cloths.0.stiffness.structural=1e6"});
   CHECK(ended.code == 6);
   const std::size_t first = ended.err.find('\n') + 1;
   CHECK(check_message(ended.err.substr(0, first)) == "");
@@ -115,8 +115,8 @@ TEST_CASE("damping that no step is short enough for is refused, however strong")
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", tiny_scene());
   for (const std::string damping : {"1e6", "1e8", "1e9"}) {
-    const Ended ended = run_weft({"run", scene, "--frames", "1", "--set", "time.substeps=\"auto\"", "--set",
-                                  "cloths.0.damping=" + damping});
+    const Ended ended = run_weft({"run", scene, "--frames", "1", "--set", "time.substeps=\"auto\"",
+                                  "--solver", "mass_spring", "--set", "cloths.0.damping=" + damping});
     CAPTURE(damping);
     CHECK(ended.code == 4);
     CHECK(check_message(ended.err) == "");

@@ -18,10 +18,12 @@ namespace weft {
 
 #define REQUIRE_OK(result) REQUIRE_MESSAGE(static_cast<bool>(result), (result).error().message)
 
+/// Of mass_spring where the members name no solver.
 inline scene::Scene scene_of(const std::string& members) {
   auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "contact": {"method": "none"}, )" + members + "}", "test.json");
   REQUIRE_OK(scene);
+  if (scene->solver.kind == scene::SolverKind::Auto) scene->solver.kind = scene::SolverKind::MassSpring;
   return std::move(*scene);
 }
 

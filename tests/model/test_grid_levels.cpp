@@ -43,28 +43,3 @@ TEST_CASE("resistance to bending halves from level to level, and by the side whe
   CHECK(narrow[1].bending_i == 0.25);
   CHECK(narrow[1].bending_j == 2);
 }
-
-TEST_CASE("auto takes multigrid for large grids, and never for meshes") {
-  const auto choice = [](const std::string& kind, const std::string& cloth) {
-    const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": ")" + kind +
-                                              R"("}, "cloths": [{"density": 1, )" + cloth + "}]}",
-                                          "test.json");
-    REQUIRE_MESSAGE(scene, scene.error().message);
-    mesh::TriangleMesh mesh;
-    if (!scene->cloths[0].grid) {
-      mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-      mesh.triangles = {{0, 1, 2}};
-    }
-    const auto model = build_model(*scene, {mesh});
-    REQUIRE_MESSAGE(model, model.error().message);
-    return choose_method(*scene, *model);
-  };
-  using Kind = scene::SolverKind;
-  CHECK(choice("auto", R"("grid": [707, 707], "size": [1, 1])").method->kind == Kind::MassSpring);  // 499,849
-  const MethodChoice large = choice("auto", R"("grid": [708, 707], "size": [1, 1])");               // 500,556
-  CHECK(large.method->kind == Kind::Multigrid);
-  CHECK(large.reason == "500556 nodes are not fewer than the 500000, from which on multigrid is cheaper");
-  CHECK(choice("auto", R"("mesh": "a.obj")").method->kind == Kind::MassSpring);
-  CHECK(choice("multigrid", R"("grid": [4, 4], "size": [1, 1])").method->kind == Kind::Multigrid);
-  CHECK(choice("mass_spring", R"("grid": [4, 4], "size": [1, 1])").reason.empty());
-}

@@ -30,9 +30,11 @@ inline reference::Simulation simulation_of_file(const std::string& name,
   return simulation_of(*scene);
 }
 
+/// Of mass_spring where the members name no solver.
 inline reference::Simulation simulation_of_text(const std::string& members) {
-  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", )" + members + "}", "test.json");
+  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", )" + members + "}", "test.json");
   REQUIRE_OK(scene);
+  if (scene->solver.kind == scene::SolverKind::Auto) scene->solver.kind = scene::SolverKind::MassSpring;
   return simulation_of(*scene);
 }
 

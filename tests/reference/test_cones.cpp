@@ -67,7 +67,8 @@ bool crosses_over(const Features& object, const Vec3d& p, const Vec3d& q) {
 /// How far a sheet of 0.04 m goes along x that lies on a flat floor of triangles with legs of `cell` [m], in the
 /// 0.05 s in which the floor moves at 2 m/s.
 double dragged(double cell, const std::string& friction) {
-  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": 8},
+  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+      "time": {"substeps": 8},
     "contact": {"method": "proximity", "thickness": 0.005}, "cloths": [{"grid": [3, 3], "size": [0.04, 0.04],
       "plane": "xz", "density": 0.3, "damping": 0.0003, "transform": {"translate": [0.0013, 0.005, 0.0007]},
       "stiffness": {"structural": 0.5, "shear": 0.1, "bend": 0.003}}],

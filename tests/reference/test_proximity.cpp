@@ -167,7 +167,8 @@ TEST_CASE("a sheet over a ball, a capsule, a box and a floor passes through none
 }
 
 TEST_CASE("a coarse sheet that falls on a needle is held by it between its vertices") {
-  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": 16},
+  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+      "time": {"substeps": 16},
     "contact": {"method": "proximity", "thickness": 0.01},
     "cloths": [{"grid": [3, 3], "size": [0.6, 0.6], "plane": "xz", "density": 0.3, "damping": 0.05,
       "stiffness": {"structural": 200, "shear": 100, "bend": 20}}],
@@ -247,7 +248,8 @@ TEST_CASE("truncation brings no energy into a sheet that falls over a ball in to
 }
 
 TEST_CASE("a mesh that keyframes lift does to a sheet what the same mesh does on a path") {
-  const std::string start = R"({"format": "weft-scene/1", "time": {"substeps": 16},
+  const std::string start =
+      R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"}, "time": {"substeps": 16},
     "contact": {"method": "proximity", "thickness": 0.01},
     "cloths": [{"grid": [7, 7], "size": [0.4, 0.4], "plane": "xz", "density": 0.3, "damping": 0.02,
       "transform": {"translate": [0, 0.02, 0]}, "stiffness": {"structural": 50, "shear": 20, "bend": 1}}],

@@ -177,7 +177,8 @@ TEST_CASE("a frame that ends with nodes that are not finite is taken back and na
 }
 
 TEST_CASE("an object's triangle without area is refused") {
-  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "bvh"},
+  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+      "contact": {"method": "bvh"},
     "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 0.1}]})",
                                   "test.json");
   REQUIRE_OK(scene);

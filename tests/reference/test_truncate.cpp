@@ -123,7 +123,8 @@ TEST_CASE("random ways of random pairs end on their own sides, whatever each was
 }
 
 TEST_CASE("obstacles are where motions and keyframes have taken them") {
-  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "proximity"},
+  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+      "contact": {"method": "proximity"},
     "cloths": [{"grid": [2, 2], "size": [1, 1], "density": 1}],
     "colliders": [{"kind": "sphere", "center": [1, 0, 0], "radius": 0.5, "friction": 0.7},
       {"kind": "mesh", "mesh": "box", "keyframes": [{"time": 1, "mesh": "b"}, {"time": 3, "mesh": "c"}],

@@ -31,7 +31,7 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(scene.time.frame == 1.0 / 60.0);
   CHECK_FALSE(scene.time.substeps);
   CHECK(scene.time.frames == 90);
-  CHECK(scene.solver.kind == SolverKind::MassSpring);
+  CHECK(scene.solver.kind == SolverKind::Auto);
   CHECK(scene.solver.forces == Forces::NodeCentric);
   CHECK(scene.contact.method == ContactMethod::Proximity);
   CHECK(scene.contact.thickness == 0.005);

@@ -15,7 +15,8 @@ using namespace weft;
 namespace {
 
 const SceneText kSheet{
-    R"({ "format": "weft-scene/1", "time": { "substeps": 4 }, "contact": { "method": "none" },
+    R"({ "format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+        "time": { "substeps": 4 }, "contact": { "method": "none" },
   "cloths": [{ "grid": [12, 10], "size": [1, 1], "plane": "xz", "density": 0.2, "pins": ["top"] }] })",
     "sheet",
     {}};

@@ -11,9 +11,11 @@
 
 namespace weft {
 
+/// Of mass_spring where the members name no solver.
 inline scene::Scene contact_scene(const std::string& members) {
   auto scene = scene::parse_scene(R"({"format": "weft-scene/1", )" + members + "}", "contact.json");
   REQUIRE_OK(scene);
+  if (scene->solver.kind == scene::SolverKind::Auto) scene->solver.kind = scene::SolverKind::MassSpring;
   return std::move(*scene);
 }
 

@@ -31,7 +31,8 @@ Result<mesh::TriangleMesh> read(const std::string& name) {
 
 Result<Assets> assets_of(const std::string& colliders) {
   const auto scene = scene::parse_scene(
-      R"({"format": "weft-scene/1", "cloths": [{"grid": [4, 3], "size": [3, 2], "density": 0.2}],
+      R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+          "cloths": [{"grid": [4, 3], "size": [3, 2], "density": 0.2}],
           "contact": {"method": "proximity"}, "colliders": [)" +
           colliders + "]}",
       "a.json");
@@ -71,7 +72,8 @@ TEST_CASE("meshes and boxes become objects in the order of the colliders, which 
 
 TEST_CASE("a mesh is read once, however many colliders and keyframes name it") {
   const auto scene = scene::parse_scene(
-      R"({"format": "weft-scene/1", "cloths": [{"mesh": "b.obj", "density": 0.2}, {"mesh": "b.obj", "density": 0.2}],
+      R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+          "cloths": [{"mesh": "b.obj", "density": 0.2}, {"mesh": "b.obj", "density": 0.2}],
           "contact": {"method": "proximity"}, "colliders": [
             {"kind": "mesh", "mesh": "a.obj"},
             {"kind": "mesh", "mesh": "a.obj", "transform": {"translate": [9, 0, 0]},

@@ -9,7 +9,7 @@ namespace {
 
 scene::Scene sheet(const std::vector<scene::Override>& overrides = {}) {
   auto scene = scene::parse_scene(
-      R"({"format": "weft-scene/1", "contact": {"method": "none"}, "drag": 0.5,
+      R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"}, "contact": {"method": "none"}, "drag": 0.5,
          "wind": {"velocity": [2, 0, 1], "gusts": 0.8}, "cloths": [{"grid": [9, 8], "size": [1, 0.8],
          "density": 0.2, "damping": 0.005, "pins": ["top"],
          "stiffness": {"structural": 100, "shear": 30, "bend": 1}}]})",

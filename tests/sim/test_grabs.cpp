@@ -15,7 +15,8 @@ constexpr std::uint32_t kCorner = 10 * 13;  // bottom left
 /// A sheet of 13 x 11 nodes that hangs by its upper edge, 1 m wide.
 scene::Scene curtain(const std::string& members = "", const std::string& cloth = "") {
   auto scene = scene::parse_scene(
-      R"({"format": "weft-scene/1", "contact": {"method": "none"}, "drag": 0.5, "cloths": [{"grid": [13, 11],
+      R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+          "contact": {"method": "none"}, "drag": 0.5, "cloths": [{"grid": [13, 11],
          "size": [1, 0.8], "density": 0.2, "damping": 0.01, "pins": ["top"], "transform": {"translate": [0, 0.4, 0]},
          "stiffness": {"structural": 400, "shear": 100, "bend": 2})" +
           cloth + "}]" + members + "}",

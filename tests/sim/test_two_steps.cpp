@@ -7,7 +7,7 @@ namespace {
 
 scene::Scene sheet(std::uint32_t nx, std::uint32_t ny, std::uint32_t substeps, const std::string& more = "") {
   auto scene = scene::parse_scene(
-      R"({"format": "weft-scene/1", "contact": {"method": "none"}, "drag": 0.4,
+      R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"}, "contact": {"method": "none"}, "drag": 0.4,
     "time": {"frame": 0.002, "substeps": )" +
           std::to_string(substeps) + R"(}, "cloths": [{"grid": [)" + std::to_string(nx) + ", " +
           std::to_string(ny) + R"(], "size": [1, 0.7], "density": 0.3, "damping": 0.005, "pins": ["top_left"],

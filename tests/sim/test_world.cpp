@@ -9,12 +9,12 @@ using namespace weft;
 namespace {
 
 scene::Scene small_scene(const std::string& members = "") {
-  auto scene =
-      scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": 7}, "contact": {"method": "none"},
+  auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+          "time": {"substeps": 7}, "contact": {"method": "none"},
     "cloths": [{"grid": [13, 9], "size": [1, 1], "density": 0.3, "damping": 0.005, "pins": ["top_left"],
     "stiffness": {"structural": 100, "shear": 50, "bend": 5}}])" +
-                             members + "}",
-                         "small.json");
+                                      members + "}",
+                                  "small.json");
   REQUIRE_OK(scene);
   return std::move(*scene);
 }
@@ -105,13 +105,13 @@ TEST_CASE("a first frame that is not finite freezes the state at rest, and a res
 
 TEST_CASE("a moved edge is where its motion says at the end of every frame") {
   GpuFixture fixture;
-  auto parsed =
-      scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "none"}, "time": {"substeps": 5},
+  auto parsed = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+          "contact": {"method": "none"}, "time": {"substeps": 5},
     "cloths": [{"grid": [5, 5], "size": [1, 1], "density": 1, "damping": 0,
     "stiffness": {"structural": 20, "shear": 10, "bend": 1},
     "motions": [{"nodes": "top", "kind": "line", "direction": [1, 0, 0], "speed": 0.6},
                 {"nodes": "bottom", "kind": "rotation", "axis": [0, 1, 0], "center": [0, 0, 0], "speed": 2}]}]})",
-                         "moved.json");
+                                   "moved.json");
   REQUIRE_OK(parsed);
   auto world = world_of(fixture.device(), *parsed);
   const auto start = world->snapshot();
@@ -136,14 +136,14 @@ TEST_CASE("a moved edge is where its motion says at the end of every frame") {
 
 TEST_CASE("a sheet that falls on a plane and a sphere stays on their outer side") {
   GpuFixture fixture;
-  auto parsed =
-      scene::parse_scene(R"({"format": "weft-scene/1", "contact": {"method": "bvh", "thickness": 0.01},
+  auto parsed = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
+          "contact": {"method": "bvh", "thickness": 0.01},
     "cloths": [{"grid": [20, 20], "size": [1, 1], "plane": "xz", "density": 0.3, "damping": 0.01,
     "transform": {"translate": [0, 0.55, 0]},
     "stiffness": {"structural": 100, "shear": 50, "bend": 5}}],
     "colliders": [{"kind": "sphere", "center": [0, 0.2, 0], "radius": 0.3},
     {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}]})",
-                         "fall.json");
+                                   "fall.json");
   REQUIRE_OK(parsed);
   auto world = world_of(fixture.device(), *parsed);
   advance(*world, 60);

@@ -1,6 +1,5 @@
 #include "method/multigrid/plan.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace weft {
@@ -12,27 +11,18 @@ StepLimit step_limit(const scene::Scene&, const Model&) {
   return limit;
 }
 
-AutoVerdict auto_verdict(const Model& model) {
-  const auto is_mesh = [](const Body& body) { return !body.grid; };
-  if (std::any_of(model.bodies.begin(), model.bodies.end(), is_mesh))
-    return {false, "a cloth is a mesh, and multigrid is taken for grids only"};
-  const std::string nodes = std::to_string(model.vertex_count()) + " nodes are ";
-  const std::string bound = std::to_string(kMultigridNodes) + ", from which on multigrid is cheaper";
-  if (model.vertex_count() < kMultigridNodes) return {false, nodes + "fewer than the " + bound};
-  return {true, nodes + "not fewer than the " + bound};
-}
-
 }  // namespace
 
 Method multigrid_method() {
   static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple};
+  static constexpr MethodCost kCost = {{0.45, 1.95e-6}, {0.5, 1.2e-5}, {0.5, 1.6e-5}};
   Method row{};
   row.kind = scene::SolverKind::Multigrid;
   row.takes = kTakes;
   row.step_limit = step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = long_substeps;
-  row.auto_verdict = auto_verdict;
+  row.cost = &kCost;
   row.memory = [](const scene::Solver&) { return SolverMemory{299, 193}; };
   row.settings_word = [](const scene::Solver&) { return ""; };
   row.search_interval = 1;

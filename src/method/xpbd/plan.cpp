@@ -53,7 +53,7 @@ Method xpbd_method() {
   row.step_limit = xpbd_step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = long_substeps;
-  row.auto_verdict = nullptr;
+  row.cost = nullptr;
   row.memory = [](const scene::Solver&) {
     return SolverMemory{96, 72};
   };  // 16 and 12 bytes a spring, six a node

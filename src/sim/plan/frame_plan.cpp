@@ -9,13 +9,9 @@ constexpr double kEver = 1e9;  // s; later than any motion begins
 
 Result<FramePlan> FramePlan::create(const scene::Scene& scene, const Model& model, const Assets& assets) {
   FramePlan plan;
-  plan.choice_ = choose_method(scene, model);
-  WEFT_CHECK(check_elements(scene, model, plan.method()));
-  plan.limit_ = plan.method().step_limit(scene, model);
+  WEFT_SET(plan.choice_, choose_method(scene, model));
   plan.frame_time_ = scene.time.frame;
   plan.thickness_ = scene.contact.thickness;
-  WEFT_TRY(substeps, choose_substeps(scene, plan.method(), plan.limit_));
-  plan.substeps_ = substeps;
   if (scene.contact.method == scene::ContactMethod::Proximity)
     plan.movers_ = contact_movers(scene, model, assets.objects, assets.keyframes);
   plan.most_substeps_ = plan.substeps_at(largest_speed(plan.movers_, 0, kEver));

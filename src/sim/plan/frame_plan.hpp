@@ -32,12 +32,12 @@ class FramePlan {
   const Method& method() const { return *choice_.method; }
   /// Why "auto" took that method; "" where the scene names it.
   const std::string& reason() const { return choice_.reason; }
-  const StepLimit& limit() const { return limit_; }
-  void set_limit(StepLimit limit) { limit_ = std::move(limit); }
+  const StepLimit& limit() const { return choice_.limit; }
+  void set_limit(StepLimit limit) { choice_.limit = std::move(limit); }
 
   /// Of a frame in which nothing moves fast.
-  std::uint32_t substeps() const { return substeps_; }
-  double step() const { return frame_time_ / substeps_; }
+  std::uint32_t substeps() const { return choice_.substeps; }
+  double step() const { return frame_time_ / choice_.substeps; }
   /// Of a frame, counted from 0: more than substeps() where something is moved fast (docs/contact.md).
   std::uint32_t substeps_of(std::uint32_t frame) const { return substeps_at(mover_speed(frame)); }
   /// The most of any frame.
@@ -69,15 +69,14 @@ class FramePlan {
     return largest_speed(movers_, begin_of(frame), begin_of(frame + 1));
   }
   std::uint32_t substeps_at(double mover_speed) const {
-    return substeps_ * contact_step_factor(mover_speed, thickness_, step());
+    return choice_.substeps * contact_step_factor(mover_speed, thickness_, step());
   }
 
   MethodChoice choice_;
-  StepLimit limit_;
   std::vector<ContactMover> movers_;  // where contact looks at places at the start of a substep
   double frame_time_ = 0, thickness_ = 0;
   double origin_ = 0;  // when frame 0 begins
-  std::uint32_t substeps_ = 1, most_substeps_ = 1;
+  std::uint32_t most_substeps_ = 1;
 };
 
 }  // namespace weft::sim
