@@ -48,6 +48,21 @@ def newton(results):
     )
 
 
+def auto_choice(results):
+    """What "auto" predicts for a frame, and what frames take by either method."""
+    methods = list(results["rows"][0]["runs"])
+
+    def cells(row):
+        for method in methods:
+            run, predicted = row["runs"][method], row["predicted"].get(method)
+            yield f"{predicted:g}" if predicted is not None else "–"
+            yield f"{run['ms_per_frame']:.3g}" if "ms_per_frame" in run else "–"
+
+    lines = [[row["what"], f"{row['nodes']:,}", *cells(row), row["chosen"]] for row in results["rows"]]
+    heads = [f"{method}, {what}" for method in methods for what in ("predicted", "ms a frame")]
+    return Table(left("scene") + right("nodes", *heads) + left("chosen"), lines)
+
+
 def implicit(results):
     """The study's sheet: time and error of the implicit solver, explicit steps, and coarser sheets drawn finely."""
     lines = []
