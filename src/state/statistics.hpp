@@ -55,16 +55,14 @@ struct Statistics {
   std::uint32_t near_before = 0;
   /// 1: some vertex goes farther than to the obstacles that have records (proximity).
   std::uint32_t far_ways = 0;
-  /// 1: on its way some cloth may meet other cloth.
+  /// The last round in which cloth could meet other cloth on its way; 0: none.
   std::uint32_t meeting = 0;
-  /// 1: the same after those vertices were held back.
-  std::uint32_t still_meeting = 0;
   /// How far a collider may go until the next search [m].
   float reach = 0;
   /// How far one may have gone since this search [m].
   float travel = 0;
 };
-static_assert(sizeof(Statistics) == 26 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 25 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -115,7 +113,6 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("near_before", statistics.near_before);
   visit("far_ways", statistics.far_ways);
   visit("meeting", statistics.meeting);
-  visit("still_meeting", statistics.still_meeting);
   visit("reach", statistics.reach);
   visit("travel", statistics.travel);
 }

@@ -44,11 +44,9 @@ const kStatCrossingsLeft = 19u;
 const kStatNearBefore = 20u;
 // 1: some vertex goes farther than to the obstacles that have records (proximity).
 const kStatFarWays = 21u;
-// 1: on its way some cloth may meet other cloth.
+// The last round in which cloth could meet other cloth on its way; 0: none.
 const kStatMeeting = 22u;
-// 1: the same after those vertices were held back.
-const kStatStillMeeting = 23u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
-const kStatReach = 24u;
+const kStatReach = 23u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
-const kStatTravel = 25u;
+const kStatTravel = 24u;

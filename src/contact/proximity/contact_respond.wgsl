@@ -39,7 +39,6 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   if (vertex == 0u) {
     schedule_for_colliders();
     atomicStore(&statistics[kStatMeeting], 0u);
-    atomicStore(&statistics[kStatStillMeeting], 0u);
   }
 
   let found = predicted[step.nodes.count + vertex];

@@ -1,7 +1,7 @@
 // Finds the pairs of cloth whose sides may meet on the ways that their vertices go, and marks the vertices; and how far
 // each vertex may go before the planes half way between it and all that it is listed with: equation (6) of
 // docs/contact.md. The same before obstacles of pairs without record, for vertices that go far. Grid-stride loop over
-// the pairs. The second round asks the pairs of cloth again of which a vertex was not held back in the first.
+// the pairs. Further rounds ask the pairs of cloth again of which a vertex was not held back in those before.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
@@ -87,7 +87,7 @@ fn end_before_collider(ids : vec4u, thickness : f32) {
     let now = beyond_solid(side, dot(n, previous[vertex].xyz), reach, measured.gap, thickness);
     end_before(vertex, part_before(now, then));
     atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kMarked);
-    atomicStore(&statistics[kStatMeeting], 1u);
+    atomicMax(&statistics[kStatMeeting], kRound);
   }
 }
 
@@ -96,7 +96,7 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
                 @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
     let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u ||
-               (kRound == 2u && atomicLoad(&statistics[kStatMeeting]) == 0u) ||
+               atomicLoad(&statistics[kStatMeeting]) + 1u < kRound ||
                (kSelf == 0u && atomicLoad(&statistics[kStatFarWays]) == 0u);
     pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, idle);
   }
@@ -123,7 +123,7 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
       let along = dot(line.xyz, place.xyz);
       let on_a = role < roles_of_a(ids);
       if (on_a) { least = min(least, along); } else { most = max(most, along); }
-      if (kRound == 2u) {
+      if (kRound > 1u) {
         let held = atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]) & kHeld;
         all_held = all_held && (held != 0u || place.w == 0.0);
       } else if (place.w != 0.0) {
@@ -135,11 +135,11 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
         }
       }
     }
-    if (least - most >= gap || (kRound == 2u && all_held)) { continue; }
+    if (least - most >= gap || (kRound > 1u && all_held)) { continue; }
     if (least - most >= least_apart(gap, thickness)) { continue; }
     for (var role = 0u; role < 4u; role++) {
       atomicOr(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kHeldWord], kMarked);
     }
-    atomicStore(&statistics[select(kStatMeeting, kStatStillMeeting, kRound == 2u)], 1u);
+    atomicMax(&statistics[kStatMeeting], kRound);
   }
 }

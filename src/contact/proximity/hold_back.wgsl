@@ -1,5 +1,5 @@
 // Holds vertices back from other cloth: the way of a marked one ends before the planes half way between it and all that
-// it is listed with, as find_meeting has found. In the second round, where that was not enough, that of every vertex.
+// it is listed with, as find_meeting has found. In the last round, where that was not enough, that of every vertex.
 // One invocation per vertex. Source: docs/contact.md, equation (6).
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
@@ -16,17 +16,18 @@
 @group(0) @binding(5) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(6) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kRound : u32 = 1;
+override kIsLast : bool = false;  // of the rounds
 const kDrivenPart = 0.01;  // of the thickness: no rounding
 
 @compute @workgroup_size(kWorkgroupSize)
 fn hold_back(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.nodes.count) { return; }
-  if (atomicLoad(&statistics[select(kStatMeeting, kStatStillMeeting, kRound == 2u)]) == 0u) { return; }
+  if (atomicLoad(&statistics[kStatMeeting]) < kRound) { return; }
   let held = vertex_contacts[kVertexWords * vertex + kHeldWord];
   let start = previous[vertex];
   if (start.w == 0.0 || (held & kHeld) != 0u) { return; }
-  if (kRound == 1u && (held & kMarked) == 0u) { return; }
+  if (!kIsLast && (held & kMarked) == 0u) { return; }
   let found = vertex_contacts[kVertexWords * vertex + kPartWord];
   let count_now = found != 0u && (held & kCounted) == 0u;
   vertex_contacts[kVertexWords * vertex + kHeldWord] = held | kHeld | select(0u, kCounted, count_now);

@@ -21,10 +21,11 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   }
   for (std::size_t round = 0; round < made.round_count(); ++round) {
     const gpu::Constant number{"kRound", static_cast<double>(round + 1)};
+    const gpu::Constant is_last{"kIsLast", setup.self && round + 1 == made.round_count() ? 1.0 : 0.0};
     all.push_back({made.rounds_[round].find,
                    "contact/proximity/find_meeting.wgsl",
                    {number, {"kSelf", setup.self ? 1.0 : 0.0}}});
-    all.push_back({made.rounds_[round].hold, "contact/proximity/hold_back.wgsl", {number}});
+    all.push_back({made.rounds_[round].hold, "contact/proximity/hold_back.wgsl", {number, is_last}});
   }
   for (const Wanted& wanted : all) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));

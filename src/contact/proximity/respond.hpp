@@ -36,13 +36,14 @@ class Respond {
   gpu::Kernel impulse_, last_impulse_, add_, respond_;
   // By parity.
   std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_, respond_groups_;
-  /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and in two from other cloth.
+  /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and from other cloth.
   struct Round {
     gpu::Kernel find, hold;
     std::array<gpu::BindGroup, 2> find_groups, hold_groups;
   };
-  std::size_t round_count() const { return setup_.self ? 2 : 1; }
-  std::array<Round, 2> rounds_;
+  static constexpr std::size_t kRounds = 4;  // mirror: reference/proximity/truncate.cpp
+  std::size_t round_count() const { return setup_.self ? kRounds : 1; }
+  std::array<Round, kRounds> rounds_;
   std::size_t pair_room_ = 0, near_room_ = 0, vertex_count_ = 0;
 };
 

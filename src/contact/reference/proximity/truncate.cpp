@@ -5,6 +5,9 @@
 namespace weft::reference {
 namespace {
 
+/// In which cloth is held back; in the last one all of it.
+constexpr int kRounds = 4;
+
 /// How much of a way takes a vertex past no plane, by how far it is on its side at the start and would be at the end.
 double part_before(double at_start, double at_end) {
   if (at_end >= 0) return 1;
@@ -131,9 +134,12 @@ Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair
                    const Ways& ways) {
   Truncation truncation(pairs, ways);
   truncation.before_solids(planes, reach);
-  if (truncation.find_meeting()) {
+  for (int round = 1; truncation.find_meeting(); ++round) {
+    if (round == kRounds) {
+      truncation.hold_all();
+      break;
+    }
     truncation.hold_marked();
-    if (truncation.find_meeting()) truncation.hold_all();
   }
   return truncation.count(planes);
 }
