@@ -63,7 +63,8 @@ Result<void> SceneContact::create_proximity(gpu::Device& device, const GpuModel&
                                             const scene::Scene& scene, const Assets& assets,
                                             const SceneContactSetup& setup) {
   const ContactRoom room = setup.room ? *setup.room : first_room(model);
-  WEFT_TRY(contacts, Contacts::create_pairs(device, model.host, room, setup.presses));
+  WEFT_TRY(contacts, Contacts::create_pairs(device, model.host, room,
+                                            {setup.presses, setup.presses && scene.contact.self}));
   contacts_ = std::move(contacts);
   WEFT_TRY(proximity,
            Proximity::create(device, model, state, *contacts_->pairs, scene,
@@ -163,6 +164,7 @@ Result<bool> SceneContact::set_forces(gpu::Device& device, const State& state,
 void SceneContact::record_forget(gpu::CommandList& list) const {
   if (!proximity_) return;
   list.clear(contacts_->pairs->vertex_contacts.source());
+  if (contacts_->pairs->pair_sums.size() > 0) list.clear(contacts_->pairs->pair_sums.source());
   if (presses() != nullptr) list.clear(presses()->source());
 }
 

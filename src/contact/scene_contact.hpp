@@ -23,7 +23,7 @@ struct SceneContactSetup {
   std::uint32_t most_substeps = 1;  // of any frame
   std::uint32_t interval = 4;       // substeps from one that may search to the next
   std::uint32_t iterations = 1;     // of impulses in a substep
-  bool presses = false;             // whether the solver solves with obstacles
+  bool presses = false;             // whether the solver solves with contact
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 

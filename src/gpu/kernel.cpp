@@ -96,9 +96,13 @@ Workgroups Kernel::workgroups_of(std::uint64_t count) const {
 }
 
 void Kernel::dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const {
+  dispatch_groups(pass, group, strided(capacity));
+}
+
+Workgroups Kernel::strided(std::uint64_t capacity) const {
   const std::uint64_t most = device_->adapter().type == "CPU" ? 16 : 262144 / workgroup_size_;
   const std::uint64_t groups = (capacity + workgroup_size_ - 1) / workgroup_size_;
-  dispatch_groups(pass, group, {static_cast<std::uint32_t>(std::clamp<std::uint64_t>(groups, 1, most))});
+  return {static_cast<std::uint32_t>(std::clamp<std::uint64_t>(groups, 1, most))};
 }
 
 void Kernel::dispatch_groups(ComputePass& pass, const BindGroup& group, const Workgroups& workgroups) const {

@@ -66,6 +66,8 @@ class Kernel {
   /// For a grid-stride loop over up to `capacity` elements, whose number only the GPU knows: as many invocations as
   /// keep the adapter busy.
   void dispatch_strided(ComputePass& pass, const BindGroup& group, std::uint64_t capacity) const;
+  /// The workgroups of dispatch_strided.
+  Workgroups strided(std::uint64_t capacity) const;
   void dispatch_groups(ComputePass& pass, const BindGroup& group, const Workgroups& workgroups) const;
   /// How many workgroups `dispatch` makes of `count` invocations, along x and y.
   Workgroups workgroups_of(std::uint64_t count) const;

@@ -122,9 +122,9 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
   return std::move(*best);
 }
 
-bool solves_with_obstacles(const scene::Scene& scene, const Method& method) {
+bool solves_with_contact(const scene::Scene& scene, const Method& method) {
   return method.holds_obstacles && scene.contact.method == scene::ContactMethod::Proximity &&
-         !scene.colliders.empty() && scene.contact.restitution == 0;
+         (!scene.colliders.empty() || scene.contact.self) && scene.contact.restitution == 0;
 }
 
 }  // namespace weft

@@ -75,7 +75,7 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
 double predicted_frame(const scene::Scene& scene, const Model& model, const Method& method,
                        std::uint32_t substeps);
 
-/// Whether the method's matrix includes obstacles in this scene. Restitution is left to impulses.
-bool solves_with_obstacles(const scene::Scene& scene, const Method& method);
+/// Whether the method's matrix includes contact in this scene. Restitution is left to impulses.
+bool solves_with_contact(const scene::Scene& scene, const Method& method);
 
 }  // namespace weft

@@ -30,6 +30,8 @@ class Solver {
   /// Takes in what a frame has reported, also one that is to be repeated since the solver had no room for its work.
   /// True: it records otherwise from now on.
   virtual bool adapt(gpu::Device&, const Statistics&) { return false; }
+  /// Takes over the lists of contact, which have other room. Errors  OutOfMemory.
+  virtual Result<void> bind_lists() { return {}; }
   /// Fills the solver's own part of the block that each substep's kernels read.
   virtual void fill(StepBlock::Method&) const {}
 };
@@ -47,6 +49,12 @@ struct SolverInputs {
   const gpu::Buffer<std::int32_t>* presses() const {
     if (contacts == nullptr || !contacts->pairs || contacts->pairs->presses.size() == 0) return nullptr;
     return &contacts->pairs->presses;
+  }
+
+  /// Pairs of cloth with cloth, for a solver whose matrix holds them apart; null: none.
+  const ContactPairs* pairs() const {
+    if (contacts == nullptr || !contacts->pairs || contacts->pairs->pair_sums.size() == 0) return nullptr;
+    return &*contacts->pairs;
   }
 
   Predicted predicted() const {

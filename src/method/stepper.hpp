@@ -18,6 +18,7 @@ struct Substep {
   const std::vector<Vec3d>& places;  // where nodes that follow a motion are at its end [m]
   double dt = 0;                     // [s]
   double ratio = 1;                  // of dt to the step before; 0: a method with a history starts without it
+  std::span<const NearPair> pairs = {};  // of cloth with cloth that come near, for the same
   std::span<const Press> presses = {};  // obstacles' demands on each node, for a method whose matrix has them
 };
 
@@ -33,6 +34,8 @@ class Stepper {
   virtual void forget_hold(std::size_t) {}
   /// Nodes whose pairs with obstacles the last step has answered in its matrix; none: no node's.
   virtual std::vector<bool> held() const { return {}; }
+  /// Of each pair of the last step: the force on side A that its matrix has answered it with [N]; 0: it has not.
+  virtual std::vector<Vec3d> pair_forces() const { return {}; }
 };
 
 /// Of a scene's "solver" object, whose kind is not Auto (choose_method). The model must outlive it.

@@ -123,17 +123,18 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
   // As sim::FrameSteps counts time, to the bit: it decides which substep is the first of a grab.
   set_grabs(time() + number * dt + dt);
   std::vector<Press> presses;
-  if (solves_with_obstacles(scene_, plan_.method()) && finite())
+  if (solves_with_contact(scene_, plan_.method()) && finite())
     presses = proximity_->presses(previous, system_.velocity, before * dt, dt);
   const double ratio = number == 0 ? frame.step_ratio : 1;
-  stepper_->advance({system_, places_at((before + 1) * dt, previous), dt, ratio, presses});
+  const std::vector<NearPair> pairs = presses.empty() ? std::vector<NearPair>{} : proximity_->pressed_pairs();
+  stepper_->advance({system_, places_at((before + 1) * dt, previous), dt, ratio, pairs, presses});
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   if (!proximity_) {
     answer_contacts(previous);
   } else if (finite()) {
-    contacts_ += proximity_->answer(
-        {previous, system_.inverse_mass, system_.position, system_.velocity, stepper_->held()}, before * dt,
-        dt);
+    contacts_ += proximity_->answer({previous, system_.inverse_mass, system_.position, system_.velocity,
+                                     stepper_->held(), stepper_->pair_forces()},
+                                    before * dt, dt);
     const std::vector<bool>& beside_cloth = proximity_->beside_cloth();
     for (std::size_t node = 0; node < beside_cloth.size(); ++node)
       if (beside_cloth[node]) stepper_->forget_hold(node);

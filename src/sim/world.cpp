@@ -99,6 +99,7 @@ Result<void> World::repeat_from(const Report& report) {
   ++totals_.repeated_frames;
   WEFT_CHECK(contact_.make_room(
       device_, state_, {report.statistics.pairs, report.statistics.near, report.statistics.candidates}));
+  WEFT_CHECK(solver_->bind_lists());
   solver_->adapt(device_, report.statistics);
   recorder_.forget();
   clear_statistics();

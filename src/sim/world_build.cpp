@@ -30,7 +30,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
            contact::SceneContact::create(device_, model_, state_, scene_, assets_,
                                          {options.contact_room, plan_.most_substeps(), method.search_interval,
                                           contact_iterations(plan_.step()),
-                                          solves_with_obstacles(scene_, method), options.workgroup_size}));
+                                          solves_with_contact(scene_, method), options.workgroup_size}));
   contact_ = std::move(contact);
   scene::Solver settings = scene_.solver;
   settings.kind = method.kind;

@@ -72,7 +72,10 @@ Result<void> World::restore(const Snapshot& snapshot) {
   state_.velocity[parity_].write(device_, velocity);
   last_good_->renew(device_, snapshot.position, velocity, 0);
   WEFT_TRY(other_lists, contact_.set_forces(device_, state_, snapshot.contact_forces));
-  if (other_lists) recorder_.forget();
+  if (other_lists) {
+    WEFT_CHECK(solver_->bind_lists());
+    recorder_.forget();
+  }
   // Those of a world whose solver holds nothing are none.
   std::vector<std::int32_t> holds = snapshot.hold_forces;
   holds.resize(std::size_t{kHoldWords} * model_.vertex_count());

@@ -2,8 +2,9 @@
 struct ListedPair {
   ids : vec4u,    // side A first, then side B; see kColliderPoint, kPairFlag, kCrossingFlag
   words : vec4u,  // kHasRecord and the record's number; before it has one, the distance that the pair keeps, m. The
-                  // cloth's friction; the gap in this substep, m. Of a crossing: its edge's other end, kIdBits, and how
-                  // the edge has to move, in parts of the speed of equation (7). Numbers as the bits of f32.
+                  // cloth's friction; the gap in this substep, m; 1: both are of one cloth. Of a crossing: its
+                  // edge's other end, kIdBits, and how the edge has to move, in parts of the speed of equation
+                  // (7). Numbers as the bits of f32.
 }
 const kHasRecord = 0x80000000u;
 
@@ -20,16 +21,17 @@ struct Contact {
   urgency : f32,    // its share of its vertices' masses, before they are shared; 0: it does not act, equation (1)
   solid : u32,      // the side that contact cannot move (collider, fixed vertex): 1 A, 2 B, 0 neither; or kUntangles
   near : u32,       // 1: it acts, or would but that another feature is nearer, or has a plane that must hold
-  other_end : u32,  // of a crossing: the id of the edge's other end
+  other_end : u32,  // of a crossing: the id of the edge's other end; else 1: both features are of one cloth
   thickness : f32,  // the distance that it keeps, m
   solid_speed : f32,  // of a solid side, toward the other, m/s
   begun : f32,      // the normal part of the force that the last iteration ended with, before it went ahead, N
-  held : u32,       // 1: the solver's matrix has answered it
+  held : u32,       // 1: the solver's matrix has answered it; kSolved: the same of a pair of one cloth
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
 const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; else vertex and triangle
 const kCrossingFlag = 0x40000000u;   // of ids.z: an end of an edge, and the triangle that the edge passes through
 const kIdBits = 0x3fffffffu;
+const kSolved = 2u;
 const kUntangles = 4u;               // of `solid`: it separates features on the wrong side, equation (7)
 
 // A link is 4 * (number + 1) + role, 0 at the end: how a vertex knows its records, the newest first.

@@ -19,15 +19,18 @@ ContactRoom grown(const ContactRoom& room, const ContactRoom& wanted, std::uint6
 }
 
 Result<ContactPairs> ContactPairs::create(gpu::Device& device, const Model& model, const ContactRoom& room,
-                                          bool presses) {
+                                          const SolvedContact& solved) {
   const std::size_t vertices = model.vertex_count();
   ContactPairs made;
   WEFT_TRY(predicted, gpu::Buffer<Vec4f>::create(device, 3 * vertices, "predicted velocity"));
   made.predicted = std::move(predicted);
+  if (solved.pairs)
+    WEFT_SET(made.pair_sums,
+             gpu::Buffer<std::uint32_t>::create(device, kPairSumWords * vertices, "sums over held pairs"));
   WEFT_CHECK(made.make_room(device, room));
   WEFT_TRY(words, gpu::Buffer<std::uint32_t>::create(device, kVertexWords * vertices, "vertex contacts"));
   made.vertex_contacts = std::move(words);
-  if (presses) {
+  if (solved.obstacles) {
     WEFT_TRY(sums,
              gpu::Buffer<std::int32_t>::create(device, (kHoldWords + kPressWords) * vertices, "presses"));
     made.presses = std::move(sums);
@@ -42,6 +45,10 @@ Result<void> ContactPairs::make_room(gpu::Device& device, const ContactRoom& wan
   listed = std::move(listed_buffer);
   WEFT_TRY(contact_buffer, gpu::Buffer<Contact>::create(device, wanted.near, "near pairs"));
   contacts = std::move(contact_buffer);
+  if (pair_sums.size() > 0) {
+    pair_holds = {};
+    WEFT_SET(pair_holds, gpu::Buffer<PairHold>::create(device, wanted.near, "held pairs"));
+  }
   const std::uint64_t words = kHeader + 2ULL * kKeptWords * wanted.near + std::bit_ceil(2ULL * wanted.near);
   WEFT_TRY(kept_buffer, gpu::Buffer<std::uint32_t>::create(device, words, "kept forces"));
   if (kept.size() > 0) {  // the list of the frame's end, which comes first

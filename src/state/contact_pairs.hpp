@@ -29,18 +29,30 @@ struct Contact {
   float urgency = 0;
   std::uint32_t solid = 0;      // 1: side A goes its way whatever comes; 2: side B; 0: neither; or kUntangles
   std::uint32_t near = 0;       // 1: it acts, or would but for its cones, or has a plane that must hold
-  std::uint32_t other_end = 0;  // of a crossing: the id of the edge's other end
+  std::uint32_t other_end = 0;  // of a crossing: the id of the edge's other end; else 1: of one cloth
   float thickness = 0;          // the distance that it keeps [m]
   float solid_speed = 0;        // of a solid side, toward the other [m/s]
   float begun = 0;              // the normal part of the force before it went ahead [N]
-  std::uint32_t held = 0;       // 1: the solver's matrix has answered it
+  std::uint32_t held = 0;       // 1: the solver's matrix has answered it; 2: the same of cloth with cloth
 };
 static_assert(sizeof(Contact) == 128 && offsetof(Contact, normal) == 32 && offsetof(Contact, force) == 80);
+
+/// How an implicit substep holds a near pair of one cloth apart. Mirror of PairHold in src/state/pair_holds.wgsl.
+struct PairHold {
+  std::array<std::uint32_t, 4> ids{};  // of the listed pair
+  Vec4f normal;                        // n; w: k [N/m]; 0: it is not held
+  Vec4f along;                         // the force of friction [N]; w: k_t [N/m]
+  Vec4f force;                         // along n [N]; g and z [m]; friction
+  Vec4f place;                         // s, t; mobility [1/kg]; the missing gap [m]
+  Vec4f start;                         // [m]
+};
+static_assert(sizeof(PairHold) == 96);
 
 inline constexpr std::uint32_t kColliderPoint = 0x80000000U, kPairFlag = 0x40000000U, kIdBits = 0x3fffffffU;
 inline constexpr std::uint32_t kCrossingFlag = 0x40000000U, kUntangles = 4;
 inline constexpr std::uint32_t kHasRecord = 0x80000000U;             // of ListedPair::words[0]
 inline constexpr std::uint32_t kVertexWords = 16, kTangledWord = 4;  // of ContactPairs::vertex_contacts
+inline constexpr std::uint32_t kPairSumWords = 8;                    // of ContactPairs::pair_sums
 inline constexpr std::uint32_t kHoldWords = 4, kPressWords = 20;     // of ContactPairs::presses
 inline constexpr std::uint32_t kHeader = 8, kKeptRoomWord = 2, kKeptWords = 8;  // of ContactPairs::kept
 
@@ -56,6 +68,12 @@ struct ContactRoom {
 /// Room for lists that were too short: half as much again as was wanted, since the next frames may need more,
 /// but no more than a binding of `most_bytes` may have where what is wanted fits in it.
 ContactRoom grown(const ContactRoom& room, const ContactRoom& wanted, std::uint64_t most_bytes);
+
+/// What of contact a solver's matrix includes.
+struct SolvedContact {
+  bool obstacles = false;  // ContactPairs::presses
+  bool pairs = false;      // of one cloth: ContactPairs::pair_holds, pair_sums
+};
 
 /// A pair is listed once; while it is near, it has a record, and each of its cloth vertices has a link to that. Neither
 /// pairs nor records have an order that lasts from run to run, so sums over them are of integers.
@@ -76,9 +94,14 @@ struct ContactPairs {
   /// solver needs none.
   gpu::Buffer<std::int32_t> presses;
 
+  /// Where a solver's matrix holds pairs apart: how, one for each record; and sums over a vertex's (kPairSumWords *
+  /// vertex_count). Else none.
+  gpu::Buffer<PairHold> pair_holds;
+  gpu::Buffer<std::uint32_t> pair_sums;
+
   /// Errors  Limit, OutOfMemory.
   static Result<ContactPairs> create(gpu::Device& device, const Model& model, const ContactRoom& room,
-                                     bool presses);
+                                     const SolvedContact& solved);
   /// Other room for pairs and records, whose contents are lost; all else stays, also the forces that the last frame's
   /// end has kept. Errors  Limit, OutOfMemory.
   Result<void> make_room(gpu::Device& device, const ContactRoom& wanted);

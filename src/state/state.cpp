@@ -53,9 +53,9 @@ Result<Contacts> Contacts::create_pushes(gpu::Device& device, const Model& model
 }
 
 Result<Contacts> Contacts::create_pairs(gpu::Device& device, const Model& model, const ContactRoom& room,
-                                        bool presses) {
+                                        const SolvedContact& solved) {
   Contacts contacts;
-  WEFT_TRY(pairs, ContactPairs::create(device, model, room, presses));
+  WEFT_TRY(pairs, ContactPairs::create(device, model, room, solved));
   contacts.pairs = std::move(pairs);
   return contacts;
 }

@@ -38,7 +38,7 @@ struct Contacts {
 
   static Result<Contacts> create_pushes(gpu::Device& device, const Model& model);
   static Result<Contacts> create_pairs(gpu::Device& device, const Model& model, const ContactRoom& room,
-                                       bool presses);
+                                       const SolvedContact& solved);
 };
 
 }  // namespace weft

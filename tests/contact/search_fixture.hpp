@@ -77,7 +77,7 @@ class SearchRun {
     auto state = State::create(device, model_.host, 1);
     REQUIRE(state);
     state_ = std::move(*state);
-    auto pairs = ContactPairs::create(device, model_.host, setup_.room, false);
+    auto pairs = ContactPairs::create(device, model_.host, setup_.room, {});
     REQUIRE(pairs);
     pairs_ = std::move(*pairs);
     create_search(workgroup_size);
@@ -222,7 +222,7 @@ class SearchRun {
                                               {setup_.objects, colliders, keyframes}, search_setup);
     REQUIRE_MESSAGE(search, search.error().message);
     search_ = std::move(*search);
-    auto near = contact::NearPairs::create(device_, workgroup_size);
+    auto near = contact::NearPairs::create(device_, false, workgroup_size);
     REQUIRE(near);
     near_ = std::move(*near);
     REQUIRE(near_.bind(state_, pairs_, search_.points()));

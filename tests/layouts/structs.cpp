@@ -231,6 +231,11 @@ Json contact_of_pair() {
              {M(ids), M(next), M(normal), M(place), M(surface), M(force), M(urgency), M(solid), M(near),
               M(other_end), M(thickness), M(solid_speed), M(begun), M(held)});
 }
+Json pair_hold() {
+  using T = PairHold;
+  return row("PairHold", "state/pair_holds.wgsl", sizeof(T), kUniform,
+             {M(ids), M(normal), M(along), M(force), M(place), M(start)});
+}
 Json search_params() {
   using T = contact::SearchParams;
   return row("SearchParams", "contact/proximity/triangles.wgsl", sizeof(T), kExact,
@@ -320,6 +325,7 @@ Json struct_layouts() {
                       analytic_collider(),
                       listed_pair(),
                       contact_of_pair(),
+                      pair_hold(),
                       search_params(),
                       tree_params(),
                       colliders(),
@@ -379,14 +385,15 @@ Json shared_constants() {
       real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
       real("kContactTouching", "state/contact.wgsl", kContactTouching),
       real("kHoldPart", "contact/proximity/press.wgsl", kHoldPart),
-      real("kHoldRate", "method/multigrid/hold_at_obstacles.wgsl", kHoldRate),
-      real("kHoldSpeed", "method/multigrid/hold_at_obstacles.wgsl", kHoldSpeed),
+      real("kHoldRate", "method/multigrid/hold_law.wgsl", kHoldRate),
+      real("kHoldSpeed", "method/multigrid/hold_law.wgsl", kHoldSpeed),
       real("kAhead", "contact/proximity/contact_impulse.wgsl", kImpulseAhead),
       real("kPushPart", "state/contact.wgsl", kPushPart),
       real("kSoftLack", "state/contact.wgsl", kSoftLack),
       real("kHeldLack", "state/contact.wgsl", kHeldLack),
       real("kPushSpeed", "state/contact.wgsl", kPushSpeed),
       real("kPartingSteps", "state/contact.wgsl", kPartingSteps),
+      constant("kSumWords", "state/pair_holds.wgsl", kPairSumWords),
       constant("kHeader", "contact/proximity/kept_forces.wgsl", kHeader),
       constant("kKeptWords", "contact/proximity/kept_forces.wgsl", kKeptWords),
       real("kTouchingAtRest", "contact/proximity/find_pairs.wgsl", kTouchingAtRest),

@@ -35,9 +35,14 @@ class ImplicitRig {
     REQUIRE_OK(sums);
     press_sums_ = std::move(*sums);
     const Predicted predicted = {&state_.velocity[1], &state_.velocity[0]};
-    const CycleInputs inputs{
-        device,        model_, state_, predicted, presses ? &press_sums_ : nullptr, scene_.solver.residual,
-        workgroup_size};
+    const CycleInputs inputs{device,
+                             model_,
+                             state_,
+                             predicted,
+                             presses ? &press_sums_ : nullptr,
+                             nullptr,
+                             scene_.solver.residual,
+                             workgroup_size};
     const auto kernels = Kernels::create(inputs);
     REQUIRE_OK(kernels);
     auto cycle = ClothCycle::create(inputs, *kernels, {model_.host.bodies[0]});
@@ -198,7 +203,7 @@ class ImplicitRig {
   /// The reference's state after one step.
   reference::MassSpringSystem advanced() {
     reference::MassSpringSystem system = system_;
-    stepper_->advance({system, system.position, dt_, ratio_, presses_});
+    stepper_->advance({system, system.position, dt_, ratio_, {}, presses_});
     return system;
   }
 

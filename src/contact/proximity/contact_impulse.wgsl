@@ -33,7 +33,7 @@ fn first_change(vertex : u32) -> vec3f {
 // Whether the pair is left to the solver, which has answered it: where no cloth lies on its vertices. What pairs of
 // cloth press on them comes after the solver's answer.
 fn is_left(contact : Contact) -> bool {
-  if (contact.held == 0u) { return false; }
+  if (contact.held != 1u) { return contact.held == kSolved; }
   for (var role = 0u; role < role_count(contact.ids); role++) {
     if (is_collider(contact.ids[role])) { continue; }
     let vertex = contact.ids[role] & kIdBits;
@@ -67,6 +67,7 @@ fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
     let wanted = -contact.normal.w * contact.thickness * min(kUntanglePart / step.time.dt, kUntangleRate);
     return Answer(max(0.0, wanted - speed) / mobility * n, mobility);
   }
+  if (contact.held == kSolved) { return Answer(vec3f(0.0), mobility); }
   let had = step.time.dt * contact.force.xyz;
   if (left) {
     contacts[number].force = vec4f(vec3f(0.0), contact.force.w);
@@ -101,7 +102,8 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
     for (var role = 0u; role < role_count(contact.ids); role++) {
       if (is_collider(contact.ids[role])) { continue; }
       let vertex = contact.ids[role] & kIdBits;
-      if (kPresses != 0u && kLast != 0u && is_self_pair(contact.ids)) { forget_hold(vertex); }
+      let forgets = is_self_pair(contact.ids) && contact.held != kSolved;
+      if (kPresses != 0u && kLast != 0u && forgets) { forget_hold(vertex); }
       let part = previous[vertex].w * w[role];
       add_units(kVertexWords * vertex + kChangeWord, kSpeedUnits, part * given.impulse);
       if (pushes) {

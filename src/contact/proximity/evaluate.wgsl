@@ -134,8 +134,10 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let r = relative_velocity(ids, w, measured);
     let speed = dot(n, r.velocity + r.surface);
     let is_near = gap + min(step.time.dt * speed, 0.0) < kContactTouching * thickness;
+    let solved = contacts[number].held == kSolved && !untangles;
     var acts = measured.counts && is_near;
     if (acts && !untangles) { acts = lies_in_cones(ids, measured); }
+    acts = acts || solved;
     let urgency = urgency_of(gap + min(step.time.dt * speed, 0.0), thickness);
     let first_b = roles_of_a(ids);
     let end_b = role_count(ids);
@@ -155,12 +157,17 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     contact.normal = vec4f(n, gap);
     contact.surface = vec4f(r.surface, friction);
     contact.urgency = select(0.0, f32(urgency), acts);
-    contact.held = select(0u, 1u, acts && !untangles && !is_self && is_held(ids, w, gap, thickness));
+    let held = acts && !untangles && !is_self && is_held(ids, w, gap, thickness);
+    contact.held = select(select(0u, 1u, held), kSolved, solved);
     var force = vec3f(0.0);
-    if (acts && !untangles) { force = first_force(ids, w, n, contact.force.xyz, friction, speed); }
+    if (solved) {
+      force = contact.force.xyz;
+    } else if (acts && !untangles) {
+      force = first_force(ids, w, n, contact.force.xyz, friction, speed);
+    }
     contact.force = vec4f(force, least_speed(gap, thickness, speed));
     contact.begun = dot(n, force);
-    let is_kept = any(force != vec3f(0.0));
+    let is_kept = any(force != vec3f(0.0)) && !solved;
     let holds = gap > 0.0 && contact.solid != 0u;  // has planes that what is not solid must not pass
     contact.near = select(0u, 1u, is_near || holds);
     contacts[number].normal = contact.normal;
@@ -179,7 +186,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       if (acts) {
         atomicAdd(&vertex_contacts[kVertexWords * vertex + kShareWord], share_units(f32(urgency), w[role]));
       }
-      if (acts && is_self) { atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideCloth); }
+      if (acts && is_self && !solved) { atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideCloth); }
       if (is_kept) {
         add_units(kVertexWords * vertex + kFirstWord, kSpeedUnits,
                   previous[vertex].w * w[role] * step.time.dt * force);

@@ -9,6 +9,7 @@
 #include "contact/geometry.wgsl"
 #include "contact/proximity/allocate.wgsl"
 #include "contact/proximity/kept_forces.wgsl"
+#include "contact/proximity/kept_list.wgsl"
 #include "contact/proximity/planes.wgsl"
 #include "contact/proximity/relative_velocity.wgsl"
 #include "contact/proximity/sides.wgsl"
@@ -23,6 +24,10 @@
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read>       kept            : array<u32>;         // kept_forces.wgsl
 
+// Before a solver has predicted, by the velocities: of cloth with cloth alone, but in the first substep of a frame,
+// where all that has a force is to keep it should there be another search.
+override kEarly : bool = false;
+
 var<workgroup> pairs : u32;
 var<workgroup> crossings : u32;  // that the last search has found
 
@@ -36,6 +41,7 @@ fn needs_record(pair : u32, tangled : bool) -> bool {
   let thickness = bitcast<f32>(words.x);
   if (thickness == 0.0) { return false; }  // of one cloth, and touching at rest
   let is_self = is_self_pair(ids);
+  if (kEarly && !is_self && step.contact.detect != kDetectAlways) { return false; }
   if ((is_self && solid_side(ids) != 0u) || (tangled && is_tangled(ids, is_self))) { return true; }
   let measured = measure(ids);
   listed[pair].words.z = bitcast<u32>(measured.gap);
@@ -54,9 +60,9 @@ fn travel_of(ids : vec4u) -> f32 {
   return travel;
 }
 
-// Of the pair in the substep before the search, N; 0 if it did not act.
-fn kept_force(ids : vec4u) -> vec3f {
-  let list = select(1u, 0u, step.contact.detect == kDetectAlways);
+// Of the pair before the search, N; 0 if it did not act. w: 1 where that is of this substep, from the solver's matrix.
+fn kept_force(ids : vec4u) -> vec4f {
+  let list = kept_list();
   let room = kept[kKeptRoomWord];
   let first = first_place(room);
   let last = arrayLength(&kept) - first - 1u;
@@ -66,11 +72,11 @@ fn kept_force(ids : vec4u) -> vec3f {
     if (number == 0u) { break; }
     let word = kept_word(room, list, number - 1u);
     if (all(ids == vec4u(kept[word], kept[word + 1u], kept[word + 2u], kept[word + 3u]))) {
-      return bitcast<vec3f>(vec3u(kept[word + 4u], kept[word + 5u], kept[word + 6u]));
+      return vec4f(bitcast<vec3f>(vec3u(kept[word + 4u], kept[word + 5u], kept[word + 6u])), f32(kept[word + 7u]));
     }
     place = (place + 1u) & last;
   }
-  return vec3f(0.0);
+  return vec4f(0.0);
 }
 
 fn begin_record(pair : u32, number : u32, searched : bool) {
@@ -86,7 +92,12 @@ fn begin_record(pair : u32, number : u32, searched : bool) {
   } else {
     record.thickness = bitcast<f32>(words.x);
     record.surface.w = bitcast<f32>(words.y);
-    if (searched) { record.force = vec4f(kept_force(ids), 0.0); }
+    record.other_end = words.w;
+    if (searched) {
+      let had = kept_force(ids);
+      record.force = vec4f(had.xyz, 0.0);
+      record.held = select(0u, kSolved, had.w > 0.0);
+    }
   }
   for (var role = 0u; role < role_count(ids); role++) {
     if (is_collider(ids[role])) { continue; }
@@ -107,8 +118,8 @@ fn find_near(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) grou
   let end = workgroupUniformLoad(&pairs);
   let tangled = workgroupUniformLoad(&crossings) != 0u;
   // No branch on the uniform, for which lavapipe would compile the kernel again in each substep.
-  let searched = (step.contact.detect == kDetectAlways) |
-                 ((step.contact.detect != kDetectNo) & (atomicLoad(&statistics[kStatDue]) != 0u));
+  let is_due = !kEarly & (step.contact.detect != kDetectNo) & (atomicLoad(&statistics[kStatDue]) != 0u);
+  let searched = (kStarts & (step.contact.detect == kDetectAlways)) | is_due;
   for (var first = group.x * kWorkgroupSize; first < end; first += groups.x * kWorkgroupSize) {
     let pair = first + thread;
     var is_near = false;

@@ -188,9 +188,13 @@ fn crossings_of(candidate : vec2u, own : vec4u, other : vec4u) -> u32 {
 
 fn list_features(pair : u32, candidate : vec2u, ids : vec4u) {
   var thickness = params.thickness;
-  if (candidate.x >> kKindShift == kNearCloth) { thickness = thickness_of(ids); }
+  var of_one = 0u;
+  if (candidate.x >> kKindShift == kNearCloth) {
+    thickness = thickness_of(ids);
+    of_one = select(0u, 1u, rest_of(ids.x).w == rest_of(ids.z).w);
+  }
   let friction = f32(triangles[candidate.x & kPlaceBits].w >> 8u) * kFrictionUnit;
-  listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, 0u));
+  listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, of_one));
 }
 
 // Lists what an invocation has found: of its own candidate pairs with a shape and crossings; then the tests that it has

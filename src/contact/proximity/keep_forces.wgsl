@@ -3,6 +3,7 @@
 #include "state/step.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/kept_forces.wgsl"
+#include "contact/proximity/kept_list.wgsl"
 //                                                                            elements
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
 @group(0) @binding(1) var<storage, read>       contacts   : array<Contact>;
@@ -12,17 +13,19 @@ override kList : u32 = 0;  // 0: at the end of a frame; 1: before a search withi
 
 @compute @workgroup_size(kWorkgroupSize)
 fn keep_forces(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let searches = (statistics[kStatDue] != 0u) & (step.contact.detect != kDetectAlways);
+  let searches = (statistics[kStatDue] != 0u) & (kept_list() == 1u);
   let works = (statistics[kStatRolledBack] == 0u) & ((kList == 0u) | searches);
   let near = select(statistics[kStatNear], statistics[kStatNearBefore], kList != 0u);
   let count = select(0u, near, works);
   let room = atomicLoad(&kept[kKeptRoomWord]);
   for (var number = id.x; number < count; number += groups.x * kWorkgroupSize) {
     let force = contacts[number].force.xyz;
-    if (contacts[number].urgency == 0.0 || all(force == vec3f(0.0))) { continue; }
+    let solved = contacts[number].held == kSolved;
+    if (all(force == vec3f(0.0))) { continue; }
     let word = kept_word(room, kList, atomicAdd(&kept[kList], 1u));
     let ids = contacts[number].ids;
     for (var k = 0u; k < 4u; k++) { atomicStore(&kept[word + k], ids[k]); }
     for (var k = 0u; k < 3u; k++) { atomicStore(&kept[word + 4u + k], bitcast<u32>(force[k])); }
+    atomicStore(&kept[word + 7u], select(0u, 1u, solved && kList != 0u));
   }
 }

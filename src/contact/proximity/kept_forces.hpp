@@ -16,21 +16,33 @@ namespace weft::contact {
 class KeptForces {
  public:
   KeptForces() = default;
-  static Result<KeptForces> create(gpu::Device& device, std::uint32_t workgroup_size);
+  /// `twice`: in the first substep of a frame there may be two searches.
+  static Result<KeptForces> create(gpu::Device& device, bool twice, std::uint32_t workgroup_size);
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(const State& state, const ContactPairs& pairs);
-  /// Before a search lists pairs anew: makes the table of forces for it.
-  void record_search(gpu::ComputePass& pass) const;
+  /// Before a search lists pairs anew: makes the table of forces for it. `starts`: it is the first of a frame, where it
+  /// is in a frame's first substep.
+  void record_search(gpu::ComputePass& pass, bool starts) const;
   /// At the end of a frame.
   void record_frame_end(gpu::ComputePass& pass) const;
 
  private:
-  void record_keep(gpu::ComputePass& pass, std::size_t list) const;
+  /// A kernel and what it binds.
+  struct Bound {
+    gpu::Kernel kernel;
+    gpu::BindGroup group;
+  };
+  /// Fills a list.
+  struct Keeping {
+    Bound begin, keep;
+  };
+  void record_keep(gpu::ComputePass& pass, const Keeping& list) const;
 
-  std::array<gpu::Kernel, 2> begin_, keep_;  // by list
-  gpu::Kernel clear_, place_;
-  std::array<gpu::BindGroup, 2> begin_groups_, keep_groups_;
-  gpu::BindGroup clear_group_, place_group_;
+  Keeping of_frame_;                  // the list of a frame's end
+  std::array<Keeping, 2> of_search_;  // that of a search, by whether it may be the first of a frame
+  Bound clear_;
+  std::array<Bound, 2> place_;    // by the same
+  std::size_t first_search_ = 1;  // 0: there are such that are not
   std::size_t near_room_ = 0;
 };
 

@@ -15,14 +15,18 @@ namespace weft::contact {
 class NearPairs {
  public:
   NearPairs() = default;
-  static Result<NearPairs> create(gpu::Device& device, std::uint32_t workgroup_size);
+  /// `presses`: also before a solver has predicted.
+  static Result<NearPairs> create(gpu::Device& device, bool presses, std::uint32_t workgroup_size);
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points);
   void record(gpu::ComputePass& pass) const;
+  /// Before a solver has predicted: pairs of cloth with cloth alone, by the velocities.
+  void record_early(gpu::ComputePass& pass) const;
 
  private:
-  gpu::Kernel kernel_;
-  std::array<gpu::BindGroup, 2> groups_;  // by parity
+  gpu::Kernel kernel_, early_;
+  std::array<gpu::BindGroup, 2> groups_, early_groups_;  // by parity
+  bool presses_ = false;
   std::size_t pair_room_ = 0;
 };
 

@@ -151,7 +151,7 @@ Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state,
   WEFT_SET(find_candidates_,
            gpu::Kernel::create(device, "contact/proximity/find_candidates.wgsl", {}, kWalkers));
   WEFT_SET(find_pairs_, gpu::Kernel::create(device, "contact/proximity/find_pairs.wgsl", {}, kTesters));
-  WEFT_SET(kept_, KeptForces::create(device, setup_.workgroup_size));
+  WEFT_SET(kept_, KeptForces::create(device, setup_.presses, setup_.workgroup_size));
   return {};
 }
 
@@ -184,17 +184,17 @@ Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, con
 
 void PairSearch::record_early(gpu::ComputePass& pass) const {
   early_begin_.dispatch(pass, early_groups_[pass.parity()], vertex_count_);
-  record_lists(pass);
+  record_lists(pass, true);
 }
 
 void PairSearch::record(gpu::ComputePass& pass) const {
   leave_reach_.dispatch(pass, leave_groups_[pass.parity()], vertex_count_);
   detect_begin_.dispatch(pass, begin_groups_[pass.parity()], vertex_count_);
-  record_lists(pass);
+  record_lists(pass, !setup_.presses);
 }
 
-void PairSearch::record_lists(gpu::ComputePass& pass) const {
-  kept_.record_search(pass);
+void PairSearch::record_lists(gpu::ComputePass& pass, bool starts) const {
+  kept_.record_search(pass, starts);
   refit_.record(pass);
   find_candidates_.dispatch(pass, candidate_group_, triangle_count_);
   find_pairs_.dispatch_strided(pass, find_group_, room_.candidates);

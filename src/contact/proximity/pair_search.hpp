@@ -63,7 +63,7 @@ class PairSearch {
   Result<void> create_buffers(gpu::Device& device, const GpuModel& model, const scene::Scene& scene,
                               const ColliderMeshes& meshes);
   Result<void> create_begin(gpu::Device& device, const State& state, const ContactPairs& pairs);
-  void record_lists(gpu::ComputePass& pass) const;
+  void record_lists(gpu::ComputePass& pass, bool starts) const;
   Result<void> create_trees(gpu::Device& device, const State& state, const ContactPairs& pairs,
                             std::uint32_t workgroup_size);
   Result<void> create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs);

@@ -3,6 +3,7 @@
 #include "state/step.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/kept_forces.wgsl"
+#include "contact/proximity/kept_list.wgsl"
 //                                                                            elements
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
 @group(0) @binding(1) var<storage, read>       statistics : array<u32>;
@@ -15,7 +16,7 @@ fn kept_ids(word : u32) -> vec4u {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn place_kept_forces(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let list = select(1u, 0u, step.contact.detect == kDetectAlways);
+  let list = kept_list();
   let count = select(0u, atomicLoad(&kept[list]), statistics[kStatDue] != 0u);
   let room = atomicLoad(&kept[kKeptRoomWord]);
   let first = first_place(room);

@@ -64,7 +64,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
                                                    "feature rings"));
   made.rings_ = std::move(rings);
   WEFT_CHECK(made.create_kernels(device, state, wanted.workgroup_size));
-  WEFT_SET(made.near_, NearPairs::create(device, wanted.workgroup_size));
+  WEFT_SET(made.near_, NearPairs::create(device, made.presses_, wanted.workgroup_size));
   WEFT_TRY(respond, Respond::create(device, {wanted.interval, wanted.iterations, lengths.self_thickness > 0,
                                              made.presses_, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
@@ -89,6 +89,11 @@ Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) 
              press_.bind({state.steps, state.position[parity], state.velocity[parity], search_.points(),
                           pairs.listed, state.statistics, pairs.presses, rings_}));
     press_groups_[parity] = std::move(press_group);
+    if (pairs.pair_sums.size() == 0) continue;
+    WEFT_SET(
+        press_pair_groups_[parity],
+        press_pairs_.bind({state.steps, state.position[parity], state.velocity[parity], search_.points(),
+                           pairs.contacts, state.statistics, rings_, pairs.pair_holds, pairs.pair_sums}));
   }
   WEFT_CHECK(near_.bind(state, pairs, search_.points()));
   return respond_.bind(state, pairs, search_.points());
@@ -101,6 +106,8 @@ Result<void> Proximity::create_kernels(gpu::Device& device, const State& state,
   if (presses_) {
     WEFT_TRY(press, gpu::Kernel::create(device, "contact/proximity/press.wgsl", {}, workgroup_size));
     press_ = std::move(press);
+    WEFT_SET(press_pairs_,
+             gpu::Kernel::create(device, "contact/proximity/press_pairs.wgsl", {}, workgroup_size));
   }
   const ColliderSet& colliders = search_.colliders();
   if (!colliders.moves) return {};
@@ -142,6 +149,9 @@ void Proximity::press(gpu::ComputePass& pass) const {
     pass.begin_phase("step");
   }
   press_.dispatch_strided(pass, press_groups_[pass.parity()], pair_room_);
+  if (lengths_.self_thickness == 0) return;
+  near_.record_early(pass);
+  press_pairs_.dispatch_strided(pass, press_pair_groups_[pass.parity()], near_room_);
 }
 
 void Proximity::search(gpu::ComputePass& pass) const {

@@ -63,9 +63,9 @@ class Proximity : public Stages {
   PairSearch search_;
   NearPairs near_;
   Respond respond_;
-  gpu::Kernel move_points_, press_, evaluate_;
+  gpu::Kernel move_points_, press_, press_pairs_, evaluate_;
   gpu::BindGroup move_group_;
-  std::array<gpu::BindGroup, 2> press_groups_, evaluate_groups_;  // by parity
+  std::array<gpu::BindGroup, 2> press_groups_, press_pair_groups_, evaluate_groups_;  // by parity
   gpu::Buffer<ColliderPlace> places_;
   gpu::Buffer<Vec4f> shapes_;
   gpu::Buffer<std::uint32_t> rings_;

@@ -11,7 +11,9 @@ void Cycle::record(gpu::ComputePass& pass, std::uint32_t iterations) const {
   record_matrices(pass);
   record_guess(pass);
   for (std::uint32_t k = 0; k < iterations; ++k) record_iteration(pass);
+  pair_end_.record(pass);
   finish_.record(pass);
+  pair_finish_.record(pass);
 }
 
 void Cycle::set_iterations(gpu::Device& device, std::uint32_t iterations, bool may_retry) const {
@@ -31,6 +33,7 @@ void Cycle::record_matrices(gpu::ComputePass& pass) const {
 }
 
 void Cycle::record_guess(gpu::ComputePass& pass) const {
+  pair_force_.record(pass);
   begin_solve_.record(pass);
   first_norm_.record(pass);
   record_step(pass);
@@ -44,6 +47,7 @@ void Cycle::record_iteration(gpu::ComputePass& pass) const {
 }
 
 void Cycle::record_step(gpu::ComputePass& pass) const {
+  pair_product_.record(pass);
   search_.record(pass);
   square_.record(pass);
   advance_.record(pass);
@@ -86,7 +90,8 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      place_,
                      vectors_};
            }));
-  WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes, parts));
+  WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes,
+                                          {nodes_, vectors_, partials_, place_, pair_sums(inputs)}));
   WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, parts));
   WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, lone, sums));
   WEFT_SET(square_, Dispatch::create(kernels.square, lone, sums));
@@ -104,6 +109,34 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      state.position[1 - p],
                      *inputs.predicted[p],
                      presses(inputs)};
+           }));
+  if (inputs.pairs == nullptr) return {};
+  WEFT_SET(pair_finish_,
+           Dispatch::create_by_parity(kernels.pair_finish, nodes, [&](std::size_t p) -> Dispatch::Bindings {
+             return {nodes_, place_, *inputs.predicted[p], inputs.pairs->pair_sums};
+           }));
+  pair_force_kernel_ = kernels.pair_force;
+  pair_product_kernel_ = kernels.pair_product;
+  pair_end_kernel_ = kernels.pair_end;
+  return bind_pairs(inputs);
+}
+
+Result<void> Cycle::bind_pairs(const CycleInputs& inputs) {
+  const State& state = inputs.state;
+  const ContactPairs& pairs = *inputs.pairs;
+  const gpu::Workgroups groups = pair_force_kernel_->strided(pairs.room.near);
+  WEFT_SET(pair_force_,
+           Dispatch::create_by_parity(pair_force_kernel_, groups, [&](std::size_t p) -> Dispatch::Bindings {
+             return {state.steps,       nodes_,           place_,           vectors_,
+                     state.position[p], state.statistics, pairs.pair_holds, pairs.pair_sums};
+           }));
+  WEFT_SET(pair_product_,
+           Dispatch::create(pair_product_kernel_, groups,
+                            {nodes_, place_, vectors_, state.statistics, pairs.pair_holds, pairs.pair_sums}));
+  WEFT_SET(pair_end_,
+           Dispatch::create_by_parity(pair_end_kernel_, groups, [&](std::size_t p) -> Dispatch::Bindings {
+             return {state.steps,      nodes_,           place_,         vectors_,       state.position[p],
+                     state.statistics, pairs.pair_holds, pairs.contacts, pairs.pair_sums};
            }));
   return {};
 }

@@ -48,6 +48,7 @@ struct CycleInputs {
   const State& state;
   Predicted predicted;
   const gpu::Buffer<std::int32_t>* presses = nullptr;  // obstacles' demands on vertices; null: none
+  const ContactPairs* pairs = nullptr;                 // of cloth with cloth, that are held apart; null: none
   double residual = scene::Solver{}.residual;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
@@ -64,6 +65,8 @@ class Cycle {
   void record(gpu::ComputePass& pass, std::uint32_t iterations) const;
   /// How many iterations are recorded, and whether a frame whose system they do not solve is to be rolled back.
   void set_iterations(gpu::Device& device, std::uint32_t iterations, bool may_retry) const;
+  /// Takes over lists of pairs with other room. Errors  OutOfMemory.
+  Result<void> bind_pairs(const CycleInputs& inputs);
   // Its parts.
   void record_system(gpu::ComputePass& pass) const;
   void record_matrices(gpu::ComputePass& pass) const;
@@ -97,6 +100,11 @@ class Cycle {
   const gpu::RawBuffer& presses(const CycleInputs& inputs) const {
     return inputs.presses != nullptr ? *inputs.presses : no_presses_;
   }
+  /// The buffer bound for sums over held pairs where there are none.
+  const gpu::RawBuffer& pair_sums(const CycleInputs& inputs) const {
+    return inputs.pairs != nullptr ? static_cast<const gpu::RawBuffer&>(inputs.pairs->pair_sums)
+                                   : no_presses_;
+  }
   /// What grids and meshes do alike: all but the matrix.
   Result<void> create_shared(const CycleInputs& inputs, const SharedKernels& kernels);
 
@@ -110,6 +118,8 @@ class Cycle {
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_;
   gpu::Dispatch begin_solve_, search_, advance_;    // of conjugate gradients
   gpu::Dispatch first_norm_, square_, norm_, rho_;  // sums over the nodes
+  gpu::SharedKernel pair_force_kernel_, pair_product_kernel_, pair_end_kernel_;
+  gpu::Dispatch pair_force_, pair_product_, pair_end_, pair_finish_;  // none: record nothing
   ClothNodes own_nodes_;
   std::uint32_t cloths_ = 1;
 

@@ -37,11 +37,6 @@ fn finish_free(among_all : u32, solution : vec3f) {
   velocity_out[node] = vec4f((way - formula.c * (now.xyz - before)) / formula.he, 1.0);
 }
 
-// The most by which a node's velocity changes for what acted beyond what counts, by its speed over the surface: that of
-// a node that slips, in backward Euler. One that lands, whose substep is of BDF2, would turn around, and springs that
-// let go would give far more than the node can take.
-const kMostFreed = 1.0;
-
 fn finish_pressed(among_all : u32, solution : vec3f) {
   let node = nodes.first_vertex + among_all;
   let now = position_in[node];

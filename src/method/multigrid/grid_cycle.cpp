@@ -50,7 +50,8 @@ Result<void> GridCycle::create_system(const CycleInputs& inputs, const GridKerne
   WEFT_SET(gradient_, Dispatch::create(kernels.gradient, nodes,
                                        {steps, grid_, levels, place_, holds_, vectors_, presses(inputs)}));
   WEFT_SET(search_, Dispatch::create(kernels.search, nodes,
-                                     {steps, grid_, levels, place_, holds_, vectors_, partials_}));
+                                     {steps, grid_, levels, place_, holds_, vectors_, partials_,
+                                      pair_sums(inputs), nodes_}));
   return {};
 }
 

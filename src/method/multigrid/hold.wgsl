@@ -1,9 +1,9 @@
 // The matrix terms of obstacles in this substep: for each node an m and a k, for the block m mᵀ + k I that its contact
 // adds to the matrix; then for each node what `finish` needs to know of its hold. The including kernel binds `holds`.
 // Source: docs/solvers/multigrid.md, Contact.
+#include "method/multigrid/hold_law.wgsl"
 #include "method/multigrid/symmetric.wgsl"
 override kHolds : bool = false;  // false: there is no contact to hold any, and `holds` is not read
-const kHoldStiffness = 30.0;     // along the normal, in the inertia of what presses; across it: 1
 
 fn hold_block(node : u32) -> Symmetric {
   let hold = holds[node];

@@ -4,9 +4,6 @@
 #include "state/step.wgsl"
 const kAgree = 0.3;  // of the normals: with less there is no one direction to hold it along
 const kAlike = 0.9;  // with no less its pairs are the hold's: src/contact/proximity/evaluate.wgsl
-const kHoldPart = 0.15;  // of a missing gap, the part that a hold restores in a substep: contact/proximity/press.wgsl
-const kHoldRate = 10.0;  // 1/s: of a node that it has borne before, no more than so much a second
-const kHoldSpeed = 0.05;  // m/s: and no faster
 
 fn let_go(node : u32, vertex : u32) {
   holds[node] = vec4f(0.0);

@@ -31,6 +31,9 @@ std::uint32_t lone_workgroup_size(const gpu::Device& device) {
 /// Whether contact may hold nodes at obstacles, for the kernels that read the holds.
 gpu::Constant holds(const CycleInputs& inputs) { return {"kHolds", inputs.presses != nullptr ? 1.0 : 0.0}; }
 
+/// Whether pairs of cloth with cloth may be held apart, for the kernels that read the sums over them.
+gpu::Constant pairs(const CycleInputs& inputs) { return {"kPairs", inputs.pairs != nullptr ? 1.0 : 0.0}; }
+
 /// Whether a grid has bend springs, for the kernels that sum over the springs of a node.
 gpu::Constant bend(const CycleInputs& inputs) {
   const auto& bodies = inputs.model.host.bodies;
@@ -55,14 +58,26 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
   const Row<K> table[] = {
       {&K::predict, "predict", size},
       {&K::finish, "finish", size, {holds(inputs)}},
-      {&K::begin_solve, "begin_solve", size},
+      {&K::begin_solve, "begin_solve", size, {pairs(inputs)}},
       {&K::advance, "advance", size},
       {&K::first_norm, "add_up", lone, {sum(0)}},
       {&K::square, "add_up", lone, {sum(1)}},
       {&K::norm, "add_up", lone, {sum(2)}},
       {&K::rho, "add_up", lone, {sum(3)}},
   };
-  return create_all<K>(inputs.device, table);
+  WEFT_TRY(made, create_all<K>(inputs.device, table));
+  if (inputs.pairs == nullptr) return made;
+  const Row<K> of_pairs[] = {
+      {&K::pair_force, "pair_force", size},
+      {&K::pair_product, "pair_product", size},
+      {&K::pair_end, "pair_end", size},
+      {&K::pair_finish, "pair_finish", size},
+  };
+  for (const Row<K>& row : of_pairs) {
+    const std::string path = std::string("method/multigrid/") + row.name + ".wgsl";
+    WEFT_SET(made.*row.kernel, gpu::create_shared_kernel(inputs.device, path, row.constants, row.size));
+  }
+  return made;
 }
 
 Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
@@ -78,7 +93,7 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
       {&K::correct_fine, "correct_fine", size},
       {&K::prolong_fine, "prolong_fine", size, of_springs},
       {&K::smooth_last, "smooth_last_fine", size, of_springs},
-      {&K::search, "search_fine", size, of_springs},
+      {&K::search, "search_fine", size, {holds(inputs), bend(inputs), pairs(inputs)}},
       {&K::restrict_residual, "restrict_residual", size},
       {&K::descend, "descend_coarse", size},
       {&K::ascend, "ascend_coarse", size},
@@ -103,7 +118,7 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
       {&K::smooth_begin, "mesh_smooth_begin", size},
       {&K::smooth_up, "mesh_smooth_end", size, {up()}},
       {&K::smooth_last, "mesh_smooth_last", size},
-      {&K::search, "mesh_search", size},
+      {&K::search, "mesh_search", size, {pairs(inputs)}},
   };
   WEFT_TRY(made, create_all<K>(inputs.device, table));
   WEFT_SET(made.shared, SharedKernels::create(inputs));

@@ -8,7 +8,8 @@ namespace weft {
 struct SharedKernels {
   gpu::SharedKernel predict, finish;
   gpu::SharedKernel begin_solve, advance;
-  gpu::SharedKernel first_norm, square, norm, rho;  // add_up.wgsl for each sum
+  gpu::SharedKernel first_norm, square, norm, rho;                    // add_up.wgsl for each sum
+  gpu::SharedKernel pair_force, pair_product, pair_end, pair_finish;  // of pairs that are held apart
 
   /// Errors  Shader.
   static Result<SharedKernels> create(const CycleInputs& inputs);

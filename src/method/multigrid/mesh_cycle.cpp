@@ -42,7 +42,8 @@ Result<void> MeshCycle::create_system(const CycleInputs& inputs, const MeshKerne
   const gpu::RawBuffer& levels = levels_[0].levels;
   WEFT_CHECK(create_shared(inputs, kernels.shared));
   WEFT_SET(search_, Dispatch::create(kernels.search, nodes,
-                                     {levels, vectors_, blocks_, lists_.row_starts, lists_.rows, partials_}));
+                                     {levels, vectors_, blocks_, lists_.row_starts, lists_.rows, partials_,
+                                      place_, pair_sums(inputs), nodes_}));
   WEFT_SET(gradient_, Dispatch::create(kernels.gradient, nodes,
                                        {inputs.state.steps, nodes_, levels, place_, holds_, vectors_, blocks_,
                                         lists_.row_starts, lists_.rows, lists_.springs, presses(inputs)}));

@@ -47,6 +47,13 @@ void SolverMultigrid::set_iterations(gpu::Device& device, std::uint32_t iteratio
   most_seen_ = frames_seen_ = 0;
 }
 
+Result<void> SolverMultigrid::bind_lists() {
+  if (inputs_->pairs == nullptr) return {};
+  for (GridCycle& cycle : grids_) WEFT_CHECK(cycle.bind_pairs(*inputs_));
+  for (MeshCycle& cycle : meshes_) WEFT_CHECK(cycle.bind_pairs(*inputs_));
+  return {};
+}
+
 Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   std::optional<GridKernels> grid_kernels;
   std::optional<MeshKernels> mesh_kernels;
@@ -72,8 +79,9 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
 
 Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs, double residual) {
   auto made = std::make_unique<SolverMultigrid>();
-  WEFT_CHECK(made->create_cycles({inputs.device, inputs.model, inputs.state, inputs.predicted(),
-                                  inputs.presses(), residual, inputs.workgroup_size}));
+  made->inputs_.emplace(CycleInputs{inputs.device, inputs.model, inputs.state, inputs.predicted(),
+                                    inputs.presses(), inputs.pairs(), residual, inputs.workgroup_size});
+  WEFT_CHECK(made->create_cycles(*made->inputs_));
   return std::unique_ptr<Solver>(std::move(made));
 }
 

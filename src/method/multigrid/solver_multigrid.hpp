@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "method/multigrid/grid_cycle.hpp"
@@ -18,11 +19,13 @@ class SolverMultigrid : public Solver {
 
   void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
   bool adapt(gpu::Device& device, const Statistics& report) override;
+  Result<void> bind_lists() override;
 
  private:
   Result<void> create_cycles(const CycleInputs& inputs);
   void set_iterations(gpu::Device& device, std::uint32_t iterations);
 
+  std::optional<CycleInputs> inputs_;
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
   std::uint32_t iterations_ = 0;  // that are recorded

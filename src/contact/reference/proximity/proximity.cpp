@@ -131,6 +131,27 @@ double Proximity::thickness_of(const FeaturePair& pair, const Sides& sides) cons
   return pair_thickness(self_thickness_, measured(pair, rest_, object_).distance);
 }
 
+const Proximity::Kept* Proximity::force_of(const std::vector<Kept>& sorted, const FeaturePair& pair) {
+  const auto found =
+      std::lower_bound(sorted.begin(), sorted.end(), pair,
+                       [](const Kept& one, const FeaturePair& other) { return one.pair < other; });
+  return found != sorted.end() && same_features(found->pair, pair) ? &*found : nullptr;
+}
+
+std::vector<Proximity::Kept> Proximity::solved_pairs(std::span<const Vec3d> forces) const {
+  std::vector<Kept> solved;
+  for (std::size_t p = 0; p < forces.size(); ++p)
+    if (forces[p] != Vec3d{}) solved.push_back({pressed_[p].features, forces[p]});
+  std::sort(solved.begin(), solved.end(), [](const Kept& a, const Kept& b) { return a.pair < b.pair; });
+  return solved;
+}
+
+std::vector<NearPair> Proximity::pressed_pairs() const {
+  std::vector<NearPair> pairs;
+  for (const Pressed& one : pressed_) pairs.push_back(one.near);
+  return pairs;
+}
+
 NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool untangles, double dt) const {
   NearPair near;
   for (const Side* side : {&sides.a, &sides.b})
@@ -145,10 +166,7 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool 
   near.thickness = with_obstacle ? thickness_ : untangles ? self_thickness_ : thickness_of(pair, sides);
   near.untangles = untangles;
   near.friction = friction_of(pair, sides);
-  const auto kept =
-      std::lower_bound(kept_.begin(), kept_.end(), pair,
-                       [](const Kept& one, const FeaturePair& other) { return one.pair < other; });
-  if (kept != kept_.end() && same_features(kept->pair, pair)) near.kept = kept->force;
+  if (const Kept* kept = force_of(kept_, pair)) near.kept = kept->force;
   const bool with_capsule = pair.kind == PairKind::EdgeObjectEdge && object_.radius_of_edge(pair.b) > 0;
   near.may = (pair.inside || with_capsule) && pair.in_cones && near.thickness > 0;
   if (with_obstacle) {
@@ -219,6 +237,16 @@ std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span
   pairs.insert(pairs.end(), with_planes.begin(), with_planes.end());
   std::vector<NearPair> near;
   for (const FeaturePair& pair : pairs) near.push_back(near_pair(pair, sides_of(pair), false, dt));
+  pressed_.clear();
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const NearPair& one = near[p];
+    const bool of_one_cloth = !one.with_body && body_[one.nodes[0]] == body_[one.nodes[one.node_count - 1]];
+    if (!of_one_cloth || !one.may || !(one.distance > 0)) continue;
+    if (tangle_.crossings > 0 && one.kept == Vec3d{}) continue;  // it may be on the wrong side
+    const double way = dt * dot(one.direction, relative_velocity(one, velocity));
+    if (one.distance + std::min(way, 0.0) < kContactTouching * one.thickness)
+      pressed_.push_back({pairs[p], one});
+  }
   return presses_of(near, velocity, dt);
 }
 
@@ -257,6 +285,12 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   for (std::size_t p = 0; p < pairs.size(); ++p)
     near.push_back(near_pair(pairs[p], sides_of(pairs[p]), untangles[p], dt));
   for (NearPair& pair : near) pair.held = is_held(pair, nodes.held);
+  const std::vector<Kept> solved = solved_pairs(nodes.pair_forces);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const Kept* found = near[p].with_body || near[p].untangles ? nullptr : force_of(solved, pairs[p]);
+    near[p].solved = found != nullptr;
+    if (found != nullptr) near[p].kept = found->force;
+  }
   Response response =
       respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, iterations_});
   kept_.clear();

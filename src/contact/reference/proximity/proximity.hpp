@@ -29,6 +29,7 @@ class Proximity {
     std::span<const double> inverse_mass;  // [1/kg]
     std::span<Vec3d> position, velocity;   // [m], [m/s]
     std::vector<bool> held = {};           // Stepper::held
+    std::vector<Vec3d> pair_forces = {};   // Stepper::pair_forces
   };
   /// Changes position and velocity of vertices in contact in the substep from `begin`, of `dt` [s]. Returns how many
   /// pairs act.
@@ -40,6 +41,9 @@ class Proximity {
   /// The effect of obstacles on nodes in the substep from `begin`, of `dt` [s], before it is solved.
   std::vector<Press> presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity, double begin,
                              double dt);
+
+  /// Pairs of one cloth that come near in the substep of the last `presses`.
+  std::vector<NearPair> pressed_pairs() const;
 
   /// Forgets the forces that pairs kept.
   void forget() { kept_.clear(); }
@@ -73,6 +77,15 @@ class Proximity {
   double friction_of(const FeaturePair& pair, const Sides& sides) const;
   /// Of a pair of cloth with itself [m].
   double thickness_of(const FeaturePair& pair, const Sides& sides) const;
+  /// A pair and its force [N].
+  struct Kept {
+    FeaturePair pair;
+    Vec3d force;
+  };
+  /// That of a pair in a sorted list; null: it has none.
+  static const Kept* force_of(const std::vector<Kept>& sorted, const FeaturePair& pair);
+  /// Sorted, of those that the solver's matrix has answered: `forces` are of pressed_pairs().
+  std::vector<Kept> solved_pairs(std::span<const Vec3d> forces) const;
   NearPair near_pair(const FeaturePair& pair, const Sides& sides, bool untangles, double dt) const;
   /// Whether the solver's matrix has answered the pair: of a node that it holds, where it lay before the substep, so
   /// that it was among what pressed the node.
@@ -99,12 +112,12 @@ class Proximity {
   Tangle tangle_;
   std::uint64_t tangle_searched_ = 0;  // searches of `list_` when tangle_ was found
   Obstacles::Placed start_, end_;
-  /// A pair that acted in the substep before, and its force [N]. Sorted.
-  struct Kept {
-    FeaturePair pair;
-    Vec3d force;
+  std::vector<Kept> kept_;  // of pairs that acted in the substep before; sorted
+  struct Pressed {
+    FeaturePair features;
+    NearPair near;
   };
-  std::vector<Kept> kept_;
+  std::vector<Pressed> pressed_;
   std::vector<bool> beside_cloth_;
   Truncated truncated_;
 };

@@ -47,11 +47,6 @@ double least_speed(const NearPair& pair, double u_n, const ContactLaw& law) {
   return bounces ? std::max(-room / law.dt, -law.restitution * u_n) : -room / law.dt;
 }
 
-Vec3d no_longer(const Vec3d& v, double most) {
-  const double size = length(v);
-  return (size > most ? most / size : 1.0) * v;
-}
-
 /// Equation (4), with W > 0: the impulse J of the pair, from the one that it had.
 Vec3d impulse(const NearPair& pair, const Vec3d& had, const Vec3d& u, double least, double mobility) {
   const Vec3d& n = pair.direction;
@@ -111,7 +106,8 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     const NearPair& pair = pairs[p];
     if (!pair.may) continue;
     const double u_n = dot(pair.direction, relative_velocity(pair, velocity));
-    response.acts[p] = pair.distance + std::min(law.dt * u_n, 0.0) < kContactTouching * pair.thickness;
+    response.acts[p] =
+        pair.solved || pair.distance + std::min(law.dt * u_n, 0.0) < kContactTouching * pair.thickness;
     if (!response.acts[p]) continue;
     first_speed[p] = u_n;
     least[p] = least_speed(pair, u_n, law);
@@ -119,7 +115,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
-      if (!pair.with_body) response.beside_cloth[pair.nodes[k]] = true;
+      if (!pair.with_body && !pair.solved) response.beside_cloth[pair.nodes[k]] = true;
   }
   std::vector<Vec3d> now(velocity.begin(), velocity.end());
   const auto give = [&](std::vector<Vec3d>& nodes, const NearPair& pair, const Vec3d& amount) {
@@ -141,6 +137,10 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     if (!(mobility[p] > 0)) continue;
     left[p] = pair.held && std::none_of(pair.nodes.begin(), pair.nodes.begin() + pair.node_count,
                                         [&](std::uint32_t node) { return response.beside_cloth[node]; });
+    if (pair.solved) {
+      response.impulses[p] = law.dt * pair.kept;
+      continue;
+    }
     if (!pair.untangles) response.impulses[p] = first_impulse(pair, first_speed[p], inverse_mass, law);
     give(now, pair, response.impulses[p]);
   }
@@ -153,10 +153,11 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
       const NearPair& pair = pairs[p];
       const Vec3d u = relative_velocity(pair, before), had = response.impulses[p];
       const Vec3d wanted = pair.untangles ? had + push_apart(pair, u, mobility[p], law)
+                           : pair.solved  ? had
                            : left[p]      ? Vec3d{}
                                           : impulse(pair, had, u, least[p], mobility[p]);
       response.impulses[p] = wanted;
-      if (!pair.untangles && !left[p])  // equation (4a)
+      if (!pair.untangles && !pair.solved && !left[p])  // equation (4a)
         response.impulses[p] += ahead * dot(pair.direction, wanted - begun[p]) * pair.direction;
       begun[p] = wanted;
       give(now, pair, response.impulses[p] - had);
@@ -164,7 +165,8 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
   }
   for (std::size_t p = 0; p < pairs.size(); ++p)
     if (mobility[p] > 0 && !pairs[p].untangles)
-      give(response.push, pairs[p], (push_of(pairs[p], left[p], law) / mobility[p]) * pairs[p].direction);
+      give(response.push, pairs[p],
+           (push_of(pairs[p], left[p] || pairs[p].solved, law) / mobility[p]) * pairs[p].direction);
   for (std::size_t node = 0; node < velocity.size(); ++node) {
     now[node] += bodies[node].change(now[node], law.dt);
     response.change[node] = now[node] - velocity[node];

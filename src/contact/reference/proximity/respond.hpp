@@ -24,6 +24,7 @@ struct NearPair {
   bool may = true;         // false: another pair is nearer, FeaturePair::inside and in_cones; never acts
   bool with_body = false;  // one side is an obstacle
   bool held = false;       // the solver's matrix has answered it
+  bool solved = false;     // the same of cloth with cloth: `kept` is the force that it has now
   bool untangles =
       false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
 };
@@ -43,6 +44,12 @@ struct Response {
   std::vector<bool> acts;          // each pair, equation (1)
   std::vector<bool> beside_cloth;  // nodes on which pairs of cloth with cloth act
 };
+
+/// v, cut to this length.
+inline Vec3d no_longer(const Vec3d& v, double most) {
+  const double size = length(v);
+  return (size > most ? most / size : 1.0) * v;
+}
 
 /// u = Σ w v over both sides [m/s].
 Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity);

@@ -6,9 +6,16 @@
 #include <cmath>
 
 #include "method/multigrid/reference/cycle.hpp"
+#include "method/multigrid/reference/pair_hold.hpp"
 #include "method/multigrid/solve_limits.hpp"
 
 namespace weft::reference {
+
+/// Pairs that are held apart, and which nodes of the cloth are fixed.
+struct HeldPairs {
+  std::span<const PairHold> holds;
+  const std::vector<bool>* fixed = nullptr;
+};
 
 struct Solution {
   Field x;
@@ -22,11 +29,11 @@ inline double inner_product(const Field& a, const Field& b) {
   return sum;
 }
 
-/// Solves A x = r, beginning with the best multiple of `guess`, to a residual of `wanted` of r's in the norm of D⁻¹,
-/// and to ten times that of what the guess leaves.
+/// Solves A x = r, where A is the matrix and what `pairs` add to it, beginning with the best multiple of `guess`, to a
+/// residual of `wanted` of r's in the norm of D⁻¹, and to ten times that of what the guess leaves.
 template <class Matrix>
 Solution solve(const Cycle<Matrix>& hierarchy, Field r, const Field& guess, double wanted,
-               std::uint32_t most_iterations = multigrid::kMostIterations) {
+               std::uint32_t most_iterations = multigrid::kMostIterations, const HeldPairs& pairs = {}) {
   const Matrix& matrix = hierarchy.levels()[0];
   const std::vector<Sym3>& inverse = hierarchy.inverse_diagonals()[0];
   Solution found{Field(r.size())};
@@ -36,7 +43,8 @@ Solution solve(const Cycle<Matrix>& hierarchy, Field r, const Field& guess, doub
     return std::sqrt(square);
   };
   const auto go_along = [&](const Field& p, double rho) {
-    const Field q = matrix.apply(p);
+    Field q = matrix.apply(p);
+    for (const PairHold& pair : pairs.holds) pair.add_product(p, q, *pairs.fixed);
     const double square = inner_product(p, q), rate = square > 0 ? rho / square : 0;
     for (std::size_t n = 0; n < p.size(); ++n) {
       found.x[n] += rate * p[n];

@@ -5,15 +5,6 @@
 #include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
-namespace {
-
-Vec3d no_longer(const Vec3d& v, double most) {
-  const double size = length(v);
-  return (size > most ? most / size : 1.0) * v;
-}
-
-}  // namespace
-
 std::optional<Hold> Hold::of(const Press& press, const HoldForce& kept, const HoldInputs& node) {
   const double size = length(press.normal);
   if (press.weight == 0 || size < kAgree * press.weight) return {};

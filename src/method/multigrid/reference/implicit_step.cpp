@@ -269,17 +269,54 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   return step;
 }
 
+std::vector<PairHold> ImplicitStepper::held_apart(const StepStart& step, const MassSpringSystem& system,
+                                                  std::span<const NearPair> pairs, double dt,
+                                                  const Cloth& cloth) const {
+  std::vector<double> shares(cloth.count, 0);
+  std::vector<std::size_t> own;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const NearPair& pair = pairs[p];
+    const auto nodes = std::span(pair.nodes).first(pair.node_count);
+    if (!std::all_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
+          return node >= cloth.first && node < cloth.first + cloth.count;
+        }))
+      continue;
+    own.push_back(p);
+    for (std::uint32_t k = 0; k < pair.node_count; ++k)
+      shares[pair.nodes[k] - cloth.first] += std::abs(pair.weights[k]);
+  }
+  std::vector<PairHold> holds;
+  for (const std::size_t p : own) {
+    PairHold::Sides sides{p, cloth.first};
+    for (std::uint32_t k = 0; k < pairs[p].node_count; ++k) {
+      const std::uint32_t node = pairs[p].nodes[k], a = node - cloth.first;
+      const double share = step.fixed[a] ? 0 : shares[a] * std::abs(pairs[p].weights[k]);
+      sides.start += pairs[p].weights[k] * (step.place[a] + step.start[a] - system.position[node]);
+      if (step.fixed[a]) continue;
+      sides.pull += (pairs[p].weights[k] / step.inertia[a]) * step.residual[a];
+      sides.compliance += share / step.inertia[a];
+      sides.mobility += share * system.inverse_mass[node];
+    }
+    if (const auto hold = PairHold::of(pairs[p], sides, dt)) holds.push_back(*hold);
+  }
+  return holds;
+}
+
 template <class Levels>
 Field ImplicitStepper::solved(const Levels& hierarchy, const StepStart& step, bool may_hold) {
   const double part = may_hold ? multigrid::kHeldPart : 1;
-  Solution solution = solve(hierarchy, step.residual, step.guess, part * wanted_residual);
+  Solution solution = solve(hierarchy, step.residual, step.guess, part * wanted_residual,
+                            multigrid::kMostIterations, {step.pairs, &step.fixed});
   iterations_ = std::max(iterations_, solution.iterations);
   residual_ = std::max(residual_, solution.residual);
   return std::move(solution.x);
 }
 
 void ImplicitStepper::advance(const Substep& substep) {
-  const auto& [system, places, dt, ratio, presses] = substep;
+  const auto& [system, places, dt, ratio, pairs, presses] = substep;
+  pair_forces_.assign(pairs.size(), {});
+  for (const NearPair& pair : pairs)  // no history: both sides take the force in the same formula
+    for (std::uint32_t k = 0; k < pair.node_count; ++k) known_[pair.nodes[k]] = false;
   std::vector<Vec3d> position = system.position, velocity = system.velocity;
   std::vector<std::size_t> stopped;
   iterations_ = 0;
@@ -300,15 +337,32 @@ void ImplicitStepper::advance(const Substep& substep) {
       held_[node] = step.holds[a]->alike();
       stopped.push_back(node);  // an impulse breaks the history of BDF2
     }
+    for (const PairHold& hold : step.pairs) {
+      const PairHold::End end = hold.end(dz, dt);
+      pair_forces_[hold.pair()] = end.force;
+      hold.for_each_node([&](std::uint32_t a, double weight) {
+        const std::size_t node = cloth.first + a;
+        if (step.fixed[a]) return;
+        velocity[node] += (weight * system.inverse_mass[node]) * end.impulse;
+        stopped.push_back(node);
+      });
+    }
   };
-  for (std::size_t c = 0; c < cloths_.size(); ++c)
+  for (std::size_t c = 0; c < cloths_.size(); ++c) {
+    const auto hold_apart = [&, &system = system, dt = dt](StepStart& step) {
+      step.pairs = held_apart(step, system, pairs, dt, cloths_[c]);
+      for (const PairHold& hold : step.pairs) hold.add_force(step.residual, step.fixed);
+    };
     if (cloths_[c].levels.empty()) {
-      const LinearStep step = linearise(system, places, dt, ratio, c, presses);
+      LinearStep step = linearise(system, places, dt, ratio, c, presses);
+      hold_apart(step);
       finish(cloths_[c], step, solved(Hierarchy(step.matrix, step.source), step, !presses.empty()));
     } else {
-      const MeshStep step = linearise_mesh(system, places, dt, ratio, c, presses);
+      MeshStep step = linearise_mesh(system, places, dt, ratio, c, presses);
+      hold_apart(step);
       finish(cloths_[c], step, solved(MeshHierarchy(step.matrix), step, !presses.empty()));
     }
+  }
   remember(system.position, system.velocity);
   for (const std::size_t node : stopped) forget(node);
   system.position = std::move(position);

@@ -9,6 +9,7 @@
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "method/multigrid/reference/conjugate_gradients.hpp"
 #include "method/multigrid/reference/hold.hpp"
+#include "method/multigrid/reference/pair_hold.hpp"
 #include "method/stepper.hpp"
 #include "model/model.hpp"
 
@@ -22,7 +23,8 @@ struct StepStart {
   std::vector<double> inertia;         // its part of the diagonal of A [N/m]
   std::vector<bool> fixed;
   std::vector<std::optional<Hold>>
-      holds;  // of nodes that an obstacle holds: in the matrix, and no history after it
+      holds;                    // of nodes that an obstacle holds: in the matrix, and no history after it
+  std::vector<PairHold> pairs;  // of cloth with cloth
 };
 
 /// The linear system of a grid.
@@ -59,6 +61,7 @@ class ImplicitStepper : public Stepper {
   void forget(std::size_t node) override { known_[node] = false; }
   void forget_hold(std::size_t node) override { hold_forces_[node] = {}; }
   std::vector<bool> held() const override { return held_; }
+  std::vector<Vec3d> pair_forces() const override { return pair_forces_; }
   /// The forces that holds have left, of each node.
   const std::vector<HoldForce>& hold_forces() const { return hold_forces_; }
   void set_hold_forces(std::vector<HoldForce> forces) { hold_forces_ = std::move(forces); }
@@ -94,6 +97,10 @@ class ImplicitStepper : public Stepper {
   std::vector<Vec3d> position_before_, velocity_before_;
   std::vector<bool> known_;  // whether they are those of the step before
   std::vector<HoldForce> hold_forces_;
+  std::vector<Vec3d> pair_forces_;  // of each pair of the last substep; 0: it was not held
+  std::vector<PairHold> held_apart(const StepStart& step, const MassSpringSystem& system,
+                                   std::span<const NearPair> pairs, double dt, const Cloth& cloth) const;
+
   std::vector<bool> held_;  // in the last substep, where all that pressed the node was alike
   std::uint32_t iterations_ = 0;
   double residual_ = 0;

@@ -1,0 +1,80 @@
+// What holds each pair apart, and its part of the residual. Grid-stride loop over the records.
+// Source: docs/solvers/multigrid.md, equation 16.
+#include "gpu/index.wgsl"
+#include "state/step.wgsl"
+#include "method/multigrid/hold_law.wgsl"
+#include "method/multigrid/pairs.wgsl"
+#include "state/add_pair_sums.wgsl"
+//                                                                                elements          unit
+@group(0) @binding(0) var<uniform>             step       : StepBlock;
+@group(0) @binding(1) var<uniform>             nodes      : ClothNodes;
+@group(0) @binding(2) var<storage, read>       place      : array<vec4f>;      // count           m; w: N/m, 0: fixed
+@group(0) @binding(3) var<storage, read>       vectors    : array<vec4f>;      // cloth.wgsl: the finest
+@group(0) @binding(4) var<storage, read>       position   : array<vec4f>;      // vertex_count    m; w: 1/kg
+@group(0) @binding(5) var<storage, read>       statistics : array<u32>;
+@group(0) @binding(6) var<storage, read_write> pair_holds : array<PairHold>;
+@group(0) @binding(7) var<storage, read_write> pair_sums  : array<atomic<u32>>;
+
+fn completed(given : PairHold) -> PairHold {
+  var hold = given;
+  let n = hold.normal.xyz;
+  let w = weights_of(hold.ids, hold.place.x, hold.place.y);
+  var start = vec3f(0.0);
+  var pull = vec3f(0.0);  // Σ w R / a, m
+  var compliance = 0.0;   // m/N
+  var mobility = 0.0;     // 1/kg
+  for (var role = 0u; role < 4u; role++) {
+    let all = among_all(hold, role);
+    let vertex = hold.ids[role] & kIdBits;
+    let at = place[all];
+    start += w[role] * (at.xyz + vectors[vector_of(kFirst, all)].xyz - position[vertex].xyz);
+    if (at.w == 0.0) { continue; }
+    pull += (w[role] / at.w) * vectors[vector_of(kResidual, all)].xyz;
+    let shares = abs(w[role]) * f32(atomicLoad(&pair_sums[kSumWords * vertex])) / kHeldUnits;
+    compliance += shares / at.w;
+    mobility += shares * position[vertex].w;
+  }
+  let kept = hold.along.xyz;
+  let normal = max(0.0, dot(n, kept));
+  let along = select(vec3f(0.0), cut(across(kept, n), hold.force.w * normal), normal > 0.0);
+  let missing = hold.place.w;
+  let room = min(missing, kHoldPart * missing);
+  let gap = max(room, 0.0);
+  let part = select(1.0, min(1.0, kHoldRate * step.time.dt / kHoldPart), normal > 0.0);
+  let restored = min(part * gap, kHoldSpeed * step.time.dt);
+  let lack = room - (gap - restored) - dot(n, start);
+  hold.normal.w = 0.0;
+  if (compliance == 0.0 || (normal == 0.0 && lack - dot(n, pull) <= 0.0)) { return hold; }
+  hold.normal.w = kPairStiffness / compliance;
+  hold.along = vec4f(along, 1.0 / compliance);
+  hold.force = vec4f(normal, lack, restored, hold.force.w);
+  hold.place.z = mobility;
+  hold.start = vec4f(start, 0.0);
+  return hold;
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn pair_force(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
+  let cloths = arrayLength(&place) / nodes.count;
+  let count = record_count();
+  for (var number = id.x; number < count; number += groups.x * kWorkgroupSize) {
+    let given = pair_holds[number];
+    if (!is_own(given, cloths)) { continue; }
+    var hold = completed(given);
+    if (hold.normal.w == 0.0) {
+      pair_holds[number].normal.w = 0.0;
+      continue;
+    }
+    let tried = reach_of(hold, hold.along.w, hold.start.xyz);
+    let most = hold.force.w * hold.force.x;
+    let sticks = length(tried) <= most;
+    let force = (hold.force.x + hold.normal.w * hold.force.y) * hold.normal.xyz + cut(tried, most);
+    if (!sticks) { hold.along.w = 0.0; }
+    pair_holds[number] = hold;
+    let w = weights_of(hold.ids, hold.place.x, hold.place.y);
+    for (var role = 0u; role < 4u; role++) {
+      let inertia = place[among_all(hold, role)].w;
+      if (inertia > 0.0) { add_pair_sum(hold.ids[role] & kIdBits, (w[role] / inertia) * force); }
+    }
+  }
+}

@@ -1,0 +1,20 @@
+// How the matrix of an implicit substep holds features of one cloth apart: one for each record of a near pair. Mirror:
+// PairHold in src/state/contact_pairs.hpp. Names and equations: docs/solvers/multigrid.md, Contact.
+#include "state/contact.wgsl"
+struct PairHold {
+  ids : vec4u,     // of the pair
+  normal : vec4f,  // n; w: k, N/m, first 1: the pair comes near; 0: it is not held
+  along : vec4f,   // τ, N; w: k_t, N/m, 0: it slides
+  force : vec4f,   // λ, N; g and z, m; μ
+  place : vec4f,   // s, t: weights_of; W, 1/kg; the gap that is missing, m
+  start : vec4f,   // Σ w d₀, m
+}
+
+// Sums over a vertex's held pairs, of integers, since pairs have no order: how many hold it, |w| each, in kHeldUnits;
+// and a vector of three numbers of 64 bits, low word first, in kSumUnits: forces over the vertex's inertia, m, or
+// changes of velocity, m/s. A value is some 10 at most, and a sum of 2^16 of them does not pass over the end.
+const kSumWords = 8u;
+const kHeldUnits = 65536.0;  // 2^16
+const kSumUnits = 137438953472.0;  // 2^37
+const kMostSum = 1024.0;
+fn sum_word(vertex : u32) -> u32 { return kSumWords * vertex + 1u; }

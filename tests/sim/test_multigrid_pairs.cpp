@@ -1,0 +1,177 @@
+// Pairs of one cloth that the implicit solver's matrix holds apart: laws of mechanics, and the reference's frames.
+#include "contact_rig.hpp"
+#include "reference/simulation.hpp"
+#include "relative_error.hpp"
+
+using namespace weft;
+
+namespace {
+
+/// A flat piece of nx by ny nodes from `corner` on.
+struct Piece {
+  std::uint32_t nx, ny;
+  double size_x, size_z;  // [m]
+  Vec3d corner;           // [m]
+  double rise = 0;        // of its far end [m]
+};
+
+/// One cloth of several pieces, its nodes piece after piece.
+mesh::TriangleMesh cloth_of(std::span<const Piece> pieces) {
+  mesh::TriangleMesh cloth;
+  for (const Piece& piece : pieces) {
+    const auto first = static_cast<std::uint32_t>(cloth.positions.size());
+    for (std::uint32_t j = 0; j < piece.ny; ++j)
+      for (std::uint32_t i = 0; i < piece.nx; ++i) {
+        const double along = static_cast<double>(i) / (piece.nx - 1),
+                     across = static_cast<double>(j) / (piece.ny - 1);
+        cloth.positions.push_back(
+            (piece.corner + Vec3d{piece.size_x * along, piece.rise * along, piece.size_z * across})
+                .to<float>());
+      }
+    for (std::uint32_t j = 0; j + 1 < piece.ny; ++j)
+      for (std::uint32_t i = 0; i + 1 < piece.nx; ++i) {
+        const std::uint32_t at = first + j * piece.nx + i, over = at + piece.nx;
+        cloth.triangles.push_back({at, at + 1, over + 1});
+        cloth.triangles.push_back({at, over + 1, over});
+      }
+  }
+  return cloth;
+}
+
+struct Setting {
+  scene::Scene scene;
+  Assets assets;
+};
+
+Setting setting_of(const std::string& members, const std::string& cloth, std::span<const Piece> pieces) {
+  Setting made{
+      contact_scene(R"("solver": {"kind": "multigrid"}, "time": {"substeps": 8}, )" + members +
+                    R"("cloths": [{"mesh": "pieces", "density": 0.3, "damping": 0.01, "friction": 0.4,)" +
+                    cloth + "}]"),
+      {}};
+  made.assets.cloths = {cloth_of(pieces)};
+  return made;
+}
+
+/// A line of cloth, taut between its pinned ends, and a sheet that falls on it.
+constexpr std::uint32_t kLine = 4 * 20, kFrames = 34;
+Setting clothesline() {
+  const Piece pieces[] = {{20, 4, 1, 0.06, {0, 0, 0.47}}, {19, 19, 0.8, 0.8, {0.113, 0.25, 0.087}, 0.01}};
+  return setting_of(R"("contact": {"method": "proximity", "thickness": 0.01},)",
+                    R"("pins": [{"box": {"min": [-0.001, -0.001, 0], "max": [0.001, 0.001, 1]}},
+                      {"box": {"min": [0.999, -0.001, 0], "max": [1.001, 0.001, 1]}}],
+                      "stiffness": {"structural": 8000, "shear": 1000, "bend": 2})",
+                    pieces);
+}
+
+double longest_stretch(const sim::World& world, const Moment& now) {
+  double longest = 0;
+  for (const Spring s : world.model().host.springs())
+    longest = std::max(longest, length(now.position[s.node_a] - now.position[s.node_b]) / s.rest_length);
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("a stiff sheet that falls over a line of its own cloth gains no energy and is not stretched") {
+  GpuFixture fixture;
+  const Setting setting = clothesline();
+  auto world = world_from(fixture.device(), setting.scene, setting.assets);
+  const Moment start(*world);
+  const double begun = energy_of(*world, start);
+  double most = begun, stretch = 1;
+  for (std::uint32_t frame = 0; frame < kFrames; ++frame) {
+    advance(*world, 1);
+    const Moment now(*world);
+    REQUIRE(now.finite());
+    most = std::max(most, energy_of(*world, now));
+    stretch = std::max(stretch, longest_stretch(*world, now));
+  }
+  CHECK(world->totals().contacts > 1000);
+  const double fall = 0.3 * 0.64 * kGravity * 0.25;  // what the sheet has fallen by [J]
+  MESSAGE("energy at most " << begun << " + " << most - begun << " J, of a fall of " << fall
+                            << " J; stretched by " << stretch);
+  CHECK(most < begun + 0.02 * fall);
+  CHECK(stretch < 1.2);
+}
+
+TEST_CASE("pieces of one cloth that strike each other keep their momentum, and end with less energy") {
+  GpuFixture fixture;
+  const Piece pieces[] = {{9, 9, 0.4, 0.4, {0, 0, 0}}, {8, 8, 0.3, 0.3, {0.13, 0.03, 0.09}, 0.03}};
+  const Setting setting =
+      setting_of(R"("gravity": [0, 0, 0], "contact": {"method": "proximity", "thickness": 0.01},)",
+                 R"("stiffness": {"structural": 2000, "shear": 300, "bend": 1})", pieces);
+  auto world = world_from(fixture.device(), setting.scene, setting.assets);
+  push(*world, 0, 81, {0, 1, 0});
+  push(*world, 81, 145, {0.3, -1.5, 0});
+  const Moment start(*world);
+  const Vec3d before = start.momentum(0, 145);
+  const double scale = length(start.momentum(0, 81)), energy = energy_of(*world, start);
+  double last = energy, drift = 0;
+  for (int frame = 0; frame < 20; ++frame) {
+    advance(*world, 1);
+    const Moment now(*world);
+    drift = std::max(drift, length(now.momentum(0, 145) - before) / scale);
+    const double left = energy_of(*world, now);
+    CHECK(left < last + 0.01 * energy);
+    last = left;
+  }
+  CHECK(world->totals().contacts > 100);
+  MESSAGE("momentum drifts by " << drift << ", energy left " << last / energy);
+  CHECK(drift < 0.01);
+  CHECK(last < 0.7 * energy);  // they do not bounce off
+}
+
+TEST_CASE("frames of pieces that strike each other are the reference's") {
+  GpuFixture fixture;
+  const Setting setting = clothesline();
+  auto world = world_from(fixture.device(), setting.scene, setting.assets);
+  auto exact = reference::Simulation::create(setting.scene, setting.assets);
+  REQUIRE_OK(exact);
+  const std::vector<Vec3d> start = exact->positions();
+  double worst = 0;
+  for (int frame = 0; frame < 16; ++frame) {
+    advance(*world, 1);
+    REQUIRE(exact->advance_frame());
+    worst = std::max(worst, relative_error(Moment(*world).position, exact->positions(), start));
+  }
+  CHECK(exact->contacts() > 100);
+  MESSAGE("at most " << worst << " of the way apart");
+  CHECK(worst < 2e-3);
+}
+
+TEST_CASE("what pairs are held with does not depend on the run or the workgroups") {
+  GpuFixture fixture;
+  const Setting setting = clothesline();
+  std::string hash;
+  for (const std::uint32_t size : {256U, 64U, 256U}) {
+    auto world = world_from(fixture.device(), setting.scene, setting.assets, {.workgroup_size = size});
+    advance(*world, 17);
+    CHECK(world->totals().contacts > 100);
+    if (hash.empty()) hash = hash_of(*world);
+    CHECK(hash_of(*world) == hash);
+  }
+}
+
+TEST_CASE("cloth that is folded on itself has the same bits where its lists were too short at first") {
+  GpuFixture fixture;
+  const scene::Scene scene = contact_scene(R"("solver": {"kind": "multigrid"}, "time": {"substeps": 8},
+      "gravity": [0, 0, 0], "contact": {"method": "proximity", "thickness": 0.005}, "cloths": [{"grid": [25, 25],
+      "size": [0.5, 0.5], "plane": "xz", "density": 0.2, "damping": 0.02, "friction": 0.3,
+      "stiffness": {"structural": 3000, "shear": 800, "bend": 5}, "grabs": [
+        {"node": "top_left", "start": 0, "end": 0.25,
+         "path": [{"time": 0, "point": [-0.25, 0, -0.25]}, {"time": 0.2, "point": [0.3, 0.05, 0.3]}]},
+        {"node": "bottom_right", "start": 0, "end": 0.25,
+         "path": [{"time": 0, "point": [0.25, 0, 0.25]}, {"time": 0.2, "point": [-0.3, 0.02, -0.3]}]}]}])");
+  std::vector<std::string> hashes;
+  std::vector<std::uint32_t> repeated;
+  for (const std::uint32_t room : {400'000U, 1'000U}) {
+    auto world = world_of(fixture.device(), scene, {.contact_room = ContactRoom{room, room, room}});
+    advance(*world, 13);
+    CHECK(world->totals().contacts > 1000);
+    hashes.push_back(hash_of(*world));
+    repeated.push_back(world->totals().repeated_frames);
+  }
+  CHECK(repeated[1] > repeated[0]);
+  CHECK(hashes[0] == hashes[1]);
+}
