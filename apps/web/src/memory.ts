@@ -1,4 +1,5 @@
 // A scene's memory, estimated before it is allocated: from measured bytes, with the limits of adapter and module.
+import type { Method } from "weft-cloth";
 import type { LoadedScene } from "./scenes.js";
 import { CONTACT_METHOD, FORMULATION, SOLVER } from "./state/parameters.js";
 
@@ -40,18 +41,24 @@ const LISTS = {
   candidates: { least: 131_072, triangle: 12, entry: 8 },
 } as const;
 const KEPT = 64; // of a near pair: the forces that ContactPairs::kept has room for, beside the table over them
+const HELD = { near: 96, node: 32 }; // of pairs in a solver's matrix: ContactPairs::pair_holds, pair_sums
 const POSITION = 16; // of a node
 
-/** What the scene's solver asks for a node; where it is "auto", the most that it may become. */
-function solverMemory(scene: LoadedScene): { readonly node: number; readonly buffer: number } {
+/** The methods that the scene's solver is; where that is "auto", may become. */
+function chosenMethods(scene: LoadedScene): readonly Method[] {
   const asked = scene.now(SOLVER);
-  const chosen = scene.methods.filter(({ kind }) => kind === asked || asked === "auto")
+  return scene.methods.filter(({ kind }) => kind === asked || asked === "auto");
+}
+
+/** What the scene's solver asks for a node, at most. */
+function solverMemory(scene: LoadedScene): { readonly node: number; readonly buffer: number } {
+  const chosen = chosenMethods(scene)
     .map(({ memory }) => memory[String(scene.now(FORMULATION))] ?? memory[""]!);
   return { node: Math.max(...chosen.map(({ node }) => node)), buffer: Math.max(...chosen.map(({ buffer }) => buffer)) };
 }
 
-/** The buffers of proximity's lists over so many triangles of cloth. */
-function listBuffers(triangles: number): number[] {
+/** The buffers of proximity's lists over so many triangles of cloth; `held`: also of pairs that a matrix has. */
+function listBuffers(triangles: number, held: boolean): number[] {
   const entries = (list: keyof typeof LISTS) =>
     Math.max(LISTS[list].least, Math.floor(triangles * LISTS[list].triangle));
   const near = entries("near");
@@ -59,6 +66,7 @@ function listBuffers(triangles: number): number[] {
   return [
     ...(["pairs", "near", "candidates"] as const).map((list) => entries(list) * LISTS[list].entry),
     near * KEPT + table,
+    held ? near * HELD.near : 0,
   ];
 }
 
@@ -66,9 +74,11 @@ function listBuffers(triangles: number): number[] {
 export function demand(nodes: number, scene: LoadedScene): Demand {
   const method = scene.now(CONTACT_METHOD);
   const [proximity, pushes] = [method === "proximity", method === "bvh" || method === "paper"];
-  const lists = proximity ? listBuffers(2 * nodes) : [];
+  const held = proximity && chosenMethods(scene).some(({ holdsContact }) => holdsContact);
+  const lists = proximity ? listBuffers(2 * nodes, held) : [];
   const solver = solverMemory(scene);
-  const node = NODE.all + solver.node + (proximity ? NODE.proximity : pushes ? NODE.pushes : 0);
+  const contact = proximity ? NODE.proximity + (held ? HELD.node : 0) : pushes ? NODE.pushes : 0;
+  const node = NODE.all + solver.node + contact;
   const obstacle = OBSTACLE.drawn + (proximity ? OBSTACLE.proximity : pushes ? OBSTACLE.pushes : 0);
   return {
     nodes,

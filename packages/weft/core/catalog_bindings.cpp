@@ -31,6 +31,7 @@ nlohmann::ordered_json methods_json() {
       row["memory"][method.settings_word(settings)] = {{"node", memory.node},
                                                        {"buffer", memory.largest_buffer}};
     }
+    row["holdsContact"] = method.holds_obstacles;
     rows.push_back(std::move(row));
   }
   return rows;

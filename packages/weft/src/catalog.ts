@@ -41,6 +41,8 @@ export interface Method {
    * method without: in all and in its largest buffer [bytes a node].
    */
   readonly memory: Readonly<Record<string, { readonly node: number; readonly buffer: number }>>;
+  /** Whether its matrix has contact, which takes memory of its own. */
+  readonly holdsContact: boolean;
 }
 
 let read: Promise<Catalog> | null = null;

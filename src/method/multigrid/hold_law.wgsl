@@ -1,7 +1,7 @@
 // The numbers of equations 11 and 16 of docs/solvers/multigrid.md. Mirror: contact/rules/contact_law.hpp,
 // method/multigrid/reference/hold.hpp and pair_hold.hpp.
 const kHoldStiffness = 30.0;  // along the normal, of the inertia of what an obstacle holds; across it: 1
-const kPairStiffness = 4.0;   // the same of a pair of one cloth
+const kPairStiffness = 2.0;   // the same of a pair of one cloth
 const kHoldPart = 0.15;       // of a missing gap, the part that is restored in a substep: contact/proximity/press.wgsl
 const kHoldRate = 10.0;       // 1/s: of what has borne before, no more than so much a second
 const kHoldSpeed = 0.05;      // m/s: and no faster

@@ -11,7 +11,7 @@
 namespace weft::reference {
 
 /// How stiffly a pair is held along its normal and across it, in the inertia of its sides.
-inline constexpr double kPairStiffness = 4, kPairSlipStiffness = 1;
+inline constexpr double kPairStiffness = 2, kPairSlipStiffness = 1;
 
 /// Equation (16) for one pair: springs on the relative way of its sides, Σ w x.
 class PairHold {
