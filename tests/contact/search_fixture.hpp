@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "base/random.hpp"
@@ -22,6 +23,7 @@ namespace weft {
 struct SearchCase {
   mesh::TriangleMesh cloth;
   std::vector<std::array<float, 2>> uv;     // of its vertices; empty: x and z
+  std::optional<mesh::Grid> grid;           // what the cloth is; none: a mesh
   std::vector<mesh::TriangleMesh> objects;  // the first colliders
   std::vector<bool> deforming;              // of each object; where the list ends: rigid
   std::vector<scene::Collider> shapes;      // the colliders after them
@@ -169,6 +171,7 @@ class SearchRun {
   std::uint32_t cloth_of(std::uint32_t vertex) const {
     return setup_.second_cloth[0] > 0 && vertex >= setup_.second_cloth[0] ? 1 : 0;
   }
+  const Model& model() const { return model_.host; }
   const contact::PairSearch& search() const { return search_; }
   std::uint32_t first_point(std::size_t object) const {
     std::size_t first = 0;
@@ -192,6 +195,7 @@ class SearchRun {
     Body body;
     body.vertex_count = static_cast<std::uint32_t>(vertices);
     body.triangle_count = static_cast<std::uint32_t>(host.triangles.size());
+    body.grid = setup_.grid;
     host.bodies = {body};
     if (const auto [vertex, triangle] = setup_.second_cloth; vertex > 0) {
       host.bodies.push_back(body);

@@ -241,7 +241,13 @@ Json search_params() {
   return row("SearchParams", "contact/proximity/triangles.wgsl", sizeof(T), kExact,
              {M(triangle_count), M(collider_count), M(self_contact), M(first_row), M(candidate_capacity),
               M(pair_capacity), M(thickness), M(self_thickness), M(vertex_count), M(first_opposite),
-              M(first_rim), M(first_rest)});
+              M(first_rim), M(first_rest), M(patch_columns)});
+}
+Json patch_place() {
+  using T = contact::PatchPlace;
+  return row("PatchPlace", "contact/proximity/patches.wgsl", sizeof(T), kExact,
+             {M(cell_vertex), M(patch_vertex), M(stride), M(cell_size), M(patch_size), M(per_width),
+              M(per_height), M(columns)});
 }
 Json tree_params() {
   using T = contact::TreeParams;
@@ -327,6 +333,7 @@ Json struct_layouts() {
                       contact_of_pair(),
                       pair_hold(),
                       search_params(),
+                      patch_place(),
                       tree_params(),
                       colliders(),
                       collider_place(),
@@ -374,6 +381,8 @@ Json shared_constants() {
       constant("kCrossingFlag", "state/contact.wgsl", kCrossingFlag),
       constant("kUntangles", "state/contact.wgsl", kUntangles),
       constant("kNoCorner", "contact/proximity/triangles.wgsl", kNoCorner),
+      constant("kNoCell", "contact/proximity/patches.wgsl", contact::kNoCell),
+      constant("kCellQuads", "contact/proximity/patches.wgsl", contact::kCellQuads),
       real("kUntanglePart", "state/contact.wgsl", kUntanglePart),
       real("kUntangleRate", "state/contact.wgsl", kUntangleRate),
       real("kContourGain", "contact/proximity/untangle.wgsl", kContourGain),

@@ -27,6 +27,7 @@ struct Colliders { list : array<vec4u, kMostColliders> }
 @group(0) @binding(5) var<storage, read>       points     : array<vec4f>; // of colliders: move_points.wgsl
 @group(0) @binding(6) var<storage, read_write> candidates : array<vec2u>; // candidate_capacity
 @group(0) @binding(7) var<storage, read_write> statistics : array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read>       patches    : array<vec4f>; // find_open.wgsl
 
 var<private> own : u32;
 var<private> corners : vec3u;
@@ -40,6 +41,8 @@ var<private> own_box : Box;    // of all that the triangle may pass on its ways 
 var<private> own_slack : f32;
 var<workgroup> due : u32;
 var<workgroup> own_corners : array<vec3u, kWalkers>;  // of the workgroup's triangles
+var<workgroup> own_cells : array<vec4u, kWalkers>;
+var<workgroup> own_patches : array<u32, kWalkers>;
 
 // A cloth triangle: its corners' numbers and places, m; the largest of their slacks and ways ahead together, m.
 struct Sheet {
@@ -143,13 +146,19 @@ fn part_met(box : Box, first : u32) -> u32 {
 }
 fn own_met(box : Box, k : u32) -> u32 { return select(0u, 1u, overlap(box, Box(lows[k], highs[k]))); }
 
-// Of 32 of the workgroup's triangles from this one on, those that a later cloth triangle meets.
+// Of 32 of the workgroup's triangles from this one on, those that a later cloth triangle meets, and with which it lies
+// in no open patch.
 fn candidates_of(hits : u32, first : u32, later : u32, corners_of_later : vec3u) -> u32 {
   let earlier = min(32u, max(later, first) - first);
   var left = hits & select((1u << earlier) - 1u, 0xffffffffu, earlier == 32u);
   var beside = 0u;  // those that share an edge
+  let cells = cells_of_triangle(later);
   for (var bits = left; bits != 0u; bits &= bits - 1u) {
     let k = firstTrailingBit(bits);
+    if (in_patch(own_patches[(first + k) % kWalkers], own_cells[(first + k) % kWalkers], cells)) {
+      left &= ~(1u << k);
+      continue;
+    }
     let shared_corners = shares(own_corners[(first + k) % kWalkers], corners_of_later);
     beside |= select(0u, 1u << k, countOneBits(shared_corners) == 2u);
   }
@@ -293,8 +302,11 @@ fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocati
   if (works) {
     read_own();
     own_corners[thread] = corners;
+    own_cells[thread] = cells_of_triangle(own);
+    own_patches[thread] = open_patches(own_cells[thread]);
     works = is_finite(a) && is_finite(b) && is_finite(c);
   }
+  find_patches(first, thread);
   if (params.self_contact == 1u) {
     let tree = Tree(kNearCloth, 0u, 0u, params.triangle_count, first + 1u);
     meet_tree(tree, if_works(works, grown(own_box, params.self_thickness + own_slack)), first, thread);

@@ -2,6 +2,7 @@
 // One invocation per leaf; a workgroup's leaves fill whole nodes of those levels, since its size is a multiple of 64.
 #include "gpu/index.wgsl"
 #include "contact/proximity/tree.wgsl"
+#include "contact/proximity/store_box.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/tree_params.wgsl"
 #include "state/step.wgsl"
@@ -18,8 +19,7 @@ var<workgroup> high : array<vec4f, kWorkgroupSize>;
 fn store(level : u32, node : u32, box : Box) {
   let place = trees[params.tree + 1u + level];
   if (node >= place.y) { return; }
-  trees[place.x + 2u * node] = vec4u(bitcast<vec3u>(box.low), 0u);
-  trees[place.x + 2u * node + 1u] = vec4u(bitcast<vec3u>(box.high), 0u);
+  store_box(place.x + 2u * node, box);
 }
 
 fn leaf_box(leaf : u32) -> Box {

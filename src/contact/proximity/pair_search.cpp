@@ -64,12 +64,14 @@ Result<void> PairSearch::create_buffers(gpu::Device& device, const GpuModel& mod
                                         const ColliderMeshes& meshes) {
   tree_ = ImplicitTree(triangle_count_);
   std::vector<TreeWord> trees = tree_.words(), triangles;
+  order_ = cloth_order(model.host);
+  if (setup_.self_thickness > 0) patch_table_ = PatchTable(model.host);
+  patch_table_.write_cells(tree_, order_, trees);
   WEFT_TRY(colliders,
            ColliderSet::create(scene, meshes, static_cast<std::uint32_t>(trees.size()), triangle_count_));
   colliders_ = std::move(colliders);
   trees.insert(trees.end(), colliders_.trees.begin(), colliders_.trees.end());
 
-  order_ = cloth_order(model.host);
   std::vector<mesh::Triangle> ordered;
   for (const std::uint32_t t : order_) ordered.push_back(model.host.triangles[t]);
   const std::vector<std::uint32_t> owned = feature_owners(ordered);
@@ -83,7 +85,9 @@ Result<void> PairSearch::create_buffers(gpu::Device& device, const GpuModel& mod
   triangles.insert(triangles.end(), colliders_.triangles.begin(), colliders_.triangles.end());
 
   first_opposite_ = static_cast<std::uint32_t>(trees.size());
-  for (const mesh::Triangle& t : opposite_corners(ordered)) trees.push_back({t[0], t[1], t[2], kNoCorner});
+  const std::vector<mesh::Triangle> opposite = opposite_corners(ordered);
+  for (std::size_t t = 0; t < opposite.size(); ++t)
+    trees.push_back({opposite[t][0], opposite[t][1], opposite[t][2], patch_table_.cell_of(order_[t])});
   first_rim_ = static_cast<std::uint32_t>(trees.size());
   std::vector<float> rims;
   for (const double rim : rim_distances(model.host.rest_position, model.host.triangles))
@@ -148,6 +152,7 @@ Result<void> PairSearch::create_begin(gpu::Device& device, const State& state, c
 
 Result<void> PairSearch::create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs) {
   WEFT_CHECK(create_begin(device, state, pairs));
+  WEFT_SET(patches_, ClothPatches::create(device, patch_table_, state, pairs, setup_.workgroup_size));
   WEFT_SET(find_candidates_,
            gpu::Kernel::create(device, "contact/proximity/find_candidates.wgsl", {}, kWalkers));
   WEFT_SET(find_pairs_, gpu::Kernel::create(device, "contact/proximity/find_pairs.wgsl", {}, kTesters));
@@ -168,13 +173,14 @@ Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, con
   params.first_opposite = first_opposite_;
   params.first_rim = first_rim_;
   params.first_rest = first_rest_;
+  params.patch_columns = patch_table_.columns;
   WEFT_SET(params_, gpu::create_uniform(device, params, "search params"));
   using Candidate = std::array<std::uint32_t, 2>;
   candidates_ = {};  // freed before the larger one is allocated
   WEFT_TRY(candidates, gpu::Buffer<Candidate>::create(device, room_.candidates, "contact candidates"));
   candidates_ = std::move(candidates);
   WEFT_TRY(broad_group, find_candidates_.bind({params_, collider_list_, pairs.predicted, triangles_, trees_,
-                                               points_, candidates_, state.statistics}));
+                                               points_, candidates_, state.statistics, patches_.openness()}));
   candidate_group_ = std::move(broad_group);
   WEFT_TRY(narrow_group, find_pairs_.bind({params_, pairs.predicted, triangles_, trees_, points_, candidates_,
                                            pairs.listed, pairs.vertex_contacts, state.statistics}));
@@ -196,6 +202,7 @@ void PairSearch::record(gpu::ComputePass& pass) const {
 void PairSearch::record_lists(gpu::ComputePass& pass, bool starts) const {
   kept_.record_search(pass, starts);
   refit_.record(pass);
+  patches_.record_search(pass);
   find_candidates_.dispatch(pass, candidate_group_, triangle_count_);
   find_pairs_.dispatch_strided(pass, find_group_, room_.candidates);
 }

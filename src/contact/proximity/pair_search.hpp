@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "contact/proximity/cloth_patches.hpp"
 #include "contact/proximity/collider_set.hpp"
 #include "contact/proximity/kept_forces.hpp"
 #include "contact/proximity/tree_refit.hpp"
@@ -19,8 +20,9 @@ struct SearchParams {
   float thickness = 0, self_thickness = 0;  // [m]
   std::uint32_t vertex_count = 0;
   std::uint32_t first_opposite = 0, first_rim = 0, first_rest = 0;  // words of `trees`
+  std::uint32_t patch_columns = 0;
 };
-static_assert(sizeof(SearchParams) == 48);
+static_assert(sizeof(SearchParams) == 52);
 
 /// The settings of a search.
 struct SearchSetup {
@@ -33,7 +35,7 @@ struct SearchSetup {
 
 /// Finds and lists all pairs of features nearer than the thickness and how far both may go: broad phase,
 /// narrow phase.
-/// Ten dispatches, which do nothing where no detection is due.
+/// Eleven dispatches, which do nothing where no detection is due.
 /// Reads   state.steps; state.position[parity] [m], at the start of the substep; where the solver has predicted that
 ///         vertices come, state.position[1 - parity], or their velocities, state.velocity[parity]; colliders' points.
 /// Writes  pairs; state.statistics.
@@ -56,6 +58,7 @@ class PairSearch {
   const ColliderSet& colliders() const { return colliders_; }
   const gpu::Buffer<Vec4f>& points() const { return points_; }
   const gpu::Buffer<std::array<std::uint32_t, 2>>& candidates() const { return candidates_; }
+  const ClothPatches& patches() const { return patches_; }
   /// The cloths' triangles in the order of their tree.
   const std::vector<std::uint32_t>& order() const { return order_; }
 
@@ -75,6 +78,8 @@ class PairSearch {
   std::uint32_t first_opposite_ = 0, first_rim_ = 0, first_rest_ = 0;
   ContactRoom room_;
   ImplicitTree tree_;
+  PatchTable patch_table_;
+  ClothPatches patches_;
   gpu::Buffer<TreeWord> triangles_, trees_;
   gpu::Buffer<Vec4f> points_;
   gpu::Buffer<float> most_slack_;

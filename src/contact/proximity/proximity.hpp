@@ -45,7 +45,9 @@ class Proximity : public Stages {
   void search(gpu::ComputePass& pass) const override;
   void measure(gpu::ComputePass& pass) const override;
   void answer(gpu::ComputePass& pass) const override { respond_.record_impulses(pass); }
-  void hold_back(gpu::ComputePass& pass) const override { respond_.record_hold_back(pass); }
+  void hold_back(gpu::ComputePass& pass) const override {
+    respond_.record_hold_back(pass, search_.patches());
+  }
   void end_frame(gpu::ComputePass& pass) const { search_.record_frame_end(pass); }
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
   void write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,

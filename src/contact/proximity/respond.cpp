@@ -78,11 +78,12 @@ void Respond::record_impulses(gpu::ComputePass& pass) const {
   last_impulse_.dispatch_strided(pass, last_impulse_groups_[parity], near_room_);
 }
 
-void Respond::record_hold_back(gpu::ComputePass& pass) const {
+void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patches) const {
   const std::uint32_t parity = pass.parity();
   respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
   for (std::size_t round = 0; round < round_count(); ++round) {
     rounds_[round].find.dispatch_strided(pass, rounds_[round].find_groups[parity], pair_room_);
+    patches.record_round(pass, round);
     rounds_[round].hold.dispatch(pass, rounds_[round].hold_groups[parity], vertex_count_);
   }
 }

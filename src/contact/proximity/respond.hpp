@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "contact/proximity/cloth_patches.hpp"
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
 
@@ -28,8 +29,8 @@ class Respond {
   Result<void> bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points);
   /// Sums the velocity changes of the measured pairs at each vertex.
   void record_impulses(gpu::ComputePass& pass) const;
-  /// Gives each vertex that change and holds it back.
-  void record_hold_back(gpu::ComputePass& pass) const;
+  /// Gives each vertex that change and holds it back, also from folding the open patches.
+  void record_hold_back(gpu::ComputePass& pass, const ClothPatches& patches) const;
 
  private:
   Setup setup_;
@@ -41,7 +42,6 @@ class Respond {
     gpu::Kernel find, hold;
     std::array<gpu::BindGroup, 2> find_groups, hold_groups;
   };
-  static constexpr std::size_t kRounds = 4;  // mirror: reference/proximity/truncate.cpp
   std::size_t round_count() const { return setup_.self ? kRounds : 1; }
   std::array<Round, kRounds> rounds_;
   std::size_t pair_room_ = 0, near_room_ = 0, vertex_count_ = 0;

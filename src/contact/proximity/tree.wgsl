@@ -1,5 +1,6 @@
 // The implicit tree over triangles in a fixed order, in the buffer `trees` of 16-byte words: a node's children are the
-// eight boxes of the level below from 8 * its number on; a leaf is four triangles. A box is two words: low, high [m].
+// eight boxes of the level below from 8 * its number on; a leaf is four triangles. A box is two words: low, high [m];
+// their w say which cells of cloth it covers (patch_cells.wgsl), and never change.
 // Source: Chitalu et al. 2020, Binary Ostensibly-Implicit Trees for Fast Collision Detection.
 // Mirror: src/contact/proximity/implicit_tree.hpp.
 //

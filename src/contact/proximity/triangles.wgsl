@@ -9,9 +9,11 @@ struct SearchParams {  // mirror: src/contact/proximity/pair_search.hpp
   thickness : f32,           // m, cloth and collider; with the reaches of both, features are listed
   self_thickness : f32,      // m, cloth and cloth
   vertex_count : u32,
-  first_opposite : u32,      // of `trees`: for each cloth triangle the corners across its edges, or kNoCorner
+  first_opposite : u32,      // of `trees`: for each cloth triangle the corners across its edges, or kNoCorner; w: its
+                             // cell (patches.wgsl), a column and in the upper half a row, or kNoCell
   first_rim : u32,           // of `trees`: distance of each vertex, then point, from its sheet's rim, m; four a word
   first_rest : u32,          // of `trees`: each vertex's place at rest, m; w: the number of its cloth
+  patch_columns : u32,       // of the table of patches: patches.wgsl
 }
 const kNoCorner = 0xffffffffu;
 

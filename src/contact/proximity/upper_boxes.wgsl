@@ -1,6 +1,7 @@
 // The boxes of an implicit tree from its fourth level up. One workgroup for the whole tree: a level has an eighth of
 // the nodes of the one below, and only within a workgroup may a dispatch read its own writes.
 #include "contact/proximity/tree.wgsl"
+#include "contact/proximity/store_box.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/tree_params.wgsl"
 @group(0) @binding(0) var<uniform>             params     : TreeParams;
@@ -21,8 +22,7 @@ fn upper_boxes(@builtin(local_invocation_index) local : u32) {
         box = united(box, Box(bitcast<vec3f>(trees[below.x + 2u * child].xyz),
                               bitcast<vec3f>(trees[below.x + 2u * child + 1u].xyz)));
       }
-      trees[place.x + 2u * node] = vec4u(bitcast<vec3u>(box.low), 0u);
-      trees[place.x + 2u * node + 1u] = vec4u(bitcast<vec3u>(box.high), 0u);
+      store_box(place.x + 2u * node, box);
     }
     storageBarrier();
   }

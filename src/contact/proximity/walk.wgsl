@@ -1,8 +1,10 @@
 // A walk through a tree by all invocations of a workgroup at once, each of which tests a child of a node: with the
 // boxes of all their triangles, since those lie side by side and meet nearly the same nodes. The triangles of the
-// leaves that it meets wait in `met`. The including kernel binds `trees`.
+// leaves that it meets wait in `met`. Nodes in one open patch with a part of theirs are not met by it. The including
+// kernel binds `params`, `trees` and `patches`.
 #include "contact/proximity/tree.wgsl"
 #include "contact/proximity/triangles.wgsl"
+#include "contact/proximity/patch_cells.wgsl"
 struct Tree {
   kind : u32,   // of its triangles, as candidates have it
   tree : u32,   // its first word of `trees`; of a rigid mesh: of its nodes (src/contact/object_tree.hpp)
@@ -28,6 +30,8 @@ var<workgroup> lows : array<vec3f, kWalkers>;
 var<workgroup> highs : array<vec3f, kWalkers>;
 var<workgroup> part_lows : array<vec3f, kParts>;
 var<workgroup> part_highs : array<vec3f, kParts>;
+var<workgroup> part_cells : array<vec4u, kParts>;  // of the cloths' tree, in its open patches
+var<workgroup> part_patches : array<u32, kParts>;  // patch_cells.wgsl
 var<workgroup> stack : array<u32, kStackRoom>;  // nodes: of implicit trees with their level in the upper four bits
 var<workgroup> met : array<u32, kMetRoom>;      // places of triangles, as candidates have them
 var<workgroup> met_count : atomic<u32>;
@@ -50,10 +54,24 @@ fn unite_parts(box : Box, thread : u32) {
   }
 }
 
-fn meets_parts(box : Box) -> bool {
+fn meets_parts(box : Box, cells : vec4u) -> bool {
   var meets = false;
-  for (var k = 0u; k < kParts; k++) { meets = meets || overlap(box, Box(part_lows[k], part_highs[k])); }
+  for (var k = 0u; k < kParts; k++) {
+    meets = meets || (overlap(box, Box(part_lows[k], part_highs[k])) &&
+                      !in_patch(part_patches[k], part_cells[k], cells));
+  }
   return meets;
+}
+
+// Which patches the parts lie in, once for all walks.
+fn find_patches(first_own : u32, thread : u32) {
+  if (thread >= kParts) { return; }
+  var cells = cells_of_leaf((first_own + kOfPart * thread) / kLeafTriangles);
+  for (var t = kLeafTriangles; t < kOfPart; t += kLeafTriangles) {
+    cells = united_cells(cells, cells_of_leaf((first_own + kOfPart * thread + t) / kLeafTriangles));
+  }
+  part_cells[thread] = cells;
+  part_patches[thread] = open_patches(cells);
 }
 
 fn begin_walk(tree : Tree, thread : u32) {
@@ -74,7 +92,7 @@ fn rigid_child(tree : Tree, node : u32, k : u32) -> Child {
   let low = bitcast<vec3f>(vec3u(trees[word][k], trees[word + 1u][k], trees[word + 2u][k]));
   let high = bitcast<vec3f>(vec3u(trees[word + 3u][k], trees[word + 4u][k], trees[word + 5u][k]));
   let child = trees[word + 6u][k];
-  if (child == 0u || !meets_parts(Box(low, high))) { return Child(0u, 0u, 0u, false); }
+  if (child == 0u || !meets_parts(Box(low, high), kNoPatch)) { return Child(0u, 0u, 0u, false); }
   return Child(child / 8u, tree.first + 3u * (child / 8u), child % 8u, child % 8u == 0u);
 }
 
@@ -85,7 +103,8 @@ fn implicit_child(tree : Tree, entry : u32, k : u32) -> Child {
   let end = kLeafTriangles * ((node + 1u) << (3u * level));
   if (node >= place.y || end <= tree.after) { return Child(0u, 0u, 0u, false); }
   let word = place.x + 2u * node;
-  if (!meets_parts(Box(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz)))) {
+  let box = Box(bitcast<vec3f>(trees[word].xyz), bitcast<vec3f>(trees[word + 1u].xyz));
+  if (!meets_parts(box, select(kNoPatch, cells_of_box(word), tree.kind == kNearCloth))) {
     return Child(0u, 0u, 0u, false);
   }
   let first = max(kLeafTriangles * node, tree.after);

@@ -1,0 +1,98 @@
+// Keeps open patches from folding, whose own pairs no search lists. In each round it marks the corners of triangles
+// that would fold on their ways, in further ones only where a corner was not held back; in the first one it asks for a
+// search where features may come near. As kEndWays it says, if anything is marked in the first round, how far each
+// vertex may go along the patch. Grid-stride loop over the quads of cells. Source: docs/contact.md, Patches.
+#include "gpu/index.wgsl"
+#include "state/contact.wgsl"
+#include "state/statistics.wgsl"
+#include "contact/proximity/patches.wgsl"
+//                                                                             elements
+@group(0) @binding(0) var<storage, read>       previous        : array<vec4f>;      // vertex_count  m; w: 1/kg
+@group(0) @binding(1) var<storage, read>       position        : array<vec4f>;      // vertex_count  m, where ways end
+@group(0) @binding(2) var<storage, read>       places          : array<PatchPlace>; // patch_count
+@group(0) @binding(3) var<storage, read>       patches         : array<vec4f>;      // 2 * patch_count: find_open.wgsl
+@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
+override kRound : u32 = 1;
+override kEndWays : bool = false;
+var<workgroup> quads : u32;  // with places for kCellQuads of each cell
+
+// An open patch: its axes.
+struct Axes { first : vec3f, second : vec3f, open : bool }
+fn axes_of(patch_number : u32) -> Axes {
+  let first = patches[2u * patch_number];
+  return Axes(first.xyz, patches[2u * patch_number + 1u].xyz, first.w >= kOpen);
+}
+
+fn ends_of(quad : vec4u) -> Quad {
+  return Quad(position[quad.x].xyz, position[quad.y].xyz, position[quad.z].xyz, position[quad.w].xyz);
+}
+fn starts_of(quad : vec4u) -> Quad {
+  return Quad(previous[quad.x].xyz, previous[quad.y].xyz, previous[quad.z].xyz, previous[quad.w].xyz);
+}
+
+fn is_held(vertex : u32) -> bool {
+  let held = atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]);
+  return previous[vertex].w == 0.0 || (held & kHeld) != 0u;
+}
+
+fn mark_folded(corners : vec3u, least : f32) {
+  if (kRound == 1u && least < kFolding) { atomicStore(&statistics[kStatDetect], 1u); }
+  if (least >= kFolded) { return; }
+  if (kRound > 1u && is_held(corners.x) && is_held(corners.y) && is_held(corners.z)) { return; }
+  for (var k = 0u; k < 3u; k++) { atomicOr(&vertex_contacts[kVertexWords * corners[k] + kHeldWord], kMarked); }
+  atomicMax(&statistics[kStatMeeting], kRound);
+}
+
+// Equation (6c). If no corner of a triangle goes farther along the patch than the room, its sides change by no more
+// than twice that, and λ by no more than twice that by its shortest altitude: it stays above kFolded.
+fn end_before_fold(vertex : u32, room : f32, axes : Axes) {
+  let way = position[vertex].xyz - previous[vertex].xyz;
+  let along = length(vec2f(dot(axes.first, way), dot(axes.second, way)));
+  if (along > room) {
+    atomicMax(&vertex_contacts[kVertexWords * vertex + kPartWord], ~bitcast<u32>(room / along));
+  }
+}
+
+fn keep_quad(number : u32, k : u32) {
+  let place = places[number];
+  let width = columns_of(place.cell_size);
+  if (k >= width * rows_of(place.cell_size)) { return; }
+  let i = k % width;
+  let j = k / width;
+  let quad = quad_of(place.cell_vertex, place.stride, i, j);
+  let down = leads_down(i, j);
+  let end = ends_of(quad);
+  var least = vec2f(1.0);  // of the quad's triangles
+  for (var around = 0u; around < kPatchesAround * kPatchesAround; around++) {
+    let axes = axes_of(number + around % kPatchesAround + place.columns * (around / kPatchesAround));
+    if (!axes.open) { continue; }
+    if (!kEndWays) {
+      least = min(least, vec2f(openness(end, down, false, place, axes.first, axes.second),
+                               openness(end, down, true, place, axes.first, axes.second)));
+      continue;
+    }
+    let start = starts_of(quad);
+    for (var t = 0u; t < 2u; t++) {
+      let corners = triangle_of(quad, down, t == 1u);
+      let now = openness(start, down, t == 1u, place, axes.first, axes.second);
+      let room = 0.5 * max(0.0, now - kFolded) * altitude_of(place);
+      for (var corner = 0u; corner < 3u; corner++) { end_before_fold(corners[corner], room, axes); }
+    }
+  }
+  if (kEndWays) { return; }
+  mark_folded(triangle_of(quad, down, false), least.x);
+  mark_folded(triangle_of(quad, down, true), least.y);
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn keep_open(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
+             @builtin(local_invocation_index) thread : u32) {
+  if (thread == 0u) {
+    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u ||
+               atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, kEndWays) < kRound;
+    quads = select(kCellQuads * arrayLength(&places), 0u, idle);
+  }
+  let count = workgroupUniformLoad(&quads);
+  for (var k = id.x; k < count; k += groups.x * kWorkgroupSize) { keep_quad(k / kCellQuads, k % kCellQuads); }
+}

@@ -1,0 +1,130 @@
+// Cloth that flies in its own plane: its open patches are not searched, and do not fold where something stops them.
+#include "contact_rig.hpp"
+
+using namespace weft;
+
+namespace {
+
+/// A sheet of squares of about 25 mm in xz.
+std::string grid_cloth(const std::string& grid, const std::string& size, const std::string& translate) {
+  return R"({"grid": )" + grid + R"(, "size": )" + size +
+         R"(, "plane": "xz", "density": 0.3, "damping": 0.01,
+    "stiffness": {"structural": 40, "shear": 10, "bend": 0.3}, "transform": {"translate": )" +
+         translate + "}}";
+}
+std::string flight_text(const std::string& solver, const std::string& more = "") {
+  return R"("solver": {"kind": ")" + solver + R"("}, "time": {"substeps": )" +
+         (solver == "mass_spring" ? "16" : "8") +
+         R"(}, "contact": {"method": "proximity", "thickness": 0.008)" + more + "}, ";
+}
+constexpr const char* kBothSolvers[] = {"mass_spring", "multigrid"};
+
+struct Flight {
+  std::uint32_t bad = 0;  // frames in which something had passed through something
+  std::uint64_t contacts = 0, truncated = 0;
+};
+Flight fly(sim::World& world, std::uint32_t frames) {
+  Flight flight;
+  for (std::uint32_t frame = 0; frame < frames; ++frame) {
+    advance(world, 1);
+    flight.bad += passed(world) != 0 ? 1 : 0;
+  }
+  const Totals& totals = world.totals();
+  CHECK(totals.crossings == 0);
+  flight.contacts = totals.contacts;
+  flight.truncated = totals.truncated;
+  MESSAGE("contacts ", totals.contacts, ", pairs ", totals.pairs, ", truncated ", totals.truncated,
+          ", stretch ", totals.max_stretch);
+  return flight;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a sheet that flies in its plane at 10 m/s lists no pair of itself, and flies as one that cannot meet "
+    "itself") {
+  GpuFixture fixture;
+  for (const char* solver : kBothSolvers) {
+    CAPTURE(solver);
+    std::vector<Moment> ends;
+    for (const char* self : {"true", "false"}) {
+      auto world =
+          world_of(fixture.device(),
+                   contact_scene(flight_text(solver, std::string(R"(, "self": )") + self) + R"("cloths": [)" +
+                                 grid_cloth("[25,17]", "[0.6,0.4]", "[0, 0, 0]") + "]"));
+      push(*world, 0, 25 * 17, {8, 0, 6});
+      fly(*world, 6);
+      CHECK(world->totals().pairs == 0);
+      CHECK(world->totals().candidates == 0);
+      CHECK(world->totals().truncated == 0);
+      ends.emplace_back(*world);
+    }
+    double most = 0;
+    for (std::size_t v = 0; v < ends[0].position.size(); ++v)
+      most = std::max(most, length(ends[0].position[v] - ends[1].position[v]));
+    CHECK(most < 1e-6);
+  }
+}
+
+TEST_CASE(
+    "a sheet that flies in its plane against a wall, and into a corner of it, passes nowhere through "
+    "itself") {
+  GpuFixture fixture;
+  for (const char* solver : kBothSolvers)
+    for (const double speed : {5.0, 20.0})
+      for (const char* wall : {R"("kind": "box", "center": [0.5, 0, 0], "size": [0.3, 0.6, 1])",
+                               R"("kind": "box", "center": [0.5, 0, 0.3], "size": [0.3, 0.6, 0.5])"}) {
+        CAPTURE(solver);
+        CAPTURE(speed);
+        CAPTURE(wall);
+        auto world =
+            world_of(fixture.device(),
+                     contact_scene(R"("gravity": [0, 0, 0], )" + flight_text(solver) + R"("cloths": [)" +
+                                   grid_cloth("[25,17]", "[0.6,0.4]", "[0, 0, 0]") + R"(], "colliders": [{)" +
+                                   wall + "}]"));
+        push(*world, 0, 25 * 17, {speed, 0, 0});
+        const Flight flight = fly(*world, 10);
+        CHECK(flight.bad == 0);
+        CHECK(flight.contacts > 10);
+      }
+}
+
+TEST_CASE("two sheets that fly into each other edge on pass through nothing") {
+  GpuFixture fixture;
+  for (const char* solver : kBothSolvers)
+    for (const double speed : {2.0, 10.0}) {
+      CAPTURE(solver);
+      CAPTURE(speed);
+      auto world =
+          world_of(fixture.device(),
+                   contact_scene(R"("gravity": [0, 0, 0], )" + flight_text(solver) + R"("cloths": [)" +
+                                 grid_cloth("[25,17]", "[0.6,0.4]", "[0, 0, 0]") + "," +
+                                 grid_cloth("[20,15]", "[0.5,0.36]", "[0.6, 0.002, 0.013]") + "]"));
+      push(*world, 0, 25 * 17, {speed, 0, 0});
+      push(*world, 25 * 17, 25 * 17 + 20 * 15, {-speed, 0, 0});
+      const Flight flight = fly(*world, 10);
+      CHECK(flight.bad == 0);
+      CHECK(flight.contacts > 10);
+    }
+}
+
+TEST_CASE("a sheet of two layers and the fold between them flies in its plane, and its layers stay apart") {
+  GpuFixture fixture;
+  for (const char* solver : kBothSolvers) {
+    CAPTURE(solver);
+    auto world = world_of(fixture.device(),
+                          contact_scene(R"("gravity": [0, 0, 0], )" + flight_text(solver) + R"("cloths": [)" +
+                                        grid_cloth("[33,17]", "[0.8,0.4]", "[0, 0, 0]") + "]"));
+    change_state(*world, [](std::size_t, Vec3d& x, Vec3d& v) {
+      // Half a circle of 0.1 m between the layers, which are a quarter of that apart where they end.
+      const double bend = 0.1, radius = bend / std::acos(-1.0), along = x.x;
+      const double angle = std::clamp((along + 0.5 * bend) / radius, 0.0, std::acos(-1.0));
+      const double straight = std::max(0.0, std::abs(along) - 0.5 * bend);
+      x = {radius * std::sin(angle) - straight, -radius * std::cos(angle) * (1 - 1.5 * straight), x.z};
+      v = {6, 0, 8};
+    });
+    const Flight flight = fly(*world, 10);
+    CHECK(flight.bad == 0);
+    CHECK(flight.truncated == 0);
+  }
+}
