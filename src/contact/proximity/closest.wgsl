@@ -16,18 +16,25 @@ fn place_on_segment(p : vec3f, a : vec3f, d : vec3f) -> f32 {
   return clamp(dot(p - a, d) / size, 0.0, 1.0);
 }
 
+const kLeast = 1e-37;  // in place of zero, of what is divided by
+
+// The cross product of u and v, square to both within the rounding of lengths, however small their angle: with what of
+// v is square to u. Where closest points are inside, `apart` has its direction, and separates all of one feature from
+// all of the other: what is between the places does so to the rounding over the sine of that angle only.
+fn square_to(u : vec3f, v : vec3f) -> vec3f { return cross(u, v - dot(u, v) / max(dot(u, u), kLeast) * u); }
+
 fn closest_on_triangle(p : vec3f, a : vec3f, b : vec3f, c : vec3f) -> Closest {
   let ab = b - a;
   let ac = c - a;
   let ap = p - a;
-  let n = cross(ab, ac);
+  let n = square_to(ab, ac);
   let area = dot(n, n);
   let s = dot(cross(ap, ac), n);
   let t = dot(cross(ab, ap), n);
   if (s >= 0.0 && t >= 0.0 && s + t <= area && area > 0.0) {
     let u = s / area;
     let v = t / area;
-    return Closest(u, v, ap - u * ab - v * ac, true);
+    return Closest(u, v, dot(n, ap) / area * n, true);
   }
   let on_ab = place_on_segment(p, a, ab);
   let on_ac = place_on_segment(p, a, ac);
@@ -45,6 +52,7 @@ fn closest_on_triangle(p : vec3f, a : vec3f, b : vec3f, c : vec3f) -> Closest {
 }
 
 // Of the segments from a to b and from c to d. Parallel ones take the first's start, so they are never inside.
+const kParallel = 1e-10;  // the square of the sine of the angle between them
 fn closest_on_edges(a : vec3f, b : vec3f, c : vec3f, d : vec3f) -> Closest {
   let u = b - a;
   let v = d - c;
@@ -54,18 +62,14 @@ fn closest_on_edges(a : vec3f, b : vec3f, c : vec3f, d : vec3f) -> Closest {
   let uv = dot(u, v);
   let ur = dot(u, r);
   let vr = dot(v, r);
-  let size = uu * vv;
-  let det = size - uv * uv;
-  var s = 0.0;
-  if (det > 1e-6 * size && det > 0.0) { s = clamp((uv * vr - ur * vv) / det, 0.0, 1.0); }
-  var t = 0.0;
-  if (vv > 0.0) {
-    let free = (uv * s + vr) / vv;
-    t = clamp(free, 0.0, 1.0);
-    if (t != free && uu > 0.0) { s = clamp((uv * t - ur) / uu, 0.0, 1.0); }
-  } else if (uu > 0.0) {
-    s = clamp(-ur / uu, 0.0, 1.0);
-  }
-  let inside = s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0;
-  return Closest(s, t, r + s * u - t * v, inside);
+  let n = square_to(u, v);
+  let nn = dot(n, n);
+  // No short circuit: SwiftShader takes all memory to compile its branches.
+  let cross_over = (nn > kParallel * uu * vv) & (nn > 0.0);
+  var s = select(0.0, clamp(dot(cross(v, r), n) / max(nn, kLeast), 0.0, 1.0), cross_over);
+  let free = (uv * s + vr) / max(vv, kLeast);
+  let t = clamp(free, 0.0, 1.0);
+  s = select(s, clamp((uv * t - ur) / max(uu, kLeast), 0.0, 1.0), (t != free) | (vv <= 0.0));
+  let inside = cross_over & (s > 0.0) & (s < 1.0) & (t > 0.0) & (t < 1.0);
+  return Closest(s, t, select(r + s * u - t * v, dot(n, r) / max(nn, kLeast) * n, inside), inside);
 }
