@@ -313,7 +313,9 @@ Field ImplicitStepper::solved(const Levels& hierarchy, const StepStart& step, bo
 }
 
 void ImplicitStepper::advance(const Substep& substep) {
-  const auto& [system, places, dt, ratio, pairs, presses] = substep;
+  MassSpringSystem& system = substep.system;
+  const std::span<const NearPair> pairs = substep.pairs;
+  const double dt = substep.dt;
   pair_forces_.assign(pairs.size(), {});
   for (const NearPair& pair : pairs)  // no history: both sides take the force in the same formula
     for (std::uint32_t k = 0; k < pair.node_count; ++k) known_[pair.nodes[k]] = false;
@@ -322,11 +324,10 @@ void ImplicitStepper::advance(const Substep& substep) {
   iterations_ = 0;
   residual_ = 0;
   held_.assign(position.size(), false);
-  const auto finish = [&, dt = dt, ratio = ratio](const Cloth& cloth, const StepStart& step,
-                                                  const Field& dz) {
+  const auto finish = [&](const Cloth& cloth, const StepStart& step, const Field& dz) {
     for (std::size_t a = 0; a < dz.size(); ++a) {
       const std::size_t node = cloth.first + a;
-      const StepFormula formula = step_formula(dt, known_[node] ? ratio : 0);
+      const StepFormula formula = step_formula(dt, known_[node] ? substep.ratio : 0);
       position[node] = step.place[a] + step.start[a] + dz[a];
       velocity[node] = step.start_velocity[a] + (step.fixed[a] ? Vec3d{} : dz[a] / formula.he);
       hold_forces_[node] = {};
@@ -349,18 +350,18 @@ void ImplicitStepper::advance(const Substep& substep) {
     }
   };
   for (std::size_t c = 0; c < cloths_.size(); ++c) {
-    const auto hold_apart = [&, &system = system, dt = dt](StepStart& step) {
+    const auto hold_apart = [&](StepStart& step) {
       step.pairs = held_apart(step, system, pairs, dt, cloths_[c]);
       for (const PairHold& hold : step.pairs) hold.add_force(step.residual, step.fixed);
     };
     if (cloths_[c].levels.empty()) {
-      LinearStep step = linearise(system, places, dt, ratio, c, presses);
+      LinearStep step = linearise(system, substep.places, dt, substep.ratio, c, substep.presses);
       hold_apart(step);
-      finish(cloths_[c], step, solved(Hierarchy(step.matrix, step.source), step, !presses.empty()));
+      finish(cloths_[c], step, solved(Hierarchy(step.matrix, step.source), step, !substep.presses.empty()));
     } else {
-      MeshStep step = linearise_mesh(system, places, dt, ratio, c, presses);
+      MeshStep step = linearise_mesh(system, substep.places, dt, substep.ratio, c, substep.presses);
       hold_apart(step);
-      finish(cloths_[c], step, solved(MeshHierarchy(step.matrix), step, !presses.empty()));
+      finish(cloths_[c], step, solved(MeshHierarchy(step.matrix), step, !substep.presses.empty()));
     }
   }
   remember(system.position, system.velocity);
