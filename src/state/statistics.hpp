@@ -55,7 +55,7 @@ struct Statistics {
   std::uint32_t near_before = 0;
   /// 1: some vertex goes farther than to the obstacles that have records (proximity).
   std::uint32_t far_ways = 0;
-  /// The last round in which cloth could meet other cloth on its way; 0: none.
+  /// The last round of a substep in which cloth could meet other cloth on its way; 0: none.
   std::uint32_t meeting = 0;
   /// How far a collider may go until the next search [m].
   float reach = 0;

@@ -44,7 +44,7 @@ const kStatCrossingsLeft = 19u;
 const kStatNearBefore = 20u;
 // 1: some vertex goes farther than to the obstacles that have records (proximity).
 const kStatFarWays = 21u;
-// The last round in which cloth could meet other cloth on its way; 0: none.
+// The last round of a substep in which cloth could meet other cloth on its way; 0: none.
 const kStatMeeting = 22u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
 const kStatReach = 23u;

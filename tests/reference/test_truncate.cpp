@@ -1,11 +1,13 @@
 // Displacements that are cut at planes, and obstacles at a time.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
 #include "base/random.hpp"
 #include "contact/reference/proximity/obstacles.hpp"
+#include "contact/reference/proximity/separate.hpp"
 #include "contact/reference/proximity/truncate.hpp"
 #include "mesh/primitives.hpp"
 #include "scene/load.hpp"
@@ -27,16 +29,29 @@ struct Moved {
     velocity.push_back(to - from);
     inverse_mass.push_back(inverse);
   }
-  Truncated cut(const std::vector<SolidPlane>& planes, const std::vector<ClothPair>& pairs, double reach) {
-    return truncate(planes, pairs, reach, {start, inverse_mass, end, velocity});
+  Truncated cut(const std::vector<SolidPlane>& planes, const std::vector<ClothPair>& pairs, double reach,
+                std::uint32_t separations = 0) {
+    return truncate(planes, pairs, reach, {start, inverse_mass, end, velocity, 1, separations});
+  }
+  Vec3d momentum() const {
+    Vec3d sum;
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+      if (inverse_mass[i] > 0) sum += velocity[i] / inverse_mass[i];
+    return sum;
+  }
+  double kinetic() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+      if (inverse_mass[i] > 0) sum += 0.5 * dot(velocity[i], velocity[i]) / inverse_mass[i];
+    return sum;
   }
 };
 
 constexpr Vec3d kUp{0, 1, 0};
 
-/// Two nodes, A above B, a distance apart.
+/// Two nodes, A above B by 1.
 ClothPair above(std::uint32_t a, std::uint32_t b, double middle, double margin) {
-  return {1, 1, {a, b}, kUp, middle, margin, 2 * margin};
+  return {1, 1, {a, b}, kUp, middle, margin, 2 * margin, 1};
 }
 
 }  // namespace
@@ -65,9 +80,11 @@ TEST_CASE("a way ends where it meets the first plane of an obstacle, and at its 
 
 TEST_CASE("nodes that fly together keep their ways, however near they are to each other") {
   Moved moved;
-  moved.add({0, 0.01, 0}, {0, -5, 0});
-  moved.add({0, 0, 0}, {3, -5.01, 0});
-  CHECK(moved.cut({}, {above(0, 1, 0.005, 0.001)}, 99).vertices == 0);
+  moved.add({0, 1, 0}, {0, -5, 0});
+  moved.add({0, 0, 0}, {3, -6, 0});
+  const std::vector<Vec3d> end = moved.end;
+  CHECK(moved.cut({}, {above(0, 1, 0.5, 0.1)}, 99, 6).vertices == 0);
+  CHECK(moved.end == end);
 }
 
 TEST_CASE("a stop goes down through a pile: what comes after ends its way before what was stopped") {
@@ -82,6 +99,83 @@ TEST_CASE("a stop goes down through a pile: what comes after ends its way before
   CHECK(count.vertices == 6);
   CHECK(count.driven == 0);
   for (std::uint32_t k = 1; k < 6; ++k) CHECK(moved.end[k].y - moved.end[k - 1].y >= 0.1 - 1e-12);
+}
+
+TEST_CASE("two sides that are separated end as far apart as asked, without momentum and with less energy") {
+  Random random(62);
+  for (int round = 0; round < 20000; ++round) {
+    BothSides sides{1 + random.below(2), 0};
+    sides.count_b = 4 - sides.count_a;
+    const double gap = random.uniform(0.01, 1);
+    std::array<double, 4> way{};
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const double start = k < sides.count_a ? gap + random.uniform(0, 1) : -random.uniform(0, 1);
+      sides.inverse_mass[k] = random.below(6) == 0 ? 0 : random.uniform(0.1, 10);
+      way[k] = sides.inverse_mass[k] == 0 ? 0 : random.uniform(-3, 3);
+      sides.along[k] = start + way[k];
+    }
+    const bool meet = sides.apart() < gap;
+    const std::array<double, 4> shifts = separated(sides, gap);
+    double moment = 0, energy = 0;
+    bool all_move = true;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      all_move = all_move && sides.inverse_mass[k] > 0;
+      if (sides.inverse_mass[k] == 0) {
+        CHECK(shifts[k] == 0);
+        continue;
+      }
+      CHECK((k < sides.count_a ? shifts[k] >= 0 : shifts[k] <= 0));
+      moment += shifts[k] / sides.inverse_mass[k];
+      energy += ((way[k] + shifts[k]) * (way[k] + shifts[k]) - way[k] * way[k]) / sides.inverse_mass[k];
+      sides.along[k] += shifts[k];
+    }
+    CHECK(sides.apart() >= gap - 1e-12);
+    CHECK(energy <= 1e-12);
+    if (all_move) CHECK(std::abs(moment) < 1e-12);
+    if (!meet) CHECK(std::all_of(shifts.begin(), shifts.end(), [](double shift) { return shift == 0; }));
+  }
+}
+
+TEST_CASE("what strikes in flight keeps its momentum and the motion of all, and gains no energy") {
+  Random random(63);
+  const Vec3d together{3, -50, 2};
+  for (int round = 0; round < 100; ++round) {
+    // A pile of eight, each as heavy as it happens, with gaps of 1.
+    Moved moved;
+    std::vector<ClothPair> pairs;
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      const Vec3d from{0, 1.0 * k, 0};
+      moved.add(from, from + together + random_point(random, 1), random.uniform(0.5, 2));
+      if (k > 0) pairs.push_back(above(k, k - 1, k - 0.5, 0.05));
+    }
+    const Vec3d momentum = moved.momentum();
+    const double kinetic = moved.kinetic();
+    const std::vector<Vec3d> velocity = moved.velocity;
+    const Truncated count = moved.cut({}, pairs, 999, 60);
+    CHECK(count.vertices == 0);
+    CHECK(length(moved.momentum() - momentum) < 1e-9);
+    CHECK(moved.kinetic() <= kinetic + 1e-9);
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      CHECK(moved.velocity[k].x == velocity[k].x);
+      CHECK(length(moved.end[k] - moved.start[k] - moved.velocity[k]) < 1e-9);
+      if (k > 0) CHECK(moved.end[k].y - moved.end[k - 1].y >= 0.1 - 1e-9);
+    }
+  }
+}
+
+TEST_CASE("what is separated stays before obstacles and within its reach") {
+  Moved moved;
+  moved.add({0, 0.2, 0}, {0, 0.1, 0});
+  moved.add({0, 1.2, 0}, {0, -1.8, 0}, 0.01);  // heavy
+  const std::vector<ClothPair> pairs{above(1, 0, 0.7, 0.05)};
+  moved.cut({{0, kUp, 0}}, pairs, 5, 6);
+  CHECK(moved.end[0].y >= 0);
+  CHECK(moved.end[1].y - moved.end[0].y >= 0.1 - 1e-12);
+  Moved near;
+  near.add({0, 0.2, 0}, {0, 0.1, 0});
+  near.add({0, 1.2, 0}, {0, 0.2, 0}, 0.01);
+  near.cut({}, pairs, 0.15, 6);
+  CHECK(length(near.end[0] - near.start[0]) <= 0.15 + 1e-12);
 }
 
 TEST_CASE("an obstacle does not drive one layer through another that stays: it is counted") {
@@ -114,9 +208,10 @@ TEST_CASE("random ways of random pairs end on their own sides, whatever each was
                        n,
                        dot(n, 0.5 * (moved.start[a] + moved.start[b])),
                        0.05 * length(apart),
-                       0.1 * length(apart)});
+                       0.1 * length(apart),
+                       length(apart)});
     }
-    moved.cut({}, pairs, 10);
+    moved.cut({}, pairs, 10, round % 2 == 0 ? 0 : 6);
     for (const ClothPair& pair : pairs)
       CHECK(dot(pair.normal, moved.end[pair.nodes[0]] - moved.end[pair.nodes[1]]) >= 2 * pair.margin - 1e-12);
   }

@@ -45,6 +45,18 @@ fn deepest_carry(first : u32, far : bool, x : vec3f) -> Carry {
   return deepest;
 }
 
+// How much of the way from a place before the planes to another passes none of them.
+fn part_before_solids(start : vec3f, end : vec3f, first : u32) -> f32 {
+  var part = 1.0;
+  for (var link = first; link != 0u; link = next_of(link)) {
+    let contact = contacts[record_of(link)];
+    if (has_plane(contact)) {
+      part = min(part, part_before(beyond(contact, role_of(link), start), beyond(contact, role_of(link), end)));
+    }
+  }
+  return part;
+}
+
 // Only where a plane is near enough to be met, or the way so long that any may be.
 fn before_solids(way_so_far : Way, start : vec3f, first : u32, tight : f32) -> Way {
   var way = way_so_far;

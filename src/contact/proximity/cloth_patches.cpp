@@ -20,7 +20,9 @@ Result<ClothPatches> ClothPatches::create(gpu::Device& device, const PatchTable&
   WEFT_SET(made.find_open_, gpu::Kernel::create(device, "contact/proximity/find_open.wgsl", {}, kQuads));
   const auto keep = [&](std::size_t round, double end_ways) {
     return gpu::Kernel::create(device, "contact/proximity/keep_open.wgsl",
-                               {{"kRound", static_cast<double>(round + 1)}, {"kEndWays", end_ways}},
+                               {{"kRound", static_cast<double>(kMostSeparations + round + 1)},
+                                {"kFirst", round == 0 ? 1.0 : 0.0},
+                                {"kEndWays", end_ways}},
                                workgroup_size);
   };
   WEFT_SET(made.end_ways_, keep(0, 1));
@@ -43,11 +45,13 @@ void ClothPatches::record_search(gpu::ComputePass& pass) const {
   if (count_ > 0) find_open_.dispatch(pass, find_groups_[pass.parity()], kQuads * count_);
 }
 
-void ClothPatches::record_round(gpu::ComputePass& pass, std::size_t round) const {
-  if (count_ == 0) return;
-  const std::uint32_t parity = pass.parity();
-  mark_[round].dispatch_strided(pass, mark_groups_[round][parity], kCellQuads * count_);
-  if (round == 0) end_ways_.dispatch_strided(pass, end_groups_[parity], kCellQuads * count_);
+void ClothPatches::record_marks(gpu::ComputePass& pass, std::size_t round) const {
+  if (count_ > 0)
+    mark_[round].dispatch_strided(pass, mark_groups_[round][pass.parity()], kCellQuads * count_);
+}
+
+void ClothPatches::record_ends(gpu::ComputePass& pass) const {
+  if (count_ > 0) end_ways_.dispatch_strided(pass, end_groups_[pass.parity()], kCellQuads * count_);
 }
 
 }  // namespace weft::contact

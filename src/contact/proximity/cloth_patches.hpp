@@ -10,8 +10,10 @@
 
 namespace weft::contact {
 
-/// In how many rounds cloth is held back from cloth. Mirror: reference/proximity/truncate.cpp.
-inline constexpr std::size_t kRounds = 4;
+/// The rounds of a substep are numbered: pairs of cloth that may meet are separated in up to kMostSeparations, of which
+/// the last has that number, and cloth is then held back in kRounds. Mirrors: state/contact.wgsl,
+/// reference/proximity/truncate.cpp.
+inline constexpr std::size_t kMostSeparations = 6, kRounds = 3;
 
 /// Patches of cloths that are grids, whose own pairs are not searched while they are open, and which are kept from
 /// folding in every substep. Source: docs/contact.md, Patches.
@@ -27,9 +29,11 @@ class ClothPatches {
   /// In a search, before candidates are found: which patches are open.
   void record_search(gpu::ComputePass& pass) const;
 
-  /// Of a round that holds vertices back: marks what would fold, and in the first says how far each vertex may go.
+  /// Of a round that holds vertices back: marks what would fold.
   /// Reads   both positions [m], the second where ways end. Writes  pairs.vertex_contacts; state.statistics.
-  void record_round(gpu::ComputePass& pass, std::size_t round) const;
+  void record_marks(gpu::ComputePass& pass, std::size_t round) const;
+  /// In the first, after anything else that marks: says how far each vertex may go. Reads and writes the same.
+  void record_ends(gpu::ComputePass& pass) const;
 
   /// Two for each patch: its axes, and λ in the first one's w.
   const gpu::Buffer<Vec4f>& openness() const { return openness_; }

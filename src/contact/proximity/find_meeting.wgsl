@@ -1,12 +1,12 @@
 // Finds the pairs of cloth whose sides may meet on the ways that their vertices go, and marks the vertices; and how far
 // each vertex may go before the planes half way between it and all that it is listed with: equation (6) of
-// docs/contact.md. The same before obstacles of pairs without record, for vertices that go far. Grid-stride loop over
-// the pairs. Further rounds ask the pairs of cloth again of which a vertex was not held back in those before.
+// docs/contact.md. The same before obstacles of pairs without record, for vertices that go far. Further rounds ask the
+// pairs of cloth again of which a vertex was not held back in those before. Grid-stride loop over the pairs.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
-#include "contact/proximity/planes.wgsl"
+#include "contact/proximity/meeting.wgsl"
 #include "contact/proximity/solid_reach.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
@@ -18,46 +18,11 @@
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kRound : u32 = 1;
-override kSelf : u32 = 1;  // 0: no cloth meets cloth
-const kShortWay = 0.499;  // of the gap: less than half, by more than the rounding of either side's place
+override kFirst : bool = true;  // of the rounds that hold back
 
 var<workgroup> pairs : u32;
 
 fn end_of_way(vertex : u32) -> vec3f { return position[vertex].xyz; }
-
-// What is between the two sides at the start of the substep, m: the gap, and the distance that they keep. 0: nothing
-// that must stay.
-fn gap_of(words : vec4u) -> vec2f {
-  if ((words.x & kHasRecord) == 0u) { return bitcast<vec2f>(words.zx) * select(1.0, 0.0, words.x == 0u); }
-  let number = words.x & ~kHasRecord;
-  return vec2f(select(contacts[number].normal.w, 0.0, contacts[number].solid != 0u), contacts[number].thickness);
-}
-// The direction from B to A, and where side A lies along it, m.
-fn line_of(ids : vec4u, words : vec4u) -> vec4f {
-  if ((words.x & kHasRecord) == 0u) {
-    let measured = measure(ids);
-    return vec4f(measured.normal, measured.place_a);
-  }
-  let number = words.x & ~kHasRecord;
-  return vec4f(contacts[number].normal.xyz, contacts[number].place.z);
-}
-
-// The longest way of the four vertices, m.
-fn longest_way(ids : vec4u) -> f32 {
-  var longest = 0.0;
-  for (var role = 0u; role < 4u; role++) {
-    let vertex = ids[role] & kIdBits;
-    longest = max(longest, distance(previous[vertex].xyz, position[vertex].xyz));
-  }
-  return longest;
-}
-
-// How much of a way takes a vertex past no plane, by how far it is beyond it at the start and would be at the end.
-fn part_before(now : f32, then : f32) -> f32 {
-  if (then <= 0.0) { return 1.0; }
-  if (now < 0.0) { return now / (now - then); }
-  return select(1.0, 0.0, then > now);
-}
 
 fn end_before(vertex : u32, part : f32) {
   if (part < 1.0) { atomicMax(&vertex_contacts[kVertexWords * vertex + kPartWord], ~bitcast<u32>(part)); }
@@ -95,9 +60,9 @@ fn end_before_collider(ids : vec4u, thickness : f32) {
 fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
                 @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
-    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u ||
-               atomicLoad(&statistics[kStatMeeting]) + 1u < kRound ||
-               (kSelf == 0u && atomicLoad(&statistics[kStatFarWays]) == 0u);
+    let last = atomicLoad(&statistics[kStatMeeting]);
+    let far = kFirst && atomicLoad(&statistics[kStatFarWays]) != 0u;
+    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u || (last + 1u < kRound && !far);
     pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, idle);
   }
   let count = workgroupUniformLoad(&pairs);
@@ -106,37 +71,28 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     if (is_crossing(ids)) { continue; }
     let words = listed[pair].words;
     if (!is_self_pair(ids)) {
-      if (kRound == 1u && (words.x & kHasRecord) == 0u) { end_before_collider(ids, bitcast<f32>(words.x)); }
+      if (kFirst && (words.x & kHasRecord) == 0u) { end_before_collider(ids, bitcast<f32>(words.x)); }
       continue;
     }
-    let between = gap_of(words);
-    let gap = between.x;
-    let thickness = between.y;
-    if (gap <= 0.0 || longest_way(ids) < kShortWay * gap - margin_of(gap, thickness)) { continue; }
-    let line = line_of(ids, words);
-    var least = 3e38;   // of side A along the normal, m
-    var most = -3e38;   // of side B
+    let ends = ends_of(ids, words);
+    if (!ends.may_meet) { continue; }
     var all_held = true;
     for (var role = 0u; role < 4u; role++) {
       let vertex = ids[role] & kIdBits;
-      let place = position[vertex];
-      let along = dot(line.xyz, place.xyz);
-      let on_a = role < roles_of_a(ids);
-      if (on_a) { least = min(least, along); } else { most = max(most, along); }
-      if (kRound > 1u) {
+      let inverse_mass = previous[vertex].w;
+      if (!kFirst) {
         let held = atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]) & kHeld;
-        all_held = all_held && (held != 0u || place.w == 0.0);
-      } else if (place.w != 0.0) {
-        let side = select(-1.0, 1.0, on_a);
-        let then = beyond_half(side, along, line.w, gap, thickness);
+        all_held = all_held && (held != 0u || inverse_mass == 0.0);
+      } else if (inverse_mass != 0.0) {
+        let side = select(-1.0, 1.0, role < roles_of_a(ids));
+        let then = beyond_half(side, ends.along[role], ends.middle, ends.gap, ends.thickness);
         if (then > 0.0) {
-          let start = dot(line.xyz, previous[vertex].xyz);
-          end_before(vertex, part_before(beyond_half(side, start, line.w, gap, thickness), then));
+          let start = dot(ends.normal, before_of(ids[role]) - before_of(ids.x));
+          end_before(vertex, part_before(beyond_half(side, start, ends.middle, ends.gap, ends.thickness), then));
         }
       }
     }
-    if (least - most >= gap || (kRound > 1u && all_held)) { continue; }
-    if (least - most >= least_apart(gap, thickness)) { continue; }
+    if (!end_too_near(ends) || (!kFirst && all_held)) { continue; }
     for (var role = 0u; role < 4u; role++) {
       atomicOr(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kHeldWord], kMarked);
     }

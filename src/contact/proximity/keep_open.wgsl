@@ -14,6 +14,7 @@
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kRound : u32 = 1;
+override kFirst : bool = true;  // of the rounds that hold back
 override kEndWays : bool = false;
 var<workgroup> quads : u32;  // with places for kCellQuads of each cell
 
@@ -37,9 +38,9 @@ fn is_held(vertex : u32) -> bool {
 }
 
 fn mark_folded(corners : vec3u, least : f32) {
-  if (kRound == 1u && least < kFolding) { atomicStore(&statistics[kStatDetect], 1u); }
+  if (kFirst && least < kFolding) { atomicStore(&statistics[kStatDetect], 1u); }
   if (least >= kFolded) { return; }
-  if (kRound > 1u && is_held(corners.x) && is_held(corners.y) && is_held(corners.z)) { return; }
+  if (!kFirst && is_held(corners.x) && is_held(corners.y) && is_held(corners.z)) { return; }
   for (var k = 0u; k < 3u; k++) { atomicOr(&vertex_contacts[kVertexWords * corners[k] + kHeldWord], kMarked); }
   atomicMax(&statistics[kStatMeeting], kRound);
 }
@@ -89,8 +90,9 @@ fn keep_quad(number : u32, k : u32) {
 fn keep_open(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
              @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
+    let asks = kFirst && !kEndWays;
     let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u ||
-               atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, kEndWays) < kRound;
+               (!asks && atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, kEndWays) < kRound);
     quads = select(kCellQuads * arrayLength(&places), 0u, idle);
   }
   let count = workgroupUniformLoad(&quads);

@@ -22,9 +22,16 @@ fn beyond_solid(side : f32, along : f32, reach : f32, gap : f32, thickness : f32
   let margin = max(kContactMargin * min(gap, thickness), kContactFloor * thickness);
   return side * (reach + side * margin - along);
 }
-// The same of the plane half way between two sides of cloth. place_a: of side A at the start of the substep, m.
-fn beyond_half(side : f32, along : f32, place_a : f32, gap : f32, thickness : f32) -> f32 {
-  return side * (place_a - 0.5 * gap + side * margin_of(gap, thickness) - along);
+// The same of the plane half way between two sides of cloth. middle: where that is on the normal, m.
+fn beyond_half(side : f32, along : f32, middle : f32, gap : f32, thickness : f32) -> f32 {
+  return side * (middle + side * margin_of(gap, thickness) - along);
+}
+
+// How much of a way takes a vertex past no plane, by how far it is beyond it at the start and would be at the end.
+fn part_before(now : f32, then : f32) -> f32 {
+  if (then <= 0.0) { return 1.0; }
+  if (now < 0.0) { return now / (now - then); }
+  return select(1.0, 0.0, then > now);
 }
 
 // A vertex that moves no farther than this in a substep passes no obstacle that has no record: those are farther away.

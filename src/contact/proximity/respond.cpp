@@ -19,12 +19,21 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, {"kLast", 0}}});
     all.push_back({made.add_, "contact/proximity/add_impulses.wgsl"});
   }
+  for (std::size_t round = 0; round < made.separation_count(); ++round) {
+    Separation& separation = made.separations_[round];
+    const std::size_t last = made.separation_count() - 1;
+    const gpu::Constant number{"kRound", static_cast<double>(kMostSeparations + round - last)};
+    const gpu::Constant is_first{"kFirst", round == 0 ? 1.0 : 0.0};
+    all.push_back({separation.count, "contact/proximity/separate_pairs.wgsl", {number, is_first}});
+    all.push_back(
+        {separation.give, "contact/proximity/separate_pairs.wgsl", {number, is_first, {"kGives", 1}}});
+    all.push_back({separation.move, "contact/proximity/separate_ways.wgsl", {number}});
+  }
   for (std::size_t round = 0; round < made.round_count(); ++round) {
-    const gpu::Constant number{"kRound", static_cast<double>(round + 1)};
+    const gpu::Constant number{"kRound", static_cast<double>(kMostSeparations + round + 1)};
+    const gpu::Constant is_first{"kFirst", round == 0 ? 1.0 : 0.0};
     const gpu::Constant is_last{"kIsLast", setup.self && round + 1 == made.round_count() ? 1.0 : 0.0};
-    all.push_back({made.rounds_[round].find,
-                   "contact/proximity/find_meeting.wgsl",
-                   {number, {"kSelf", setup.self ? 1.0 : 0.0}}});
+    all.push_back({made.rounds_[round].find, "contact/proximity/find_meeting.wgsl", {number, is_first}});
     all.push_back({made.rounds_[round].hold, "contact/proximity/hold_back.wgsl", {number, is_last}});
   }
   for (const Wanted& wanted : all) {
@@ -52,6 +61,18 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const 
                                                        pairs.vertex_contacts, state.statistics, presses}));
       WEFT_SET(add_groups_[parity],
                add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
+    }
+    for (std::size_t r = 0; r < separation_count(); ++r) {
+      Separation& separation = separations_[r];
+      const auto bind = [&](const gpu::Kernel& kernel) {
+        return kernel.bind({state.steps, start, position, velocity, points, pairs.listed, pairs.contacts,
+                            pairs.vertex_contacts, state.statistics});
+      };
+      WEFT_SET(separation.count_groups[parity], bind(separation.count));
+      WEFT_SET(separation.give_groups[parity], bind(separation.give));
+      WEFT_SET(separation.move_groups[parity],
+               separation.move.bind({state.steps, start, pairs.predicted, pairs.contacts,
+                                     pairs.vertex_contacts, position, velocity, state.statistics}));
     }
     for (std::size_t r = 0; r < round_count(); ++r) {
       Round& round = rounds_[r];
@@ -81,9 +102,16 @@ void Respond::record_impulses(gpu::ComputePass& pass) const {
 void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patches) const {
   const std::uint32_t parity = pass.parity();
   respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
+  for (std::size_t round = 0; round < separation_count(); ++round) {
+    const Separation& separation = separations_[round];
+    separation.count.dispatch_strided(pass, separation.count_groups[parity], pair_room_);
+    separation.give.dispatch_strided(pass, separation.give_groups[parity], pair_room_);
+    separation.move.dispatch(pass, separation.move_groups[parity], vertex_count_);
+  }
   for (std::size_t round = 0; round < round_count(); ++round) {
+    patches.record_marks(pass, round);
     rounds_[round].find.dispatch_strided(pass, rounds_[round].find_groups[parity], pair_room_);
-    patches.record_round(pass, round);
+    if (round == 0) patches.record_ends(pass);
     rounds_[round].hold.dispatch(pass, rounds_[round].hold_groups[parity], vertex_count_);
   }
 }

@@ -8,8 +8,8 @@
 
 namespace weft::contact {
 
-/// Answers pairs of features by impulses with friction, and holds vertices back so that they pass through nothing.
-/// Source: docs/contact.md, equations (2) to (7).
+/// Answers pairs of features by impulses with friction, separates those that would meet, and holds vertices back so
+/// that they pass through nothing. Source: docs/contact.md, equations (2) to (7).
 /// Reads   steps; position[parity] [m]; pairs; the colliders' points [m].
 /// Writes  position[1 - parity], velocity[1 - parity]; pairs; statistics: vertices truncated, whether pairs are to be
 ///         looked for.
@@ -18,7 +18,7 @@ class Respond {
  public:
   struct Setup {
     std::uint32_t interval = 4;    // substeps from one that may search to the next
-    std::uint32_t iterations = 1;  // of impulses
+    std::uint32_t iterations = 1;  // of impulses, and of separations; no more than kMostSeparations
     bool self = false;             // whether cloth meets cloth
     bool presses = false;          // a solver's matrix holds vertices at obstacles
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
@@ -29,7 +29,8 @@ class Respond {
   Result<void> bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points);
   /// Sums the velocity changes of the measured pairs at each vertex.
   void record_impulses(gpu::ComputePass& pass) const;
-  /// Gives each vertex that change and holds it back, also from folding the open patches.
+  /// Gives each vertex that change, separates pairs of cloth, and holds vertices back, also from folding the open
+  /// patches.
   void record_hold_back(gpu::ComputePass& pass, const ClothPatches& patches) const;
 
  private:
@@ -37,6 +38,13 @@ class Respond {
   gpu::Kernel impulse_, last_impulse_, add_, respond_;
   // By parity.
   std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_, respond_groups_;
+  /// The rounds in which pairs of cloth that may meet are separated; only where cloth meets cloth.
+  struct Separation {
+    gpu::Kernel count, give, move;
+    std::array<gpu::BindGroup, 2> count_groups, give_groups, move_groups;
+  };
+  std::size_t separation_count() const { return setup_.self ? setup_.iterations : 0; }
+  std::array<Separation, kMostSeparations> separations_;
   /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and from other cloth.
   struct Round {
     gpu::Kernel find, hold;

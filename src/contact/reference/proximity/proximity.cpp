@@ -216,6 +216,9 @@ void Proximity::add_limits(const FeaturePair& pair, double thickness, const Node
   both.middle -= 0.5 * pair.distance;
   both.margin = std::max(kContactMargin * pair.distance, 0.5 * kContactFloor * thickness);
   both.apart = std::min(2 * both.margin, pair.distance);  // what is nearer already comes no nearer
+  both.gap = pair.distance;
+  both.tangled = std::any_of(both.nodes.begin(), both.nodes.begin() + both.count_a + both.count_b,
+                             [&](std::uint32_t v) { return tangle_.with_cloth[v] || tangle_.with_mesh[v]; });
   cloth.push_back(both);
 }
 
@@ -308,8 +311,9 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     add_limits(pairs[p], near[p].thickness, nodes, dt, planes, cloth_pairs);
   // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull over a ball at
   // steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose. So it is shortened too.
-  const Truncated truncated = truncate(planes, cloth_pairs, most,
-                                       {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity});
+  const Truncated truncated =
+      truncate(planes, cloth_pairs, most,
+               {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, iterations_});
   truncated_.vertices += truncated.vertices;
   truncated_.driven += truncated.driven;
   beside_cloth_ = std::move(response.beside_cloth);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "contact/reference/proximity/separate.hpp"
+
 namespace weft::reference {
 namespace {
 
 /// In which cloth is held back; in the last one all of it.
-constexpr int kRounds = 4;
+constexpr int kRounds = 3;
 
 /// How much of a way takes a vertex past no plane, by how far it is on its side at the start and would be at the end.
 double part_before(double at_start, double at_end) {
@@ -53,22 +55,50 @@ class Truncation {
     }
   }
 
+  /// Separates the pairs that may meet on the way. Whether there are any.
+  bool separate_meeting(std::span<const SolidPlane> planes, double reach) {
+    const auto end = [&](std::uint32_t node) { return ways_.end[node]; };
+    const auto end_by_speed = [&](std::uint32_t node) {
+      return ways_.start[node] + ways_.dt * ways_.velocity[node];
+    };
+    std::vector<const ClothPair*> meeting;
+    std::vector<double> shares(held_.size(), 0);  // pairs that move the node, and share its mass
+    for (const ClothPair& pair : pairs_) {
+      const BothSides sides = sides_of(pair, end);
+      if (pair.tangled || sides.apart() >= pair.apart) continue;
+      meeting.push_back(&pair);
+      const std::array<double, 4> shifts = separated(sides, pair.gap);
+      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
+        if (shifts[k] != 0) ++shares[pair.nodes[k]];
+    }
+    for (double& share : shares) share = std::max(1.0, share);
+    std::vector<Vec3d> move(held_.size()), change(held_.size());
+    const auto give = [&](const ClothPair& pair, const auto& place, std::vector<Vec3d>& sums) {
+      BothSides sides = sides_of(pair, place);
+      if (sides.apart() >= pair.gap) return;
+      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
+        sides.inverse_mass[k] *= shares[pair.nodes[k]];
+      const std::array<double, 4> shifts = separated(sides, pair.gap);
+      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
+        sums[pair.nodes[k]] += (shifts[k] / shares[pair.nodes[k]]) * pair.normal;
+    };
+    for (const ClothPair* pair : meeting) {
+      give(*pair, end, move);
+      give(*pair, end_by_speed, change);
+    }
+    move_ends(planes, reach, move, change);
+    return !meeting.empty();
+  }
+
   /// Marks the vertices of pairs that may meet on the way, but for pairs that end before their planes.
   bool find_meeting() {
     bool any = false;
     for (const ClothPair& pair : pairs_) {
-      double least = 0, most = 0;
       bool all_held = true;
-      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) {
-        const std::uint32_t node = pair.nodes[k];
-        const double along = dot(pair.normal, ways_.end[node]);
-        all_held = all_held && (held_[node] || ways_.inverse_mass[node] == 0);
-        if (k < pair.count_a)
-          least = k == 0 ? along : std::min(least, along);
-        else
-          most = k == pair.count_a ? along : std::max(most, along);
-      }
-      if (least - most >= pair.apart || all_held) continue;
+      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
+        all_held = all_held && (held_[pair.nodes[k]] || ways_.inverse_mass[pair.nodes[k]] == 0);
+      const BothSides sides = sides_of(pair, [&](std::uint32_t node) { return ways_.end[node]; });
+      if (sides.apart() >= pair.apart || all_held) continue;
       any = true;
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) marked_.push_back(pair.nodes[k]);
     }
@@ -93,6 +123,33 @@ class Truncation {
   }
 
  private:
+  template <class Place>
+  BothSides sides_of(const ClothPair& pair, const Place& place) const {
+    BothSides sides{pair.count_a, pair.count_b};
+    for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) {
+      sides.along[k] = dot(pair.normal, place(pair.nodes[k]));
+      sides.inverse_mass[k] = ways_.inverse_mass[pair.nodes[k]];
+    }
+    return sides;
+  }
+
+  /// Moves the ends of ways, but not beyond the reach, nor past the plane of an obstacle; velocities by as much.
+  void move_ends(std::span<const SolidPlane> planes, double reach, std::span<const Vec3d> move,
+                 std::span<const Vec3d> change) {
+    std::vector<double> part(held_.size(), 1);
+    for (std::size_t node = 0; node < part.size(); ++node)
+      if (length(ways_.end[node] + move[node] - ways_.start[node]) > reach) part[node] = 0;
+    for (const SolidPlane& plane : planes) {
+      const auto inside = [&](const Vec3d& place) { return dot(plane.normal, place) - plane.offset; };
+      const Vec3d& end = ways_.end[plane.node];
+      part[plane.node] = std::min(part[plane.node], part_before(inside(end), inside(end + move[plane.node])));
+    }
+    for (std::size_t node = 0; node < part.size(); ++node) {
+      ways_.end[node] += part[node] * move[node];
+      ways_.velocity[node] += (part[node] / ways_.dt) * change[node];
+    }
+  }
+
   void shorten(std::size_t node, double part) {
     if (ways_.inverse_mass[node] == 0 || part == 1) return;
     const Vec3d way = part * (ways_.end[node] - ways_.start[node]);
@@ -134,6 +191,8 @@ Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair
                    const Ways& ways) {
   Truncation truncation(pairs, ways);
   truncation.before_solids(planes, reach);
+  for (std::uint32_t round = 0; round < ways.separations; ++round)
+    if (!truncation.separate_meeting(planes, reach)) break;
   for (int round = 1; truncation.find_meeting(); ++round) {
     if (round == kRounds) {
       truncation.hold_all();

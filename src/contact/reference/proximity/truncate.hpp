@@ -1,5 +1,5 @@
-// Truncates the motion of vertices where they would pass something, in double. Source: docs/contact.md, No
-// pass-through.
+// Separates cloth that would meet, and truncates the motion of vertices where they would pass something, in double.
+// Source: docs/contact.md, No pass-through.
 #pragma once
 
 #include <array>
@@ -28,6 +28,8 @@ struct ClothPair {
   double middle = 0;                     // along the normal, half way between the closest points [m]
   double margin = 0;                     // how near to the middle each side may come [m]
   double apart = 0;                      // how far apart along the normal they have to end [m]
+  double gap = 0;                        // how far apart they begin [m]
+  bool tangled = false;                  // a vertex belongs to a crossing: held back, not separated
 };
 
 /// The motion of the vertices in a substep.
@@ -35,16 +37,19 @@ struct Ways {
   std::span<const Vec3d> start;          // [m]
   std::span<const double> inverse_mass;  // 0: it stays
   std::span<Vec3d> end, velocity;        // [m], [m/s]
+  double dt = 1;                         // of the substep [s]
+  std::uint32_t separations = 0;  // rounds in which pairs of cloth that may meet are separated, at most
 };
 
 struct Truncated {
-  std::uint64_t vertices = 0;  // whose way is another than the one that they came with
+  std::uint64_t vertices = 0;  // whose way is another than the one that they came with, but for blows
   std::uint64_t driven =
       0;  // of these, left beyond the plane of an obstacle that drives them into other cloth
 };
 
 /// Ends each way before the planes of obstacles, and no further than `reach` [m]; an obstacle that has come past a
-/// vertex takes it along. Then shortens ways until no pair of cloth can have met: equation (6).
+/// vertex takes it along. Then separates pairs of cloth that may meet, equation (6d), and shortens ways until none can
+/// have met, equation (6).
 Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
                    const Ways& ways);
 

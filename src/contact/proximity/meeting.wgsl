@@ -1,0 +1,71 @@
+// Where the ways of a listed pair of cloth end along the direction between its sides: they cannot meet if that
+// direction still separates them there. The including kernel binds `previous`, `position`, `points` and `contacts`.
+// Source: docs/contact.md, equation (6).
+#include "state/contact.wgsl"
+#include "contact/proximity/measure.wgsl"
+#include "contact/proximity/planes.wgsl"
+const kShortWay = 0.499;  // of the gap: less than half, by more than the rounding of either side's place
+
+struct Ends {
+  may_meet : bool,  // the sides keep a distance, and a way is as long as to the plane between them
+  normal : vec3f,   // from B to A
+  middle : f32,     // half way between the closest points at the start
+  gap : f32,        // m
+  thickness : f32,  // that the pair keeps, m
+  along : vec4f,    // of each vertex on the normal, where its way ends. This and `middle` are seen from ids.x, m
+  apart : f32,      // of the sides on the normal, there, m
+}
+
+// What is between the two sides at the start of the substep, m: the gap, and the distance that they keep. 0: nothing
+// that must stay.
+fn gap_of(words : vec4u) -> vec2f {
+  if ((words.x & kHasRecord) == 0u) { return bitcast<vec2f>(words.zx) * select(1.0, 0.0, words.x == 0u); }
+  let number = words.x & ~kHasRecord;
+  return vec2f(select(contacts[number].normal.w, 0.0, contacts[number].solid != 0u), contacts[number].thickness);
+}
+// The direction from B to A, and where on edge A the closest point is.
+fn line_of(ids : vec4u, words : vec4u) -> vec4f {
+  if ((words.x & kHasRecord) == 0u) {
+    let measured = measure(ids);
+    return vec4f(measured.normal, measured.s);
+  }
+  let number = words.x & ~kHasRecord;
+  return vec4f(contacts[number].normal.xyz, contacts[number].place.x);
+}
+
+fn place_of(vertex : u32) -> vec3f { return position[vertex & kIdBits].xyz; }
+fn before_of(vertex : u32) -> vec3f { return previous[vertex & kIdBits].xyz; }
+
+fn longest_way(ids : vec4u) -> f32 {
+  var longest = 0.0;
+  for (var role = 0u; role < 4u; role++) {
+    longest = max(longest, distance(before_of(ids[role]), place_of(ids[role])));
+  }
+  return longest;
+}
+
+fn sides_apart(ids : vec4u, along : vec4f) -> f32 {
+  if (is_edge_pair(ids)) { return min(along.x, along.y) - max(along.z, along.w); }
+  return along.x - max(max(along.y, along.z), along.w);
+}
+
+fn ends_of(ids : vec4u, words : vec4u) -> Ends {
+  let between = gap_of(words);
+  var ends = Ends(false, vec3f(0.0), 0.0, between.x, between.y, vec4f(0.0), 0.0);
+  if (ends.gap <= 0.0 || longest_way(ids) < kShortWay * ends.gap - margin_of(ends.gap, ends.thickness)) { return ends; }
+  let line = line_of(ids, words);
+  let origin = before_of(ids.x);
+  ends.may_meet = true;
+  ends.normal = line.xyz;
+  ends.middle = -0.5 * ends.gap;
+  if (is_edge_pair(ids)) { ends.middle += line.w * dot(line.xyz, before_of(ids.y) - origin); }
+  ends.along = vec4f(dot(line.xyz, place_of(ids.x) - origin), dot(line.xyz, place_of(ids.y) - origin),
+                     dot(line.xyz, place_of(ids.z) - origin), dot(line.xyz, place_of(ids.w) - origin));
+  ends.apart = sides_apart(ids, ends.along);
+  return ends;
+}
+
+// Whether they end nearer than they must: not nearer than they are, and not nearer than the margins.
+fn end_too_near(ends : Ends) -> bool {
+  return ends.may_meet && ends.apart < ends.gap && ends.apart < least_apart(ends.gap, ends.thickness);
+}

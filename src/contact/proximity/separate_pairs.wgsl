@@ -1,0 +1,120 @@
+// Separates pairs of cloth whose sides may meet on their ways, as a blow that gives no energy and adds no momentum:
+// what comes too near ends as far apart as it begins. Such pairs share the masses of their vertices: at first it
+// counts, at each vertex, the pairs that would move it; as kGives it adds what they move it by, and their velocities
+// likewise. Not beside crossings, which are driven apart: what a blow kept of that would grow from substep to substep.
+// Grid-stride loop over the pairs. Source: docs/contact.md, equation (6d).
+#include "gpu/index.wgsl"
+#include "state/step.wgsl"
+#include "state/contact.wgsl"
+#include "state/statistics.wgsl"
+#include "contact/proximity/meeting.wgsl"
+#include "contact/proximity/sides.wgsl"
+#include "contact/proximity/sums.wgsl"
+//                                                                                elements          unit
+@group(0) @binding(0) var<uniform>             step            : StepBlock;
+@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       position        : array<vec4f>; // vertex_count      m, where ways end
+@group(0) @binding(3) var<storage, read>       velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(4) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
+@group(0) @binding(5) var<storage, read>       listed          : array<ListedPair>;
+@group(0) @binding(6) var<storage, read>       contacts        : array<Contact>;
+@group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
+override kRound : u32 = 1;
+override kFirst : bool = true;  // of the rounds that separate
+override kGives : bool = false;
+const kNowhere = 1e30;  // m
+
+var<workgroup> pairs : u32;
+
+// Equation (6d). `bends`: where a plane between the sides begins to move a vertex.
+fn moved_by(plane : f32, bends : vec4f, on_a : vec4<bool>) -> vec4f {
+  let beyond = vec4f(plane) - bends;
+  return select(min(beyond, vec4f(0.0)), max(beyond, vec4f(0.0)), on_a);
+}
+fn shifts_of(ids : vec4u, along : vec4f, apart : f32, inverse_mass : vec4f) -> vec4f {
+  let on_a = vec4<bool>(true, is_edge_pair(ids), false, false);
+  let bends = along + select(vec4f(0.5 * apart), vec4f(-0.5 * apart), on_a);
+  let moves = inverse_mass > vec4f(0.0);
+  let mass = select(vec4f(0.0), 1.0 / inverse_mass, moves);
+  var below = -kNowhere;  // the bends about the plane that adds no momentum
+  var above = kNowhere;
+  var least = -kNowhere;  // before what stays
+  var most = kNowhere;
+  for (var role = 0u; role < 4u; role++) {
+    let bend = bends[role];
+    if (!moves[role]) {
+      if (on_a[role]) { most = min(most, bend); } else { least = max(least, bend); }
+      continue;
+    }
+    let added = dot(mass, moved_by(bend, bends, on_a));
+    if (added <= 0.0) { below = max(below, bend); } else { above = min(above, bend); }
+  }
+  var plane = select(below, above, below == -kNowhere);
+  if (below > -kNowhere && above < kNowhere) {
+    let lack = -dot(mass, moved_by(below, bends, on_a));
+    let surplus = dot(mass, moved_by(above, bends, on_a));
+    plane = below + (above - below) * (lack / (lack + surplus));
+  }
+  return select(vec4f(0.0), moved_by(clamp(plane, least, max(least, most)), bends, on_a), moves);
+}
+
+fn share_count(vertex : u32) -> f32 {
+  return f32(max(1u, atomicLoad(&vertex_contacts[kVertexWords * (vertex & kIdBits) + kShareWord])));
+}
+fn speed_end(n : vec3f, vertex : u32, origin : vec3f) -> f32 {
+  return dot(n, before_of(vertex) - origin) + step.time.dt * dot(n, velocity[vertex & kIdBits].xyz);
+}
+
+fn count_moved(ids : vec4u, shifts : vec4f) {
+  for (var role = 0u; role < 4u; role++) {
+    if (shifts[role] == 0.0) { continue; }
+    atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kShareWord], 1u);
+  }
+  atomicMax(&statistics[kStatMeeting], kRound);
+}
+
+fn give(ids : vec4u, word : u32, units_in_one : f32, amounts : vec4f, n : vec3f) {
+  for (var role = 0u; role < 4u; role++) {
+    if (amounts[role] == 0.0) { continue; }
+    add_units(kVertexWords * (ids[role] & kIdBits) + word, units_in_one, amounts[role] * n);
+  }
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn separate_pairs(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
+                  @builtin(local_invocation_index) thread : u32) {
+  if (thread == 0u) {
+    let asks = kFirst && !kGives;
+    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u ||
+               (!asks && atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, kGives) < kRound);
+    pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, idle);
+  }
+  let count = workgroupUniformLoad(&pairs);
+  for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
+    let ids = listed[pair].ids;
+    if (is_crossing(ids) || !is_self_pair(ids)) { continue; }
+    let ends = ends_of(ids, listed[pair].words);
+    if (!end_too_near(ends)) { continue; }
+    if (tangles_of(ids, 0u, 4u) != 0u) {  // held back
+      if (!kGives) { atomicMax(&statistics[kStatMeeting], kMostSeparations); }
+      continue;
+    }
+    let n = ends.normal;
+    let inverse_mass = vec4f(previous[ids.x & kIdBits].w, previous[ids.y & kIdBits].w, previous[ids.z & kIdBits].w,
+                             previous[ids.w & kIdBits].w);
+    if (!kGives) {
+      count_moved(ids, shifts_of(ids, ends.along, ends.gap, inverse_mass));
+      continue;
+    }
+    let shares = vec4f(share_count(ids.x), share_count(ids.y), share_count(ids.z), share_count(ids.w));
+    give(ids, kPushWord, kPushUnits, shifts_of(ids, ends.along, ends.gap, shares * inverse_mass) / shares, n);
+    let origin = before_of(ids.x);
+    let by_speed = vec4f(speed_end(n, ids.x, origin), speed_end(n, ids.y, origin), speed_end(n, ids.z, origin),
+                         speed_end(n, ids.w, origin));
+    if (sides_apart(ids, by_speed) < ends.gap) {
+      give(ids, kChangeWord, kSpeedUnits,
+           shifts_of(ids, by_speed, ends.gap, shares * inverse_mass) / (step.time.dt * shares), n);
+    }
+  }
+}
