@@ -27,16 +27,18 @@ const kNowhere = 1e30;  // m
 
 var<workgroup> pairs : u32;
 
+// Of a pair's vertices: 0 kg is not moved; and of these, what stays, so that the other side gives way.
+struct Movers { mass : vec4f, stays : vec4<bool> }
+
 // Equation (6d). `bends`: where a plane between the sides begins to move a vertex.
 fn moved_by(plane : f32, bends : vec4f, on_a : vec4<bool>) -> vec4f {
   let beyond = vec4f(plane) - bends;
   return select(min(beyond, vec4f(0.0)), max(beyond, vec4f(0.0)), on_a);
 }
-fn shifts_of(ids : vec4u, along : vec4f, apart : f32, inverse_mass : vec4f) -> vec4f {
+fn shifts_of(ids : vec4u, along : vec4f, apart : f32, who : Movers) -> vec4f {
   let on_a = vec4<bool>(true, is_edge_pair(ids), false, false);
   let bends = along + select(vec4f(0.5 * apart), vec4f(-0.5 * apart), on_a);
-  let moves = inverse_mass > vec4f(0.0);
-  let mass = select(vec4f(0.0), 1.0 / inverse_mass, moves);
+  let moves = who.mass > vec4f(0.0);
   var below = -kNowhere;  // the bends about the plane that adds no momentum
   var above = kNowhere;
   var least = -kNowhere;  // before what stays
@@ -44,19 +46,27 @@ fn shifts_of(ids : vec4u, along : vec4f, apart : f32, inverse_mass : vec4f) -> v
   for (var role = 0u; role < 4u; role++) {
     let bend = bends[role];
     if (!moves[role]) {
+      if (!who.stays[role]) { continue; }
       if (on_a[role]) { most = min(most, bend); } else { least = max(least, bend); }
       continue;
     }
-    let added = dot(mass, moved_by(bend, bends, on_a));
+    let added = dot(who.mass, moved_by(bend, bends, on_a));
     if (added <= 0.0) { below = max(below, bend); } else { above = min(above, bend); }
   }
   var plane = select(below, above, below == -kNowhere);
   if (below > -kNowhere && above < kNowhere) {
-    let lack = -dot(mass, moved_by(below, bends, on_a));
-    let surplus = dot(mass, moved_by(above, bends, on_a));
+    let lack = -dot(who.mass, moved_by(below, bends, on_a));
+    let surplus = dot(who.mass, moved_by(above, bends, on_a));
     plane = below + (above - below) * (lack / (lack + surplus));
   }
   return select(vec4f(0.0), moved_by(clamp(plane, least, max(least, most)), bends, on_a), moves);
+}
+
+fn movers_by_whole_mass(ids : vec4u) -> Movers {
+  let at = ids & vec4u(kIdBits);
+  let inverse_mass = vec4f(previous[at.x].w, previous[at.y].w, previous[at.z].w, previous[at.w].w);
+  let stays = inverse_mass <= vec4f(0.0);
+  return Movers(select(1.0 / inverse_mass, vec4f(0.0), stays), stays);
 }
 
 fn share_count(vertex : u32) -> f32 {
@@ -101,20 +111,21 @@ fn separate_pairs(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgr
       continue;
     }
     let n = ends.normal;
-    let inverse_mass = vec4f(previous[ids.x & kIdBits].w, previous[ids.y & kIdBits].w, previous[ids.z & kIdBits].w,
-                             previous[ids.w & kIdBits].w);
+    let whole = movers_by_whole_mass(ids);
+    let shifts = shifts_of(ids, ends.along, ends.gap, whole);
     if (!kGives) {
-      count_moved(ids, shifts_of(ids, ends.along, ends.gap, inverse_mass));
+      count_moved(ids, shifts);
       continue;
     }
     let shares = vec4f(share_count(ids.x), share_count(ids.y), share_count(ids.z), share_count(ids.w));
-    give(ids, kPushWord, kPushUnits, shifts_of(ids, ends.along, ends.gap, shares * inverse_mass) / shares, n);
+    // No more than it has counted, of the shared masses.
+    let movers = Movers(select(whole.mass / shares, vec4f(0.0), shifts == vec4f(0.0)), whole.stays);
+    give(ids, kPushWord, kPushUnits, shifts_of(ids, ends.along, ends.gap, movers) / shares, n);
     let origin = before_of(ids.x);
     let by_speed = vec4f(speed_end(n, ids.x, origin), speed_end(n, ids.y, origin), speed_end(n, ids.z, origin),
                          speed_end(n, ids.w, origin));
     if (sides_apart(ids, by_speed) < ends.gap) {
-      give(ids, kChangeWord, kSpeedUnits,
-           shifts_of(ids, by_speed, ends.gap, shares * inverse_mass) / (step.time.dt * shares), n);
+      give(ids, kChangeWord, kSpeedUnits, shifts_of(ids, by_speed, ends.gap, movers) / (step.time.dt * shares), n);
     }
   }
 }

@@ -14,19 +14,18 @@ class AboutPlane {
   AboutPlane(const BothSides& sides, double apart) : sides_(sides), apart_(apart) {}
   std::uint32_t count() const { return sides_.count_a + sides_.count_b; }
   bool on_a(std::uint32_t k) const { return k < sides_.count_a; }
-  bool stays(std::uint32_t k) const { return sides_.inverse_mass[k] == 0; }
+  bool moves(std::uint32_t k) const { return sides_.mass[k] > 0; }
   /// Where the plane begins to move the vertex.
   double bend(std::uint32_t k) const { return sides_.along[k] + (on_a(k) ? -0.5 : 0.5) * apart_; }
   double shift(std::uint32_t k, double plane) const {
-    if (stays(k)) return 0;
+    if (!moves(k)) return 0;
     const double beyond = plane - bend(k);
     return on_a(k) ? std::max(0.0, beyond) : std::min(0.0, beyond);
   }
   /// The shifts times the masses [kg m]: straight between two bends, and never falling.
   double moment(double plane) const {
     double sum = 0;
-    for (std::uint32_t k = 0; k < count(); ++k)
-      if (!stays(k)) sum += shift(k, plane) / sides_.inverse_mass[k];
+    for (std::uint32_t k = 0; k < count(); ++k) sum += sides_.mass[k] * shift(k, plane);
     return sum;
   }
 
@@ -39,7 +38,7 @@ class AboutPlane {
 double balanced(const AboutPlane& sides) {
   double below = -kNowhere, above = kNowhere;
   for (std::uint32_t k = 0; k < sides.count(); ++k) {
-    if (sides.stays(k)) continue;
+    if (!sides.moves(k)) continue;
     const double bend = sides.bend(k);
     if (sides.moment(bend) <= 0)
       below = std::max(below, bend);
@@ -63,7 +62,7 @@ std::array<double, 4> separated(const BothSides& sides, double apart) {
   const AboutPlane about(sides, apart);
   double least = -kNowhere, most = kNowhere;  // before what stays
   for (std::uint32_t k = 0; k < about.count(); ++k) {
-    if (!about.stays(k)) continue;
+    if (about.moves(k) || !sides.stays[k]) continue;
     if (about.on_a(k))
       most = std::min(most, about.bend(k));
     else

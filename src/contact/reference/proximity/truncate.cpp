@@ -19,8 +19,9 @@ double part_before(double at_start, double at_end) {
 
 class Truncation {
  public:
-  Truncation(std::span<const ClothPair> pairs, const Ways& ways)
-      : pairs_(pairs),
+  Truncation(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, const Ways& ways)
+      : planes_(planes),
+        pairs_(pairs),
         ways_(ways),
         changed_(ways.end.size()),
         held_(ways.end.size()),
@@ -31,19 +32,19 @@ class Truncation {
         lists_[pairs[p].nodes[k]].push_back(static_cast<std::uint32_t>(p));
   }
 
-  void before_solids(std::span<const SolidPlane> planes, double reach) {
+  void before_solids(double reach) {
     std::vector<double> part(ways_.end.size(), 1);
     for (std::size_t node = 0; node < part.size(); ++node) {
       const double far = length(ways_.end[node] - ways_.start[node]);
       if (far > reach) part[node] = reach / far;
     }
-    for (const SolidPlane& plane : planes) {
+    for (const SolidPlane& plane : planes_) {
       const double at_start = dot(plane.normal, ways_.start[plane.node]) - plane.offset;
       const double at_end = dot(plane.normal, ways_.end[plane.node]) - plane.offset;
       if (at_start > 0) part[plane.node] = std::min(part[plane.node], part_before(at_start, at_end));
     }
     for (std::size_t node = 0; node < part.size(); ++node) shorten(node, part[node]);
-    for (const SolidPlane& plane : planes) {
+    for (const SolidPlane& plane : planes_) {
       if (ways_.inverse_mass[plane.node] == 0) continue;
       const double beyond = plane.offset - dot(plane.normal, ways_.end[plane.node]);
       // A vertex that was put onto the plane may be a rounding error behind it.
@@ -56,38 +57,41 @@ class Truncation {
   }
 
   /// Separates the pairs that may meet on the way. Whether there are any.
-  bool separate_meeting(std::span<const SolidPlane> planes, double reach) {
+  bool separate_meeting(double reach) {
     const auto end = [&](std::uint32_t node) { return ways_.end[node]; };
     const auto end_by_speed = [&](std::uint32_t node) {
       return ways_.start[node] + ways_.dt * ways_.velocity[node];
     };
-    std::vector<const ClothPair*> meeting;
+    struct Meeting {
+      const ClothPair& pair;
+      std::array<double, 4> shifts{};  // by whole masses [m]
+    };
+    std::vector<Meeting> all;
     std::vector<double> shares(held_.size(), 0);  // pairs that move the node, and share its mass
     for (const ClothPair& pair : pairs_) {
       const BothSides sides = sides_of(pair, end);
       if (pair.tangled || sides.apart() >= pair.apart) continue;
-      meeting.push_back(&pair);
-      const std::array<double, 4> shifts = separated(sides, pair.gap);
+      all.push_back({pair, separated(sides, pair.gap)});
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
-        if (shifts[k] != 0) ++shares[pair.nodes[k]];
+        if (all.back().shifts[k] != 0) ++shares[pair.nodes[k]];
     }
-    for (double& share : shares) share = std::max(1.0, share);
     std::vector<Vec3d> move(held_.size()), change(held_.size());
-    const auto give = [&](const ClothPair& pair, const auto& place, std::vector<Vec3d>& sums) {
+    const auto give = [&](const Meeting& meeting, const auto& place, std::vector<Vec3d>& sums) {
+      const ClothPair& pair = meeting.pair;
       BothSides sides = sides_of(pair, place);
       if (sides.apart() >= pair.gap) return;
-      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
-        sides.inverse_mass[k] *= shares[pair.nodes[k]];
+      for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)  // no more than it has counted
+        sides.mass[k] = meeting.shifts[k] == 0 ? 0 : sides.mass[k] / shares[pair.nodes[k]];
       const std::array<double, 4> shifts = separated(sides, pair.gap);
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
-        sums[pair.nodes[k]] += (shifts[k] / shares[pair.nodes[k]]) * pair.normal;
+        if (shifts[k] != 0) sums[pair.nodes[k]] += (shifts[k] / shares[pair.nodes[k]]) * pair.normal;
     };
-    for (const ClothPair* pair : meeting) {
-      give(*pair, end, move);
-      give(*pair, end_by_speed, change);
+    for (const Meeting& meeting : all) {
+      give(meeting, end, move);
+      give(meeting, end_by_speed, change);
     }
-    move_ends(planes, reach, move, change);
-    return !meeting.empty();
+    move_ends(reach, move, change);
+    return !all.empty();
   }
 
   /// Marks the vertices of pairs that may meet on the way, but for pairs that end before their planes.
@@ -113,9 +117,9 @@ class Truncation {
       if (!lists_[node].empty()) hold(node);
   }
 
-  Truncated count(std::span<const SolidPlane> planes) const {
+  Truncated count() const {
     std::vector<bool> driven(held_.size());
-    for (const SolidPlane& plane : planes)
+    for (const SolidPlane& plane : planes_)
       if (shortened_by_cloth_[plane.node] && dot(plane.normal, ways_.end[plane.node]) < plane.offset - 1e-12)
         driven[plane.node] = true;
     return {static_cast<std::uint64_t>(std::count(changed_.begin(), changed_.end(), true)),
@@ -127,19 +131,20 @@ class Truncation {
   BothSides sides_of(const ClothPair& pair, const Place& place) const {
     BothSides sides{pair.count_a, pair.count_b};
     for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) {
+      const double inverse_mass = ways_.inverse_mass[pair.nodes[k]];
       sides.along[k] = dot(pair.normal, place(pair.nodes[k]));
-      sides.inverse_mass[k] = ways_.inverse_mass[pair.nodes[k]];
+      sides.stays[k] = inverse_mass == 0;
+      sides.mass[k] = inverse_mass == 0 ? 0 : 1 / inverse_mass;
     }
     return sides;
   }
 
   /// Moves the ends of ways, but not beyond the reach, nor past the plane of an obstacle; velocities by as much.
-  void move_ends(std::span<const SolidPlane> planes, double reach, std::span<const Vec3d> move,
-                 std::span<const Vec3d> change) {
+  void move_ends(double reach, std::span<const Vec3d> move, std::span<const Vec3d> change) {
     std::vector<double> part(held_.size(), 1);
     for (std::size_t node = 0; node < part.size(); ++node)
       if (length(ways_.end[node] + move[node] - ways_.start[node]) > reach) part[node] = 0;
-    for (const SolidPlane& plane : planes) {
+    for (const SolidPlane& plane : planes_) {
       const auto inside = [&](const Vec3d& place) { return dot(plane.normal, place) - plane.offset; };
       const Vec3d& end = ways_.end[plane.node];
       part[plane.node] = std::min(part[plane.node], part_before(inside(end), inside(end + move[plane.node])));
@@ -178,6 +183,7 @@ class Truncation {
     shorten(node, part);
   }
 
+  std::span<const SolidPlane> planes_;
   std::span<const ClothPair> pairs_;
   const Ways& ways_;
   std::vector<bool> changed_, held_, shortened_by_cloth_;
@@ -187,12 +193,17 @@ class Truncation {
 
 }  // namespace
 
+bool separate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
+              const Ways& ways) {
+  return Truncation(planes, pairs, ways).separate_meeting(reach);
+}
+
 Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
                    const Ways& ways) {
-  Truncation truncation(pairs, ways);
-  truncation.before_solids(planes, reach);
+  Truncation truncation(planes, pairs, ways);
+  truncation.before_solids(reach);
   for (std::uint32_t round = 0; round < ways.separations; ++round)
-    if (!truncation.separate_meeting(planes, reach)) break;
+    if (!truncation.separate_meeting(reach)) break;
   for (int round = 1; truncation.find_meeting(); ++round) {
     if (round == kRounds) {
       truncation.hold_all();
@@ -200,7 +211,7 @@ Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair
     }
     truncation.hold_marked();
   }
-  return truncation.count(planes);
+  return truncation.count();
 }
 
 }  // namespace weft::reference

@@ -47,6 +47,10 @@ struct Truncated {
       0;  // of these, left beyond the plane of an obstacle that drives them into other cloth
 };
 
+/// One round of separation: equation (6d). Whether there was anything that may meet.
+bool separate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
+              const Ways& ways);
+
 /// Ends each way before the planes of obstacles, and no further than `reach` [m]; an obstacle that has come past a
 /// vertex takes it along. Then separates pairs of cloth that may meet, equation (6d), and shortens ways until none can
 /// have met, equation (6).
