@@ -76,6 +76,7 @@ const kVertexWords = 16u;
 const kLinkWord = 0u;
 const kPartWord = 1u;
 const kShareWord = 2u;
+const kBlowWord = kShareWord;  // before a search: how far an expected blow goes, m, as bits of f32; where: kChangeWord
 const kTightWord = 3u;
 const kTangledWord = 4u;
 const kChangeWord = 5u;  // and two more

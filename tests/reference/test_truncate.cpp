@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "base/random.hpp"
+#include "contact/reference/proximity/closest.hpp"
+#include "contact/reference/proximity/may_meet.hpp"
 #include "contact/reference/proximity/obstacles.hpp"
 #include "contact/reference/proximity/separate.hpp"
 #include "contact/reference/proximity/truncate.hpp"
@@ -39,6 +41,10 @@ struct Moved {
       if (inverse_mass[i] > 0) sum += velocity[i] / inverse_mass[i];
     return sum;
   }
+  /// How near two vertices come on their ways [m].
+  double nearest(std::uint32_t a, std::uint32_t b) const {
+    return closest_on_segment({}, start[a] - start[b], end[a] - end[b]).distance;
+  }
   double kinetic() const {
     double sum = 0;
     for (std::size_t i = 0; i < velocity.size(); ++i)
@@ -48,6 +54,31 @@ struct Moved {
 };
 
 constexpr Vec3d kUp{0, 1, 0};
+
+/// A vertex and a triangle, or two edges, that are nearest inside.
+struct TwoSides {
+  ClothPair pair;
+  std::vector<Vec3d> place;
+};
+Vec3d offset_of(const ClothPair& pair, std::span<const Vec3d> at) {
+  return pair.count_a == 2 ? closest_segments(at[0], at[1], at[2], at[3]).offset
+                           : closest_on_triangle(at[0], at[1], at[2], at[3]).offset;
+}
+Vec3d turned(const Vec3d& at, const Vec3d& axis, double angle) {
+  const Vec3d along = dot(axis, at) * axis;
+  return along + std::cos(angle) * (at - along) + std::sin(angle) * cross(axis, at);
+}
+TwoSides random_features(Random& random) {
+  TwoSides made;
+  for (int k = 0; k < 4; ++k) made.place.push_back(random_point(random, 1));
+  const std::uint32_t count_a = 1 + random.below(2);
+  made.pair = {count_a, 4 - count_a, {0, 1, 2, 3}, {}, 0, 0, 0, 0};
+  const Vec3d offset = offset_of(made.pair, made.place);
+  made.pair.normal = offset / length(offset);
+  made.pair.gap = length(offset);
+  made.pair.apart = 0.1 * made.pair.gap;
+  return made;
+}
 
 /// Two nodes, A above B by 1.
 ClothPair above(std::uint32_t a, std::uint32_t b, double middle, double margin) {
@@ -159,7 +190,7 @@ TEST_CASE("what strikes in flight keeps its momentum and the motion of all, and 
     for (std::uint32_t k = 0; k < 8; ++k) {
       CHECK(moved.velocity[k].x == velocity[k].x);
       CHECK(length(moved.end[k] - moved.start[k] - moved.velocity[k]) < 1e-9);
-      if (k > 0) CHECK(moved.end[k].y - moved.end[k - 1].y >= 0.1 - 1e-9);
+      if (k > 0) CHECK(moved.nearest(k, k - 1) >= 0.1 - 1e-9);
     }
   }
 }
@@ -217,7 +248,7 @@ TEST_CASE("an obstacle does not drive one layer through another that stays: it i
   CHECK(moved.end[1].y == 1);
 }
 
-TEST_CASE("random ways of random pairs end on their own sides, whatever each was cut by") {
+TEST_CASE("random ways of random pairs keep apart all along, whatever each was cut by") {
   Random random(61);
   for (int round = 0; round < 300; ++round) {
     Moved moved;
@@ -242,7 +273,51 @@ TEST_CASE("random ways of random pairs end on their own sides, whatever each was
     }
     moved.cut({}, pairs, 10, round % 2 == 0 ? 0 : 6);
     for (const ClothPair& pair : pairs)
-      CHECK(dot(pair.normal, moved.end[pair.nodes[0]] - moved.end[pair.nodes[1]]) >= 2 * pair.margin - 1e-12);
+      CHECK(moved.nearest(pair.nodes[0], pair.nodes[1]) >= 2 * pair.margin - 1e-12);
+  }
+}
+
+TEST_CASE("features that are said not to meet keep apart all along") {
+  Random random(65);
+  int apart = 0, met = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const TwoSides features = random_features(random);
+    // Both sides turn and fly together, and each vertex goes a way of its own.
+    const Vec3d axis = random_point(random, 1), way = random_point(random, 2);
+    const double angle = random.uniform(0, 2), own = random.uniform(0, 1);
+    std::vector<Vec3d> end;
+    for (const Vec3d& at : features.place)
+      end.push_back(turned(at, axis / length(axis), angle) + way + random_point(random, own));
+    if (may_meet(features.pair, features.place, end)) {
+      ++met;
+      continue;
+    }
+    ++apart;
+    for (int k = 0; k <= 100; ++k) {
+      std::vector<Vec3d> then;
+      for (int v = 0; v < 4; ++v) then.push_back(features.place[v] + 0.01 * k * (end[v] - features.place[v]));
+      CHECK(length(offset_of(features.pair, then)) >= features.pair.apart - 1e-12);
+    }
+  }
+  MESSAGE(apart, " keep apart, ", met, " may meet");
+  CHECK(apart > 2000);
+  CHECK(met > 2000);
+}
+
+TEST_CASE("features that turn over together do not meet, however far they then reach along n") {
+  Random random(66);
+  for (int round = 0; round < 5000; ++round) {
+    const TwoSides features = random_features(random);
+    const Vec3d axis = cross(features.pair.normal, random_point(random, 1)), way = random_point(random, 5);
+    const double angle = random.uniform(0, 1.4);
+    std::vector<Vec3d> end;
+    for (const Vec3d& at : features.place) end.push_back(turned(at, axis / length(axis), angle) + way);
+    CHECK_FALSE(may_meet(features.pair, features.place, end));
+    // One side goes through the other.
+    const Vec3d through = 2.5 * features.pair.gap * features.pair.normal;
+    for (std::uint32_t k = 0; k < 4; ++k)
+      end[k] = features.place[k] - (k < features.pair.count_a ? through : Vec3d{});
+    CHECK(may_meet(features.pair, features.place, end));
   }
 }
 

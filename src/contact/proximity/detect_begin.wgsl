@@ -27,6 +27,22 @@ fn way_ahead(v : vec3f, way : f32, slack : f32) -> vec3f {
   return clamp(kFarthest * step.contact.most_reach / way, soon, kReachIntervals * kDetectInterval) * step.time.dt * v;
 }
 
+// How far a blow takes a vertex, and where, as expect_blows has found: the way ahead of what has none. That it may go
+// beside it is slack; what goes a way of its own has the whole of it as slack, but no more than some.
+const kMostBlow = 2.0;      // of `most_slack`
+const kBesideBlow = 0.25;   // of the blow
+fn expected_blow(at : u32) -> vec3f {
+  let size = bitcast<f32>(vertex_contacts[at + kBlowWord]);
+  if (size == 0.0) { return vec3f(0.0); }
+  vertex_contacts[at + kBlowWord] = 0u;
+  var sum = vec3f(0.0);
+  for (var axis = 0u; axis < 3u; axis++) {
+    sum[axis] = f32(bitcast<i32>(vertex_contacts[at + kChangeWord + axis]));
+    vertex_contacts[at + kChangeWord + axis] = 0u;
+  }
+  return select(vec3f(0.0), size / length(sum) * sum, any(sum != vec3f(0.0)));
+}
+
 // How far a collider, or a vertex that the scene moves, may go.
 fn scripted_reach() -> f32 {
   let travel = step.contact.collider_travel;
@@ -63,6 +79,12 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   let way = min(step.time.dt * length(v), 3e38);  // m, in a substep
   var slack = clamp(kReachIntervals * kDetectInterval * way, min(step.contact.thickness, most), most);
   var ahead = way_ahead(v, way, slack);
+  if (kPredicted && !kIsFirst) {
+    let blow = expected_blow(kVertexWords * vertex);
+    let stays = all(ahead == vec3f(0.0));
+    slack = max(slack, min(select(1.0, kBesideBlow, stays) * length(blow), kMostBlow * most));
+    ahead = select(ahead, blow, stays);
+  }
   if (place.w == 0.0) {
     slack = scripted_reach();
     ahead = vec3f(0.0);

@@ -92,7 +92,7 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
         }
       }
     }
-    if (!end_too_near(ends) || (!kFirst && all_held)) { continue; }
+    if (!end_too_near(ids, ends) || (!kFirst && all_held)) { continue; }
     for (var role = 0u; role < 4u; role++) {
       atomicOr(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kHeldWord], kMarked);
     }

@@ -65,7 +65,29 @@ fn ends_of(ids : vec4u, words : vec4u) -> Ends {
   return ends;
 }
 
-// Whether they end nearer than they must: not nearer than they are, and not nearer than the margins.
-fn end_too_near(ends : Ends) -> bool {
-  return ends.may_meet && ends.apart < ends.gap && ends.apart < least_apart(ends.gap, ends.thickness);
+// Whether a plane between them that turns evenly keeps the sides apart: from the direction between them at the start to
+// that between their closest points at the end. What is between a vertex of A and one of B along a direction that turns
+// so is quadratic in time, and no less than the least of its three Bernstein coefficients: equation (6e).
+fn turn_apart(ids : vec4u, ends : Ends, least : f32) -> bool {
+  let origin = before_of(ids.x);
+  let end = array(place_of(ids.x) - origin, place_of(ids.y) - origin, place_of(ids.z) - origin,
+                  place_of(ids.w) - origin);
+  var near : Closest;
+  if (is_edge_pair(ids)) {
+    near = closest_on_edges(end[0], end[1], end[2], end[3]);
+  } else {
+    near = closest_on_triangle(end[0], end[1], end[2], end[3]);
+  }
+  let then = near.apart / max(length(near.apart), kLeast);
+  let at_end = vec4f(dot(then, end[0]), dot(then, end[1]), dot(then, end[2]), dot(then, end[3]));
+  let at_start = vec4f(0.0, dot(then, before_of(ids.y) - origin), dot(then, before_of(ids.z) - origin),
+                       dot(then, before_of(ids.w) - origin));
+  return sides_apart(ids, at_end) >= least && 0.5 * sides_apart(ids, ends.along + at_start) >= least;
+}
+
+// Whether they end nearer than they must, and may have met: not nearer than they are, and not nearer than the margins.
+fn end_too_near(ids : vec4u, ends : Ends) -> bool {
+  let least = least_apart(ends.gap, ends.thickness);
+  if (!ends.may_meet || ends.apart >= least) { return false; }
+  return !turn_apart(ids, ends, least);
 }

@@ -133,6 +133,8 @@ Result<void> PairSearch::create_begin(gpu::Device& device, const State& state, c
         {interval, {"kPredicted", early ? 0.0 : 1.0}, {"kIsFirst", early || !setup_.presses ? 1.0 : 0.0}},
         size);
   };
+  if (expects_blows())
+    WEFT_SET(expect_blows_, gpu::Kernel::create(device, "contact/proximity/expect_blows.wgsl", {}, size));
   WEFT_SET(leave_reach_, gpu::Kernel::create(device, "contact/proximity/leave_reach.wgsl", {interval}, size));
   WEFT_SET(detect_begin_, begin(false));
   if (setup_.presses) WEFT_SET(early_begin_, begin(true));
@@ -185,6 +187,11 @@ Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, con
   WEFT_TRY(narrow_group, find_pairs_.bind({params_, pairs.predicted, triangles_, trees_, points_, candidates_,
                                            pairs.listed, pairs.vertex_contacts, state.statistics}));
   find_group_ = std::move(narrow_group);
+  for (std::size_t parity = 0; expects_blows() && parity < 2; ++parity)
+    WEFT_SET(
+        expect_groups_[parity],
+        expect_blows_.bind({state.steps, state.position[parity], state.position[1 - parity], pairs.predicted,
+                            points_, pairs.listed, pairs.contacts, pairs.vertex_contacts, state.statistics}));
   return kept_.bind(state, pairs);
 }
 
@@ -194,6 +201,7 @@ void PairSearch::record_early(gpu::ComputePass& pass) const {
 }
 
 void PairSearch::record(gpu::ComputePass& pass) const {
+  if (expects_blows()) expect_blows_.dispatch_strided(pass, expect_groups_[pass.parity()], room_.pairs);
   leave_reach_.dispatch(pass, leave_groups_[pass.parity()], vertex_count_);
   detect_begin_.dispatch(pass, begin_groups_[pass.parity()], vertex_count_);
   record_lists(pass, !setup_.presses);

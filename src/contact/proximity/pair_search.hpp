@@ -35,7 +35,7 @@ struct SearchSetup {
 
 /// Finds and lists all pairs of features nearer than the thickness and how far both may go: broad phase,
 /// narrow phase.
-/// Eleven dispatches, which do nothing where no detection is due.
+/// Eleven dispatches, which do nothing where no detection is due; twelve where blows are expected.
 /// Reads   state.steps; state.position[parity] [m], at the start of the substep; where the solver has predicted that
 ///         vertices come, state.position[1 - parity], or their velocities, state.velocity[parity]; colliders' points.
 /// Writes  pairs; state.statistics.
@@ -63,6 +63,8 @@ class PairSearch {
   const std::vector<std::uint32_t>& order() const { return order_; }
 
  private:
+  /// Whether steps are so long that a blow takes what it strikes out of its reach.
+  bool expects_blows() const { return setup_.presses && setup_.self_thickness > 0; }
   Result<void> create_buffers(gpu::Device& device, const GpuModel& model, const scene::Scene& scene,
                               const ColliderMeshes& meshes);
   Result<void> create_begin(gpu::Device& device, const State& state, const ContactPairs& pairs);
@@ -87,8 +89,8 @@ class PairSearch {
   gpu::Buffer<std::array<std::uint32_t, 2>> candidates_;
   TreeRefit refit_;
   KeptForces kept_;
-  gpu::Kernel leave_reach_, detect_begin_, early_begin_, find_candidates_, find_pairs_;
-  std::array<gpu::BindGroup, 2> leave_groups_, begin_groups_, early_groups_;  // by parity
+  gpu::Kernel expect_blows_, leave_reach_, detect_begin_, early_begin_, find_candidates_, find_pairs_;
+  std::array<gpu::BindGroup, 2> expect_groups_, leave_groups_, begin_groups_, early_groups_;  // by parity
   gpu::BindGroup candidate_group_, find_group_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/reference/proximity/may_meet.hpp"
 #include "contact/reference/proximity/separate.hpp"
 
 namespace weft::reference {
@@ -69,8 +70,8 @@ class Truncation {
     std::vector<Meeting> all;
     std::vector<double> shares(held_.size(), 0);  // pairs that move the node, and share its mass
     for (const ClothPair& pair : pairs_) {
+      if (pair.tangled || !may_meet(pair, ways_.start, ways_.end)) continue;
       const BothSides sides = sides_of(pair, end);
-      if (pair.tangled || sides.apart() >= pair.apart) continue;
       all.push_back({pair, separated(sides, pair.gap)});
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
         if (all.back().shifts[k] != 0) ++shares[pair.nodes[k]];
@@ -101,8 +102,7 @@ class Truncation {
       bool all_held = true;
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
         all_held = all_held && (held_[pair.nodes[k]] || ways_.inverse_mass[pair.nodes[k]] == 0);
-      const BothSides sides = sides_of(pair, [&](std::uint32_t node) { return ways_.end[node]; });
-      if (sides.apart() >= pair.apart || all_held) continue;
+      if (all_held || !may_meet(pair, ways_.start, ways_.end)) continue;
       any = true;
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) marked_.push_back(pair.nodes[k]);
     }

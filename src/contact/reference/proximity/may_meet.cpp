@@ -1,0 +1,46 @@
+#include "contact/reference/proximity/may_meet.hpp"
+
+#include <algorithm>
+
+#include "contact/reference/proximity/closest.hpp"
+
+namespace weft::reference {
+namespace {
+
+using Corners = std::array<Vec3d, 4>;  // of A, then of B
+
+/// From the closest point of side B to that of side A [m].
+Vec3d between(const ClothPair& pair, const Corners& at) {
+  if (pair.count_b == 1) return at[0] - at[1];
+  if (pair.count_a == 2) return closest_segments(at[0], at[1], at[2], at[3]).offset;
+  return closest_on_triangle(at[0], at[1], at[2], at[3]).offset;
+}
+
+/// How far A is beyond B in what `along` says of each corner [m].
+template <class Along>
+double apart(const ClothPair& pair, const Along& along) {
+  std::array<double, 4> values{};
+  for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) values[k] = along(k);
+  const auto middle = values.begin() + pair.count_a;
+  return *std::min_element(values.begin(), middle) - *std::max_element(middle, middle + pair.count_b);
+}
+
+}  // namespace
+
+bool may_meet(const ClothPair& pair, std::span<const Vec3d> start, std::span<const Vec3d> end) {
+  Corners from, to;  // seen from the first, as the middle of cloth may be far from the origin
+  for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) {
+    from[k] = start[pair.nodes[k]] - start[pair.nodes[0]];
+    to[k] = end[pair.nodes[k]] - start[pair.nodes[0]];
+  }
+  if (apart(pair, [&](std::uint32_t k) { return dot(pair.normal, to[k]); }) >= pair.apart) return false;
+  const Vec3d offset = between(pair, to);
+  if (!(length(offset) > 0)) return true;
+  const Vec3d then = offset / length(offset);
+  const double at_end = apart(pair, [&](std::uint32_t k) { return dot(then, to[k]); });
+  const double between_ends =
+      0.5 * apart(pair, [&](std::uint32_t k) { return dot(pair.normal, to[k]) + dot(then, from[k]); });
+  return std::min(at_end, between_ends) < pair.apart;
+}
+
+}  // namespace weft::reference
