@@ -73,3 +73,9 @@ fn closest_on_edges(a : vec3f, b : vec3f, c : vec3f, d : vec3f) -> Closest {
   let inside = cross_over & (s > 0.0) & (s < 1.0) & (t > 0.0) & (t < 1.0);
   return Closest(s, t, select(r + s * u - t * v, dot(n, r) / max(nn, kLeast) * n, inside), inside);
 }
+
+// Of a pair: two edges, or a vertex and a triangle.
+fn closest_of_pair(edges : bool, a : vec3f, b : vec3f, c : vec3f, d : vec3f) -> Closest {
+  if (edges) { return closest_on_edges(a, b, c, d); }
+  return closest_on_triangle(a, b, c, d);
+}

@@ -35,9 +35,7 @@ fn off_the_way(id : u32, aside : vec3f) -> f32 {
 fn expect_blow(ids : vec4u, thickness : f32) {
   let measured = measure(ids);
   let n = measured.normal;
-  let origin = before_of(ids.x);
-  let along = vec4f(dot(n, place_of(ids.x) - origin), dot(n, place_of(ids.y) - origin),
-                    dot(n, place_of(ids.z) - origin), dot(n, place_of(ids.w) - origin));
+  let along = ends_along(ids, n);
   let ends = Ends(measured.gap > 0.0, n, 0.0, measured.gap, thickness, along, sides_apart(ids, along));
   let push = clamp(kPushPart * (thickness - measured.gap), 0.0, kPushSpeed * step.time.dt);  // equation (5a)
   var shifts = select(vec4f(-push), vec4f(push), vec4<bool>(true, is_edge_pair(ids), false, false));

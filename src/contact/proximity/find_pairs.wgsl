@@ -40,13 +40,7 @@ fn thickness_of(ids : vec4u) -> f32 {
   let d = rest_of(ids.w);
   if (a.w != c.w) { return params.self_thickness; }
   let at = array(bitcast<vec3f>(a.xyz), bitcast<vec3f>(b.xyz), bitcast<vec3f>(c.xyz), bitcast<vec3f>(d.xyz));
-  var near : Closest;
-  if (is_edge_pair(ids)) {
-    near = closest_on_edges(at[0], at[1], at[2], at[3]);
-  } else {
-    near = closest_on_triangle(at[0], at[1], at[2], at[3]);
-  }
-  let apart = length(near.apart);
+  let apart = length(closest_of_pair(is_edge_pair(ids), at[0], at[1], at[2], at[3]).apart);
   if (apart <= kTouchingAtRest * params.self_thickness) { return 0.0; }
   return select(params.self_thickness, 0.5 * apart, apart < 2.0 * params.self_thickness);
 }

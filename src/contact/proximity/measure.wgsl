@@ -30,19 +30,13 @@ fn measure(ids : vec4u) -> Measured {
   }
   let p2 = start_of(ids.z);
   let p3 = start_of(ids.w).xyz;
-  var near : Closest;
-  var radius = 0.0;
-  if (is_edge_pair(ids)) {
-    near = closest_on_edges(p0.xyz, p1.xyz, p2.xyz, p3);
-    if (is_collider(ids.z)) { radius = max(p2.w, 0.0); }
-  } else {
-    near = closest_on_triangle(p0.xyz, p1.xyz, p2.xyz, p3);
-    if (is_collider(ids.x)) { radius = max(p0.w, 0.0); }
-  }
+  let edges = is_edge_pair(ids);
+  let near = closest_of_pair(edges, p0.xyz, p1.xyz, p2.xyz, p3);
+  let radius = select(0.0, max(select(p0.w, p2.w, edges), 0.0), is_collider(select(ids.x, ids.z, edges)));
   let distance = length(near.apart);
   let n = select(vec3f(0.0, 1.0, 0.0), near.apart / distance, distance > 0.0);
   var place_a = dot(n, p0.xyz);
-  if (is_edge_pair(ids)) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }
+  if (edges) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }
   return Measured(near.s, near.t, near.inside || radius > 0.0, n, distance - radius, radius, place_a);
 }
 

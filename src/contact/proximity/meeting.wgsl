@@ -44,6 +44,18 @@ fn longest_way(ids : vec4u) -> f32 {
   return longest;
 }
 
+// Of each vertex along a direction, seen from where ids.x begins, m: where its way begins, and where it ends.
+fn starts_along(ids : vec4u, n : vec3f) -> vec4f {
+  let origin = before_of(ids.x);
+  return vec4f(0.0, dot(n, before_of(ids.y) - origin), dot(n, before_of(ids.z) - origin),
+               dot(n, before_of(ids.w) - origin));
+}
+fn ends_along(ids : vec4u, n : vec3f) -> vec4f {
+  let origin = before_of(ids.x);
+  return vec4f(dot(n, place_of(ids.x) - origin), dot(n, place_of(ids.y) - origin), dot(n, place_of(ids.z) - origin),
+               dot(n, place_of(ids.w) - origin));
+}
+
 fn sides_apart(ids : vec4u, along : vec4f) -> f32 {
   if (is_edge_pair(ids)) { return min(along.x, along.y) - max(along.z, along.w); }
   return along.x - max(max(along.y, along.z), along.w);
@@ -59,8 +71,7 @@ fn ends_of(ids : vec4u, words : vec4u) -> Ends {
   ends.normal = line.xyz;
   ends.middle = -0.5 * ends.gap;
   if (is_edge_pair(ids)) { ends.middle += line.w * dot(line.xyz, before_of(ids.y) - origin); }
-  ends.along = vec4f(dot(line.xyz, place_of(ids.x) - origin), dot(line.xyz, place_of(ids.y) - origin),
-                     dot(line.xyz, place_of(ids.z) - origin), dot(line.xyz, place_of(ids.w) - origin));
+  ends.along = ends_along(ids, line.xyz);
   ends.apart = sides_apart(ids, ends.along);
   return ends;
 }
@@ -70,19 +81,11 @@ fn ends_of(ids : vec4u, words : vec4u) -> Ends {
 // so is quadratic in time, and no less than the least of its three Bernstein coefficients: equation (6e).
 fn turn_apart(ids : vec4u, ends : Ends, least : f32) -> bool {
   let origin = before_of(ids.x);
-  let end = array(place_of(ids.x) - origin, place_of(ids.y) - origin, place_of(ids.z) - origin,
-                  place_of(ids.w) - origin);
-  var near : Closest;
-  if (is_edge_pair(ids)) {
-    near = closest_on_edges(end[0], end[1], end[2], end[3]);
-  } else {
-    near = closest_on_triangle(end[0], end[1], end[2], end[3]);
-  }
+  let near = closest_of_pair(is_edge_pair(ids), place_of(ids.x) - origin, place_of(ids.y) - origin,
+                             place_of(ids.z) - origin, place_of(ids.w) - origin);
   let then = near.apart / max(length(near.apart), kLeast);
-  let at_end = vec4f(dot(then, end[0]), dot(then, end[1]), dot(then, end[2]), dot(then, end[3]));
-  let at_start = vec4f(0.0, dot(then, before_of(ids.y) - origin), dot(then, before_of(ids.z) - origin),
-                       dot(then, before_of(ids.w) - origin));
-  return sides_apart(ids, at_end) >= least && 0.5 * sides_apart(ids, ends.along + at_start) >= least;
+  return sides_apart(ids, ends_along(ids, then)) >= least &&
+         0.5 * sides_apart(ids, ends.along + starts_along(ids, then)) >= least;
 }
 
 // Whether they end nearer than they must, and may have met: not nearer than they are, and not nearer than the margins.

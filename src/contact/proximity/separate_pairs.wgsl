@@ -29,8 +29,10 @@ var<workgroup> pairs : u32;
 fn share_count(vertex : u32) -> f32 {
   return f32(max(1u, atomicLoad(&vertex_contacts[kVertexWords * (vertex & kIdBits) + kShareWord])));
 }
-fn speed_end(n : vec3f, vertex : u32, origin : vec3f) -> f32 {
-  return dot(n, before_of(vertex) - origin) + step.time.dt * dot(n, velocity[vertex & kIdBits].xyz);
+fn speeds_along(ids : vec4u, n : vec3f) -> vec4f {
+  let at = ids & vec4u(kIdBits);
+  return vec4f(dot(n, velocity[at.x].xyz), dot(n, velocity[at.y].xyz), dot(n, velocity[at.z].xyz),
+               dot(n, velocity[at.w].xyz));
 }
 
 fn count_moved(ids : vec4u, shifts : vec4f) {
@@ -78,9 +80,7 @@ fn separate_pairs(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgr
     // No more than it has counted, of the shared masses.
     let movers = Movers(select(whole.mass / shares, vec4f(0.0), shifts == vec4f(0.0)), whole.stays);
     give(ids, kPushWord, kPushUnits, shifts_of(ids, ends.along, ends.gap, movers) / shares, n);
-    let origin = before_of(ids.x);
-    let by_speed = vec4f(speed_end(n, ids.x, origin), speed_end(n, ids.y, origin), speed_end(n, ids.z, origin),
-                         speed_end(n, ids.w, origin));
+    let by_speed = starts_along(ids, n) + step.time.dt * speeds_along(ids, n);
     if (sides_apart(ids, by_speed) < ends.gap) {
       give(ids, kChangeWord, kSpeedUnits, shifts_of(ids, by_speed, ends.gap, movers) / (step.time.dt * shares), n);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/reference/proximity/closest.hpp"
+#include "contact/reference/proximity/separate.hpp"
 
 namespace weft::reference {
 namespace {
@@ -19,10 +20,9 @@ Vec3d between(const ClothPair& pair, const Corners& at) {
 /// How far A is beyond B in what `along` says of each corner [m].
 template <class Along>
 double apart(const ClothPair& pair, const Along& along) {
-  std::array<double, 4> values{};
-  for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) values[k] = along(k);
-  const auto middle = values.begin() + pair.count_a;
-  return *std::min_element(values.begin(), middle) - *std::max_element(middle, middle + pair.count_b);
+  BothSides sides{pair.count_a, pair.count_b};
+  for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) sides.along[k] = along(k);
+  return sides.apart();
 }
 
 }  // namespace
