@@ -33,7 +33,7 @@ struct Totals {
   std::uint32_t candidates = 0;
   /// Of the pairs, those near enough to have a record, at the end of a frame (proximity), the most of any.
   std::uint32_t near = 0;
-  /// Iterations that the linear system of a substep took, the most (implicit solver), the most of any.
+  /// Iterations that the linear systems of a substep took, the most (implicit solver), the most of any.
   std::uint32_t iterations = 0;
   /// The largest part of its residual that a linear system kept (implicit solver), the most of any.
   float residual = 0;

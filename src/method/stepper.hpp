@@ -1,6 +1,7 @@
 // A method's step in double: the oracle of its solver.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -12,14 +13,20 @@
 
 namespace weft::reference {
 
+/// What contact asks of a method whose matrix answers it.
+struct Pressed {
+  std::vector<NearPair> pairs;  // of one cloth, that come near
+  std::vector<Press> presses;   // obstacles' demands on each node
+};
+
 /// A substep before contact.
 struct Substep {
   MassSpringSystem& system;          // its state goes on by one step
   const std::vector<Vec3d>& places;  // where nodes that follow a motion are at its end [m]
   double dt = 0;                     // [s]
   double ratio = 1;                  // of dt to the step before; 0: a method with a history starts without it
-  std::span<const NearPair> pairs = {};  // of cloth with cloth that come near, for the same
-  std::span<const Press> presses = {};  // obstacles' demands on each node, for a method whose matrix has them
+  /// By velocities that take nodes to where they may end [m/s]; none: the method's matrix does not answer contact.
+  std::function<Pressed(std::span<const Vec3d> velocity)> pressed = {};
 };
 
 class Stepper {

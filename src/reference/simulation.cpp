@@ -122,12 +122,14 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
   system_.time = before * dt;  // of the wind
   // As sim::FrameSteps counts time, to the bit: it decides which substep is the first of a grab.
   set_grabs(time() + number * dt + dt);
-  std::vector<Press> presses;
+  std::function<Pressed(std::span<const Vec3d>)> pressed;
   if (solves_with_contact(scene_, plan_.method()) && finite())
-    presses = proximity_->presses(previous, system_.velocity, before * dt, dt);
+    pressed = [&](std::span<const Vec3d> velocity) -> Pressed {
+      std::vector<Press> presses = proximity_->presses(previous, velocity, before * dt, dt);
+      return {proximity_->pressed_pairs(), std::move(presses)};
+    };
   const double ratio = number == 0 ? frame.step_ratio : 1;
-  const std::vector<NearPair> pairs = presses.empty() ? std::vector<NearPair>{} : proximity_->pressed_pairs();
-  stepper_->advance({system_, places_at((before + 1) * dt, previous), dt, ratio, pairs, presses});
+  stepper_->advance({system_, places_at((before + 1) * dt, previous), dt, ratio, pressed});
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   if (!proximity_) {
     answer_contacts(previous);

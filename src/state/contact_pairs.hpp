@@ -43,8 +43,8 @@ struct PairHold {
   Vec4f normal;                        // n; w: k [N/m]; 0: it is not held
   Vec4f along;                         // the force of friction [N]; w: k_t [N/m]
   Vec4f force;                         // along n [N]; g and z [m]; friction
-  Vec4f place;                         // s, t; mobility [1/kg]; the missing gap [m]
-  Vec4f start;                         // [m]
+  Vec4f place;                         // s, t; mobility [1/kg]; stiffness of the sides [N/m]
+  Vec4f start;                         // [m]; w: the lack that the velocities would leave [m]
 };
 static_assert(sizeof(PairHold) == 96);
 

@@ -6,8 +6,9 @@ struct PairHold {
   normal : vec4f,  // n; w: k, N/m, first 1: the pair comes near; 0: it is not held
   along : vec4f,   // τ, N; w: k_t, N/m, 0: it slides
   force : vec4f,   // λ, N; g and z, m; μ
-  place : vec4f,   // s, t: weights_of; W, 1/kg; the gap that is missing, m
-  start : vec4f,   // Σ w d₀, m
+  place : vec4f,   // s, t: weights_of; W, 1/kg; 1/C, N/m, first the gap that is missing, m
+  start : vec4f,   // Σ w (the way to z, and d₀), m; w: g of the velocities at the start of the substep, m, first the
+                   // thickness, m
 }
 
 // Sums over a vertex's held pairs, of integers, since pairs have no order: how many hold it, |w| each, in kHeldUnits;

@@ -33,8 +33,10 @@ struct Statistics {
   std::uint32_t candidates = 0;
   /// Of the pairs, those near enough to have a record, at the end of a frame (proximity).
   std::uint32_t near = 0;
-  /// Iterations that the linear system of a substep took, the most (implicit solver).
+  /// Iterations that the linear systems of a substep took, the most (implicit solver).
   std::uint32_t iterations = 0;
+  /// Iterations of the last linear system of a substep, the most (implicit solver).
+  std::uint32_t corrections = 0;
   /// The largest part of its residual that a linear system kept (implicit solver).
   float residual = 0;
   /// Linear systems that were left with a larger residual than wanted (implicit solver).
@@ -62,7 +64,7 @@ struct Statistics {
   /// How far one may have gone since this search [m].
   float travel = 0;
 };
-static_assert(sizeof(Statistics) == 25 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 26 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -102,6 +104,7 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("candidates", statistics.candidates);
   visit("near", statistics.near);
   visit("iterations", statistics.iterations);
+  visit("corrections", statistics.corrections);
   visit("residual", statistics.residual);
   visit("unsolved", statistics.unsolved);
   visit("nonfinite", statistics.nonfinite);

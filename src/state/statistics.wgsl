@@ -22,31 +22,33 @@ const kStatPairs = 8u;
 const kStatCandidates = 9u;
 // Of the pairs, those near enough to have a record, at the end of a frame (proximity).
 const kStatNear = 10u;
-// Iterations that the linear system of a substep took, the most (implicit solver).
+// Iterations that the linear systems of a substep took, the most (implicit solver).
 const kStatIterations = 11u;
+// Iterations of the last linear system of a substep, the most (implicit solver).
+const kStatCorrections = 12u;
 // The largest part of its residual that a linear system kept (implicit solver), as the bits of a positive f32.
-const kStatResidual = 12u;
+const kStatResidual = 13u;
 // Linear systems that were left with a larger residual than wanted (implicit solver).
-const kStatUnsolved = 13u;
+const kStatUnsolved = 14u;
 // Nodes that are not finite; 0 but where a run diverged.
-const kStatNonfinite = 14u;
+const kStatNonfinite = 15u;
 // 1 once the state is frozen at the last good frame.
-const kStatFrozen = 15u;
+const kStatFrozen = 16u;
 // 1 once a list was too short: the state is as before the frame until the list is longer.
-const kStatRolledBack = 16u;
+const kStatRolledBack = 17u;
 // 1: a vertex is about to leave its reach.
-const kStatDetect = 17u;
+const kStatDetect = 18u;
 // 1: a search is under way.
-const kStatDue = 18u;
+const kStatDue = 19u;
 // Edges through triangles that they do not touch at rest, of the last search (proximity).
-const kStatCrossingsLeft = 19u;
+const kStatCrossingsLeft = 20u;
 // Near pairs before the search that is under way.
-const kStatNearBefore = 20u;
+const kStatNearBefore = 21u;
 // 1: some vertex goes farther than to the obstacles that have records (proximity).
-const kStatFarWays = 21u;
+const kStatFarWays = 22u;
 // The last round of a substep in which cloth could meet other cloth on its way; 0: none.
-const kStatMeeting = 22u;
+const kStatMeeting = 23u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
-const kStatReach = 23u;
+const kStatReach = 24u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
-const kStatTravel = 24u;
+const kStatTravel = 25u;

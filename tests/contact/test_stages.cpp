@@ -17,6 +17,7 @@ class Notes : public Stages {
  public:
   void search(gpu::ComputePass&) const override { text += "search "; }
   void press(gpu::ComputePass&) const override { text += "press "; }
+  void press_again(gpu::ComputePass&) const override { text += "press_again "; }
   void measure(gpu::ComputePass&) const override { text += "measure "; }
   void answer(gpu::ComputePass&) const override { text += "answer "; }
   void hold_back(gpu::ComputePass&) const override { text += "hold_back "; }
@@ -26,6 +27,7 @@ class Notes : public Stages {
 using Substep = std::vector<void (Stages::*)(gpu::ComputePass&) const>;
 constexpr auto kSearch = &Stages::search;
 constexpr auto kPress = &Stages::press;
+constexpr auto kPressAgain = &Stages::press_again;
 constexpr auto kMeasure = &Stages::measure;
 constexpr auto kAnswer = &Stages::answer;
 constexpr auto kHoldBack = &Stages::hold_back;
@@ -47,13 +49,15 @@ TEST_CASE("a substep that calls the stages of contact in their order is recorded
   CHECK(refusal_of({kSearch, kMeasure, kHoldBack}) == "");
   CHECK(refusal_of({kSearch, kMeasure, kAnswer, kHoldBack}) == "");
   CHECK(refusal_of({kPress, kSearch, kMeasure, kAnswer, kHoldBack}) == "");
+  CHECK(refusal_of({kPress, kPressAgain, kSearch, kMeasure, kAnswer, kHoldBack}) == "");
   CHECK(refusal_of({kSearch, kMeasure, kAnswer, kMeasure, kAnswer, kHoldBack}) == "");
   gpu::CommandList list;
   gpu::ComputePass pass(list, "substep");
   const Notes notes;
   contact::CheckedStages checked(notes);
-  for (const auto stage : Substep{kPress, kSearch, kMeasure, kAnswer, kHoldBack}) (checked.*stage)(pass);
-  CHECK(notes.text == "press search measure answer hold_back ");
+  for (const auto stage : Substep{kPress, kPressAgain, kSearch, kMeasure, kAnswer, kHoldBack})
+    (checked.*stage)(pass);
+  CHECK(notes.text == "press press_again search measure answer hold_back ");
 }
 
 TEST_CASE("a solver that forgets what it owes contact is refused with what it broke") {
@@ -69,6 +73,10 @@ TEST_CASE("a solver that forgets what it owes contact is refused with what it br
         begin + "presses after it has searched, or twice.");
   CHECK(refusal_of({kPress, kPress, kSearch, kMeasure, kHoldBack}) ==
         begin + "presses after it has searched, or twice.");
+  CHECK(refusal_of({kPressAgain, kSearch, kMeasure, kHoldBack}) ==
+        begin + "presses again what it has not pressed, or twice.");
+  CHECK(refusal_of({kPress, kPressAgain, kPressAgain, kSearch, kMeasure, kHoldBack}) ==
+        begin + "presses again what it has not pressed, or twice.");
   CHECK(refusal_of({kSearch, kSearch, kMeasure, kHoldBack}) == begin + "searches twice.");
   CHECK(refusal_of({kSearch, kMeasure, kHoldBack, kHoldBack}) ==
         begin + "holds back what it has not measured, or twice.");

@@ -168,8 +168,8 @@ Json level_of_grid() {
 Json cloth_nodes() {
   using T = ClothNodes;
   return row("ClothNodes", "method/multigrid/cloth.wgsl", sizeof(T), kUniform,
-             {M(first_vertex), M(count), M(residual), M(may_retry), M(vectors), M(iterations), M(padding_b),
-              M(padding_c)});
+             {M(first_vertex), M(count), M(residual), M(may_retry), M(vectors), M(iterations), M(first_part),
+              M(padding)});
 }
 Json level_of_mesh() {
   using T = MeshLevelParams;

@@ -217,7 +217,13 @@ TEST_CASE("what obstacles hold is in the matrix, and a pressed node begins anew,
                       [](std::int32_t word) { return word == 0; }));
 
     rig.press(c.ny, c.every);
-    check_substep(rig, step.holds);
+    rig.run_first();
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record_system_again(pass); });
+    const auto second = rig.linearise(field(rig.vector(0, kWay)));
+    CHECK(difference(field(rig.vector(0, kResidual)), second.residual) < 2e-5);
+
+    rig.press(c.ny, c.every);
+    check_substep(rig, true);
   }
 }
 
@@ -227,7 +233,7 @@ TEST_CASE("an implicit substep has the same bits for every workgroup, and on eve
   for (const std::uint32_t size : {64U, 64U, 128U, 256U}) {
     MultigridRig rig(fixture.device(), cloth(71, 60, kPlain), 1.0 / 480, size);
     rig.perturb(4, 0.01, 2);
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, multigrid::kMostIterations); });
+    rig.run_substep();
     positions.push_back(rig.download(rig.state().position[1]));
     CHECK(same_bits(positions.back(), positions.front()));
   }

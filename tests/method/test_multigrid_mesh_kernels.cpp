@@ -168,7 +168,13 @@ TEST_CASE("what obstacles hold is in a mesh's matrix, and a pressed node begins 
                       [](std::int32_t word) { return word == 0; }));
 
     rig.press(every, every);
-    check_substep(rig, step.holds);
+    rig.run_first();
+    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record_system_again(pass); });
+    const auto second = rig.linearise(field(rig.vector(0, kWay)));
+    CHECK(difference(field(rig.vector(0, kResidual)), second.residual) < 2e-5);
+
+    rig.press(every, every);
+    check_substep(rig, true);
   }
 }
 
@@ -178,7 +184,7 @@ TEST_CASE("an implicit substep of a mesh has the same bits for every workgroup, 
   for (const std::uint32_t size : {64U, 64U, 128U, 256U}) {
     MeshRig rig(fixture.device(), cloth(kPlain), 1.0 / 480, size, false, {jittered_sheet(51, 40, 2, 2)});
     rig.perturb(4, 0.01, 2);
-    rig.run([&](gpu::ComputePass& pass) { rig.cycle().record(pass, multigrid::kMostIterations); });
+    rig.run_substep();
     positions.push_back(rig.download(rig.state().position[1]));
     CHECK(same_bits(positions.back(), positions.front()));
   }

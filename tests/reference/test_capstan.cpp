@@ -20,8 +20,9 @@ CapstanWatch seen_in_double(const Capstan& capstan) {
   const double dt = 1.0 / 480;
   for (int step = 0; step < 480; ++step) {
     const std::vector<Vec3d> before = now.position;
-    const std::vector<reference::Press> presses = contact.presses(before, now.velocity, step * dt, dt);
-    strip.stepper.advance({now, before, dt, 1, {}, presses});
+    strip.stepper.advance({now, before, dt, 1, [&](std::span<const Vec3d> velocity) -> reference::Pressed {
+                             return {{}, contact.presses(before, velocity, step * dt, dt)};
+                           }});
     const std::vector<Vec3d> position = now.position, velocity = now.velocity;
     contact.answer({before, now.inverse_mass, now.position, now.velocity, strip.stepper.held()}, step * dt,
                    dt);

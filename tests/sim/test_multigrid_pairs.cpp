@@ -122,6 +122,59 @@ TEST_CASE("pieces of one cloth that strike each other keep their momentum, and e
   CHECK(last < 0.7 * energy);  // they do not bounce off
 }
 
+TEST_CASE("pieces of one cloth that strike each other flat do not fly apart again") {
+  GpuFixture fixture;
+  // No two nodes are over each other.
+  const Piece pieces[] = {{17, 17, 0.4, 0.4, {0, 0, 0}}, {16, 16, 0.4, 0.4, {0.011, 0.02, 0.007}}};
+  constexpr std::uint32_t kLower = 17 * 17, kAll = kLower + 16 * 16;
+  for (const double speed : {1.0, 3.0, 10.0}) {
+    CAPTURE(speed);
+    Setting setting =
+        setting_of(R"("gravity": [0, 0, 0], "contact": {"method": "proximity", "thickness": 0.01},)",
+                   R"("stiffness": {"structural": 2000, "shear": 300, "bend": 1})", pieces);
+    setting.scene.time.frame = 1.0 / 480;
+    setting.scene.time.substeps = 1;
+    auto world = world_from(fixture.device(), setting.scene, setting.assets);
+    push(*world, kLower, kAll, {0, -speed, 0});
+    const auto apart = [&] {
+      const Moment now(*world);
+      double lower = 0, upper = 0;
+      for (std::uint32_t v = 0; v < kLower; ++v) lower += now.velocity[v].y / kLower;
+      for (std::uint32_t v = kLower; v < kAll; ++v) upper += now.velocity[v].y / (kAll - kLower);
+      return upper - lower;
+    };
+    double fastest = -speed, last = 0;
+    for (int step = 0; step < 30; ++step) {
+      advance(*world, 1);
+      last = apart();
+      fastest = std::max(fastest, last);
+    }
+    MESSAGE("they part at " << fastest / speed << " of the speed at which they met, " << last / speed
+                            << " at last");
+    CHECK(fastest < 0.05 * speed);
+    CHECK(last > -0.05 * speed);
+  }
+}
+
+namespace {
+
+/// A sheet that two grabs crumple at 4 m/s, and let go after a quarter of a second. Which pairs meet is chaotic, and
+/// one density has a tenth of the shortened ways of the next. Frames of so many substeps of 1/480 s.
+scene::Scene crumpled(double density, int substeps) {
+  return contact_scene(R"("solver": {"kind": "multigrid"}, "time": {"frame": )" + text_of(substeps / 480.0) +
+                       R"(, "substeps": )" + std::to_string(substeps) +
+                       R"(}, "gravity": [0, 0, 0], "contact": {"method": "proximity", "thickness": 0.005},
+        "cloths": [{"grid": [25, 25], "size": [0.5, 0.5], "plane": "xz", "damping": 0.02, "friction": 0.3,
+          "density": )" +
+                       text_of(density) + R"(, "stiffness": {"structural": 3000, "shear": 800, "bend": 5},
+          "grabs": [{"node": "top_left", "start": 0, "end": 0.25, "path": [{"time": 0, "point": [-0.25, 0, -0.25]},
+              {"time": 0.2, "point": [0.3, 0.05, 0.3]}]},
+            {"node": "bottom_right", "start": 0, "end": 0.25, "path": [{"time": 0, "point": [0.25, 0, 0.25]},
+              {"time": 0.2, "point": [-0.3, 0.02, -0.3]}]}]}])");
+}
+
+}  // namespace
+
 TEST_CASE("a sheet that two grabs crumple keeps its ways, and its motion when they let go") {
   GpuFixture fixture;
   // Which pairs meet is chaotic, and one scene of these had a tenth of the shortened ways of the next.
@@ -131,15 +184,7 @@ TEST_CASE("a sheet that two grabs crumple keeps its ways, and its motion when th
   for (int k = 0; k < kDensities; ++k) {
     const double density = 0.2 + 0.003 * k, mass = density * 0.5 * 0.5;
     CAPTURE(density);
-    const scene::Scene scene = contact_scene(R"("solver": {"kind": "multigrid"}, "time": {"substeps": 8},
-        "gravity": [0, 0, 0], "contact": {"method": "proximity", "thickness": 0.005},
-        "cloths": [{"grid": [25, 25], "size": [0.5, 0.5], "plane": "xz", "damping": 0.02, "friction": 0.3,
-          "density": )" + text_of(density) +
-                                             R"(, "stiffness": {"structural": 3000, "shear": 800, "bend": 5},
-          "grabs": [{"node": "top_left", "start": 0, "end": 0.25, "path": [{"time": 0, "point": [-0.25, 0, -0.25]},
-              {"time": 0.2, "point": [0.3, 0.05, 0.3]}]},
-            {"node": "bottom_right", "start": 0, "end": 0.25, "path": [{"time": 0, "point": [0.25, 0, 0.25]},
-              {"time": 0.2, "point": [-0.3, 0.02, -0.3]}]}]}])");
+    const scene::Scene scene = crumpled(density, 8);
     auto world = world_from(fixture.device(), scene, Assets{});
     advance(*world, 16);  // let go at the end of the 15th
     const Moment let_go(*world);
@@ -156,11 +201,31 @@ TEST_CASE("a sheet that two grabs crumple keeps its ways, and its motion when th
     MESSAGE("shortened " << world->totals().truncated << " of " << kSteps << " ways; " << drift << " m/s, "
                          << rise << " J of " << energy_of(*world, let_go));
     CHECK(world->totals().contacts > 1000);
-    CHECK(drift < 0.04);  // the grabs go at 4 m/s
+    CHECK(drift < 0.02);  // the grabs go at 4 m/s
     CHECK(rise < 0.02 * energy_of(*world, let_go));
     CHECK(passed(*world) == 0);
   }
-  CHECK(shortened < 0.01 * kDensities * kSteps);
+  CHECK(shortened < 1e-3 * kDensities * kSteps);  // of more a user is told
+}
+
+TEST_CASE("crumpled cloth that is let go gains no energy, not even in single substeps") {
+  GpuFixture fixture;
+  for (const double density : {0.21, 0.2156, 0.2182}) {
+    CAPTURE(density);
+    auto world = world_from(fixture.device(), crumpled(density, 1), Assets{});
+    advance(*world, 128);  // let go at the 120th
+    const double begun = energy_of(*world, Moment(*world));
+    double least = begun, rise = 0;
+    for (int step = 128; step < 192; ++step) {
+      advance(*world, 1);
+      const double energy = energy_of(*world, Moment(*world));
+      rise = std::max(rise, energy - least);
+      least = std::min(least, energy);
+    }
+    MESSAGE("rises by " << rise << " J of " << begun);
+    CHECK(world->totals().contacts > 100);
+    CHECK(rise < 0.1 * begun);  // with one linear system a substep it doubles
+  }
 }
 
 TEST_CASE("frames of pieces that strike each other are the reference's") {

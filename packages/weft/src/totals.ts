@@ -27,7 +27,7 @@ export interface Totals {
   candidates: number;
   /** Of the pairs, those near enough to have a record, at the end of a frame (proximity), the most of any. */
   near: number;
-  /** Iterations that the linear system of a substep took, the most (implicit solver), the most of any. */
+  /** Iterations that the linear systems of a substep took, the most (implicit solver), the most of any. */
   iterations: number;
   /** The largest part of its residual that a linear system kept (implicit solver), the most of any. */
   residual: number;

@@ -20,7 +20,9 @@ Result<void> NearPairs::bind(const State& state, const ContactPairs& pairs,
                           pairs.vertex_contacts, state.statistics, pairs.kept});
     };
     WEFT_SET(groups_[parity], bind(kernel_, pairs.predicted));
-    if (presses_) WEFT_SET(early_groups_[parity], bind(early_, state.velocity[parity]));
+    if (!presses_) continue;
+    WEFT_SET(early_groups_[parity], bind(early_, state.velocity[parity]));
+    WEFT_SET(again_groups_[parity], bind(early_, pairs.predicted));
   }
   pair_room_ = pairs.room.pairs;
   return {};
@@ -32,6 +34,10 @@ void NearPairs::record(gpu::ComputePass& pass) const {
 
 void NearPairs::record_early(gpu::ComputePass& pass) const {
   early_.dispatch_strided(pass, early_groups_[pass.parity()], pair_room_);
+}
+
+void NearPairs::record_again(gpu::ComputePass& pass) const {
+  early_.dispatch_strided(pass, again_groups_[pass.parity()], pair_room_);
 }
 
 }  // namespace weft::contact

@@ -22,10 +22,12 @@ class NearPairs {
   void record(gpu::ComputePass& pass) const;
   /// Before a solver has predicted: pairs of cloth with cloth alone, by the velocities.
   void record_early(gpu::ComputePass& pass) const;
+  /// The same by the velocities that lead to where it has come.
+  void record_again(gpu::ComputePass& pass) const;
 
  private:
   gpu::Kernel kernel_, early_;
-  std::array<gpu::BindGroup, 2> groups_, early_groups_;  // by parity
+  std::array<gpu::BindGroup, 2> groups_, early_groups_, again_groups_;  // by parity
   bool presses_ = false;
   std::size_t pair_room_ = 0;
 };

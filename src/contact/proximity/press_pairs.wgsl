@@ -41,6 +41,7 @@ fn hold_of(number : u32, tangled : bool) -> PairHold {
   hold.along = vec4f(kept, 0.0);
   hold.force = vec4f(0.0, 0.0, 0.0, friction);
   hold.place = vec4f(measured.s, measured.t, 0.0, thickness - measured.gap);
+  hold.start.w = thickness;
   return hold;
 }
 

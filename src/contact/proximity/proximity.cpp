@@ -85,15 +85,19 @@ Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) 
                                     pairs.contacts, pairs.vertex_contacts, state.statistics, rings_}));
     evaluate_groups_[parity] = std::move(group);
     if (!presses_) continue;
-    WEFT_TRY(press_group,
-             press_.bind({state.steps, state.position[parity], state.velocity[parity], search_.points(),
-                          pairs.listed, state.statistics, pairs.presses, rings_}));
-    press_groups_[parity] = std::move(press_group);
+    const auto bind_press = [&](const gpu::Buffer<Vec4f>& velocity) {
+      return press_.bind({state.steps, state.position[parity], velocity, search_.points(), pairs.listed,
+                          state.statistics, pairs.presses, rings_});
+    };
+    WEFT_SET(press_groups_[parity], bind_press(state.velocity[parity]));
+    WEFT_SET(press_again_groups_[parity], bind_press(pairs.predicted));
     if (pairs.pair_sums.size() == 0) continue;
-    WEFT_SET(
-        press_pair_groups_[parity],
-        press_pairs_.bind({state.steps, state.position[parity], state.velocity[parity], search_.points(),
-                           pairs.contacts, state.statistics, rings_, pairs.pair_holds, pairs.pair_sums}));
+    const auto bind_pairs = [&](const gpu::Buffer<Vec4f>& velocity) {
+      return press_pairs_.bind({state.steps, state.position[parity], velocity, search_.points(),
+                                pairs.contacts, state.statistics, rings_, pairs.pair_holds, pairs.pair_sums});
+    };
+    WEFT_SET(press_pair_groups_[parity], bind_pairs(state.velocity[parity]));
+    WEFT_SET(press_pair_again_groups_[parity], bind_pairs(pairs.predicted));
   }
   WEFT_CHECK(near_.bind(state, pairs, search_.points()));
   return respond_.bind(state, pairs, search_.points());
@@ -152,6 +156,14 @@ void Proximity::press(gpu::ComputePass& pass) const {
   if (lengths_.self_thickness == 0) return;
   near_.record_early(pass);
   press_pairs_.dispatch_strided(pass, press_pair_groups_[pass.parity()], near_room_);
+}
+
+void Proximity::press_again(gpu::ComputePass& pass) const {
+  if (!presses_) return;
+  press_.dispatch_strided(pass, press_again_groups_[pass.parity()], pair_room_);
+  if (lengths_.self_thickness == 0) return;
+  near_.record_again(pass);
+  press_pairs_.dispatch_strided(pass, press_pair_again_groups_[pass.parity()], near_room_);
 }
 
 void Proximity::search(gpu::ComputePass& pass) const {

@@ -42,6 +42,7 @@ class Proximity : public Stages {
   /// Takes over lists with other room. Errors  Limit, OutOfMemory.
   Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
   void press(gpu::ComputePass& pass) const override;
+  void press_again(gpu::ComputePass& pass) const override;
   void search(gpu::ComputePass& pass) const override;
   void measure(gpu::ComputePass& pass) const override;
   void answer(gpu::ComputePass& pass) const override { respond_.record_impulses(pass); }
@@ -67,7 +68,9 @@ class Proximity : public Stages {
   Respond respond_;
   gpu::Kernel move_points_, press_, press_pairs_, evaluate_;
   gpu::BindGroup move_group_;
-  std::array<gpu::BindGroup, 2> press_groups_, press_pair_groups_, evaluate_groups_;  // by parity
+  // By parity.
+  std::array<gpu::BindGroup, 2> press_groups_, press_pair_groups_, evaluate_groups_;
+  std::array<gpu::BindGroup, 2> press_again_groups_, press_pair_again_groups_;
   gpu::Buffer<ColliderPlace> places_;
   gpu::Buffer<Vec4f> shapes_;
   gpu::Buffer<std::uint32_t> rings_;

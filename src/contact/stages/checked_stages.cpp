@@ -12,8 +12,14 @@ void CheckedStages::press(gpu::ComputePass& pass) const {
   stages_.press(pass);
 }
 
+void CheckedStages::press_again(gpu::ComputePass& pass) const {
+  expect(last_ == Stage::Pressed, "presses again what it has not pressed, or twice");
+  last_ = Stage::PressedAgain;
+  stages_.press_again(pass);
+}
+
 void CheckedStages::search(gpu::ComputePass& pass) const {
-  expect(last_ == Stage::Begin || last_ == Stage::Pressed, "searches twice");
+  expect(last_ == Stage::Begin || last_ == Stage::Pressed || last_ == Stage::PressedAgain, "searches twice");
   last_ = Stage::Searched;
   stages_.search(pass);
 }

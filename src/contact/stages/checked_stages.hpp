@@ -12,6 +12,7 @@ class CheckedStages : public Stages {
   explicit CheckedStages(const Stages& stages) : stages_(stages) {}
 
   void press(gpu::ComputePass& pass) const override;
+  void press_again(gpu::ComputePass& pass) const override;
   void search(gpu::ComputePass& pass) const override;
   void measure(gpu::ComputePass& pass) const override;
   void answer(gpu::ComputePass& pass) const override;
@@ -21,7 +22,7 @@ class CheckedStages : public Stages {
   Result<void> end_substep();
 
  private:
-  enum class Stage { Begin, Pressed, Searched, Measured, Answered, HeldBack };
+  enum class Stage { Begin, Pressed, PressedAgain, Searched, Measured, Answered, HeldBack };
   void expect(bool allowed, const char* fault) const;
 
   const Stages& stages_;

@@ -8,6 +8,8 @@ namespace weft::contact {
 /// The stages of contact in a substep. A solver calls them where its algorithm needs them, in this order:
 ///
 ///   press      optional, before it is solved, by a solver whose matrix holds obstacles: their demands on each vertex.
+///   press_again  optional, after press, by a solver that has worked out ways: the same by the velocities that lead
+///              there, which it has left in `predicted`.
 ///   search     once, at the predicted state: lists near features where that is due.
 ///   measure    at the predicted state; again after each iteration that answers: gaps and weights of the pairs.
 ///   answer     optional, as often as measured: impulses between the pairs measured, added up for each vertex.
@@ -21,6 +23,7 @@ class Stages {
  public:
   virtual ~Stages() = default;
   virtual void press(gpu::ComputePass&) const {}
+  virtual void press_again(gpu::ComputePass&) const {}
   virtual void search(gpu::ComputePass&) const {}
   virtual void measure(gpu::ComputePass&) const {}
   virtual void answer(gpu::ComputePass&) const {}

@@ -14,6 +14,8 @@
 @group(0) @binding(2) var<storage, read>       partials   : array<vec2f>;     // partial_sums.wgsl
 @group(0) @binding(3) var<storage, read_write> statistics : array<atomic<u32>>;
 override kSum : u32;
+override kAgain : bool = false;  // true: of a second system
+override kLast : bool = false;   // true: of the only or the second one
 const kFirstNorm = 0u;  // mirror: src/method/multigrid/kernels.cpp
 const kSquare = 1u;     // p·A p
 const kNorm = 2u;
@@ -58,7 +60,8 @@ fn after(state : Solve, sum : vec2f) -> Solve {
   if (kSum == kNorm) {
     next.left = sum.x;
     if (state.turn == 0u) { next.enough = nodes.residual * min(state.first, kGuessPart * kGuessPart * sum.x); }
-    next.done = sum.x <= next.enough || !is_finite(vec3f(sum.x));  // which `report` counts
+    let enough = select(nodes.first_part, 1.0, kLast) * next.enough;
+    next.done = sum.x <= enough || !is_finite(vec3f(sum.x));  // which `report` counts
     next.turn++;
   }
   if (kSum == kRho) {
@@ -70,6 +73,7 @@ fn after(state : Solve, sum : vec2f) -> Solve {
 
 fn report(state : Solve) {
   atomicMax(&statistics[kStatIterations], state.turn - 1u);
+  atomicMax(&statistics[kStatCorrections], state.turn - state.begun);
   let has_norm = is_finite(vec3f(state.first, state.left, 0.0));
   if (has_norm && state.first > 0.0) {
     atomicMax(&statistics[kStatResidual], bitcast<u32>(sqrt(state.left / state.first)));
@@ -88,11 +92,18 @@ fn add_up(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index)
   if (are_all_idle(local, kSum != kFirstNorm && is_solved())) { return; }
   let sum = total(local);
   if (local != 0u) { return; }
-  var state = Solve(sum.x, sum.x, 0.0, sum.y, 0.0, 1.0, 0u, sum.x == 0.0);
+  var state = Solve(sum.x, sum.x, 0.0, sum.y, 0.0, 1.0, 0u, sum.x == 0.0, 1u);
+  if (kSum == kFirstNorm && kAgain) {
+    let had = solve_state();
+    let turn = max(had.turn, 1u);
+    let done = sum.x <= had.enough || !is_finite(vec3f(sum.x));
+    state = Solve(had.first, sum.x, had.enough, 0.0, 0.0, 1.0, turn, done, turn);
+  }
   if (kSum != kFirstNorm) { state = after(solve_state(), sum); }
-  let is_last = state.done || state.turn > nodes.iterations;
-  if (kSum == kNorm && is_last) { report(state); }
+  let is_last = state.done || (kSum == kNorm && state.turn >= state.begun + nodes.iterations);
+  if (kLast && is_last) { report(state); }
   let at = solve_at();
   vectors[at] = vec4f(state.first, state.left, state.enough, state.rho);
   vectors[at + 1u] = vec4f(state.rate, state.keep, f32(state.turn), select(0.0, 1.0, state.done));
+  vectors[at + 2u] = vec4f(f32(state.begun), 0.0, 0.0, 0.0);
 }

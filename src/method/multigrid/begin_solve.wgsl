@@ -1,10 +1,12 @@
 // The start of conjugate gradients: the residual's norm, and its product with the guess, which `predict` has left as
-// p. One invocation per node. Source: docs/solvers/multigrid.md, equation 13.
+// p. A second system has no guess, and gets the first smoothing sweep of its first cycle. One invocation per node.
+// Source: docs/solvers/multigrid.md, equation 13.
 #include "method/multigrid/fine_vectors.wgsl"
 #include "state/pair_sums.wgsl"
 //                                                                                 elements
 @group(0) @binding(3) var<storage, read>       place     : array<vec4f>;        // count  w: N/m, 0: fixed
 @group(0) @binding(4) var<storage, read_write> pair_sums : array<u32>;          // state/pair_holds.wgsl
+override kAgain : bool = false;  // true: of the second system
 override kPairs : bool = false;  // true: pairs may be held apart, and the residual gets their forces
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -20,7 +22,13 @@ fn begin_solve(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocat
       r += place[cloth * nodes.count + node].w * take_pair_sum(vertex);
       vectors[vector_at(level, kResidual, node)] = vec4f(r, 0.0);
     }
-    part = vec2f(dot(r, times(inverse_at(level, node), r)), dot(r, vectors[vector_at(level, kSearch, node)].xyz));
+    let d = times(inverse_at(level, node), r);
+    part.x = dot(r, d);
+    if (kAgain) {
+      vectors[vector_at(level, kDirection, node)] = vec4f(kBegin * d, 0.0);
+    } else {
+      part.y = dot(r, vectors[vector_at(level, kSearch, node)].xyz);
+    }
     vectors[vector_at(level, kSolution, node)] = vec4f(0.0);
   }
   store_partial(local, node, nodes.count, part);

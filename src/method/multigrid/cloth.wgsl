@@ -5,9 +5,9 @@ struct ClothNodes {  // mirror: src/method/multigrid/cycle.hpp
   residual : f32,   // what its linear system may leave of the residual: squared, of the norm
   may_retry : u32,  // 1: a frame whose system is not solved in the iterations recorded is run again with more
   vectors : u32,    // of a cloth, in vec4f
-  iterations : u32,  // recorded
-  padding_b : u32,
-  padding_c : u32,
+  iterations : u32,  // recorded, of the last system
+  first_part : f32,  // how much more the first may leave: squared
+  padding : u32,
 }
 
 // The cloth that an invocation works on, along z of the dispatch: its kernel sets it.
@@ -24,3 +24,4 @@ const kVectors = 6u;
 const kSolution = 6u;   // m
 const kSearch = 7u;     // m: p of this iteration, and in the next vector that of the last, in turns
 const kProduct = 9u;    // N: A p
+const kWay = 10u;       // m: from where the substep begins to where the unknown starts

@@ -6,11 +6,32 @@ namespace weft {
 
 using gpu::Dispatch;
 
-void Cycle::record(gpu::ComputePass& pass, std::uint32_t iterations) const {
+void Cycle::record_first(gpu::ComputePass& pass) const {
+  if (!corrects_) return;
   record_system(pass);
   record_matrices(pass);
   record_guess(pass);
-  for (std::uint32_t k = 0; k < iterations; ++k) record_iteration(pass);
+  for (std::uint32_t k = 0; k < multigrid::kFirstIterations; ++k) record_iteration(pass);
+  go_on_.record(pass);
+}
+
+void Cycle::record_last(gpu::ComputePass& pass, std::uint32_t iterations) const {
+  if (corrects_) {
+    record_system_again(pass);
+    record_matrices(pass);
+    pair_force_again_.record(pass);
+    begin_again_.record(pass);
+    first_norm_again_.record(pass);
+  } else {
+    record_system(pass);
+    record_matrices(pass);
+    begin_guess(pass);
+    record_step(pass, last_norm_);
+  }
+  for (std::uint32_t k = 0; k < iterations; ++k) {
+    record_cycle(pass);
+    record_step(pass, last_norm_);
+  }
   pair_end_.record(pass);
   finish_.record(pass);
   pair_finish_.record(pass);
@@ -28,30 +49,43 @@ void Cycle::record_system(gpu::ComputePass& pass) const {
   gradient_.record(pass);
 }
 
+void Cycle::record_system_again(gpu::ComputePass& pass) const {
+  predict_again_.record(pass);
+  gradient_.record(pass);
+}
+
 void Cycle::record_matrices(gpu::ComputePass& pass) const {
   for (const Level& level : levels_) level.coarsen.record(pass);
 }
 
-void Cycle::record_guess(gpu::ComputePass& pass) const {
+void Cycle::begin_guess(gpu::ComputePass& pass) const {
   pair_force_.record(pass);
   begin_solve_.record(pass);
   first_norm_.record(pass);
-  record_step(pass);
+}
+
+void Cycle::record_guess(gpu::ComputePass& pass) const {
+  begin_guess(pass);
+  record_step(pass, norm_);
 }
 
 void Cycle::record_iteration(gpu::ComputePass& pass) const {
+  record_cycle(pass);
+  record_step(pass, norm_);
+}
+
+void Cycle::record_cycle(gpu::ComputePass& pass) const {
   record_down(pass);
   record_up(pass);
   rho_.record(pass);
-  record_step(pass);
 }
 
-void Cycle::record_step(gpu::ComputePass& pass) const {
+void Cycle::record_step(gpu::ComputePass& pass, const Dispatch& norm) const {
   pair_product_.record(pass);
   search_.record(pass);
   square_.record(pass);
   advance_.record(pass);
-  norm_.record(pass);
+  norm.record(pass);
 }
 
 void Cycle::record_down(gpu::ComputePass& pass) const {
@@ -96,6 +130,7 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
   WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, lone, sums));
   WEFT_SET(square_, Dispatch::create(kernels.square, lone, sums));
   WEFT_SET(norm_, Dispatch::create(kernels.norm, lone, sums));
+  WEFT_SET(last_norm_, Dispatch::create(kernels.last_norm, lone, sums));
   WEFT_SET(rho_, Dispatch::create(kernels.rho, lone, sums));
   WEFT_SET(finish_,
            Dispatch::create_by_parity(kernels.finish, nodes, [&](std::size_t p) -> Dispatch::Bindings {
@@ -110,26 +145,50 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      *inputs.predicted[p],
                      presses(inputs)};
            }));
+  if (corrects_) WEFT_CHECK(create_second(inputs, kernels));
   if (inputs.pairs == nullptr) return {};
   WEFT_SET(pair_finish_,
            Dispatch::create_by_parity(kernels.pair_finish, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {nodes_, place_, *inputs.predicted[p], inputs.pairs->pair_sums};
            }));
   pair_force_kernel_ = kernels.pair_force;
+  pair_force_again_kernel_ = kernels.pair_force_again;
   pair_product_kernel_ = kernels.pair_product;
   pair_end_kernel_ = kernels.pair_end;
   return bind_pairs(inputs);
+}
+
+Result<void> Cycle::create_second(const CycleInputs& inputs, const SharedKernels& kernels) {
+  const State& state = inputs.state;
+  const gpu::Workgroups nodes = for_each_cloth(kernels.go_on->workgroups_of(own_nodes_.count));
+  WEFT_SET(go_on_, Dispatch::create_by_parity(kernels.go_on, nodes, [&](std::size_t p) -> Dispatch::Bindings {
+             return {state.steps, nodes_, place_, vectors_, *inputs.predicted[p], pair_sums(inputs)};
+           }));
+  WEFT_SET(begin_again_, Dispatch::create(kernels.begin_again, nodes,
+                                          {nodes_, vectors_, partials_, place_, pair_sums(inputs)}));
+  WEFT_SET(predict_again_,
+           Dispatch::create_by_parity(kernels.predict_again, nodes, [&](std::size_t p) -> Dispatch::Bindings {
+             return {
+                 state.steps,           nodes_, state.position[p], state.velocity[p], state.position[1 - p],
+                 state.velocity[1 - p], place_, vectors_,          pair_sums(inputs)};
+           }));
+  WEFT_SET(first_norm_again_, Dispatch::create(kernels.first_norm_again, for_each_cloth({}),
+                                               {nodes_, vectors_, partials_, state.statistics}));
+  return {};
 }
 
 Result<void> Cycle::bind_pairs(const CycleInputs& inputs) {
   const State& state = inputs.state;
   const ContactPairs& pairs = *inputs.pairs;
   const gpu::Workgroups groups = pair_force_kernel_->strided(pairs.room.near);
-  WEFT_SET(pair_force_,
-           Dispatch::create_by_parity(pair_force_kernel_, groups, [&](std::size_t p) -> Dispatch::Bindings {
-             return {state.steps,       nodes_,           place_,           vectors_,
-                     state.position[p], state.statistics, pairs.pair_holds, pairs.pair_sums};
-           }));
+  const auto bind_force = [&](const gpu::SharedKernel& kernel) {
+    return Dispatch::create_by_parity(kernel, groups, [&](std::size_t p) -> Dispatch::Bindings {
+      return {state.steps,      nodes_,           place_,          vectors_,         state.position[p],
+              state.statistics, pairs.pair_holds, pairs.pair_sums, state.velocity[p]};
+    });
+  };
+  WEFT_SET(pair_force_, bind_force(pair_force_kernel_));
+  WEFT_SET(pair_force_again_, bind_force(pair_force_again_kernel_));
   WEFT_SET(pair_product_,
            Dispatch::create(pair_product_kernel_, groups,
                             {nodes_, place_, vectors_, state.statistics, pairs.pair_holds, pairs.pair_sums}));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -17,10 +18,10 @@ namespace multigrid {
 
 /// Vectors that each level has, one vec4f a node each: src/method/multigrid/cloth.wgsl.
 inline constexpr std::uint32_t kResidual = 0, kInverse = 1, kDirection = 3, kFirst = 4, kSecond = 5;
-inline constexpr std::uint32_t kVectors = 6;
-inline constexpr std::uint32_t kFineVectors = 10;  // of the finest level, with those of conjugate gradients
+inline constexpr std::uint32_t kVectors = 6, kWay = 10;
+inline constexpr std::uint32_t kFineVectors = 11;  // of the finest level, with those of conjugate gradients
 /// At the end of the vectors: src/method/multigrid/solve.wgsl.
-inline constexpr std::uint32_t kSolveWords = 2;
+inline constexpr std::uint32_t kSolveWords = 3;
 inline constexpr std::uint32_t kChunk = 64;  // nodes of a partial sum: src/method/multigrid/partial_sums.wgsl
 
 /// Of level `l`, the finest being 0.
@@ -34,8 +35,9 @@ struct ClothNodes {
   float residual = 0;
   std::uint32_t may_retry = 1;
   std::uint32_t vectors = 0;                              // of each cloth [vec4f]
-  std::uint32_t iterations = multigrid::kMostIterations;  // recorded
-  std::uint32_t padding_b = 0, padding_c = 0;
+  std::uint32_t iterations = multigrid::kMostIterations;  // recorded, of the last system
+  float first_part = 1;
+  std::uint32_t padding = 0;
 };
 static_assert(sizeof(ClothNodes) == 32);
 
@@ -53,22 +55,28 @@ struct CycleInputs {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 
-/// One implicit substep of a cloth, or of several equal ones: the linear system, conjugate gradients with a V-cycle in
-/// each iteration, the new state. GridCycle and MeshCycle define its levels and the kernel of each stage.
+/// One implicit substep of a cloth, or of several equal ones: a linear system and conjugate gradients with a V-cycle in
+/// each iteration, with contact a second system from where the first leads, and the new state. GridCycle and MeshCycle
+/// define its levels and the kernel of each stage.
 /// Source  docs/solvers/multigrid.md.
 /// Reads   steps, motions; position and velocity of both parities, of which [1 - parity] are those of a step
 ///         before; rest_position.
 /// Writes  position[1 - parity] [m], predicted[parity] [m/s] of the cloth's vertices; statistics.
 class Cycle {
  public:
-  /// With so many iterations at most; those behind the last that is needed do nothing.
-  void record(gpu::ComputePass& pass, std::uint32_t iterations) const;
-  /// How many iterations are recorded, and whether a frame whose system they do not solve is to be rolled back.
+  /// The first of two systems: how far it takes the nodes is in `predicted` then, as velocities, for contact.
+  void record_first(gpu::ComputePass& pass) const;
+  /// The last system, with so many iterations at most, and the new state; iterations behind the last that is needed do
+  /// nothing.
+  void record_last(gpu::ComputePass& pass, std::uint32_t iterations) const;
+  /// How many iterations of the last are recorded, and whether a frame whose system they do not solve is to be rolled
+  /// back.
   void set_iterations(gpu::Device& device, std::uint32_t iterations, bool may_retry) const;
   /// Takes over lists of pairs with other room. Errors  OutOfMemory.
   Result<void> bind_pairs(const CycleInputs& inputs);
   // Its parts.
   void record_system(gpu::ComputePass& pass) const;
+  void record_system_again(gpu::ComputePass& pass) const;
   void record_matrices(gpu::ComputePass& pass) const;
   void record_guess(gpu::ComputePass& pass) const;
   void record_down(gpu::ComputePass& pass) const;
@@ -116,15 +124,22 @@ class Cycle {
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<std::array<float, 2>> partials_;
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_;
-  gpu::Dispatch begin_solve_, search_, advance_;    // of conjugate gradients
-  gpu::Dispatch first_norm_, square_, norm_, rho_;  // sums over the nodes
-  gpu::SharedKernel pair_force_kernel_, pair_product_kernel_, pair_end_kernel_;
-  gpu::Dispatch pair_force_, pair_product_, pair_end_, pair_finish_;  // none: record nothing
+  gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system
+  gpu::Dispatch begin_solve_, search_, advance_;       // of conjugate gradients
+  gpu::Dispatch first_norm_, square_, norm_, rho_;     // sums over the nodes
+  gpu::Dispatch first_norm_again_, last_norm_;
+  gpu::SharedKernel pair_force_kernel_, pair_force_again_kernel_, pair_product_kernel_, pair_end_kernel_;
+  gpu::Dispatch pair_force_, pair_force_again_, pair_product_, pair_end_,
+      pair_finish_;  // none: record nothing
   ClothNodes own_nodes_;
   std::uint32_t cloths_ = 1;
+  bool corrects_ = false;  // a substep has a second system
 
  private:
-  void record_step(gpu::ComputePass& pass) const;
+  Result<void> create_second(const CycleInputs& inputs, const SharedKernels& kernels);
+  void begin_guess(gpu::ComputePass& pass) const;
+  void record_cycle(gpu::ComputePass& pass) const;
+  void record_step(gpu::ComputePass& pass, const gpu::Dispatch& norm) const;
 };
 
 template <class Shape>
@@ -134,6 +149,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   const std::uint32_t nodes = cloths.first.vertex_count;
   const std::size_t all_nodes = std::size_t{cloths.count} * nodes;
   cloths_ = cloths.count;
+  corrects_ = inputs.presses != nullptr;
   while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > tail_nodes) ++tail_;
   std::size_t vectors = 0;
   for (std::size_t l = 0; l < shapes.size(); ++l) {
@@ -150,6 +166,8 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   const double residual = (inputs.presses != nullptr ? multigrid::kHeldPart : 1) * inputs.residual;
   own_nodes_ = {cloths.first.first_vertex, nodes, static_cast<float>(residual * residual), 1,
                 static_cast<std::uint32_t>(vectors)};
+  own_nodes_.first_part = static_cast<float>(
+      std::max(1.0, multigrid::kFirstPart * multigrid::kFirstPart / (residual * residual)));
   WEFT_SET(nodes_, gpu::create_uniform(device, own_nodes_, "cloth nodes"));
   WEFT_SET(partials_,
            (gpu::Buffer<std::array<float, 2>>::create(

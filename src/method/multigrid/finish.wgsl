@@ -26,12 +26,16 @@ fn finish_held(among_all : u32) {
   velocity_out[node] = vec4f((held_at - now.xyz) / step.time.dt, 1.0);
 }
 
+fn way_at(among_all : u32) -> u32 {
+  return cloth * nodes.vectors + kWay * nodes.count + (among_all - cloth * nodes.count);
+}
+
 fn finish_free(among_all : u32, solution : vec3f) {
   let node = nodes.first_vertex + among_all;
   let now = position_in[node];
   let velocity = velocity_in[node];
   let formula = formula_of(step.time.step_ratio * max(velocity.w, 0.0));
-  let way = step.time.dt * velocity.xyz + solution;
+  let way = vectors[way_at(among_all)].xyz + solution;
   let before = position_out[node].xyz;
   position_out[node] = vec4f(now.xyz + way, now.w);
   velocity_out[node] = vec4f((way - formula.c * (now.xyz - before)) / formula.he, 1.0);
@@ -40,7 +44,7 @@ fn finish_free(among_all : u32, solution : vec3f) {
 fn finish_pressed(among_all : u32, solution : vec3f) {
   let node = nodes.first_vertex + among_all;
   let now = position_in[node];
-  let start = step.time.dt * velocity_in[node].xyz;
+  let start = vectors[way_at(among_all)].xyz;
   let way = start + solution;
   let hold = holds[among_all];
   let surface = holds[hold_way_at(among_all)];

@@ -62,7 +62,8 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   var residual = vectors[vector_at(level, kResidual, node)].xyz + sum_of_springs(own, grid, node, grid.nx, i, j) -
                  bending_product(level, kFirst, i, j, node);
   if (kHolds) {
-    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual, start);
+    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual,
+                                  vectors[vector_at(level, kWay, node)].xyz);
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }

@@ -33,7 +33,7 @@ struct Hold {
 }
 
 // Where obstacles press the node: what holds it, also in `holds`. `inertia` is what that resists with, N/m; `residual`
-// is the node's without it; `start` is where its unknown starts, m.
+// is the node's without it; `start` is how far it has come where its unknown starts, m.
 fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : vec3f, start : vec3f) -> Hold {
   let none = Hold(vec3f(0.0), zero_matrix());
   let vertex = first_vertex + node;

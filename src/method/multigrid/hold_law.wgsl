@@ -2,6 +2,9 @@
 // method/multigrid/reference/hold.hpp and pair_hold.hpp.
 const kHoldStiffness = 30.0;  // along the normal, of the inertia of what an obstacle holds; across it: 1
 const kPairStiffness = 2.0;   // the same of a pair of one cloth
+// What the first system leaves of such a pair's gap, or thickness: with less, the second holds it by the stiffness of
+// its cloth.
+const kCloses = 0.5;
 const kHoldPart = 0.15;       // of a missing gap, the part that is restored in a substep: contact/proximity/press.wgsl
 const kHoldRate = 10.0;       // 1/s: of what has borne before, no more than so much a second
 const kHoldSpeed = 0.05;      // m/s: and no faster

@@ -47,6 +47,10 @@ gpu::Constant bend(const CycleInputs& inputs) {
 gpu::Constant down() { return {"kFrom", multigrid::kDirection}; }
 gpu::Constant up() { return {"kFrom", multigrid::kSecond}; }
 
+/// Of a second system; of the only or the second one.
+gpu::Constant again() { return {"kAgain", 1}; }
+gpu::Constant last() { return {"kLast", 1}; }
+
 /// Which sum: src/method/multigrid/add_up.wgsl.
 gpu::Constant sum(std::uint32_t number) { return {"kSum", static_cast<double>(number)}; }
 
@@ -59,18 +63,22 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::predict, "predict", size},
       {&K::finish, "finish", size, {holds(inputs)}},
       {&K::begin_solve, "begin_solve", size, {pairs(inputs)}},
+      {&K::go_on, "go_on", size, {pairs(inputs)}},
+      {&K::predict_again, "predict_again", size, {pairs(inputs)}},
+      {&K::begin_again, "begin_solve", size, {pairs(inputs), again()}},
       {&K::advance, "advance", size},
       {&K::first_norm, "add_up", lone, {sum(0)}},
       {&K::square, "add_up", lone, {sum(1)}},
+      {&K::first_norm_again, "add_up", lone, {sum(0), again(), last()}},
       {&K::norm, "add_up", lone, {sum(2)}},
+      {&K::last_norm, "add_up", lone, {sum(2), last()}},
       {&K::rho, "add_up", lone, {sum(3)}},
   };
   WEFT_TRY(made, create_all<K>(inputs.device, table));
   if (inputs.pairs == nullptr) return made;
   const Row<K> of_pairs[] = {
-      {&K::pair_force, "pair_force", size},
-      {&K::pair_product, "pair_product", size},
-      {&K::pair_end, "pair_end", size},
+      {&K::pair_force, "pair_force", size},     {&K::pair_force_again, "pair_force", size, {again()}},
+      {&K::pair_product, "pair_product", size}, {&K::pair_end, "pair_end", size},
       {&K::pair_finish, "pair_finish", size},
   };
   for (const Row<K>& row : of_pairs) {

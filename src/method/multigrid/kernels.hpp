@@ -8,8 +8,11 @@ namespace weft {
 struct SharedKernels {
   gpu::SharedKernel predict, finish;
   gpu::SharedKernel begin_solve, advance;
-  gpu::SharedKernel first_norm, square, norm, rho;                    // add_up.wgsl for each sum
+  gpu::SharedKernel go_on, predict_again, begin_again;  // the second Newton step
+  gpu::SharedKernel first_norm, square, norm, rho;      // add_up.wgsl for each sum
+  gpu::SharedKernel first_norm_again, last_norm;
   gpu::SharedKernel pair_force, pair_product, pair_end, pair_finish;  // of pairs that are held apart
+  gpu::SharedKernel pair_force_again;
 
   /// Errors  Shader.
   static Result<SharedKernels> create(const CycleInputs& inputs);

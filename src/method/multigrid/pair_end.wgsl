@@ -31,7 +31,7 @@ fn pair_end(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       let all = among_all(hold, role);
       if (place[all].w > 0.0) { solution += w[role] * vectors[vector_of(kSolution, all)].xyz; }
     }
-    let soft = hold.normal.w / kPairStiffness;
+    let soft = hold.place.w;
     let restored = hold.force.z;
     let pressed = hold.force.x + hold.normal.w * (hold.force.y - dot(n, solution));
     let borne = max(0.0, pressed - soft * restored);
@@ -42,7 +42,10 @@ fn pair_end(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let more = along - select(slid, reached, hold.along.w > 0.0) + max(0.0, -pressed) * n;
     let moved = way - restored * n;
     let change = cut(dt * hold.place.z * more, kMostFreed / dt * length(moved)) - restored / dt * n;
-    contacts[number].force = vec4f(borne * n + along, 0.0);
+    // What the spring stops alone of two sides that nothing else holds: a blow, and it is over.
+    let alone = hold.normal.w * soft / (hold.normal.w + soft);
+    let kept = max(0.0, borne - alone * max(0.0, hold.start.w));
+    contacts[number].force = vec4f(kept * n + cut(along, hold.force.w * kept), 0.0);
     contacts[number].held = select(0u, kSolved, borne > 0.0);
     for (var role = 0u; role < 4u; role++) {
       let vertex = hold.ids[role] & kIdBits;

@@ -14,24 +14,38 @@
 @group(0) @binding(5) var<storage, read>       statistics : array<u32>;
 @group(0) @binding(6) var<storage, read_write> pair_holds : array<PairHold>;
 @group(0) @binding(7) var<storage, read_write> pair_sums  : array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read>       velocity   : array<vec4f>;      // vertex_count    m/s
+override kAgain : bool = false;  // true: of the second system
+
+// n·D⁻¹n, m/N.
+fn along_inverse(all : u32, n : vec3f) -> f32 {
+  let a = vectors[vector_of(kInverse, all)];
+  let b = vectors[vector_of(kInverse + 1u, all)].xy;
+  return dot(a.xyz, n * n) + 2.0 * (a.w * n.y * n.z + b.x * n.x * n.z + b.y * n.x * n.y);
+}
 
 fn completed(given : PairHold) -> PairHold {
   var hold = given;
   let n = hold.normal.xyz;
   let w = weights_of(hold.ids, hold.place.x, hold.place.y);
   var start = vec3f(0.0);
+  var ahead = vec3f(0.0);  // Σ w Δt v, m
   var pull = vec3f(0.0);  // Σ w R / a, m
   var compliance = 0.0;   // m/N
   var mobility = 0.0;     // 1/kg
+  var local = 0.0;        // m/N, with all neighbours fixed
   for (var role = 0u; role < 4u; role++) {
     let all = among_all(hold, role);
     let vertex = hold.ids[role] & kIdBits;
     let at = place[all];
-    start += w[role] * (at.xyz + vectors[vector_of(kFirst, all)].xyz - position[vertex].xyz);
+    let way = vectors[vector_of(kWay, all)].xyz;
+    start += w[role] * way;
+    ahead += w[role] * select(step.time.dt * velocity[vertex].xyz, way, at.w == 0.0);
     if (at.w == 0.0) { continue; }
     pull += (w[role] / at.w) * vectors[vector_of(kResidual, all)].xyz;
     let shares = abs(w[role]) * f32(atomicLoad(&pair_sums[kSumWords * vertex])) / kHeldUnits;
     compliance += shares / at.w;
+    local += shares * along_inverse(all, n);
     mobility += shares * position[vertex].w;
   }
   let kept = hold.along.xyz;
@@ -42,14 +56,19 @@ fn completed(given : PairHold) -> PairHold {
   let gap = max(room, 0.0);
   let part = select(1.0, min(1.0, kHoldRate * step.time.dt / kHoldPart), normal > 0.0);
   let restored = min(part * gap, kHoldSpeed * step.time.dt);
-  let lack = room - (gap - restored) - dot(n, start);
+  let wanted = room - (gap - restored);
+  let lack = wanted - dot(n, start);
   hold.normal.w = 0.0;
   if (compliance == 0.0 || (normal == 0.0 && lack - dot(n, pull) <= 0.0)) { return hold; }
-  hold.normal.w = kPairStiffness / compliance;
+  let thickness = given.start.w;
+  let gap_before = thickness - missing;
+  let closes = gap_before + dot(n, start) < kCloses * min(gap_before, thickness);
+  // The compliance of what hangs together lies between that of its masses and that with all neighbours fixed.
+  hold.normal.w = kPairStiffness / select(compliance, sqrt(local * compliance), kAgain && closes);
   hold.along = vec4f(along, 1.0 / compliance);
   hold.force = vec4f(normal, lack, restored, hold.force.w);
-  hold.place.z = mobility;
-  hold.start = vec4f(start, 0.0);
+  hold.place = vec4f(given.place.xy, mobility, 1.0 / compliance);
+  hold.start = vec4f(start, wanted - dot(n, ahead));
   return hold;
 }
 

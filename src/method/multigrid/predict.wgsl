@@ -1,6 +1,6 @@
-// Where a substep is linearised, where its unknown starts from, and what inertia, air and gravity leave of the equation
-// there. One invocation per node of a cloth. A velocity's w is 1 where the state before it is that of the step before;
-// a place's w is the inertia on the matrix's diagonal, 0 where the node is fixed.
+// Where a substep is linearised at first, where its unknown starts from, and what inertia, air and gravity leave of the
+// equation there. One invocation per node of a cloth. A velocity's w is 1 where the state before it is that of the step
+// before; a place's w is the inertia on the matrix's diagonal, 0 where the node is fixed.
 // Source: docs/solvers/multigrid.md, equations 1 to 4.
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
@@ -30,6 +30,7 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   let start_at = first + kFirst * nodes.count;
   let start_velocity_at = first + kSecond * nodes.count;
   let guess_at = first + kSearch * nodes.count;
+  let way_at = first + kWay * nodes.count;
   if (is_prescribed(node, now)) {
     let after = integrate_prescribed(node, now);
     place[among_all] = vec4f(after.position.xyz, 0.0);
@@ -37,6 +38,7 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
     vectors[start_at] = vec4f(0.0);
     vectors[start_velocity_at] = vec4f(after.velocity.xyz, 0.0);
     vectors[guess_at] = vec4f(0.0);
+    vectors[way_at] = vec4f(after.position.xyz - now.position.xyz, 0.0);
     return;
   }
   let formula = formula_of(step.time.step_ratio * max(now.velocity.w, 0.0));
@@ -53,6 +55,7 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   vectors[residual_at] = vec4f(mass * ((base_velocity - start_velocity) / formula.he + pull_of_field), 0.0);
   vectors[start_at] = vec4f(start, 0.0);
   vectors[start_velocity_at] = vec4f(start_velocity, 0.0);
+  vectors[way_at] = vec4f(start, 0.0);
   let has_guess = now.velocity.w == 1.0 && step.time.step_ratio > 0.0;
   vectors[guess_at] = vec4f(select(vec3f(0.0), guess, has_guess), 0.0);
 }

@@ -7,7 +7,10 @@ namespace weft::multigrid {
 
 /// Of the wanted residual: so much of what the guess leaves is enough.
 inline constexpr double kGuessPart = 10;
-/// No substep takes more iterations.
+/// With contact, of the first of two systems: it needs no smaller residual, and takes no more iterations.
+inline constexpr double kFirstPart = 0.1;
+inline constexpr std::uint32_t kFirstIterations = 2;
+/// The last system of a substep takes no more.
 inline constexpr std::uint32_t kMostIterations = 64;
 /// Where obstacles may hold nodes, this part of the wanted residual: what is left brakes what slides as a whole. A
 /// strip over a capsule, a seventh more than friction holds, goes 19 cm in two thirds of a second, and 9 without this.

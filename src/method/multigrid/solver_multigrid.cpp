@@ -8,7 +8,7 @@
 namespace weft {
 namespace {
 
-constexpr std::uint32_t kAtFirst = 4;      // iterations recorded
+constexpr std::uint32_t kAtFirst = 4;      // iterations recorded, of the last system
 constexpr std::uint32_t kSpare = 1;        // iterations beyond those of the last frames
 constexpr std::uint32_t kFramesSeen = 12;  // before fewer are recorded
 
@@ -19,8 +19,11 @@ std::uint32_t raised(std::uint32_t iterations) { return iterations + std::max(2U
 
 void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   contact.press(pass);
-  for (const GridCycle& cycle : grids_) cycle.record(pass, iterations_);
-  for (const MeshCycle& cycle : meshes_) cycle.record(pass, iterations_);
+  for (const GridCycle& cycle : grids_) cycle.record_first(pass);
+  for (const MeshCycle& cycle : meshes_) cycle.record_first(pass);
+  contact.press_again(pass);
+  for (const GridCycle& cycle : grids_) cycle.record_last(pass, iterations_);
+  for (const MeshCycle& cycle : meshes_) cycle.record_last(pass, iterations_);
   contact.search(pass);
   contact.measure(pass);
   contact.answer(pass);
@@ -29,9 +32,9 @@ void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& cont
 
 bool SolverMultigrid::adapt(gpu::Device& device, const Statistics& report) {
   const std::uint32_t before = iterations_;
-  most_seen_ = std::max(most_seen_, report.iterations);
+  most_seen_ = std::max(most_seen_, report.corrections);
   if (report.rolled_back != 0) {
-    if (report.iterations >= iterations_)
+    if (report.corrections >= iterations_)
       set_iterations(device, std::min(raised(iterations_), multigrid::kMostIterations));
   } else if (++frames_seen_ >= kFramesSeen) {
     set_iterations(device, std::min(iterations_, most_seen_ + kSpare));

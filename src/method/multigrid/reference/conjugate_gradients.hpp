@@ -20,7 +20,9 @@ struct HeldPairs {
 struct Solution {
   Field x;
   std::uint32_t iterations = 0;
-  double residual = 0;  // its norm over that of the right-hand side
+  double first = 0;  // norm of the right-hand side
+  double guess = 0;  // of what the guess has left
+  double left = 0;   // of what is left
 };
 
 inline double inner_product(const Field& a, const Field& b) {
@@ -29,11 +31,16 @@ inline double inner_product(const Field& a, const Field& b) {
   return sum;
 }
 
-/// Solves A x = r, where A is the matrix and what `pairs` add to it, beginning with the best multiple of `guess`, to a
-/// residual of `wanted` of r's in the norm of D⁻¹, and to ten times that of what the guess leaves.
-template <class Matrix>
-Solution solve(const Cycle<Matrix>& hierarchy, Field r, const Field& guess, double wanted,
-               std::uint32_t most_iterations = multigrid::kMostIterations, const HeldPairs& pairs = {}) {
+/// Of norms, what counts as solved for a wanted part of them: of r's, and ten times that of what the guess leaves.
+inline double enough_of(const Solution& solution, double wanted) {
+  return wanted * std::min(solution.first, multigrid::kGuessPart * solution.guess);
+}
+
+/// Solves A x = r, where A is the matrix and what `pairs` add to it, beginning with the best multiple of `guess`, until
+/// the norm of what is left, that of D⁻¹, is enough(solution) or less.
+template <class Matrix, class Enough>
+Solution solve(const Cycle<Matrix>& hierarchy, Field r, const Field& guess, std::uint32_t most_iterations,
+               const HeldPairs& pairs, const Enough& enough) {
   const Matrix& matrix = hierarchy.levels()[0];
   const std::vector<Sym3>& inverse = hierarchy.inverse_diagonals()[0];
   Solution found{Field(r.size())};
@@ -52,19 +59,19 @@ Solution solve(const Cycle<Matrix>& hierarchy, Field r, const Field& guess, doub
     }
     return norm();
   };
-  const double first = norm();
-  double left = go_along(guess, inner_product(guess, r)), before = 0;
-  const double enough = wanted * std::min(first, multigrid::kGuessPart * left);
+  found.first = norm();
+  found.guess = found.left = go_along(guess, inner_product(guess, r));
+  double before = 0;
+  const double most = enough(found);
   Field p(r.size());
-  while (left > enough && found.iterations < most_iterations) {
+  while (found.left > most && found.iterations < most_iterations) {
     const Field z = hierarchy.cycle(r);
     const double rho = inner_product(r, z), keep = before > 0 ? rho / before : 0;
     for (std::size_t n = 0; n < p.size(); ++n) p[n] = z[n] + keep * p[n];
     before = rho;
-    left = go_along(p, rho);
+    found.left = go_along(p, rho);
     ++found.iterations;
   }
-  found.residual = first > 0 ? left / first : 0;
   return found;
 }
 

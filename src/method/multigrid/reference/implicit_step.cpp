@@ -84,8 +84,9 @@ void hold_at_obstacles(StepStart& step, std::span<const Press> presses, std::spa
                        std::span<const double> inverse_mass, double dt, const Add& add) {
   for (std::size_t a = 0; a < presses.size(); ++a) {
     if (step.fixed[a]) continue;
-    step.holds[a] = Hold::of(presses[a], kept[a],
-                             {step.inertia[a], 1 / inverse_mass[a], dt, step.residual[a], step.start[a]});
+    step.holds[a] =
+        Hold::of(presses[a], kept[a],
+                 {step.inertia[a], 1 / inverse_mass[a], dt, step.residual[a], step.way[a] + step.start[a]});
     if (!step.holds[a]) continue;
     step.residual[a] += step.holds[a]->force();
     add(a, step.holds[a]->block());
@@ -134,8 +135,9 @@ void ImplicitStepper::forget() {
 }
 
 StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
-                                 double ratio, const Cloth& cloth) const {
+                                 double ratio, const Cloth& cloth, std::span<const Vec3d> ways) const {
   StepStart step;
+  step.way.resize(cloth.count);
   step.place.resize(cloth.count);
   step.start.resize(cloth.count);
   step.start_velocity.resize(cloth.count);
@@ -158,15 +160,21 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
       const Vec3d s = known_[node] ? formula.c * (x - position_before_[node]) : Vec3d{};
       const Vec3d base_velocity = known_[node] ? v + formula.c * (v - velocity_before_[node]) : v;
       const Vec3d pull = system.acceleration + system.drag * wind_at(system.wind, x, system.time);
-      step.start[a] = dt * v;
-      if (known_[node]) step.guess[a] = s + he * (v + ratio * (v - velocity_before_[node])) - step.start[a];
-      step.start_velocity[a] = (step.start[a] - s) / he;
+      if (ways.empty()) {
+        step.start[a] = dt * v;
+        if (known_[node]) step.guess[a] = s + he * (v + ratio * (v - velocity_before_[node])) - step.start[a];
+      } else {
+        step.way[a] = ways[node];
+        step.place[a] = x + ways[node];
+      }
+      step.start_velocity[a] = (step.way[a] + step.start[a] - s) / he;
       step.residual[a] = mass * ((base_velocity - step.start_velocity[a]) / he + pull -
                                  system.drag * step.start_velocity[a]);
       step.inertia[a] = mass * (1 / (he * he) + system.drag / he);
       continue;
     }
     step.fixed[a] = true;
+    step.way[a] = step.place[a] - x;
     step.start_velocity[a] = (step.place[a] - x) / dt;
   }
   return step;
@@ -174,9 +182,9 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
 
 MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places,
                                          double dt, double ratio, std::size_t c,
-                                         std::span<const Press> presses) const {
+                                         std::span<const Press> presses, std::span<const Vec3d> ways) const {
   const Cloth& cloth = cloths_[c];
-  MeshStep step{begin(system, places, dt, ratio, cloth), {cloth.levels, {}}};
+  MeshStep step{begin(system, places, dt, ratio, cloth, ways), {cloth.levels, {}}};
   std::vector<Sym3>& blocks = step.matrix.blocks;
   blocks.resize(cloth.levels[0].block_count);
   for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
@@ -202,11 +210,11 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
 }
 
 LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places,
-                                      double dt, double ratio, std::size_t c,
-                                      std::span<const Press> presses) const {
+                                      double dt, double ratio, std::size_t c, std::span<const Press> presses,
+                                      std::span<const Vec3d> ways) const {
   const Cloth& cloth = cloths_[c];
   const std::size_t count = cloth.count;
-  LinearStep step{begin(system, places, dt, ratio, cloth), {}, {}};
+  LinearStep step{begin(system, places, dt, ratio, cloth, ways), {}, {}};
   step.matrix.nx = cloth.nx;
   step.matrix.ny = cloth.ny;
   step.matrix.rows.resize(count);
@@ -271,7 +279,8 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
 
 std::vector<PairHold> ImplicitStepper::held_apart(const StepStart& step, const MassSpringSystem& system,
                                                   std::span<const NearPair> pairs, double dt,
-                                                  const Cloth& cloth) const {
+                                                  const Cloth& cloth,
+                                                  const std::vector<Sym3>& inverse) const {
   std::vector<double> shares(cloth.count, 0);
   std::vector<std::size_t> own;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -291,84 +300,138 @@ std::vector<PairHold> ImplicitStepper::held_apart(const StepStart& step, const M
     for (std::uint32_t k = 0; k < pairs[p].node_count; ++k) {
       const std::uint32_t node = pairs[p].nodes[k], a = node - cloth.first;
       const double share = step.fixed[a] ? 0 : shares[a] * std::abs(pairs[p].weights[k]);
-      sides.start += pairs[p].weights[k] * (step.place[a] + step.start[a] - system.position[node]);
+      sides.start += pairs[p].weights[k] * (step.way[a] + step.start[a]);
+      sides.ahead += pairs[p].weights[k] * (step.fixed[a] ? step.way[a] : dt * system.velocity[node]);
       if (step.fixed[a]) continue;
       sides.pull += (pairs[p].weights[k] / step.inertia[a]) * step.residual[a];
       sides.compliance += share / step.inertia[a];
       sides.mobility += share * system.inverse_mass[node];
+      if (!inverse.empty()) sides.local += share * dot(pairs[p].direction, inverse[a] * pairs[p].direction);
     }
     if (const auto hold = PairHold::of(pairs[p], sides, dt)) holds.push_back(*hold);
   }
   return holds;
 }
 
-template <class Levels>
-Field ImplicitStepper::solved(const Levels& hierarchy, const StepStart& step, bool may_hold) {
-  const double part = may_hold ? multigrid::kHeldPart : 1;
-  Solution solution = solve(hierarchy, step.residual, step.guess, part * wanted_residual,
-                            multigrid::kMostIterations, {step.pairs, &step.fixed});
-  iterations_ = std::max(iterations_, solution.iterations);
-  residual_ = std::max(residual_, solution.residual);
-  return std::move(solution.x);
+template <class Enough>
+ImplicitStepper::Solved ImplicitStepper::solved(const Substep& substep, const Pressed& pressed, std::size_t c,
+                                                std::span<const Vec3d> ways, std::uint32_t most_iterations,
+                                                const Enough& enough) const {
+  const auto solved = [&](StepStart& step, const auto& hierarchy) -> Solved {
+    step.pairs = held_apart(step, substep.system, pressed.pairs, substep.dt, cloths_[c],
+                            ways.empty() ? std::vector<Sym3>{} : hierarchy.inverse_diagonals()[0]);
+    for (const PairHold& hold : step.pairs) hold.add_force(step.residual, step.fixed);
+    Solution solution =
+        solve(hierarchy, step.residual, step.guess, most_iterations, {step.pairs, &step.fixed}, enough);
+    return {std::move(step), std::move(solution)};
+  };
+  if (cloths_[c].levels.empty()) {
+    LinearStep step =
+        linearise(substep.system, substep.places, substep.dt, substep.ratio, c, pressed.presses, ways);
+    return solved(step, Hierarchy(step.matrix, step.source));
+  }
+  MeshStep step =
+      linearise_mesh(substep.system, substep.places, substep.dt, substep.ratio, c, pressed.presses, ways);
+  return solved(step, MeshHierarchy(step.matrix));
+}
+
+void ImplicitStepper::forget(const std::vector<NearPair>& pairs) {
+  for (const NearPair& pair : pairs)
+    for (std::uint32_t k = 0; k < pair.node_count; ++k) known_[pair.nodes[k]] = false;
+}
+
+void ImplicitStepper::finish(const Substep& substep, const Solved& found, std::size_t c,
+                             std::vector<Vec3d>& position, std::vector<Vec3d>& velocity,
+                             std::vector<std::size_t>& stopped) {
+  const Cloth& cloth = cloths_[c];
+  const StepStart& step = found.step;
+  const Field& dz = found.solution.x;
+  for (std::size_t a = 0; a < dz.size(); ++a) {
+    const std::size_t node = cloth.first + a;
+    const StepFormula formula = step_formula(substep.dt, known_[node] ? substep.ratio : 0);
+    position[node] = step.place[a] + step.start[a] + dz[a];
+    velocity[node] = step.start_velocity[a] + (step.fixed[a] ? Vec3d{} : dz[a] / formula.he);
+    hold_forces_[node] = {};
+    if (!step.holds[a]) continue;
+    const Hold::End end = step.holds[a]->end(dz[a]);
+    hold_forces_[node] = end.force;
+    velocity[node] = end.velocity;
+    held_[node] = step.holds[a]->alike();
+    stopped.push_back(node);  // an impulse breaks the history of BDF2
+  }
+  for (const PairHold& hold : step.pairs) {
+    const PairHold::End end = hold.end(dz, substep.dt);
+    pair_forces_[hold.pair()] = end.force;
+    hold.for_each_node([&](std::uint32_t a, double weight) {
+      const std::size_t node = cloth.first + a;
+      if (step.fixed[a]) return;
+      velocity[node] += (weight * substep.system.inverse_mass[node]) * end.impulse;
+      stopped.push_back(node);
+    });
+  }
+}
+
+std::vector<ImplicitStepper::Solved> ImplicitStepper::correct(const Substep& substep) {
+  const auto pressed_by = [&](std::span<const Vec3d> velocities) {
+    Pressed pressed = substep.pressed(velocities);
+    forget(pressed.pairs);
+    return pressed;
+  };
+  const double wanted = multigrid::kHeldPart * wanted_residual;
+  const Pressed at_first = pressed_by(substep.system.velocity);
+  std::vector<Vec3d> ways(substep.system.position.size()), velocities(ways.size());
+  std::vector<Solution> first;
+  for (std::size_t c = 0; c < cloths_.size(); ++c) {
+    Solved one = solved(substep, at_first, c, {}, multigrid::kFirstIterations, [&](const Solution& begun) {
+      return enough_of(begun, std::max(wanted, multigrid::kFirstPart));
+    });
+    for (std::size_t a = 0; a < one.solution.x.size(); ++a) {
+      const std::size_t node = cloths_[c].first + a;
+      ways[node] = one.step.way[a] + one.step.start[a] + one.solution.x[a];
+      velocities[node] = ways[node] / substep.dt;
+      if (!one.step.holds[a]) hold_forces_[node] = {};
+    }
+    first.push_back(std::move(one.solution));
+  }
+  const Pressed pressed = pressed_by(velocities);
+  pair_forces_.assign(pressed.pairs.size(), {});
+  std::vector<Solved> found;
+  for (std::size_t c = 0; c < cloths_.size(); ++c) {
+    found.push_back(solved(substep, pressed, c, ways, multigrid::kMostIterations,
+                           [&](const Solution&) { return enough_of(first[c], wanted); }));
+    found.back().solution.iterations += first[c].iterations;
+    found.back().solution.first = first[c].first;
+  }
+  return found;
 }
 
 void ImplicitStepper::advance(const Substep& substep) {
   MassSpringSystem& system = substep.system;
-  const std::span<const NearPair> pairs = substep.pairs;
-  const double dt = substep.dt;
-  pair_forces_.assign(pairs.size(), {});
-  for (const NearPair& pair : pairs)  // no history: both sides take the force in the same formula
-    for (std::uint32_t k = 0; k < pair.node_count; ++k) known_[pair.nodes[k]] = false;
+  std::vector<Solved> found;
+  pair_forces_.clear();
+  if (substep.pressed) {
+    found = correct(substep);
+  } else {
+    for (std::size_t c = 0; c < cloths_.size(); ++c)
+      found.push_back(solved(substep, {}, c, {}, multigrid::kMostIterations,
+                             [&](const Solution& begun) { return enough_of(begun, wanted_residual); }));
+  }
   std::vector<Vec3d> position = system.position, velocity = system.velocity;
   std::vector<std::size_t> stopped;
   iterations_ = 0;
   residual_ = 0;
   held_.assign(position.size(), false);
-  const auto finish = [&](const Cloth& cloth, const StepStart& step, const Field& dz) {
-    for (std::size_t a = 0; a < dz.size(); ++a) {
-      const std::size_t node = cloth.first + a;
-      const StepFormula formula = step_formula(dt, known_[node] ? substep.ratio : 0);
-      position[node] = step.place[a] + step.start[a] + dz[a];
-      velocity[node] = step.start_velocity[a] + (step.fixed[a] ? Vec3d{} : dz[a] / formula.he);
-      hold_forces_[node] = {};
-      if (!step.holds[a]) continue;
-      const Hold::End end = step.holds[a]->end(dz[a]);
-      hold_forces_[node] = end.force;
-      velocity[node] = end.velocity;
-      held_[node] = step.holds[a]->alike();
-      stopped.push_back(node);  // an impulse breaks the history of BDF2
-    }
-    for (const PairHold& hold : step.pairs) {
-      const PairHold::End end = hold.end(dz, dt);
-      pair_forces_[hold.pair()] = end.force;
-      hold.for_each_node([&](std::uint32_t a, double weight) {
-        const std::size_t node = cloth.first + a;
-        if (step.fixed[a]) return;
-        velocity[node] += (weight * system.inverse_mass[node]) * end.impulse;
-        stopped.push_back(node);
-      });
-    }
-  };
   for (std::size_t c = 0; c < cloths_.size(); ++c) {
-    const auto hold_apart = [&](StepStart& step) {
-      step.pairs = held_apart(step, system, pairs, dt, cloths_[c]);
-      for (const PairHold& hold : step.pairs) hold.add_force(step.residual, step.fixed);
-    };
-    if (cloths_[c].levels.empty()) {
-      LinearStep step = linearise(system, substep.places, dt, substep.ratio, c, substep.presses);
-      hold_apart(step);
-      finish(cloths_[c], step, solved(Hierarchy(step.matrix, step.source), step, !substep.presses.empty()));
-    } else {
-      MeshStep step = linearise_mesh(system, substep.places, dt, substep.ratio, c, substep.presses);
-      hold_apart(step);
-      finish(cloths_[c], step, solved(MeshHierarchy(step.matrix), step, !substep.presses.empty()));
-    }
+    const Solution& solution = found[c].solution;
+    iterations_ = std::max(iterations_, solution.iterations);
+    if (solution.first > 0) residual_ = std::max(residual_, solution.left / solution.first);
+    finish(substep, found[c], c, position, velocity, stopped);
   }
   remember(system.position, system.velocity);
   for (const std::size_t node : stopped) forget(node);
   system.position = std::move(position);
   system.velocity = std::move(velocity);
-  system.time += dt;
+  system.time += substep.dt;
 }
 
 }  // namespace weft::reference

@@ -15,9 +15,10 @@
 
 namespace weft::reference {
 
-/// The start of a substep, for one cloth: A dz = r, where the nodes have come to place + start + dz.
+/// A linear system of a substep, for one cloth: A dz = r, where the nodes have come to place + start + dz.
 struct StepStart {
   Field place, start, start_velocity;  // [m], [m], [m/s]
+  Field way;                           // of place from where the substep begins [m]
   Field residual;                      // r [N]
   Field guess;                         // of dz: velocities change on as in the step before [m]
   std::vector<double> inertia;         // its part of the diagonal of A [N/m]
@@ -46,7 +47,8 @@ struct StepFormula {
 /// `ratio` is that of the step to the one before it; 0: there is none, backward Euler.
 StepFormula step_formula(double dt, double ratio);
 
-/// Steps the cloths of a model by BDF2, linearised at the start of the step.
+/// Steps the cloths of a model by BDF2, linearised at the start of the substep; with contact, which may change on the
+/// way, in two Newton steps: the second from where the first leads.
 class ImplicitStepper : public Stepper {
  public:
   /// `residual`: what a substep may leave of its linear system's.
@@ -62,18 +64,24 @@ class ImplicitStepper : public Stepper {
   void forget_hold(std::size_t node) override { hold_forces_[node] = {}; }
   std::vector<bool> held() const override { return held_; }
   std::vector<Vec3d> pair_forces() const override { return pair_forces_; }
+  /// Whether the next step may read the state before the last one.
+  bool has_history(std::size_t node) const { return known_[node]; }
   /// The forces that holds have left, of each node.
   const std::vector<HoldForce>& hold_forces() const { return hold_forces_; }
   void set_hold_forces(std::vector<HoldForce> forces) { hold_forces_ = std::move(forces); }
 
-  /// The linear system of cloth c, a grid, that advance would solve.
+  /// The first linear system of cloth c, a grid, that advance would solve; with the ways of all nodes that it leads to
+  /// [m], the second.
   LinearStep linearise(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
-                       double ratio, std::size_t c, std::span<const Press> presses = {}) const;
+                       double ratio, std::size_t c, std::span<const Press> presses = {},
+                       std::span<const Vec3d> ways = {}) const;
   /// The same for a mesh.
   MeshStep linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt,
-                          double ratio, std::size_t c, std::span<const Press> presses = {}) const;
+                          double ratio, std::size_t c, std::span<const Press> presses = {},
+                          std::span<const Vec3d> ways = {}) const;
 
-  /// Of the last substep: the most that a cloth took, and the largest that one left.
+  /// Of the last substep: the most that a cloth took in both systems, and the largest part that one left of the
+  /// residual of its first.
   std::uint32_t iterations() const { return iterations_; }
   double residual() const { return residual_; }
 
@@ -88,10 +96,24 @@ class ImplicitStepper : public Stepper {
     std::size_t first_spring = 0;   // of a mesh, in the system's
   };
 
+  struct Solved {
+    StepStart step;
+    Solution solution;
+  };
+
   StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
-                  const Cloth& cloth) const;
-  template <class Levels>
-  Field solved(const Levels& hierarchy, const StepStart& step, bool may_hold);
+                  const Cloth& cloth, std::span<const Vec3d> ways) const;
+  /// A system of cloth c: the first, without `ways`, or the second.
+  template <class Enough>
+  Solved solved(const Substep& substep, const Pressed& pressed, std::size_t c, std::span<const Vec3d> ways,
+                std::uint32_t most_iterations, const Enough& enough) const;
+  /// The second systems, after the first.
+  std::vector<Solved> correct(const Substep& substep);
+  /// No history of nodes in these pairs: both sides take the force in the same formula.
+  void forget(const std::vector<NearPair>& pairs);
+  /// The new state of cloth c, in the place of the old one; adds the nodes that contact has stopped.
+  void finish(const Substep& substep, const Solved& found, std::size_t c, std::vector<Vec3d>& position,
+              std::vector<Vec3d>& velocity, std::vector<std::size_t>& stopped);
 
   std::vector<Cloth> cloths_;
   std::vector<Vec3d> position_before_, velocity_before_;
@@ -99,7 +121,8 @@ class ImplicitStepper : public Stepper {
   std::vector<HoldForce> hold_forces_;
   std::vector<Vec3d> pair_forces_;  // of each pair of the last substep; 0: it was not held
   std::vector<PairHold> held_apart(const StepStart& step, const MassSpringSystem& system,
-                                   std::span<const NearPair> pairs, double dt, const Cloth& cloth) const;
+                                   std::span<const NearPair> pairs, double dt, const Cloth& cloth,
+                                   const std::vector<Sym3>& inverse) const;
 
   std::vector<bool> held_;  // in the last substep, where all that pressed the node was alike
   std::uint32_t iterations_ = 0;

@@ -1,6 +1,7 @@
 #include "method/multigrid/reference/pair_hold.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/rules/contact_law.hpp"
 #include "method/multigrid/reference/hold.hpp"
@@ -18,9 +19,14 @@ std::optional<PairHold> PairHold::of(const NearPair& pair, const Sides& sides, d
   const double missing = pair.thickness - pair.distance, room = std::min(missing, kHoldPart * missing);
   const double gap = std::max(room, 0.0), part = bears ? std::min(1.0, kHoldRate * dt / kHoldPart) : 1.0;
   hold.restored_ = std::min(part * gap, kHoldSpeed * dt);
-  hold.lack_ = room - (gap - hold.restored_) - dot(n, sides.start);
+  const double wanted = room - (gap - hold.restored_);
+  hold.lack_ = wanted - dot(n, sides.start);
+  hold.blow_ = wanted - dot(n, sides.ahead);
   if (!(sides.compliance > 0) || (!bears && !(hold.lack_ - dot(n, sides.pull) > 0))) return {};
-  hold.stiffness_ = kPairStiffness / sides.compliance;
+  const bool closes = pair.distance + dot(n, sides.start) < kCloses * std::min(pair.distance, pair.thickness);
+  // The compliance of what hangs together lies between that of its masses and that with all neighbours fixed.
+  const bool stiff = sides.local > 0 && closes;
+  hold.stiffness_ = kPairStiffness / (stiff ? std::sqrt(sides.local * sides.compliance) : sides.compliance);
   hold.slip_stiffness_ = kPairSlipStiffness / sides.compliance;
   hold.sticks_ = length(hold.reach(sides.start)) <= pair.friction * hold.kept_normal_;
   return hold;
@@ -61,7 +67,11 @@ PairHold::End PairHold::end(const Field& unknown, double dt) const {
   const Vec3d more = along - (sticks_ ? reached : applied()) + std::max(0.0, -pressed) * n;
   // No more than the sides' own speed over each other; and not the speed at which a gap is restored.
   const Vec3d freed = no_longer(dt * sides_.mobility * more, kMostFreed / dt * length(way - restored_ * n));
-  return {borne * n + along, (1 / sides_.mobility) * (freed - restored_ / dt * n)};
+  // What the spring stops alone of two sides that nothing else holds: a blow, and it is over.
+  const double alone = stiffness_ / (1 + stiffness_ * sides_.compliance);
+  const double kept = std::max(0.0, borne - alone * std::max(0.0, blow_));
+  return {kept * n + no_longer(along, near_.friction * kept),
+          (1 / sides_.mobility) * (freed - restored_ / dt * n)};
 }
 
 }  // namespace weft::reference

@@ -12,6 +12,9 @@ namespace weft::reference {
 
 /// How stiffly a pair is held along its normal and across it, in the inertia of its sides.
 inline constexpr double kPairStiffness = 2, kPairSlipStiffness = 1;
+/// What the first system leaves of a gap, or of the thickness: with less, the second holds the pair by the stiffness of
+/// its cloth.
+inline constexpr double kCloses = 0.5;
 
 /// Equation (16) for one pair: springs on the relative way of its sides, Σ w x.
 class PairHold {
@@ -20,9 +23,11 @@ class PairHold {
   struct Sides {
     std::size_t pair = 0;     // among those that were given
     std::uint32_t first = 0;  // node of the cloth
-    Vec3d start, pull;        // Σ w d₀, Σ w R / a [m]
+    Vec3d ahead;              // Σ w Δt v, of the velocities at the start [m]
+    Vec3d start, pull;        // Σ w (the way to z, and d₀), Σ w R / a [m]
     double compliance = 0;    // Σ |w| S / a [m/N]; S: the sum of |w| of the node's pairs
     double mobility = 0;      // the same with the masses [1/kg]
+    double local = 0;  // the same of the matrix's diagonal: Σ |w| S n·D⁻¹n [m/N]; 0: in the first system
   };
   /// None where nothing presses the pair together.
   static std::optional<PairHold> of(const NearPair& pair, const Sides& sides, double dt);
@@ -33,7 +38,7 @@ class PairHold {
   void add_product(const Field& x, Field& product, const std::vector<bool>& fixed) const;
 
   struct End {
-    Vec3d force;    // on side A [N]
+    Vec3d force;    // on side A, but for what has stopped an approach [N]
     Vec3d impulse;  // on side A: what is taken out of the velocities [N s]
   };
   /// After the solution e [m].
@@ -57,6 +62,7 @@ class PairHold {
   Sides sides_;
   double stiffness_ = 0, slip_stiffness_ = 0;  // k, k_t [N/m]
   double lack_ = 0, restored_ = 0;             // g, z [m]
+  double blow_ = 0;                            // g of the velocities at the start [m]
   double kept_normal_ = 0;                     // λ [N]
   Vec3d kept_along_;                           // τ [N]
   bool sticks_ = false;

@@ -28,7 +28,7 @@ void project(Ways& ways, const SpringLink& s, double dt, double& multiplier) {
 }  // namespace
 
 void XpbdStepper::advance(const Substep& substep) {
-  const auto& [system, places, dt, ratio, pairs, presses] = substep;
+  const auto& [system, places, dt, ratio, pressed] = substep;
   const std::vector<Vec3d> start = system.position;
   integrate(system, std::vector<Vec3d>(start.size()), dt);
   Ways ways{start, {}, system.inverse_mass};
