@@ -5,7 +5,7 @@
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
 #include "method/multigrid/cloth.wgsl"
-#include "method/multigrid/spring.wgsl"
+#include "method/multigrid/inertia.wgsl"
 //                                                                                  elements       unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<uniform>             nodes           : ClothNodes;
@@ -44,15 +44,12 @@ fn predict(@builtin(global_invocation_id) id : vec3u) {
   let formula = formula_of(step.time.step_ratio * max(now.velocity.w, 0.0));
   let x = now.position.xyz;
   let v = now.velocity.xyz;
-  let mass = 1.0 / now.position.w;
   let start = step.time.dt * v;
   let change = v - velocity_before[node].xyz;
-  let base_velocity = v + formula.c * change;
   let start_velocity = (start - formula.c * (x - position_before[node].xyz)) / formula.he;
   let guess = formula.he * (v + step.time.step_ratio * change - start_velocity);
-  let pull_of_field = step.air.acceleration.xyz + step.air.drag * (wind_at(x) - start_velocity);
-  place[among_all] = vec4f(x, mass * (1.0 / formula.he + step.air.drag) / formula.he);
-  vectors[residual_at] = vec4f(mass * ((base_velocity - start_velocity) / formula.he + pull_of_field), 0.0);
+  place[among_all] = vec4f(x, inertia_stiffness(now, formula));
+  vectors[residual_at] = vec4f(inertia_residual(now, velocity_before[node].xyz, start_velocity, formula), 0.0);
   vectors[start_at] = vec4f(start, 0.0);
   vectors[start_velocity_at] = vec4f(start_velocity, 0.0);
   vectors[way_at] = vec4f(start, 0.0);

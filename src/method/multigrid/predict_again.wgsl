@@ -2,11 +2,9 @@
 // holds now has no history. One invocation per node of a cloth; see predict.wgsl.
 // Source: docs/solvers/multigrid.md, equations 1 to 4.
 #include "gpu/index.wgsl"
-#include "state/node_state.wgsl"
 #include "state/pair_sums.wgsl"
-#include "state/wind.wgsl"
 #include "method/multigrid/cloth.wgsl"
-#include "method/multigrid/spring.wgsl"
+#include "method/multigrid/inertia.wgsl"
 //                                                                                  elements       unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<uniform>             nodes           : ClothNodes;
@@ -41,13 +39,9 @@ fn predict_again(@builtin(global_invocation_id) id : vec3u) {
   }
   let formula = formula_of(step.time.step_ratio * history);
   let x = now.position.xyz;
-  let v = now.velocity.xyz;
-  let mass = 1.0 / now.position.w;
-  let base_velocity = v + formula.c * (v - velocity_before[node].xyz);
   let start_velocity = (way - formula.c * (x - position_before[node].xyz)) / formula.he;
-  let pull_of_field = step.air.acceleration.xyz + step.air.drag * (wind_at(x) - start_velocity);
-  place[among_all] = vec4f(x + way, mass * (1.0 / formula.he + step.air.drag) / formula.he);
+  place[among_all] = vec4f(x + way, inertia_stiffness(now, formula));
   vectors[first + kResidual * nodes.count] =
-      vec4f(mass * ((base_velocity - start_velocity) / formula.he + pull_of_field), 0.0);
+      vec4f(inertia_residual(now, velocity_before[node].xyz, start_velocity, formula), 0.0);
   vectors[first + kSecond * nodes.count] = vec4f(start_velocity, 0.0);
 }
