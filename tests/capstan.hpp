@@ -30,7 +30,7 @@ struct Capstan {
   scene::Scene scene() const {
     const auto text = [](double value) { return std::to_string(value); };
     auto made = scene::parse_scene(
-        R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, "time": {"substeps": 8},
+        R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, "time": {"substeps": 6},
         "contact": {"method": "proximity", "thickness": )" +
             text(kThickness) + R"(}, "cloths": [{"grid": [)" + text(rows()) + ", " + text(kWidth) +
             R"(], "size": [)" + text(kSpacing * (rows() - 1)) + ", " + text(kSpacing * (kWidth - 1)) +

@@ -18,10 +18,11 @@ bool takes(const Method& method, ElementKind kind) {
 }
 
 /// "a", "a" or "b", "a", "b" or "c".
-std::string words_of_methods_for(ElementKind kind) {
+template <class Does>
+std::string words_of_methods(const Does& does) {
   std::vector<std::string> words;
   for (const Method& method : methods())
-    if (takes(method, kind)) words.push_back('"' + std::string(scene::name_of(method.kind)) + '"');
+    if (does(method)) words.push_back('"' + std::string(scene::name_of(method.kind)) + '"');
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i)
     text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
@@ -45,8 +46,13 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
       if (takes(method, kind) || model.count(kind, model.bodies[c]) == 0) continue;
       return input_error("%s has %s, which solver.kind \"%s\" does not take; %s does.",
                          scene.cloths[c].where.c_str(), kElementNames[k], scene::name_of(method.kind),
-                         words_of_methods_for(kind).c_str());
+                         words_of_methods([&](const Method& other) { return takes(other, kind); }).c_str());
     }
+    if (scene.cloths[c].strain_limit && !method.limits_strain)
+      return input_error("%s.strain_limit is %g, and solver.kind \"%s\" keeps none; %s does.",
+                         scene.cloths[c].where.c_str(), *scene.cloths[c].strain_limit,
+                         scene::name_of(method.kind),
+                         words_of_methods([](const Method& other) { return other.limits_strain; }).c_str());
   }
   return {};
 }

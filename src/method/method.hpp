@@ -50,6 +50,7 @@ struct Method {
   std::uint32_t search_interval;
   /// Whether its matrix includes obstacles (Stages::press).
   bool holds_obstacles;
+  bool limits_strain = false;  // whether edges beyond a strain limit are stiffer
   /// How many states before the current one it reads, for nodes whose velocity's w is 1.
   std::uint32_t history;
 };

@@ -56,10 +56,10 @@ Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit
   return static_cast<std::uint32_t>(substeps);
 }
 
-Result<std::uint32_t> long_substeps(const scene::Scene& scene, const StepLimit& limit) {
+Result<std::uint32_t> long_substeps(const scene::Scene& scene, const StepLimit& limit, double multiple) {
   const double steps =
       scene.time.frame / limit.longest_auto_step * (1 - 1e-12);  // an even number is not rounded up
-  const double substeps = 4 * std::ceil(steps / 4);
+  const double substeps = multiple * std::ceil(steps / multiple);
   if (!(substeps <= kMostSubsteps))
     return make_error(
         ErrorKind::Limit,

@@ -48,6 +48,9 @@ inline constexpr double kStepSafety = 0.7;
 /// The longest step that "auto" gives a method that is stable at any. Of the implicit solver, BDF2 at 1/480 s is within
 /// 1 to 3 % of the exact motion of a sheet of 2 m [s].
 inline constexpr double kImplicitStep = 1.0 / 480;
+/// The same where contact gives a substep a second linear system: two err by less than half of what one does, so longer
+/// steps err by less [s]. Source: docs/solvers/multigrid.md, Contact.
+inline constexpr double kImplicitContactStep = 1.0 / 360;
 
 /// By how much longer than the one before it a step of the implicit solver may be (BDF2 is stable up to 1 +
 /// √2); beyond it starts without history.
@@ -61,8 +64,8 @@ constexpr double step_ratio(std::uint32_t substeps_before, std::uint32_t substep
 /// The substeps of a frame that "auto" means for an explicit solver: the least multiple of 4 whose step is at
 /// most kStepSafety times the largest stable one. Errors  Limit: more than scenes allow.
 Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit& limit);
-/// The same for a method that is stable at any step: the least multiple of 4 whose step is at most longest_auto_step.
-/// Errors  Limit: more than scenes allow.
-Result<std::uint32_t> long_substeps(const scene::Scene& scene, const StepLimit& limit);
+/// The same for a method that is stable at any step: the least multiple of `multiple` whose step is at most
+/// longest_auto_step. Errors  Limit: more than scenes allow.
+Result<std::uint32_t> long_substeps(const scene::Scene& scene, const StepLimit& limit, double multiple);
 
 }  // namespace weft

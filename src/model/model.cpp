@@ -64,6 +64,7 @@ void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, B
   body.weights = cloth.node_mass ? mesh::BoundaryWeights::Uniform : mesh::BoundaryWeights::Area;
   body.stiffness = cloth.stiffness;
   body.damping = cloth.damping;
+  body.strain_limit = cloth.strain_limit;
   body.color = cloth.color;
   model.rest_position.insert(model.rest_position.end(), placed.positions.begin(), placed.positions.end());
   model.start_position.insert(model.start_position.end(), placed.starts.begin(), placed.starts.end());

@@ -26,14 +26,15 @@ struct Body {
   std::optional<mesh::Grid>
       grid;  // in the world's metres; a hint for fast paths. A cloth without one is a mesh
   mesh::BoundaryWeights weights = mesh::BoundaryWeights::Area;
-  scene::Stiffness stiffness;  // [N/m]
-  double damping = 0;          // [N·s/m]
+  scene::Stiffness stiffness;          // [N/m]
+  double damping = 0;                  // [N·s/m]
+  std::optional<double> strain_limit;  // how far edges are stretched at most, of their length
   std::optional<Vec3d> color;
 
   /// Nodes of a row, where triangles have diagonals that shear lengthens; 0: every edge of a triangle is as structural
   /// as the others.
   std::uint32_t row() const { return grid ? grid->nx : 0; }
-  SpringMaterial material() const { return {stiffness, damping, weights}; }
+  SpringMaterial material() const { return {stiffness, damping, weights, strain_limit}; }
 };
 
 /// A grab of the scene, and the node that it means.

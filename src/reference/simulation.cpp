@@ -10,6 +10,7 @@
 #include "contact/rules/contact_law.hpp"
 #include "contact/rules/max_push.hpp"
 #include "model/grab_speed.hpp"
+#include "model/limited_edges.hpp"
 #include "scene/motion.hpp"
 
 namespace weft::reference {
@@ -28,9 +29,13 @@ std::vector<BendLink> bending_of(const Model& model) {
 /// The springs with the very numbers that the kernels get: f32, here widened.
 std::vector<SpringLink> links_of(const Model& model) {
   std::vector<SpringLink> links;
-  for (const Spring s : model.springs())
+  const Springs springs = model.springs();
+  const std::vector<float> longest = longest_lengths(model, springs);
+  for (std::size_t k = 0; k < springs.size(); ++k) {
+    const Spring s = springs[k];
     links.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length), static_cast<double>(s.stiffness),
-                     static_cast<double>(s.damping)});
+                     static_cast<double>(s.damping), static_cast<double>(longest[k])});
+  }
   return links;
 }
 

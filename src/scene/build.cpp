@@ -129,6 +129,7 @@ class Builder {
                        number(stiffness, "bending")};
     cloth.damping = number(json, "damping");
     cloth.friction = number(json, "friction");
+    cloth.strain_limit = maybe_number(json, "strain_limit");
     WEFT_TRY(pins, selectors(at(json, "pins"), path + ".pins", cloth));
     cloth.pins = std::move(pins);
     for (const Json& one : at(json, "motions").values) {

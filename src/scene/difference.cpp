@@ -22,6 +22,7 @@ const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (!(a.stiffness == b.stiffness)) return "stiffness";
   if (a.damping != b.damping) return "damping";
   if (a.friction != b.friction) return "friction";
+  if (a.strain_limit != b.strain_limit) return "strain_limit";
   if (!(a.pins == b.pins)) return "pins";
   if (!(a.motions == b.motions)) return "motions";
   if (!(a.grabs == b.grabs)) return "grabs";

@@ -220,6 +220,7 @@ constexpr Type kNodeMass{.kind = Kind::Number, .least = 1e-12, .most = 1e6, .uni
 constexpr Type kSpringStiffness{.kind = Kind::Number, .most = 1e12, .unit = "N/m"};
 constexpr Type kBending{.kind = Kind::Number, .most = 1e6, .unit = "N·m"};
 constexpr Type kBump{.kind = Kind::Number, .least = -kFar, .most = kFar, .unit = "m"};
+constexpr Type kStrainLimit{.kind = Kind::Number, .least = 0.001, .most = 10};
 constexpr Type kDamping{.kind = Kind::Number, .most = 1e9, .unit = "N·s/m"};
 constexpr Type kColor{.kind = Kind::Numbers, .most = 1, .count_least = 3};
 constexpr Type kCopyCount{.kind = Kind::Number, .least = 1, .most = 1000, .whole = true};
@@ -248,6 +249,8 @@ constexpr Key kClothKeys[] = {
     {"stiffness", &kStiffness, "Stiffness of the springs", "{}"},
     {"damping", &kDamping, "Damping along each spring", "0.25"},
     {"friction", &kFriction, "With cloth, and with colliders that give none; only proximity uses it", "0.3"},
+    {"strain_limit", &kStrainLimit,
+     "How far edges are stretched before they are stiffer, of their length; only multigrid"},
     {"pins", &kPinList, "Nodes that stay where they are", "[]"},
     {"motions", &kMotions, "Nodes that follow a given motion", "[]"},
     {"grabs", &kGrabs, "Nodes that are pulled to a point for a while", "[]"},

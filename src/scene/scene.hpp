@@ -129,8 +129,9 @@ struct Cloth {
   std::optional<double> density;    // either this [kg/m²]
   std::optional<double> node_mass;  // or this [kg]
   Stiffness stiffness;
-  double damping = 0.25;  // along each spring [N·s/m]
-  double friction = 0.3;  // with cloth, and with colliders that give none
+  double damping = 0.25;               // along each spring [N·s/m]
+  double friction = 0.3;               // with cloth, and with colliders that give none
+  std::optional<double> strain_limit;  // how far edges are stretched at most, of their length
   std::vector<Selector> pins;
   std::vector<Motion> motions;
   std::vector<Grab> grabs;

@@ -59,6 +59,11 @@ std::vector<BadScene> bad_scenes() {
        "cloths[0] has bending of grids (stiffness.bending), which solver.kind \"xpbd\" does not take; "
        "\"multigrid\" or "
        "\"mass_spring\" does."},
+      {R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"}, "cloths": [{"grid": [4, 4], "size": [1, 1],
+           "density": 0.2, "strain_limit": 0.1}]})",
+       "cloths[0].strain_limit is 0.1, and solver.kind \"mass_spring\" keeps none; \"multigrid\" does."},
+      {scene_of_cloth(R"("grid": [4, 4], "size": [1, 1], "density": 0.2, "strain_limit": 0)"),
+       "strain_limit is 0; it must be from 0.001 to 10"},
       {tiny_scene(R"("contact": {"method": "bvhh"}, )"), "did you mean \"bvh\"?"},
       {tiny_scene(R"("camera": {"eye": [0, 0, 1], "target": [0, 0, 1]}, )"), "camera.target"},
       {scene_of_cloth(R"("density": 0.2)"), "has neither \"grid\" nor \"mesh\""},

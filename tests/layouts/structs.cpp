@@ -26,6 +26,7 @@
 #include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/mesh_lists.hpp"
 #include "method/xpbd/solver_xpbd.hpp"
+#include "model/limited_edges.hpp"
 #include "model/model.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/fine_cloth.hpp"
@@ -157,7 +158,7 @@ Json spring_grid_row() {
   using T = SpringGrid;
   return row("SpringGrid", "element/spring/spring_grid.wgsl", sizeof(T), kUniform,
              {M(first_vertex), M(nx), M(ny), M(uniform_weights), M(stiffness), M(damping), M(rest_length),
-              M(bending)});
+              M(bending), M(longest)});
 }
 Json level_of_grid() {
   using T = GridLevelParams;
@@ -220,6 +221,11 @@ Json pair_range() {
 Json analytic_collider() {
   using T = contact::AnalyticCollider;
   return row("AnalyticCollider", "contact/pushes/analytic.wgsl", sizeof(T), kExact, {M(point), M(normal)});
+}
+Json limited_edge() {
+  using T = LimitedEdge;
+  return row("LimitedEdge", "contact/proximity/limit_edges.wgsl", sizeof(T), kExact,
+             {M(a), M(b), M(longest)});
 }
 Json listed_pair() {
   using T = ListedPair;
@@ -318,6 +324,7 @@ Json struct_layouts() {
                       step_method(),
                       spring(),
                       spring_kind(),
+                      limited_edge(),
                       spring_block(),
                       block_spring(),
                       neighbour(),

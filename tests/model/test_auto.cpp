@@ -83,6 +83,32 @@ TEST_CASE("auto takes no method that would blow up in the scene's substeps") {
         Kind::Multigrid);
 }
 
+TEST_CASE("auto takes the method that keeps a strain limit, however coarse the cloth") {
+  const auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 0.2,
+          "strain_limit": 0.1}]})",
+      "test.json");
+  REQUIRE_MESSAGE(scene, scene.error().message);
+  const auto model = build_model(*scene, {{}});
+  REQUIRE_MESSAGE(model, model.error().message);
+  const auto choice = choose_method(*scene, *model);
+  REQUIRE_MESSAGE(choice, choice.error().message);
+  CHECK(choice->method->kind == Kind::Multigrid);
+}
+
+TEST_CASE("implicit steps are 1/480 s long, and 1/360 s where contact gives each a second system") {
+  const std::string implicit = R"(, "solver": {"kind": "multigrid"})";
+  const auto substeps = [&](const std::string& keys) {
+    const auto choice = choice_for(16, false, implicit + keys);
+    REQUIRE_MESSAGE(choice, choice.error().message);
+    return choice->substeps;
+  };
+  CHECK(substeps(kFree) == 8);
+  CHECK(substeps(kContact) == 6);
+  CHECK(substeps(R"(, "contact": {"self": false})") == 8);  // there is nothing to meet
+  CHECK(substeps(R"(, "contact": {"restitution": 0.5})") == 8);
+}
+
 TEST_CASE("auto is what a scene without a kind gets, and its reason has the time predicted for each method") {
   const auto unsaid = choice_for(64, false, "");
   const auto said =

@@ -17,15 +17,16 @@ struct Setting {
   std::string solver = "mass_spring";
   std::string gravity = "[0, -9.81, 0]";
   std::string contact = R"("thickness": 0.01)";
-  int substeps = 8;  // of a frame
+  int substeps = 0;  // of a frame; 0: as "auto" has for the implicit solver, and 8 for others
   int part = 1;      // a frame is this part of 1/60 s
   std::string cloths;
   std::string colliders;
 };
 
 inline scene::Scene scene_of(const Setting& s) {
+  const int substeps = s.substeps != 0 ? s.substeps : s.solver == "multigrid" ? 6 : 8;
   return contact_scene(R"("gravity": )" + s.gravity + R"(, "time": {"frame": )" + text_of(1.0 / 60 / s.part) +
-                       R"(, "substeps": )" + std::to_string(s.substeps) + R"(}, "solver": {"kind": ")" +
+                       R"(, "substeps": )" + std::to_string(substeps) + R"(}, "solver": {"kind": ")" +
                        s.solver + R"("}, "contact": {"method": "proximity", )" + s.contact +
                        R"(}, "cloths": [)" + s.cloths + R"(], "colliders": [)" + s.colliders + "]");
 }

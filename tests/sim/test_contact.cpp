@@ -118,7 +118,7 @@ TEST_CASE("the numbers of contacts for pictures are those of the listed pairs, a
 
 TEST_CASE("two sheets that meet in free space keep their momentum") {
   GpuFixture fixture;
-  auto world = world_of(fixture.device(), contact_scene(R"("gravity": [0, 0, 0], "time": {"substeps": 8},
+  auto world = world_of(fixture.device(), contact_scene(R"("gravity": [0, 0, 0], "time": {"substeps": 6},
     "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
                                                         lying_cloth(8, "[0, 0, 0]") + "," +
                                                         lying_cloth(7, "[0.03, 0.04, 0.02]") + "]"));
@@ -140,7 +140,7 @@ TEST_CASE("two sheets that meet in free space keep their momentum") {
 TEST_CASE("a sheet that has fallen on a plane lies at the thickness and does not move") {
   GpuFixture fixture;
   auto world = world_of(fixture.device(),
-                        contact_scene(R"("time": {"substeps": 8},
+                        contact_scene(R"("time": {"substeps": 6},
     "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
                                       lying_cloth(6, "[0, 0.1, 0]") + R"(], "colliders": [)" + kPlane + "]"));
   advance(*world, 120);

@@ -32,7 +32,7 @@ double way_of(gpu::Device& device, const Slide& slide) {
   const std::string side = std::to_string(slide.side);
   const scene::Scene scene = contact_scene(
       R"("gravity": [)" + text_of(kGravity * std::sin(slide.slope)) + "," +
-      text_of(-kGravity * std::cos(slide.slope)) + R"(, 0], "time": {"substeps": 8},
+      text_of(-kGravity * std::cos(slide.slope)) + R"(, 0], "time": {"substeps": 6},
       "solver": {"kind": ")" +
       slide.solver + R"("}, "contact": {"method": "proximity", "thickness": 0.005, "self": false},
       "cloths": [{"grid": [)" +

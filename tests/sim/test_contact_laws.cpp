@@ -178,6 +178,7 @@ TEST_CASE(
       {.solver = "multigrid",
        .gravity = "[0, 0, 0]",
        .contact = R"("thickness": 0.005)",
+       .substeps = 8,
        .cloths = R"({"grid": [40, 40], "size": [0.2, 0.2], "plane": "xy", "density": 0.3, "damping": 0.01,
            "stiffness": {"structural": 450, "shear": 60, "bend": 2},
            "motions": [{"nodes": "top", "kind": "line", "direction": [0, 1, 0], "speed": 1.1}]})"});

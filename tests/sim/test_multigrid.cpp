@@ -221,7 +221,7 @@ TEST_CASE("a smaller residual is asked for in the scene, and what is missed is c
   CHECK(world->totals().residual <= 0.003F);
   // A stiff narrow strip takes more iterations than there are: the report says what they leave.
   auto stiff = scene::parse_scene(
-      R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, "time": {"substeps": 8},
+      R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, "time": {"substeps": 6},
           "contact": {"method": "none"}, "cloths": [{"grid": [82, 5], "size": [0.5, 0.025], "density": 0.2,
           "pins": ["top_left", "bottom_left"], "stiffness": {"structural": 1000, "shear": 300, "bend": 0,
           "bending": 0.25}}]})",
@@ -305,7 +305,7 @@ TEST_CASE("a frame that is cut finer goes on as the others, in the reference too
 
 TEST_CASE("implicit cloth meets obstacles at rest, moving and turning as the reference does") {
   GpuFixture fixture;
-  const std::string start = R"("solver": {"kind": "multigrid"}, "time": {"substeps": 8}, "drag": 0.5,
+  const std::string start = R"("solver": {"kind": "multigrid"}, "time": {"substeps": 6}, "drag": 0.5,
       "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)";
   struct Case {
     std::string cloth, colliders;

@@ -205,7 +205,7 @@ TEST_CASE("an implicit mesh meets a box and a ball that turns as the reference d
     CAPTURE(c.colliders);
     const scene::Scene scene = scene_with(
         "multigrid",
-        R"("time": {"substeps": 8}, "drag": 0.5, "contact": {"method": "proximity", "thickness": 0.01},
+        R"("time": {"substeps": 6}, "drag": 0.5, "contact": {"method": "proximity", "thickness": 0.01},
            "colliders": [)" +
             c.colliders + "], ",
         {mesh_cloth(

@@ -14,6 +14,10 @@ namespace weft::contact {
 /// the last has that number, and cloth is then held back in kRounds. Mirrors: state/contact.wgsl,
 /// reference/proximity/truncate.cpp.
 inline constexpr std::size_t kMostSeparations = 6, kRounds = 3;
+/// The number of a round of `count` that separate.
+constexpr double separation_number(std::size_t round, std::size_t count) {
+  return static_cast<double>(kMostSeparations + 1 + round - count);
+}
 
 /// Patches of cloths that are grids, whose own pairs are not searched while they are open, and which are kept from
 /// folding in every substep. Source: docs/contact.md, Patches.

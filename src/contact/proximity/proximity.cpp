@@ -65,8 +65,9 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   made.rings_ = std::move(rings);
   WEFT_CHECK(made.create_kernels(device, state, wanted.workgroup_size));
   WEFT_SET(made.near_, NearPairs::create(device, made.presses_, wanted.workgroup_size));
+  const std::vector<LimitedEdge> edges = limited_edges(model.host);
   WEFT_TRY(respond, Respond::create(device, {wanted.interval, wanted.iterations, lengths.self_thickness > 0,
-                                             made.presses_, wanted.workgroup_size}));
+                                             made.presses_, edges, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(state, pairs));
   return made;

@@ -5,6 +5,7 @@ namespace weft::contact {
 Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   Respond made;
   made.setup_ = setup;
+  made.separation_count_ = setup.self || !setup.edges.empty() ? setup.iterations : 0;
   struct Wanted {
     gpu::Kernel& kernel;
     const char* path;
@@ -19,10 +20,9 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, {"kLast", 0}}});
     all.push_back({made.add_, "contact/proximity/add_impulses.wgsl"});
   }
-  for (std::size_t round = 0; round < made.separation_count(); ++round) {
+  for (std::size_t round = 0; round < made.separation_count_; ++round) {
     Separation& separation = made.separations_[round];
-    const std::size_t last = made.separation_count() - 1;
-    const gpu::Constant number{"kRound", static_cast<double>(kMostSeparations + round - last)};
+    const gpu::Constant number{"kRound", separation_number(round, made.separation_count_)};
     const gpu::Constant is_first{"kFirst", round == 0 ? 1.0 : 0.0};
     all.push_back({separation.count, "contact/proximity/separate_pairs.wgsl", {number, is_first}});
     all.push_back(
@@ -40,6 +40,9 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));
     wanted.kernel = std::move(kernel);
   }
+  WEFT_SET(made.edges_,
+           EdgeLimits::create(device, setup.edges, made.separation_count_, setup.workgroup_size));
+  made.setup_.edges = {};  // the caller's
   return made;
 }
 
@@ -62,7 +65,7 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const 
       WEFT_SET(add_groups_[parity],
                add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
     }
-    for (std::size_t r = 0; r < separation_count(); ++r) {
+    for (std::size_t r = 0; r < separation_count_; ++r) {
       Separation& separation = separations_[r];
       const auto bind = [&](const gpu::Kernel& kernel) {
         return kernel.bind({state.steps, start, position, velocity, points, pairs.listed, pairs.contacts,
@@ -87,7 +90,7 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const 
   pair_room_ = pairs.room.pairs;
   near_room_ = pairs.room.near;
   vertex_count_ = state.position[0].size();
-  return {};
+  return edges_.bind(state, pairs);
 }
 
 void Respond::record_impulses(gpu::ComputePass& pass) const {
@@ -102,10 +105,12 @@ void Respond::record_impulses(gpu::ComputePass& pass) const {
 void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patches) const {
   const std::uint32_t parity = pass.parity();
   respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
-  for (std::size_t round = 0; round < separation_count(); ++round) {
+  for (std::size_t round = 0; round < separation_count_; ++round) {
     const Separation& separation = separations_[round];
-    separation.count.dispatch_strided(pass, separation.count_groups[parity], pair_room_);
-    separation.give.dispatch_strided(pass, separation.give_groups[parity], pair_room_);
+    if (setup_.self) separation.count.dispatch_strided(pass, separation.count_groups[parity], pair_room_);
+    edges_.record_counts(pass, round);
+    if (setup_.self) separation.give.dispatch_strided(pass, separation.give_groups[parity], pair_room_);
+    edges_.record_gifts(pass, round);
     separation.move.dispatch(pass, separation.move_groups[parity], vertex_count_);
   }
   for (std::size_t round = 0; round < round_count(); ++round) {

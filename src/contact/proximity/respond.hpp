@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "contact/proximity/cloth_patches.hpp"
+#include "contact/proximity/edge_limits.hpp"
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
 
@@ -17,10 +19,11 @@ namespace weft::contact {
 class Respond {
  public:
   struct Setup {
-    std::uint32_t interval = 4;    // substeps from one that may search to the next
-    std::uint32_t iterations = 1;  // of impulses, and of separations; no more than kMostSeparations
-    bool self = false;             // whether cloth meets cloth
-    bool presses = false;          // a solver's matrix holds vertices at obstacles
+    std::uint32_t interval = 4;          // substeps from one that may search to the next
+    std::uint32_t iterations = 1;        // of impulses, and of separations; no more than kMostSeparations
+    bool self = false;                   // whether cloth meets cloth
+    bool presses = false;                // a solver's matrix holds vertices at obstacles
+    std::span<const LimitedEdge> edges;  // of cloth with a strain limit
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   };
   Respond() = default;
@@ -38,13 +41,14 @@ class Respond {
   gpu::Kernel impulse_, last_impulse_, add_, respond_;
   // By parity.
   std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_, respond_groups_;
-  /// The rounds in which pairs of cloth that may meet are separated; only where cloth meets cloth.
+  /// The rounds in which pairs of cloth that may meet are separated, and edges kept within their limit.
   struct Separation {
     gpu::Kernel count, give, move;
     std::array<gpu::BindGroup, 2> count_groups, give_groups, move_groups;
   };
-  std::size_t separation_count() const { return setup_.self ? setup_.iterations : 0; }
+  std::size_t separation_count_ = 0;
   std::array<Separation, kMostSeparations> separations_;
+  EdgeLimits edges_;
   /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and from other cloth.
   struct Round {
     gpu::Kernel find, hold;

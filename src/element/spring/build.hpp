@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "element/spring/spring.hpp"
 #include "mesh/springs.hpp"
 #include "scene/scene.hpp"
@@ -11,6 +13,7 @@ struct SpringMaterial {
   scene::Stiffness stiffness;  // [N/m]
   double damping = 0;          // [N·s/m]; a spring without stiffness has none
   mesh::BoundaryWeights weights = mesh::BoundaryWeights::Area;
+  std::optional<double> strain_limit;  // beyond which structural springs are stiffer, of their length
 };
 
 /// The springs of a grid or a mesh, in the order of mesh/springs.hpp. Nodes are numbered from `first`.

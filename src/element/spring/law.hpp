@@ -10,23 +10,47 @@ namespace weft::spring {
 
 inline constexpr double kMinLength = 1e-9;  // m; a shorter spring has no direction, and pulls nowhere
 
+/// Beyond its longest length a spring is stiffer by this part of its stiffness. Mirror:
+/// src/method/multigrid/spring.wgsl.
+inline constexpr double kStiffer = 50;
+
+/// A spring's law: Hooke's, with more stiffness beyond a length. Source: docs/solvers/multigrid.md, equation 5a.
+struct Law {
+  double rest_length = 0;  // [m]
+  double stiffness = 0;    // [N/m]
+  double longest = 0;      // [m]; 0: as long as it likes
+  double more = 0;         // the stiffness that is added beyond that [N/m]
+
+  static Law of(double rest_length, double stiffness, double longest) {
+    return {rest_length, stiffness, longest, kStiffer * stiffness};
+  }
+  /// The spring of Hooke's law that it is like at a length.
+  Law at(double length) const {
+    if (longest == 0 || length <= longest) return {rest_length, stiffness};
+    const double sum = stiffness + more;
+    return {(stiffness * rest_length + more * longest) / sum, sum};
+  }
+};
+
 /// Hooke's law and damping along the spring. The force on node a of a spring from a to b is tension * direction.
 struct Pull {
   double tension = 0;  // [N]; positive pulls the nodes together
   Vec3d direction;     // unit; 0 where the spring is too short to have one
 };
 /// `span` from node a to node b [m], `rate` how fast it changes [m/s].
-inline Pull pull(const Vec3d& span, const Vec3d& rate, double rest_length, double stiffness, double damping) {
+inline Pull pull(const Vec3d& span, const Vec3d& rate, const Law& law, double damping) {
   const double len = length(span);
   if (len < kMinLength) return {};
+  const Law now = law.at(len);
   const Vec3d direction = span / len;
-  return {stiffness * (len - rest_length) + damping * dot(rate, direction), direction};
+  return {now.stiffness * (len - now.rest_length) + damping * dot(rate, direction), direction};
 }
 
 /// [J]
-inline double energy(const Vec3d& span, double rest_length, double stiffness) {
-  const double elongation = length(span) - rest_length;
-  return 0.5 * stiffness * elongation * elongation;
+inline double energy(const Vec3d& span, const Law& law) {
+  const double elongation = length(span) - law.rest_length;
+  const double beyond = law.longest > 0 ? std::max(0.0, length(span) - law.longest) : 0;
+  return 0.5 * law.stiffness * elongation * elongation + 0.5 * law.more * beyond * beyond;
 }
 
 /// How the elastic force changes with the span: along n nᵀ + across I.
@@ -36,11 +60,12 @@ struct Block {
 };
 /// k [(1 - b) n nᵀ + b I] with b = max(0, 1 - l0/l): the Hessian of a stretched spring, and of a pressed one without
 /// what would make it indefinite.
-inline Block block(const Vec3d& span, double rest_length, double stiffness) {
+inline Block block(const Vec3d& span, const Law& law) {
   const double len = length(span);
   if (len < kMinLength) return {};
-  const double b = std::max(0.0, 1 - rest_length / len);
-  return {span / len, stiffness * (1 - b), stiffness * b};
+  const Law now = law.at(len);
+  const double b = std::max(0.0, 1 - now.rest_length / len);
+  return {span / len, now.stiffness * (1 - b), now.stiffness * b};
 }
 
 }  // namespace weft::spring

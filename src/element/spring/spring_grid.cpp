@@ -23,6 +23,9 @@ SpringGrid spring_grid(const mesh::Grid& grid, const SpringMaterial& material, s
   made.damping = {damping(k.structural), damping(k.shear), damping(k.bend), 0};
   made.rest_length = {static_cast<float>(di), static_cast<float>(dj),
                       static_cast<float>(std::sqrt(di * di + dj * dj)), 0};
+  if (material.strain_limit)
+    made.longest = {static_cast<float>((1 + *material.strain_limit) * di),
+                    static_cast<float>((1 + *material.strain_limit) * dj)};
   made.bending = {static_cast<float>(bending_i), static_cast<float>(bending_j)};
   return made;
 }

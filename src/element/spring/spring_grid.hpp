@@ -17,7 +17,8 @@ struct SpringGrid {
   Vec4f damping;                      // the same; 0 where the stiffness is 0 [N·s/m]
   Vec4f rest_length;                  // structural along i, along j, shear [m]
   std::array<float, 2> bending = {};  // of second differences along i, along j [N/m]
-  std::array<float, 2> padding = {};
+  std::array<float, 2> longest =
+      {};  // beyond which structural ones are stiffer, along i, along j; 0: none [m]
 
   bool operator==(const SpringGrid&) const = default;
 };

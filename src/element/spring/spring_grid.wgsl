@@ -8,6 +8,7 @@ struct SpringGrid {  // mirror: src/element/spring/spring_grid.hpp
   damping : vec4f,        // N·s/m: the same; 0 where the stiffness is 0
   rest_length : vec4f,    // m: structural along i, along j, shear
   bending : vec2f,        // N/m: of second differences along i, along j
+  longest : vec2f,        // m: beyond which structural ones are stiffer, along i, along j; 0: none
 }
 
 // Part of the stiffness along line `at` of `side` lines: a boundary spring has cloth on one side only.

@@ -13,10 +13,11 @@ struct Own {  // the node whose springs are summed
   x : u32,
 }
 
-fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32, damping : f32) -> vec3f {
+fn pull(own : Own, other : u32, rest_length : f32, longest : f32, weight : f32, stiffness : f32,
+        damping : f32) -> vec3f {
   if (stiffness == 0.0) { return vec3f(0.0); }
   let span = place[among_all(own.level, other)].xyz - own.place;
-  let hessian = spring_block(span, rest_length, weight * stiffness, own.rate * (weight * damping));
+  let hessian = spring_block(span, law_of(rest_length, longest, weight * stiffness), own.rate * (weight * damping));
   return block_times(hessian, own.value - operand(own.level, own.x, other));
 }
 

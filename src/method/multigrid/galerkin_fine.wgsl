@@ -47,19 +47,21 @@ fn add(matrix : Symmetric, own : f32, right : vec4f, left : f32) {
   blocks[4] = sum_of(blocks[4], scaled(left, part));
 }
 
-fn add_spring(a : Taps, b : Taps, rest_length : f32, stiffness : f32, damping : f32) {
+fn add_spring(a : Taps, b : Taps, law : SpringLaw, damping : f32) {
   let right = b.right - a.right;
-  if (right.x == 0.0 || stiffness == 0.0) { return; }
-  let s = spring_block(b.at.xyz - a.at.xyz, rest_length, stiffness, rate * damping);
+  if (right.x == 0.0 || law.stiffness == 0.0) { return; }
+  let s = spring_block(b.at.xyz - a.at.xyz, law, rate * damping);
   add(sum_of(outer(s.direction, s.along), identity(s.across)), right.x, right, b.left - a.left);
 }
 
 // A structural spring from node `at` of a line to the next, with the bend springs above it.
-fn add_structural(a : Taps, b : Taps, rest_length : f32, at : i32, side : i32, weight : f32) {
+fn add_structural(a : Taps, b : Taps, rest_length : f32, longest : f32, at : i32, side : i32, weight : f32) {
   let above = 2.0 * weight * (select(0.0, 1.0, at > 0) + select(0.0, 1.0, at + 2 < side));
   let bend = grid.stiffness.z;
   let damping = weight * grid.damping.x + above * grid.damping.z;
-  add_spring(a, b, rest_length, weight * grid.stiffness.x + above * bend, damping);
+  var law = law_of(rest_length, longest, weight * grid.stiffness.x);
+  law.stiffness += above * bend;
+  add_spring(a, b, law, damping);
 }
 
 // Second differences of the fine grid that name a fixed node: coarse levels know of none, so these are not in their own
@@ -140,15 +142,15 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
       if (x + 1 < nx) {
         let column = line_taps(x + 1, center_i, i, nx, mx, regular_i);
         b = taps_at(x + 1, y, column, row);
-        add_structural(a, b, grid.rest_length.x, x, nx, row_weight);
+        add_structural(a, b, grid.rest_length.x, grid.longest.x, x, nx, row_weight);
         if (down) {
           below_b = taps_at(x + 1, y + 1, column, below_row);
-          add_spring(a, below_b, grid.rest_length.z, grid.stiffness.y, grid.damping.y);
+          add_spring(a, below_b, law_of(grid.rest_length.z, 0.0, grid.stiffness.y), grid.damping.y);
         }
       }
       if (down) {
-        add_structural(a, below_a, grid.rest_length.y, y, ny, line_weight(grid, u32(x), grid.nx));
-        if (x > 0) { add_spring(a, before, grid.rest_length.z, grid.stiffness.y, grid.damping.y); }
+        add_structural(a, below_a, grid.rest_length.y, grid.longest.y, y, ny, line_weight(grid, u32(x), grid.nx));
+        if (x > 0) { add_spring(a, before, law_of(grid.rest_length.z, 0.0, grid.stiffness.y), grid.damping.y); }
       }
     }
   }

@@ -29,13 +29,15 @@ fn operand(level : Level, x : u32, node : u32) -> vec3f {
   return place[among_all(level, node)].xyz + vectors[vector_at(level, x, node)].xyz;
 }
 
-fn pull(own : Own, other : u32, rest_length : f32, weight : f32, stiffness : f32, damping : f32) -> vec3f {
+fn pull(own : Own, other : u32, rest_length : f32, longest : f32, weight : f32, stiffness : f32,
+        damping : f32) -> vec3f {
   if (stiffness == 0.0) { return vec3f(0.0); }
   let span_step = vectors[vector_at(levels[0], kFirst, other)].xyz - own.start;
   var rate_of_span = vec3f(0.0);
   if (damping > 0.0) { rate_of_span = vectors[vector_at(levels[0], kSecond, other)].xyz - own.start_velocity; }
   let span = place[among_all(levels[0], other)].xyz - own.place;
-  let pulled = pull_of(span, span_step, rate_of_span, rest_length, weight * stiffness, weight * damping, own.rate);
+  let law = law_of(rest_length, longest, weight * stiffness);
+  let pulled = pull_of(span, span_step, rate_of_span, law, weight * damping, own.rate);
   diagonal = sum_of(diagonal, sum_of(outer(pulled.block.direction, pulled.block.along), identity(pulled.block.across)));
   return pulled.force;
 }

@@ -1,5 +1,7 @@
 #include "method/multigrid/mesh_cycle.hpp"
 
+#include "model/limited_edges.hpp"
+
 namespace weft {
 
 using gpu::Dispatch;
@@ -10,13 +12,14 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
   const MeshLists lists = mesh_lists(mesh_levels(inputs.model.host, body, springs));
   made.shapes_ = lists.levels;
   WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_, multigrid::kMeshTailNodes));
-  WEFT_CHECK(made.create_lists(inputs.device, lists, springs));
+  WEFT_CHECK(made.create_lists(inputs.device, lists, springs, longest_lengths(inputs.model.host, springs)));
   WEFT_CHECK(made.create_system(inputs, kernels));
   WEFT_CHECK(made.create_levels(kernels));
   return made;
 }
 
-Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists, const Springs& springs) {
+Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists, const Springs& springs,
+                                     std::span<const float> longest) {
   const auto make = [&](auto& buffer, const auto& values, const char* label) -> Result<void> {
     using Made = std::remove_reference_t<decltype(buffer)>;
     WEFT_SET(buffer, Made::create_from(device, values, label));
@@ -24,7 +27,8 @@ Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists
   };
   std::vector<Vec4f> of_blocks;
   of_blocks.reserve(springs.size());
-  for (const Spring s : springs) of_blocks.push_back({s.rest_length, s.stiffness, s.damping, 0});
+  for (std::size_t s = 0; s < springs.size(); ++s)
+    of_blocks.push_back({springs[s].rest_length, springs[s].stiffness, springs[s].damping, longest[s]});
   WEFT_CHECK(make(lists_.row_starts, lists.row_starts, "multigrid row starts"));
   WEFT_CHECK(make(lists_.rows, lists.rows, "multigrid rows"));
   WEFT_CHECK(make(lists_.source_starts, lists.source_starts, "multigrid source starts"));

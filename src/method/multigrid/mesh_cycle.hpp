@@ -26,7 +26,8 @@ class MeshCycle : public Cycle {
     gpu::Buffer<Vec4f> springs;
   };
 
-  Result<void> create_lists(gpu::Device& device, const MeshLists& lists, const Springs& springs);
+  Result<void> create_lists(gpu::Device& device, const MeshLists& lists, const Springs& springs,
+                            std::span<const float> longest);
   Result<void> create_system(const CycleInputs& inputs, const MeshKernels& kernels);
   Result<void> create_levels(const MeshKernels& kernels);
 

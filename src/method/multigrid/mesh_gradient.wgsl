@@ -16,7 +16,7 @@
 @group(0) @binding(6) var<storage, read_write> blocks     : array<vec4f>;      // method/multigrid/mesh_block.wgsl
 @group(0) @binding(7) var<storage, read>       row_starts : array<u32>;        // node_count + 1 of each level
 @group(0) @binding(8) var<storage, read>       rows       : array<Coupling>;
-@group(0) @binding(9) var<storage, read>       springs    : array<vec4f>;      // of each coupling: m, N/m, N·s/m
+@group(0) @binding(9) var<storage, read>       springs    : array<vec4f>;      // of each coupling: m, N/m, N·s/m, m
 @group(0) @binding(10) var<storage, read_write> presses   : array<i32>;        // press_sums.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -37,7 +37,8 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
     let spring = springs[number - level.node_count];
     let span_step = vectors[vector_at(level, kFirst, other)].xyz - start;
     let rate_of_span = vectors[vector_at(level, kSecond, other)].xyz - start_velocity;
-    let pulled = pull_of(at.xyz - own.xyz, span_step, rate_of_span, spring.x, spring.y, spring.z, rate);
+    let pulled = pull_of(at.xyz - own.xyz, span_step, rate_of_span, law_of(spring.x, spring.w, spring.y), spring.z,
+                         rate);
     let part = sum_of(outer(pulled.block.direction, pulled.block.along), identity(pulled.block.across));
     diagonal = sum_of(diagonal, part);
     residual += pulled.force;

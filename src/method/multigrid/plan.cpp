@@ -5,9 +5,10 @@
 namespace weft {
 namespace {
 
-StepLimit step_limit(const scene::Scene&, const Model&) {
+StepLimit step_limit(const scene::Scene& scene, const Model&) {
   StepLimit limit;  // implicit steps are stable at any length
-  limit.longest_auto_step = kImplicitStep;
+  limit.longest_auto_step =
+      solves_with_contact(scene, multigrid_method()) ? kImplicitContactStep : kImplicitStep;
   return limit;
 }
 
@@ -21,12 +22,15 @@ Method multigrid_method() {
   row.takes = kTakes;
   row.step_limit = step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
-  row.auto_substeps = long_substeps;
+  row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {
+    return long_substeps(scene, limit, 2);
+  };
   row.cost = &kCost;
   row.memory = [](const scene::Solver&) { return SolverMemory{299, 193}; };
   row.settings_word = [](const scene::Solver&) { return ""; };
   row.search_interval = 1;
   row.holds_obstacles = true;
+  row.limits_strain = true;
   row.history = 1;  // BDF2
   return row;
 }

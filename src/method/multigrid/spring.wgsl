@@ -10,6 +10,22 @@ fn formula_of(ratio : f32) -> Formula {
   return Formula(step.time.dt * (1.0 + ratio) / (1.0 + 2.0 * ratio), ratio * ratio / (1.0 + 2.0 * ratio));
 }
 
+// A spring's rest length, m, and stiffness, N/m; beyond `longest`, m, if that is not 0, there is `more` of it: equation
+// (5a).
+struct SpringLaw { rest_length : f32, stiffness : f32, longest : f32, more : f32 }
+const kStiffer = 50.0;  // mirror: src/element/spring/law.hpp
+fn law_of(rest_length : f32, longest : f32, stiffness : f32) -> SpringLaw {
+  return SpringLaw(rest_length, stiffness, longest, kStiffer * stiffness);
+}
+// k (l - l0) + m (l - L) = (k + m) (l - (k l0 + m L)/(k + m)): of such a length it is another spring.
+struct LawAtLength { rest_length : f32, stiffness : f32 }
+fn law_at(law : SpringLaw, len : f32) -> LawAtLength {
+  let beyond = law.longest > 0.0 && len > law.longest;
+  let stiffness = law.stiffness + law.more;
+  let rest_length = (law.stiffness * law.rest_length + law.more * law.longest) / stiffness;
+  return LawAtLength(select(law.rest_length, rest_length, beyond), select(law.stiffness, stiffness, beyond));
+}
+
 // How a spring's force changes: k [(1 - b) n nᵀ + b I] + c/he n nᵀ with b = max(0, 1 - l0 / l): its Hessian where it is
 // stretched, and where it is pressed without what would make it indefinite.
 struct SpringBlock {
@@ -17,11 +33,12 @@ struct SpringBlock {
   along : f32,   // N/m
   across : f32,  // N/m
 }
-fn spring_block(span : vec3f, rest_length : f32, stiffness : f32, damping : f32) -> SpringBlock {
+fn spring_block(span : vec3f, law : SpringLaw, damping : f32) -> SpringBlock {
   let len = length(span);
   if (len < kMinLength) { return SpringBlock(vec3f(0.0), 0.0, 0.0); }
-  let b = max(0.0, 1.0 - rest_length / len);
-  return SpringBlock(span / len, stiffness * (1.0 - b) + damping, stiffness * b);
+  let now = law_at(law, len);
+  let b = max(0.0, 1.0 - now.rest_length / len);
+  return SpringBlock(span / len, now.stiffness * (1.0 - b) + damping, now.stiffness * b);
 }
 fn block_times(hessian : SpringBlock, v : vec3f) -> vec3f {
   return hessian.along * dot(hessian.direction, v) * hessian.direction + hessian.across * v;
@@ -35,10 +52,10 @@ struct Pull {
 
 // From the node to its neighbour: span, m; how much it changes by the start of the unknown, m; and by the velocity that
 // this would be, m/s.
-fn pull_of(span : vec3f, span_step : vec3f, rate_of_span : vec3f, rest_length : f32, stiffness : f32, damping : f32,
-           rate : f32) -> Pull {
-  let hessian = spring_block(span, rest_length, stiffness, 0.0);
-  let tension = stiffness * (length(span) - rest_length);
+fn pull_of(span : vec3f, span_step : vec3f, rate_of_span : vec3f, law : SpringLaw, damping : f32, rate : f32) -> Pull {
+  let hessian = spring_block(span, law, 0.0);
+  let now = law_at(law, length(span));
+  let tension = now.stiffness * (length(span) - now.rest_length);
   var force = tension * hessian.direction + block_times(hessian, span_step);
   if (damping > 0.0) {  // along the spring as it will be: along its direction now, of first order in the step
     let later = span + span_step;

@@ -52,7 +52,9 @@ Method xpbd_method() {
   row.takes = kTakes;
   row.step_limit = xpbd_step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
-  row.auto_substeps = long_substeps;
+  row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {
+    return long_substeps(scene, limit, 4);
+  };
   row.cost = nullptr;
   row.memory = [](const scene::Solver&) {
     return SolverMemory{96, 72};

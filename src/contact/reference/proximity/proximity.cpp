@@ -27,6 +27,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
       restitution_(scene.contact.restitution),
       load_(length(scene.gravity + scene.external_force)),
       iterations_(iterations),
+      limited_edges_(limited_edges(model)),
       cloth_(features_of(model.rest_position, model.triangles)),
       rest_(cloth_),
       obstacles_(scene, objects, keyframes),
@@ -311,9 +312,9 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     add_limits(pairs[p], near[p].thickness, nodes, dt, planes, cloth_pairs);
   // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull over a ball at
   // steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose. So it is shortened too.
-  const Truncated truncated =
-      truncate(planes, cloth_pairs, most,
-               {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, iterations_});
+  const Truncated truncated = truncate(
+      planes, cloth_pairs, most,
+      {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, iterations_, limited_edges_});
   truncated_.vertices += truncated.vertices;
   truncated_.driven += truncated.driven;
   beside_cloth_ = std::move(response.beside_cloth);

@@ -101,6 +101,7 @@ class Proximity {
   double thickness_, self_thickness_ = 0;
   double restitution_, load_;
   std::uint32_t iterations_;
+  std::vector<LimitedEdge> limited_edges_;
   std::vector<double> friction_;     // of each vertex's cloth
   std::vector<std::uint32_t> body_;  // of each vertex
   Features cloth_;                   // positions: at the start of the substep

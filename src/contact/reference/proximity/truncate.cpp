@@ -1,6 +1,7 @@
 #include "contact/reference/proximity/truncate.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "contact/reference/proximity/may_meet.hpp"
 #include "contact/reference/proximity/separate.hpp"
@@ -10,6 +11,8 @@ namespace {
 
 /// In which cloth is held back; in the last one all of it.
 constexpr int kRounds = 3;
+/// An edge that is no longer than this part of its limit stays as it is.
+constexpr double kBeyondLimit = 1.001;
 
 /// How much of a way takes a vertex past no plane, by how far it is on its side at the start and would be at the end.
 double part_before(double at_start, double at_end) {
@@ -64,18 +67,21 @@ class Truncation {
       return ways_.start[node] + ways_.dt * ways_.velocity[node];
     };
     struct Meeting {
-      const ClothPair& pair;
+      ClothPair pair;
       std::array<double, 4> shifts{};  // by whole masses [m]
     };
     std::vector<Meeting> all;
     std::vector<double> shares(held_.size(), 0);  // pairs that move the node, and share its mass
-    for (const ClothPair& pair : pairs_) {
-      if (pair.tangled || !may_meet(pair, ways_.start, ways_.end)) continue;
+    const auto count = [&](const ClothPair& pair) {
       const BothSides sides = sides_of(pair, end);
       all.push_back({pair, separated(sides, pair.gap)});
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k)
         if (all.back().shifts[k] != 0) ++shares[pair.nodes[k]];
-    }
+    };
+    for (const ClothPair& pair : pairs_)
+      if (!pair.tangled && may_meet(pair, ways_.start, ways_.end)) count(pair);
+    for (const LimitedEdge& edge : ways_.edges)
+      if (const std::optional<ClothPair> ends = too_long(edge)) count(*ends);
     std::vector<Vec3d> move(held_.size()), change(held_.size());
     const auto give = [&](const Meeting& meeting, const auto& place, std::vector<Vec3d>& sums) {
       const ClothPair& pair = meeting.pair;
@@ -127,6 +133,18 @@ class Truncation {
   }
 
  private:
+  /// The ends of an edge that would end longer than its strain limit, and than it begins, as sides that come no
+  /// farther apart: equation (6f).
+  std::optional<ClothPair> too_long(const LimitedEdge& edge) const {
+    const double longest =
+        std::max(static_cast<double>(edge.longest), length(ways_.start[edge.b] - ways_.start[edge.a]));
+    const Vec3d end = ways_.end[edge.b] - ways_.end[edge.a];
+    if (length(end) <= kBeyondLimit * longest) return std::nullopt;
+    ClothPair ends{1, 1, {edge.a, edge.b}, (1 / length(end)) * end};
+    ends.gap = -longest;
+    return ends;
+  }
+
   template <class Place>
   BothSides sides_of(const ClothPair& pair, const Place& place) const {
     BothSides sides{pair.count_a, pair.count_b};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "model/limited_edges.hpp"
 
 namespace weft::reference {
 
@@ -39,6 +40,7 @@ struct Ways {
   std::span<Vec3d> end, velocity;        // [m], [m/s]
   double dt = 1;                         // of the substep [s]
   std::uint32_t separations = 0;  // rounds in which pairs of cloth that may meet are separated, at most
+  std::span<const LimitedEdge> edges = {};  // kept within their strain limit in the same rounds
 };
 
 struct Truncated {

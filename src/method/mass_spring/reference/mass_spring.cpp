@@ -17,9 +17,9 @@ Vec3d curvature_of(const MassSpringSystem& system, const BendLink& triple) {
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
   std::vector<Vec3d> forces(system.position.size());
   for (const SpringLink& s : system.springs) {
-    const spring::Pull pull = spring::pull(system.position[s.node_b] - system.position[s.node_a],
-                                           system.velocity[s.node_b] - system.velocity[s.node_a],
-                                           s.rest_length, s.stiffness, s.damping);
+    const spring::Pull pull =
+        spring::pull(system.position[s.node_b] - system.position[s.node_a],
+                     system.velocity[s.node_b] - system.velocity[s.node_a], s.law(), s.damping);
     const Vec3d force = pull.tension * pull.direction;
     forces[s.node_a] += force;
     forces[s.node_b] -= force;
@@ -83,7 +83,7 @@ double energy(const MassSpringSystem& system) {
            mass * dot(system.acceleration, system.position[i]);
   }
   for (const SpringLink& s : system.springs)
-    sum += spring::energy(system.position[s.node_b] - system.position[s.node_a], s.rest_length, s.stiffness);
+    sum += spring::energy(system.position[s.node_b] - system.position[s.node_a], s.law());
   for (const BendLink& triple : system.bending) {
     const Vec3d curvature = curvature_of(system, triple);
     sum += 0.5 * triple.stiffness * dot(curvature, curvature);

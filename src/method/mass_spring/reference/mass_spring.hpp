@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "element/spring/law.hpp"
 #include "scene/wind.hpp"
 
 namespace weft::reference {
@@ -15,6 +16,9 @@ struct SpringLink {
   double rest_length = 0;  // [m]
   double stiffness = 0;    // [N/m]
   double damping = 0;      // [N·s/m]
+  double longest = 0;      // beyond which the implicit solver's is stiffer [m]; 0: none
+
+  spring::Law law() const { return spring::Law::of(rest_length, stiffness, longest); }
 };
 
 /// Three nodes in a row that resist bending: k/2 |x_a - 2 x_b + x_c|².

@@ -24,8 +24,8 @@ Link link_of(const SpringLink& spring, std::uint32_t first, std::uint32_t nx) {
 bool is_far(const Link& link) { return std::abs(link.di) > 1 || link.dj > 1; }
 
 /// The spring's block, and c/he n nᵀ.
-Sym3 spring_block(const Vec3d& span, double rest_length, double stiffness, double damping) {
-  const spring::Block block = spring::block(span, rest_length, stiffness);
+Sym3 spring_block(const Vec3d& span, const spring::Law& law, double damping) {
+  const spring::Block block = spring::block(span, law);
   return Sym3::outer(block.direction, block.along + damping) + Sym3::identity(block.across);
 }
 
@@ -38,9 +38,9 @@ SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t
                          double rate) {
   const Vec3d span = step.place[b] - step.place[a];
   if (length(span) < spring::kMinLength) return {};
-  const auto [tension, n] = spring::pull(span, {}, s.rest_length, s.stiffness, 0);
+  const auto [tension, n] = spring::pull(span, {}, s.law(), 0);
   const Vec3d step_of_span = step.start[b] - step.start[a];
-  const Sym3 elastic = spring_block(span, s.rest_length, s.stiffness, 0);
+  const Sym3 elastic = spring_block(span, s.law(), 0);
   // Damping acts along the spring as it will be: along n it would be of first order in the step.
   const Vec3d later = span + step_of_span;
   const Vec3d damping = Sym3::outer(later / std::max(length(later), spring::kMinLength), s.damping) *
@@ -254,9 +254,10 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
       more = (link.dj == 0 ? below_i : below_j)[link.a][0];
       more_damping = (link.dj == 0 ? below_i : below_j)[link.a][1];
     }
+    spring::Law law = s.law();
+    law.stiffness += more;
     add_near(step.source, link,
-             spring_block(step.place[link.b] - step.place[link.a], s.rest_length, s.stiffness + more,
-                          (s.damping + more_damping) * rate));
+             spring_block(step.place[link.b] - step.place[link.a], law, (s.damping + more_damping) * rate));
   }
   add_held_bending(step.source);
   GridOperator bending = step.matrix;  // its force is linear: that at place + start

@@ -17,7 +17,7 @@ void project(Ways& ways, const SpringLink& s, double dt, double& multiplier) {
   const double w_a = ways.inverse_mass[s.node_a], w_b = ways.inverse_mass[s.node_b];
   const Vec3d turn = ways.way[s.node_b] - ways.way[s.node_a];
   const Vec3d span = ways.start[s.node_b] - ways.start[s.node_a] + turn;
-  const spring::Pull pull = spring::pull(span, turn / dt, s.rest_length, s.stiffness, s.damping);
+  const spring::Pull pull = spring::pull(span, turn / dt, s.law(), s.damping);
   const double resistance = (dt * dt * s.stiffness + dt * s.damping) * (w_a + w_b);
   const double change = -(dt * dt * pull.tension + multiplier) / (1 + resistance);
   multiplier += change;

@@ -1,0 +1,25 @@
+// The edges of cloth that its strain limit keeps short.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace weft {
+
+/// An edge of a cloth's triangles that is to be no longer than its strain limit lets it be.
+/// Mirror: src/contact/proximity/limit_edges.wgsl.
+struct LimitedEdge {
+  std::uint32_t a = 0, b = 0;
+  float longest = 0;  // [m]
+};
+
+/// All of cloths that have a strain limit, in the order of their vertices: those whose stretch is measured, of grids
+/// without the diagonals, which shear lengthens. None of two nodes that the scene moves.
+std::vector<LimitedEdge> limited_edges(const Model& model);
+
+/// Of each of these springs the length beyond which it is stiffer, since its cloth has a strain limit; 0: none [m].
+std::vector<float> longest_lengths(const Model& model, const Springs& springs);
+
+}  // namespace weft

@@ -1,0 +1,153 @@
+// Edges that are kept within a strain limit, in double: by lengths, momentum and energy.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/random.hpp"
+#include "contact/reference/proximity/truncate.hpp"
+#include "soup.hpp"
+
+using namespace weft;
+using namespace weft::reference;
+
+namespace {
+
+/// A net of edges that flies apart, for a substep of a second.
+struct Net {
+  std::vector<Vec3d> start, end, velocity;
+  std::vector<double> inverse_mass;
+  std::vector<LimitedEdge> edges;
+
+  void add(const Vec3d& from, const Vec3d& speed, double inverse) {
+    start.push_back(from);
+    velocity.push_back(inverse > 0 ? speed : Vec3d{});
+    end.push_back(from + velocity.back());
+    inverse_mass.push_back(inverse);
+  }
+  Ways ways(std::uint32_t rounds) { return {start, inverse_mass, end, velocity, 1, rounds, edges}; }
+  double length_of(const LimitedEdge& edge) const { return length(end[edge.b] - end[edge.a]); }
+  /// The most by which an edge is longer than its limit and its start, as a part of that.
+  double excess() const {
+    double most = 0;
+    for (const LimitedEdge& edge : edges) {
+      const double longest =
+          std::max(static_cast<double>(edge.longest), length(start[edge.b] - start[edge.a]));
+      most = std::max(most, length_of(edge) / longest - 1);
+    }
+    return most;
+  }
+  Vec3d momentum() const {
+    Vec3d sum;
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+      if (inverse_mass[i] > 0) sum += velocity[i] / inverse_mass[i];
+    return sum;
+  }
+  /// The angular momentum of what is at these places.
+  Vec3d turning_about(const std::vector<Vec3d>& places) const {
+    Vec3d sum;
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+      if (inverse_mass[i] > 0) sum += cross(places[i], velocity[i]) / inverse_mass[i];
+    return sum;
+  }
+  double kinetic() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+      if (inverse_mass[i] > 0) sum += 0.5 * dot(velocity[i], velocity[i]) / inverse_mass[i];
+    return sum;
+  }
+};
+
+/// A square lattice of side 1 between nodes, each of which flies somewhere.
+Net lattice(std::uint32_t side, Random& random, double speed, double limit) {
+  Net net;
+  for (std::uint32_t j = 0; j < side; ++j)
+    for (std::uint32_t i = 0; i < side; ++i)
+      net.add({static_cast<double>(i), static_cast<double>(j), 0}, random_point(random, speed),
+              random.uniform(0.2, 5));
+  const auto longest = static_cast<float>(1 + limit);
+  for (std::uint32_t j = 0; j < side; ++j)
+    for (std::uint32_t i = 0; i < side; ++i) {
+      const std::uint32_t at = j * side + i;
+      if (i + 1 < side) net.edges.push_back({at, at + 1, longest});
+      if (j + 1 < side) net.edges.push_back({at, at + side, longest});
+    }
+  return net;
+}
+
+}  // namespace
+
+TEST_CASE("an edge that flies apart ends at its limit; what its ends have in common they keep") {
+  for (const double inverse : {1.0, 0.1, 0.0}) {
+    CAPTURE(inverse);
+    Net net;
+    net.add({0, 0, 0}, {-1, 0.3, 0}, inverse);
+    net.add({1, 0, 0}, {2, 0.3, 0}, 1);
+    net.edges.push_back({0, 1, 1.1F});
+    const Vec3d momentum = net.momentum();
+    truncate({}, {}, 99, net.ways(1));
+    CHECK(net.length_of(net.edges[0]) == doctest::Approx(1.1));
+    CHECK(length(net.end[1] - net.start[1] - net.velocity[1]) < 1e-12);  // it has gone its way
+    if (inverse > 0) CHECK(length(net.momentum() - momentum) < 1e-12);
+    if (inverse == 0) CHECK(length(net.end[0]) == 0);
+  }
+}
+
+TEST_CASE("an edge that begins beyond its limit grows no longer, and is not thrown together") {
+  Net net;
+  net.add({0, 0, 0}, {-1, 0, 0}, 1);
+  net.add({2, 0, 0}, {1, 0, 0}, 1);
+  net.edges.push_back({0, 1, 1.1F});
+  truncate({}, {}, 99, net.ways(1));
+  CHECK(net.length_of(net.edges[0]) == doctest::Approx(2));
+  CHECK(length(net.velocity[1] - net.velocity[0]) < 1e-12);
+  Net shrinking;
+  shrinking.add({0, 0, 0}, {0.1, 0, 0}, 1);
+  shrinking.add({2, 0, 0}, {-0.1, 0, 0}, 1);
+  shrinking.edges.push_back({0, 1, 1.1F});
+  truncate({}, {}, 99, shrinking.ways(6));
+  CHECK(shrinking.length_of(shrinking.edges[0]) == doctest::Approx(1.8));
+}
+
+TEST_CASE("a net that flies apart comes within its limits, keeps its momentum and gains no energy") {
+  Random random(5);
+  for (int round = 0; round < 200; ++round) {
+    Net net = lattice(7, random, random.uniform(0.1, 3), random.uniform(0.01, 0.5));
+    const Vec3d momentum = net.momentum();
+    double kinetic = net.kinetic(), excess = net.excess();
+    for (int blow = 0; blow < 30; ++blow) {
+      const std::vector<Vec3d> places = net.end;  // the impulses act along edges as they are there
+      const Vec3d turning = net.turning_about(places);
+      separate({}, {}, 999, net.ways(1));
+      CHECK(net.kinetic() <= kinetic * (1 + 1e-12));
+      CHECK(length(net.momentum() - momentum) < 1e-9);
+      CHECK(length(net.turning_about(places) - turning) < 1e-9);
+      kinetic = net.kinetic();
+    }
+    CHECK(net.excess() < std::max(0.02, 0.2 * excess));
+  }
+}
+
+TEST_CASE("a vertex with many edges at once gains no energy by any of them") {
+  Random random(6);
+  for (int round = 0; round < 200; ++round) {
+    Net net;  // a hub and its rim, which flies off
+    net.add({0, 0, 0}, random_point(random, 1), random.uniform(0.01, 20));
+    for (std::uint32_t k = 1; k <= 40; ++k) {
+      const double angle = 0.157 * k;
+      const Vec3d out{std::cos(angle), std::sin(angle), 0};
+      net.add(out, random.uniform(0, 3) * out + random_point(random, 1), random.uniform(0.01, 20));
+      net.edges.push_back({0, k, 1.05F});
+      if (k > 1) net.edges.push_back({k - 1, k, 0.16F});
+    }
+    const Vec3d momentum = net.momentum();
+    double kinetic = net.kinetic();
+    for (int blow = 0; blow < 20; ++blow) {
+      separate({}, {}, 999, net.ways(1));
+      CHECK(net.kinetic() <= kinetic * (1 + 1e-12));
+      CHECK(length(net.momentum() - momentum) < 1e-7);
+      kinetic = net.kinetic();
+    }
+  }
+}
