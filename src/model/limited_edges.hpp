@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "model/model.hpp"
@@ -18,8 +19,9 @@ struct LimitedEdge {
 /// All of cloths that have a strain limit, in the order of their vertices: those whose stretch is measured, of grids
 /// without the diagonals, which shear lengthens. None of two nodes that the scene moves.
 std::vector<LimitedEdge> limited_edges(const Model& model);
+std::vector<LimitedEdge> limited_edges(const Model& model, const Body& body);  ///< of one of its bodies
 
-/// Of each of these springs the length beyond which it is stiffer, since its cloth has a strain limit; 0: none [m].
-std::vector<float> longest_lengths(const Model& model, const Springs& springs);
+/// Of each of these springs the length beyond which it is stiffer, since it is one of `edges`; 0: it is none [m].
+std::vector<float> longest_lengths(std::span<const LimitedEdge> edges, const Springs& springs);
 
 }  // namespace weft

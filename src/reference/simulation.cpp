@@ -26,11 +26,12 @@ std::vector<BendLink> bending_of(const Model& model) {
   return links;
 }
 
-/// The springs with the very numbers that the kernels get: f32, here widened.
-std::vector<SpringLink> links_of(const Model& model) {
+}  // namespace
+
+std::vector<SpringLink> spring_links(const Model& model) {
   std::vector<SpringLink> links;
   const Springs springs = model.springs();
-  const std::vector<float> longest = longest_lengths(model, springs);
+  const std::vector<float> longest = longest_lengths(limited_edges(model), springs);
   for (std::size_t k = 0; k < springs.size(); ++k) {
     const Spring s = springs[k];
     links.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length), static_cast<double>(s.stiffness),
@@ -38,8 +39,6 @@ std::vector<SpringLink> links_of(const Model& model) {
   }
   return links;
 }
-
-}  // namespace
 
 Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& assets) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
@@ -52,7 +51,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   MassSpringSystem& system = made.system_;
   for (std::size_t node = 0; node < made.model_->vertex_count(); ++node)
     system.inverse_mass.push_back(made.model_->inverse_mass(node));
-  system.springs = links_of(*made.model_);
+  system.springs = spring_links(*made.model_);
   system.bending = bending_of(*made.model_);
   system.acceleration = scene.gravity + scene.external_force;
   system.drag = scene.drag;

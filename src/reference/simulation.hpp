@@ -20,6 +20,9 @@
 
 namespace weft::reference {
 
+/// The springs of a model with the very numbers that the kernels get: f32, here widened.
+std::vector<SpringLink> spring_links(const Model& model);
+
 /// What sim::World does with a scene, in the same order. Adds, multiplies, divides and takes roots only, in
 /// one order: the same bits on every machine, native or WebAssembly.
 class Simulation {

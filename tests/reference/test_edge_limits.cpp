@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "contact/reference/proximity/truncate.hpp"
+#include "moved.hpp"
 #include "soup.hpp"
 
 using namespace weft;
@@ -15,16 +15,11 @@ using namespace weft::reference;
 namespace {
 
 /// A net of edges that flies apart, for a substep of a second.
-struct Net {
-  std::vector<Vec3d> start, end, velocity;
-  std::vector<double> inverse_mass;
+struct Net : Moved {
   std::vector<LimitedEdge> edges;
 
-  void add(const Vec3d& from, const Vec3d& speed, double inverse) {
-    start.push_back(from);
-    velocity.push_back(inverse > 0 ? speed : Vec3d{});
-    end.push_back(from + velocity.back());
-    inverse_mass.push_back(inverse);
+  void fly(const Vec3d& from, const Vec3d& speed, double inverse) {
+    add(from, inverse > 0 ? from + speed : from, inverse);
   }
   Ways ways(std::uint32_t rounds) { return {start, inverse_mass, end, velocity, 1, rounds, edges}; }
   double length_of(const LimitedEdge& edge) const { return length(end[edge.b] - end[edge.a]); }
@@ -38,23 +33,11 @@ struct Net {
     }
     return most;
   }
-  Vec3d momentum() const {
-    Vec3d sum;
-    for (std::size_t i = 0; i < velocity.size(); ++i)
-      if (inverse_mass[i] > 0) sum += velocity[i] / inverse_mass[i];
-    return sum;
-  }
   /// The angular momentum of what is at these places.
   Vec3d turning_about(const std::vector<Vec3d>& places) const {
     Vec3d sum;
     for (std::size_t i = 0; i < velocity.size(); ++i)
       if (inverse_mass[i] > 0) sum += cross(places[i], velocity[i]) / inverse_mass[i];
-    return sum;
-  }
-  double kinetic() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < velocity.size(); ++i)
-      if (inverse_mass[i] > 0) sum += 0.5 * dot(velocity[i], velocity[i]) / inverse_mass[i];
     return sum;
   }
 };
@@ -64,7 +47,7 @@ Net lattice(std::uint32_t side, Random& random, double speed, double limit) {
   Net net;
   for (std::uint32_t j = 0; j < side; ++j)
     for (std::uint32_t i = 0; i < side; ++i)
-      net.add({static_cast<double>(i), static_cast<double>(j), 0}, random_point(random, speed),
+      net.fly({static_cast<double>(i), static_cast<double>(j), 0}, random_point(random, speed),
               random.uniform(0.2, 5));
   const auto longest = static_cast<float>(1 + limit);
   for (std::uint32_t j = 0; j < side; ++j)
@@ -82,8 +65,8 @@ TEST_CASE("an edge that flies apart ends at its limit; what its ends have in com
   for (const double inverse : {1.0, 0.1, 0.0}) {
     CAPTURE(inverse);
     Net net;
-    net.add({0, 0, 0}, {-1, 0.3, 0}, inverse);
-    net.add({1, 0, 0}, {2, 0.3, 0}, 1);
+    net.fly({0, 0, 0}, {-1, 0.3, 0}, inverse);
+    net.fly({1, 0, 0}, {2, 0.3, 0}, 1);
     net.edges.push_back({0, 1, 1.1F});
     const Vec3d momentum = net.momentum();
     truncate({}, {}, 99, net.ways(1));
@@ -96,15 +79,15 @@ TEST_CASE("an edge that flies apart ends at its limit; what its ends have in com
 
 TEST_CASE("an edge that begins beyond its limit grows no longer, and is not thrown together") {
   Net net;
-  net.add({0, 0, 0}, {-1, 0, 0}, 1);
-  net.add({2, 0, 0}, {1, 0, 0}, 1);
+  net.fly({0, 0, 0}, {-1, 0, 0}, 1);
+  net.fly({2, 0, 0}, {1, 0, 0}, 1);
   net.edges.push_back({0, 1, 1.1F});
   truncate({}, {}, 99, net.ways(1));
   CHECK(net.length_of(net.edges[0]) == doctest::Approx(2));
   CHECK(length(net.velocity[1] - net.velocity[0]) < 1e-12);
   Net shrinking;
-  shrinking.add({0, 0, 0}, {0.1, 0, 0}, 1);
-  shrinking.add({2, 0, 0}, {-0.1, 0, 0}, 1);
+  shrinking.fly({0, 0, 0}, {0.1, 0, 0}, 1);
+  shrinking.fly({2, 0, 0}, {-0.1, 0, 0}, 1);
   shrinking.edges.push_back({0, 1, 1.1F});
   truncate({}, {}, 99, shrinking.ways(6));
   CHECK(shrinking.length_of(shrinking.edges[0]) == doctest::Approx(1.8));
@@ -133,11 +116,11 @@ TEST_CASE("a vertex with many edges at once gains no energy by any of them") {
   Random random(6);
   for (int round = 0; round < 200; ++round) {
     Net net;  // a hub and its rim, which flies off
-    net.add({0, 0, 0}, random_point(random, 1), random.uniform(0.01, 20));
+    net.fly({0, 0, 0}, random_point(random, 1), random.uniform(0.01, 20));
     for (std::uint32_t k = 1; k <= 40; ++k) {
       const double angle = 0.157 * k;
       const Vec3d out{std::cos(angle), std::sin(angle), 0};
-      net.add(out, random.uniform(0, 3) * out + random_point(random, 1), random.uniform(0.01, 20));
+      net.fly(out, random.uniform(0, 3) * out + random_point(random, 1), random.uniform(0.01, 20));
       net.edges.push_back({0, k, 1.05F});
       if (k > 1) net.edges.push_back({k - 1, k, 0.16F});
     }

@@ -12,6 +12,7 @@
 #include "contact/reference/proximity/separate.hpp"
 #include "contact/reference/proximity/truncate.hpp"
 #include "mesh/primitives.hpp"
+#include "moved.hpp"
 #include "scene/load.hpp"
 #include "soup.hpp"
 
@@ -19,39 +20,6 @@ using namespace weft;
 using namespace weft::reference;
 
 namespace {
-
-/// The ways of some vertices in a substep, each with the velocity of its way in a second.
-struct Moved {
-  std::vector<Vec3d> start, end, velocity;
-  std::vector<double> inverse_mass;
-
-  void add(const Vec3d& from, const Vec3d& to, double inverse = 1) {
-    start.push_back(from);
-    end.push_back(to);
-    velocity.push_back(to - from);
-    inverse_mass.push_back(inverse);
-  }
-  Truncated cut(const std::vector<SolidPlane>& planes, const std::vector<ClothPair>& pairs, double reach,
-                std::uint32_t separations = 0) {
-    return truncate(planes, pairs, reach, {start, inverse_mass, end, velocity, 1, separations});
-  }
-  Vec3d momentum() const {
-    Vec3d sum;
-    for (std::size_t i = 0; i < velocity.size(); ++i)
-      if (inverse_mass[i] > 0) sum += velocity[i] / inverse_mass[i];
-    return sum;
-  }
-  /// How near two vertices come on their ways [m].
-  double nearest(std::uint32_t a, std::uint32_t b) const {
-    return closest_on_segment({}, start[a] - start[b], end[a] - end[b]).distance;
-  }
-  double kinetic() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < velocity.size(); ++i)
-      if (inverse_mass[i] > 0) sum += 0.5 * dot(velocity[i], velocity[i]) / inverse_mass[i];
-    return sum;
-  }
-};
 
 constexpr Vec3d kUp{0, 1, 0};
 

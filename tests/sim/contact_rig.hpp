@@ -6,7 +6,7 @@
 
 #include "contact/reference/proximity/audit.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
-#include "model/limited_edges.hpp"
+#include "reference/simulation.hpp"
 #include "scene/motion.hpp"
 #include "world_rig.hpp"
 
@@ -121,14 +121,7 @@ inline reference::MassSpringSystem system_of(const sim::World& world, const Mome
   system.position = now.position;
   system.velocity = now.velocity;
   for (const double mass : now.mass) system.inverse_mass.push_back(mass > 0 ? 1 / mass : 0);
-  const Springs springs = world.model().host.springs();
-  const std::vector<float> longest = longest_lengths(world.model().host, springs);
-  for (std::size_t k = 0; k < springs.size(); ++k) {
-    const Spring s = springs[k];
-    system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
-                              static_cast<double>(s.stiffness), static_cast<double>(s.damping),
-                              static_cast<double>(longest[k])});
-  }
+  system.springs = reference::spring_links(world.model().host);
   system.acceleration = world.scene().gravity;
   return system;
 }

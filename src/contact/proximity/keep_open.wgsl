@@ -6,6 +6,7 @@
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/patches.wgsl"
+#include "contact/proximity/rounds.wgsl"
 //                                                                             elements
 @group(0) @binding(0) var<storage, read>       previous        : array<vec4f>;      // vertex_count  m; w: 1/kg
 @group(0) @binding(1) var<storage, read>       position        : array<vec4f>;      // vertex_count  m, where ways end
@@ -90,10 +91,7 @@ fn keep_quad(number : u32, k : u32) {
 fn keep_open(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
              @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
-    let asks = kFirst && !kEndWays;
-    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u ||
-               (!asks && atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, kEndWays) < kRound);
-    quads = select(kCellQuads * arrayLength(&places), 0u, idle);
+    quads = select(kCellQuads * arrayLength(&places), 0u, round_is_idle(kRound, kFirst, kEndWays));
   }
   let count = workgroupUniformLoad(&quads);
   for (var k = id.x; k < count; k += groups.x * kWorkgroupSize) { keep_quad(k / kCellQuads, k % kCellQuads); }

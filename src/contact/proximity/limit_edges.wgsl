@@ -6,6 +6,7 @@
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
+#include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/sums.wgsl"
 struct LimitedEdge {  // mirror: src/model/limited_edges.hpp
   a : u32,
@@ -25,9 +26,6 @@ override kFirst : bool = true;  // of the rounds
 override kGives : bool = false;
 const kBeyond = 1.001;  // of the limit: an edge that is no longer stays as it is
 
-fn share_count(vertex : u32) -> f32 {
-  return f32(max(1u, atomicLoad(&vertex_contacts[kVertexWords * vertex + kShareWord])));
-}
 fn move_by(vertex : u32, by : f32, by_speed : f32, n : vec3f) {
   if (by == 0.0) { return; }
   add_units(kVertexWords * vertex + kPushWord, kPushUnits, by * n);
@@ -37,10 +35,7 @@ fn move_by(vertex : u32, by : f32, by_speed : f32, n : vec3f) {
 @compute @workgroup_size(kWorkgroupSize)
 fn limit_edges(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
-  if (index >= arrayLength(&edges)) { return; }
-  let asks = kFirst && !kGives;
-  if (atomicLoad(&statistics[kStatRolledBack]) != 0u) { return; }
-  if (!asks && atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, kGives) < kRound) { return; }
+  if (index >= arrayLength(&edges) || round_is_idle(kRound, kFirst, kGives)) { return; }
   let edge = edges[index];
   let start = previous[edge.b].xyz - previous[edge.a].xyz;
   let end = position[edge.b].xyz - position[edge.a].xyz;

@@ -8,6 +8,7 @@
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/meeting.wgsl"
+#include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/separation.wgsl"
 #include "contact/proximity/sides.wgsl"
 #include "contact/proximity/sums.wgsl"
@@ -26,9 +27,6 @@ override kFirst : bool = true;  // of the rounds that separate
 override kGives : bool = false;
 var<workgroup> pairs : u32;
 
-fn share_count(vertex : u32) -> f32 {
-  return f32(max(1u, atomicLoad(&vertex_contacts[kVertexWords * (vertex & kIdBits) + kShareWord])));
-}
 fn speeds_along(ids : vec4u, n : vec3f) -> vec4f {
   let at = ids & vec4u(kIdBits);
   return vec4f(dot(n, velocity[at.x].xyz), dot(n, velocity[at.y].xyz), dot(n, velocity[at.z].xyz),
@@ -54,10 +52,7 @@ fn give(ids : vec4u, word : u32, units_in_one : f32, amounts : vec4f, n : vec3f)
 fn separate_pairs(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
                   @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
-    let asks = kFirst && !kGives;
-    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u ||
-               (!asks && atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, kGives) < kRound);
-    pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, idle);
+    pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, round_is_idle(kRound, kFirst, kGives));
   }
   let count = workgroupUniformLoad(&pairs);
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {

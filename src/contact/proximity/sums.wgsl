@@ -4,6 +4,11 @@
 // The part of a vertex's mass that a pair has, in kShareUnits of the sum that it is a part of: equation (2).
 fn share_units(urgency : f32, weight : f32) -> u32 { return u32(round(kShareUnits * urgency * abs(weight))); }
 
+// In how many parts a vertex's mass is shared by what moves it in a round.
+fn share_count(id : u32) -> f32 {
+  return f32(max(1u, atomicLoad(&vertex_contacts[kVertexWords * (id & kIdBits) + kShareWord])));
+}
+
 fn add_units(word : u32, units_in_one : f32, value : vec3f) {
   let units = vec3i(round(clamp(units_in_one * value, vec3f(-kMostUnits), vec3f(kMostUnits))));
   for (var axis = 0u; axis < 3u; axis++) {

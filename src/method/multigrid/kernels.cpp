@@ -42,6 +42,14 @@ gpu::Constant bend(const CycleInputs& inputs) {
   return {"kBend", any ? 1.0 : 0.0};
 }
 
+/// Whether an edge has a strain limit, for the kernels that evaluate springs.
+gpu::Constant limits(const CycleInputs& inputs) {
+  const auto& bodies = inputs.model.host.bodies;
+  const bool any = std::any_of(bodies.begin(), bodies.end(),
+                               [](const Body& body) { return body.strain_limit.has_value(); });
+  return {"kLimits", any ? 1.0 : 0.0};
+}
+
 /// The vector in which the second smoothing sweep finds the solution: the first sweep itself on the way
 /// down.
 gpu::Constant down() { return {"kFrom", multigrid::kDirection}; }
@@ -90,18 +98,18 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
 
 Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
   const std::uint32_t size = inputs.workgroup_size;
-  const std::vector<gpu::Constant> of_springs = {holds(inputs), bend(inputs)};
+  const std::vector<gpu::Constant> of_springs = {holds(inputs), bend(inputs), limits(inputs)};
   using K = GridKernels;
   const Row<K> table[] = {
       {&K::gradient, "gradient", size, of_springs},
-      {&K::galerkin_fine, "galerkin_fine", size, {holds(inputs)}},
+      {&K::galerkin_fine, "galerkin_fine", size, {holds(inputs), limits(inputs)}},
       {&K::galerkin, "galerkin", size},
       {&K::smooth_fine, "smooth_fine", size, of_springs},
       {&K::residual_fine, "residual_fine", size, of_springs},
       {&K::correct_fine, "correct_fine", size},
       {&K::prolong_fine, "prolong_fine", size, of_springs},
       {&K::smooth_last, "smooth_last_fine", size, of_springs},
-      {&K::search, "search_fine", size, {holds(inputs), bend(inputs), pairs(inputs)}},
+      {&K::search, "search_fine", size, {holds(inputs), bend(inputs), limits(inputs), pairs(inputs)}},
       {&K::restrict_residual, "restrict_residual", size},
       {&K::descend, "descend_coarse", size},
       {&K::ascend, "ascend_coarse", size},
@@ -116,7 +124,7 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
   const std::uint32_t size = inputs.workgroup_size;
   using K = MeshKernels;
   const Row<K> table[] = {
-      {&K::gradient, "mesh_gradient", size, {holds(inputs)}},
+      {&K::gradient, "mesh_gradient", size, {holds(inputs), limits(inputs)}},
       {&K::galerkin, "mesh_galerkin", size},
       {&K::smooth_down, "mesh_smooth_end", size, {down()}},
       {&K::residual, "mesh_residual", size},

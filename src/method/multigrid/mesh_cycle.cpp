@@ -12,7 +12,8 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
   const MeshLists lists = mesh_lists(mesh_levels(inputs.model.host, body, springs));
   made.shapes_ = lists.levels;
   WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_, multigrid::kMeshTailNodes));
-  WEFT_CHECK(made.create_lists(inputs.device, lists, springs, longest_lengths(inputs.model.host, springs)));
+  WEFT_CHECK(made.create_lists(inputs.device, lists, springs,
+                               longest_lengths(limited_edges(inputs.model.host, body), springs)));
   WEFT_CHECK(made.create_system(inputs, kernels));
   WEFT_CHECK(made.create_levels(kernels));
   return made;

@@ -13,6 +13,7 @@ fn formula_of(ratio : f32) -> Formula {
 // A spring's rest length, m, and stiffness, N/m; beyond `longest`, m, if that is not 0, there is `more` of it: equation
 // (5a).
 struct SpringLaw { rest_length : f32, stiffness : f32, longest : f32, more : f32 }
+override kLimits : bool = true;  // false: no spring has such a length
 const kStiffer = 50.0;  // mirror: src/element/spring/law.hpp
 fn law_of(rest_length : f32, longest : f32, stiffness : f32) -> SpringLaw {
   return SpringLaw(rest_length, stiffness, longest, kStiffer * stiffness);
@@ -20,6 +21,7 @@ fn law_of(rest_length : f32, longest : f32, stiffness : f32) -> SpringLaw {
 // k (l - l0) + m (l - L) = (k + m) (l - (k l0 + m L)/(k + m)): of such a length it is another spring.
 struct LawAtLength { rest_length : f32, stiffness : f32 }
 fn law_at(law : SpringLaw, len : f32) -> LawAtLength {
+  if (!kLimits) { return LawAtLength(law.rest_length, law.stiffness); }
   let beyond = law.longest > 0.0 && len > law.longest;
   let stiffness = law.stiffness + law.more;
   let rest_length = (law.stiffness * law.rest_length + law.more * law.longest) / stiffness;
