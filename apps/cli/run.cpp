@@ -27,7 +27,7 @@ bool strikes(const std::string& fault, const char* kind, std::uint32_t frame) {
 }
 
 /// Says in which frames contact shortened more than one in a thousand ways of vertices, how many an obstacle has
-/// passed, and what linear systems were left with.
+/// passed, by how much cloth was slowed down, and what linear systems were left with.
 class Altered {
  public:
   void add(const sim::World& world, std::uint32_t frame) {
@@ -49,6 +49,11 @@ class Altered {
       say("Obstacles have come past cloth %llu times, since the cloth behind it did not give way.",
           static_cast<unsigned long long>(world.totals().driven));
     const sim::Totals& totals = world.totals();
+    if (totals.slowed > 0)
+      say("Cloth was slowed down in %llu substeps, by %.3g substeps of time in all, since it would have "
+          "passed "
+          "through cloth: more substeps help.",
+          static_cast<unsigned long long>(totals.slowed), 0.001 * static_cast<double>(totals.delay));
     if (totals.unsolved > 0)
       say("Linear systems of substeps kept more than %g of their residual %llu times, at most %.2g after %u "
           "iteration%s: more substeps help.",

@@ -27,6 +27,10 @@ struct Totals {
   std::uint64_t truncated = 0;
   /// Of these, vertices that an obstacle has passed since cloth behind them did not give way.
   std::uint64_t driven = 0;
+  /// Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity).
+  std::uint64_t slowed = 0;
+  /// Thousandths of a substep that these were short of.
+  std::uint64_t delay = 0;
   /// Pairs of features that are listed at the end of a frame (proximity), the most of any.
   std::uint32_t pairs = 0;
   /// Pairs of triangles that the last search of a frame has listed (proximity), the most of any.
@@ -58,6 +62,8 @@ void for_each(const Totals& totals, Visit&& visit) {
   visit("crossings", totals.crossings);
   visit("truncated", totals.truncated);
   visit("driven", totals.driven);
+  visit("slowed", totals.slowed);
+  visit("delay", totals.delay);
   visit("pairs", totals.pairs);
   visit("candidates", totals.candidates);
   visit("near", totals.near);

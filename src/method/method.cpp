@@ -66,8 +66,6 @@ bool is_copy(const Model& model, std::size_t body) {
   return grid && before && grid->nx == before->nx && grid->ny == before->ny;
 }
 
-double of_nodes(const StepCost& cost, double nodes) { return cost.step + cost.node * nodes; }
-
 /// How a method would step the scene, if it can. Errors  as choose_method.
 Result<MethodChoice> choice_of(const scene::Scene& scene, const Model& model, const Method& method) {
   WEFT_CHECK(check_elements(scene, model, method));
@@ -91,15 +89,17 @@ std::string cost_of(const MethodChoice& choice, double milliseconds) {
 
 double predicted_frame(const scene::Scene& scene, const Model& model, const Method& method,
                        std::uint32_t substeps) {
-  double step = 0;
+  double step = 0, contact = 0;  // contact has one set of dispatches for all cloths
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];
     const StepCost& cost = body.grid ? method.cost->grid : method.cost->mesh;
     step += cost.node * body.vertex_count + (is_copy(model, b) ? 0 : cost.step);
+    if (scene.contact.method != scene::ContactMethod::Proximity) continue;
+    const StepCost& more = body.grid ? method.cost->grid_contact : method.cost->mesh_contact;
+    step += more.node * body.vertex_count;
+    contact = std::max(contact, more.step);
   }
-  if (scene.contact.method == scene::ContactMethod::Proximity)
-    step += of_nodes(method.cost->contact, static_cast<double>(model.vertex_count()));
-  return substeps * step;
+  return substeps * (step + contact);
 }
 
 Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model) {

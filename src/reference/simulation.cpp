@@ -122,7 +122,8 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
   const std::uint32_t count = frame.substeps;
   const double dt = scene_.time.frame / count;
   const double before = static_cast<double>(frame_) * count + number;  // substeps, were all frames cut alike
-  const std::vector<Vec3d> previous = system_.position;
+  const std::vector<Vec3d> previous = system_.position, velocity_before = system_.velocity;
+  if (proximity_ && number == 0) proximity_->begin_frame(count);
   system_.time = before * dt;  // of the wind
   // As sim::FrameSteps counts time, to the bit: it decides which substep is the first of a grab.
   set_grabs(time() + number * dt + dt);
@@ -138,8 +139,8 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
   if (!proximity_) {
     answer_contacts(previous);
   } else if (finite()) {
-    contacts_ += proximity_->answer({previous, system_.inverse_mass, system_.position, system_.velocity,
-                                     stepper_->held(), stepper_->pair_forces()},
+    contacts_ += proximity_->answer({previous, velocity_before, system_.inverse_mass, system_.position,
+                                     system_.velocity, stepper_->held(), stepper_->pair_forces()},
                                     before * dt, dt);
     const std::vector<bool>& beside_cloth = proximity_->beside_cloth();
     for (std::size_t node = 0; node < beside_cloth.size(); ++node)

@@ -27,6 +27,10 @@ struct Statistics {
   std::uint32_t truncated = 0;
   /// Of these, vertices that an obstacle has passed since cloth behind them did not give way.
   std::uint32_t driven = 0;
+  /// Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity).
+  std::uint32_t slowed = 0;
+  /// Thousandths of a substep that these were short of.
+  std::uint32_t delay = 0;
   /// Pairs of features that are listed at the end of a frame (proximity).
   std::uint32_t pairs = 0;
   /// Pairs of triangles that the last search of a frame has listed (proximity).
@@ -59,12 +63,16 @@ struct Statistics {
   std::uint32_t far_ways = 0;
   /// The last round of a substep in which cloth could meet other cloth on its way; 0: none.
   std::uint32_t meeting = 0;
+  /// Of the frame's substeps before this one.
+  std::uint32_t delay_before = 0;
+  /// The bits, inverted, of the part that all cloth may go of its ways; 0: all.
+  std::uint32_t slow_part = 0;
   /// How far a collider may go until the next search [m].
   float reach = 0;
   /// How far one may have gone since this search [m].
   float travel = 0;
 };
-static_assert(sizeof(Statistics) == 26 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 30 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -79,6 +87,8 @@ inline void add(Totals& totals, const Statistics& frame) {
   totals.crossings = std::max(totals.crossings, frame.crossings);
   totals.truncated += frame.truncated;
   totals.driven += frame.driven;
+  totals.slowed += frame.slowed;
+  totals.delay += frame.delay;
   totals.pairs = std::max(totals.pairs, frame.pairs);
   totals.candidates = std::max(totals.candidates, frame.candidates);
   totals.near = std::max(totals.near, frame.near);
@@ -100,6 +110,8 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("crossings", statistics.crossings);
   visit("truncated", statistics.truncated);
   visit("driven", statistics.driven);
+  visit("slowed", statistics.slowed);
+  visit("delay", statistics.delay);
   visit("pairs", statistics.pairs);
   visit("candidates", statistics.candidates);
   visit("near", statistics.near);
@@ -116,6 +128,8 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("near_before", statistics.near_before);
   visit("far_ways", statistics.far_ways);
   visit("meeting", statistics.meeting);
+  visit("delay_before", statistics.delay_before);
+  visit("slow_part", statistics.slow_part);
   visit("reach", statistics.reach);
   visit("travel", statistics.travel);
 }

@@ -16,39 +16,47 @@ const kStatCrossings = 5u;
 const kStatTruncated = 6u;
 // Of these, vertices that an obstacle has passed since cloth behind them did not give way.
 const kStatDriven = 7u;
+// Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity).
+const kStatSlowed = 8u;
+// Thousandths of a substep that these were short of.
+const kStatDelay = 9u;
 // Pairs of features that are listed at the end of a frame (proximity).
-const kStatPairs = 8u;
+const kStatPairs = 10u;
 // Pairs of triangles that the last search of a frame has listed (proximity).
-const kStatCandidates = 9u;
+const kStatCandidates = 11u;
 // Of the pairs, those near enough to have a record, at the end of a frame (proximity).
-const kStatNear = 10u;
+const kStatNear = 12u;
 // Iterations that the linear systems of a substep took, the most (implicit solver).
-const kStatIterations = 11u;
+const kStatIterations = 13u;
 // Iterations of the last linear system of a substep, the most (implicit solver).
-const kStatCorrections = 12u;
+const kStatCorrections = 14u;
 // The largest part of its residual that a linear system kept (implicit solver), as the bits of a positive f32.
-const kStatResidual = 13u;
+const kStatResidual = 15u;
 // Linear systems that were left with a larger residual than wanted (implicit solver).
-const kStatUnsolved = 14u;
+const kStatUnsolved = 16u;
 // Nodes that are not finite; 0 but where a run diverged.
-const kStatNonfinite = 15u;
+const kStatNonfinite = 17u;
 // 1 once the state is frozen at the last good frame.
-const kStatFrozen = 16u;
+const kStatFrozen = 18u;
 // 1 once a list was too short: the state is as before the frame until the list is longer.
-const kStatRolledBack = 17u;
+const kStatRolledBack = 19u;
 // 1: a vertex is about to leave its reach.
-const kStatDetect = 18u;
+const kStatDetect = 20u;
 // 1: a search is under way.
-const kStatDue = 19u;
+const kStatDue = 21u;
 // Edges through triangles that they do not touch at rest, of the last search (proximity).
-const kStatCrossingsLeft = 20u;
+const kStatCrossingsLeft = 22u;
 // Near pairs before the search that is under way.
-const kStatNearBefore = 21u;
+const kStatNearBefore = 23u;
 // 1: some vertex goes farther than to the obstacles that have records (proximity).
-const kStatFarWays = 22u;
+const kStatFarWays = 24u;
 // The last round of a substep in which cloth could meet other cloth on its way; 0: none.
-const kStatMeeting = 23u;
+const kStatMeeting = 25u;
+// Of the frame's substeps before this one.
+const kStatDelayBefore = 26u;
+// The bits, inverted, of the part that all cloth may go of its ways; 0: all.
+const kStatSlowPart = 27u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
-const kStatReach = 24u;
+const kStatReach = 28u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
-const kStatTravel = 25u;
+const kStatTravel = 29u;

@@ -48,12 +48,11 @@ inline double openness(const std::array<Vec3d, 3>& at, const std::array<std::arr
   return 0.5 * (x + y) - std::hypot(0.5 * (x - y), shear);
 }
 
-/// λ of a patch; 0 where there is none.
+/// λ of a patch along axes; 0 where there is none.
 template <class Vec>
 double openness_of(const contact::PatchPlace& place, const std::vector<Vec>& positions,
-                   const std::vector<mesh::Triangle>& triangles) {
+                   const std::vector<mesh::Triangle>& triangles, const PatchAxes& axes) {
   if (place.patch_size == 0) return 0;
-  const PatchAxes axes = axes_of(place, positions);
   double least = 1;
   for (const mesh::Triangle& t : triangles) {
     std::array<Vec3d, 3> at;

@@ -34,11 +34,15 @@ std::vector<Vec3f> waves(const std::vector<Vec3f>& flat, double depth, double sh
   return made;
 }
 
-/// The open patches of a table, as the kernel has to see them.
-std::vector<bool> open_patches(const contact::PatchTable& table, const SearchRun& run) {
+/// The open patches of a table, as the kernel has to see them: now, and where the motion leads [m].
+std::vector<bool> open_patches(const contact::PatchTable& table, const SearchRun& run,
+                               const std::vector<Vec3f>& ends) {
   std::vector<bool> open;
   for (const contact::PatchPlace& place : table.places) {
-    const double lambda = openness_of(place, run.setup().cloth.positions, run.setup().cloth.triangles);
+    const auto& cloth = run.setup().cloth;
+    const PatchAxes axes = axes_of(place, cloth.positions);
+    const double lambda = std::min(openness_of(place, cloth.positions, cloth.triangles, axes),
+                                   openness_of(place, ends, cloth.triangles, axes));
     REQUIRE(std::abs(lambda - kOpen) > 1e-5);
     open.push_back(lambda > kOpen);
   }
@@ -85,8 +89,12 @@ TEST_CASE("a search leaves out pairs of open patches, which are far apart, and l
       std::vector<Vec3f> velocities;
       for (std::size_t v = 0; v < flat.size(); ++v)
         velocities.push_back((Vec3d{6, 2, 4} + random_direction(random)).to<float>());
-      run.move(waves(flat, depth, 0.02 / quads, random), velocities);
-      const std::vector<bool> open = open_patches(table, run);
+      const std::vector<Vec3f> start = waves(flat, depth, 0.02 / quads, random);
+      run.move(start, velocities);
+      std::vector<Vec3f> ends;
+      for (std::size_t v = 0; v < flat.size(); ++v)
+        ends.push_back((start[v].to<double>() + setup.substep * velocities[v].to<double>()).to<float>());
+      const std::vector<bool> open = open_patches(table, run, ends);
       const SearchFound found = run.run();
 
       const auto measured = gpu::download(fixture.device(), run.search().patches().openness());

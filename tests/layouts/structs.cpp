@@ -108,7 +108,7 @@ Json step_contact() {
   using T = StepBlock::Contact;
   return row("StepContact", "state/step.wgsl", sizeof(T), alignof(T),
              {M(thickness), M(self_thickness), M(push_scale), M(max_push), M(most_reach), M(restitution),
-              M(collider_travel), M(detect), M(point_count), M(first_place)});
+              M(collider_travel), M(detect), M(point_count), M(first_place), M(most_delay)});
 }
 Json step_air() {
   using T = StepBlock::Air;

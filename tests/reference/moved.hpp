@@ -11,18 +11,20 @@ namespace weft::reference {
 
 /// The ways of some vertices in a substep, each with the velocity of its way in a second.
 struct Moved {
-  std::vector<Vec3d> start, end, velocity;
+  std::vector<Vec3d> start, end, velocity_before, velocity;
   std::vector<double> inverse_mass;
 
   void add(const Vec3d& from, const Vec3d& to, double inverse = 1) {
     start.push_back(from);
     end.push_back(to);
+    velocity_before.push_back(to - from);
     velocity.push_back(to - from);
     inverse_mass.push_back(inverse);
   }
   Truncated cut(const std::vector<SolidPlane>& planes, const std::vector<ClothPair>& pairs, double reach,
-                std::uint32_t separations = 0) {
-    return truncate(planes, pairs, reach, {start, inverse_mass, end, velocity, 1, separations});
+                std::uint32_t separations = 0, double most_delay = 0) {
+    return truncate(planes, pairs, reach,
+                    {start, inverse_mass, end, velocity, 1, separations, {}, most_delay, velocity_before});
   }
   Vec3d momentum() const {
     Vec3d sum;

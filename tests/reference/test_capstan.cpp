@@ -19,13 +19,14 @@ CapstanWatch seen_in_double(const Capstan& capstan) {
   CapstanWatch watch(now);
   const double dt = 1.0 / 480;
   for (int step = 0; step < 480; ++step) {
-    const std::vector<Vec3d> before = now.position;
+    const std::vector<Vec3d> before = now.position, velocity_before = now.velocity;
     strip.stepper.advance({now, before, dt, 1, [&](std::span<const Vec3d> velocity) -> reference::Pressed {
                              return {{}, contact.presses(before, velocity, step * dt, dt)};
                            }});
     const std::vector<Vec3d> position = now.position, velocity = now.velocity;
-    contact.answer({before, now.inverse_mass, now.position, now.velocity, strip.stepper.held()}, step * dt,
-                   dt);
+    contact.answer(
+        {before, velocity_before, now.inverse_mass, now.position, now.velocity, strip.stepper.held()},
+        step * dt, dt);
     for (std::size_t node = 0; node < position.size(); ++node)
       if (now.position[node] != position[node] || now.velocity[node] != velocity[node])
         strip.stepper.forget(node);

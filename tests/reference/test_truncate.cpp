@@ -100,6 +100,70 @@ TEST_CASE("a stop goes down through a pile: what comes after ends its way before
   for (std::uint32_t k = 1; k < 6; ++k) CHECK(moved.end[k].y - moved.end[k - 1].y >= 0.1 - 1e-12);
 }
 
+TEST_CASE("a substep that ends before its time is one that has gone some of its way: all but time is kept") {
+  // Node 0 stands, the others fly into it in a column with gaps of 1, all by 5, beside one that meets nothing.
+  const auto flown = [](double most_delay) {
+    Moved moved;
+    std::vector<ClothPair> pairs;
+    for (std::uint32_t k = 0; k < 9; ++k) {
+      moved.add({0, 1.0 * k, 0}, {0, k == 0 ? 0 : k - 5.0, 0}, k == 0 ? 0 : 1);
+      moved.velocity_before.back() = {k == 8 ? 7.0 : 0, 1, 0};
+      if (k > 0 && k < 8) pairs.push_back(above(k, k - 1, k - 0.5, 0.05));
+    }
+    return std::pair(moved, moved.cut({}, pairs, 99, 0, most_delay));
+  };
+  const auto [held, held_count] = flown(0);
+  CHECK(held_count.vertices == 7);
+  CHECK(held_count.delay == 0);
+  const auto [moved, count] = flown(1);
+  REQUIRE(count.delay > 0);
+  CHECK(count.vertices < 7);
+  const double part = (moved.end[8] - moved.start[8]).y / -5;
+  CHECK(count.delay == doctest::Approx(1 - part).epsilon(1e-3));
+  for (std::uint32_t k = 1; k < 9; ++k) {
+    CHECK(moved.nearest(k, k == 8 ? 0 : k - 1) >= (k == 8 ? 0 : 0.1 - 1e-12));
+    if (k < 6) continue;  // those below were marked, and had lost some of their way before
+    CHECK(length(moved.end[k] - moved.start[k] - part * Vec3d{0, -5, 0}) < 1e-12);
+    const Vec3d before = moved.velocity_before[k];
+    CHECK(length(moved.velocity[k] - before - part * (Vec3d{0, -5, 0} - before)) < 1e-12);
+  }
+  CHECK(flown(0.5 * count.delay).second.delay == 0);  // no more than it may
+  CHECK(flown(0.5 * count.delay).first.end == held.end);
+}
+
+TEST_CASE("random columns that fly into what stands keep apart all along, whatever they lose of their time") {
+  Random random(62);
+  int delayed = 0, held = 0;
+  for (int round = 0; round < 300; ++round) {
+    Moved moved;
+    std::vector<ClothPair> pairs;
+    double y = 0;
+    for (std::uint32_t k = 0; k < 10; ++k) {
+      const Vec3d from = Vec3d{0, y, 0} + 0.2 * random_point(random, 1);
+      moved.add(from, k == 0 ? from : from + Vec3d{0, -5, 0} + random_point(random, 1), k == 0 ? 0 : 1);
+      y += random.uniform(0.5, 1.5);
+      for (std::uint32_t below = k < 2 ? 0 : k - 2; below < k; ++below) {
+        const Vec3d apart = from - moved.start[below];
+        const double gap = length(apart);
+        pairs.push_back({1,
+                         1,
+                         {k, below},
+                         apart / gap,
+                         dot(apart / gap, 0.5 * (from + moved.start[below])),
+                         0.05 * gap,
+                         0.1 * gap,
+                         gap});
+      }
+    }
+    const Truncated count = moved.cut({}, pairs, 99, 0, random.uniform(0, 1.2));
+    for (const ClothPair& pair : pairs)
+      CHECK(moved.nearest(pair.nodes[0], pair.nodes[1]) >= 2 * pair.margin - 1e-12);
+    ++(count.delay > 0 ? delayed : held);
+  }
+  CHECK(delayed > 50);
+  CHECK(held > 50);
+}
+
 TEST_CASE("two sides that are separated end as far apart as asked, without momentum and with less energy") {
   Random random(62);
   for (int round = 0; round < 20000; ++round) {

@@ -21,6 +21,10 @@ export interface Totals {
   truncated: number;
   /** Of these, vertices that an obstacle has passed since cloth behind them did not give way. */
   driven: number;
+  /** Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity). */
+  slowed: number;
+  /** Thousandths of a substep that these were short of. */
+  delay: number;
   /** Pairs of features that are listed at the end of a frame (proximity), the most of any. */
   pairs: number;
   /** Pairs of triangles that the last search of a frame has listed (proximity), the most of any. */
@@ -51,6 +55,8 @@ export const TOTALS = [
   "crossings",
   "truncated",
   "driven",
+  "slowed",
+  "delay",
   "pairs",
   "candidates",
   "near",
@@ -74,6 +80,8 @@ export function noTotals(): Totals {
     crossings: 0,
     truncated: 0,
     driven: 0,
+    slowed: 0,
+    delay: 0,
     pairs: 0,
     candidates: 0,
     near: 0,

@@ -10,39 +10,63 @@ constexpr std::uint32_t kQuads = 64;  // of a patch that a workgroup tests at on
 }  // namespace
 
 Result<ClothPatches> ClothPatches::create(gpu::Device& device, const PatchTable& table, const State& state,
-                                          const ContactPairs& pairs, std::uint32_t workgroup_size) {
+                                          const ContactPairs& pairs, std::size_t separations,
+                                          std::uint32_t workgroup_size) {
   ClothPatches made;
   made.count_ = table.places.size();
   WEFT_SET(made.openness_,
            gpu::Buffer<Vec4f>::create(device, std::max<std::size_t>(2 * made.count_, 1), "patches"));
   if (made.count_ == 0) return made;
   WEFT_SET(made.places_, gpu::Buffer<PatchPlace>::create_from(device, table.places, "patch places"));
-  WEFT_SET(made.find_open_, gpu::Kernel::create(device, "contact/proximity/find_open.wgsl", {}, kQuads));
+  const auto find = [&](bool early) {
+    return gpu::Kernel::create(device, "contact/proximity/find_open.wgsl",
+                               {{"kPredicted", early ? 0.0 : 1.0}}, kQuads);
+  };
+  WEFT_SET(made.find_open_, find(false));
+  WEFT_SET(made.find_early_, find(true));
   const auto keep = [&](std::size_t round, double end_ways) {
     return gpu::Kernel::create(device, "contact/proximity/keep_open.wgsl",
                                {{"kRound", static_cast<double>(kMostSeparations + round + 1)},
                                 {"kFirst", round == 0 ? 1.0 : 0.0},
+                                {"kIsLast", round + 1 == kRounds ? 1.0 : 0.0},
                                 {"kEndWays", end_ways}},
                                workgroup_size);
   };
   WEFT_SET(made.end_ways_, keep(0, 1));
   for (std::size_t round = 0; round < kRounds; ++round) WEFT_SET(made.mark_[round], keep(round, 0));
+  WEFT_SET(made.unfold_,
+           SeparationRounds::create(device, "contact/proximity/unfold.wgsl", separations, workgroup_size));
   for (std::size_t parity = 0; parity < 2; ++parity) {
     const auto &start = state.position[parity], &end = state.position[1 - parity];
-    WEFT_SET(made.find_groups_[parity],
-             made.find_open_.bind({state.steps, start, made.places_, state.statistics, made.openness_}));
+    const auto bind_find = [&](const gpu::Kernel& kernel, const gpu::Buffer<Vec4f>& motion) {
+      return kernel.bind({state.steps, start, motion, made.places_, state.statistics, made.openness_});
+    };
+    WEFT_SET(made.find_groups_[parity], bind_find(made.find_open_, end));
+    WEFT_SET(made.early_groups_[parity], bind_find(made.find_early_, state.velocity[parity]));
     const auto bind = [&](const gpu::Kernel& kernel) {
       return kernel.bind({start, end, made.places_, made.openness_, pairs.vertex_contacts, state.statistics});
     };
     WEFT_SET(made.end_groups_[parity], bind(made.end_ways_));
+    WEFT_CHECK(made.unfold_.bind(parity, {state.steps, start, end, state.velocity[1 - parity], made.places_,
+                                          made.openness_, pairs.vertex_contacts, state.statistics}));
     for (std::size_t round = 0; round < kRounds; ++round)
       WEFT_SET(made.mark_groups_[round][parity], bind(made.mark_[round]));
   }
   return made;
 }
 
-void ClothPatches::record_search(gpu::ComputePass& pass) const {
-  if (count_ > 0) find_open_.dispatch(pass, find_groups_[pass.parity()], kQuads * count_);
+void ClothPatches::record_search(gpu::ComputePass& pass, bool early) const {
+  if (count_ == 0) return;
+  const gpu::Kernel& kernel = early ? find_early_ : find_open_;
+  kernel.dispatch(pass, (early ? early_groups_ : find_groups_)[pass.parity()], kQuads * count_);
+}
+
+void ClothPatches::record_counts(gpu::ComputePass& pass, std::size_t round) const {
+  if (count_ > 0) unfold_.count(round).dispatch_strided(pass, kCellQuads * count_);
+}
+
+void ClothPatches::record_gifts(gpu::ComputePass& pass, std::size_t round) const {
+  if (count_ > 0) unfold_.give(round).dispatch_strided(pass, kCellQuads * count_);
 }
 
 void ClothPatches::record_marks(gpu::ComputePass& pass, std::size_t round) const {

@@ -39,6 +39,8 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   if (vertex == 0u) {
     schedule_for_colliders();
     atomicStore(&statistics[kStatMeeting], 0u);
+    atomicStore(&statistics[kStatSlowPart], 0u);
+    atomicStore(&statistics[kStatDelayBefore], atomicLoad(&statistics[kStatDelay]));
   }
 
   let found = predicted[step.nodes.count + vertex];

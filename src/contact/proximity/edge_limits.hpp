@@ -1,11 +1,8 @@
 #pragma once
 
-#include <array>
 #include <span>
-#include <vector>
 
-#include "contact/proximity/cloth_patches.hpp"
-#include "gpu/kernel.hpp"
+#include "contact/proximity/separation_rounds.hpp"
 #include "model/limited_edges.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/state.hpp"
@@ -25,27 +22,16 @@ class EdgeLimits {
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(const State& state, const ContactPairs& pairs);
   void record_counts(gpu::ComputePass& pass, std::size_t round) const {
-    if (!empty()) record(pass, rounds_[round].count);
+    if (!empty()) rounds_.count(round).dispatch(pass, edges_.size());
   }
   void record_gifts(gpu::ComputePass& pass, std::size_t round) const {
-    if (!empty()) record(pass, rounds_[round].give);
+    if (!empty()) rounds_.give(round).dispatch(pass, edges_.size());
   }
   bool empty() const { return edges_.size() == 0; }
 
  private:
-  struct Part {
-    gpu::Kernel kernel;
-    std::array<gpu::BindGroup, 2> groups;  // by parity
-  };
-  struct Round {
-    Part count, give;
-  };
-  void record(gpu::ComputePass& pass, const Part& part) const {
-    part.kernel.dispatch(pass, part.groups[pass.parity()], edges_.size());
-  }
-
   gpu::Buffer<LimitedEdge> edges_;
-  std::vector<Round> rounds_;
+  SeparationRounds rounds_;
 };
 
 }  // namespace weft::contact

@@ -1,8 +1,7 @@
-// Broad phase: finds the candidates near each cloth triangle, by boxes grown by thickness and reaches. One invocation
-// per cloth triangle. The triangles of a workgroup lie side by side, so it walks each tree once for all of them
-// (walk.wgsl), the cloths' own for later triangles and those of colliders, and each invocation tests its own box
-// against the triangles met. The list's order depends on scheduling; no result depends on the order.
-// Source: docs/contact.md.
+// Broad phase: finds the candidates near each cloth triangle, by boxes grown by thickness and reaches. One workgroup
+// for kOwn cloth triangles. They lie side by side, so it walks each tree once for all of them (walk.wgsl), the cloths'
+// own for later triangles and those of colliders, and each invocation tests triangles met against their boxes. The
+// list's order depends on scheduling; no result depends on the order. Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -40,9 +39,9 @@ var<private> ahead_c : vec3f;
 var<private> own_box : Box;    // of all that the triangle may pass on its ways ahead
 var<private> own_slack : f32;
 var<workgroup> due : u32;
-var<workgroup> own_corners : array<vec3u, kWalkers>;  // of the workgroup's triangles
-var<workgroup> own_cells : array<vec4u, kWalkers>;
-var<workgroup> own_patches : array<u32, kWalkers>;
+var<workgroup> own_corners : array<vec3u, kOwn>;  // of the workgroup's triangles
+var<workgroup> own_cells : array<vec4u, kOwn>;
+var<workgroup> own_patches : array<u32, kOwn>;
 
 // A cloth triangle: its corners' numbers and places, m; the largest of their slacks and ways ahead together, m.
 struct Sheet {
@@ -155,18 +154,18 @@ fn candidates_of(hits : u32, first : u32, later : u32, corners_of_later : vec3u)
   let cells = cells_of_triangle(later);
   for (var bits = left; bits != 0u; bits &= bits - 1u) {
     let k = firstTrailingBit(bits);
-    if (in_patch(own_patches[(first + k) % kWalkers], own_cells[(first + k) % kWalkers], cells)) {
+    if (in_patch(own_patches[(first + k) % kOwn], own_cells[(first + k) % kOwn], cells)) {
       left &= ~(1u << k);
       continue;
     }
-    let shared_corners = shares(own_corners[(first + k) % kWalkers], corners_of_later);
+    let shared_corners = shares(own_corners[(first + k) % kOwn], corners_of_later);
     beside |= select(0u, 1u << k, countOneBits(shared_corners) == 2u);
   }
   if (beside == 0u) { return left; }
   let sheet = sheet_of(corners_of_later);
   for (; beside != 0u; beside &= beside - 1u) {
     let k = firstTrailingBit(beside);
-    if (lie_flat(sheet, sheet_of(own_corners[(first + k) % kWalkers]))) { left &= ~(1u << k); }
+    if (lie_flat(sheet, sheet_of(own_corners[(first + k) % kOwn]))) { left &= ~(1u << k); }
   }
   return left;
 }
@@ -296,9 +295,9 @@ fn if_works(works : bool, box : Box) -> Box {
 fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) { due = atomicLoad(&statistics[kStatDue]); }
   if (workgroupUniformLoad(&due) == 0u) { return; }
-  let first = kWalkers * flat_group(group);
+  let first = kOwn * flat_group(group);
   own = first + thread;
-  var works = own < params.triangle_count;
+  var works = thread < kOwn && own < params.triangle_count;
   if (works) {
     read_own();
     own_corners[thread] = corners;

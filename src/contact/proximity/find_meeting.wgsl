@@ -7,6 +7,7 @@
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/meeting.wgsl"
+#include "contact/proximity/slow.wgsl"
 #include "contact/proximity/solid_reach.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
@@ -19,6 +20,7 @@
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kRound : u32 = 1;
 override kFirst : bool = true;  // of the rounds that hold back
+override kIsLast : bool = false;  // of these
 
 var<workgroup> pairs : u32;
 
@@ -93,6 +95,10 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
       }
     }
     if (!end_too_near(ids, ends) || (!kFirst && all_held)) { continue; }
+    if (kIsLast) {
+      let least = min(0.5 * ends.gap, least_apart(ends.gap, ends.thickness));
+      slow_all(part_until(ends.gap, ends.apart, least));
+    }
     for (var role = 0u; role < 4u; role++) {
       atomicOr(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kHeldWord], kMarked);
     }

@@ -1,5 +1,6 @@
-// Finds which patches of the cloth are open, and their axes: those of the patch's corners, turned so that both lean as
-// much as the other. One workgroup a patch. Only where a search is due. Source: docs/contact.md, Patches.
+// Finds which patches of the cloth are open, at the start of the substep and where its motion leads, and their axes:
+// those of the patch's corners, turned so that both lean as much as the other. One workgroup a patch. Only where a
+// search is due. Source: docs/contact.md, Patches.
 #include "gpu/index.wgsl"
 #include "contact/geometry.wgsl"
 #include "state/step.wgsl"
@@ -8,13 +9,19 @@
 //                                                                        elements
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
 @group(0) @binding(1) var<storage, read>       position   : array<vec4f>;      // vertex_count  m; w: 1/kg
-@group(0) @binding(2) var<storage, read>       places     : array<PatchPlace>; // patch_count
-@group(0) @binding(3) var<storage, read>       statistics : array<u32>;
-@group(0) @binding(4) var<storage, read_write> patches    : array<vec4f>;      // 2 * patch_count  the axes; w: λ
+@group(0) @binding(2) var<storage, read>       motion     : array<vec4f>;      // vertex_count  see kPredicted
+@group(0) @binding(3) var<storage, read>       places     : array<PatchPlace>; // patch_count
+@group(0) @binding(4) var<storage, read>       statistics : array<u32>;
+@group(0) @binding(5) var<storage, read_write> patches    : array<vec4f>;      // 2 * patch_count  the axes; w: λ
+override kPredicted : bool = true;  // `motion` has where vertices come in this substep, m; false: velocities, m/s
 const kQuads = 64u;  // of a patch, tested at once; mirror: src/contact/proximity/cloth_patches.cpp
 var<workgroup> least : array<f32, kQuads>;
 
 fn place_at(vertex : u32) -> vec3f { return position[vertex].xyz; }
+fn end_at(vertex : u32) -> vec3f {
+  if (kPredicted) { return motion[vertex].xyz; }
+  return position[vertex].xyz + step.time.dt * motion[vertex].xyz;
+}
 // Contact cannot hold back what the scene moves.
 fn is_driven(vertex : u32) -> bool { return position[vertex].w == 0.0 && step.contact.collider_travel > 0.0; }
 
@@ -33,10 +40,14 @@ fn axes_of(place : PatchPlace) -> Axes {
 
 fn openness_of_quad(place : PatchPlace, axes : Axes, i : u32, j : u32) -> f32 {
   let quad = quad_of(place.patch_vertex, place.stride, i, j);
-  let at = Quad(place_at(quad.x), place_at(quad.y), place_at(quad.z), place_at(quad.w));
-  let finite = is_finite(at.a) && is_finite(at.b) && is_finite(at.c) && is_finite(at.d);
-  if (!finite || is_driven(quad.x) || is_driven(quad.y) || is_driven(quad.z) || is_driven(quad.w)) { return 0.0; }
+  if (is_driven(quad.x) || is_driven(quad.y) || is_driven(quad.z) || is_driven(quad.w)) { return 0.0; }
   let down = leads_down(i, j);
+  let start = Quad(place_at(quad.x), place_at(quad.y), place_at(quad.z), place_at(quad.w));
+  let end = Quad(end_at(quad.x), end_at(quad.y), end_at(quad.z), end_at(quad.w));
+  return min(least_openness(start, down, place, axes), least_openness(end, down, place, axes));
+}
+fn least_openness(at : Quad, down : bool, place : PatchPlace, axes : Axes) -> f32 {
+  if (!(is_finite(at.a) && is_finite(at.b) && is_finite(at.c) && is_finite(at.d))) { return 0.0; }
   return min(openness(at, down, false, place, axes.first, axes.second),
              openness(at, down, true, place, axes.first, axes.second));
 }

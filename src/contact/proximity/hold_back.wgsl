@@ -1,12 +1,14 @@
 // Holds vertices back from other cloth: the way of a marked one ends before the planes half way between it and all that
-// it is listed with, as find_meeting has found. In the last round, where that was not enough, that of every vertex.
-// One invocation per vertex. Source: docs/contact.md, equation (6).
+// it is listed with, as find_meeting has found. In the last round, where that was not enough, the substep ends before
+// its time for all cloth; or, where too much time would be lost, the way of every vertex ends before its planes.
+// One invocation per vertex. Source: docs/contact.md, equations (6) and (6h).
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/links.wgsl"
 #include "contact/proximity/planes.wgsl"
+#include "contact/proximity/slow.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
@@ -15,15 +17,37 @@
 @group(0) @binding(4) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
 @group(0) @binding(5) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(6) var<storage, read_write> statistics      : array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read>       velocity_before : array<vec4f>; // vertex_count      m/s
 override kRound : u32 = 1;
 override kIsLast : bool = false;  // of the rounds
 const kDrivenPart = 0.01;  // of the thickness: no rounding
+
+// Equation (6h): a state on the straight line between those at the start and at the end of the substep.
+fn end_before_time(vertex : u32, part : f32) {
+  let start = previous[vertex];
+  if (start.w == 0.0) { return; }
+  position[vertex] = vec4f(start.xyz + part * (position[vertex].xyz - start.xyz), start.w);
+  let before = velocity_before[vertex].xyz;
+  velocity[vertex] = vec4f(before + part * (velocity[vertex].xyz - before), 0.0);
+}
 
 @compute @workgroup_size(kWorkgroupSize)
 fn hold_back(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.nodes.count) { return; }
   if (atomicLoad(&statistics[kStatMeeting]) < kRound) { return; }
+  if (kIsLast) {
+    let part = part_of_all();
+    let delay = u32(ceil(1000.0 * (1.0 - part)));
+    if (part > 0.0 && atomicLoad(&statistics[kStatDelayBefore]) + delay <= step.contact.most_delay) {
+      if (vertex == 0u) {
+        atomicAdd(&statistics[kStatSlowed], 1u);
+        atomicAdd(&statistics[kStatDelay], delay);
+      }
+      end_before_time(vertex, part);
+      return;
+    }
+  }
   let held = vertex_contacts[kVertexWords * vertex + kHeldWord];
   let start = previous[vertex];
   if (start.w == 0.0 || (held & kHeld) != 0u) { return; }

@@ -5,8 +5,9 @@
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
-#include "contact/proximity/patches.wgsl"
+#include "contact/proximity/cell_quads.wgsl"
 #include "contact/proximity/rounds.wgsl"
+#include "contact/proximity/slow.wgsl"
 //                                                                             elements
 @group(0) @binding(0) var<storage, read>       previous        : array<vec4f>;      // vertex_count  m; w: 1/kg
 @group(0) @binding(1) var<storage, read>       position        : array<vec4f>;      // vertex_count  m, where ways end
@@ -16,19 +17,10 @@
 @group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kRound : u32 = 1;
 override kFirst : bool = true;  // of the rounds that hold back
+override kIsLast : bool = false;  // of these
 override kEndWays : bool = false;
 var<workgroup> quads : u32;  // with places for kCellQuads of each cell
 
-// An open patch: its axes.
-struct Axes { first : vec3f, second : vec3f, open : bool }
-fn axes_of(patch_number : u32) -> Axes {
-  let first = patches[2u * patch_number];
-  return Axes(first.xyz, patches[2u * patch_number + 1u].xyz, first.w >= kOpen);
-}
-
-fn ends_of(quad : vec4u) -> Quad {
-  return Quad(position[quad.x].xyz, position[quad.y].xyz, position[quad.z].xyz, position[quad.w].xyz);
-}
 fn starts_of(quad : vec4u) -> Quad {
   return Quad(previous[quad.x].xyz, previous[quad.y].xyz, previous[quad.z].xyz, previous[quad.w].xyz);
 }
@@ -38,11 +30,12 @@ fn is_held(vertex : u32) -> bool {
   return previous[vertex].w == 0.0 || (held & kHeld) != 0u;
 }
 
-fn mark_folded(corners : vec3u, least : f32) {
+fn mark_folded(corners : vec3u, least : f32, start : f32) {
   if (kFirst && least < kFolding) { atomicStore(&statistics[kStatDetect], 1u); }
   if (least >= kFolded) { return; }
   if (!kFirst && is_held(corners.x) && is_held(corners.y) && is_held(corners.z)) { return; }
   for (var k = 0u; k < 3u; k++) { atomicOr(&vertex_contacts[kVertexWords * corners[k] + kHeldWord], kMarked); }
+  if (kIsLast) { slow_all(part_until(start, least, kFolded)); }
   atomicMax(&statistics[kStatMeeting], kRound);
 }
 
@@ -56,35 +49,31 @@ fn end_before_fold(vertex : u32, room : f32, axes : Axes) {
   }
 }
 
-fn keep_quad(number : u32, k : u32) {
-  let place = places[number];
-  let width = columns_of(place.cell_size);
-  if (k >= width * rows_of(place.cell_size)) { return; }
-  let i = k % width;
-  let j = k / width;
-  let quad = quad_of(place.cell_vertex, place.stride, i, j);
-  let down = leads_down(i, j);
-  let end = ends_of(quad);
-  var least = vec2f(1.0);  // of the quad's triangles
-  for (var around = 0u; around < kPatchesAround * kPatchesAround; around++) {
-    let axes = axes_of(number + around % kPatchesAround + place.columns * (around / kPatchesAround));
-    if (!axes.open) { continue; }
-    if (!kEndWays) {
-      least = min(least, vec2f(openness(end, down, false, place, axes.first, axes.second),
-                               openness(end, down, true, place, axes.first, axes.second)));
-      continue;
-    }
-    let start = starts_of(quad);
+fn keep_quad(cell : u32, k : u32) {
+  let place = places[cell];
+  let quad = quad_of_cell(place, k);
+  if (!quad.exists) { return; }
+  if (!kEndWays) {
+    let found = openness_of_ends(cell, place, quad);
     for (var t = 0u; t < 2u; t++) {
-      let corners = triangle_of(quad, down, t == 1u);
-      let now = openness(start, down, t == 1u, place, axes.first, axes.second);
+      if (found.least[t] >= kFolding) { continue; }
+      let axes = axes_around(cell, place, found.around[t]);
+      let now = openness(starts_of(quad.corners), quad.down, t == 1u, place, axes.first, axes.second);
+      mark_folded(triangle_of(quad.corners, quad.down, t == 1u), found.least[t], now);
+    }
+    return;
+  }
+  let start = starts_of(quad.corners);
+  for (var around = 0u; around < kPatchesAround * kPatchesAround; around++) {
+    let axes = axes_around(cell, place, around);
+    if (!axes.open) { continue; }
+    for (var t = 0u; t < 2u; t++) {
+      let corners = triangle_of(quad.corners, quad.down, t == 1u);
+      let now = openness(start, quad.down, t == 1u, place, axes.first, axes.second);
       let room = 0.5 * max(0.0, now - kFolded) * altitude_of(place);
       for (var corner = 0u; corner < 3u; corner++) { end_before_fold(corners[corner], room, axes); }
     }
   }
-  if (kEndWays) { return; }
-  mark_folded(triangle_of(quad, down, false), least.x);
-  mark_folded(triangle_of(quad, down, true), least.y);
 }
 
 @compute @workgroup_size(kWorkgroupSize)

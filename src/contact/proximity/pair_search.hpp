@@ -29,6 +29,7 @@ struct SearchSetup {
   float thickness = 0, self_thickness = 0;  // [m]; the second 0: cloth does not meet cloth
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   std::uint32_t interval = 4;     // substeps from one that may search to the next
+  std::size_t separations = 1;    // rounds in a substep that separate pairs of cloth
   bool presses = false;           // a solver asks for the lists before it predicts
   std::vector<float> most_slack;  // of each vertex [m]: weft::most_slacks
 };
@@ -68,7 +69,7 @@ class PairSearch {
   Result<void> create_buffers(gpu::Device& device, const GpuModel& model, const scene::Scene& scene,
                               const ColliderMeshes& meshes);
   Result<void> create_begin(gpu::Device& device, const State& state, const ContactPairs& pairs);
-  void record_lists(gpu::ComputePass& pass, bool starts) const;
+  void record_lists(gpu::ComputePass& pass, bool starts, bool early) const;
   Result<void> create_trees(gpu::Device& device, const State& state, const ContactPairs& pairs,
                             std::uint32_t workgroup_size);
   Result<void> create_kernels(gpu::Device& device, const State& state, const ContactPairs& pairs);

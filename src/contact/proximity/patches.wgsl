@@ -46,11 +46,27 @@ fn triangle_of(quad : vec4u, down : bool, second : bool) -> vec3u {
 struct Quad { a : vec3f, b : vec3f, c : vec3f, d : vec3f }
 // λ of a triangle of the quad.
 fn openness(at : Quad, down : bool, second : bool, place : PatchPlace, e1 : vec3f, e2 : vec3f) -> f32 {
+  let s = stretches_of(at, down, second, place, e1, e2);
+  let half = 0.5 * (s.x - s.y);
+  return 0.5 * (s.x + s.y) - sqrt(half * half + s.z * s.z);
+}
+// The symmetric part of Eᵀ F: xx, yy, xy.
+fn stretches_of(at : Quad, down : bool, second : bool, place : PatchPlace, e1 : vec3f, e2 : vec3f) -> vec3f {
   let row = place.per_width * select(at.b - at.a, at.d - at.c, down != second);
   let column = place.per_height * select(at.c - at.a, at.d - at.b, second);
-  let x = dot(e1, row);
-  let y = dot(e2, column);
-  let shear = 0.5 * (dot(e1, column) + dot(e2, row));
-  let half = 0.5 * (x - y);
-  return 0.5 * (x + y) - sqrt(half * half + shear * shear);
+  return vec3f(dot(e1, row), dot(e2, column), 0.5 * (dot(e1, column) + dot(e2, row)));
+}
+
+// The direction in which a triangle of the quad is squeezed most: λ is the sum of the corners' places along it, by
+// these weights.
+struct Squeezed { direction : vec3f, weights : vec4f }
+fn least_direction(at : Quad, down : bool, second : bool, place : PatchPlace, e1 : vec3f, e2 : vec3f) -> Squeezed {
+  let s = stretches_of(at, down, second, place, e1, e2);
+  let half = 0.5 * (s.x - s.y);
+  let least = 0.5 * (s.x + s.y) - sqrt(half * half + s.z * s.z);
+  var u = select(vec2f(-s.z, s.x - least), vec2f(least - s.y, s.z), half < 0.0);
+  u = select(select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), half < 0.0), u / length(u), any(u != vec2f(0.0)));
+  let row = place.per_width * select(vec4f(-1.0, 1.0, 0.0, 0.0), vec4f(0.0, 0.0, -1.0, 1.0), down != second);
+  let column = place.per_height * select(vec4f(-1.0, 0.0, 1.0, 0.0), vec4f(0.0, -1.0, 0.0, 1.0), second);
+  return Squeezed(u.x * e1 + u.y * e2, u.x * row + u.y * column);
 }

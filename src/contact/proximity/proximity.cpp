@@ -50,6 +50,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   setup.thickness = static_cast<float>(lengths.thickness);
   setup.self_thickness = static_cast<float>(lengths.self_thickness);
   setup.interval = wanted.interval;
+  setup.separations = wanted.iterations;
   setup.presses = made.presses_;
   setup.workgroup_size = wanted.workgroup_size;
   for (const double slack : most_slacks(model.host, lengths.most_reach, lengths.self_thickness))

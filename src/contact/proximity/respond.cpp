@@ -21,25 +21,24 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     all.push_back({made.add_, "contact/proximity/add_impulses.wgsl"});
   }
   for (std::size_t round = 0; round < made.separation_count_; ++round) {
-    Separation& separation = made.separations_[round];
     const gpu::Constant number{"kRound", separation_number(round, made.separation_count_)};
-    const gpu::Constant is_first{"kFirst", round == 0 ? 1.0 : 0.0};
-    all.push_back({separation.count, "contact/proximity/separate_pairs.wgsl", {number, is_first}});
-    all.push_back(
-        {separation.give, "contact/proximity/separate_pairs.wgsl", {number, is_first, {"kGives", 1}}});
-    all.push_back({separation.move, "contact/proximity/separate_ways.wgsl", {number}});
+    all.push_back({made.moves_[round].kernel, "contact/proximity/separate_ways.wgsl", {number}});
   }
   for (std::size_t round = 0; round < made.round_count(); ++round) {
     const gpu::Constant number{"kRound", static_cast<double>(kMostSeparations + round + 1)};
     const gpu::Constant is_first{"kFirst", round == 0 ? 1.0 : 0.0};
     const gpu::Constant is_last{"kIsLast", setup.self && round + 1 == made.round_count() ? 1.0 : 0.0};
-    all.push_back({made.rounds_[round].find, "contact/proximity/find_meeting.wgsl", {number, is_first}});
+    all.push_back(
+        {made.rounds_[round].find, "contact/proximity/find_meeting.wgsl", {number, is_first, is_last}});
     all.push_back({made.rounds_[round].hold, "contact/proximity/hold_back.wgsl", {number, is_last}});
   }
   for (const Wanted& wanted : all) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));
     wanted.kernel = std::move(kernel);
   }
+  if (setup.self)
+    WEFT_SET(made.separate_, SeparationRounds::create(device, "contact/proximity/separate_pairs.wgsl",
+                                                      made.separation_count_, setup.workgroup_size));
   WEFT_SET(made.edges_,
            EdgeLimits::create(device, setup.edges, made.separation_count_, setup.workgroup_size));
   made.setup_.edges = {};  // the caller's
@@ -65,18 +64,12 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const 
       WEFT_SET(add_groups_[parity],
                add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
     }
-    for (std::size_t r = 0; r < separation_count_; ++r) {
-      Separation& separation = separations_[r];
-      const auto bind = [&](const gpu::Kernel& kernel) {
-        return kernel.bind({state.steps, start, position, velocity, points, pairs.listed, pairs.contacts,
-                            pairs.vertex_contacts, state.statistics});
-      };
-      WEFT_SET(separation.count_groups[parity], bind(separation.count));
-      WEFT_SET(separation.give_groups[parity], bind(separation.give));
-      WEFT_SET(separation.move_groups[parity],
-               separation.move.bind({state.steps, start, pairs.predicted, pairs.contacts,
-                                     pairs.vertex_contacts, position, velocity, state.statistics}));
-    }
+    WEFT_CHECK(separate_.bind(parity, {state.steps, start, position, velocity, points, pairs.listed,
+                                       pairs.contacts, pairs.vertex_contacts, state.statistics}));
+    for (std::size_t r = 0; r < separation_count_; ++r)
+      WEFT_SET(moves_[r].groups[parity],
+               moves_[r].kernel.bind({state.steps, start, pairs.predicted, pairs.contacts,
+                                      pairs.vertex_contacts, position, velocity, state.statistics}));
     for (std::size_t r = 0; r < round_count(); ++r) {
       Round& round = rounds_[r];
       WEFT_SET(round.find_groups[parity],
@@ -84,7 +77,7 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const 
                                 pairs.vertex_contacts, state.statistics}));
       WEFT_SET(round.hold_groups[parity],
                round.hold.bind({state.steps, start, pairs.contacts, pairs.vertex_contacts, position, velocity,
-                                state.statistics}));
+                                state.statistics, state.velocity[parity]}));
     }
   }
   pair_room_ = pairs.room.pairs;
@@ -106,12 +99,13 @@ void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patch
   const std::uint32_t parity = pass.parity();
   respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
   for (std::size_t round = 0; round < separation_count_; ++round) {
-    const Separation& separation = separations_[round];
-    if (setup_.self) separation.count.dispatch_strided(pass, separation.count_groups[parity], pair_room_);
+    if (setup_.self) separate_.count(round).dispatch_strided(pass, pair_room_);
     edges_.record_counts(pass, round);
-    if (setup_.self) separation.give.dispatch_strided(pass, separation.give_groups[parity], pair_room_);
+    patches.record_counts(pass, round);
+    if (setup_.self) separate_.give(round).dispatch_strided(pass, pair_room_);
     edges_.record_gifts(pass, round);
-    separation.move.dispatch(pass, separation.move_groups[parity], vertex_count_);
+    patches.record_gifts(pass, round);
+    moves_[round].kernel.dispatch(pass, moves_[round].groups[parity], vertex_count_);
   }
   for (std::size_t round = 0; round < round_count(); ++round) {
     patches.record_marks(pass, round);

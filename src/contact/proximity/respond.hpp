@@ -42,12 +42,13 @@ class Respond {
   // By parity.
   std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_, respond_groups_;
   /// The rounds in which pairs of cloth that may meet are separated, and edges kept within their limit.
-  struct Separation {
-    gpu::Kernel count, give, move;
-    std::array<gpu::BindGroup, 2> count_groups, give_groups, move_groups;
-  };
   std::size_t separation_count_ = 0;
-  std::array<Separation, kMostSeparations> separations_;
+  SeparationRounds separate_;
+  struct Move {
+    gpu::Kernel kernel;
+    std::array<gpu::BindGroup, 2> groups;
+  };
+  std::array<Move, kMostSeparations> moves_;
   EdgeLimits edges_;
   /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and from other cloth.
   struct Round {

@@ -12,22 +12,22 @@ struct Tree {
   count : u32,  // its triangles; not of a rigid mesh
   after : u32,  // only triangles from this one on
 }
-const kWalkers = 64u;  // invocations of a workgroup; mirror: src/contact/proximity/pair_search.cpp
+const kOwn = 64u;       // triangles of a workgroup; mirror: src/contact/proximity/pair_search.cpp
+const kWalkers = 128u;  // its invocations; mirror there
 const kRigidArity = 4u;
 const kRigidNode = 8u;  // words
 const kMostOfLeaf = 7u;  // what three bits can say
 const kParts = 8u;
-const kOfPart = kWalkers / kParts;  // triangles
+const kOfPart = kOwn / kParts;  // triangles
 
 const kStackRoom = 512u;
-const kMetRoom = 1024u;
-// What a walk of a rigid mesh needs that takes one node at a time: src/contact/object_tree.hpp. Those of implicit trees
-// never do: a child lies at most 63 places above its parent, nodes of level 7 within the first 32 places, and so all
-// within 410.
+const kMetRoom = 1536u;
+// What a walk of a rigid mesh needs that takes one node at a time: src/contact/object_tree.hpp. One of an implicit
+// tree, of ten levels at most, needs 7 more a level, which is less than kWalkers and this together.
 const kStackSize = 32u;
 const kLevelShift = 28u;
-var<workgroup> lows : array<vec3f, kWalkers>;
-var<workgroup> highs : array<vec3f, kWalkers>;
+var<workgroup> lows : array<vec3f, kOwn>;
+var<workgroup> highs : array<vec3f, kOwn>;
 var<workgroup> part_lows : array<vec3f, kParts>;
 var<workgroup> part_highs : array<vec3f, kParts>;
 var<workgroup> part_cells : array<vec4u, kParts>;  // of the cloths' tree, in its open patches
@@ -35,14 +35,17 @@ var<workgroup> part_patches : array<u32, kParts>;  // patch_cells.wgsl
 var<workgroup> stack : array<u32, kStackRoom>;  // nodes: of implicit trees with their level in the upper four bits
 var<workgroup> met : array<u32, kMetRoom>;      // places of triangles, as candidates have them
 var<workgroup> met_count : atomic<u32>;
-var<workgroup> inner_bits : array<atomic<u32>, kWalkers>;  // of each node taken: its inner children that are met
+var<workgroup> inner_bits : atomic<u32>;        // of a node that is taken alone: its inner children that are met
+var<workgroup> stacked : atomic<u32>;           // nodes that a step has put on the stack
 var<workgroup> walk_sizes : vec2u;              // nodes in the stack; places in `met`
 
 // The boxes of the workgroup's triangles, united in kParts: one box for all would cover all that lies between two
 // cloths that share a workgroup.
 fn unite_parts(box : Box, thread : u32) {
-  lows[thread] = box.low;
-  highs[thread] = box.high;
+  if (thread < kOwn) {
+    lows[thread] = box.low;
+    highs[thread] = box.high;
+  }
   workgroupBarrier();
   if (thread < kParts) {
     var part = empty_box();
@@ -80,8 +83,9 @@ fn begin_walk(tree : Tree, thread : u32) {
     if (tree.kind != kNearRigid) { stack[0] = trees[tree.tree].x << kLevelShift; }
     walk_sizes = vec2u(1u, 0u);
     atomicStore(&met_count, 0u);
+    atomicStore(&stacked, 0u);
+    atomicStore(&inner_bits, 0u);
   }
-  atomicStore(&inner_bits[thread], 0u);
 }
 
 // What a walk goes on with at a child that meets the boxes: a node, or the triangles of a leaf.
@@ -119,6 +123,7 @@ fn walk_on(tree : Tree, waiting : u32, thread : u32) {
   let arity = select(kTreeArity, kRigidArity, tree.kind == kNearRigid);
   var taken = min(waiting, kWalkers / arity);
   if (waiting + kWalkers + kStackSize > kStackRoom) { taken = 1u; }
+  let alone = taken == 1u;
   let slot = thread / arity;
   let k = thread % arity;
   var child = Child(0u, 0u, 0u, false);
@@ -135,15 +140,18 @@ fn walk_on(tree : Tree, waiting : u32, thread : u32) {
     let step = select(1u, 3u, tree.kind == kNearRigid);
     for (var t = 0u; t < child.count; t++) { met[place + t] = child.first + step * t; }
   }
-  if (child.inner) { atomicOr(&inner_bits[slot], 1u << k); }
+  if (child.inner && alone) { atomicOr(&inner_bits, 1u << k); }
   workgroupBarrier();
-  var before = 0u;  // inner children of the nodes before this one
-  for (var s = 0u; s < min(slot, taken - 1u); s++) { before += countOneBits(atomicLoad(&inner_bits[s])); }
-  let inner = atomicLoad(&inner_bits[min(slot, taken - 1u)]);
-  if (child.inner) { stack[waiting - taken + before + countOneBits(inner & ((1u << k) - 1u))] = child.node; }
-  workgroupBarrier();
-  if (thread == arity * (taken - 1u)) {
-    walk_sizes = vec2u(waiting - taken + before + countOneBits(inner), atomicLoad(&met_count));
+  if (child.inner) {
+    var place = countOneBits(atomicLoad(&inner_bits) & ((1u << k) - 1u));
+    if (!alone) { place = atomicAdd(&stacked, 1u); }
+    stack[waiting - taken + place] = child.node;
   }
-  atomicStore(&inner_bits[thread], 0u);
+  workgroupBarrier();
+  if (thread == 0u) {
+    let more = select(atomicLoad(&stacked), countOneBits(atomicLoad(&inner_bits)), alone);
+    walk_sizes = vec2u(waiting - taken + more, atomicLoad(&met_count));
+    atomicStore(&stacked, 0u);
+    atomicStore(&inner_bits, 0u);
+  }
 }

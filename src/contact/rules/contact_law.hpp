@@ -44,6 +44,10 @@ inline constexpr double kContactMargin = 0.05;
 /// enough along a whole edge.
 inline constexpr double kContactFloor = 0.1;
 
+/// The most of a frame's time that cloth may lose where a substep ends before its time, so that nothing passes through
+/// cloth: docs/contact.md, equation (6h).
+inline constexpr double kMostDelay = 0.5;
+
 /// The speed at which crossings come apart: this part of the thickness in a substep, and no more
 /// than this many thicknesses per second.
 inline constexpr double kUntanglePart = 0.125, kUntangleRate = 120;

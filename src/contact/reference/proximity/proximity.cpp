@@ -312,11 +312,14 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     add_limits(pairs[p], near[p].thickness, nodes, dt, planes, cloth_pairs);
   // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull over a ball at
   // steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose. So it is shortened too.
-  const Truncated truncated = truncate(
-      planes, cloth_pairs, most,
-      {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, iterations_, limited_edges_});
+  const Truncated truncated =
+      truncate(planes, cloth_pairs, most,
+               {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, iterations_,
+                limited_edges_, tangle_.crossings > 0 ? 0 : most_delay_, nodes.velocity_before});
   truncated_.vertices += truncated.vertices;
   truncated_.driven += truncated.driven;
+  truncated_.delay += truncated.delay;
+  most_delay_ -= truncated.delay;
   beside_cloth_ = std::move(response.beside_cloth);
   return static_cast<std::uint64_t>(std::count(response.acts.begin(), response.acts.end(), true));
 }

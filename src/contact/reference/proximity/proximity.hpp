@@ -12,6 +12,7 @@
 #include "contact/reference/proximity/respond.hpp"
 #include "contact/reference/proximity/truncate.hpp"
 #include "contact/reference/proximity/untangle.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "model/model.hpp"
 
 namespace weft::reference {
@@ -25,11 +26,11 @@ class Proximity {
   /// The state of the nodes in a substep: the solver's prediction from `previous`, and moved nodes
   /// where their motions end. All finite.
   struct Nodes {
-    std::span<const Vec3d> previous;       // [m]
-    std::span<const double> inverse_mass;  // [1/kg]
-    std::span<Vec3d> position, velocity;   // [m], [m/s]
-    std::vector<bool> held = {};           // Stepper::held
-    std::vector<Vec3d> pair_forces = {};   // Stepper::pair_forces
+    std::span<const Vec3d> previous, velocity_before;  // [m], [m/s]
+    std::span<const double> inverse_mass;              // [1/kg]
+    std::span<Vec3d> position, velocity;               // [m], [m/s]
+    std::vector<bool> held = {};                       // Stepper::held
+    std::vector<Vec3d> pair_forces = {};               // Stepper::pair_forces
   };
   /// Changes position and velocity of vertices in contact in the substep from `begin`, of `dt` [s]. Returns how many
   /// pairs act.
@@ -41,6 +42,9 @@ class Proximity {
   /// The effect of obstacles on nodes in the substep from `begin`, of `dt` [s], before it is solved.
   std::vector<Press> presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity, double begin,
                              double dt);
+
+  /// Before the first substep of a frame of that many.
+  void begin_frame(std::uint32_t substeps) { most_delay_ = kMostDelay * substeps; }
 
   /// Pairs of one cloth that come near in the substep of the last `presses`.
   std::vector<NearPair> pressed_pairs() const;
@@ -120,6 +124,7 @@ class Proximity {
   };
   std::vector<Pressed> pressed_;
   std::vector<bool> beside_cloth_;
+  double most_delay_ = 0;  // of what is left of the frame [substeps]
   Truncated truncated_;
 };
 

@@ -1,6 +1,7 @@
 #include "contact/reference/proximity/truncate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "contact/reference/proximity/may_meet.hpp"
@@ -9,7 +10,7 @@
 namespace weft::reference {
 namespace {
 
-/// In which cloth is held back; in the last one all of it.
+/// In which cloth is held back; in the last one the substep ends before its time, or all of it is held.
 constexpr int kRounds = 3;
 /// An edge that is no longer than this part of its limit stays as it is.
 constexpr double kBeyondLimit = 1.001;
@@ -103,6 +104,7 @@ class Truncation {
 
   /// Marks the vertices of pairs that may meet on the way, but for pairs that end before their planes.
   bool find_meeting() {
+    part_ = 1;
     bool any = false;
     for (const ClothPair& pair : pairs_) {
       bool all_held = true;
@@ -110,6 +112,9 @@ class Truncation {
         all_held = all_held && (held_[pair.nodes[k]] || ways_.inverse_mass[pair.nodes[k]] == 0);
       if (all_held || !may_meet(pair, ways_.start, ways_.end)) continue;
       any = true;
+      const double then = sides_of(pair, [&](std::uint32_t node) { return ways_.end[node]; }).apart();
+      const double least = std::min(0.5 * pair.gap, pair.apart);
+      if (then < least) part_ = std::min(part_, std::clamp((pair.gap - least) / (pair.gap - then), 0.0, 1.0));
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) marked_.push_back(pair.nodes[k]);
     }
     return any;
@@ -117,6 +122,20 @@ class Truncation {
   void hold_marked() {
     for (const std::uint32_t node : marked_) hold(node);
     marked_.clear();
+  }
+  /// Ends the substep before its time, when none of the pairs found may have met: equation (6h). False, and nothing
+  /// changed, where that takes too much.
+  bool end_before_time() {
+    const double delay = std::ceil(1000 * (1 - part_)) / 1000;
+    if (part_ == 0 || delay > ways_.most_delay) return false;
+    for (std::size_t node = 0; node < held_.size(); ++node) {
+      if (ways_.inverse_mass[node] == 0) continue;
+      ways_.end[node] = ways_.start[node] + part_ * (ways_.end[node] - ways_.start[node]);
+      ways_.velocity[node] =
+          ways_.velocity_before[node] + part_ * (ways_.velocity[node] - ways_.velocity_before[node]);
+    }
+    delay_ = delay;
+    return true;
   }
   void hold_all() {
     for (std::size_t node = 0; node < held_.size(); ++node)
@@ -129,7 +148,7 @@ class Truncation {
       if (shortened_by_cloth_[plane.node] && dot(plane.normal, ways_.end[plane.node]) < plane.offset - 1e-12)
         driven[plane.node] = true;
     return {static_cast<std::uint64_t>(std::count(changed_.begin(), changed_.end(), true)),
-            static_cast<std::uint64_t>(std::count(driven.begin(), driven.end(), true))};
+            static_cast<std::uint64_t>(std::count(driven.begin(), driven.end(), true)), delay_};
   }
 
  private:
@@ -205,6 +224,8 @@ class Truncation {
   std::span<const ClothPair> pairs_;
   const Ways& ways_;
   std::vector<bool> changed_, held_, shortened_by_cloth_;
+  double part_ = 1;   // of the substep: until then no pair found in this round may have met
+  double delay_ = 0;  // [substeps]
   std::vector<std::uint32_t> marked_;
   std::vector<std::vector<std::uint32_t>> lists_;
 };
@@ -224,7 +245,7 @@ Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair
     if (!truncation.separate_meeting(reach)) break;
   for (int round = 1; truncation.find_meeting(); ++round) {
     if (round == kRounds) {
-      truncation.hold_all();
+      if (!truncation.end_before_time()) truncation.hold_all();
       break;
     }
     truncation.hold_marked();

@@ -41,12 +41,16 @@ struct Ways {
   double dt = 1;                         // of the substep [s]
   std::uint32_t separations = 0;  // rounds in which pairs of cloth that may meet are separated, at most
   std::span<const LimitedEdge> edges = {};  // kept within their strain limit in the same rounds
+  double most_delay =
+      0;  // how much sooner it may end for all, so that nothing passes through cloth [substeps]
+  std::span<const Vec3d> velocity_before = {};  // at the start, if it may [m/s]
 };
 
 struct Truncated {
   std::uint64_t vertices = 0;  // whose way is another than the one that they came with, but for blows
   std::uint64_t driven =
-      0;  // of these, left beyond the plane of an obstacle that drives them into other cloth
+      0;             // of these, left beyond the plane of an obstacle that drives them into other cloth
+  double delay = 0;  // how much sooner the substep has ended for all [substeps]
 };
 
 /// One round of separation: equation (6d). Whether there was anything that may meet.
@@ -55,7 +59,7 @@ bool separate(std::span<const SolidPlane> planes, std::span<const ClothPair> pai
 
 /// Ends each way before the planes of obstacles, and no further than `reach` [m]; an obstacle that has come past a
 /// vertex takes it along. Then separates pairs of cloth that may meet, equation (6d), and shortens ways until none can
-/// have met, equation (6).
+/// have met, equations (6) and (6h).
 Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
                    const Ways& ways);
 
