@@ -51,8 +51,7 @@ class Altered {
     const sim::Totals& totals = world.totals();
     if (totals.slowed > 0)
       say("Cloth was slowed down in %llu substeps, by %.3g substeps of time in all, since it would have "
-          "passed "
-          "through cloth: more substeps help.",
+          "passed through cloth: more substeps help.",
           static_cast<unsigned long long>(totals.slowed), 0.001 * static_cast<double>(totals.delay));
     if (totals.unsolved > 0)
       say("Linear systems of substeps kept more than %g of their residual %llu times, at most %.2g after %u "

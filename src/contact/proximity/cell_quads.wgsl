@@ -1,6 +1,16 @@
 // The quads of cells of open patches, and how open their triangles are where ways end. The including kernel binds
-// `position`, where ways end, `places` and `patches`. Source: docs/contact.md, Patches.
+// `previous` and `position`, where ways begin and end, `places`, `patches`, and `statistics` as atomics.
+// Source: docs/contact.md, Patches.
 #include "contact/proximity/patches.wgsl"
+#include "contact/proximity/rounds.wgsl"
+var<workgroup> quads : u32;
+
+// How many quads a kernel of a round goes through, with places for kCellQuads of each cell; 0: the round is idle. All
+// invocations of a workgroup call it.
+fn quads_of_round(thread : u32, round : u32, is_first : bool, acts : bool) -> u32 {
+  if (thread == 0u) { quads = select(kCellQuads * arrayLength(&places), 0u, round_is_idle(round, is_first, acts)); }
+  return workgroupUniformLoad(&quads);
+}
 
 // An open patch: its axes.
 struct Axes { first : vec3f, second : vec3f, open : bool }
@@ -21,6 +31,9 @@ fn quad_of_cell(place : PatchPlace, k : u32) -> CellQuad {
   return CellQuad(exists, quad_of(place.cell_vertex, place.stride, i, j), leads_down(i, j));
 }
 
+fn starts_of(corners : vec4u) -> Quad {
+  return Quad(previous[corners.x].xyz, previous[corners.y].xyz, previous[corners.z].xyz, previous[corners.w].xyz);
+}
 fn ends_of(corners : vec4u) -> Quad {
   return Quad(position[corners.x].xyz, position[corners.y].xyz, position[corners.z].xyz, position[corners.w].xyz);
 }

@@ -6,7 +6,6 @@
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/cell_quads.wgsl"
-#include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/slow.wgsl"
 //                                                                             elements
 @group(0) @binding(0) var<storage, read>       previous        : array<vec4f>;      // vertex_count  m; w: 1/kg
@@ -19,11 +18,6 @@ override kRound : u32 = 1;
 override kFirst : bool = true;  // of the rounds that hold back
 override kIsLast : bool = false;  // of these
 override kEndWays : bool = false;
-var<workgroup> quads : u32;  // with places for kCellQuads of each cell
-
-fn starts_of(quad : vec4u) -> Quad {
-  return Quad(previous[quad.x].xyz, previous[quad.y].xyz, previous[quad.z].xyz, previous[quad.w].xyz);
-}
 
 fn is_held(vertex : u32) -> bool {
   let held = atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]);
@@ -79,9 +73,6 @@ fn keep_quad(cell : u32, k : u32) {
 @compute @workgroup_size(kWorkgroupSize)
 fn keep_open(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
              @builtin(local_invocation_index) thread : u32) {
-  if (thread == 0u) {
-    quads = select(kCellQuads * arrayLength(&places), 0u, round_is_idle(kRound, kFirst, kEndWays));
-  }
-  let count = workgroupUniformLoad(&quads);
+  let count = quads_of_round(thread, kRound, kFirst, kEndWays);
   for (var k = id.x; k < count; k += groups.x * kWorkgroupSize) { keep_quad(k / kCellQuads, k % kCellQuads); }
 }

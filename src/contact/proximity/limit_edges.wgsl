@@ -26,12 +26,6 @@ override kFirst : bool = true;  // of the rounds
 override kGives : bool = false;
 const kBeyond = 1.001;  // of the limit: an edge that is no longer stays as it is
 
-fn move_by(vertex : u32, by : f32, by_speed : f32, n : vec3f) {
-  if (by == 0.0) { return; }
-  add_units(kVertexWords * vertex + kPushWord, kPushUnits, by * n);
-  add_units(kVertexWords * vertex + kChangeWord, kSpeedUnits, by_speed * n);
-}
-
 @compute @workgroup_size(kWorkgroupSize)
 fn limit_edges(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
@@ -44,8 +38,8 @@ fn limit_edges(@builtin(global_invocation_id) id : vec3u) {
   if (size <= kBeyond * longest) { return; }
   let mobility = vec2f(previous[edge.a].w, previous[edge.b].w);  // 1/kg
   if (!kGives) {
-    if (mobility.x > 0.0) { atomicAdd(&vertex_contacts[kVertexWords * edge.a + kShareWord], 1u); }
-    if (mobility.y > 0.0) { atomicAdd(&vertex_contacts[kVertexWords * edge.b + kShareWord], 1u); }
+    if (mobility.x > 0.0) { share_mass(edge.a); }
+    if (mobility.y > 0.0) { share_mass(edge.b); }
     atomicMax(&statistics[kStatMeeting], kRound);
     return;
   }

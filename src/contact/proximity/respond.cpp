@@ -105,7 +105,7 @@ void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patch
     if (setup_.self) separate_.give(round).dispatch_strided(pass, pair_room_);
     edges_.record_gifts(pass, round);
     patches.record_gifts(pass, round);
-    moves_[round].kernel.dispatch(pass, moves_[round].groups[parity], vertex_count_);
+    moves_[round].dispatch(pass, vertex_count_);
   }
   for (std::size_t round = 0; round < round_count(); ++round) {
     patches.record_marks(pass, round);

@@ -44,11 +44,7 @@ class Respond {
   /// The rounds in which pairs of cloth that may meet are separated, and edges kept within their limit.
   std::size_t separation_count_ = 0;
   SeparationRounds separate_;
-  struct Move {
-    gpu::Kernel kernel;
-    std::array<gpu::BindGroup, 2> groups;
-  };
-  std::array<Move, kMostSeparations> moves_;
+  std::array<SeparationRounds::Part, kMostSeparations> moves_;
   EdgeLimits edges_;
   /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and from other cloth.
   struct Round {

@@ -35,8 +35,7 @@ fn speeds_along(ids : vec4u, n : vec3f) -> vec4f {
 
 fn count_moved(ids : vec4u, shifts : vec4f) {
   for (var role = 0u; role < 4u; role++) {
-    if (shifts[role] == 0.0) { continue; }
-    atomicAdd(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kShareWord], 1u);
+    if (shifts[role] != 0.0) { share_mass(ids[role]); }
   }
   atomicMax(&statistics[kStatMeeting], kRound);
 }

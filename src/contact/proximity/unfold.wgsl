@@ -8,7 +8,6 @@
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/cell_quads.wgsl"
-#include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/sums.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
@@ -23,12 +22,8 @@ override kRound : u32 = 1;
 override kFirst : bool = true;  // of the rounds
 override kGives : bool = false;
 const kKeptOpen = 0.2;  // λ; above kFolded, at which triangles are held back
-var<workgroup> quads : u32;  // with places for kCellQuads of each cell
 
 fn places_along(at : Quad, n : vec3f) -> vec4f { return vec4f(dot(n, at.a), dot(n, at.b), dot(n, at.c), dot(n, at.d)); }
-fn starts_of(corners : vec4u) -> Quad {
-  return Quad(previous[corners.x].xyz, previous[corners.y].xyz, previous[corners.z].xyz, previous[corners.w].xyz);
-}
 fn ways_by_speed(corners : vec4u) -> Quad {
   let dt = step.time.dt;
   return Quad(dt * velocity[corners.x].xyz, dt * velocity[corners.y].xyz, dt * velocity[corners.z].xyz,
@@ -54,7 +49,7 @@ fn unfold_triangle(quad : CellQuad, second : bool, place : PatchPlace, axes : Ax
   if (lack <= 0.0 || !any(moves) || is_tangled(corners)) { return; }
   if (!kGives) {
     for (var k = 0u; k < 4u; k++) {
-      if (moves[k]) { atomicAdd(&vertex_contacts[kVertexWords * corners[k] + kShareWord], 1u); }
+      if (moves[k]) { share_mass(corners[k]); }
     }
     atomicMax(&statistics[kStatMeeting], kRound);
     return;
@@ -64,20 +59,14 @@ fn unfold_triangle(quad : CellQuad, second : bool, place : PatchPlace, axes : Ax
   let by_speed = start + dot(weights, places_along(ways_by_speed(corners), squeezed.direction));
   let lack_of_speed = max(0.0, kept - by_speed) / step.time.dt;
   for (var k = 0u; k < 4u; k++) {
-    if (!moves[k]) { continue; }
-    let at = kVertexWords * corners[k];
-    add_units(at + kPushWord, kPushUnits, parts[k] * lack * squeezed.direction);
-    add_units(at + kChangeWord, kSpeedUnits, parts[k] * lack_of_speed * squeezed.direction);
+    move_by(corners[k], parts[k] * lack, parts[k] * lack_of_speed, squeezed.direction);
   }
 }
 
 @compute @workgroup_size(kWorkgroupSize)
 fn unfold(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
           @builtin(local_invocation_index) thread : u32) {
-  if (thread == 0u) {
-    quads = select(kCellQuads * arrayLength(&places), 0u, round_is_idle(kRound, kFirst, kGives));
-  }
-  let count = workgroupUniformLoad(&quads);
+  let count = quads_of_round(thread, kRound, kFirst, kGives);
   for (var k = id.x; k < count; k += groups.x * kWorkgroupSize) {
     let cell = k / kCellQuads;
     let place = places[cell];

@@ -40,9 +40,8 @@ struct Ways {
   std::span<Vec3d> end, velocity;        // [m], [m/s]
   double dt = 1;                         // of the substep [s]
   std::uint32_t separations = 0;  // rounds in which pairs of cloth that may meet are separated, at most
-  std::span<const LimitedEdge> edges = {};  // kept within their strain limit in the same rounds
-  double most_delay =
-      0;  // how much sooner it may end for all, so that nothing passes through cloth [substeps]
+  std::span<const LimitedEdge> edges = {};      // kept within their strain limit in the same rounds
+  double most_delay = 0;                        // how much sooner it may end for all [substeps]
   std::span<const Vec3d> velocity_before = {};  // at the start, if it may [m/s]
 };
 
