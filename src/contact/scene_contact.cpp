@@ -120,7 +120,9 @@ Result<void> SceneContact::make_room(gpu::Device& device, const State& state, co
   ContactPairs& pairs = *contacts_->pairs;
   const ContactRoom room = grown(pairs.room, wanted, device.limits().max_storage_binding_size);
   if (room == pairs.room) return {};  // the frame is repeated for another reason
-  WEFT_CHECK(pairs.make_room(device, room));
+  if (const Result<void> made = pairs.make_room(device, room); !made)
+    return make_error(made.error().kind, "%s In shorter substeps (time.substeps) contact lists fewer pairs.",
+                      made.error().message.c_str());
   WEFT_CHECK(proximity_->bind_lists(device, state, pairs));
   return counter_ ? create_counter(device) : Result<void>{};
 }

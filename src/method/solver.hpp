@@ -41,6 +41,7 @@ struct SolverInputs {
   gpu::Device& device;
   const GpuModel& model;
   const State& state;
+  double step;  // the length of a substep, where frames are not cut [s]
   const Contacts* contacts = nullptr;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   std::optional<bool> two_steps = {};  // at once, where the solver can; none: where that is quicker

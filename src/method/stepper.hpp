@@ -37,6 +37,8 @@ class Stepper {
   virtual void forget() {}
   /// The same for one node.
   virtual void forget(std::size_t) {}
+  /// All nodes begin anew, but for the forces that obstacles hold them with.
+  virtual void begin_anew() {}
   /// Cloth lies on the node, and the pairs of both bear it: what the method's matrix holds it with does not stay.
   virtual void forget_hold(std::size_t) {}
   /// Nodes whose pairs with obstacles the last step has answered in its matrix; none: no node's.
@@ -46,6 +48,6 @@ class Stepper {
 };
 
 /// Of a scene's "solver" object, whose kind is not Auto (choose_method). The model must outlive it.
-std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model& model);
+std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model& model, double step);
 
 }  // namespace weft::reference

@@ -6,10 +6,10 @@
 
 namespace weft::reference {
 
-std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model& model) {
+std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model& model, double step) {
   switch (settings.kind) {
     case scene::SolverKind::Multigrid:
-      return std::make_unique<ImplicitStepper>(model, settings.residual);
+      return std::make_unique<ImplicitStepper>(model, step, settings.residual);
     case scene::SolverKind::Xpbd:
       return std::make_unique<XpbdStepper>(model, settings.iterations);
     case scene::SolverKind::MassSpring:

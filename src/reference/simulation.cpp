@@ -47,7 +47,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   made.plan_ = std::move(plan);
   scene::Solver settings = scene.solver;
   settings.kind = made.plan_.method().kind;
-  made.stepper_ = make_stepper(settings, *made.model_);
+  made.stepper_ = make_stepper(settings, *made.model_, made.step());
   MassSpringSystem& system = made.system_;
   for (std::size_t node = 0; node < made.model_->vertex_count(); ++node)
     system.inverse_mass.push_back(made.model_->inverse_mass(node));
@@ -146,7 +146,11 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
     for (std::size_t node = 0; node < beside_cloth.size(); ++node)
       if (beside_cloth[node]) stepper_->forget_hold(node);
   }
-  for (std::size_t node = 0; node < position.size(); ++node)  // an impulse is no part of a smooth motion
+  if (proximity_ && proximity_->met()) {
+    stepper_->begin_anew();
+    return;
+  }
+  for (std::size_t node = 0; node < position.size(); ++node)
     if (system_.position[node] != position[node] || system_.velocity[node] != velocity[node])
       stepper_->forget(node);
 }

@@ -172,6 +172,11 @@ Json cloth_nodes() {
              {M(first_vertex), M(count), M(residual), M(may_retry), M(vectors), M(iterations), M(first_part),
               M(padding)});
 }
+Json bottom_sweeps() {
+  using T = multigrid::BottomSweeps;
+  return row("BottomSweeps", "method/multigrid/tail.wgsl", sizeof(T), kUniform,
+             {M(count), M(low), M(middle), M(half)});
+}
 Json level_of_mesh() {
   using T = MeshLevelParams;
   return row("MeshLevelParams", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact,
@@ -315,44 +320,19 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),
-                      step_time(),
-                      step_nodes(),
-                      step_contact(),
-                      step_air(),
-                      step_hands(),
-                      step_method(),
-                      spring(),
-                      spring_kind(),
-                      limited_edge(),
-                      spring_block(),
-                      block_spring(),
-                      neighbour(),
-                      mesh_params(),
-                      surface_params(),
-                      object_triangle(),
-                      spring_grid_row(),
-                      level_of_grid(),
-                      tree_node(),
-                      pair_range(),
-                      analytic_collider(),
-                      listed_pair(),
-                      contact_of_pair(),
-                      pair_hold(),
-                      search_params(),
-                      patch_place(),
-                      tree_params(),
-                      colliders(),
-                      collider_place(),
-                      frame(),
-                      weave(),
-                      plane(),
-                      fine_grid(),
-                      cloth_nodes(),
-                      springs_of_color(),
-                      level_of_mesh(),
-                      coupling(),
-                      share()});
+  return Json::array({step_block(),      step_time(),       step_nodes(),
+                      step_contact(),    step_air(),        step_hands(),
+                      step_method(),     spring(),          spring_kind(),
+                      limited_edge(),    spring_block(),    block_spring(),
+                      neighbour(),       mesh_params(),     surface_params(),
+                      object_triangle(), spring_grid_row(), level_of_grid(),
+                      tree_node(),       pair_range(),      analytic_collider(),
+                      listed_pair(),     contact_of_pair(), pair_hold(),
+                      search_params(),   patch_place(),     tree_params(),
+                      colliders(),       collider_place(),  frame(),
+                      weave(),           plane(),           fine_grid(),
+                      cloth_nodes(),     bottom_sweeps(),   springs_of_color(),
+                      level_of_mesh(),   coupling(),        share()});
 }
 
 Json shared_constants() {

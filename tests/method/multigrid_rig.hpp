@@ -40,13 +40,10 @@ class ImplicitRig {
     // As in a world: aside where contact asks for it before the step is done.
     const Predicted predicted =
         presses ? Predicted{&predicted_, &predicted_} : Predicted{&state_.velocity[1], &state_.velocity[0]};
-    const CycleInputs inputs{device,
-                             model_,
-                             state_,
-                             predicted,
-                             presses ? &press_sums_ : nullptr,
-                             nullptr,
-                             scene_.solver.residual,
+    const CycleInputs inputs{device,        model_,
+                             state_,        dt,
+                             predicted,     presses ? &press_sums_ : nullptr,
+                             nullptr,       scene_.solver.residual,
                              workgroup_size};
     const auto kernels = Kernels::create(inputs);
     REQUIRE_OK(kernels);
@@ -100,7 +97,7 @@ class ImplicitRig {
                                  static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
     system_.acceleration = scene_.gravity + scene_.external_force;
     system_.drag = scene_.drag;
-    stepper_.emplace(model_.host);
+    stepper_.emplace(model_.host, dt_);
     stepper_->remember(before, velocity_before);
     for (std::size_t n = 0; n < v.size(); ++n)
       if (v[n].w == 0) stepper_->forget(n);

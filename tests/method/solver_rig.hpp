@@ -43,7 +43,7 @@ class SolverRig {
     auto state = State::create(device, model_.host, 1);
     REQUIRE_OK(state);
     state_ = std::move(*state);
-    auto solver = make_solver(scene.solver, {device, model_, state_, nullptr, workgroup_size});
+    auto solver = make_solver(scene.solver, {device, model_, state_, dt, nullptr, workgroup_size});
     REQUIRE_OK(solver);
     solver_ = std::move(*solver);
     StepBlock& params = params_;

@@ -100,7 +100,7 @@ TEST_CASE("every method's row says what its solver allocates for a grid, within 
     REQUIRE_OK(contacts);
     const std::uint64_t before = device.allocated_bytes();
     device.take_largest_buffer();
-    const auto solver = make_solver(scene.solver, {device, *model, *state, &*contacts});
+    const auto solver = make_solver(scene.solver, {device, *model, *state, 1.0 / 480, &*contacts});
     REQUIRE_OK(solver);
     const double found = static_cast<double>(device.allocated_bytes() - before) / model->vertex_count();
     const double largest = static_cast<double>(device.take_largest_buffer()) / model->vertex_count();

@@ -106,7 +106,7 @@ TEST_CASE("the matrices of coarse levels equal the reference's") {
       rig.cycle().record_matrices(pass);
     });
     const reference::LinearStep step = rig.linearise();
-    const reference::Hierarchy hierarchy(step.matrix, step.source);
+    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom());
     REQUIRE(hierarchy.levels().size() == rig.cycle().shapes().size());
     for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
       CAPTURE(l);
@@ -143,9 +143,8 @@ TEST_CASE("smoothing, restriction and the cycle of the coarsest levels equal the
       rig.cycle().record_down(pass);
     });
     const reference::LinearStep step = rig.linearise();
-    const reference::Hierarchy hierarchy(step.matrix, step.source);
-    std::size_t tail = 1;
-    while (hierarchy.levels()[tail].size() > kTailNodes) ++tail;
+    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom());
+    const std::size_t tail = rig.cycle().tail();
     for (std::size_t l = 0; l < tail; ++l) {  // each from the task that the kernels gave it
       CAPTURE(l);
       const GridOperator& matrix = hierarchy.levels()[l];
@@ -207,7 +206,7 @@ TEST_CASE("what obstacles hold is in the matrix, and a pressed node begins anew,
       rig.cycle().record_matrices(pass);
     });
     CHECK(difference(field(rig.vector(0, kResidual)), step.residual) < 2e-5);
-    const reference::Hierarchy hierarchy(step.matrix, step.source);
+    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom());
     GridOperator coarse = hierarchy.levels()[1];
     const Field x = random_field(coarse.size(), 3);
     coarse.bending = {};

@@ -29,7 +29,7 @@ std::string grid(const std::string& nodes, const std::string& size, const std::s
 /// The same substeps in double from where the rig stands.
 reference::MassSpringSystem exact_after(SolverRig& rig, const scene::Scene& scene, int steps) {
   reference::MassSpringSystem system = rig.reference();
-  const auto stepper = reference::make_stepper(scene.solver, rig.model().host);
+  const auto stepper = reference::make_stepper(scene.solver, rig.model().host, rig.dt());
   for (int step = 0; step < steps; ++step) {
     const std::vector<Vec3d> places = system.position;  // pinned nodes stay
     stepper->advance({system, places, rig.dt()});

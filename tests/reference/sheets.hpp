@@ -21,7 +21,7 @@ struct Sheet {
   explicit Sheet(const std::string& members, std::vector<mesh::TriangleMesh> meshes = {})
       : Sheet(scene_of(members), std::move(meshes)) {}
   explicit Sheet(const scene::Scene& scene, std::vector<mesh::TriangleMesh> meshes = {})
-      : model(model_of(scene, std::move(meshes))), stepper(model) {
+      : model(model_of(scene, std::move(meshes))), stepper(model, 1.0 / 480) {
     system.position = model.start_position;
     system.velocity.resize(model.vertex_count());
     for (std::size_t node = 0; node < model.vertex_count(); ++node)
@@ -39,6 +39,13 @@ struct Sheet {
   /// The same for a cloth that is a mesh.
   reference::MeshStep linearise_mesh(double dt = 1.0 / 480, double ratio = 1) const {
     return stepper.linearise_mesh(system, system.position, dt, ratio, 0);
+  }
+  /// Where the kernels' cycles for the only cloth end, with steps of `dt`.
+  multigrid::Bottom bottom(double dt = 1.0 / 480) const {
+    const Body& body = model.bodies[0];
+    if (body.grid) return multigrid::bottom_of(multigrid::grid_scales(model, body, dt));
+    return multigrid::bottom_of(
+        multigrid::mesh_scales(model, body, mesh_levels(model, body, model.springs(body)), dt));
   }
   void advance(double dt, int steps) {
     for (int s = 0; s < steps; ++s) stepper.advance({system, system.position, dt});

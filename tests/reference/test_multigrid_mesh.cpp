@@ -121,6 +121,10 @@ void check_convergence(const Case& c) {
                  << eigenvalue);
   CHECK(found.mean < c.bound);
   CHECK(found.worst < 1);
+  const Convergence ended = converge(MeshHierarchy(step.matrix, stood.bottom()), step.residual);
+  MESSAGE("to level " << stood.bottom().level << " of " << hierarchy.levels().size() << ", "
+                      << stood.bottom().sweeps.count << " sweeps: " << ended.mean << " a cycle");
+  CHECK(ended.mean < c.bound);
   CHECK(largest_eigenvalue(hierarchy.levels()[0]) <
         2 * (1 + 1e-9));  // each spring adds at most twice its own
   CHECK(eigenvalue < kSmoothHigh);

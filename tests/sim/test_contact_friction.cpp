@@ -66,6 +66,48 @@ TEST_CASE("what friction does not hold slides with g (sin - friction cos)") {
   }
 }
 
+TEST_CASE(
+    "a sheet that lies on another on a slope does not creep, nor does that, and both slide where they "
+    "should") {
+  // Of the angle that friction holds, which is the same between the sheets and on the floor.
+  GpuFixture fixture;
+  const std::string sheet = R"("plane": "xz", "density": 0.2, "damping": 0.02, "friction": 0.5,
+      "stiffness": {"structural": 300, "shear": 80, "bend": 2}, )";
+  const double angle = std::atan(0.5);
+  for (const double part : {0.85, 1.1}) {
+    Setting setting = on_slope("multigrid", kFloors[0], part, 0.5);
+    setting.cloths = R"({"grid": [9, 9], "size": [0.4, 0.4], )" + sheet +
+                     R"("transform": {"translate": [0, 0.005, 0]}},
+        {"grid": [9, 8], "size": [0.3, 0.3], )" +
+                     sheet + R"("transform": {"translate": [0, 0.01, 0]}})";
+    auto world = world_on(fixture.device(), setting);
+    const auto mean_of = [](const std::vector<Vec3d>& all) {
+      std::array<double, 2> sums{};
+      for (std::size_t v = 0; v < all.size(); ++v) sums[v < 81 ? 0 : 1] += all[v].x / (v < 81 ? 81 : 72);
+      return sums;
+    };
+    if (part < 1) {
+      advance(*world, 30);
+      const auto begin = mean_of(Moment(*world).position);
+      advance(*world, 30);
+      const auto end = mean_of(Moment(*world).position);
+      MESSAGE("the lower creeps at ", 2e6 * (end[0] - begin[0]), " um/s, the upper at ",
+              2e6 * (end[1] - begin[1]));
+      for (const std::size_t k : {0U, 1U}) CHECK(std::abs(end[k] - begin[k]) < 0.5 * 1e-5);
+    } else {
+      const double exact = kGravity * (std::sin(part * angle) - 0.5 * std::cos(part * angle));
+      advance(*world, 15);
+      const auto begin = mean_of(Moment(*world).velocity);
+      advance(*world, 30);
+      const auto end = mean_of(Moment(*world).velocity);
+      MESSAGE("the lower gains ", 2 * (end[0] - begin[0]) / exact, " of the acceleration, the upper ",
+              2 * (end[1] - begin[1]) / exact);
+      for (const std::size_t k : {0U, 1U})
+        CHECK(2 * (end[k] - begin[k]) == doctest::Approx(exact).epsilon(0.02));
+    }
+  }
+}
+
 TEST_CASE("a strip over a capsule holds up to the ratio of its ends that friction says, and slides beyond") {
   // With its own weight on the arc, R from its middle: L' = (L + c) e^(mu pi) + c, c = 2 mu R / (1 + mu²).
   constexpr double kFriction = 0.3, kLeft = 0.1;

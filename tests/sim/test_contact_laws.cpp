@@ -287,7 +287,7 @@ TEST_CASE("a sheet that drops on a floor loses its energy, or keeps e² of it") 
   GpuFixture fixture;
   constexpr double kHeight = 0.05;  // above where it lies [m]
   for (const std::string solver : kSolvers)
-    for (const double restitution : {0.0, 0.5}) {
+    for (const double restitution : {0.0, 0.5, 1.0}) {
       auto world = world_on(fixture.device(),
                             {.solver = solver,
                              .contact = R"("thickness": 0.01, "restitution": )" + text_of(restitution),

@@ -14,7 +14,11 @@ using namespace weft;
 namespace {
 
 std::string word_of(const Method& method) { return scene::name_of(method.kind); }
-std::string by(const Method& method) { return R"("solver": {"kind": ")" + word_of(method) + R"("}, )"; }
+/// Solved so far that what is left does not hide differences.
+std::string by(const Method& method) {
+  const bool solves = method.kind == scene::SolverKind::Multigrid;
+  return R"("solver": {"kind": ")" + word_of(method) + (solves ? R"(", "residual": 1e-4}, )" : R"("}, )");
+}
 
 std::vector<Vec3d> places_of(sim::World& world) {
   const auto snapshot = world.snapshot();

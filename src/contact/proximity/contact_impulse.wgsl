@@ -44,7 +44,10 @@ fn is_left(contact : Contact) -> bool {
 
 // Where cloth lies on a vertex, the pairs of both bear it: the force that the solver holds it with does not stay.
 fn forget_hold(vertex : u32) {
-  for (var k = 0u; k < kHoldWords; k++) { atomicStore(&presses[kHoldWords * vertex + k], 0); }
+  let word = kHoldWords * vertex;
+  let was_held = atomicLoad(&presses[word + 3u]) != 0;
+  for (var k = 0u; k < 3u; k++) { atomicStore(&presses[word + k], 0); }
+  atomicStore(&presses[word + 3u], select(0, bitcast<i32>(kUnderCloth), was_held));
 }
 
 // Equations (2) to (4a) and (7); stores the force.
@@ -103,7 +106,7 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
       if (is_collider(contact.ids[role])) { continue; }
       let vertex = contact.ids[role] & kIdBits;
       let forgets = is_self_pair(contact.ids) && contact.held != kSolved;
-      if (kPresses != 0u && kLast != 0u && forgets) { forget_hold(vertex); }
+      if (kPresses != 0u && kLast != 0u && forgets && w[role] != 0.0) { forget_hold(vertex); }
       let part = previous[vertex].w * w[role];
       add_units(kVertexWords * vertex + kChangeWord, kSpeedUnits, part * given.impulse);
       if (pushes) {

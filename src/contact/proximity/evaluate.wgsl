@@ -53,11 +53,22 @@ fn first_force(ids : vec4u, w : vec4f, n : vec3f, kept : vec3f, friction : f32, 
   return within_cone(kept - parting / (mobility * step.time.dt) * n, n, friction);
 }
 
+// How much the load brings the sides together in the substep, m/s.
+fn speed_by_load(ids : vec4u, w : vec4f, n : vec3f) -> f32 {
+  var loaded = 0.0;
+  for (var role = 0u; role < role_count(ids); role++) {
+    if (!is_collider(ids[role]) && previous[ids[role] & kIdBits].w > 0.0) { loaded += w[role]; }
+  }
+  return -loaded * step.time.dt * dot(n, step.air.acceleration.xyz);
+}
+
 // Equation (3): the least normal velocity that a pair may end with.
-fn least_speed(gap : f32, thickness : f32, speed : f32) -> f32 {
+fn least_speed(ids : vec4u, w : vec4f, n : vec3f, gap : f32, thickness : f32, speed : f32) -> f32 {
   let dt = step.time.dt;
-  let bounces = (step.contact.restitution > 0.0) & (-speed > speed_of_load()) & (gap + dt * speed < thickness);
-  return max(-max(0.0, gap - thickness) / dt, select(-3e38, -step.contact.restitution * speed, bounces));
+  let e = step.contact.restitution;
+  let bounces = (e > 0.0) & (-speed > speed_of_load()) & (gap + dt * speed < thickness);
+  let toward = speed_by_load(ids, w, n);
+  return max(-max(0.0, gap - thickness) / dt, select(-3e38, e * (-speed - toward) - toward, bounces));
 }
 
 // Whether the collider of the pair, if it has one, is a closed mesh.
@@ -165,7 +176,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     } else if (acts && !untangles) {
       force = first_force(ids, w, n, contact.force.xyz, friction, speed);
     }
-    contact.force = vec4f(force, least_speed(gap, thickness, speed));
+    contact.force = vec4f(force, least_speed(ids, w, n, gap, thickness, speed));
     contact.begun = dot(n, force);
     let is_kept = any(force != vec3f(0.0)) && !solved;
     let holds = gap > 0.0 && contact.solid != 0u;  // has planes that what is not solid must not pass
@@ -186,7 +197,9 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       if (acts) {
         atomicAdd(&vertex_contacts[kVertexWords * vertex + kShareWord], share_units(f32(urgency), w[role]));
       }
-      if (acts && is_self && !solved) { atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideCloth); }
+      if (acts && is_self && !solved && w[role] != 0.0) {
+        atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideCloth);
+      }
       if (is_kept) {
         add_units(kVertexWords * vertex + kFirstWord, kSpeedUnits,
                   previous[vertex].w * w[role] * step.time.dt * force);

@@ -7,8 +7,10 @@
 // below 2^27. Both are the same in any order: the lowest bits do not depend on it, so neither does what is left.
 //
 // Before the sums of all vertices stand four words of each: the force that holds it, which stays from substep to
-// substep, τ and λ, N, as the bits of f32. The including kernel binds `step`.
+// substep, τ and λ, N, as the bits of f32; or kUnderCloth for λ, where that held it and cloth lies on it. The including
+// kernel binds `step`.
 const kHoldWords = 4u;
+const kUnderCloth = -1.0;
 const kPressWords = 20u;
 const kPressNormal = 0u;    // three: the direction that they press in; kPressUnits
 const kPressLack = 3u;      // how far along it the vertex has to go beyond its velocity; kLackUnits in a thickness

@@ -1,7 +1,9 @@
 // Up to a coarse level of a grid from the next: the coarser level's correction, and two smoothing sweeps. A workgroup
 // does kTile x kTile nodes; sweeps of nodes between two tiles are done by both.
 // Source: docs/solvers/multigrid.md, equations 7 and 8.
+#include "method/multigrid/grid_correction.wgsl"
 #include "method/multigrid/grid_tile.wgsl"
+#include "method/multigrid/level_solution.wgsl"
 const kTile = 16u;                            // mirror: src/method/multigrid/grid_level_params.hpp
 const kBegunSide = kTile + 2u * kReach;       // of the nodes that these look at
 const kCorrectedSide = kTile + 4u * kReach;   // and of those that these look at

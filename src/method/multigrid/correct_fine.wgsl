@@ -1,6 +1,8 @@
 // Adds the coarser level's correction on the finest level of a grid. One invocation per node.
 #include "gpu/index.wgsl"
-#include "method/multigrid/grid_transfer.wgsl"
+#include "method/multigrid/grid_correction.wgsl"
+#include "method/multigrid/keep_vector.wgsl"
+#include "method/multigrid/level_solution.wgsl"
 #include "method/multigrid/solve.wgsl"
 //                                                                               elements       unit
 @group(0) @binding(0) var<uniform>             levels  : array<GridLevelParams, 2>;

@@ -145,6 +145,11 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      *inputs.predicted[p],
                      presses(inputs)};
            }));
+  if (inputs.predicted[0] != &state.velocity[1])  // aside, for contact
+    WEFT_SET(begin_anew_,
+             Dispatch::create_by_parity(kernels.begin_anew, nodes, [&](std::size_t p) -> Dispatch::Bindings {
+               return {nodes_, state.statistics, state.velocity[1 - p]};
+             }));
   if (corrects_) WEFT_CHECK(create_second(inputs, kernels));
   if (inputs.pairs == nullptr) return {};
   WEFT_SET(pair_finish_,

@@ -7,6 +7,7 @@
 
 #include "gpu/dispatch.hpp"
 #include "method/equal_cloths.hpp"
+#include "method/multigrid/bottom.hpp"
 #include "method/multigrid/solve_limits.hpp"
 #include "method/predicted.hpp"
 #include "scene/scene.hpp"
@@ -48,6 +49,7 @@ struct CycleInputs {
   gpu::Device& device;
   const GpuModel& model;
   const State& state;
+  double step;  // the length of a substep [s]
   Predicted predicted;
   const gpu::Buffer<std::int32_t>* presses = nullptr;  // obstacles' demands on vertices; null: none
   const ContactPairs* pairs = nullptr;                 // of cloth with cloth, that are held apart; null: none
@@ -69,6 +71,8 @@ class Cycle {
   /// The last system, with so many iterations at most, and the new state; iterations behind the last that is needed do
   /// nothing.
   void record_last(gpu::ComputePass& pass, std::uint32_t iterations) const;
+  /// After contact: where cloth has met cloth, the next substep begins anew.
+  void record_anew(gpu::ComputePass& pass) const { begin_anew_.record(pass); }
   /// How many iterations of the last are recorded, and whether a frame whose system they do not solve is to be rolled
   /// back.
   void set_iterations(gpu::Device& device, std::uint32_t iterations, bool may_retry) const;
@@ -85,8 +89,9 @@ class Cycle {
 
   // Their results on the GPU, for tests.
   const gpu::Buffer<Vec4f>& vectors() const { return vectors_; }
-  /// The first of the levels whose cycle one workgroup does.
+  /// The first of the levels whose cycle one workgroup does, and the last.
   std::size_t tail() const { return tail_; }
+  const multigrid::Bottom& bottom() const { return bottom_; }
 
  protected:
   /// A level with the next coarser one. A stage that another dispatch does too is empty; those of the tail
@@ -101,7 +106,7 @@ class Cycle {
   /// The part that grids and meshes share: `shapes` are the levels as kernels read them, the finest first.
   template <class Shape>
   Result<void> create_buffers(const CycleInputs& inputs, const EqualCloths& cloths,
-                              const std::vector<Shape>& shapes, std::uint32_t tail_nodes);
+                              const std::vector<Shape>& shapes);
   /// The same workgroups for each cloth.
   gpu::Workgroups for_each_cloth(const gpu::Workgroups& one) const { return {one.x, one.y, cloths_}; }
   /// The buffer bound for `presses` where nothing presses.
@@ -118,12 +123,13 @@ class Cycle {
 
   std::vector<Level> levels_;  // all but the coarsest; at least one
   std::size_t tail_ = 1;
+  multigrid::Bottom bottom_;
   gpu::Buffer<ClothNodes> nodes_;
-  gpu::RawBuffer tail_levels_;
+  gpu::RawBuffer tail_levels_, sweeps_;
   gpu::Buffer<std::int32_t> no_presses_;
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<std::array<float, 2>> partials_;
-  gpu::Dispatch predict_, gradient_, tail_cycle_, finish_;
+  gpu::Dispatch predict_, gradient_, tail_cycle_, finish_, begin_anew_;
   gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system
   gpu::Dispatch begin_solve_, search_, advance_;       // of conjugate gradients
   gpu::Dispatch first_norm_, square_, norm_, rho_;     // sums over the nodes
@@ -144,13 +150,13 @@ class Cycle {
 
 template <class Shape>
 Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths& cloths,
-                                   const std::vector<Shape>& shapes, std::uint32_t tail_nodes) {
+                                   const std::vector<Shape>& shapes) {
   gpu::Device& device = inputs.device;
   const std::uint32_t nodes = cloths.first.vertex_count;
   const std::size_t all_nodes = std::size_t{cloths.count} * nodes;
   cloths_ = cloths.count;
   corrects_ = inputs.presses != nullptr;
-  while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > tail_nodes) ++tail_;
+  while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > multigrid::kTailNodes) ++tail_;
   std::size_t vectors = 0;
   for (std::size_t l = 0; l < shapes.size(); ++l) {
     vectors += std::size_t{multigrid::vector_count(l)} * node_count(shapes[l]);
@@ -163,6 +169,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   }
   WEFT_SET(tail_levels_, gpu::Buffer<Shape>::create_from(device, std::span(shapes).subspan(tail_),
                                                          "coarsest multigrid levels"));
+  WEFT_SET(sweeps_, gpu::create_uniform(device, bottom_.sweeps, "sweeps of the coarsest level"));
   const double residual = (inputs.presses != nullptr ? multigrid::kHeldPart : 1) * inputs.residual;
   own_nodes_ = {cloths.first.first_vertex, nodes, static_cast<float>(residual * residual), 1,
                 static_cast<std::uint32_t>(vectors)};

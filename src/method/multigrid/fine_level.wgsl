@@ -2,5 +2,6 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/fine_bindings.wgsl"
 #include "method/multigrid/fine_operator.wgsl"
+#include "method/multigrid/keep_vector.wgsl"
 #include "method/multigrid/operand.wgsl"
 #include "method/multigrid/smoothing.wgsl"

@@ -56,14 +56,16 @@ fn finish_pressed(among_all : u32, solution : vec3f) {
   let pressed = force.x - stiffness * dot(n, solution);
   let reached = reach_of(grip, way);
   let borne = max(0.0, pressed - place[among_all].w * surface.w);
-  let after = HoldForce(no_longer(reached, grip.friction * borne), borne);
+  let after = HoldForce(no_longer(reached, grip.friction * borne), borne, false);
   let had = select(no_longer(reach_of(grip, start), grip.friction * kept.normal), reached, hold.w > 0.0);
   // What acted beyond what counts is taken out of the velocity, and so is the speed at which a gap is restored.
   let more = after.along - had + max(0.0, -pressed) * n;
   keep_hold_force(node, after);
-  position_out[node] = vec4f(now.xyz + way, now.w);
   let moved = way - surface.xyz - surface.w * n;  // over the surface, m
   let freed = no_longer(step.time.dt * now.w * more, kMostFreed / step.time.dt * length(moved));
+  // Under cloth no force was kept: friction has not acted yet, and stops the way as well.
+  let stopped = select(vec3f(0.0), step.time.dt * across(freed, n), kept.under_cloth);
+  position_out[node] = vec4f(now.xyz + way + stopped, now.w);
   velocity_out[node] = vec4f((way - surface.w * n) / step.time.dt + freed, select(0.0, -1.0, force.z > 0.0));
 }
 

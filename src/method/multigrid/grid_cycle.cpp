@@ -28,8 +28,9 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
                                     const EqualCloths& cloths) {
   const Body& body = cloths.first;
   GridCycle made;
-  made.shapes_ = grid_level_params(body);
-  WEFT_CHECK(made.create_buffers(inputs, cloths, made.shapes_, multigrid::kTailNodes));
+  made.bottom_ = multigrid::bottom_of(multigrid::grid_scales(inputs.model.host, body, inputs.step));
+  made.shapes_ = grid_level_params(body, made.bottom_.level + 1);
+  WEFT_CHECK(made.create_buffers(inputs, cloths, made.shapes_));
   WEFT_SET(made.grid_,
            gpu::create_uniform(inputs.device, spring_grid(*body.grid, body.material(), body.first_vertex),
                                "spring grid"));
@@ -72,8 +73,8 @@ Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels
   WEFT_SET(fine.residual, Dispatch::create(kernels.residual_fine, nodes, bindings));
   WEFT_SET(fine.restrict_down, Dispatch::create(kernels.restrict_residual, coarse, {fine.levels, vectors_}));
   WEFT_SET(fine.correct, Dispatch::create(kernels.correct_fine, nodes, {fine.levels, place_, vectors_}));
-  WEFT_SET(tail_cycle_,
-           Dispatch::create(kernels.cycle_tail, for_each_cloth({}), {tail_levels_, vectors_, operators_}));
+  WEFT_SET(tail_cycle_, Dispatch::create(kernels.cycle_tail, for_each_cloth({}),
+                                         {tail_levels_, vectors_, operators_, sweeps_}));
   return {};
 }
 

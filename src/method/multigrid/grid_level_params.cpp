@@ -5,7 +5,7 @@
 
 namespace weft {
 
-std::vector<GridLevelParams> grid_level_params(const Body& body) {
+std::vector<GridLevelParams> grid_level_params(const Body& body, std::size_t most) {
   const mesh::Grid& grid = *body.grid;
   const auto [along_i, along_j] = bending_stiffness(body);
   const auto ratio = [](std::uint32_t interval, std::uint32_t last) {
@@ -14,6 +14,7 @@ std::vector<GridLevelParams> grid_level_params(const Body& body) {
   std::vector<GridLevelParams> levels;
   std::uint32_t vectors = 0, operators = 0;
   for (const GridLevel& shape : grid_levels(grid.nx, grid.ny)) {
+    if (levels.size() == most) break;
     GridLevelParams level;
     level.nx = shape.nx;
     level.ny = shape.ny;

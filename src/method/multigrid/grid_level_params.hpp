@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "model/model.hpp"
@@ -28,17 +29,15 @@ namespace multigrid {
 using BlockPart = std::array<float, 2>;
 inline constexpr std::uint32_t kBlocks = 5, kBlockParts = 3;
 inline constexpr std::uint32_t kOperatorParts = kBlocks * kBlockParts;
-/// The cycle on levels of no more nodes is done by one workgroup: a stage there takes less than it takes to
-/// begin a dispatch.
-inline constexpr std::uint32_t kTailNodes = 33 * 33;
 /// Nodes a side of what a workgroup smooths on the levels between: src/method/multigrid/descend_coarse.wgsl, of the
 /// coarser level, and ascend_coarse.wgsl.
 inline constexpr std::uint32_t kCoarseTile = 8, kTile = 16;
 
 }  // namespace multigrid
 
-/// The levels of a grid cloth, the finest first; one buffer has the vectors of all, another one the matrices of
-/// all but the finest.
-std::vector<GridLevelParams> grid_level_params(const Body& body);
+inline constexpr std::size_t kAllLevels = std::numeric_limits<std::size_t>::max();
+/// The levels of a grid cloth, the finest first, no more than `most`; one buffer has the vectors of all, another one
+/// the matrices of all but the finest.
+std::vector<GridLevelParams> grid_level_params(const Body& body, std::size_t most = kAllLevels);
 
 }  // namespace weft

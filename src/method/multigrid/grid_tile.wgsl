@@ -4,6 +4,7 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/coarse_operator.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
+#include "method/multigrid/keep_vector.wgsl"
 #include "method/multigrid/smoothing.wgsl"
 #include "method/multigrid/whole_workgroup.wgsl"
 //                                                                                 elements

@@ -1,5 +1,5 @@
 // From one level of a grid to the next, P and Pᵀ: coarse node I coincides with fine node 2 I, the last with the last;
-// fine nodes between take the mean. A side that is not halved stays as it is. The including kernel binds `vectors`.
+// fine nodes between take the mean. A side that is not halved stays as it is.
 // Source: docs/solvers/multigrid.md, equation 7.
 #include "method/multigrid/grid_level.wgsl"
 
@@ -23,25 +23,3 @@ fn inside_tap(fine : i32, coarse : i32, n : i32, m : i32) -> f32 {
 
 // The fine node on which a coarse one lies.
 fn center_of(coarse : u32, n : u32, m : u32) -> u32 { return select(min(2u * coarse, n - 1u), coarse, n == m); }
-
-// The coarse nodes that a fine one takes from, the same twice where it is one.
-fn taps_of(fine : u32, n : u32, m : u32) -> vec2u {
-  let halved = select(vec2u(fine / 2u, (fine + 1u) / 2u), vec2u(m - 1u), fine + 1u == n);
-  return select(halved, vec2u(fine), n == m);
-}
-
-// P e: the coarser level's solution at a node.
-fn correction(fine : Level, coarse : Level, node : u32) -> vec3f {
-  let j = node / fine.nx;
-  let ti = taps_of(node - j * fine.nx, fine.nx, coarse.nx);
-  let tj = taps_of(j, fine.ny, coarse.ny);
-  let first = vector_at(coarse, kFirst, 0u);
-  return 0.25 * (vectors[first + tj.x * coarse.nx + ti.x].xyz + vectors[first + tj.x * coarse.nx + ti.y].xyz +
-                 vectors[first + tj.y * coarse.nx + ti.x].xyz + vectors[first + tj.y * coarse.nx + ti.y].xyz);
-}
-
-// x += P e
-fn correct_node(fine : Level, coarse : Level, node : u32) {
-  let at = vector_at(fine, kFirst, node);
-  vectors[at] = vec4f(vectors[at].xyz + correction(fine, coarse, node), 0.0);
-}

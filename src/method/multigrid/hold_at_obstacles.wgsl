@@ -7,7 +7,7 @@ const kAlike = 0.9;  // with no less its pairs are the hold's: src/contact/proxi
 
 fn let_go(node : u32, vertex : u32) {
   holds[node] = vec4f(0.0);
-  keep_hold_force(vertex, HoldForce(vec3f(0.0), 0.0));
+  keep_hold_force(vertex, HoldForce(vec3f(0.0), 0.0, false));
 }
 
 fn clear_presses(vertex : u32) {

@@ -4,16 +4,17 @@
 #include "method/multigrid/hold.wgsl"
 
 struct HoldForce {
-  along : vec3f,  // τ, N
-  normal : f32,   // λ, N: what it bears, without what restores a gap
+  along : vec3f,       // τ, N
+  normal : f32,        // λ, N: what it bears, without what restores a gap
+  under_cloth : bool,  // it was held, and its pairs keep the force instead
 }
 fn hold_force(vertex : u32) -> HoldForce {
   let at = kHoldWords * vertex;
   let words = bitcast<vec4f>(vec4i(presses[at], presses[at + 1u], presses[at + 2u], presses[at + 3u]));
-  return HoldForce(words.xyz, words.w);
+  return HoldForce(words.xyz, max(words.w, 0.0), words.w < 0.0);
 }
 fn keep_hold_force(vertex : u32, force : HoldForce) {
-  let words = bitcast<vec4i>(vec4f(force.along, force.normal));
+  let words = bitcast<vec4i>(vec4f(force.along, select(force.normal, kUnderCloth, force.under_cloth)));
   for (var k = 0u; k < kHoldWords; k++) { presses[kHoldWords * vertex + k] = words[k]; }
 }
 

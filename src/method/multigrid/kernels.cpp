@@ -70,6 +70,7 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
   const Row<K> table[] = {
       {&K::predict, "predict", size},
       {&K::finish, "finish", size, {holds(inputs)}},
+      {&K::begin_anew, "begin_anew", size},
       {&K::begin_solve, "begin_solve", size, {pairs(inputs)}},
       {&K::go_on, "go_on", size, {pairs(inputs)}},
       {&K::predict_again, "predict_again", size, {pairs(inputs)}},

@@ -6,7 +6,7 @@ namespace weft {
 
 /// The kernels of grids and meshes alike: the system, conjugate gradients, the new state.
 struct SharedKernels {
-  gpu::SharedKernel predict, finish;
+  gpu::SharedKernel predict, finish, begin_anew;
   gpu::SharedKernel begin_solve, advance;
   gpu::SharedKernel go_on, predict_again, begin_again;  // the second Newton step
   gpu::SharedKernel first_norm, square, norm, rho;      // add_up.wgsl for each sum

@@ -9,9 +9,12 @@ using gpu::Dispatch;
 Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body) {
   MeshCycle made;
   const Springs springs = inputs.model.host.springs(body);
-  const MeshLists lists = mesh_lists(mesh_levels(inputs.model.host, body, springs));
+  std::vector<MeshLevel> levels = mesh_levels(inputs.model.host, body, springs);
+  made.bottom_ = multigrid::bottom_of(multigrid::mesh_scales(inputs.model.host, body, levels, inputs.step));
+  levels.resize(made.bottom_.level + 1);
+  const MeshLists lists = mesh_lists(levels);
   made.shapes_ = lists.levels;
-  WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_, multigrid::kMeshTailNodes));
+  WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_));
   WEFT_CHECK(made.create_lists(inputs.device, lists, springs,
                                longest_lengths(limited_edges(inputs.model.host, body), springs)));
   WEFT_CHECK(made.create_system(inputs, kernels));
@@ -87,7 +90,7 @@ Result<void> MeshCycle::create_levels(const MeshKernels& kernels) {
   if (shapes_.size() == 1) return {};
   WEFT_SET(tail_cycle_, Dispatch::create(kernels.tail, {1, 1},
                                          {tail_levels_, vectors_, blocks_, lists_.row_starts, lists_.rows,
-                                          lists_.source_starts, lists_.sources, lists_.taps}));
+                                          lists_.source_starts, lists_.sources, lists_.taps, sweeps_}));
   return {};
 }
 

@@ -19,8 +19,6 @@ namespace multigrid {
 
 /// Nodes of a finer level that a node takes from: src/method/multigrid/mesh_level.wgsl.
 inline constexpr std::uint32_t kTaps = 3;
-/// Levels of no more nodes are done by one workgroup.
-inline constexpr std::uint32_t kMeshTailNodes = 256;
 
 }  // namespace multigrid
 

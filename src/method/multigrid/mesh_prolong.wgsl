@@ -1,5 +1,7 @@
 // Adds the correction of the coarser level of a mesh. One invocation per node.
 #include "gpu/index.wgsl"
+#include "method/multigrid/keep_vector.wgsl"
+#include "method/multigrid/level_solution.wgsl"
 #include "method/multigrid/mesh_correction.wgsl"
 #include "method/multigrid/solve.wgsl"
 //                                                                               elements

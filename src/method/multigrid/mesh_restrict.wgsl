@@ -1,5 +1,6 @@
 // Restricts the residual after smoothing on a level of a mesh to the coarser one. One invocation per coarse node.
 #include "gpu/index.wgsl"
+#include "method/multigrid/level_left.wgsl"
 #include "method/multigrid/mesh_restriction.wgsl"
 #include "method/multigrid/solve.wgsl"
 //                                                                                     elements

@@ -1,5 +1,6 @@
 // Pᵀ of the residual after smoothing on a level of a mesh, and the first smoothing sweep on the coarser one. The
-// including kernel binds `vectors`, `source_starts` and `sources`. Source: docs/solvers/multigrid.md, equation 7.
+// including kernel binds `vectors`, `source_starts` and `sources`, and has that residual, left_at(level, node).
+// Source: docs/solvers/multigrid.md, equation 7.
 #include "method/multigrid/level_start.wgsl"
 #include "method/multigrid/mesh_level.wgsl"
 
@@ -12,10 +13,10 @@ fn restrict_node(fine : Level, coarse : Level, node : u32) {
     let b = sources[min(k + 1u, end - 1u)];
     let c = sources[min(k + 2u, end - 1u)];
     let d = sources[min(k + 3u, end - 1u)];
-    let of_a = vectors[vector_at(fine, kDirection, a.index)].xyz;
-    let of_b = vectors[vector_at(fine, kDirection, b.index)].xyz;
-    let of_c = vectors[vector_at(fine, kDirection, c.index)].xyz;
-    let of_d = vectors[vector_at(fine, kDirection, d.index)].xyz;
+    let of_a = left_at(fine, a.index);
+    let of_b = left_at(fine, b.index);
+    let of_c = left_at(fine, c.index);
+    let of_d = left_at(fine, d.index);
     sum += a.weight * of_a;
     sum += select(0.0, b.weight, k + 1u < end) * of_b;
     sum += select(0.0, c.weight, k + 2u < end) * of_c;

@@ -1,5 +1,6 @@
 // Bindings and sweeps of the smoothing kernels of a mesh's levels.
 #include "gpu/index.wgsl"
+#include "method/multigrid/keep_vector.wgsl"
 #include "method/multigrid/mesh_operator.wgsl"
 #include "method/multigrid/operand.wgsl"
 #include "method/multigrid/smoothing.wgsl"

@@ -2,7 +2,6 @@
 #include "method/multigrid/mesh_correction.wgsl"
 #include "method/multigrid/mesh_operator.wgsl"
 #include "method/multigrid/mesh_restriction.wgsl"
-#include "method/multigrid/operand.wgsl"
 #include "method/multigrid/tail.wgsl"
 //                                                                                     elements
 @group(0) @binding(0) var<storage, read>       tail          : array<MeshLevelParams>;  // the coarsest levels
@@ -13,6 +12,7 @@
 @group(0) @binding(5) var<storage, read>       source_starts : array<u32>;          // node_count + 1 of each level
 @group(0) @binding(6) var<storage, read>       sources       : array<Share>;        // of nodes of the finer level
 @group(0) @binding(7) var<storage, read>       taps          : array<Share>;        // kTaps a node: coarser nodes
+@group(0) @binding(8) var<uniform>             bottom        : BottomSweeps;
 
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_tail(@builtin(local_invocation_index) local : u32) { solve_tail(local); }

@@ -1,7 +1,7 @@
 // The smoothing sweeps of a V-cycle on one level of a grid or a mesh, for one node each. The including file binds
-// `vectors` and defines Level and its matrix: the product A x, product(level, x, node), and x as that product takes it,
-// operand(level, x, node). x is the number of one of the level's vectors.
-// Source: docs/solvers/multigrid.md, equation 8.
+// `vectors` and defines Level and its matrix: the product A x, product(level, x, node), x as that product takes it,
+// operand(level, x, node), and what stores an entry of it, keep_vector(level, x, node, value). x is the number of one
+// of the level's vectors. Source: docs/solvers/multigrid.md, equation 8.
 #include "method/multigrid/chebyshev.wgsl"
 #include "method/multigrid/solve.wgsl"
 
@@ -19,17 +19,17 @@ fn sweep_of(level : Level, x : u32, keep : f32, take : f32, node : u32) -> vec3f
 // The first smoothing sweep: it leaves d for the second.
 fn begin_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
   let d = kBegin * times(inverse_at(level, node), left_of(level, from_x, node));
-  vectors[vector_at(level, to_x, node)] = vec4f(operand(level, from_x, node) + d, 0.0);
+  keep_vector(level, to_x, node, operand(level, from_x, node) + d);
   vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
 }
 
 // The second sweep.
 fn end_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
   let d = sweep_of(level, from_x, kKeep, kTake, node);
-  vectors[vector_at(level, to_x, node)] = vec4f(operand(level, from_x, node) + d, 0.0);
+  keep_vector(level, to_x, node, operand(level, from_x, node) + d);
 }
 
 // The residual after smoothing, the right-hand side of the next level.
 fn keep_residual(level : Level, node : u32) {
-  vectors[vector_at(level, kDirection, node)] = vec4f(left_of(level, kFirst, node), 0.0);
+  keep_vector(level, kDirection, node, left_of(level, kFirst, node));
 }

@@ -28,6 +28,8 @@ void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& cont
   contact.measure(pass);
   contact.answer(pass);
   contact.hold_back(pass);
+  for (const GridCycle& cycle : grids_) cycle.record_anew(pass);
+  for (const MeshCycle& cycle : meshes_) cycle.record_anew(pass);
 }
 
 bool SolverMultigrid::adapt(gpu::Device& device, const Statistics& report) {
@@ -82,8 +84,9 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
 
 Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs, double residual) {
   auto made = std::make_unique<SolverMultigrid>();
-  made->inputs_.emplace(CycleInputs{inputs.device, inputs.model, inputs.state, inputs.predicted(),
-                                    inputs.presses(), inputs.pairs(), residual, inputs.workgroup_size});
+  made->inputs_.emplace(CycleInputs{inputs.device, inputs.model, inputs.state, inputs.step,
+                                    inputs.predicted(), inputs.presses(), inputs.pairs(), residual,
+                                    inputs.workgroup_size});
   WEFT_CHECK(made->create_cycles(*made->inputs_));
   return std::unique_ptr<Solver>(std::move(made));
 }

@@ -25,7 +25,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
                      std::span<const std::vector<mesh::TriangleMesh>> keyframes, std::uint32_t iterations)
     : thickness_(scene.contact.thickness),
       restitution_(scene.contact.restitution),
-      load_(length(scene.gravity + scene.external_force)),
+      load_(scene.gravity + scene.external_force),
       iterations_(iterations),
       limited_edges_(limited_edges(model)),
       cloth_(features_of(model.rest_position, model.triangles)),
@@ -320,6 +320,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   truncated_.driven += truncated.driven;
   truncated_.delay += truncated.delay;
   most_delay_ -= truncated.delay;
+  met_ = truncated.met;
   beside_cloth_ = std::move(response.beside_cloth);
   return static_cast<std::uint64_t>(std::count(response.acts.begin(), response.acts.end(), true));
 }

@@ -43,6 +43,9 @@ class Proximity {
   std::vector<Press> presses(std::span<const Vec3d> position, std::span<const Vec3d> velocity, double begin,
                              double dt);
 
+  /// Whether cloth has met cloth in the last answer, in a blow, or was held back or limited.
+  bool met() const { return met_; }
+
   /// Before the first substep of a frame of that many.
   void begin_frame(std::uint32_t substeps) { most_delay_ = kMostDelay * substeps; }
 
@@ -103,7 +106,8 @@ class Proximity {
   double move_obstacles(double begin, double dt);
 
   double thickness_, self_thickness_ = 0;
-  double restitution_, load_;
+  double restitution_;
+  Vec3d load_;
   std::uint32_t iterations_;
   std::vector<LimitedEdge> limited_edges_;
   std::vector<double> friction_;     // of each vertex's cloth
@@ -125,6 +129,7 @@ class Proximity {
   std::vector<Pressed> pressed_;
   std::vector<bool> beside_cloth_;
   double most_delay_ = 0;  // of what is left of the frame [substeps]
+  bool met_ = false;
   Truncated truncated_;
 };
 

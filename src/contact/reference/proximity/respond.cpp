@@ -40,11 +40,17 @@ class OutOfBody {
 };
 
 /// Equation (3): the least normal velocity that the pair may end with, from the predicted one.
-double least_speed(const NearPair& pair, double u_n, const ContactLaw& law) {
+double least_speed(const NearPair& pair, double u_n, std::span<const double> inverse_mass,
+                   const ContactLaw& law) {
   const double room = std::max(0.0, pair.distance - pair.thickness);
-  const bool closing = -u_n > kPartingSteps * law.dt * law.load;
+  const bool closing = -u_n > kPartingSteps * law.dt * length(law.load);
   const bool bounces = law.restitution > 0 && closing && pair.distance + law.dt * u_n < pair.thickness;
-  return bounces ? std::max(-room / law.dt, -law.restitution * u_n) : -room / law.dt;
+  if (!bounces) return -room / law.dt;
+  double loaded = 0;
+  for (std::uint32_t k = 0; k < pair.node_count; ++k)
+    if (inverse_mass[pair.nodes[k]] > 0) loaded += pair.weights[k];
+  const double toward = -loaded * law.dt * dot(pair.direction, law.load);
+  return std::max(-room / law.dt, law.restitution * (-u_n - toward) - toward);
 }
 
 /// Equation (4), with W > 0: the impulse J of the pair, from the one that it had.
@@ -69,7 +75,7 @@ Vec3d first_impulse(const NearPair& pair, double u_n, std::span<const double> in
   double mobility = 0;  // were the pair alone
   for (std::uint32_t k = 0; k < pair.node_count; ++k)
     mobility += pair.weights[k] * pair.weights[k] * inverse_mass[pair.nodes[k]];
-  const double parting = u_n - kPartingSteps * law.dt * law.load;
+  const double parting = u_n - kPartingSteps * law.dt * length(law.load);
   return within_cone(pair, law.dt * pair.kept - (std::max(0.0, parting) / mobility) * pair.direction);
 }
 
@@ -110,12 +116,13 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
         pair.solved || pair.distance + std::min(law.dt * u_n, 0.0) < kContactTouching * pair.thickness;
     if (!response.acts[p]) continue;
     first_speed[p] = u_n;
-    least[p] = least_speed(pair, u_n, law);
+    least[p] = least_speed(pair, u_n, inverse_mass, law);
     urgency[p] = contact_urgency(pair.distance + std::min(law.dt * u_n, 0.0), pair.thickness);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
-      if (!pair.with_body && !pair.solved) response.beside_cloth[pair.nodes[k]] = true;
+      if (!pair.with_body && !pair.solved && pair.weights[k] != 0)
+        response.beside_cloth[pair.nodes[k]] = true;
   }
   std::vector<Vec3d> now(velocity.begin(), velocity.end());
   const auto give = [&](std::vector<Vec3d>& nodes, const NearPair& pair, const Vec3d& amount) {

@@ -32,7 +32,7 @@ struct NearPair {
 struct ContactLaw {
   double dt = 0;           // [s]
   double restitution = 0;  // e
-  double load = 0;         // |a|: of gravity and the external force [m/s²]
+  Vec3d load;              // a: of gravity and the external force [m/s²]
   std::uint32_t iterations = 1;
 };
 

@@ -99,6 +99,7 @@ class Truncation {
       give(meeting, end_by_speed, change);
     }
     move_ends(reach, move, change);
+    met_ = met_ || !all.empty();
     return !all.empty();
   }
 
@@ -117,6 +118,7 @@ class Truncation {
       if (then < least) part_ = std::min(part_, std::clamp((pair.gap - least) / (pair.gap - then), 0.0, 1.0));
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) marked_.push_back(pair.nodes[k]);
     }
+    met_ = met_ || any;
     return any;
   }
   void hold_marked() {
@@ -148,7 +150,7 @@ class Truncation {
       if (shortened_by_cloth_[plane.node] && dot(plane.normal, ways_.end[plane.node]) < plane.offset - 1e-12)
         driven[plane.node] = true;
     return {static_cast<std::uint64_t>(std::count(changed_.begin(), changed_.end(), true)),
-            static_cast<std::uint64_t>(std::count(driven.begin(), driven.end(), true)), delay_};
+            static_cast<std::uint64_t>(std::count(driven.begin(), driven.end(), true)), delay_, met_};
   }
 
  private:
@@ -226,6 +228,7 @@ class Truncation {
   std::vector<bool> changed_, held_, shortened_by_cloth_;
   double part_ = 1;   // of the substep: until then no pair found in this round may have met
   double delay_ = 0;  // [substeps]
+  bool met_ = false;
   std::vector<std::uint32_t> marked_;
   std::vector<std::vector<std::uint32_t>> lists_;
 };

@@ -50,6 +50,7 @@ struct Truncated {
   std::uint64_t driven =
       0;             // of these, left beyond the plane of an obstacle that drives them into other cloth
   double delay = 0;  // how much sooner the substep has ended for all [substeps]
+  bool met = false;  // whether there were pairs of cloth that might have met, or edges beyond their limit
 };
 
 /// One round of separation: equation (6d). Whether there was anything that may meet.

@@ -1,17 +1,17 @@
 // The V-cycle of the multigrid solver, for grids and for meshes. Source: docs/solvers/multigrid.md.
 #pragma once
 
+#include <optional>
 #include <utility>
 
+#include "method/multigrid/bottom.hpp"
 #include "method/multigrid/reference/mesh_operator.hpp"
 #include "method/multigrid/reference/transfer.hpp"
 
 namespace weft::reference {
 
-/// The eigenvalues of D⁻¹ A that smoothing is for: the upper end is above all of them, 2 for springs and 8/3
-/// for bending inside; the coarsest grid has none below that are left to others.
-inline constexpr double kSmoothHigh = 2.9, kSmoothLow = kSmoothHigh / 8, kBottomLow = kSmoothHigh / 30;
-inline constexpr int kSmoothDegree = 2, kBottomDegree = 10;
+using multigrid::Bottom, multigrid::BottomSweeps, multigrid::kSmoothHigh, multigrid::kSmoothLow;
+inline constexpr std::uint32_t kSmoothDegree = 2;
 
 /// r - A x
 template <class Matrix>
@@ -24,11 +24,11 @@ Field residual(const Matrix& matrix, const Field& r, const Field& x) {
 /// Improves A x = r by Chebyshev's polynomial of D⁻¹ A for eigenvalues from `low` to kSmoothHigh.
 template <class Matrix>
 void smooth(const Matrix& matrix, const std::vector<Sym3>& inverse_diagonal, const Field& r, Field& x,
-            double low, int degree) {
+            double low, std::uint32_t degree) {
   const double middle = (kSmoothHigh + low) / 2, half = (kSmoothHigh - low) / 2, sigma = middle / half;
   double rho = 1 / sigma;
   Field left = residual(matrix, r, x), d(x.size());
-  for (int k = 0; k < degree; ++k) {
+  for (std::uint32_t k = 0; k < degree; ++k) {
     double keep = 0, take = 1 / middle;
     if (k > 0) {
       const double next = 1 / (2 * sigma - rho);
@@ -54,7 +54,7 @@ class Cycle {
     Field x(r.size());
     const bool last = level + 1 == levels_.size();
     if (last && level > 0) {
-      smooth(matrix, inverse_[level], r, x, kBottomLow, kBottomDegree);
+      smooth(matrix, inverse_[level], r, x, sweeps_.low, sweeps_.count);
       return x;
     }
     smooth(matrix, inverse_[level], r, x, kSmoothLow, kSmoothDegree);
@@ -70,12 +70,14 @@ class Cycle {
   const std::vector<std::vector<Sym3>>& inverse_diagonals() const { return inverse_; }
 
  protected:
+  explicit Cycle(const BottomSweeps& sweeps) : sweeps_(sweeps) {}
   void add(Matrix matrix) {
     inverse_.push_back(matrix.inverse_diagonal());
     levels_.push_back(std::move(matrix));
   }
 
  private:
+  BottomSweeps sweeps_;
   std::vector<Matrix> levels_;
   std::vector<std::vector<Sym3>> inverse_;
 };
@@ -83,15 +85,16 @@ class Cycle {
 /// Of a grid.
 class Hierarchy : public Cycle<GridOperator> {
  public:
-  /// `fine` is the matrix; `source` has the nine-point part whose Pᵀ A P the coarse ones are.
-  Hierarchy(GridOperator fine, const GridOperator& source);
+  /// `fine` is the matrix; `source` has the nine-point part whose Pᵀ A P the coarse ones are. Without `bottom`: all
+  /// levels.
+  Hierarchy(GridOperator fine, const GridOperator& source, const std::optional<Bottom>& bottom = {});
 };
 
 /// Of a mesh.
 class MeshHierarchy : public Cycle<MeshOperator> {
  public:
-  /// `fine` is the matrix; it names its levels, which must stay.
-  explicit MeshHierarchy(MeshOperator fine);
+  /// `fine` is the matrix; it names its levels, which must stay. Without `bottom`: all of them.
+  explicit MeshHierarchy(MeshOperator fine, const std::optional<Bottom>& bottom = {});
 };
 
 }  // namespace weft::reference

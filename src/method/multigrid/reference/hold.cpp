@@ -19,7 +19,8 @@ std::optional<Hold> Hold::of(const Press& press, const HoldForce& kept, const Ho
   const double pressed = node.inertia * hold.lack_ - dot(node.residual, hold.normal_);
   if (!bears && !(pressed > 0)) return {};
   const Vec3d turned = hold.across(kept.along);  // with the obstacle's surface
-  hold.kept_ = {kept.normal, length(turned) > 0 ? length(kept.along) / length(turned) * turned : Vec3d{}};
+  hold.kept_ = {kept.normal, length(turned) > 0 ? length(kept.along) / length(turned) * turned : Vec3d{},
+                kept.under_cloth};
   const double inertia = std::min(press.weight, 1.0) * node.inertia;
   hold.stiffness_ = kHoldStiffness * inertia;
   hold.slip_stiffness_ = kSlipStiffness * inertia;
@@ -58,7 +59,9 @@ Hold::End Hold::end(const Vec3d& unknown) const {
   // more than it can take.
   const Vec3d moved = way - surface_way_ - restored_ * normal_;
   const Vec3d freed = no_longer(node_.dt / node_.mass * more, kMostFreed / node_.dt * length(moved));
-  return {force, way / node_.dt - restored_ / node_.dt * normal_ + freed};
+  // Under cloth no force was kept: friction has not acted yet, and stops the way as well.
+  const Vec3d stopped = kept_.under_cloth ? node_.dt * across(freed) : Vec3d{};
+  return {force, way / node_.dt - restored_ / node_.dt * normal_ + freed, stopped};
 }
 
 }  // namespace weft::reference

@@ -15,8 +15,9 @@ inline constexpr double kHoldStiffness = 30, kSlipStiffness = 1, kAgree = 0.3, k
 
 /// The force that obstacles hold a node with [N]: it stays from substep to substep.
 struct HoldForce {
-  double normal = 0;  // λ: what it bears, without what restores a gap
-  Vec3d along;        // τ, of friction
+  double normal = 0;         // λ: what it bears, without what restores a gap
+  Vec3d along;               // τ, of friction
+  bool under_cloth = false;  // it was held, and its pairs keep the force instead
 };
 
 /// A node before its system is solved.
@@ -43,6 +44,7 @@ class Hold {
   struct End {
     HoldForce force;
     Vec3d velocity;  // [m/s]
+    Vec3d stopped;   // what friction takes out of the way [m]
   };
   /// After the solution: `unknown` is e [m].
   End end(const Vec3d& unknown) const;

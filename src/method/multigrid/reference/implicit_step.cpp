@@ -99,7 +99,7 @@ StepFormula step_formula(double dt, double ratio) {
   return {dt * (1 + ratio) / (1 + 2 * ratio), ratio * ratio / (1 + 2 * ratio)};
 }
 
-ImplicitStepper::ImplicitStepper(const Model& model, double residual)
+ImplicitStepper::ImplicitStepper(const Model& model, double step, double residual)
     : wanted_residual(residual),
       position_before_(model.vertex_count()),
       velocity_before_(model.vertex_count()) {
@@ -111,10 +111,12 @@ ImplicitStepper::ImplicitStepper(const Model& model, double residual)
       made.ny = body.grid->ny;
       const auto [along_i, along_j] = bending_stiffness(body);
       made.bending = {along_i, along_j, 1, 1, body.weights == mesh::BoundaryWeights::Uniform};
+      made.bottom = multigrid::bottom_of(multigrid::grid_scales(model, body, step));
       springs += mesh::grid_spring_count(*body.grid);
     } else {
       const Springs own = model.springs(body);
       made.levels = mesh_levels(model, body, own);
+      made.bottom = multigrid::bottom_of(multigrid::mesh_scales(model, body, made.levels, step));
       made.first_spring = springs;
       springs += own.size();
     }
@@ -329,11 +331,11 @@ ImplicitStepper::Solved ImplicitStepper::solved(const Substep& substep, const Pr
   if (cloths_[c].levels.empty()) {
     LinearStep step =
         linearise(substep.system, substep.places, substep.dt, substep.ratio, c, pressed.presses, ways);
-    return solved(step, Hierarchy(step.matrix, step.source));
+    return solved(step, Hierarchy(step.matrix, step.source, cloths_[c].bottom));
   }
   MeshStep step =
       linearise_mesh(substep.system, substep.places, substep.dt, substep.ratio, c, pressed.presses, ways);
-  return solved(step, MeshHierarchy(step.matrix));
+  return solved(step, MeshHierarchy(step.matrix, cloths_[c].bottom));
 }
 
 void ImplicitStepper::forget(const std::vector<NearPair>& pairs) {
@@ -357,6 +359,7 @@ void ImplicitStepper::finish(const Substep& substep, const Solved& found, std::s
     const Hold::End end = step.holds[a]->end(dz[a]);
     hold_forces_[node] = end.force;
     velocity[node] = end.velocity;
+    position[node] += end.stopped;
     held_[node] = step.holds[a]->alike();
     stopped.push_back(node);  // an impulse breaks the history of BDF2
   }

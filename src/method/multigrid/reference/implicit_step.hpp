@@ -51,8 +51,9 @@ StepFormula step_formula(double dt, double ratio);
 /// way, in two Newton steps: the second from where the first leads.
 class ImplicitStepper : public Stepper {
  public:
-  /// `residual`: what a substep may leave of its linear system's.
-  explicit ImplicitStepper(const Model& model, double residual = scene::Solver{}.residual);
+  /// `step`: the length of a substep, where frames are not cut [s]. `residual`: what a substep may leave of its linear
+  /// system's.
+  ImplicitStepper(const Model& model, double step, double residual = scene::Solver{}.residual);
 
   void advance(const Substep& substep) override;
   /// The state a step before the one that is advanced next.
@@ -61,7 +62,11 @@ class ImplicitStepper : public Stepper {
   void forget() override;
   /// The same for one node.
   void forget(std::size_t node) override { known_[node] = false; }
-  void forget_hold(std::size_t node) override { hold_forces_[node] = {}; }
+  void begin_anew() override { known_.assign(known_.size(), false); }
+  void forget_hold(std::size_t node) override {
+    const HoldForce& had = hold_forces_[node];
+    hold_forces_[node] = {0, {}, had.normal > 0 || had.under_cloth};
+  }
   std::vector<bool> held() const override { return held_; }
   std::vector<Vec3d> pair_forces() const override { return pair_forces_; }
   /// Whether the next step may read the state before the last one.
@@ -94,6 +99,7 @@ class ImplicitStepper : public Stepper {
     GridBending bending;
     std::vector<MeshLevel> levels;  // of a mesh
     std::size_t first_spring = 0;   // of a mesh, in the system's
+    multigrid::Bottom bottom;       // of its cycles
   };
 
   struct Solved {

@@ -1,0 +1,112 @@
+#include "method/multigrid/bottom.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "element/spring/law.hpp"
+#include "method/multigrid/grid_levels.hpp"
+
+namespace weft::multigrid {
+namespace {
+
+constexpr std::uint32_t kLanes = 256;  // of the workgroup
+constexpr std::uint32_t kStages = 6;   // of a level above the bottom
+
+/// Of an edge beyond its strain limit, by that within: docs/solvers/multigrid.md, equation 5a.
+constexpr double kBeyondLimit = 1 + spring::kStiffer;
+
+/// D⁻¹ A has the least eigenvalue where the cloth moves as a whole, but for a margin; or where neighbours move against
+/// each other, out of the sheet, which stiffness does not see: Pᵀ M P of bilinear functions has a quarter of its
+/// diagonal there.
+constexpr double kMargin = 0.8, kOutOfPlane = 0.25;
+
+/// h_e of (1), with a history.
+double formula_length(double step) { return 2 * step / 3; }
+
+double mass_of(const Model& model, const Body& body) {
+  const auto first = model.mass.begin() + body.first_vertex;
+  return std::accumulate(first, first + body.vertex_count, 0.0);
+}
+
+double area_of(const Model& model, const Body& body) {
+  double twice = 0;
+  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t) {
+    const auto& [a, b, c] = model.triangles[t];
+    const auto& x = model.rest_position;
+    twice += length(cross(x[b] - x[a], x[c] - x[a]));
+  }
+  return twice / 2;
+}
+
+/// Sweeps that make each part of an error smaller by kBottomPart, for eigenvalues that differ by `condition`.
+std::uint32_t sweeps_for(double condition) {
+  const double each = std::acosh((condition + 1) / (condition - 1));
+  return static_cast<std::uint32_t>(std::ceil(std::acosh(kBottomPart) / each));
+}
+
+std::uint32_t rounds(const LevelScale& level) { return (level.nodes + kLanes - 1) / kLanes; }
+
+}  // namespace
+
+std::vector<LevelScale> grid_scales(const Model& model, const Body& body, double step) {
+  const mesh::Grid& grid = *body.grid;
+  const double he = formula_length(step), inertia = mass_of(model, body) / (he * he);
+  const auto [curve_i, curve_j] = bending_stiffness(body);
+  const scene::Stiffness& k = body.stiffness;
+  const double structural = k.structural * (body.strain_limit ? kBeyondLimit : 1);
+  // The sheet's resistance along either side [N/m]: a spring counts by the square of its length, diagonals half of it.
+  const double along = structural + 2 * k.shear + 4 * k.bend + (1 + 2 + 4) * body.damping / he;
+  const double cell = (grid.width / (grid.nx - 1)) / (grid.height / (grid.ny - 1));
+  std::vector<LevelScale> scales;
+  for (const GridLevel& level : grid_levels(grid.nx, grid.ny)) {
+    const std::uint32_t nodes = level.nx * level.ny;
+    const double longer = static_cast<double>(level.interval_i) / level.interval_j;
+    // A bilinear φ's ∫ |∂φ/∂i|² over its four cells is 4/3 times their side along j over that along i.
+    const double springs = 4.0 / 3 * along * (cell * longer + 1 / (cell * longer));
+    const double bending = 6 * (curve_i * level.bending_i + curve_j * level.bending_j);
+    scales.push_back({nodes, inertia / nodes, springs + bending});
+  }
+  return scales;
+}
+
+std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
+                                    double step) {
+  const double he = formula_length(step), inertia = mass_of(model, body) / (he * he);
+  double springs = 0;
+  for (const Spring s : model.springs(body)) {
+    const double k = s.stiffness * (body.strain_limit ? kBeyondLimit : 1), l0 = s.rest_length;
+    springs += (k + s.damping / he) * l0 * l0;
+  }
+  const double stiffness = 4.0 / 3 * springs / area_of(model, body);
+  std::vector<LevelScale> scales;
+  for (const MeshLevel& level : levels)
+    scales.push_back({level.node_count, inertia / level.node_count, stiffness});
+  return scales;
+}
+
+Bottom bottom_of(std::span<const LevelScale> levels) {
+  std::size_t l = 1;
+  while (l + 1 < levels.size() && levels[l].nodes > kTailNodes) ++l;
+  Bottom best{levels.size() - 1, {}};
+  std::uint32_t above = 0, least = std::numeric_limits<std::uint32_t>::max();
+  for (; l < levels.size(); ++l) {
+    const LevelScale& level = levels[l];
+    const double low = std::min(kMargin * level.inertia / (level.inertia + level.stiffness), kOutOfPlane);
+    const bool known = low >= kBottomLow;
+    const BottomSweeps sweeps = known ? BottomSweeps{sweeps_for(kSmoothHigh / low), static_cast<float>(low),
+                                                     static_cast<float>((kSmoothHigh + low) / 2),
+                                                     static_cast<float>((kSmoothHigh - low) / 2)}
+                                      : BottomSweeps{};
+    const std::uint32_t work = above + sweeps.count * rounds(level);
+    if ((known || l + 1 == levels.size()) && work < least) {
+      least = work;
+      best = {l, sweeps};
+    }
+    above += kStages * rounds(level);
+  }
+  return best;
+}
+
+}  // namespace weft::multigrid

@@ -1,0 +1,56 @@
+// Where a V-cycle ends. From level to level a node has more mass, and no more stiffness; where inertia is a good part
+// of a level's matrix, some sweeps solve there what coarser levels would.
+// Source: docs/solvers/multigrid.md, equation 8a.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "method/multigrid/mesh_levels.hpp"
+#include "model/model.hpp"
+
+namespace weft::multigrid {
+
+/// The eigenvalues of D⁻¹ A that smoothing is for: the upper end is above all of them, 2 for springs and 8/3 for
+/// bending inside. Mirror: src/method/multigrid/chebyshev.wgsl.
+inline constexpr double kSmoothHigh = 2.9, kSmoothLow = kSmoothHigh / 8;
+/// At the coarsest level: the lower end where nothing better is known, and the sweeps for that.
+inline constexpr double kBottomLow = kSmoothHigh / 30;
+inline constexpr std::uint32_t kBottomSweeps = 10;
+/// By what the sweeps of a bottom that has inertia make each part of the error smaller, at least. What is left of the
+/// cloth's motion as a whole is momentum: with 10 a free mesh loses 0.3 % of it, with 30 0.12 %.
+inline constexpr double kBottomPart = 100;
+/// The cycle on levels of no more nodes is done by one workgroup: src/method/multigrid/tail.wgsl.
+inline constexpr std::uint32_t kTailNodes = 682;
+
+/// What a level is like: its nodes, and of one of them the inertia and the stiffness in its matrix's diagonal [N/m].
+struct LevelScale {
+  std::uint32_t nodes = 0;
+  double inertia = 0, stiffness = 0;
+};
+
+/// Mirror of src/method/multigrid/tail.wgsl: how the last level is solved.
+struct BottomSweeps {
+  std::uint32_t count = kBottomSweeps;
+  float low = static_cast<float>(kBottomLow);  // the lower end of the eigenvalues that they are for
+  float middle = static_cast<float>((kSmoothHigh + kBottomLow) / 2);  // of these, and half of what they span
+  float half = static_cast<float>((kSmoothHigh - kBottomLow) / 2);
+};
+static_assert(sizeof(BottomSweeps) == 16);
+
+/// The last level of a cycle.
+struct Bottom {
+  std::size_t level = 0;
+  BottomSweeps sweeps;
+};
+
+/// The levels of a cloth for substeps of `step` [s], the finest first. `levels`: those of mesh_levels.
+std::vector<LevelScale> grid_scales(const Model& model, const Body& body, double step);
+std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
+                                    double step);
+
+/// Where one workgroup, which does the levels from the first small one on, has least to do.
+Bottom bottom_of(std::span<const LevelScale> levels);
+
+}  // namespace weft::multigrid
