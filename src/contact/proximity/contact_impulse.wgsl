@@ -45,9 +45,9 @@ fn is_left(contact : Contact) -> bool {
 // Where cloth lies on a vertex, the pairs of both bear it: the force that the solver holds it with does not stay.
 fn forget_hold(vertex : u32) {
   let word = kHoldWords * vertex;
-  let was_held = atomicLoad(&presses[word + 3u]) != 0;
-  for (var k = 0u; k < 3u; k++) { atomicStore(&presses[word + k], 0); }
-  atomicStore(&presses[word + 3u], select(0, bitcast<i32>(kUnderCloth), was_held));
+  let was_held = atomicLoad(&presses[word + kHoldNormal]) != 0;
+  for (var k = 0u; k < kHoldNormal; k++) { atomicStore(&presses[word + k], 0); }
+  atomicStore(&presses[word + kHoldNormal], select(0, bitcast<i32>(kUnderCloth), was_held));
 }
 
 // Equations (2) to (4a) and (7); stores the force.

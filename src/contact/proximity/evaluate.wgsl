@@ -67,8 +67,10 @@ fn least_speed(ids : vec4u, w : vec4f, n : vec3f, gap : f32, thickness : f32, sp
   let dt = step.time.dt;
   let e = step.contact.restitution;
   let bounces = (e > 0.0) & (-speed > speed_of_load()) & (gap + dt * speed < thickness);
+  let least = -max(0.0, gap - thickness) / dt;
+  if (!bounces) { return least; }
   let toward = speed_by_load(ids, w, n);
-  return max(-max(0.0, gap - thickness) / dt, select(-3e38, e * (-speed - toward) - toward, bounces));
+  return max(least, e * (-speed - toward) - toward);
 }
 
 // Whether the collider of the pair, if it has one, is a closed mesh.

@@ -10,6 +10,7 @@
 // substep, τ and λ, N, as the bits of f32; or kUnderCloth for λ, where that held it and cloth lies on it. The including
 // kernel binds `step`.
 const kHoldWords = 4u;
+const kHoldNormal = 3u;  // which of them is λ
 const kUnderCloth = -1.0;
 const kPressWords = 20u;
 const kPressNormal = 0u;    // three: the direction that they press in; kPressUnits
