@@ -173,9 +173,8 @@ Json cloth_nodes() {
               M(padding)});
 }
 Json bottom_sweeps() {
-  using T = multigrid::BottomSweeps;
-  return row("BottomSweeps", "method/multigrid/tail.wgsl", sizeof(T), kUniform,
-             {M(count), M(low), M(middle), M(half)});
+  using T = BottomSweeps;
+  return row("BottomSweeps", "method/multigrid/tail.wgsl", sizeof(T), kExact, {M(count), M(middle), M(half)});
 }
 Json level_of_mesh() {
   using T = MeshLevelParams;

@@ -212,7 +212,7 @@ TEST_CASE("cycles do not over-correct where bending is strong, whatever is pinne
                   "stiffness": {"structural": 2000, "shear": 500, "bend": 0, "bending": 0.05}, "pins": [)" +
                   (pinned > 0 ? R"({"nodes": [)" + nodes + "]}" : "") + "]}]");
       const LinearStep step = strip.linearise();
-      for (const std::optional<Bottom>& bottom : {std::optional<Bottom>{}, std::optional(strip.bottom())}) {
+      for (const Bottom& bottom : {Bottom{}, strip.bottom()}) {
         const Hierarchy hierarchy(step.matrix, step.source, bottom);
         Random random(1);
         Field x(step.matrix.size());
@@ -326,7 +326,7 @@ TEST_CASE(
                       ended = converge(Hierarchy(step.matrix, step.source, bottom), step.residual);
     MESSAGE(c.nx << " x " << c.ny << ", wrinkles " << c.wrinkles << " m: " << found.mean
                  << " a cycle, at worst " << found.worst << ", at last " << found.last << "; to level "
-                 << bottom.level << ", " << bottom.sweeps.count << " sweeps: " << ended.mean);
+                 << bottom.level << ", " << bottom.sweeps << " sweeps: " << ended.mean);
     CHECK(found.mean < c.bound);
     CHECK(ended.mean < c.bound);
     if (c.nx > 70) continue;  // the direct solution of larger ones takes long
@@ -362,7 +362,7 @@ TEST_CASE(
       step.matrix.rows[a][0] += hold;
       step.source.rows[a][0] += hold;
     }
-    for (const std::optional<Bottom>& bottom : {std::optional<Bottom>{}, std::optional(sheet.bottom())}) {
+    for (const Bottom& bottom : {Bottom{}, sheet.bottom()}) {
       const Convergence found = converge(Hierarchy(step.matrix, step.source, bottom), step.residual);
       MESSAGE(std::string(obstacles ? "obstacles: " : "shear: ")
               << found.mean << " a cycle, at worst " << found.worst << ", at last " << found.last);
@@ -408,13 +408,13 @@ TEST_CASE(
         const Eigen::VectorXd values =
             Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(root * a * root, Eigen::EigenvaluesOnly)
                 .eigenvalues();
-        CHECK(values.minCoeff() > bottom.sweeps.low);
+        CHECK(values.minCoeff() > bottom.low);
         Field x(level.size());
         Random random(3);
         for (Vec3d& v : x) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
         const Field task = level.apply(x);
         Field found(x.size());
-        smooth(level, inverse, task, found, bottom.sweeps.low, bottom.sweeps.count);
+        smooth(level, inverse, task, found, bottom.low, bottom.sweeps);
         for (std::size_t k = 0; k < x.size(); ++k) found[k] -= x[k];
         const Field left = level.apply(found);
         double before = 0, after = 0;

@@ -123,7 +123,7 @@ void check_convergence(const Case& c) {
   CHECK(found.worst < 1);
   const Convergence ended = converge(MeshHierarchy(step.matrix, stood.bottom()), step.residual);
   MESSAGE("to level " << stood.bottom().level << " of " << hierarchy.levels().size() << ", "
-                      << stood.bottom().sweeps.count << " sweeps: " << ended.mean << " a cycle");
+                      << stood.bottom().sweeps << " sweeps: " << ended.mean << " a cycle");
   CHECK(ended.mean < c.bound);
   CHECK(largest_eigenvalue(hierarchy.levels()[0]) <
         2 * (1 + 1e-9));  // each spring adds at most twice its own

@@ -89,20 +89,17 @@ std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::s
 Bottom bottom_of(std::span<const LevelScale> levels) {
   std::size_t l = 1;
   while (l + 1 < levels.size() && levels[l].nodes > kTailNodes) ++l;
-  Bottom best{levels.size() - 1, {}};
+  Bottom best{levels.size() - 1};
   std::uint32_t above = 0, least = std::numeric_limits<std::uint32_t>::max();
   for (; l < levels.size(); ++l) {
     const LevelScale& level = levels[l];
     const double low = std::min(kMargin * level.inertia / (level.inertia + level.stiffness), kOutOfPlane);
     const bool known = low >= kBottomLow;
-    const BottomSweeps sweeps = known ? BottomSweeps{sweeps_for(kSmoothHigh / low), static_cast<float>(low),
-                                                     static_cast<float>((kSmoothHigh + low) / 2),
-                                                     static_cast<float>((kSmoothHigh - low) / 2)}
-                                      : BottomSweeps{};
-    const std::uint32_t work = above + sweeps.count * rounds(level);
+    const Bottom here = known ? Bottom{l, sweeps_for(kSmoothHigh / low), low} : Bottom{l};
+    const std::uint32_t work = above + here.sweeps * rounds(level);
     if ((known || l + 1 == levels.size()) && work < least) {
       least = work;
-      best = {l, sweeps};
+      best = here;
     }
     above += kStages * rounds(level);
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,19 +31,11 @@ struct LevelScale {
   double inertia = 0, stiffness = 0;
 };
 
-/// Mirror of src/method/multigrid/tail.wgsl: how the last level is solved.
-struct BottomSweeps {
-  std::uint32_t count = kBottomSweeps;
-  float low = static_cast<float>(kBottomLow);  // the lower end of the eigenvalues that they are for
-  float middle = static_cast<float>((kSmoothHigh + kBottomLow) / 2);  // of these, and half of what they span
-  float half = static_cast<float>((kSmoothHigh - kBottomLow) / 2);
-};
-static_assert(sizeof(BottomSweeps) == 16);
-
-/// The last level of a cycle.
+/// The last level of a cycle, and how it is solved. By default the coarsest that there is.
 struct Bottom {
-  std::size_t level = 0;
-  BottomSweeps sweeps;
+  std::size_t level = std::numeric_limits<std::size_t>::max();
+  std::uint32_t sweeps = kBottomSweeps;
+  double low = kBottomLow;  // the lower end of the eigenvalues that they are for
 };
 
 /// The levels of a cloth for substeps of `step` [s], the finest first. `levels`: those of mesh_levels.

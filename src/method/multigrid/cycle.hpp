@@ -42,6 +42,19 @@ struct ClothNodes {
 };
 static_assert(sizeof(ClothNodes) == 32);
 
+/// Mirror of src/method/multigrid/tail.wgsl: the sweeps of the last level, and the middle of the eigenvalues that they
+/// are for and half of what these span.
+struct BottomSweeps {
+  std::uint32_t count = 0;
+  float middle = 0, half = 0;
+
+  explicit BottomSweeps(const multigrid::Bottom& bottom)
+      : count(bottom.sweeps),
+        middle(static_cast<float>((multigrid::kSmoothHigh + bottom.low) / 2)),
+        half(static_cast<float>((multigrid::kSmoothHigh - bottom.low) / 2)) {}
+};
+static_assert(sizeof(BottomSweeps) == 12);
+
 struct SharedKernels;
 
 /// The inputs of the cycles of a model's bodies.
@@ -169,7 +182,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   }
   WEFT_SET(tail_levels_, gpu::Buffer<Shape>::create_from(device, std::span(shapes).subspan(tail_),
                                                          "coarsest multigrid levels"));
-  WEFT_SET(sweeps_, gpu::create_uniform(device, bottom_.sweeps, "sweeps of the coarsest level"));
+  WEFT_SET(sweeps_, gpu::create_uniform(device, BottomSweeps(bottom_), "sweeps of the coarsest level"));
   const double residual = (inputs.presses != nullptr ? multigrid::kHeldPart : 1) * inputs.residual;
   own_nodes_ = {cloths.first.first_vertex, nodes, static_cast<float>(residual * residual), 1,
                 static_cast<std::uint32_t>(vectors)};

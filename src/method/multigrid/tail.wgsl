@@ -10,10 +10,9 @@
 #include "method/multigrid/whole_workgroup.wgsl"
 
 // The coarsest level has nothing below it that could take the low eigenvalues, so more sweeps, for a wider range.
-struct BottomSweeps {  // mirror: src/method/multigrid/bottom.hpp
+struct BottomSweeps {  // mirror: src/method/multigrid/cycle.hpp
   count : u32,
-  low : f32,     // the lower end of the range
-  middle : f32,
+  middle : f32,  // of the range
   half : f32,    // of what it spans
 }
 

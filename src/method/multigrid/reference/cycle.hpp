@@ -1,7 +1,6 @@
 // The V-cycle of the multigrid solver, for grids and for meshes. Source: docs/solvers/multigrid.md.
 #pragma once
 
-#include <optional>
 #include <utility>
 
 #include "method/multigrid/bottom.hpp"
@@ -10,7 +9,7 @@
 
 namespace weft::reference {
 
-using multigrid::Bottom, multigrid::BottomSweeps, multigrid::kSmoothHigh, multigrid::kSmoothLow;
+using multigrid::Bottom, multigrid::kSmoothHigh, multigrid::kSmoothLow;
 inline constexpr std::uint32_t kSmoothDegree = 2;
 
 /// r - A x
@@ -54,7 +53,7 @@ class Cycle {
     Field x(r.size());
     const bool last = level + 1 == levels_.size();
     if (last && level > 0) {
-      smooth(matrix, inverse_[level], r, x, sweeps_.low, sweeps_.count);
+      smooth(matrix, inverse_[level], r, x, bottom_.low, bottom_.sweeps);
       return x;
     }
     smooth(matrix, inverse_[level], r, x, kSmoothLow, kSmoothDegree);
@@ -70,14 +69,14 @@ class Cycle {
   const std::vector<std::vector<Sym3>>& inverse_diagonals() const { return inverse_; }
 
  protected:
-  explicit Cycle(const BottomSweeps& sweeps) : sweeps_(sweeps) {}
+  explicit Cycle(const Bottom& bottom) : bottom_(bottom) {}
   void add(Matrix matrix) {
     inverse_.push_back(matrix.inverse_diagonal());
     levels_.push_back(std::move(matrix));
   }
 
  private:
-  BottomSweeps sweeps_;
+  Bottom bottom_;
   std::vector<Matrix> levels_;
   std::vector<std::vector<Sym3>> inverse_;
 };
@@ -85,16 +84,15 @@ class Cycle {
 /// Of a grid.
 class Hierarchy : public Cycle<GridOperator> {
  public:
-  /// `fine` is the matrix; `source` has the nine-point part whose Pᵀ A P the coarse ones are. Without `bottom`: all
-  /// levels.
-  Hierarchy(GridOperator fine, const GridOperator& source, const std::optional<Bottom>& bottom = {});
+  /// `fine` is the matrix; `source` has the nine-point part whose Pᵀ A P the coarse ones are.
+  Hierarchy(GridOperator fine, const GridOperator& source, const Bottom& bottom = {});
 };
 
 /// Of a mesh.
 class MeshHierarchy : public Cycle<MeshOperator> {
  public:
-  /// `fine` is the matrix; it names its levels, which must stay. Without `bottom`: all of them.
-  explicit MeshHierarchy(MeshOperator fine, const std::optional<Bottom>& bottom = {});
+  /// `fine` is the matrix; it names its levels, which must stay.
+  explicit MeshHierarchy(MeshOperator fine, const Bottom& bottom = {});
 };
 
 }  // namespace weft::reference
