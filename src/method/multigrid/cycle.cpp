@@ -145,7 +145,7 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      *inputs.predicted[p],
                      presses(inputs)};
            }));
-  if (inputs.predicted[0] != &state.velocity[1])  // aside, for contact
+  if (meets_contact(inputs))
     WEFT_SET(begin_anew_,
              Dispatch::create_by_parity(kernels.begin_anew, nodes, [&](std::size_t p) -> Dispatch::Bindings {
                return {nodes_, state.statistics, state.velocity[1 - p]};

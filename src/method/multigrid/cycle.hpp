@@ -70,6 +70,11 @@ struct CycleInputs {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 
+/// Whether contact may change what a substep predicts, which is aside then.
+inline bool meets_contact(const CycleInputs& inputs) {
+  return inputs.predicted[0] != &inputs.state.velocity[1];
+}
+
 /// One implicit substep of a cloth, or of several equal ones: a linear system and conjugate gradients with a V-cycle in
 /// each iteration, with contact a second system from where the first leads, and the new state. GridCycle and MeshCycle
 /// define its levels and the kernel of each stage.

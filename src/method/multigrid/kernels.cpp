@@ -14,13 +14,12 @@ struct Row {
 };
 
 template <class Set>
-Result<Set> create_all(gpu::Device& device, std::span<const Row<Set>> table) {
-  Set made;
+Result<void> create_all(gpu::Device& device, std::span<const Row<Set>> table, Set& made) {
   for (const Row<Set>& row : table) {
     const std::string path = std::string("method/multigrid/") + row.name + ".wgsl";
     WEFT_SET(made.*row.kernel, gpu::create_shared_kernel(device, path, row.constants, row.size));
   }
-  return made;
+  return {};
 }
 
 /// The size of the single workgroup of a tail.
@@ -70,7 +69,6 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
   const Row<K> table[] = {
       {&K::predict, "predict", size},
       {&K::finish, "finish", size, {holds(inputs)}},
-      {&K::begin_anew, "begin_anew", size},
       {&K::begin_solve, "begin_solve", size, {pairs(inputs)}},
       {&K::go_on, "go_on", size, {pairs(inputs)}},
       {&K::predict_again, "predict_again", size, {pairs(inputs)}},
@@ -83,17 +81,16 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::last_norm, "add_up", lone, {sum(2), last()}},
       {&K::rho, "add_up", lone, {sum(3)}},
   };
-  WEFT_TRY(made, create_all<K>(inputs.device, table));
-  if (inputs.pairs == nullptr) return made;
+  SharedKernels made;
+  WEFT_CHECK(create_all<K>(inputs.device, table, made));
+  const Row<K> of_contact[] = {{&K::begin_anew, "begin_anew", size}};
+  if (meets_contact(inputs)) WEFT_CHECK(create_all<K>(inputs.device, of_contact, made));
   const Row<K> of_pairs[] = {
       {&K::pair_force, "pair_force", size},     {&K::pair_force_again, "pair_force", size, {again()}},
       {&K::pair_product, "pair_product", size}, {&K::pair_end, "pair_end", size},
       {&K::pair_finish, "pair_finish", size},
   };
-  for (const Row<K>& row : of_pairs) {
-    const std::string path = std::string("method/multigrid/") + row.name + ".wgsl";
-    WEFT_SET(made.*row.kernel, gpu::create_shared_kernel(inputs.device, path, row.constants, row.size));
-  }
+  if (inputs.pairs != nullptr) WEFT_CHECK(create_all<K>(inputs.device, of_pairs, made));
   return made;
 }
 
@@ -116,7 +113,8 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
       {&K::ascend, "ascend_coarse", size},
       {&K::cycle_tail, "cycle_tail", lone_workgroup_size(inputs.device)},
   };
-  WEFT_TRY(made, create_all<K>(inputs.device, table));
+  K made;
+  WEFT_CHECK(create_all<K>(inputs.device, table, made));
   WEFT_SET(made.shared, SharedKernels::create(inputs));
   return made;
 }
@@ -137,7 +135,8 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
       {&K::smooth_last, "mesh_smooth_last", size},
       {&K::search, "mesh_search", size, {pairs(inputs)}},
   };
-  WEFT_TRY(made, create_all<K>(inputs.device, table));
+  K made;
+  WEFT_CHECK(create_all<K>(inputs.device, table, made));
   WEFT_SET(made.shared, SharedKernels::create(inputs));
   return made;
 }
