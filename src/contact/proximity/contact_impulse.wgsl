@@ -47,7 +47,9 @@ fn forget_hold(vertex : u32) {
   let word = kHoldWords * vertex;
   let was_held = atomicLoad(&presses[word + kHoldNormal]) != 0;
   for (var k = 0u; k < kHoldNormal; k++) { atomicStore(&presses[word + k], 0); }
-  atomicStore(&presses[word + kHoldNormal], select(0, bitcast<i32>(kUnderCloth), was_held));
+  // A branch: of a select between the bits of 0 and of -1.0, lavapipe makes a negated number, and so -0, which another
+  // pair would take for a force.
+  if (was_held) { atomicStore(&presses[word + kHoldNormal], bitcast<i32>(kUnderCloth)); }
 }
 
 // Equations (2) to (4a) and (7); stores the force.
