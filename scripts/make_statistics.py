@@ -16,6 +16,8 @@ ADD = {
     "wrap": "totals.{0} += frame.{0};",
     "max": "totals.{0} = std::max(totals.{0}, frame.{0});",
     "last": "totals.{0} = frame.{0};",
+    # The same as the sum of the microseconds, in any order.
+    "seconds": "totals.{1} = (std::round(1e6 * totals.{1}) + frame.{0}) / 1e6;",
 }
 
 
@@ -32,6 +34,8 @@ def rows_of(text):
             raise ValueError(f"{row} has a word that no column knows.")
         if (row["clear"] == "-") != (row["total"] == "host"):
             raise ValueError(f"{row['name']} is counted by the host and by the GPU, or by neither.")
+        if (row["total"] == "seconds") != row["name"].endswith("_us"):
+            raise ValueError(f"{row['name']} is in microseconds and not added up to seconds, or the reverse.")
     return rows
 
 
@@ -48,8 +52,12 @@ def camel(name):
     return re.sub("_(.)", lambda found: found[1].upper(), name)
 
 
+def total_name(row):
+    return row["name"].removesuffix("_us") + "_s" if row["total"] == "seconds" else row["name"]
+
+
 def total_type(row):
-    return "std::uint64_t" if row["total"] == "sum" else CPP[row["type"]]
+    return {"sum": "std::uint64_t", "seconds": "double"}.get(row["total"], CPP[row["type"]])
 
 
 def shader(words):
@@ -71,11 +79,14 @@ def visits(rows, of):
 
 def mirror(words):
     kept = next(row["name"] for row in words if row["clear"] == "reset")
-    sums = "".join(f"  {ADD[row['total']].format(row['name'])}\n" for row in words if row["total"] != "-")
+    sums = "".join(
+        f"  {ADD[row['total']].format(row['name'], total_name(row))}\n" for row in words if row["total"] != "-"
+    )
     return f"""{MADE}
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -157,7 +168,7 @@ def made(table, docs):
     """Every file that follows from the table, by its path; `docs`: the text of docs/cli.md as it is."""
     rows = rows_of(table)
     words = [row for row in rows if row["clear"] != "-"]
-    totals = [row for row in rows if row["total"] != "-"]
+    totals = [{**row, "name": total_name(row)} for row in rows if row["total"] != "-"]
     return {
         "src/state/statistics.wgsl": shader(words),
         "src/state/statistics.hpp": mirror(words),

@@ -50,9 +50,9 @@ class Altered {
           static_cast<unsigned long long>(world.totals().driven));
     const sim::Totals& totals = world.totals();
     if (totals.slowed > 0)
-      say("Cloth was slowed down in %llu substeps, by %.3g substeps of time in all, since it would have "
+      say("Cloth was slowed down in %llu substeps, by %.3g ms in all, since it would have "
           "passed through cloth: more substeps help.",
-          static_cast<unsigned long long>(totals.slowed), 0.001 * static_cast<double>(totals.delay));
+          static_cast<unsigned long long>(totals.slowed), 1e3 * totals.delay_s);
     if (totals.unsolved > 0)
       say("Linear systems of substeps kept more than %g of their residual %llu times, at most %.2g after %u "
           "iteration%s: more substeps help.",

@@ -29,8 +29,8 @@ struct Totals {
   std::uint64_t driven = 0;
   /// Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity).
   std::uint64_t slowed = 0;
-  /// Thousandths of a substep that these were short of.
-  std::uint64_t delay = 0;
+  /// The time that these were short of.
+  double delay_s = 0;
   /// Pairs of features that are listed at the end of a frame (proximity), the most of any.
   std::uint32_t pairs = 0;
   /// Pairs of triangles that the last search of a frame has listed (proximity), the most of any.
@@ -63,7 +63,7 @@ void for_each(const Totals& totals, Visit&& visit) {
   visit("truncated", totals.truncated);
   visit("driven", totals.driven);
   visit("slowed", totals.slowed);
-  visit("delay", totals.delay);
+  visit("delay_s", totals.delay_s);
   visit("pairs", totals.pairs);
   visit("candidates", totals.candidates);
   visit("near", totals.near);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -29,8 +30,8 @@ struct Statistics {
   std::uint32_t driven = 0;
   /// Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity).
   std::uint32_t slowed = 0;
-  /// Thousandths of a substep that these were short of.
-  std::uint32_t delay = 0;
+  /// The time that these were short of.
+  std::uint32_t delay_us = 0;
   /// Pairs of features that are listed at the end of a frame (proximity).
   std::uint32_t pairs = 0;
   /// Pairs of triangles that the last search of a frame has listed (proximity).
@@ -63,7 +64,7 @@ struct Statistics {
   std::uint32_t far_ways = 0;
   /// The last round of a substep in which cloth could meet other cloth on its way; 0: none.
   std::uint32_t meeting = 0;
-  /// Of the frame's substeps before this one.
+  /// That time in the frame's substeps before this one, in microseconds.
   std::uint32_t delay_before = 0;
   /// The bits, inverted, of the part that all cloth may go of its ways; 0: all.
   std::uint32_t slow_part = 0;
@@ -88,7 +89,7 @@ inline void add(Totals& totals, const Statistics& frame) {
   totals.truncated += frame.truncated;
   totals.driven += frame.driven;
   totals.slowed += frame.slowed;
-  totals.delay += frame.delay;
+  totals.delay_s = (std::round(1e6 * totals.delay_s) + frame.delay_us) / 1e6;
   totals.pairs = std::max(totals.pairs, frame.pairs);
   totals.candidates = std::max(totals.candidates, frame.candidates);
   totals.near = std::max(totals.near, frame.near);
@@ -111,7 +112,7 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("truncated", statistics.truncated);
   visit("driven", statistics.driven);
   visit("slowed", statistics.slowed);
-  visit("delay", statistics.delay);
+  visit("delay_us", statistics.delay_us);
   visit("pairs", statistics.pairs);
   visit("candidates", statistics.candidates);
   visit("near", statistics.near);

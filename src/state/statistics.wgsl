@@ -18,8 +18,8 @@ const kStatTruncated = 6u;
 const kStatDriven = 7u;
 // Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity).
 const kStatSlowed = 8u;
-// Thousandths of a substep that these were short of.
-const kStatDelay = 9u;
+// The time that these were short of.
+const kStatDelayUs = 9u;
 // Pairs of features that are listed at the end of a frame (proximity).
 const kStatPairs = 10u;
 // Pairs of triangles that the last search of a frame has listed (proximity).
@@ -52,7 +52,7 @@ const kStatNearBefore = 23u;
 const kStatFarWays = 24u;
 // The last round of a substep in which cloth could meet other cloth on its way; 0: none.
 const kStatMeeting = 25u;
-// Of the frame's substeps before this one.
+// That time in the frame's substeps before this one, in microseconds.
 const kStatDelayBefore = 26u;
 // The bits, inverted, of the part that all cloth may go of its ways; 0: all.
 const kStatSlowPart = 27u;

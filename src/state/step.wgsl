@@ -31,7 +31,7 @@ struct StepContact {
   detect : u32,           // kDetectNo, kDetectIfDue or kDetectAlways
   point_count : u32,      // of colliders
   first_place : u32,      // where this substep's block of `places` begins
-  most_delay : u32,       // of the frame's substeps together, thousandths of one: docs/contact.md, equation (6h)
+  most_delay : u32,       // µs, of the frame's substeps together: docs/contact.md, equation (6h)
 }
 struct StepAir {
   acceleration : vec4f,  // m/s²: gravity and the external force, xyz

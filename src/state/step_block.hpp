@@ -41,7 +41,7 @@ struct StepBlock {
     Detect detect = Detect::No;
     std::uint32_t point_count = 0;  // of colliders
     std::uint32_t first_place = 0;
-    std::uint32_t most_delay = 0;  // of a frame [0.001 substeps]
+    std::uint32_t most_delay = 0;  // of a frame [µs]
   };
   /// By the scene's fields: gravity, drag, wind.
   struct alignas(128) Air {

@@ -22,7 +22,7 @@ struct Moved {
     inverse_mass.push_back(inverse);
   }
   Truncated cut(const std::vector<SolidPlane>& planes, const std::vector<ClothPair>& pairs, double reach,
-                std::uint32_t separations = 0, double most_delay = 0) {
+                std::uint32_t separations = 0, std::uint64_t most_delay = 0) {
     return truncate(planes, pairs, reach,
                     {start, inverse_mass, end, velocity, 1, separations, {}, most_delay, velocity_before});
   }

@@ -23,8 +23,8 @@ export interface Totals {
   driven: number;
   /** Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity). */
   slowed: number;
-  /** Thousandths of a substep that these were short of. */
-  delay: number;
+  /** The time that these were short of. */
+  delayS: number;
   /** Pairs of features that are listed at the end of a frame (proximity), the most of any. */
   pairs: number;
   /** Pairs of triangles that the last search of a frame has listed (proximity), the most of any. */
@@ -56,7 +56,7 @@ export const TOTALS = [
   "truncated",
   "driven",
   "slowed",
-  "delay",
+  "delayS",
   "pairs",
   "candidates",
   "near",
@@ -81,7 +81,7 @@ export function noTotals(): Totals {
     truncated: 0,
     driven: 0,
     slowed: 0,
-    delay: 0,
+    delayS: 0,
     pairs: 0,
     candidates: 0,
     near: 0,

@@ -40,7 +40,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     schedule_for_colliders();
     atomicStore(&statistics[kStatMeeting], 0u);
     atomicStore(&statistics[kStatSlowPart], 0u);
-    atomicStore(&statistics[kStatDelayBefore], atomicLoad(&statistics[kStatDelay]));
+    atomicStore(&statistics[kStatDelayBefore], atomicLoad(&statistics[kStatDelayUs]));
   }
 
   let found = predicted[step.nodes.count + vertex];

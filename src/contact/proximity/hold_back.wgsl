@@ -38,11 +38,11 @@ fn hold_back(@builtin(global_invocation_id) id : vec3u) {
   if (atomicLoad(&statistics[kStatMeeting]) < kRound) { return; }
   if (kIsLast) {
     let part = part_of_all();
-    let delay = u32(ceil(1000.0 * (1.0 - part)));
+    let delay = u32(ceil(1e6 * step.time.dt * (1.0 - part)));
     if (part > 0.0 && atomicLoad(&statistics[kStatDelayBefore]) + delay <= step.contact.most_delay) {
       if (vertex == 0u) {
         atomicAdd(&statistics[kStatSlowed], 1u);
-        atomicAdd(&statistics[kStatDelay], delay);
+        atomicAdd(&statistics[kStatDelayUs], delay);
       }
       end_before_time(vertex, part);
       return;

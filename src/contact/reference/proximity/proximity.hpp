@@ -46,8 +46,8 @@ class Proximity {
   /// Whether cloth has met cloth in the last answer, in a blow, or was held back or limited.
   bool met() const { return met_; }
 
-  /// Before the first substep of a frame of that many.
-  void begin_frame(std::uint32_t substeps) { most_delay_ = kMostDelay * substeps; }
+  /// Before the first substep of a frame of that length [s].
+  void begin_frame(double frame) { most_delay_ = static_cast<std::uint64_t>(1e6 * kMostDelay * frame); }
 
   /// Pairs of one cloth that come near in the substep of the last `presses`.
   std::vector<NearPair> pressed_pairs() const;
@@ -128,7 +128,7 @@ class Proximity {
   };
   std::vector<Pressed> pressed_;
   std::vector<bool> beside_cloth_;
-  double most_delay_ = 0;  // of what is left of the frame [substeps]
+  std::uint64_t most_delay_ = 0;  // of what is left of the frame [µs]
   bool met_ = false;
   Truncated truncated_;
 };

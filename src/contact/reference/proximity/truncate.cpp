@@ -128,7 +128,7 @@ class Truncation {
   /// Ends the substep before its time, when none of the pairs found may have met: equation (6h). False, and nothing
   /// changed, where that takes too much.
   bool end_before_time() {
-    const double delay = std::ceil(1000 * (1 - part_)) / 1000;
+    const auto delay = static_cast<std::uint64_t>(std::ceil(1e6 * ways_.dt * (1 - part_)));
     if (part_ == 0 || delay > ways_.most_delay) return false;
     for (std::size_t node = 0; node < held_.size(); ++node) {
       if (ways_.inverse_mass[node] == 0) continue;
@@ -226,8 +226,8 @@ class Truncation {
   std::span<const ClothPair> pairs_;
   const Ways& ways_;
   std::vector<bool> changed_, held_, shortened_by_cloth_;
-  double part_ = 1;   // of the substep: until then no pair found in this round may have met
-  double delay_ = 0;  // [substeps]
+  double part_ = 1;          // of the substep: until then no pair found in this round may have met
+  std::uint64_t delay_ = 0;  // [µs]
   bool met_ = false;
   std::vector<std::uint32_t> marked_;
   std::vector<std::vector<std::uint32_t>> lists_;

@@ -41,15 +41,15 @@ struct Ways {
   double dt = 1;                         // of the substep [s]
   std::uint32_t separations = 0;  // rounds in which pairs of cloth that may meet are separated, at most
   std::span<const LimitedEdge> edges = {};      // kept within their strain limit in the same rounds
-  double most_delay = 0;                        // how much sooner it may end for all [substeps]
+  std::uint64_t most_delay = 0;                 // how much sooner it may end for all [µs]
   std::span<const Vec3d> velocity_before = {};  // at the start, if it may [m/s]
 };
 
 struct Truncated {
   std::uint64_t vertices = 0;  // whose way is another than the one that they came with, but for blows
   std::uint64_t driven =
-      0;             // of these, left beyond the plane of an obstacle that drives them into other cloth
-  double delay = 0;  // how much sooner the substep has ended for all [substeps]
+      0;  // of these, left beyond the plane of an obstacle that drives them into other cloth
+  std::uint64_t delay = 0;  // how much sooner the substep has ended for all [µs]
   bool met = false;  // whether there were pairs of cloth that might have met, or edges beyond their limit
 };
 
