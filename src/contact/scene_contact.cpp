@@ -69,7 +69,7 @@ Result<void> SceneContact::create_proximity(gpu::Device& device, const GpuModel&
   WEFT_TRY(proximity,
            Proximity::create(device, model, state, *contacts_->pairs, scene,
                              {assets.objects, assets.object_colliders, assets.keyframes},
-                             {setup.most_substeps, setup.interval, setup.iterations, setup.workgroup_size}));
+                             {setup.most_substeps, setup.interval, setup.step, setup.workgroup_size}));
   proximity_ = std::make_unique<Proximity>(std::move(proximity));
   WEFT_TRY(counts, gpu::Buffer<float>::create(device, model.vertex_count(), "contact counts"));
   counts_ = std::move(counts);

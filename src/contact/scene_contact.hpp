@@ -22,7 +22,7 @@ struct SceneContactSetup {
   std::optional<ContactRoom> room;  // of proximity's lists at first; none: by the number of triangles
   std::uint32_t most_substeps = 1;  // of any frame
   std::uint32_t interval = 4;       // substeps from one that may search to the next
-  std::uint32_t iterations = 1;     // of impulses in a substep
+  double step = 0;                  // length of a substep, where frames are not cut [s]
   bool presses = false;             // whether the solver solves with contact
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };

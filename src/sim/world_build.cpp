@@ -26,11 +26,10 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_TRY(state, State::create(device_, model_.host, plan_.most_substeps()));
   state_ = std::move(state);
   const Method& method = plan_.method();
-  WEFT_TRY(contact,
-           contact::SceneContact::create(device_, model_, state_, scene_, assets_,
-                                         {options.contact_room, plan_.most_substeps(), method.search_interval,
-                                          contact_iterations(plan_.step()),
-                                          solves_with_contact(scene_, method), options.workgroup_size}));
+  WEFT_TRY(contact, contact::SceneContact::create(
+                        device_, model_, state_, scene_, assets_,
+                        {options.contact_room, plan_.most_substeps(), method.search_interval, plan_.step(),
+                         solves_with_contact(scene_, method), options.workgroup_size}));
   contact_ = std::move(contact);
   scene::Solver settings = scene_.solver;
   settings.kind = method.kind;

@@ -376,6 +376,7 @@ Json shared_constants() {
       real("kHoldRate", "method/multigrid/hold_law.wgsl", kHoldRate),
       real("kHoldSpeed", "method/multigrid/hold_law.wgsl", kHoldSpeed),
       real("kAhead", "contact/proximity/contact_impulse.wgsl", kImpulseAhead),
+      real("kHeavyAhead", "contact/proximity/contact_impulse.wgsl", kHeavyAhead),
       real("kPushPart", "state/contact.wgsl", kPushPart),
       real("kSoftLack", "state/contact.wgsl", kSoftLack),
       real("kHeldLack", "state/contact.wgsl", kHeldLack),

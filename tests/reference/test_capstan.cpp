@@ -15,7 +15,7 @@ CapstanWatch seen_in_double(const Capstan& capstan) {
   Sheet strip(scene);
   reference::MassSpringSystem& now = strip.system;
   for (Vec3d& x : now.position) x = capstan.draped(x);
-  reference::Proximity contact(scene, strip.model, {}, {}, contact_iterations(1.0 / 480));
+  reference::Proximity contact(scene, strip.model, {}, {}, 1.0 / 480);
   CapstanWatch watch(now);
   const double dt = 1.0 / 480;
   for (int step = 0; step < 480; ++step) {

@@ -173,7 +173,7 @@ TEST_CASE(
   const std::vector<double> w(kNodes, 2.0);
   double fastest = 1;
   for (const std::uint32_t iterations : {1U, 10U, 100U, 10000U}) {
-    const Response response = respond(pairs, v, w, {kStep, 0, {0, -9.81, 0}, iterations});
+    const Response response = respond(pairs, v, w, {kStep, 0, {0, -9.81, 0}, {iterations}});
     double most = 0;
     for (std::uint32_t k = 0; k < kNodes; ++k) most = std::max(most, length(v[k] + response.change[k]));
     CHECK(most < fastest);
@@ -199,7 +199,7 @@ TEST_CASE("impulses of cloth with cloth sum to no momentum, and each pair's weig
       velocity.push_back(random_point(random, 20));
     }
     const std::vector<NearPair> pairs = near_pairs(cloth, self_pairs(cloth, 0.04), 0.3);
-    const Response response = respond(pairs, velocity, inverse_mass, {kStep, 0.5, {}, 3});
+    const Response response = respond(pairs, velocity, inverse_mass, {kStep, 0.5, {}, {3}});
     Vec3d momentum;
     double size = 0;
     for (std::size_t i = 0; i < velocity.size(); ++i) {
@@ -232,14 +232,17 @@ TEST_CASE("pairs that share vertices never raise the kinetic energy, in any numb
       velocity.push_back(random_point(random, 1));
       inverse_mass.push_back(random.uniform(0.1, 10));
     }
+    if (round % 4 == 1) inverse_mass[0] /= 100;
     for (int p = 0; p < 12; ++p) {
       const Vec3d n = Vec3d{0, 1, 0} + random_point(random, 0.3);
       const std::uint32_t a = random.below(4), b = (a + 1 + random.below(3)) % 4;
       pairs.push_back(
           {2, {a, b}, {1, -1}, n / length(n), kThickness * random.uniform(0.1, 1), kThickness, 0.5});
     }
+    const bool heavy = round % 2 == 1;
+    const ImpulseRule impulses{heavy ? 7 + random.below(58) : 1 + random.below(6), heavy};
     const Response response =
-        respond(pairs, velocity, inverse_mass, {kStep, random.uniform(0, 1), {}, 1 + random.below(6)});
+        respond(pairs, velocity, inverse_mass, {kStep, random.uniform(0, 1), {}, impulses});
     double before = 0, after = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec3d now = velocity[i] + response.change[i];

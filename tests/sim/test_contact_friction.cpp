@@ -108,6 +108,66 @@ TEST_CASE(
   }
 }
 
+namespace {
+
+/// A sheet on a slope of this part of the angle of friction, and one that is a hundred times as heavy on it.
+Setting heavy_on_light(double part) {
+  const auto sheet = [](const std::string& grid, const std::string& size, const std::string& density,
+                        const std::string& height) {
+    return R"({"grid": )" + grid + R"(, "size": )" + size + R"(, "density": )" + density +
+           R"(, "plane": "xz", "damping": 0.02, "friction": 0.5,
+      "stiffness": {"structural": 300, "shear": 80, "bend": 2}, "transform": {"translate": [0, )" +
+           height + ", 0]}}";
+  };
+  Setting setting = on_slope("multigrid", kFloors[0], part, 0.5);
+  setting.cloths =
+      sheet("[9, 9]", "[0.4, 0.4]", "0.05", "0.005") + "," + sheet("[9, 8]", "[0.3, 0.3]", "5", "0.01");
+  return setting;
+}
+
+/// Of the lower and the upper sheet of these, the mean along the slope.
+std::array<double, 2> along_slope(const std::vector<Vec3d>& all) {
+  std::array<double, 2> sums{};
+  for (std::size_t v = 0; v < all.size(); ++v) sums[v < 81 ? 0 : 1] += all[v].x / (v < 81 ? 81 : 72);
+  return sums;
+}
+
+}  // namespace
+
+TEST_CASE("a heavy sheet and the light one under it do not creep on a slope") {
+  GpuFixture fixture;
+  auto world = world_on(fixture.device(), heavy_on_light(0.9));
+  advance(*world, 8);
+  const auto begin = along_slope(Moment(*world).position);
+  advance(*world, 6);
+  const auto end = along_slope(Moment(*world).position);
+  MESSAGE("the light one creeps at ", 1e7 * (end[0] - begin[0]), " um/s, the heavy one at ",
+          1e7 * (end[1] - begin[1]));
+  for (const std::size_t k : {0U, 1U}) CHECK(std::abs(end[k] - begin[k]) < 0.1 * 1e-5);
+}
+TEST_CASE(
+    "long: a heavy sheet and the light one under it hold at 0.98 of the angle, and slide together beyond "
+    "it") {
+  GpuFixture fixture;
+  for (const double part : {0.98, 1.05, 1.1}) {
+    auto world = world_on(fixture.device(), heavy_on_light(part));
+    advance(*world, part < 1 ? 60 : 15);
+    const Moment begin(*world);
+    advance(*world, 30);
+    const Moment end(*world);
+    const auto x0 = along_slope(begin.position), x1 = along_slope(end.position);
+    const auto v0 = along_slope(begin.velocity), v1 = along_slope(end.velocity);
+    const double slope = part * std::atan(0.5);
+    const double exact = kGravity * (std::sin(slope) - 0.5 * std::cos(slope));
+    for (const std::size_t k : {0U, 1U}) {
+      MESSAGE(part, ": ", 2e6 * (x1[k] - x0[k]), " um/s, ", 2 * (v1[k] - v0[k]) / exact,
+              " of the acceleration");
+      if (part < 1) CHECK(std::abs(x1[k] - x0[k]) < 0.5 * 1e-5);
+      if (part > 1) CHECK(2 * (v1[k] - v0[k]) == doctest::Approx(exact).epsilon(0.02));
+    }
+  }
+}
+
 TEST_CASE("a strip over a capsule holds up to the ratio of its ends that friction says, and slides beyond") {
   // With its own weight on the arc, R from its middle: L' = (L + c) e^(mu pi) + c, c = 2 mu R / (1 + mu²).
   constexpr double kFriction = 0.3, kLeft = 0.1;

@@ -105,21 +105,26 @@ TEST_CASE("the pull over the sphere has the reference's contacts, and its shape 
 
 TEST_CASE("sheets that meet each other, a ball and a floor do as the reference does while they touch") {
   GpuFixture fixture;
-  Twins twins(
-      fixture.device(),
-      contact_scene(
-          R"("time": {"substeps": 9}, "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
-          lying_cloth(9, "[0, 0.22, 0]", ", \"friction\": 0.3") + "," +
-          R"({"grid": [8, 8], "size": [0.4, 0.4], "plane": "xz", "density": 0.3, "damping": 0.01,
+  for (const bool heavy : {false, true}) {  // the upper one
+    CAPTURE(heavy);
+    Twins twins(
+        fixture.device(),
+        contact_scene(
+            R"("time": {"substeps": 9}, "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)" +
+            lying_cloth(9, "[0, 0.22, 0]", ", \"friction\": 0.3") + "," +
+            R"({"grid": [8, 8], "size": [0.4, 0.4], "plane": "xz", "density": )" + (heavy ? "30" : "0.3") +
+            R"(, "damping": 0.01,
         "stiffness": {"structural": 40, "shear": 10, "bend": 0.3},
         "transform": {"translate": [0.03, 0.28, 0.02], "rotate": [0.05, 0.25, 0.08, 0.9637]}})" +
-          R"(], "colliders": [{"kind": "sphere", "center": [0.01, 0.1, 0.02], "radius": 0.1},
+            R"(], "colliders": [{"kind": "sphere", "center": [0.01, 0.1, 0.02], "radius": 0.1},
                           {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])"));
-  const double away = twins.advance(7);  // 0.09 µm was seen
-  CHECK(twins.exact_contacts() > 100);
-  CHECK(twins.contacts() == twins.exact_contacts());
-  CHECK(away < 0.2 * twins.rounding());
-  // Pairs share a vertex by whole numbers, so a rounding can shift an impulse by a part: a twentieth of the
-  // thickness.
-  CHECK(twins.advance(2) < 0.0005);
+    const double away = twins.advance(7);
+    CHECK(twins.exact_contacts() > 100);
+    CHECK(twins.contacts() == twins.exact_contacts());
+    CHECK(away < (heavy ? 0.7 : 0.2) * twins.rounding());  // 4.0 and 1.1 µm were seen
+    if (heavy) continue;                                   // each rounding counts a hundred times
+    // Pairs share a vertex by whole numbers, so a rounding can shift an impulse by a part: a twentieth of the
+    // thickness.
+    CHECK(twins.advance(2) < 0.0005);
+  }
 }

@@ -14,9 +14,13 @@
 @group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(5) var<storage, read>       statistics      : array<u32>;
 @group(0) @binding(6) var<storage, read_write> presses         : array<atomic<i32>>; // press_sums.wgsl
+@group(0) @binding(7) var<storage, read_write> begun           : array<vec4f>; // contacts          N
 override kPresses : u32 = 0;  // 1: a solver holds vertices at obstacles, and `presses` is that buffer
-override kLast : u32 = 1;  // of the substep's iterations
+override kHeavy : u32 = 0;  // 1: heavy cloth may lie on light cloth, and `begun` has the forces before they went ahead
+override kFirst : u32 = 0;  // of the substep's iterations, where kHeavy is 1
+override kLast : u32 = 1;
 const kAhead = 0.5;        // of its change from one iteration to the next, the part by which a force goes ahead
+const kHeavyAhead = 0.9;   // the same of all of a force
 
 struct Answer {
   impulse : vec3f,   // how much the impulse on side A grows, N·s
@@ -52,6 +56,14 @@ fn forget_hold(vertex : u32) {
   if (was_held) { atomicStore(&presses[word + kHoldNormal], bitcast<i32>(kUnderCloth)); }
 }
 
+// Equation (4a) of heavy cloth: how much further an impulse goes that comes to `wanted` in this iteration.
+fn ahead_of(number : u32, first : vec3f, wanted : vec3f) -> vec3f {
+  if (kLast != 0u) { return vec3f(0.0); }
+  let before = step.time.dt * select(begun[number].xyz, first, kFirst != 0u);
+  begun[number] = vec4f(wanted / step.time.dt, 0.0);
+  return kHeavyAhead * (wanted - before);
+}
+
 // Equations (2) to (4a) and (7); stores the force.
 fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
   let ids = contact.ids;
@@ -81,8 +93,13 @@ fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
   }
   let normal = max(0.0, dot(n, had) + (contact.force.w - speed) / mobility);
   let sticking = had - dot(n, had) * n - (u - speed * n) / mobility;
+  let along = no_longer(sticking, contact.surface.w * normal);
   let ahead = select(kAhead, 0.0, kLast != 0u) * (normal - step.time.dt * contact.begun);
-  let impulse = (normal + ahead) * n + no_longer(sticking, contact.surface.w * normal);
+  var impulse = (normal + ahead) * n + along;
+  if (kHeavy != 0u) {
+    let wanted = normal * n + along;
+    impulse = wanted + ahead_of(number, contact.force.xyz, wanted);
+  }
   contacts[number].force = vec4f(impulse / step.time.dt, contact.force.w);
   contacts[number].begun = normal / step.time.dt;
   return Answer(impulse - had, mobility);

@@ -50,7 +50,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   setup.thickness = static_cast<float>(lengths.thickness);
   setup.self_thickness = static_cast<float>(lengths.self_thickness);
   setup.interval = wanted.interval;
-  setup.separations = wanted.iterations;
+  setup.separations = contact_iterations(wanted.step);
   setup.presses = made.presses_;
   setup.workgroup_size = wanted.workgroup_size;
   for (const double slack : most_slacks(model.host, lengths.most_reach, lengths.self_thickness))
@@ -67,19 +67,21 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   WEFT_CHECK(made.create_kernels(device, state, wanted.workgroup_size));
   WEFT_SET(made.near_, NearPairs::create(device, made.presses_, wanted.workgroup_size));
   const std::vector<LimitedEdge> edges = limited_edges(model.host);
-  WEFT_TRY(respond, Respond::create(device, {wanted.interval, wanted.iterations, lengths.self_thickness > 0,
-                                             made.presses_, edges, wanted.workgroup_size}));
+  WEFT_TRY(respond,
+           Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
+                                    contact_iterations(wanted.step), lengths.self_thickness > 0,
+                                    made.presses_, edges, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
-  WEFT_CHECK(made.bind_own(state, pairs));
+  WEFT_CHECK(made.bind_own(device, state, pairs));
   return made;
 }
 
 Result<void> Proximity::bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs) {
   WEFT_CHECK(search_.bind_lists(device, state, pairs));
-  return bind_own(state, pairs);
+  return bind_own(device, state, pairs);
 }
 
-Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) {
+Result<void> Proximity::bind_own(gpu::Device& device, const State& state, const ContactPairs& pairs) {
   pair_room_ = pairs.room.pairs;
   near_room_ = pairs.room.near;
   for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -102,7 +104,7 @@ Result<void> Proximity::bind_own(const State& state, const ContactPairs& pairs) 
     WEFT_SET(press_pair_again_groups_[parity], bind_pairs(pairs.predicted));
   }
   WEFT_CHECK(near_.bind(state, pairs, search_.points()));
-  return respond_.bind(state, pairs, search_.points());
+  return respond_.bind(device, state, pairs, search_.points());
 }
 
 Result<void> Proximity::create_kernels(gpu::Device& device, const State& state,

@@ -22,9 +22,9 @@ struct ProximityLengths {
 Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Contact& contact);
 
 struct ProximitySetup {
-  std::uint32_t substeps = 1;    // the most of any frame
-  std::uint32_t interval = 4;    // of them from one that may search to the next
-  std::uint32_t iterations = 1;  // of impulses in a substep
+  std::uint32_t substeps = 1;  // the most of any frame
+  std::uint32_t interval = 4;  // of them from one that may search to the next
+  double step = 0;             // length of a substep, where frames are not cut [s]
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 
@@ -60,7 +60,7 @@ class Proximity : public Stages {
  private:
   Result<void> create_kernels(gpu::Device& device, const State& state, std::uint32_t workgroup_size);
   void move_colliders(gpu::ComputePass& pass) const;
-  Result<void> bind_own(const State& state, const ContactPairs& pairs);
+  Result<void> bind_own(gpu::Device& device, const State& state, const ContactPairs& pairs);
 
   ProximityLengths lengths_;
   PairSearch search_;

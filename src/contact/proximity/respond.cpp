@@ -5,19 +5,24 @@ namespace weft::contact {
 Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   Respond made;
   made.setup_ = setup;
-  made.separation_count_ = setup.self || !setup.edges.empty() ? setup.iterations : 0;
+  made.separation_count_ = setup.self || !setup.edges.empty() ? setup.separations : 0;
   struct Wanted {
     gpu::Kernel& kernel;
     const char* path;
     std::vector<gpu::Constant> constants = {};
   };
-  const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0};
-  std::vector<Wanted> all = {{made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses}},
+  const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0},
+      heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0};
+  std::vector<Wanted> all = {{made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy}},
                              {made.respond_,
                               "contact/proximity/contact_respond.wgsl",
                               {{"kDetectInterval", static_cast<double>(setup.interval)}}}};
-  if (setup.iterations > 1) {
-    all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, {"kLast", 0}}});
+  if (setup.impulses.heavy)
+    all.push_back({made.first_impulse_,
+                   "contact/proximity/contact_impulse.wgsl",
+                   {presses, heavy, {"kFirst", 1}, {"kLast", 0}}});
+  if (setup.impulses.iterations > 1) {
+    all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, {"kLast", 0}}});
     all.push_back({made.add_, "contact/proximity/add_impulses.wgsl"});
   }
   for (std::size_t round = 0; round < made.separation_count_; ++round) {
@@ -45,22 +50,30 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   return made;
 }
 
-Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points) {
+Result<void> Respond::bind(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                           const gpu::Buffer<Vec4f>& points) {
   // A kernel binds buffers that it does not read.
   const gpu::RawBuffer& presses =
       setup_.presses ? static_cast<const gpu::RawBuffer&>(pairs.presses) : pairs.kept;
+  begun_ = {};
+  if (setup_.impulses.heavy)
+    WEFT_SET(begun_, gpu::Buffer<Vec4f>::create(device, pairs.room.near, "forces before they went ahead"));
+  const gpu::RawBuffer& begun =
+      setup_.impulses.heavy ? static_cast<const gpu::RawBuffer&>(begun_) : pairs.listed;
   for (std::size_t parity = 0; parity < 2; ++parity) {
     const auto& start = state.position[parity];
     const auto &position = state.position[1 - parity], &velocity = state.velocity[1 - parity];
-    WEFT_SET(last_impulse_groups_[parity],
-             last_impulse_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
-                                 state.statistics, presses}));
+    const auto bind_impulse = [&](const gpu::Kernel& kernel) {
+      return kernel.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
+                          state.statistics, presses, begun});
+    };
+    WEFT_SET(last_impulse_groups_[parity], bind_impulse(last_impulse_));
+    if (setup_.impulses.heavy) WEFT_SET(first_impulse_groups_[parity], bind_impulse(first_impulse_));
     WEFT_SET(respond_groups_[parity],
              respond_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
                             position, velocity, state.statistics}));
-    if (setup_.iterations > 1) {
-      WEFT_SET(impulse_groups_[parity], impulse_.bind({state.steps, start, pairs.predicted, pairs.contacts,
-                                                       pairs.vertex_contacts, state.statistics, presses}));
+    if (setup_.impulses.iterations > 1) {
+      WEFT_SET(impulse_groups_[parity], bind_impulse(impulse_));
       WEFT_SET(add_groups_[parity],
                add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
     }
@@ -88,8 +101,12 @@ Result<void> Respond::bind(const State& state, const ContactPairs& pairs, const 
 
 void Respond::record_impulses(gpu::ComputePass& pass) const {
   const std::uint32_t parity = pass.parity();
-  for (std::uint32_t iteration = 1; iteration < setup_.iterations; ++iteration) {
-    impulse_.dispatch_strided(pass, impulse_groups_[parity], near_room_);
+  for (std::uint32_t iteration = 1; iteration < setup_.impulses.iterations; ++iteration) {
+    if (setup_.impulses.heavy && iteration == 1) {
+      first_impulse_.dispatch_strided(pass, first_impulse_groups_[parity], near_room_);
+    } else {
+      impulse_.dispatch_strided(pass, impulse_groups_[parity], near_room_);
+    }
     add_.dispatch(pass, add_groups_[parity], vertex_count_);
   }
   last_impulse_.dispatch_strided(pass, last_impulse_groups_[parity], near_room_);

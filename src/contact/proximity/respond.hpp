@@ -5,6 +5,7 @@
 
 #include "contact/proximity/cloth_patches.hpp"
 #include "contact/proximity/edge_limits.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
 
@@ -19,8 +20,9 @@ namespace weft::contact {
 class Respond {
  public:
   struct Setup {
-    std::uint32_t interval = 4;          // substeps from one that may search to the next
-    std::uint32_t iterations = 1;        // of impulses, and of separations; no more than kMostSeparations
+    std::uint32_t interval = 4;  // substeps from one that may search to the next
+    ImpulseRule impulses;
+    std::uint32_t separations = 1;       // rounds; no more than kMostSeparations
     bool self = false;                   // whether cloth meets cloth
     bool presses = false;                // a solver's matrix holds vertices at obstacles
     std::span<const LimitedEdge> edges;  // of cloth with a strain limit
@@ -29,7 +31,8 @@ class Respond {
   Respond() = default;
   static Result<Respond> create(gpu::Device& device, const Setup& setup);
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
-  Result<void> bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points);
+  Result<void> bind(gpu::Device& device, const State& state, const ContactPairs& pairs,
+                    const gpu::Buffer<Vec4f>& points);
   /// Sums the velocity changes of the measured pairs at each vertex.
   void record_impulses(gpu::ComputePass& pass) const;
   /// Gives each vertex that change, separates pairs of cloth, and holds vertices back, also from folding the open
@@ -38,9 +41,11 @@ class Respond {
 
  private:
   Setup setup_;
-  gpu::Kernel impulse_, last_impulse_, add_, respond_;
+  gpu::Kernel first_impulse_, impulse_, last_impulse_, add_, respond_;
   // By parity.
-  std::array<gpu::BindGroup, 2> impulse_groups_, last_impulse_groups_, add_groups_, respond_groups_;
+  std::array<gpu::BindGroup, 2> first_impulse_groups_, impulse_groups_, last_impulse_groups_, add_groups_,
+      respond_groups_;
+  gpu::Buffer<Vec4f> begun_;  // of heavy cloth: each record's force before it went ahead [N]
   /// The rounds in which pairs of cloth that may meet are separated, and edges kept within their limit.
   std::size_t separation_count_ = 0;
   SeparationRounds separate_;

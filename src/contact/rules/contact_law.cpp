@@ -11,7 +11,49 @@ std::uint32_t contact_urgency(double gap, double thickness) {
   return 1 + static_cast<std::uint32_t>(255 * depth * depth);
 }
 
-std::uint32_t contact_iterations(double step) { return step > 1e-3 ? 6 : step > 5e-4 ? 2 : 1; }
+namespace {
+
+constexpr std::uint32_t kLongStepIterations = 6, kMostIterations = 64;
+constexpr double kHeavyRatio = 10;  // of densities, from which on impulses are iterated for it
+
+/// Of a cloth at rest [kg/m²]; 0 without area.
+double density_of(const Model& model, const Body& body) {
+  double mass = 0, area = 0;
+  for (std::uint32_t v = 0; v < body.vertex_count; ++v) mass += model.mass[body.first_vertex + v];
+  for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
+    const mesh::Triangle& corners = model.triangles[body.first_triangle + t];
+    const Vec3d& a = model.rest_position[corners[0]];
+    area += 0.5 * length(cross(model.rest_position[corners[1]] - a, model.rest_position[corners[2]] - a));
+  }
+  return area > 0 ? mass / area : 0;
+}
+
+/// Σ of the greatest density over that of each cloth that has a tenth of it or less.
+double ratio_to_light(const Model& model) {
+  std::vector<double> densities;
+  for (const Body& body : model.bodies)
+    if (const double density = density_of(model, body); density > 0) densities.push_back(density);
+  double sum = 0;
+  for (const double density : densities) {
+    const double ratio = *std::max_element(densities.begin(), densities.end()) / density;
+    if (ratio >= kHeavyRatio) sum += ratio;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::uint32_t contact_iterations(double step) {
+  return step > 1e-3 ? kLongStepIterations : step > 5e-4 ? 2 : 1;
+}
+
+ImpulseRule impulse_rule(const Model& model, const scene::Contact& contact, double step) {
+  const std::uint32_t usual = contact_iterations(step);
+  if (usual < kLongStepIterations || !contact.self) return {usual};
+  const double wanted = std::ceil(4 * std::sqrt(ratio_to_light(model)));
+  if (!(wanted > usual)) return {usual};
+  return {static_cast<std::uint32_t>(std::min<double>(wanted, kMostIterations)), true};
+}
 
 namespace {
 

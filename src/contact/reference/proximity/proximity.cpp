@@ -22,11 +22,12 @@ double margin_of(double distance, double thickness) {
 
 Proximity::Proximity(const scene::Scene& scene, const Model& model,
                      std::span<const mesh::TriangleMesh> objects,
-                     std::span<const std::vector<mesh::TriangleMesh>> keyframes, std::uint32_t iterations)
+                     std::span<const std::vector<mesh::TriangleMesh>> keyframes, double step)
     : thickness_(scene.contact.thickness),
       restitution_(scene.contact.restitution),
       load_(scene.gravity + scene.external_force),
-      iterations_(iterations),
+      impulses_(impulse_rule(model, scene.contact, step)),
+      separations_(contact_iterations(step)),
       limited_edges_(limited_edges(model)),
       cloth_(features_of(model.rest_position, model.triangles)),
       rest_(cloth_),
@@ -295,8 +296,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     near[p].solved = found != nullptr;
     if (found != nullptr) near[p].kept = found->force;
   }
-  Response response =
-      respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, iterations_});
+  Response response = respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, impulses_});
   kept_.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p)
     if (response.acts[p] && !near[p].untangles) kept_.push_back({pairs[p], response.impulses[p] / dt});
@@ -314,7 +314,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   // steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose. So it is shortened too.
   const Truncated truncated =
       truncate(planes, cloth_pairs, most,
-               {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, iterations_,
+               {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, separations_,
                 limited_edges_, tangle_.crossings > 0 ? 0 : most_delay_, nodes.velocity_before});
   truncated_.vertices += truncated.vertices;
   truncated_.driven += truncated.driven;

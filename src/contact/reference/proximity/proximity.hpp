@@ -19,9 +19,9 @@ namespace weft::reference {
 
 class Proximity {
  public:
-  /// `objects` and `keyframes` as for Obstacles; `iterations` of impulses in a substep.
+  /// `objects` and `keyframes` as for Obstacles; `step`: the length of a substep, where frames are not cut [s].
   Proximity(const scene::Scene& scene, const Model& model, std::span<const mesh::TriangleMesh> objects,
-            std::span<const std::vector<mesh::TriangleMesh>> keyframes, std::uint32_t iterations);
+            std::span<const std::vector<mesh::TriangleMesh>> keyframes, double step);
 
   /// The state of the nodes in a substep: the solver's prediction from `previous`, and moved nodes
   /// where their motions end. All finite.
@@ -108,7 +108,8 @@ class Proximity {
   double thickness_, self_thickness_ = 0;
   double restitution_;
   Vec3d load_;
-  std::uint32_t iterations_;
+  ImpulseRule impulses_;
+  std::uint32_t separations_;  // rounds
   std::vector<LimitedEdge> limited_edges_;
   std::vector<double> friction_;     // of each vertex's cloth
   std::vector<std::uint32_t> body_;  // of each vertex

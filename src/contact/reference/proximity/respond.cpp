@@ -62,6 +62,12 @@ Vec3d impulse(const NearPair& pair, const Vec3d& had, const Vec3d& u, double lea
   return normal * n + no_longer(sticking, pair.friction * normal);
 }
 
+/// Equation (4a): how much further an impulse goes that has changed so.
+Vec3d ahead(const NearPair& pair, const Vec3d& change, const ContactLaw& law) {
+  if (law.impulses.heavy) return kHeavyAhead * change;
+  return kImpulseAhead * dot(pair.direction, change) * pair.direction;
+}
+
 /// Its part that the cone of friction about n allows.
 Vec3d within_cone(const NearPair& pair, const Vec3d& impulse) {
   const double normal = std::max(0.0, dot(pair.direction, impulse));
@@ -152,9 +158,9 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     give(now, pair, response.impulses[p]);
   }
   std::vector<Vec3d> begun = response.impulses;  // what the last iteration ended with, before it went ahead
-  for (std::uint32_t iteration = 0; iteration < law.iterations; ++iteration) {
+  for (std::uint32_t iteration = 0; iteration < law.impulses.iterations; ++iteration) {
     const std::vector<Vec3d> before = now;
-    const double ahead = iteration + 1 < law.iterations ? kImpulseAhead : 0;
+    const bool goes_ahead = iteration + 1 < law.impulses.iterations;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       if (!(mobility[p] > 0)) continue;
       const NearPair& pair = pairs[p];
@@ -164,8 +170,8 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
                            : left[p]      ? Vec3d{}
                                           : impulse(pair, had, u, least[p], mobility[p]);
       response.impulses[p] = wanted;
-      if (!pair.untangles && !pair.solved && !left[p])  // equation (4a)
-        response.impulses[p] += ahead * dot(pair.direction, wanted - begun[p]) * pair.direction;
+      if (goes_ahead && !pair.untangles && !pair.solved && !left[p])
+        response.impulses[p] += ahead(pair, wanted - begun[p], law);
       begun[p] = wanted;
       give(now, pair, response.impulses[p] - had);
     }

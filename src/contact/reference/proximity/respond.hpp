@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
 
@@ -33,7 +34,7 @@ struct ContactLaw {
   double dt = 0;           // [s]
   double restitution = 0;  // e
   Vec3d load;              // a: of gravity and the external force [m/s²]
-  std::uint32_t iterations = 1;
+  ImpulseRule impulses;
 };
 
 struct Response {
