@@ -47,6 +47,9 @@ fn is_crossing(ids : vec4u) -> bool { return (ids.z & kCrossingFlag) != 0u; }
 fn is_plane_pair(ids : vec4u) -> bool { return (ids.y & kPairFlag) != 0u; }
 // A pair with a collider has at least one of its points in these two places.
 fn is_self_pair(ids : vec4u) -> bool { return ((ids.x | ids.z | ids.y) & kColliderPoint) == 0u; }
+fn is_of_two_cloths(contact : Contact) -> bool {
+  return is_self_pair(contact.ids) && (is_crossing(contact.ids) || contact.other_end != 1u);
+}
 // The roles that are there: a plane pair has two.
 fn role_count(ids : vec4u) -> u32 { return select(4u, 2u, is_plane_pair(ids)); }
 // Roles below this are on side A.
@@ -94,7 +97,7 @@ const kMarked = 1u;  // of kHeldWord: it may meet other cloth on its way
 const kHeld = 2u;    // its way ends before the planes between it and other cloth
 const kCounted = 4u; // among the truncated
 const kBesideSolid = 8u;  // it has a record with what contact cannot move
-const kBesideCloth = 32u;  // a pair of cloth with cloth acts on it
+const kBesideCloth = 32u;  // a pair of it with another cloth acts on it
 const kFarWay = 16u;  // it goes farther than free_way: planes of obstacles without a record count, too
 const kInBody = 3e38;           // in place of a plane's nearness: a pair moves the vertex out of a body
 

@@ -34,8 +34,8 @@ fn first_change(vertex : u32) -> vec3f {
                      bitcast<i32>(atomicLoad(&vertex_contacts[word + 2u])))) / kSpeedUnits;
 }
 
-// Whether the pair is left to the solver, which has answered it: where no cloth lies on its vertices. What pairs of
-// cloth press on them comes after the solver's answer.
+// Whether the pair is left to the solver, which has answered it: where no other cloth lies on its vertices. What that
+// presses on them comes after the solver's answer.
 fn is_left(contact : Contact) -> bool {
   if (contact.held != 1u) { return contact.held == kSolved; }
   for (var role = 0u; role < role_count(contact.ids); role++) {
@@ -46,7 +46,8 @@ fn is_left(contact : Contact) -> bool {
   return true;
 }
 
-// Where cloth lies on a vertex, the pairs of both bear it: the force that the solver holds it with does not stay.
+// Where another cloth lies on a vertex, the pairs of both bear it: the force that the solver holds it with does not
+// stay.
 fn forget_hold(vertex : u32) {
   let word = kHoldWords * vertex;
   let was_held = atomicLoad(&presses[word + kHoldNormal]) != 0;
@@ -124,8 +125,8 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
     for (var role = 0u; role < role_count(contact.ids); role++) {
       if (is_collider(contact.ids[role])) { continue; }
       let vertex = contact.ids[role] & kIdBits;
-      let forgets = is_self_pair(contact.ids) && contact.held != kSolved;
-      if (kPresses != 0u && kLast != 0u && forgets && w[role] != 0.0) { forget_hold(vertex); }
+      let forgets = is_of_two_cloths(contact) && w[role] != 0.0;
+      if (kPresses != 0u && kLast != 0u && forgets) { forget_hold(vertex); }
       let part = previous[vertex].w * w[role];
       add_units(kVertexWords * vertex + kChangeWord, kSpeedUnits, part * given.impulse);
       if (pushes) {

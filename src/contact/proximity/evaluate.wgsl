@@ -199,7 +199,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       if (acts) {
         atomicAdd(&vertex_contacts[kVertexWords * vertex + kShareWord], share_units(f32(urgency), w[role]));
       }
-      if (acts && is_self && !solved && w[role] != 0.0) {
+      if (acts && is_of_two_cloths(contact) && w[role] != 0.0) {
         atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideCloth);
       }
       if (is_kept) {

@@ -163,6 +163,7 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool 
     }
   const bool with_obstacle = sides.a.obstacle || sides.b.obstacle;
   near.with_body = with_obstacle;
+  near.of_one_cloth = !with_obstacle && body_[near.nodes[0]] == body_[near.nodes[near.node_count - 1]];
   near.direction = pair.direction;
   near.distance = pair.distance;
   near.thickness = with_obstacle ? thickness_ : untangles ? self_thickness_ : thickness_of(pair, sides);
@@ -245,8 +246,7 @@ std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span
   pressed_.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const NearPair& one = near[p];
-    const bool of_one_cloth = !one.with_body && body_[one.nodes[0]] == body_[one.nodes[one.node_count - 1]];
-    if (!of_one_cloth || !one.may || !(one.distance > 0)) continue;
+    if (!one.of_one_cloth || !one.may || !(one.distance > 0)) continue;
     if (tangle_.crossings > 0 && one.kept == Vec3d{}) continue;  // it may be on the wrong side
     const double way = dt * dot(one.direction, relative_velocity(one, velocity));
     if (one.distance + std::min(way, 0.0) < kContactTouching * one.thickness)

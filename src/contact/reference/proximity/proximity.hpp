@@ -36,7 +36,7 @@ class Proximity {
   /// pairs act.
   std::uint64_t answer(const Nodes& nodes, double begin, double dt);
 
-  /// Nodes on which pairs of cloth with cloth have acted in the last answer.
+  /// Nodes on which pairs of different cloths have acted in the last answer.
   const std::vector<bool>& beside_cloth() const { return beside_cloth_; }
 
   /// The effect of obstacles on nodes in the substep from `begin`, of `dt` [s], before it is solved.

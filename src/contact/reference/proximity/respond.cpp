@@ -127,7 +127,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
-      if (!pair.with_body && !pair.solved && pair.weights[k] != 0)
+      if (!pair.with_body && (!pair.of_one_cloth || pair.untangles) && pair.weights[k] != 0)
         response.beside_cloth[pair.nodes[k]] = true;
   }
   std::vector<Vec3d> now(velocity.begin(), velocity.end());

@@ -28,6 +28,7 @@ struct NearPair {
   bool solved = false;     // the same of cloth with cloth: `kept` is the force that it has now
   bool untangles =
       false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
+  bool of_one_cloth = false;
 };
 
 struct ContactLaw {
@@ -43,7 +44,7 @@ struct Response {
   std::vector<double> acting;      // S: sum of s |w| of the pairs that act, of each node
   std::vector<Vec3d> impulses;     // J of each pair; zero where it does not act [N·s]
   std::vector<bool> acts;          // each pair, equation (1)
-  std::vector<bool> beside_cloth;  // nodes on which pairs of cloth with cloth act
+  std::vector<bool> beside_cloth;  // nodes on which pairs of different cloths act
 };
 
 /// v, cut to this length.
