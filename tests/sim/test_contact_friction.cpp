@@ -38,6 +38,30 @@ double creep_of(gpu::Device& device, const std::string& solver, const std::strin
   return std::abs(creep);
 }
 
+/// A sheet on a slope of this part of the angle of friction, which is the same between the two, and a smaller one on
+/// it, of these densities.
+Setting sheet_on_sheet(double part, double lower, double upper) {
+  const auto sheet = [](const std::string& grid, const std::string& size, double density,
+                        const std::string& height) {
+    return R"({"grid": )" + grid + R"(, "size": )" + size + R"(, "density": )" + text_of(density) +
+           R"(, "plane": "xz", "damping": 0.02, "friction": 0.5,
+      "stiffness": {"structural": 300, "shear": 80, "bend": 2}, "transform": {"translate": [0, )" +
+           height + ", 0]}}";
+  };
+  Setting setting = on_slope("multigrid", kFloors[0], part, 0.5);
+  setting.cloths =
+      sheet("[9, 9]", "[0.4, 0.4]", lower, "0.005") + "," + sheet("[9, 8]", "[0.3, 0.3]", upper, "0.01");
+  return setting;
+}
+Setting heavy_on_light(double part) { return sheet_on_sheet(part, 0.05, 5); }
+
+/// Of the lower and the upper sheet of these, the mean along the slope.
+std::array<double, 2> along_slope(const std::vector<Vec3d>& all) {
+  std::array<double, 2> sums{};
+  for (std::size_t v = 0; v < all.size(); ++v) sums[v < 81 ? 0 : 1] += all[v].x / (v < 81 ? 81 : 72);
+  return sums;
+}
+
 }  // namespace
 
 TEST_CASE("what friction holds does not creep") {
@@ -69,37 +93,24 @@ TEST_CASE("what friction does not hold slides with g (sin - friction cos)") {
 TEST_CASE(
     "a sheet that lies on another on a slope does not creep, nor does that, and both slide where they "
     "should") {
-  // Of the angle that friction holds, which is the same between the sheets and on the floor.
   GpuFixture fixture;
-  const std::string sheet = R"("plane": "xz", "density": 0.2, "damping": 0.02, "friction": 0.5,
-      "stiffness": {"structural": 300, "shear": 80, "bend": 2}, )";
   const double angle = std::atan(0.5);
   for (const double part : {0.85, 1.1}) {
-    Setting setting = on_slope("multigrid", kFloors[0], part, 0.5);
-    setting.cloths = R"({"grid": [9, 9], "size": [0.4, 0.4], )" + sheet +
-                     R"("transform": {"translate": [0, 0.005, 0]}},
-        {"grid": [9, 8], "size": [0.3, 0.3], )" +
-                     sheet + R"("transform": {"translate": [0, 0.01, 0]}})";
-    auto world = world_on(fixture.device(), setting);
-    const auto mean_of = [](const std::vector<Vec3d>& all) {
-      std::array<double, 2> sums{};
-      for (std::size_t v = 0; v < all.size(); ++v) sums[v < 81 ? 0 : 1] += all[v].x / (v < 81 ? 81 : 72);
-      return sums;
-    };
+    auto world = world_on(fixture.device(), sheet_on_sheet(part, 0.2, 0.2));
     if (part < 1) {
       advance(*world, 30);
-      const auto begin = mean_of(Moment(*world).position);
+      const auto begin = along_slope(Moment(*world).position);
       advance(*world, 30);
-      const auto end = mean_of(Moment(*world).position);
+      const auto end = along_slope(Moment(*world).position);
       MESSAGE("the lower creeps at ", 2e6 * (end[0] - begin[0]), " um/s, the upper at ",
               2e6 * (end[1] - begin[1]));
       for (const std::size_t k : {0U, 1U}) CHECK(std::abs(end[k] - begin[k]) < 0.5 * 1e-5);
     } else {
       const double exact = kGravity * (std::sin(part * angle) - 0.5 * std::cos(part * angle));
       advance(*world, 15);
-      const auto begin = mean_of(Moment(*world).velocity);
+      const auto begin = along_slope(Moment(*world).velocity);
       advance(*world, 30);
-      const auto end = mean_of(Moment(*world).velocity);
+      const auto end = along_slope(Moment(*world).velocity);
       MESSAGE("the lower gains ", 2 * (end[0] - begin[0]) / exact, " of the acceleration, the upper ",
               2 * (end[1] - begin[1]) / exact);
       for (const std::size_t k : {0U, 1U})
@@ -107,32 +118,6 @@ TEST_CASE(
     }
   }
 }
-
-namespace {
-
-/// A sheet on a slope of this part of the angle of friction, and one that is a hundred times as heavy on it.
-Setting heavy_on_light(double part) {
-  const auto sheet = [](const std::string& grid, const std::string& size, const std::string& density,
-                        const std::string& height) {
-    return R"({"grid": )" + grid + R"(, "size": )" + size + R"(, "density": )" + density +
-           R"(, "plane": "xz", "damping": 0.02, "friction": 0.5,
-      "stiffness": {"structural": 300, "shear": 80, "bend": 2}, "transform": {"translate": [0, )" +
-           height + ", 0]}}";
-  };
-  Setting setting = on_slope("multigrid", kFloors[0], part, 0.5);
-  setting.cloths =
-      sheet("[9, 9]", "[0.4, 0.4]", "0.05", "0.005") + "," + sheet("[9, 8]", "[0.3, 0.3]", "5", "0.01");
-  return setting;
-}
-
-/// Of the lower and the upper sheet of these, the mean along the slope.
-std::array<double, 2> along_slope(const std::vector<Vec3d>& all) {
-  std::array<double, 2> sums{};
-  for (std::size_t v = 0; v < all.size(); ++v) sums[v < 81 ? 0 : 1] += all[v].x / (v < 81 ? 81 : 72);
-  return sums;
-}
-
-}  // namespace
 
 TEST_CASE("a heavy sheet and the light one under it do not creep on a slope") {
   GpuFixture fixture;
@@ -145,6 +130,7 @@ TEST_CASE("a heavy sheet and the light one under it do not creep on a slope") {
           1e7 * (end[1] - begin[1]));
   for (const std::size_t k : {0U, 1U}) CHECK(std::abs(end[k] - begin[k]) < 0.1 * 1e-5);
 }
+
 TEST_CASE(
     "long: a heavy sheet and the light one under it hold at 0.98 of the angle, and slide together beyond "
     "it") {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "model/cloth_size.hpp"
+
 namespace weft {
 std::uint32_t contact_urgency(double gap, double thickness) {
   const double depth = std::clamp(1 - gap / thickness, 0.0, 1.0);
@@ -16,28 +18,18 @@ namespace {
 constexpr std::uint32_t kLongStepIterations = 6, kMostIterations = 64;
 constexpr double kHeavyRatio = 10;  // of densities, from which on impulses are iterated for it
 
-/// Of a cloth at rest [kg/m²]; 0 without area.
-double density_of(const Model& model, const Body& body) {
-  double mass = 0, area = 0;
-  for (std::uint32_t v = 0; v < body.vertex_count; ++v) mass += model.mass[body.first_vertex + v];
-  for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
-    const mesh::Triangle& corners = model.triangles[body.first_triangle + t];
-    const Vec3d& a = model.rest_position[corners[0]];
-    area += 0.5 * length(cross(model.rest_position[corners[1]] - a, model.rest_position[corners[2]] - a));
-  }
-  return area > 0 ? mass / area : 0;
-}
-
 /// Σ of the greatest density over that of each cloth that has a tenth of it or less.
 double ratio_to_light(const Model& model) {
-  std::vector<double> densities;
-  for (const Body& body : model.bodies)
-    if (const double density = density_of(model, body); density > 0) densities.push_back(density);
-  double sum = 0;
-  for (const double density : densities) {
-    const double ratio = *std::max_element(densities.begin(), densities.end()) / density;
-    if (ratio >= kHeavyRatio) sum += ratio;
+  std::vector<double> densities;  // of cloths at rest [kg/m²]
+  for (const Body& body : model.bodies) {
+    const double mass = mass_of(model, body), area = area_of(model, body);
+    if (mass > 0 && area > 0) densities.push_back(mass / area);
   }
+  if (densities.empty()) return 0;
+  const double greatest = *std::max_element(densities.begin(), densities.end());
+  double sum = 0;
+  for (const double density : densities)
+    if (greatest / density >= kHeavyRatio) sum += greatest / density;
   return sum;
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "element/spring/law.hpp"
 #include "method/multigrid/grid_levels.hpp"
+#include "model/cloth_size.hpp"
 
 namespace weft::multigrid {
 namespace {
@@ -24,21 +24,6 @@ constexpr double kMargin = 0.8, kOutOfPlane = 0.25;
 
 /// h_e of (1), with a history.
 double formula_length(double step) { return 2 * step / 3; }
-
-double mass_of(const Model& model, const Body& body) {
-  const auto first = model.mass.begin() + body.first_vertex;
-  return std::accumulate(first, first + body.vertex_count, 0.0);
-}
-
-double area_of(const Model& model, const Body& body) {
-  double twice = 0;
-  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t) {
-    const auto& [a, b, c] = model.triangles[t];
-    const auto& x = model.rest_position;
-    twice += length(cross(x[b] - x[a], x[c] - x[a]));
-  }
-  return twice / 2;
-}
 
 /// Sweeps that make each part of an error smaller by kBottomPart, for eigenvalues that differ by `condition`.
 std::uint32_t sweeps_for(double condition) {
