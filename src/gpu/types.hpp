@@ -39,7 +39,8 @@ struct Limits {
   std::uint64_t max_buffer_size = 0;           // bytes
   std::uint64_t max_storage_binding_size = 0;  // bytes
   std::uint32_t max_storage_buffers_per_stage = 0;
-  std::uint32_t max_invocations_per_workgroup = 0;
+  std::uint32_t max_invocations_per_workgroup = 0;  // also along x alone
+  std::uint32_t max_workgroup_storage = 0;          // bytes
   std::uint32_t max_workgroups_per_dimension = 0;
   std::uint32_t max_texture_size = 0;                // pixels a side
   std::uint32_t min_uniform_offset_alignment = 256;  // bytes

@@ -103,6 +103,7 @@ TEST_CASE("a device can be asked for WebGPU's default limits, whatever the adapt
   CHECK(limits.max_storage_binding_size == 128ULL << 20U);
   CHECK(limits.max_storage_buffers_per_stage == 8);
   CHECK(limits.max_invocations_per_workgroup == 256);
+  CHECK(limits.max_workgroup_storage == 16384);
   CHECK(limits.max_workgroups_per_dimension == 65535);
   CHECK(limits.max_texture_size == 8192);
   GpuFixture fixture;

@@ -179,12 +179,8 @@ Json bottom_sweeps() {
 Json level_of_mesh() {
   using T = MeshLevelParams;
   return row("MeshLevelParams", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact,
-             {M(node_count), M(block_count), M(first_vector), M(first_block), M(first_row), M(first_source),
-              M(first_product), M(first_taps)});
-}
-Json coupling() {
-  using T = Coupling;
-  return row("Coupling", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(node), M(block)});
+             {M(node_count), M(block_count), M(first_vector), M(first_row), M(first_source), M(first_product),
+              M(first_taps), M(padding)});
 }
 Json share() {
   using T = Share;
@@ -319,19 +315,16 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),      step_time(),       step_nodes(),
-                      step_contact(),    step_air(),        step_hands(),
-                      step_method(),     spring(),          spring_kind(),
-                      limited_edge(),    spring_block(),    block_spring(),
-                      neighbour(),       mesh_params(),     surface_params(),
-                      object_triangle(), spring_grid_row(), level_of_grid(),
-                      tree_node(),       pair_range(),      analytic_collider(),
-                      listed_pair(),     contact_of_pair(), pair_hold(),
-                      search_params(),   patch_place(),     tree_params(),
-                      colliders(),       collider_place(),  frame(),
-                      weave(),           plane(),           fine_grid(),
-                      cloth_nodes(),     bottom_sweeps(),   springs_of_color(),
-                      level_of_mesh(),   coupling(),        share()});
+  return Json::array({step_block(),        step_time(),     step_nodes(),      step_contact(),
+                      step_air(),          step_hands(),    step_method(),     spring(),
+                      spring_kind(),       limited_edge(),  spring_block(),    block_spring(),
+                      neighbour(),         mesh_params(),   surface_params(),  object_triangle(),
+                      spring_grid_row(),   level_of_grid(), tree_node(),       pair_range(),
+                      analytic_collider(), listed_pair(),   contact_of_pair(), pair_hold(),
+                      search_params(),     patch_place(),   tree_params(),     colliders(),
+                      collider_place(),    frame(),         weave(),           plane(),
+                      fine_grid(),         cloth_nodes(),   bottom_sweeps(),   springs_of_color(),
+                      level_of_mesh(),     share()});
 }
 
 Json shared_constants() {

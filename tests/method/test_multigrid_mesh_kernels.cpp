@@ -41,20 +41,27 @@ std::vector<Case> cases() {
       {"a triangle", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, kFree, 0.1, 3, 1}};
 }
 
-std::vector<Sym3> blocks_of(MeshRig& rig, std::size_t l) {
-  const std::vector<Vec4f> all = rig.download(rig.cycle().blocks());
-  const MeshLevelParams& level = rig.cycle().shapes()[l];
-  std::vector<Sym3> blocks;
-  for (std::size_t b = level.first_block; b < level.first_block + level.block_count; ++b)
-    blocks.push_back(sym3(all[2 * b], all[2 * b + 1].x, all[2 * b + 1].y));
-  return blocks;
-}
-
 /// Products of blocks and random vectors.
 Field each_times(const std::vector<Sym3>& blocks, const Field& x) {
   Field made(blocks.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) made[b] = blocks[b] * x[b];
   return made;
+}
+
+/// A level's blocks equal the reference's, in the rows of both of their nodes.
+void check_blocks(MeshRig& rig, const reference::MeshHierarchy& hierarchy, std::size_t l) {
+  const MeshLists lists = mesh_lists(hierarchy.levels()[0].levels);
+  const std::vector<std::array<float, 2>> all = rig.download(rig.cycle().blocks());
+  const std::vector<Sym3>& expected = hierarchy.levels()[l].blocks;
+  const Field some = random_field(expected.size(), l);
+  for (const std::size_t row : {0, 1}) {
+    std::vector<Sym3> blocks;
+    for (const BlockEntries& entries : lists.entries_of[l]) {
+      const auto* at = &all[3 * std::size_t{entries[row]}];
+      blocks.push_back(sym3({at[0][0], at[0][1], at[1][0], at[1][1]}, at[2][0], at[2][1]));
+    }
+    CHECK(difference(each_times(blocks, some), each_times(expected, some)) < 1e-5);
+  }
 }
 
 Field inverses_times(MeshRig& rig, std::size_t l, const Field& x) {
@@ -86,7 +93,7 @@ TEST_CASE("a mesh's residual, matrices and diagonals equal the reference's") {
       CAPTURE(l);
       const MeshOperator& level = hierarchy.levels()[l];
       const Field some = random_field(level.blocks.size(), l);
-      CHECK(difference(each_times(blocks_of(rig, l), some), each_times(level.blocks, some)) < 1e-5);
+      check_blocks(rig, hierarchy, l);
       CHECK(difference(inverses_times(rig, l, some), each_times(level.inverse_diagonal(), some)) < 2e-3);
     }
   }
@@ -159,11 +166,7 @@ TEST_CASE("what obstacles hold is in a mesh's matrix, and a pressed node begins 
     });
     CHECK(difference(field(rig.vector(0, kResidual)), step.residual) < 2e-5);
     const reference::MeshHierarchy hierarchy(step.matrix, rig.cycle().bottom());
-    for (const std::size_t l : {0U, 1U}) {
-      const std::vector<Sym3>& blocks = hierarchy.levels()[l].blocks;
-      const Field some = random_field(blocks.size(), l);
-      CHECK(difference(each_times(blocks_of(rig, l), some), each_times(blocks, some)) < 1e-5);
-    }
+    for (const std::size_t l : {0U, 1U}) check_blocks(rig, hierarchy, l);
     const std::vector<std::int32_t> left = rig.download(rig.press_sums());
     CHECK(std::all_of(left.begin() + kHoldWords * rig.model().vertex_count(), left.end(),
                       [](std::int32_t word) { return word == 0; }));

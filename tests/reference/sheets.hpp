@@ -43,9 +43,9 @@ struct Sheet {
   /// Where the kernels' cycles for the only cloth end, with steps of `dt`.
   multigrid::Bottom bottom(double dt = 1.0 / 480) const {
     const Body& body = model.bodies[0];
-    if (body.grid) return multigrid::bottom_of(multigrid::grid_scales(model, body, dt));
-    return multigrid::bottom_of(
-        multigrid::mesh_scales(model, body, mesh_levels(model, body, model.springs(body)), dt));
+    if (body.grid) return multigrid::bottom_of(multigrid::grid_scales(model, body, dt), multigrid::kGridTail);
+    const std::vector<MeshLevel> levels = mesh_levels(model, body, model.springs(body));
+    return multigrid::bottom_of(multigrid::mesh_scales(model, body, levels, dt), multigrid::kMeshTail);
   }
   void advance(double dt, int steps) {
     for (int s = 0; s < steps; ++s) stepper.advance({system, system.position, dt});

@@ -139,9 +139,10 @@ export class GpuBackend {
     const device = this.need();
     const { limits } = device;
     this.heap().HEAPF64.set([limits.maxBufferSize, limits.maxStorageBufferBindingSize,
-      limits.maxStorageBuffersPerShaderStage, limits.maxComputeInvocationsPerWorkgroup,
-      limits.maxComputeWorkgroupsPerDimension, limits.maxTextureDimension2D, limits.minUniformBufferOffsetAlignment],
-      target >>> 3);
+      limits.maxStorageBuffersPerShaderStage,
+      Math.min(limits.maxComputeInvocationsPerWorkgroup, limits.maxComputeWorkgroupSizeX),
+      limits.maxComputeWorkgroupStorageSize, limits.maxComputeWorkgroupsPerDimension, limits.maxTextureDimension2D,
+      limits.minUniformBufferOffsetAlignment], target >>> 3);
     return device.features.has("timestamp-query") ? 1 : 0;
   }
 

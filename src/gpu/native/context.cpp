@@ -143,7 +143,9 @@ void take_device(Opened& opened) {
   opened.limits.max_buffer_size = limits.maxBufferSize;
   opened.limits.max_storage_binding_size = limits.maxStorageBufferBindingSize;
   opened.limits.max_storage_buffers_per_stage = limits.maxStorageBuffersPerShaderStage;
-  opened.limits.max_invocations_per_workgroup = limits.maxComputeInvocationsPerWorkgroup;
+  opened.limits.max_invocations_per_workgroup =
+      std::min(limits.maxComputeInvocationsPerWorkgroup, limits.maxComputeWorkgroupSizeX);
+  opened.limits.max_workgroup_storage = limits.maxComputeWorkgroupStorageSize;
   opened.limits.max_workgroups_per_dimension = limits.maxComputeWorkgroupsPerDimension;
   opened.limits.max_texture_size = limits.maxTextureDimension2D;
   opened.limits.min_uniform_offset_alignment = limits.minUniformBufferOffsetAlignment;

@@ -33,12 +33,12 @@ Result<Opened> open(const DeviceOptions& options) {
   for (std::string* field : {&opened.adapter.name, &opened.adapter.vendor, &opened.adapter.driver,
                              &opened.adapter.backend, &opened.adapter.type})
     std::getline(lines, *field);
-  double limits[7] = {};
+  double limits[8] = {};
   opened.timestamps = web::weft_gpu_limits(limits) != 0;
   opened.limits = {static_cast<std::uint64_t>(limits[0]), static_cast<std::uint64_t>(limits[1]),
                    static_cast<std::uint32_t>(limits[2]), static_cast<std::uint32_t>(limits[3]),
                    static_cast<std::uint32_t>(limits[4]), static_cast<std::uint32_t>(limits[5]),
-                   static_cast<std::uint32_t>(limits[6])};
+                   static_cast<std::uint32_t>(limits[6]), static_cast<std::uint32_t>(limits[7])};
   return opened;
 }
 

@@ -19,5 +19,5 @@ fn advance(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_
     vectors[vector_at(level, kDirection, node)] = vec4f(kBegin * d, 0.0);
     part = dot(r, d);
   }
-  store_partial(local, node, nodes.count, vec2f(part, 0.0));
+  store_partial(local, 1u, node, nodes.count, vec2f(part, 0.0));
 }

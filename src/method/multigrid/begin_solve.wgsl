@@ -31,5 +31,5 @@ fn begin_solve(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocat
     }
     vectors[vector_at(level, kSolution, node)] = vec4f(0.0);
   }
-  store_partial(local, node, nodes.count, part);
+  store_partial(local, 1u, node, nodes.count, part);
 }

@@ -11,8 +11,8 @@
 namespace weft::multigrid {
 namespace {
 
-constexpr std::uint32_t kLanes = 256;  // of the workgroup
-constexpr std::uint32_t kStages = 6;   // of a level above the bottom
+constexpr std::uint32_t kInvocations = 256;  // of the workgroup
+constexpr std::uint32_t kStages = 6;         // of a level above the bottom
 
 /// Of an edge beyond its strain limit, by that within: docs/solvers/multigrid.md, equation 5a.
 constexpr double kBeyondLimit = 1 + spring::kStiffer;
@@ -31,7 +31,7 @@ std::uint32_t sweeps_for(double condition) {
   return static_cast<std::uint32_t>(std::ceil(std::acosh(kBottomPart) / each));
 }
 
-std::uint32_t rounds(const LevelScale& level) { return (level.nodes + kLanes - 1) / kLanes; }
+std::uint32_t rounds(const LevelScale& level) { return (level.nodes + kInvocations - 1) / kInvocations; }
 
 }  // namespace
 
@@ -71,9 +71,9 @@ std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::s
   return scales;
 }
 
-Bottom bottom_of(std::span<const LevelScale> levels) {
+Bottom bottom_of(std::span<const LevelScale> levels, std::uint32_t most) {
   std::size_t l = 1;
-  while (l + 1 < levels.size() && levels[l].nodes > kTailNodes) ++l;
+  while (l + 1 < levels.size() && levels[l].nodes > most) ++l;
   Bottom best{levels.size() - 1};
   std::uint32_t above = 0, least = std::numeric_limits<std::uint32_t>::max();
   for (; l < levels.size(); ++l) {

@@ -22,8 +22,9 @@ inline constexpr std::uint32_t kBottomSweeps = 10;
 /// By what the sweeps of a bottom that has inertia make each part of the error smaller, at least. What is left of the
 /// cloth's motion as a whole is momentum: with 10 a free mesh loses 0.3 % of it, with 30 0.12 %.
 inline constexpr double kBottomPart = 100;
-/// The cycle on levels of no more nodes is done by one workgroup: src/method/multigrid/tail.wgsl.
-inline constexpr std::uint32_t kTailNodes = 682;
+/// The cycle on levels of no more nodes is done by one workgroup, so that 16 KiB of its memory are enough: of a grid
+/// (src/method/multigrid/cycle_tail.wgsl) and of a mesh (mesh_tail.wgsl).
+inline constexpr std::uint32_t kGridTail = 682, kMeshTail = 554;
 
 /// What a level is like: its nodes, and of one of them the inertia and the stiffness in its matrix's diagonal [N/m].
 struct LevelScale {
@@ -43,7 +44,7 @@ std::vector<LevelScale> grid_scales(const Model& model, const Body& body, double
 std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
                                     double step);
 
-/// Where one workgroup, which does the levels from the first small one on, has least to do.
-Bottom bottom_of(std::span<const LevelScale> levels);
+/// Where one workgroup, which does the levels of no more than `most` nodes, has least to do.
+Bottom bottom_of(std::span<const LevelScale> levels, std::uint32_t most);
 
 }  // namespace weft::multigrid

@@ -121,10 +121,11 @@ class Cycle {
     gpu::Dispatch correct, smooth_begin, smooth_up;      // up: x + P e, smoothed in two sweeps
   };
 
-  /// The part that grids and meshes share: `shapes` are the levels as kernels read them, the finest first.
+  /// The part that grids and meshes share: `shapes` are the levels as kernels read them, the finest first; a tail's
+  /// have `most_of_tail` nodes at most.
   template <class Shape>
   Result<void> create_buffers(const CycleInputs& inputs, const EqualCloths& cloths,
-                              const std::vector<Shape>& shapes);
+                              const std::vector<Shape>& shapes, std::uint32_t most_of_tail);
   /// The same workgroups for each cloth.
   gpu::Workgroups for_each_cloth(const gpu::Workgroups& one) const { return {one.x, one.y, cloths_}; }
   /// The buffer bound for `presses` where nothing presses.
@@ -168,13 +169,13 @@ class Cycle {
 
 template <class Shape>
 Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths& cloths,
-                                   const std::vector<Shape>& shapes) {
+                                   const std::vector<Shape>& shapes, std::uint32_t most_of_tail) {
   gpu::Device& device = inputs.device;
   const std::uint32_t nodes = cloths.first.vertex_count;
   const std::size_t all_nodes = std::size_t{cloths.count} * nodes;
   cloths_ = cloths.count;
   corrects_ = inputs.presses != nullptr;
-  while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > multigrid::kTailNodes) ++tail_;
+  while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > most_of_tail) ++tail_;
   std::size_t vectors = 0;
   for (std::size_t l = 0; l < shapes.size(); ++l) {
     vectors += std::size_t{multigrid::vector_count(l)} * node_count(shapes[l]);

@@ -2,7 +2,9 @@
 #include "method/multigrid/coarse_operator.wgsl"
 #include "method/multigrid/grid_correction.wgsl"
 #include "method/multigrid/grid_restriction.wgsl"
+#include "method/multigrid/lone_lane.wgsl"
 #include "method/multigrid/tail.wgsl"
+const kTailNodes = 682u;  // mirror: kGridTail, src/method/multigrid/bottom.hpp
 //                                                                                 elements
 @group(0) @binding(0) var<storage, read>       tail      : array<GridLevelParams>;  // the coarsest levels, finest first
 @group(0) @binding(1) var<storage, read_write> vectors   : array<vec4f>;        // method/multigrid/cloth.wgsl

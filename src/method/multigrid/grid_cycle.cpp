@@ -28,9 +28,10 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
                                     const EqualCloths& cloths) {
   const Body& body = cloths.first;
   GridCycle made;
-  made.bottom_ = multigrid::bottom_of(multigrid::grid_scales(inputs.model.host, body, inputs.step));
+  made.bottom_ = multigrid::bottom_of(multigrid::grid_scales(inputs.model.host, body, inputs.step),
+                                      multigrid::kGridTail);
   made.shapes_ = grid_level_params(body, made.bottom_.level + 1);
-  WEFT_CHECK(made.create_buffers(inputs, cloths, made.shapes_));
+  WEFT_CHECK(made.create_buffers(inputs, cloths, made.shapes_, multigrid::kGridTail));
   WEFT_SET(made.grid_,
            gpu::create_uniform(inputs.device, spring_grid(*body.grid, body.material(), body.first_vertex),
                                "spring grid"));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "method/multigrid/mesh_lists.hpp"
+
 namespace weft {
 namespace {
 
@@ -22,9 +24,21 @@ Result<void> create_all(gpu::Device& device, std::span<const Row<Set>> table, Se
   return {};
 }
 
-/// The size of the single workgroup of a tail.
+/// The size of a single workgroup that adds up.
 std::uint32_t lone_workgroup_size(const gpu::Device& device) {
   return std::min(gpu::kDefaultWorkgroupSize, device.limits().max_invocations_per_workgroup);
+}
+
+/// The size of the single workgroup of a tail: the largest that the adapter has, up to kMost, and that has the memory
+/// for two vectors of `nodes` (src/method/multigrid/tail.wgsl) and one of its invocations (mesh_operator.wgsl).
+std::uint32_t tail_workgroup_size(const gpu::Device& device, std::uint32_t nodes) {
+  constexpr std::uint32_t kMost = 1024, kVector = 3 * sizeof(float);
+  const gpu::Limits& limits = device.limits();
+  for (std::uint32_t size = kMost; size > gpu::kDefaultWorkgroupSize; size /= 2)
+    if (size <= limits.max_invocations_per_workgroup &&
+        kVector * (2 * nodes + size) <= limits.max_workgroup_storage)
+      return size;
+  return lone_workgroup_size(device);
 }
 
 /// Whether contact may hold nodes at obstacles, for the kernels that read the holds.
@@ -111,7 +125,7 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
       {&K::restrict_residual, "restrict_residual", size},
       {&K::descend, "descend_coarse", size},
       {&K::ascend, "ascend_coarse", size},
-      {&K::cycle_tail, "cycle_tail", lone_workgroup_size(inputs.device)},
+      {&K::cycle_tail, "cycle_tail", tail_workgroup_size(inputs.device, multigrid::kGridTail)},
   };
   K made;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
@@ -120,20 +134,23 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
 }
 
 Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
-  const std::uint32_t size = inputs.workgroup_size;
+  const std::uint32_t size = inputs.workgroup_size,
+                      lone = tail_workgroup_size(inputs.device, multigrid::kMeshTail);
+  constexpr std::uint32_t kByLanes = multigrid::kLanes * multigrid::kChunk;
   using K = MeshKernels;
   const Row<K> table[] = {
       {&K::gradient, "mesh_gradient", size, {holds(inputs), limits(inputs)}},
       {&K::galerkin, "mesh_galerkin", size},
-      {&K::smooth_down, "mesh_smooth_end", size, {down()}},
-      {&K::residual, "mesh_residual", size},
+      {&K::smooth_down, "mesh_smooth_end", kByLanes, {down()}},
+      {&K::residual, "mesh_residual", kByLanes},
       {&K::restrict_residual, "mesh_restrict", size},
-      {&K::tail, "mesh_tail", lone_workgroup_size(inputs.device)},
+      {&K::tail, "mesh_tail", lone},
+      {&K::tail_of_pieces, "mesh_tail", lone, {{"kShows", 0}}},
       {&K::prolong, "mesh_prolong", size},
-      {&K::smooth_begin, "mesh_smooth_begin", size},
-      {&K::smooth_up, "mesh_smooth_end", size, {up()}},
-      {&K::smooth_last, "mesh_smooth_last", size},
-      {&K::search, "mesh_search", size, {pairs(inputs)}},
+      {&K::smooth_begin, "mesh_smooth_begin", kByLanes},
+      {&K::smooth_up, "mesh_smooth_end", kByLanes, {up()}},
+      {&K::smooth_last, "mesh_smooth_last", kByLanes},
+      {&K::search, "mesh_search", kByLanes, {pairs(inputs)}},
   };
   K made;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));

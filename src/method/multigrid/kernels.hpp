@@ -40,7 +40,7 @@ struct MeshKernels {
   SharedKernels shared;
   gpu::SharedKernel gradient, galerkin;                        // the linear system, and its coarse levels
   gpu::SharedKernel smooth_down, residual, restrict_residual;  // the cycle: down
-  gpu::SharedKernel tail;                                      // on the coarsest levels
+  gpu::SharedKernel tail, tail_of_pieces;                      // on the coarsest levels
   gpu::SharedKernel prolong, smooth_begin, smooth_up;          // up
   gpu::SharedKernel smooth_last;                               // on the finest
   gpu::SharedKernel search;                                    // A p

@@ -1,5 +1,7 @@
 #include "method/multigrid/mesh_cycle.hpp"
 
+#include <algorithm>
+
 #include "model/limited_edges.hpp"
 
 namespace weft {
@@ -10,11 +12,12 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
   MeshCycle made;
   const Springs springs = inputs.model.host.springs(body);
   std::vector<MeshLevel> levels = mesh_levels(inputs.model.host, body, springs);
-  made.bottom_ = multigrid::bottom_of(multigrid::mesh_scales(inputs.model.host, body, levels, inputs.step));
+  made.bottom_ = multigrid::bottom_of(multigrid::mesh_scales(inputs.model.host, body, levels, inputs.step),
+                                      multigrid::kMeshTail);
   levels.resize(made.bottom_.level + 1);
   const MeshLists lists = mesh_lists(levels);
   made.shapes_ = lists.levels;
-  WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_));
+  WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_, multigrid::kMeshTail));
   WEFT_CHECK(made.create_lists(inputs.device, lists, springs,
                                longest_lengths(limited_edges(inputs.model.host, body), springs)));
   WEFT_CHECK(made.create_system(inputs, kernels));
@@ -29,32 +32,41 @@ Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists
     WEFT_SET(buffer, Made::create_from(device, values, label));
     return {};
   };
-  std::vector<Vec4f> of_blocks;
-  of_blocks.reserve(springs.size());
+  const std::uint32_t nodes = lists.levels[0].node_count;
+  std::vector<Vec4f> of_entries(nodes + 2 * springs.size());
   for (std::size_t s = 0; s < springs.size(); ++s)
-    of_blocks.push_back({springs[s].rest_length, springs[s].stiffness, springs[s].damping, longest[s]});
+    for (const std::uint32_t entry : lists.entries_of[0][nodes + s])
+      of_entries[entry] = {springs[s].rest_length, springs[s].stiffness, springs[s].damping, longest[s]};
+  std::vector<BlockEntries> targets(lists.product_starts.size());
+  for (std::size_t l = 1; l < lists.levels.size(); ++l)
+    std::copy(lists.entries_of[l].begin(), lists.entries_of[l].end(),
+              targets.begin() + lists.levels[l].first_product);
   WEFT_CHECK(make(lists_.row_starts, lists.row_starts, "multigrid row starts"));
-  WEFT_CHECK(make(lists_.rows, lists.rows, "multigrid rows"));
+  WEFT_CHECK(make(lists_.entries, lists.entries, "multigrid entries"));
   WEFT_CHECK(make(lists_.source_starts, lists.source_starts, "multigrid source starts"));
   WEFT_CHECK(make(lists_.sources, lists.sources, "multigrid sources"));
   WEFT_CHECK(make(lists_.product_starts, lists.product_starts, "multigrid product starts"));
   WEFT_CHECK(make(lists_.products, lists.products, "multigrid products"));
+  WEFT_CHECK(make(lists_.targets, targets, "multigrid targets"));
   WEFT_CHECK(make(lists_.taps, lists.taps, "multigrid taps"));
-  WEFT_CHECK(make(lists_.springs, of_blocks, "multigrid springs"));
-  WEFT_SET(blocks_, gpu::Buffer<Vec4f>::create(device, 2 * lists.block_count, "multigrid blocks"));
+  WEFT_CHECK(make(lists_.springs, of_entries, "multigrid springs"));
+  WEFT_SET(blocks_,
+           (gpu::Buffer<std::array<float, 2>>::create(device, 3 * lists.entries.size(), "multigrid blocks")));
   return {};
 }
 
 Result<void> MeshCycle::create_system(const CycleInputs& inputs, const MeshKernels& kernels) {
   const gpu::Workgroups nodes = kernels.gradient->workgroups_of(node_count(shapes_[0]));
+  const gpu::Workgroups by_lanes =
+      kernels.search->workgroups_of(multigrid::kLanes * std::uint64_t{node_count(shapes_[0])});
   const gpu::RawBuffer& levels = levels_[0].levels;
   WEFT_CHECK(create_shared(inputs, kernels.shared));
-  WEFT_SET(search_, Dispatch::create(kernels.search, nodes,
-                                     {levels, vectors_, blocks_, lists_.row_starts, lists_.rows, partials_,
+  WEFT_SET(search_, Dispatch::create(kernels.search, by_lanes,
+                                     {levels, vectors_, blocks_, lists_.row_starts, lists_.entries, partials_,
                                       place_, pair_sums(inputs), nodes_}));
   WEFT_SET(gradient_, Dispatch::create(kernels.gradient, nodes,
                                        {inputs.state.steps, nodes_, levels, place_, holds_, vectors_, blocks_,
-                                        lists_.row_starts, lists_.rows, lists_.springs, presses(inputs)}));
+                                        lists_.row_starts, lists_.entries, lists_.springs, presses(inputs)}));
   return {};
 }
 
@@ -65,31 +77,35 @@ Result<void> MeshCycle::create_levels(const MeshKernels& kernels) {
     if (!coarsest) {
       WEFT_SET(level.coarsen,
                Dispatch::create(kernels.galerkin, kernels.galerkin->workgroups_of(shapes_[l + 1].block_count),
-                                {level.levels, vectors_, blocks_, lists_.product_starts, lists_.products}));
+                                {level.levels, vectors_, blocks_, lists_.product_starts, lists_.products,
+                                 lists_.targets}));
     }
     if (l >= tail_) continue;
-    const gpu::Workgroups nodes = kernels.smooth_down->workgroups_of(node_count(shapes_[l]));
-    const Dispatch::Bindings bindings = {level.levels, vectors_, blocks_, lists_.row_starts, lists_.rows};
-    WEFT_SET(level.smooth_down, Dispatch::create(kernels.smooth_down, nodes, bindings));
-    WEFT_SET(level.smooth_begin, Dispatch::create(kernels.smooth_begin, nodes, bindings));
+    const gpu::Workgroups by_lanes =
+        kernels.smooth_down->workgroups_of(multigrid::kLanes * std::uint64_t{node_count(shapes_[l])});
+    const gpu::Workgroups nodes = kernels.prolong->workgroups_of(node_count(shapes_[l]));
+    const Dispatch::Bindings bindings = {level.levels, vectors_, blocks_, lists_.row_starts, lists_.entries};
+    WEFT_SET(level.smooth_down, Dispatch::create(kernels.smooth_down, by_lanes, bindings));
+    WEFT_SET(level.smooth_begin, Dispatch::create(kernels.smooth_begin, by_lanes, bindings));
     if (l == 0) {
-      WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_last, nodes,
+      WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_last, by_lanes,
                                                  {level.levels, vectors_, blocks_, lists_.row_starts,
-                                                  lists_.rows, partials_}));
+                                                  lists_.entries, partials_}));
     } else {
-      WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_up, nodes, bindings));
+      WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_up, by_lanes, bindings));
     }
     if (coarsest) continue;
     const gpu::Workgroups coarse = kernels.restrict_residual->workgroups_of(node_count(shapes_[l + 1]));
-    WEFT_SET(level.residual, Dispatch::create(kernels.residual, nodes, bindings));
+    WEFT_SET(level.residual, Dispatch::create(kernels.residual, by_lanes, bindings));
     WEFT_SET(level.restrict_down,
              Dispatch::create(kernels.restrict_residual, coarse,
                               {level.levels, vectors_, lists_.source_starts, lists_.sources}));
     WEFT_SET(level.correct, Dispatch::create(kernels.prolong, nodes, {level.levels, vectors_, lists_.taps}));
   }
   if (shapes_.size() == 1) return {};
-  WEFT_SET(tail_cycle_, Dispatch::create(kernels.tail, {1, 1},
-                                         {tail_levels_, vectors_, blocks_, lists_.row_starts, lists_.rows,
+  const bool is_of_pieces = node_count(shapes_[tail_]) > multigrid::kMeshTail;
+  WEFT_SET(tail_cycle_, Dispatch::create(is_of_pieces ? kernels.tail_of_pieces : kernels.tail, {1, 1},
+                                         {tail_levels_, vectors_, blocks_, lists_.row_starts, lists_.entries,
                                           lists_.source_starts, lists_.sources, lists_.taps, sweeps_}));
   return {};
 }

@@ -15,13 +15,13 @@ class MeshCycle : public Cycle {
 
   // For tests.
   const std::vector<MeshLevelParams>& shapes() const { return shapes_; }
-  const gpu::Buffer<Vec4f>& blocks() const { return blocks_; }
+  const gpu::Buffer<std::array<float, 2>>& blocks() const { return blocks_; }
 
  private:
   /// The lists, constant.
   struct ListBuffers {
-    gpu::Buffer<std::uint32_t> row_starts, source_starts, product_starts;
-    gpu::Buffer<Coupling> rows;
+    gpu::Buffer<std::uint32_t> row_starts, entries, source_starts, product_starts;
+    gpu::Buffer<BlockEntries> targets;
     gpu::Buffer<Share> sources, products, taps;
     gpu::Buffer<Vec4f> springs;
   };
@@ -33,7 +33,7 @@ class MeshCycle : public Cycle {
 
   std::vector<MeshLevelParams> shapes_;  // of its levels
   ListBuffers lists_;
-  gpu::Buffer<Vec4f> blocks_;
+  gpu::Buffer<std::array<float, 2>> blocks_;  // three an entry
 };
 
 }  // namespace weft

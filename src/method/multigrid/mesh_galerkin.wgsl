@@ -1,5 +1,5 @@
 // The matrix of a coarse level of a mesh, Pᵀ A P, and the inverse of its diagonal. One invocation per block: a sum of
-// blocks of the finer level. Source: docs/solvers/multigrid.md, equation 12.
+// entries of the finer level. Source: docs/solvers/multigrid.md, equation 12.
 #include "gpu/index.wgsl"
 #include "method/multigrid/mesh_block.wgsl"
 #include "method/multigrid/mesh_store_block.wgsl"
@@ -7,9 +7,10 @@
 //                                                                                      elements
 @group(0) @binding(0) var<uniform>             levels         : array<MeshLevelParams, 2>;
 @group(0) @binding(1) var<storage, read_write> vectors        : array<vec4f>;        // method/multigrid/cloth.wgsl
-@group(0) @binding(2) var<storage, read_write> blocks         : array<vec4f>;        // method/multigrid/mesh_block.wgsl
+@group(0) @binding(2) var<storage, read_write> blocks         : array<vec2f>;        // method/multigrid/mesh_block.wgsl
 @group(0) @binding(3) var<storage, read>       product_starts : array<u32>;          // block_count + 1 of each level
-@group(0) @binding(4) var<storage, read>       products       : array<Share>;        // of blocks of the finer level
+@group(0) @binding(4) var<storage, read>       products       : array<Share>;        // of entries of the finer level
+@group(0) @binding(5) var<storage, read>       targets        : array<vec2u>;        // the entries of each block
 
 // Of the list that ends there: without weight beyond its end.
 fn product_at(k : u32, end : u32) -> Share {
@@ -30,13 +31,14 @@ fn mesh_galerkin(@builtin(global_invocation_id) id : vec3u) {
     let b = product_at(k + 1u, end);
     let c = product_at(k + 2u, end);
     let d = product_at(k + 3u, end);
-    let block_a = block_of(levels[0], a.index);
-    let block_b = block_of(levels[0], b.index);
-    let block_c = block_of(levels[0], c.index);
-    let block_d = block_of(levels[0], d.index);
+    let block_a = block_of(a.index);
+    let block_b = block_of(b.index);
+    let block_c = block_of(c.index);
+    let block_d = block_of(d.index);
     sum = sum_of(sum_of(sum, scaled(a.weight, block_a)), scaled(b.weight, block_b));
     sum = sum_of(sum_of(sum, scaled(c.weight, block_c)), scaled(d.weight, block_d));
   }
-  store_block(coarse, number, sum);
+  store_block(targets[list].x, sum);
+  store_block(targets[list].y, sum);
   if (number < coarse.node_count) { store_inverse(coarse, number, inverse(sum)); }
 }

@@ -1,5 +1,5 @@
 // The residual of a mesh at the start of the unknown, its matrix, and the inverse of the diagonal. One invocation per
-// node, which also keeps the blocks that it shares with nodes of higher number.
+// node, which keeps its row.
 // Sums run in a fixed order. Source: docs/solvers/multigrid.md, equations 5, 6 and 11.
 #include "gpu/index.wgsl"
 #include "method/multigrid/hold_at_obstacles.wgsl"
@@ -13,10 +13,10 @@
 @group(0) @binding(3) var<storage, read>       place      : array<vec4f>;      // node_count         m; w: N/m, 0: fixed
 @group(0) @binding(4) var<storage, read_write> holds      : array<vec4f>;      // method/multigrid/hold.wgsl
 @group(0) @binding(5) var<storage, read_write> vectors    : array<vec4f>;      // method/multigrid/cloth.wgsl
-@group(0) @binding(6) var<storage, read_write> blocks     : array<vec4f>;      // method/multigrid/mesh_block.wgsl
+@group(0) @binding(6) var<storage, read_write> blocks     : array<vec2f>;      // method/multigrid/mesh_block.wgsl
 @group(0) @binding(7) var<storage, read>       row_starts : array<u32>;        // node_count + 1 of each level
-@group(0) @binding(8) var<storage, read>       rows       : array<Coupling>;
-@group(0) @binding(9) var<storage, read>       springs    : array<vec4f>;      // of each coupling: m, N/m, N·s/m, m
+@group(0) @binding(8) var<storage, read>       entries    : array<u32>;          // the node of each
+@group(0) @binding(9) var<storage, read>       springs    : array<vec4f>;      // of each entry: m, N/m, N·s/m, m
 @group(0) @binding(10) var<storage, read_write> presses   : array<i32>;        // press_sums.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -30,11 +30,11 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
   let rate = 1.0 / formula_of(step.time.step_ratio).he;
   var diagonal = identity(own.w);
   var residual = vectors[vector_at(level, kResidual, node)].xyz;
-  for (var k = row_starts[node]; k < row_starts[node + 1u]; k++) {
-    let other = rows[k].node;
-    let number = rows[k].block;
+  let first = row_starts[node];
+  for (var entry = first + 1u; entry < row_starts[node + 1u]; entry++) {
+    let other = entries[entry];
     let at = place[other];
-    let spring = springs[number - level.node_count];
+    let spring = springs[entry];
     let span_step = vectors[vector_at(level, kFirst, other)].xyz - start;
     let rate_of_span = vectors[vector_at(level, kSecond, other)].xyz - start_velocity;
     let pulled = pull_of(at.xyz - own.xyz, span_step, rate_of_span, law_of(spring.x, spring.w, spring.y), spring.z,
@@ -42,7 +42,7 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
     let part = sum_of(outer(pulled.block.direction, pulled.block.along), identity(pulled.block.across));
     diagonal = sum_of(diagonal, part);
     residual += pulled.force;
-    if (node < other) { store_block(level, number, scaled(select(-1.0, 0.0, own.w == 0.0 || at.w == 0.0), part)); }
+    store_block(entry, scaled(select(-1.0, 0.0, own.w == 0.0 || at.w == 0.0), part));
   }
   if (own.w == 0.0) {  // it has no unknown
     diagonal = zero_matrix();
@@ -54,7 +54,7 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }
-  store_block(level, node, diagonal);
+  store_block(first, diagonal);
   store_inverse(level, node, inverse(diagonal));
   vectors[vector_at(level, kResidual, node)] = vec4f(residual, 0.0);
 }

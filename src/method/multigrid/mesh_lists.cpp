@@ -15,23 +15,43 @@ std::uint32_t append(const Lists<Item>& lists, std::vector<std::uint32_t>& start
   return first;
 }
 
+/// Puts the rows of a level behind others. Returns the entries of its blocks.
+std::vector<BlockEntries> append_rows(const MeshLevel& level, MeshLists& lists) {
+  std::vector<BlockEntries> entries_of(level.block_count);
+  const auto append_entry = [&](std::uint32_t node) {
+    lists.entries.push_back(node);
+    return static_cast<std::uint32_t>(lists.entries.size() - 1);
+  };
+  for (std::uint32_t node = 0; node < level.node_count; ++node) {
+    const std::uint32_t own = append_entry(node);
+    lists.row_starts.push_back(own);
+    entries_of[node] = {own, own};
+    for (const Coupling& coupling : level.rows.of(node))
+      entries_of[coupling.block][node < coupling.node ? 0 : 1] = append_entry(coupling.node);
+  }
+  lists.row_starts.push_back(static_cast<std::uint32_t>(lists.entries.size()));
+  return entries_of;
+}
+
 }  // namespace
 
-MeshLists mesh_lists(const std::vector<MeshLevel>& levels) {
+MeshLists mesh_lists(std::span<const MeshLevel> levels) {
   MeshLists lists;
   for (const MeshLevel& level : levels) {
     MeshLevelParams made;
     made.node_count = level.node_count;
     made.block_count = level.block_count;
     made.first_vector = static_cast<std::uint32_t>(lists.vector_count);
-    made.first_block = static_cast<std::uint32_t>(lists.block_count);
-    made.first_row = append(level.rows, lists.row_starts, lists.rows);
+    made.first_row = static_cast<std::uint32_t>(lists.row_starts.size());
     made.first_source = append(level.sources, lists.source_starts, lists.sources);
+    const std::size_t products = lists.products.size();
     made.first_product = append(level.products, lists.product_starts, lists.products);
+    for (std::size_t p = products; p < lists.products.size(); ++p)
+      lists.products[p].index = lists.entries_of.back()[lists.products[p].index][0];
+    lists.entries_of.push_back(append_rows(level, lists));
     made.first_taps = static_cast<std::uint32_t>(lists.taps.size());
     for (const auto& taps : level.taps) lists.taps.insert(lists.taps.end(), taps.begin(), taps.end());
     lists.vector_count += std::size_t{multigrid::vector_count(lists.levels.size())} * level.node_count;
-    lists.block_count += level.block_count;
     lists.levels.push_back(made);
   }
   return lists;

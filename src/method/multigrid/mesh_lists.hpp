@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <span>
+#include <vector>
+
 #include "method/multigrid/mesh_levels.hpp"
 
 namespace weft {
@@ -8,8 +12,7 @@ namespace weft {
 struct MeshLevelParams {
   std::uint32_t node_count = 0, block_count = 0;  // 0: there is no such level
   std::uint32_t first_vector = 0;                 // [vec4f]
-  std::uint32_t first_block = 0;                  // [two vec4f]
-  std::uint32_t first_row = 0, first_source = 0, first_product = 0, first_taps = 0;
+  std::uint32_t first_row = 0, first_source = 0, first_product = 0, first_taps = 0, padding = 0;
 };
 static_assert(sizeof(MeshLevelParams) == 32);
 
@@ -19,18 +22,24 @@ namespace multigrid {
 
 /// Nodes of a finer level that a node takes from: src/method/multigrid/mesh_level.wgsl.
 inline constexpr std::uint32_t kTaps = 3;
+/// The invocations that take the entries of a row in turns: the same file.
+inline constexpr std::uint32_t kLanes = 4;
 
 }  // namespace multigrid
 
-/// The levels of a mesh as kernels read them: the lists of all levels one after the other.
+/// The entries in which a block stands: of two nodes that are coupled two, of a node itself one, twice.
+using BlockEntries = std::array<std::uint32_t, 2>;
+
+/// The levels of a mesh as kernels read them: the lists of all levels one after the other. A row begins with the entry
+/// of its own node.
 struct MeshLists {
   std::vector<MeshLevelParams> levels;  // the finest first
   std::size_t vector_count = 0;         // [vec4f]
-  std::size_t block_count = 0;          // of all levels
   std::vector<std::uint32_t> row_starts, source_starts, product_starts;
-  std::vector<Coupling> rows;
+  std::vector<std::uint32_t> entries;  // the node of each
   std::vector<Share> sources, products, taps;
+  std::vector<std::vector<BlockEntries>> entries_of;  // of each level's blocks
 };
-MeshLists mesh_lists(const std::vector<MeshLevel>& levels);
+MeshLists mesh_lists(std::span<const MeshLevel> levels);
 
 }  // namespace weft

@@ -1,25 +1,43 @@
-// A x on a level of a mesh. The including kernel binds `vectors`, `blocks`, `row_starts` and `rows`, and has
+// A x on a level of a mesh, by kLanes invocations a node: a node of a coarse level has some twenty neighbours, and each
+// of them waits for memory. The including kernel binds `vectors`, `blocks`, `row_starts` and `entries`, and has
 // operand(level, x, node).
 #include "method/multigrid/mesh_block.wgsl"
+var<workgroup> lane_x : array<f32, kWorkgroupSize>;
+var<workgroup> lane_y : array<f32, kWorkgroupSize>;
+var<workgroup> lane_z : array<f32, kWorkgroupSize>;
+var<private> first_lane : u32;
 
-fn product(level : Level, x : u32, node : u32) -> vec3f {
-  var sum = times(block_of(level, node), operand(level, x, node));
-  let list = level.first_row + node;
-  let end = row_starts[list + 1u];
-  for (var k = row_starts[list]; k < end; k += 4u) {  // each waits for memory, so four at a time
-    let a = rows[k];
-    let b = rows[min(k + 1u, end - 1u)];
-    let c = rows[min(k + 2u, end - 1u)];
-    let d = rows[min(k + 3u, end - 1u)];
-    let block_a = block_of(level, a.block);
-    let block_b = block_of(level, b.block);
-    let block_c = block_of(level, c.block);
-    let block_d = block_of(level, d.block);
-    let x_a = operand(level, x, a.node);
-    let x_b = select(vec3f(0.0), operand(level, x, b.node), k + 1u < end);
-    let x_c = select(vec3f(0.0), operand(level, x, c.node), k + 2u < end);
-    let x_d = select(vec3f(0.0), operand(level, x, d.node), k + 3u < end);
-    sum = sum + times(block_a, x_a) + times(block_b, x_b) + times(block_c, x_c) + times(block_d, x_d);
+// Every kLanes-th of a row's terms.
+fn lane_product(level : Level, x : u32, node : u32, lane : u32) -> vec3f {
+  let row = level.first_row + node;
+  let end = row_starts[row + 1u];
+  var sum = vec3f(0.0);
+  for (var a = row_starts[row] + lane; a < end; a += 2u * kLanes) {  // each waits for memory, so two at a time
+    let b = select(a, a + kLanes, a + kLanes < end);
+    let block_a = block_of(a);
+    let block_b = block_of(b);
+    let x_a = operand(level, x, entries[a]);
+    let x_b = select(vec3f(0.0), operand(level, x, entries[b]), b != a);
+    sum = sum + times(block_a, x_a) + times(block_b, x_b);
   }
   return sum;
+}
+
+// For all invocations of a workgroup at once, of which those without a node are idle. Then the first lane of a node has
+// the product, until the workgroup shares another one: behind a barrier.
+fn share_product(level : Level, x : u32, node : u32, local : u32, is_idle : bool) {
+  var sum = vec3f(0.0);
+  if (!is_idle) { sum = lane_product(level, x, node, local % kLanes); }
+  lane_x[local] = sum.x;
+  lane_y[local] = sum.y;
+  lane_z[local] = sum.z;
+  workgroupBarrier();
+  first_lane = local;
+}
+
+fn product(level : Level, x : u32, node : u32) -> vec3f {
+  let at = first_lane;
+  return vec3f((lane_x[at] + lane_x[at + 1u]) + (lane_x[at + 2u] + lane_x[at + 3u]),
+               (lane_y[at] + lane_y[at + 1u]) + (lane_y[at + 2u] + lane_y[at + 3u]),
+               (lane_z[at] + lane_z[at + 1u]) + (lane_z[at + 2u] + lane_z[at + 3u]));
 }

@@ -1,4 +1,4 @@
-// The last smoothing sweep of a V-cycle on a mesh, and r·z. One invocation per node.
+// The last smoothing sweep of a V-cycle on a mesh, and r·z. kLanes invocations per node.
 #include "method/multigrid/mesh_smoothing.wgsl"
 #include "method/multigrid/smooth_last.wgsl"
 //                                                                                 elements
@@ -6,5 +6,5 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn mesh_smooth_last(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) local : u32) {
-  end_cycle(levels[0], local, flat_index(id));
+  end_cycle(levels[0], local, flat_index(id) / kLanes);
 }

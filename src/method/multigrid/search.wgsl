@@ -15,9 +15,11 @@ fn operand(level : Level, x : u32, node : u32) -> vec3f {
 
 fn search_from(level : Level, local : u32, node : u32, has_unknown : bool) {
   state = solve_state();
+  let x = last_search(state);
+  let is_idle = node >= node_count(level) || state.done;
+  share_product(level, x, node, local, is_idle);
   var part = 0.0;
-  if (node < node_count(level) && !state.done) {
-    let x = last_search(state);
+  if (!is_idle && local % kLanes == 0u) {
     let p = operand(level, x, node);
     var q = vec3f(0.0);
     if (has_unknown) { q = product(level, x, node); }
@@ -29,5 +31,5 @@ fn search_from(level : Level, local : u32, node : u32, has_unknown : bool) {
     vectors[vector_at(level, kProduct, node)] = vec4f(q, 0.0);
     part = dot(p, q);
   }
-  store_partial(local, node, node_count(level), vec2f(part, 0.0));
+  store_partial(local, kLanes, node, node_count(level), vec2f(part, 0.0));
 }

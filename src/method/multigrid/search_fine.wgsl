@@ -3,6 +3,7 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/fine_bindings.wgsl"
 #include "method/multigrid/fine_operator.wgsl"
+#include "method/multigrid/lone_lane.wgsl"
 #include "method/multigrid/search.wgsl"
 //                                                                                 elements
 @group(0) @binding(6) var<storage, read_write> partials  : array<vec2f>;       // one a kChunk nodes

@@ -6,9 +6,11 @@
 
 fn end_cycle(level : Level, local : u32, node : u32) {
   var part = 0.0;
-  if (node < node_count(level) && !is_solved()) {
+  let is_idle = node >= node_count(level) || is_solved();
+  share_product(level, kSecond, node, local, is_idle);
+  if (!is_idle && local % kLanes == 0u) {
     end_smoothing(level, kSecond, kFirst, node);
     part = dot(vectors[vector_at(level, kResidual, node)].xyz, vectors[vector_at(level, kFirst, node)].xyz);
   }
-  store_partial(local, node, node_count(level), vec2f(part, 0.0));
+  store_partial(local, kLanes, node, node_count(level), vec2f(part, 0.0));
 }

@@ -1,5 +1,6 @@
 // The last smoothing sweep of a V-cycle on a grid, and r·z. One invocation per node.
 #include "method/multigrid/fine_level.wgsl"
+#include "method/multigrid/lone_lane.wgsl"
 #include "method/multigrid/smooth_last.wgsl"
 //                                                                                 elements
 @group(0) @binding(6) var<storage, read_write> partials : array<vec2f>;        // one a kChunk nodes

@@ -111,12 +111,13 @@ ImplicitStepper::ImplicitStepper(const Model& model, double step, double residua
       made.ny = body.grid->ny;
       const auto [along_i, along_j] = bending_stiffness(body);
       made.bending = {along_i, along_j, 1, 1, body.weights == mesh::BoundaryWeights::Uniform};
-      made.bottom = multigrid::bottom_of(multigrid::grid_scales(model, body, step));
+      made.bottom = multigrid::bottom_of(multigrid::grid_scales(model, body, step), multigrid::kGridTail);
       springs += mesh::grid_spring_count(*body.grid);
     } else {
       const Springs own = model.springs(body);
       made.levels = mesh_levels(model, body, own);
-      made.bottom = multigrid::bottom_of(multigrid::mesh_scales(model, body, made.levels, step));
+      made.bottom =
+          multigrid::bottom_of(multigrid::mesh_scales(model, body, made.levels, step), multigrid::kMeshTail);
       made.first_spring = springs;
       springs += own.size();
     }
