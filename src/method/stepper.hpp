@@ -41,7 +41,7 @@ class Stepper {
   virtual void begin_anew() {}
   /// Cloth lies on the node, and the pairs of both bear it: what the method's matrix holds it with does not stay.
   virtual void forget_hold(std::size_t) {}
-  /// Nodes whose pairs with obstacles the last step has answered in its matrix; none: no node's.
+  /// Nodes whose pairs with obstacles the last step has answered in its matrix; empty: it solved without contact.
   virtual std::vector<bool> held() const { return {}; }
   /// Of each pair of the last step: the force on side A that its matrix has answered it with [N]; 0: it has not.
   virtual std::vector<Vec3d> pair_forces() const { return {}; }

@@ -98,6 +98,7 @@ const kHeld = 2u;    // its way ends before the planes between it and other clot
 const kCounted = 4u; // among the truncated
 const kBesideSolid = 8u;  // it has a record with what contact cannot move
 const kBesideCloth = 32u;  // a pair of it with another cloth acts on it
+const kStruck = 64u;  // by an obstacle: a pair of it with one would end nearer than a held one may
 const kFarWay = 16u;  // it goes farther than free_way: planes of obstacles without a record count, too
 const kInBody = 3e38;           // in place of a plane's nearness: a pair moves the vertex out of a body
 

@@ -3,6 +3,7 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
+#include "contact/proximity/impulse_moves.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read_write> predicted       : array<vec4f>; // vertex_count      m/s
@@ -23,6 +24,7 @@ fn add_impulses(@builtin(global_invocation_id) id : vec3u) {
   let change = vec3f(sum) / kSpeedUnits;
   let v = predicted[vertex];
   predicted[vertex] = vec4f(v.xyz + change, 0.0);  // w: no part of a smooth motion (Method::history)
+  if (!impulses_move(vertex_contacts[words + 3u].z)) { return; }
   let x = position[vertex];
   if (x.w > 0.0) { position[vertex] = vec4f(x.xyz + step.time.dt * change, x.w); }
 }

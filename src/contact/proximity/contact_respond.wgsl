@@ -9,6 +9,7 @@
 #include "contact/proximity/before_solids.wgsl"
 #include "contact/proximity/reach.wgsl"
 #include "contact/proximity/schedule_search.wgsl"
+#include "contact/proximity/impulse_moves.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
@@ -54,7 +55,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       let change = vec3f(bitcast<vec3i>(sums[0].yzw) + bitcast<vec3i>(sums[1].xyz)) / kSpeedUnits;
       let push = vec3f(bitcast<vec3i>(vec3u(sums[1].w, sums[2].xy))) / kPushUnits;
       way.velocity += change;
-      way.position += step.time.dt * change + push;
+      way.position += select(0.0, step.time.dt, impulses_move(sums[2].z)) * change + push;
     }
     if (tight >= kInBody) {
       let change = out_of_body(bodies_around(records), way.velocity);

@@ -202,6 +202,9 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       if (acts && is_of_two_cloths(contact) && w[role] != 0.0) {
         atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideCloth);
       }
+      if (acts && !is_self && w[role] != 0.0 && gap + step.time.dt * speed < (1.0 - kHeldLack) * thickness) {
+        atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kStruck);
+      }
       if (is_kept) {
         add_units(kVertexWords * vertex + kFirstWord, kSpeedUnits,
                   previous[vertex].w * w[role] * step.time.dt * force);

@@ -16,14 +16,14 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   std::vector<Wanted> all = {{made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy}},
                              {made.respond_,
                               "contact/proximity/contact_respond.wgsl",
-                              {{"kDetectInterval", static_cast<double>(setup.interval)}}}};
+                              {presses, {"kDetectInterval", static_cast<double>(setup.interval)}}}};
   if (setup.impulses.heavy)
     all.push_back({made.first_impulse_,
                    "contact/proximity/contact_impulse.wgsl",
                    {presses, heavy, {"kFirst", 1}, {"kLast", 0}}});
   if (setup.impulses.iterations > 1) {
     all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, {"kLast", 0}}});
-    all.push_back({made.add_, "contact/proximity/add_impulses.wgsl"});
+    all.push_back({made.add_, "contact/proximity/add_impulses.wgsl", {presses}});
   }
   for (std::size_t round = 0; round < made.separation_count_; ++round) {
     const gpu::Constant number{"kRound", separation_number(round, made.separation_count_)};

@@ -24,4 +24,5 @@ const kVectors = 6u;
 const kSolution = 6u;   // m
 const kSearch = 7u;     // m: p of this iteration, and in the next vector that of the last, in turns
 const kProduct = 9u;    // N: A p
-const kWay = 10u;       // m: from where the substep begins to where the unknown starts
+const kWay = 10u;       // m: from where the substep begins to where the unknown starts; w, of a free node: 1 in the
+                        // second of two systems, 0 in the first

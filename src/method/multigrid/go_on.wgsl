@@ -22,7 +22,7 @@ fn go_on(@builtin(global_invocation_id) id : vec3u) {
   let first = id.z * nodes.vectors + index;
   let way_at = first + kWay * nodes.count;
   if (place[among_all].w != 0.0) {
-    vectors[way_at] += vec4f(vectors[first + kSolution * nodes.count].xyz, 0.0);
+    vectors[way_at] += vec4f(vectors[first + kSolution * nodes.count].xyz, 1.0);
   }
   predicted[node] = vec4f(vectors[way_at].xyz / step.time.dt, 0.0);
   if (kPairs) { pair_sums[kSumWords * node] = 0u; }

@@ -64,8 +64,7 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   var residual = vectors[vector_at(level, kResidual, node)].xyz + sum_of_springs(own, grid, node, grid.nx, i, j) -
                  bending_product(level, kFirst, i, j, node);
   if (kHolds) {
-    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual,
-                                  vectors[vector_at(level, kWay, node)].xyz);
+    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual, vectors[vector_at(level, kWay, node)]);
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }

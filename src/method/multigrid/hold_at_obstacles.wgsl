@@ -33,8 +33,9 @@ struct Hold {
 }
 
 // Where obstacles press the node: what holds it, also in `holds`. `inertia` is what that resists with, N/m; `residual`
-// is the node's without it; `start` is how far it has come where its unknown starts, m.
-fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : vec3f, start : vec3f) -> Hold {
+// is the node's without it; `start` is its kWay. In a second system the residual is what stiff springs have left, and
+// no load that would lift the node off.
+fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : vec3f, start : vec4f) -> Hold {
   let none = Hold(vec3f(0.0), zero_matrix());
   let vertex = first_vertex + node;
   let word = press_words(vertex);
@@ -57,7 +58,7 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   let part = select(1.0, min(1.0, kHoldRate * step.time.dt / kHoldPart), bears);
   let restored = min(part * gap, kHoldSpeed * step.time.dt);
   let lack = wanted - (gap - restored);
-  let pressed = inertia * lack - dot(residual, n);
+  let pressed = inertia * lack - select(dot(residual, n), 0.0, start.w == 1.0);
   if (!bears && pressed <= 0.0) { return none; }
   keep_hold_force(vertex, kept);
   let soft = min(weight, 1.0) * inertia;
@@ -67,7 +68,7 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   holds[hold_way_at(node)] = vec4f(grip.surface_way, restored);
   let alike = size >= kAlike * weight && bears;
   holds[hold_force_at(node)] = vec4f(normal, friction, select(0.0, 1.0, alike), 0.0);
-  let tried = reach_of(grip, start);
+  let tried = reach_of(grip, start.xyz);
   let most = friction * kept.normal;
   if (length(tried) <= most) {
     holds[node] = vec4f(sqrt(stiffness - soft) * n, soft);

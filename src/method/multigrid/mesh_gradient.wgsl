@@ -49,8 +49,7 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
     residual = vec3f(0.0);
     if (kHolds) { free_of_obstacles(node, nodes.first_vertex); }
   } else if (kHolds) {
-    let hold = hold_at_obstacles(node, nodes.first_vertex, own.w, residual,
-                                  vectors[vector_at(level, kWay, node)].xyz);
+    let hold = hold_at_obstacles(node, nodes.first_vertex, own.w, residual, vectors[vector_at(level, kWay, node)]);
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }

@@ -304,7 +304,11 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   for (std::size_t i = 0; i < nodes.position.size(); ++i) {
     if (nodes.inverse_mass[i] == 0) continue;
     nodes.velocity[i] += response.change[i];
-    nodes.position[i] += dt * response.change[i] + response.push[i];
+    // After an implicit solve springs are in balance: an impulse changes the velocity alone, and the next substep moves
+    // the node with its neighbours. What an obstacle strikes would be in it by then, and cloth that other cloth bears
+    // has no other hold: these go along.
+    const bool moves = nodes.held.empty() || response.beside_cloth[i] || response.struck[i];
+    nodes.position[i] += (moves ? dt : 0) * response.change[i] + response.push[i];
   }
   std::vector<SolidPlane> planes;
   std::vector<ClothPair> cloth_pairs;

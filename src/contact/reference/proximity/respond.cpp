@@ -110,6 +110,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
   response.impulses.assign(pairs.size(), {});
   response.acts.assign(pairs.size(), false);
   response.beside_cloth.assign(velocity.size(), false);
+  response.struck.assign(velocity.size(), false);
   std::vector<std::uint32_t> urgency(pairs.size(), 0);
   std::vector<double> least(pairs.size(), 0),
       first_speed(pairs.size(), 0);             // w and u_n of the predicted velocities
@@ -126,9 +127,13 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     urgency[p] = contact_urgency(pair.distance + std::min(law.dt * u_n, 0.0), pair.thickness);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
-    for (std::uint32_t k = 0; k < pair.node_count; ++k)
-      if (!pair.with_body && (!pair.of_one_cloth || pair.untangles) && pair.weights[k] != 0)
+    const bool strikes = pair.with_body && pair.distance + law.dt * u_n < (1 - kHeldLack) * pair.thickness;
+    for (std::uint32_t k = 0; k < pair.node_count; ++k) {
+      if (pair.weights[k] == 0) continue;
+      if (!pair.with_body && (!pair.of_one_cloth || pair.untangles))
         response.beside_cloth[pair.nodes[k]] = true;
+      if (strikes) response.struck[pair.nodes[k]] = true;
+    }
   }
   std::vector<Vec3d> now(velocity.begin(), velocity.end());
   const auto give = [&](std::vector<Vec3d>& nodes, const NearPair& pair, const Vec3d& amount) {

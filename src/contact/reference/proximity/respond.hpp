@@ -45,6 +45,7 @@ struct Response {
   std::vector<Vec3d> impulses;     // J of each pair; zero where it does not act [N·s]
   std::vector<bool> acts;          // each pair, equation (1)
   std::vector<bool> beside_cloth;  // nodes on which pairs of different cloths act
+  std::vector<bool> struck;  // nodes with a pair with an obstacle that would end nearer than a held one may
 };
 
 /// v, cut to this length.

@@ -26,7 +26,8 @@ struct HoldInputs {
   double mass = 0;     // [kg]
   double dt = 0;       // [s]
   Vec3d residual;      // R [N]
-  Vec3d start;         // d₀ [m]
+  Vec3d start;         // s₀ [m]
+  bool again = false;  // in a second system: R is what stiff springs have left, and no load
 };
 
 /// Equation (11) for one node.

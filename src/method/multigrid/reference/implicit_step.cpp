@@ -81,12 +81,12 @@ void add_held_bending(GridOperator& source) {
 /// its force.
 template <class Add>
 void hold_at_obstacles(StepStart& step, std::span<const Press> presses, std::span<const HoldForce> kept,
-                       std::span<const double> inverse_mass, double dt, const Add& add) {
+                       std::span<const double> inverse_mass, double dt, bool again, const Add& add) {
   for (std::size_t a = 0; a < presses.size(); ++a) {
     if (step.fixed[a]) continue;
-    step.holds[a] =
-        Hold::of(presses[a], kept[a],
-                 {step.inertia[a], 1 / inverse_mass[a], dt, step.residual[a], step.way[a] + step.start[a]});
+    step.holds[a] = Hold::of(
+        presses[a], kept[a],
+        {step.inertia[a], 1 / inverse_mass[a], dt, step.residual[a], step.way[a] + step.start[a], again});
     if (!step.holds[a]) continue;
     step.residual[a] += step.holds[a]->force();
     add(a, step.holds[a]->block());
@@ -207,7 +207,7 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   if (!presses.empty())
     hold_at_obstacles(step, presses.subspan(cloth.first, cloth.count),
                       std::span(hold_forces_).subspan(cloth.first),
-                      std::span(system.inverse_mass).subspan(cloth.first), dt,
+                      std::span(system.inverse_mass).subspan(cloth.first), dt, !ways.empty(),
                       [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
   return step;
 }
@@ -273,7 +273,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
     step.residual[a] = step.matrix.fixed[a] ? Vec3d{} : step.residual[a] - curve[a];
   if (!presses.empty())
     hold_at_obstacles(step, presses.subspan(cloth.first, count), std::span(hold_forces_).subspan(cloth.first),
-                      std::span(system.inverse_mass).subspan(cloth.first), dt,
+                      std::span(system.inverse_mass).subspan(cloth.first), dt, !ways.empty(),
                       [&](std::size_t a, const Sym3& hold) {
                         step.matrix.rows[a][0] += hold;
                         step.source.rows[a][0] += hold;
@@ -425,7 +425,7 @@ void ImplicitStepper::advance(const Substep& substep) {
   std::vector<std::size_t> stopped;
   iterations_ = 0;
   residual_ = 0;
-  held_.assign(position.size(), false);
+  held_.assign(substep.pressed ? position.size() : 0, false);
   for (std::size_t c = 0; c < cloths_.size(); ++c) {
     const Solution& solution = found[c].solution;
     iterations_ = std::max(iterations_, solution.iterations);
