@@ -1,0 +1,253 @@
+#include "element/membrane/law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::membrane {
+namespace {
+
+constexpr double kMinStretch =
+    1e-9;  // an axis that is shorter by this factor has no direction, and pulls nowhere
+
+/// Strains, and their slopes by the columns of F.
+struct Strain {
+  Triple value;
+  Axes warp, weft, shear;
+};
+
+Strain green_strain(const Axes& f) {
+  return {{(dot(f.warp, f.warp) - 1) / 2, (dot(f.weft, f.weft) - 1) / 2, dot(f.warp, f.weft)},
+          {f.warp, {}},
+          {{}, f.weft},
+          {f.weft, f.warp}};
+}
+
+/// The axes' directions and stretches.
+struct Yarns {
+  double warp_stretch, weft_stretch;
+  Vec3d warp, weft;
+  double cosine;  // of the angle between them
+};
+
+Yarns yarns_of(const Axes& f) {
+  const double a = std::max(length(f.warp), kMinStretch), b = std::max(length(f.weft), kMinStretch);
+  const Vec3d n = f.warp / a, m = f.weft / b;
+  return {a, b, n, m, dot(n, m)};
+}
+
+Strain yarn_strain(const Axes& f) {
+  const Yarns y = yarns_of(f);
+  return {{y.warp_stretch - 1, y.weft_stretch - 1, y.cosine},
+          {y.warp, {}},
+          {{}, y.weft},
+          {(y.weft - y.cosine * y.warp) / y.warp_stretch, (y.warp - y.cosine * y.weft) / y.weft_stretch}};
+}
+
+/// Neo-Hookean cloth is damped by the rate of Green's strain.
+Strain strain_of(Energy energy, const Axes& f) {
+  return energy == Energy::Yarn ? yarn_strain(f) : green_strain(f);
+}
+
+Triple operator*(const Stiffness& c, const Triple& e) {
+  return {c.warp * e.warp + c.coupled * e.weft, c.coupled * e.warp + c.weft * e.weft, c.shear * e.shear};
+}
+
+double dot(const Triple& a, const Triple& b) { return a.warp * b.warp + a.weft * b.weft + a.shear * b.shear; }
+double dot(const Axes& a, const Axes& b) { return dot(a.warp, b.warp) + dot(a.weft, b.weft); }
+
+/// Σ s_k ∂ε_k/∂F
+Axes along(const Triple& s, const Strain& e) {
+  return {s.warp * e.warp.warp + s.weft * e.weft.warp + s.shear * e.shear.warp,
+          s.warp * e.warp.weft + s.weft * e.weft.weft + s.shear * e.shear.weft};
+}
+
+Hessian operator+(const Hessian& a, const Hessian& b) {
+  return {a.warp + b.warp, a.mixed + b.mixed, a.weft + b.weft};
+}
+Hessian operator*(double s, const Hessian& a) { return {s * a.warp, s * a.mixed, s * a.weft}; }
+
+/// (a bᵀ + b aᵀ) / 2
+Hessian product(const Axes& a, const Axes& b) {
+  return {0.5 * (Mat3::outer(a.warp, b.warp) + Mat3::outer(b.warp, a.warp)),
+          0.5 * (Mat3::outer(a.warp, b.weft) + Mat3::outer(b.warp, a.weft)),
+          0.5 * (Mat3::outer(a.weft, b.weft) + Mat3::outer(b.weft, a.weft))};
+}
+
+/// Σ C_kl ∂ε_k/∂F ∂ε_l/∂F: positive semidefinite since C is positive.
+Hessian material_part(const Stiffness& c, const Strain& e) {
+  return c.warp * product(e.warp, e.warp) + 2 * c.coupled * product(e.warp, e.weft) +
+         c.weft * product(e.weft, e.weft) + c.shear * product(e.shear, e.shear);
+}
+
+/// A symmetric 2 x 2 matrix.
+struct Sym2 {
+  double xx = 0, xy = 0, yy = 0;
+};
+
+/// Without its negative principal value.
+Sym2 positive_part(const Sym2& s) {
+  const double middle = (s.xx + s.yy) / 2, radius = std::hypot((s.xx - s.yy) / 2, s.xy);
+  if (middle - radius >= 0) return s;
+  if (middle + radius <= 0) return {};
+  const double low = middle - radius, scale = (middle + radius) / (2 * radius);
+  return {scale * (s.xx - low), scale * s.xy, scale * (s.yy - low)};
+}
+
+Hessian kronecker(const Sym2& s, const Mat3& m) { return {s.xx * m, s.xy * m, s.yy * m}; }
+
+/// Σ σ_k ∂²ε_k/∂F² of Green's strain: S I. Clamped it is positive.
+Hessian green_geometry(const Triple& s, bool clamped) {
+  const Sym2 second{s.warp, s.shear, s.weft};
+  return kronecker(clamped ? positive_part(second) : second, Mat3::identity(1));
+}
+
+/// I - n nᵀ
+Mat3 across(const Vec3d& n) { return Mat3::identity(1) + -1.0 * Mat3::outer(n, n); }
+
+/// How the slope of the cosine changes. Equation 6.
+Hessian cosine_curvature(const Yarns& y) {
+  const Mat3 p = across(y.warp), q = across(y.weft);
+  const auto own = [&](const Vec3d& n, const Vec3d& other, const Mat3& across_n, double stretch) {
+    const Vec3d slope = across_n * other;
+    return -1 / (stretch * stretch) * (Mat3::outer(n, slope) + Mat3::outer(slope, n) + y.cosine * across_n);
+  };
+  return {own(y.warp, y.weft, p, y.warp_stretch), 1 / (y.warp_stretch * y.weft_stretch) * (p * q),
+          own(y.weft, y.warp, q, y.weft_stretch)};
+}
+
+/// Clamped: tension holds yarns straight; pressure and shear would make it indefinite.
+Hessian yarn_geometry(const Axes& f, const Triple& s, bool clamped) {
+  const Yarns y = yarns_of(f);
+  const double warp = clamped ? std::max(0.0, s.warp) : s.warp,
+               weft = clamped ? std::max(0.0, s.weft) : s.weft;
+  const Hessian lengths{warp / y.warp_stretch * across(y.warp), {}, weft / y.weft_stretch * across(y.weft)};
+  return clamped ? lengths : lengths + s.shear * cosine_curvature(y);
+}
+
+/// Stable neo-Hookean: µ/2 (tr FᵀF - 2) - µ (J - 1) + λ/2 (J - 1)², where J is the area by that at rest. Equation 5.
+struct NeoHookean {
+  double mu, lambda;
+  double area;   // J
+  Vec3d normal;  // unit
+  Axes slope;    // of J
+  double s;      // the energy's derivative by J
+
+  NeoHookean(const Stiffness& c, const Axes& f) : mu(c.shear), lambda(c.coupled + c.shear) {
+    const Vec3d n = cross(f.warp, f.weft);
+    area = std::max(length(n), kMinStretch * kMinStretch);
+    normal = n / area;
+    slope = {cross(f.weft, normal), cross(normal, f.warp)};
+    s = lambda * (area - 1) - mu;
+  }
+};
+
+double neo_hookean_energy(const Stiffness& c, const Axes& f) {
+  const NeoHookean n(c, f);
+  return n.mu / 2 * (dot(f, f) - 2) - n.mu * (n.area - 1) + n.lambda / 2 * (n.area - 1) * (n.area - 1);
+}
+
+Axes neo_hookean_stress(const Stiffness& c, const Axes& f) {
+  const NeoHookean n(c, f);
+  return {n.mu * f.warp + n.s * n.slope.warp, n.mu * f.weft + n.s * n.slope.weft};
+}
+
+/// µ I + s J'' falls into parts that know nothing of each other: in the plane the changes of F that keep angles
+/// (J'' = 1) and those that turn them round (-1), across it the 2 x 2 matrix J (FᵀF)⁻¹. Each is clamped on its own.
+Hessian neo_hookean_hessian(const Stiffness& c, const Axes& f, bool clamped) {
+  const NeoHookean n(c, f);
+  const double by_area = n.s / n.area;
+  Sym2 out{n.mu + by_area * dot(f.weft, f.weft), -by_area * dot(f.warp, f.weft),
+           n.mu + by_area * dot(f.warp, f.warp)};
+  double keeps = n.mu + n.s, turns = n.mu - n.s;
+  if (clamped) {
+    out = positive_part(out);
+    keeps = std::max(0.0, keeps);
+    turns = std::max(0.0, turns);
+  }
+  const Hessian plane{(keeps + turns) / 2 * across(n.normal), (turns - keeps) / 2 * Mat3::cross(n.normal),
+                      (keeps + turns) / 2 * across(n.normal)};
+  return n.lambda * product(n.slope, n.slope) + plane + kronecker(out, Mat3::outer(n.normal, n.normal));
+}
+
+Hessian hessian_of(const Law& law, const Axes& f, bool clamped) {
+  if (law.energy == Energy::NeoHookean) return neo_hookean_hessian(law.stiffness, f, clamped);
+  const Strain e = strain_of(law.energy, f);
+  const Triple s = law.stiffness * e.value;
+  return material_part(law.stiffness, e) +
+         (law.energy == Energy::Yarn ? yarn_geometry(f, s, clamped) : green_geometry(s, clamped));
+}
+
+}  // namespace
+
+Stiffness Stiffness::of(const Moduli& m) {
+  const double scale = 1 / (1 - m.poisson * m.poisson * m.weft / m.warp);
+  return {scale * m.warp, scale * m.poisson * m.weft, scale * m.weft, m.shear};
+}
+
+double energy(const Law& law, const Axes& f) {
+  if (law.energy == Energy::NeoHookean) return neo_hookean_energy(law.stiffness, f);
+  const Triple e = strain_of(law.energy, f).value;
+  return dot(e, law.stiffness * e) / 2;
+}
+
+Axes stress(const Law& law, const Axes& f) {
+  if (law.energy == Energy::NeoHookean) return neo_hookean_stress(law.stiffness, f);
+  const Strain e = strain_of(law.energy, f);
+  return along(law.stiffness * e.value, e);
+}
+
+Hessian hessian(const Law& law, const Axes& f) { return hessian_of(law, f, false); }
+Hessian positive_hessian(const Law& law, const Axes& f) { return hessian_of(law, f, true); }
+
+Axes damping_stress(const Law& law, const Axes& f, const Axes& rate) {
+  const Strain e = strain_of(law.energy, f);
+  const Triple strain_rate{dot(e.warp, rate), dot(e.weft, rate), dot(e.shear, rate)};
+  const Triple s = law.stiffness * strain_rate;
+  return along({law.delay * s.warp, law.delay * s.weft, law.delay * s.shear}, e);
+}
+
+Hessian damping_hessian(const Law& law, const Axes& f) {
+  return law.delay * material_part(law.stiffness, strain_of(law.energy, f));
+}
+
+Rest Rest::of(const std::array<Place, 3>& corners) {
+  Rest rest;
+  const auto& [a, b, c] = corners;
+  const double twice = (b.warp - a.warp) * (c.weft - a.weft) - (b.weft - a.weft) * (c.warp - a.warp);
+  rest.area = std::abs(twice) / 2;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Place &next = corners[(i + 1) % 3], &last = corners[(i + 2) % 3];
+    rest.slope[i] = {(next.weft - last.weft) / twice, (last.warp - next.warp) / twice};
+  }
+  return rest;
+}
+
+Axes deformation(const Rest& rest, const Corners& corners) {
+  Axes f;
+  for (std::size_t i = 0; i < 3; ++i) {
+    f.warp += rest.slope[i].warp * corners[i];
+    f.weft += rest.slope[i].weft * corners[i];
+  }
+  return f;
+}
+
+Corners forces(const Rest& rest, const Axes& stress) {
+  Corners all;
+  for (std::size_t i = 0; i < 3; ++i)
+    all[i] = -rest.area * (rest.slope[i].warp * stress.warp + rest.slope[i].weft * stress.weft);
+  return all;
+}
+
+Blocks blocks(const Rest& rest, const Hessian& h) {
+  Blocks all;
+  const Mat3 mixed = transposed(h.mixed);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Place &a = rest.slope[i], &b = rest.slope[j];
+      all[i][j] = rest.area * (a.warp * b.warp * h.warp + a.warp * b.weft * h.mixed +
+                               a.weft * b.warp * mixed + a.weft * b.weft * h.weft);
+    }
+  return all;
+}
+
+}  // namespace weft::membrane

@@ -1,0 +1,91 @@
+// A triangle of cloth that stretches and shears in its plane: constant strain, two material axes. In double.
+// Source: docs/elements.md, Membrane.
+#pragma once
+
+#include <array>
+
+#include "base/mat3.hpp"
+#include "base/vec.hpp"
+
+namespace weft::membrane {
+
+/// What a sheet resists with, per width [N/m].
+struct Moduli {
+  double warp = 0, weft = 0;  // Young's, along each axis
+  double poisson =
+      0;  // weft's contraction by warp's extension, where warp is pulled; its square < warp / weft
+  double shear = 0;
+};
+
+/// Stress [N/m] by strain: C, whose inverse is the compliance of the moduli. Equation 2.
+struct Stiffness {
+  double warp = 0, coupled = 0, weft = 0, shear = 0;  // C11, C12, C22, C33
+
+  static Stiffness of(const Moduli& moduli);
+};
+
+/// Strains of the axes and of the angle between them; the matching stresses [N/m].
+struct Triple {
+  double warp = 0, weft = 0, shear = 0;
+};
+
+enum class Energy : std::uint8_t {
+  Green,  // St. Venant-Kirchhoff: Green's strain
+  Yarn,  // the extension of the yarns, and the cosine of the angle between them: Baraff and Witkin's measures
+  NeoHookean  // stable neo-Hookean (Smith et al. 2018) in the plane: isotropic, of C12 and C33 alone
+};
+
+struct Law {
+  Energy energy = Energy::Green;
+  Stiffness stiffness;
+  double delay = 0;  // τ of Kelvin and Voigt [s]: strain ε resists as ε + τ dε/dt does
+};
+
+/// Where the unit vectors of the material axes go: the columns of F, or of what multiplies them.
+struct Axes {
+  Vec3d warp, weft;
+};
+
+/// A second derivative by the columns of F [N/m]; the block (weft, warp) is `mixed` transposed.
+struct Hessian {
+  Mat3 warp, mixed, weft;
+};
+
+/// Of one square metre at rest [J/m²].
+double energy(const Law& law, const Axes& f);
+/// By F: the first Piola-Kirchhoff stress [N/m].
+Axes stress(const Law& law, const Axes& f);
+Hessian hessian(const Law& law, const Axes& f);
+/// The same without what could make it indefinite, in closed form. Equations 8 to 10.
+Hessian positive_hessian(const Law& law, const Axes& f);
+
+/// The stress that damping adds where F changes at a rate [N/m], and its derivative by that rate [N·s/m], which is
+/// never indefinite. Equation 7.
+Axes damping_stress(const Law& law, const Axes& f, const Axes& rate);
+Hessian damping_hessian(const Law& law, const Axes& f);
+
+/// A point of the sheet at rest, along its axes [m].
+struct Place {
+  double warp = 0, weft = 0;
+};
+
+/// A triangle at rest.
+struct Rest {
+  double area = 0;               // [m²]
+  std::array<Place, 3> slope{};  // of each corner's shape function along both axes [1/m]
+
+  /// Corners may go round either way; three in a line have no area, and no element.
+  static Rest of(const std::array<Place, 3>& corners);
+};
+
+using Corners = std::array<Vec3d, 3>;
+using Blocks = std::array<std::array<Mat3, 3>, 3>;
+
+/// F of corners at these places [m], or its rate by their velocities [m/s].
+Axes deformation(const Rest& rest, const Corners& corners);
+/// [N]; they sum to zero and turn nothing.
+Corners forces(const Rest& rest, const Axes& stress);
+/// The second derivative of the energy by the corners [N/m].
+Blocks blocks(const Rest& rest, const Hessian& hessian);
+
+}  // namespace weft::membrane
