@@ -29,4 +29,10 @@ inline Mat3 operator*(const Mat3& a, const Mat3& b) {
   return {t * a.x, t * a.y, t * a.z};
 }
 
+/// Of a matrix that has one.
+inline Mat3 inverse(const Mat3& a) {
+  const Vec3d yz = cross(a.y, a.z);
+  return 1 / dot(a.x, yz) * transposed({yz, cross(a.z, a.x), cross(a.x, a.y)});
+}
+
 }  // namespace weft

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "element/membrane/build.hpp"
 #include "element/membrane/law.hpp"
+#include "patterns.hpp"
 
 using namespace weft;
 using namespace weft::membrane;
@@ -34,9 +36,9 @@ struct State {
   Corners place, velocity;
 
   State(Random& random, double size) {
-    std::array<Place, 3> corners;
+    std::array<MaterialPoint, 3> corners;
     do {
-      for (Place& c : corners) c = {random.uniform(0, 0.03), random.uniform(0, 0.03)};
+      for (MaterialPoint& c : corners) c = {random.uniform(0, 0.03), random.uniform(0, 0.03)};
       rest = Rest::of(corners);
     } while (rest.area < 5e-5);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -89,7 +91,7 @@ struct Uniaxial {
 /// A square patch of n x n cells whose inner nodes are off their places, as triangles.
 struct Patch {
   int n = 6;
-  std::vector<Place> place;
+  std::vector<MaterialPoint> place;
   std::vector<std::array<std::size_t, 3>> triangles;
   std::vector<Rest> rests;
 
@@ -306,7 +308,8 @@ TEST_CASE("a distorted patch whose rim is strained evenly is strained evenly ins
     const Law law = law_of(kind);
     const Patch patch(7);
     std::vector<Vec3d> exact;
-    for (const Place& p : patch.place) exact.push_back(p.warp * strained.warp + p.weft * strained.weft);
+    for (const MaterialPoint& p : patch.place)
+      exact.push_back(p.warp * strained.warp + p.weft * strained.weft);
     for (std::size_t v = 0; v < exact.size(); ++v)
       if (patch.inner(v)) CHECK(length(patch.forces(law, exact)[v]) < 1e-13 * law.stiffness.warp);
     // And it is where Newton's method goes to.
@@ -343,4 +346,34 @@ TEST_CASE("a distorted patch whose rim is strained evenly is strained evenly ins
     for (std::size_t v = 0; v < x.size(); ++v) worst = std::max(worst, length(x[v] - exact[v]));
     CHECK(worst < 1e-12);
   }
+}
+
+TEST_CASE("a table's membranes are the triangles, along the axes of the sheet") {
+  const PatternSheet flat = pattern_sheet(Pattern::Irregular, 0.1, 8, 8);
+  std::vector<Vec3d> turned;  // by a third of a turn about the diagonal: x -> y -> z
+  for (const Vec3d& p : flat.position) turned.push_back({p.z, p.x, p.y});
+  const Law law = law_of(Energy::Green);
+  const ElementTable table = build_membranes({turned, flat.triangles, {0, 0.8, 0.6}}, law, 100);
+  REQUIRE(table.size() == flat.triangles.size());
+  CHECK(table.material.size() == 5 * table.size());
+  CHECK(table.material[0] == doctest::Approx(law.stiffness.warp));
+  // Stretched by 1.1 along warp, which lies at (0.8, 0.6) in the flat sheet.
+  const auto stretched = [](const Vec3d& p) {
+    return p + 0.1 * dot(p, Vec3d{0, 0.8, 0.6}) * Vec3d{0, 0.8, 0.6};
+  };
+  double area = 0;
+  for (std::size_t t = 0; t < table.size(); ++t) {
+    Corners x;
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(table.nodes_of(t)[i] == 100 + flat.triangles[t][i]);
+      x[i] = stretched(turned[flat.triangles[t][i]]);
+    }
+    const Rest rest = rest_of(table, t);
+    const Axes f = deformation(rest, x);
+    CHECK(length(f.warp - Vec3d{0, 0.88, 0.66}) <
+          1e-5);  // roundings of slopes to float, in triangles of 1 : 10
+    CHECK(length(f.weft - Vec3d{0, -0.6, 0.8}) < 1e-5);
+    area += rest.area;
+  }
+  CHECK(area == doctest::Approx(0.01).epsilon(1e-5));
 }

@@ -179,11 +179,6 @@ Hessian hessian_of(const Law& law, const Axes& f, bool clamped) {
 
 }  // namespace
 
-Stiffness Stiffness::of(const Moduli& m) {
-  const double scale = 1 / (1 - m.poisson * m.poisson * m.weft / m.warp);
-  return {scale * m.warp, scale * m.poisson * m.weft, scale * m.weft, m.shear};
-}
-
 double energy(const Law& law, const Axes& f) {
   if (law.energy == Energy::NeoHookean) return neo_hookean_energy(law.stiffness, f);
   const Triple e = strain_of(law.energy, f).value;
@@ -210,13 +205,13 @@ Hessian damping_hessian(const Law& law, const Axes& f) {
   return law.delay * material_part(law.stiffness, strain_of(law.energy, f));
 }
 
-Rest Rest::of(const std::array<Place, 3>& corners) {
+Rest Rest::of(const std::array<MaterialPoint, 3>& corners) {
   Rest rest;
   const auto& [a, b, c] = corners;
   const double twice = (b.warp - a.warp) * (c.weft - a.weft) - (b.weft - a.weft) * (c.warp - a.warp);
   rest.area = std::abs(twice) / 2;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Place &next = corners[(i + 1) % 3], &last = corners[(i + 2) % 3];
+    const MaterialPoint &next = corners[(i + 1) % 3], &last = corners[(i + 2) % 3];
     rest.slope[i] = {(next.weft - last.weft) / twice, (last.warp - next.warp) / twice};
   }
   return rest;
@@ -243,7 +238,7 @@ Blocks blocks(const Rest& rest, const Hessian& h) {
   const Mat3 mixed = transposed(h.mixed);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
-      const Place &a = rest.slope[i], &b = rest.slope[j];
+      const MaterialPoint &a = rest.slope[i], &b = rest.slope[j];
       all[i][j] = rest.area * (a.warp * b.warp * h.warp + a.warp * b.weft * h.mixed +
                                a.weft * b.warp * mixed + a.weft * b.weft * h.weft);
     }

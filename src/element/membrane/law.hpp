@@ -6,23 +6,9 @@
 
 #include "base/mat3.hpp"
 #include "base/vec.hpp"
+#include "element/orthotropic.hpp"
 
 namespace weft::membrane {
-
-/// What a sheet resists with, per width [N/m].
-struct Moduli {
-  double warp = 0, weft = 0;  // Young's, along each axis
-  double poisson =
-      0;  // weft's contraction by warp's extension, where warp is pulled; its square < warp / weft
-  double shear = 0;
-};
-
-/// Stress [N/m] by strain: C, whose inverse is the compliance of the moduli. Equation 2.
-struct Stiffness {
-  double warp = 0, coupled = 0, weft = 0, shear = 0;  // C11, C12, C22, C33
-
-  static Stiffness of(const Moduli& moduli);
-};
 
 /// Strains of the axes and of the angle between them; the matching stresses [N/m].
 struct Triple {
@@ -64,18 +50,13 @@ Hessian positive_hessian(const Law& law, const Axes& f);
 Axes damping_stress(const Law& law, const Axes& f, const Axes& rate);
 Hessian damping_hessian(const Law& law, const Axes& f);
 
-/// A point of the sheet at rest, along its axes [m].
-struct Place {
-  double warp = 0, weft = 0;
-};
-
 /// A triangle at rest.
 struct Rest {
-  double area = 0;               // [m²]
-  std::array<Place, 3> slope{};  // of each corner's shape function along both axes [1/m]
+  double area = 0;                       // [m²]
+  std::array<MaterialPoint, 3> slope{};  // of each corner's shape function along both axes [1/m]
 
   /// Corners may go round either way; three in a line have no area, and no element.
-  static Rest of(const std::array<Place, 3>& corners);
+  static Rest of(const std::array<MaterialPoint, 3>& corners);
 };
 
 using Corners = std::array<Vec3d, 3>;

@@ -1,0 +1,208 @@
+#include "element/hinge/plate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace weft::hinge {
+namespace {
+
+/// An edge of a triangle, opposite one of its corners.
+struct Side {
+  std::uint32_t low, high, triangle, corner;
+  bool operator<(const Side& b) const {
+    return std::array{low, high, triangle} < std::array{b.low, b.high, b.triangle};
+  }
+};
+
+std::vector<Side> sorted_sides(std::span<const mesh::Triangle> triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = triangles[t][(i + 1) % 3], b = triangles[t][(i + 2) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), t, i});
+    }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+bool same_edge(const Side& a, const Side& b) { return a.low == b.low && a.high == b.high; }
+
+/// Writes a hinge into the facets of its triangles.
+void enter(Plate& plate, const Side& side, double sign) {
+  Facet& facet = plate.facets[side.triangle];
+  facet.hinges[side.corner] = static_cast<std::uint32_t>(plate.hinges.size() - 1);
+  facet.sign[side.corner] = sign;
+}
+
+/// Makes a hinge between two triangles, unless they turn against each other.
+void join(const Sheet& sheet, Plate& plate, const Side& first, const Side& second) {
+  const mesh::Triangle &t = sheet.triangles[first.triangle], &u = sheet.triangles[second.triangle];
+  const std::uint32_t a = t[(first.corner + 1) % 3], b = t[(first.corner + 2) % 3];
+  if (u[(second.corner + 2) % 3] != a) return;
+  plate.hinges.push_back({{a, b, t[first.corner], u[second.corner]}, {first.triangle, second.triangle}});
+  enter(plate, first, 1);
+  enter(plate, second, -1);
+}
+
+Plate joined(const Sheet& sheet) {
+  Plate plate;
+  plate.facets.assign(sheet.triangles.size(), {{kNone, kNone, kNone}, {}, {}});
+  const std::vector<Side> sides = sorted_sides(sheet.triangles);
+  for (auto run = sides.begin(); run != sides.end();) {
+    const auto end = std::find_if(run, sides.end(), [&](const Side& side) { return !same_edge(side, *run); });
+    if (end - run == 2) join(sheet, plate, run[0], run[1]);
+    run = end;
+  }
+  return plate;
+}
+
+/// The hinge of a triangle that does not touch a node, or kNone.
+std::uint32_t opposite(const Sheet& sheet, const Plate& plate, std::uint32_t triangle, std::uint32_t node) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (sheet.triangles[triangle][i] == node) return plate.facets[triangle].hinges[i];
+  return kNone;
+}
+
+/// A linear form of curvature (K11, K22, 2 K12): what an angle is on a sheet that is curved evenly.
+using Form = Vec3d;
+
+Form square(const Vec3d& a) { return {a.x * a.x, a.y * a.y, a.x * a.y}; }
+Form mixed(const Vec3d& a, const Vec3d& b) { return {a.x * b.x, a.y * b.y, (a.x * b.y + a.y * b.x) / 2}; }
+
+/// The angle from a triangle, left of the way from p to q in the plane, to the sheet's own slope at that edge's middle:
+/// the rise of a quadratic to the apex over its chord along the edge, by the height. Equation 13.
+Form part(const Vec3d& p, const Vec3d& q, const Vec3d& apex) {
+  const double span = length(q - p);
+  const Vec3d along = (q - p) / span, inward{-along.y, along.x, 0}, way = apex - 0.5 * (p + q);
+  const double s = dot(way, along), height = dot(way, inward);
+  return (s * s - span * span / 4) / (2 * height) * square(along) + s * mixed(along, inward) +
+         height / 2 * square(inward);
+}
+
+/// A sheet at rest, laid into a plane triangle by triangle.
+class Unfolded {
+ public:
+  Unfolded(const Sheet& sheet, const Plate& plate) : sheet_(sheet), plate_(plate) {}
+
+  bool rigid(std::uint32_t triangle) const {
+    return !sheet_.held.empty() &&
+           std::all_of(sheet_.triangles[triangle].begin(), sheet_.triangles[triangle].end(),
+                       [&](std::uint32_t node) { return sheet_.held[node] != 0; });
+  }
+
+  /// A triangle beside the way from p to q, where nodes a and b lie: its third corner, left of the way.
+  Vec3d apex(std::uint32_t a, std::uint32_t b, std::uint32_t third, const Vec3d& p, const Vec3d& q) const {
+    const Vec3d edge = sheet_.position[b] - sheet_.position[a],
+                way = sheet_.position[third] - sheet_.position[a];
+    const double span = length(edge);
+    const Vec3d along = (q - p) / length(q - p);
+    return p + dot(way, edge) / span * along + length(cross(edge, way)) / span * Vec3d{-along.y, along.x, 0};
+  }
+
+  /// Of the part of an angle that falls to a triangle. What does not bend takes none.
+  Form part_of(std::uint32_t triangle, const Vec3d& p, const Vec3d& q, const Vec3d& third) const {
+    return rigid(triangle) ? Form{} : part(p, q, third);
+  }
+
+  /// Of the angle at another edge of a triangle, from node a to b, which lie at p and q.
+  Form angle(std::uint32_t hinge, std::uint32_t triangle, std::uint32_t a, std::uint32_t b, const Vec3d& p,
+             const Vec3d& q, const Vec3d& third) const {
+    const Hinge& h = plate_.hinges[hinge];
+    const std::size_t beyond = h.triangles[0] == triangle ? 1 : 0;
+    const Vec3d far = apex(b, a, h.nodes[beyond == 1 ? 3 : 2], q, p);
+    return part_of(triangle, p, q, third) + part_of(h.triangles[beyond], q, p, far);
+  }
+
+ private:
+  const Sheet& sheet_;
+  const Plate& plate_;
+};
+
+/// The least weights by squares with which the angles make what the first triangle's part is more than half of the
+/// hinge's angle, whatever the curvature. Where angles are too few or too alike for all curvatures (at the rim), for
+/// as many as they tell apart: the part of the trace that makes the matrix invertible is a relative error of 1e-6.
+std::array<double, 5> least_weights(const std::array<Form, 5>& forms, const Form& wanted) {
+  Mat3 normal;
+  for (const Form& form : forms) normal += Mat3::outer(form, form);
+  const double trace = normal.x.x + normal.y.y + normal.z.z;
+  const Vec3d solved = inverse(normal + Mat3::identity(1e-7 * trace)) * wanted;
+  std::array<double, 5> weights;
+  for (std::size_t k = 0; k < 5; ++k) weights[k] = dot(forms[k], solved);
+  return weights;
+}
+
+void split(const Sheet& sheet, const Plate& plate, Hinge& hinge) {
+  const Unfolded unfolded(sheet, plate);
+  const auto [a, b, c, d] = hinge.nodes;
+  const auto [first, second] = hinge.triangles;
+  hinge.others = {opposite(sheet, plate, first, a), opposite(sheet, plate, first, b),
+                  opposite(sheet, plate, second, b), opposite(sheet, plate, second, a)};
+  if (unfolded.rigid(first) || unfolded.rigid(second)) {
+    hinge.shift = {unfolded.rigid(first) ? -0.5 : 0.5, 0, 0, 0, 0};
+    return;
+  }
+  const Vec3d p{}, q{length(sheet.position[b] - sheet.position[a]), 0, 0};
+  const Vec3d r = unfolded.apex(a, b, c, p, q), s = unfolded.apex(b, a, d, q, p);
+  const Form to_first = part(p, q, r), to_second = part(q, p, s);
+  std::array<Form, 5> forms = {to_first + to_second};
+  const auto form = [&](std::size_t k, std::uint32_t triangle, std::uint32_t from, std::uint32_t to,
+                        const Vec3d& at, const Vec3d& end, const Vec3d& third) {
+    if (hinge.others[k] != kNone)
+      forms[k + 1] = unfolded.angle(hinge.others[k], triangle, from, to, at, end, third);
+  };
+  form(0, first, b, c, q, r, p);
+  form(1, first, c, a, r, p, q);
+  form(2, second, a, d, p, s, q);
+  form(3, second, d, b, s, q, p);
+  hinge.shift = least_weights(forms, 0.5 * (to_first - to_second));
+}
+
+/// Moments by parts of angles: curvature is their sum over the edges, n nᵀ times length by area (the mean of the
+/// sheet's slopes around the triangle), and an edge at the rim turns as it likes. Equations 11 and 12.
+Mat3 facet_stiffness(const std::array<MaterialPoint, 3>& corners, const Facet& facet, const Stiffness& d) {
+  std::array<Vec3d, 3> strain;  // K11, K22, 2 K12 by each part, times the area
+  std::array<std::array<double, 3>, 3> m{};
+  double area = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const MaterialPoint &from = corners[(i + 1) % 3], &to = corners[(i + 2) % 3];
+    const double x = to.warp - from.warp, y = to.weft - from.weft, span = std::hypot(x, y);
+    strain[i] = {y * y / span, x * x / span, -2 * x * y / span};
+    area += (from.warp * to.weft - from.weft * to.warp) / 2;
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Vec3d &a = strain[i], &b = strain[j];
+      m[i][j] = (d.warp * a.x * b.x + d.coupled * (a.x * b.y + a.y * b.x) + d.weft * a.y * b.y +
+                 d.shear * a.z * b.z) /
+                area;
+    }
+  for (std::size_t free = 0; free < 3; ++free) {
+    if (facet.hinges[free] != kNone) continue;
+    const auto row = m[free];
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) m[i][j] -= row[free] > 0 ? row[i] * row[j] / row[free] : 0;
+    for (std::size_t i = 0; i < 3; ++i) m[i][free] = m[free][i] = 0;
+  }
+  return {{m[0][0], m[0][1], m[0][2]}, {m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}};
+}
+
+}  // namespace
+
+Plate build_plate(const Sheet& sheet, const Stiffness& bending) {
+  Plate plate = joined(sheet);
+  const Unfolded unfolded(sheet, plate);
+  for (Hinge& hinge : plate.hinges) {
+    hinge.rest_angle = angle(corners_of(hinge, sheet.position));
+    split(sheet, plate, hinge);
+  }
+  for (std::uint32_t t = 0; t < plate.facets.size(); ++t) {
+    if (unfolded.rigid(t)) continue;
+    const auto& [a, b, c] = sheet.triangles[t];
+    const auto corners = places_of({sheet.position[a], sheet.position[b], sheet.position[c]}, sheet.warp);
+    plate.facets[t].stiffness = facet_stiffness(corners, plate.facets[t], bending);
+  }
+  return plate;
+}
+
+}  // namespace weft::hinge

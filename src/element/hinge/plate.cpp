@@ -1,0 +1,144 @@
+#include "element/hinge/plate.hpp"
+
+#include <algorithm>
+
+namespace weft::hinge {
+namespace {
+
+/// What falls to a facet of an angle, as a sum over hinges.
+struct Part {
+  std::array<std::uint32_t, 5> hinges{};
+  std::array<double, 5> weights{};  // 0 where there is no hinge
+};
+
+Part part_at(const Plate& plate, const Facet& facet, std::size_t corner) {
+  Part part;
+  const std::uint32_t own = facet.hinges[corner];
+  if (own == kNone) return part;
+  const Hinge& hinge = plate.hinges[own];
+  part.hinges[0] = own;
+  part.weights[0] = 0.5 + facet.sign[corner] * hinge.shift[0];
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (hinge.others[k] == kNone) continue;
+    part.hinges[k + 1] = hinge.others[k];
+    part.weights[k + 1] = facet.sign[corner] * hinge.shift[k + 1];
+  }
+  return part;
+}
+
+std::array<Part, 3> parts_of(const Plate& plate, const Facet& facet) {
+  return {part_at(plate, facet, 0), part_at(plate, facet, 1), part_at(plate, facet, 2)};
+}
+
+Vec3d angles_of(const std::array<Part, 3>& parts, std::span<const double> bends) {
+  Vec3d angles;
+  for (int i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 5; ++k) {
+      const Part& part = parts[static_cast<std::size_t>(i)];
+      angles[i] += part.weights[k] * bends[part.hinges[k]];
+    }
+  return angles;
+}
+
+/// A facet's parts of angles as linear forms of places, for small bends of a plane sheet: rows over its nodes.
+struct FlatForms {
+  std::vector<std::uint32_t> nodes;
+  std::array<std::vector<double>, 3> weights;
+
+  FlatForms(const Plate& plate, const Facet& facet, std::span<const Vec3d> rest) {
+    const std::array<Part, 3> parts = parts_of(plate, facet);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 5; ++k) {
+        if (parts[i].weights[k] == 0) continue;
+        const Hinge& hinge = plate.hinges[parts[i].hinges[k]];
+        const std::array<double, 4> slope = flat_slope(corners_of(hinge, rest));
+        for (std::size_t n = 0; n < 4; ++n)
+          weights[i][place_of(hinge.nodes[n])] += parts[i].weights[k] * slope[n];
+      }
+  }
+
+ private:
+  std::size_t place_of(std::uint32_t node) {
+    const auto found = std::find(nodes.begin(), nodes.end(), node);
+    if (found != nodes.end()) return static_cast<std::size_t>(found - nodes.begin());
+    nodes.push_back(node);
+    for (std::vector<double>& row : weights) row.push_back(0);
+    return nodes.size() - 1;
+  }
+};
+
+}  // namespace
+
+std::vector<double> bends(const Plate& plate, std::span<const Vec3d> position) {
+  std::vector<double> all;
+  all.reserve(plate.hinges.size());
+  for (const Hinge& hinge : plate.hinges)
+    all.push_back(angle(corners_of(hinge, position)) - hinge.rest_angle);
+  return all;
+}
+
+double energy(const Plate& plate, std::span<const double> bends) {
+  double sum = 0;
+  for (const Facet& facet : plate.facets) {
+    const Vec3d angles = angles_of(parts_of(plate, facet), bends);
+    sum += dot(angles, facet.stiffness * angles) / 2;
+  }
+  return sum;
+}
+
+std::vector<double> moments(const Plate& plate, std::span<const double> bends) {
+  std::vector<double> all(bends.size());
+  for (const Facet& facet : plate.facets) {
+    const std::array<Part, 3> parts = parts_of(plate, facet);
+    const Vec3d by_angle = facet.stiffness * angles_of(parts, bends);
+    for (int i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 5; ++k) {
+        const Part& part = parts[static_cast<std::size_t>(i)];
+        all[part.hinges[k]] += part.weights[k] * by_angle[i];
+      }
+  }
+  return all;
+}
+
+void add_forces(const Plate& plate, std::span<const double> moments, std::span<const Vec3d> position,
+                std::span<Vec3d> force) {
+  for (std::size_t h = 0; h < plate.hinges.size(); ++h) {
+    const Corners slope = angle_slope(corners_of(plate.hinges[h], position));
+    for (std::size_t i = 0; i < 4; ++i) force[plate.hinges[h].nodes[i]] -= moments[h] * slope[i];
+  }
+}
+
+std::vector<Coupling> couplings(const Plate& plate) {
+  std::vector<Coupling> all;
+  for (const Facet& facet : plate.facets) {
+    const std::array<Part, 3> parts = parts_of(plate, facet);
+    const std::array rows = {facet.stiffness.x, facet.stiffness.y, facet.stiffness.z};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t k = 0; k < 5; ++k)
+          for (std::size_t l = 0; l < 5; ++l) {
+            const double weight = parts[i].weights[k] * parts[j].weights[l];
+            if (weight != 0)
+              all.push_back({parts[i].hinges[k], parts[j].hinges[l], weight * rows[i][static_cast<int>(j)]});
+          }
+  }
+  return all;
+}
+
+std::vector<Coupling> isometric_matrix(const Plate& plate, std::span<const Vec3d> rest) {
+  std::vector<Coupling> all;
+  for (const Facet& facet : plate.facets) {
+    const FlatForms forms(plate, facet, rest);
+    for (std::size_t a = 0; a < forms.nodes.size(); ++a) {
+      const Vec3d at_a{forms.weights[0][a], forms.weights[1][a], forms.weights[2][a]};
+      const Vec3d moment = facet.stiffness * at_a;  // which is symmetric
+      for (std::size_t b = 0; b < forms.nodes.size(); ++b) {
+        const Vec3d at_b{forms.weights[0][b], forms.weights[1][b], forms.weights[2][b]};
+        all.push_back({forms.nodes[a], forms.nodes[b], dot(moment, at_b)});
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace weft::hinge

@@ -1,0 +1,82 @@
+// Bending of a sheet by the angles at its edges, such that a bending modulus is what a strip of the cloth has, on
+// every triangulation and in every direction. In double. Source: docs/elements.md, Calibration.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/mat3.hpp"
+#include "element/hinge/law.hpp"
+#include "element/orthotropic.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace weft::hinge {
+
+inline constexpr std::uint32_t kNone = ~0U;
+
+/// An edge between two triangles. Its angle falls to them in parts, so that the normal at the edge's middle, from which
+/// both parts are measured, is that of any sheet with even curvature: half to each, and `shift` more to the first and
+/// less to the second, a sum over this hinge and the other hinges of its triangles.
+struct Hinge {
+  std::array<std::uint32_t, 4> nodes{};      // law.hpp has the drawing
+  std::array<std::uint32_t, 2> triangles{};  // a b c, b a d
+  double rest_angle = 0;
+  std::array<std::uint32_t, 4> others{};  // at b c, c a, a d, d b; kNone at the rim
+  std::array<double, 5> shift{};          // weights of its own angle and of the others'
+};
+
+inline Corners corners_of(const Hinge& hinge, std::span<const Vec3d> x) {
+  return {x[hinge.nodes[0]], x[hinge.nodes[1]], x[hinge.nodes[2]], x[hinge.nodes[3]]};
+}
+
+/// A triangle's edges (the first opposite corner 0), and its moments by the parts of their angles that fall to it.
+struct Facet {
+  std::array<std::uint32_t, 3> hinges{};  // kNone at the rim, where no moment acts
+  std::array<double, 3> sign{};           // 1: the triangle is the hinge's first, -1: its second
+  Mat3 stiffness;                         // [N·m]
+};
+
+struct Plate {
+  std::vector<Hinge> hinges;
+  std::vector<Facet> facets;
+};
+
+/// A sheet at rest.
+struct Sheet {
+  std::span<const Vec3d> position;            // [m]
+  std::span<const mesh::Triangle> triangles;  // that have areas
+  Vec3d warp{1, 0, 0};                        // the direction of warp; triangles see it projected
+  std::span<const std::uint8_t> held{};       // nodes that do not move (1), if any
+};
+
+/// Hinges at all edges between two triangles that turn the same way round, with their angles at rest; other edges are
+/// free, like the rim. A triangle with three held nodes does not
+/// bend: what is clamped to it begins to bend at its edge.
+Plate build_plate(const Sheet& sheet, const Stiffness& bending);
+
+/// Of every hinge, less its angle at rest [rad].
+std::vector<double> bends(const Plate& plate, std::span<const Vec3d> position);
+/// [J]
+double energy(const Plate& plate, std::span<const double> bends);
+/// The energy's slope by every bend [N·m]: a symmetric, positive semidefinite matrix times them.
+std::vector<double> moments(const Plate& plate, std::span<const double> bends);
+/// Adds what moments at the hinges do to the nodes [N].
+void add_forces(const Plate& plate, std::span<const double> moments, std::span<const Vec3d> position,
+                std::span<Vec3d> force);
+
+/// A matrix as a sum of entries.
+struct Coupling {
+  std::uint32_t row = 0, column = 0;
+  double entry = 0;
+};
+/// The matrix of `moments`, by hinges [N·m]. The Gauss-Newton Hessian of the energy is its product with the angles'
+/// slopes from both sides.
+std::vector<Coupling> couplings(const Plate& plate);
+
+/// Of a sheet that is plane at rest, at these places: the matrix by nodes [N/m] of the quadratic energy
+/// ½ Σ S_ab x_a · x_b, which is that of small bends, and stays within their squares where the sheet is not stretched.
+std::vector<Coupling> isometric_matrix(const Plate& plate, std::span<const Vec3d> rest);
+
+}  // namespace weft::hinge

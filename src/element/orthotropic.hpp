@@ -1,0 +1,51 @@
+// A sheet with two axes at right angles, warp and weft: what it resists with, and where its triangles lie.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "base/vec.hpp"
+
+namespace weft {
+
+/// Per width: of stretching [N/m], of bending [N·m].
+struct Moduli {
+  double warp = 0, weft = 0;  // Young's, along each axis; of bending: of strips cut along each axis
+  double poisson =
+      0;             // weft's contraction by warp's extension, where warp is pulled; its square < warp / weft
+  double shear = 0;  // of bending: moment by twist 2 K12
+
+  static Moduli isotropic(double modulus, double poisson) {
+    return {modulus, modulus, poisson, modulus / (2 * (1 + poisson))};
+  }
+};
+
+/// Stress by strain, or moment by curvature: the inverse of the moduli's compliance. Source: docs/elements.md, eq. 2.
+struct Stiffness {
+  double warp = 0, coupled = 0, weft = 0, shear = 0;  // C11, C12, C22, C33
+
+  static Stiffness of(const Moduli& m) {
+    const double scale = 1 / (1 - m.poisson * m.poisson * m.weft / m.warp);
+    return {scale * m.warp, scale * m.poisson * m.weft, scale * m.weft, m.shear};
+  }
+};
+
+/// A point of the sheet at rest, along its axes [m].
+struct MaterialPoint {
+  double warp = 0, weft = 0;
+};
+
+/// Corners of a triangle at rest by the sheet's axes: warp lies along a direction as seen from the triangle's normal,
+/// weft a quarter turn from it, and corner 0 is the origin.
+inline std::array<MaterialPoint, 3> places_of(const std::array<Vec3d, 3>& corners, const Vec3d& warp) {
+  const Vec3d side = corners[1] - corners[0], other = corners[2] - corners[0];
+  const Vec3d area = cross(side, other), normal = area / length(area);
+  Vec3d along = warp - dot(warp, normal) * normal;
+  if (length(along) < 1e-6 * length(warp)) along = side;  // seen end on; any direction is as good
+  along *= 1 / length(along);
+  const Vec3d across = cross(normal, along);
+  return {MaterialPoint{0, 0}, MaterialPoint{dot(side, along), dot(side, across)},
+          MaterialPoint{dot(other, along), dot(other, across)}};
+}
+
+}  // namespace weft
