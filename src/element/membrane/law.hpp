@@ -42,11 +42,11 @@ double energy(const Law& law, const Axes& f);
 /// By F: the first Piola-Kirchhoff stress [N/m].
 Axes stress(const Law& law, const Axes& f);
 Hessian hessian(const Law& law, const Axes& f);
-/// The same without what could make it indefinite, in closed form. Equations 8 to 10.
+/// The same without what could make it indefinite, in closed form. Equations 7 to 9.
 Hessian positive_hessian(const Law& law, const Axes& f);
 
 /// The stress that damping adds where F changes at a rate [N/m], and its derivative by that rate [N·s/m], which is
-/// never indefinite. Equation 7.
+/// never indefinite. Equation 10.
 Axes damping_stress(const Law& law, const Axes& f, const Axes& rate);
 Hessian damping_hessian(const Law& law, const Axes& f);
 
