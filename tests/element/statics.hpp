@@ -76,13 +76,19 @@ struct Statics {
     return sum;
   }
 
+  /// Whether every small move from here raises the energy. Of cloth that is nowhere bent.
+  bool stable() const {
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factored(matrix(membrane::hessian));
+    return factored.vectorD().minCoeff() > 0;
+  }
+
   /// Until no force on a free node is above `tolerance` [N], or roundings end the fall of the energy near that.
   bool solve(double tolerance, int most = 400) {
     for (steps = 0; steps < most; ++steps) {
       const Eigen::VectorXd rest = gathered(forces());
       const double largest = rest.lpNorm<Eigen::Infinity>();
       if (largest < tolerance) return true;
-      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factored(matrix());
+      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factored(matrix(membrane::positive_hessian));
       if (!go(factored.solve(rest), rest)) return largest < 100 * tolerance;
     }
     return false;
@@ -113,11 +119,12 @@ struct Statics {
     return all;
   }
 
-  /// Bending's Gauss-Newton Hessian, or its constant one, and the membranes' positive one.
-  Eigen::SparseMatrix<double> matrix() const {
+  /// Bending's Gauss-Newton Hessian, or its constant one, and the membranes'.
+  Eigen::SparseMatrix<double> matrix(membrane::Hessian (*hessian)(const membrane::Law&,
+                                                                  const membrane::Axes&)) const {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto own = membrane::blocks(rests[t], membrane::positive_hessian(membrane, deformation_of(t, x)));
+      const auto own = membrane::blocks(rests[t], hessian(membrane, deformation_of(t, x)));
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) add(entries, triangles[t][i], triangles[t][j], own[i][j]);
     }
