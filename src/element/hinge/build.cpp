@@ -120,13 +120,13 @@ class Unfolded {
 };
 
 /// The least weights by squares with which the angles make what the first triangle's part is more than half of the
-/// hinge's angle, whatever the curvature. Where angles are too few or too alike for all curvatures (at the rim), for
-/// as many as they tell apart: the part of the trace that makes the matrix invertible is a relative error of 1e-6.
-std::array<double, 5> least_weights(const std::array<Form, 5>& forms, const Form& wanted) {
+/// hinge's angle, whatever the curvature. `slack` of the trace makes the matrix invertible where angles do not tell all
+/// curvatures apart.
+std::array<double, 5> least_weights(const std::array<Form, 5>& forms, const Form& wanted, double slack) {
   Mat3 normal;
   for (const Form& form : forms) normal += Mat3::outer(form, form);
   const double trace = normal.x.x + normal.y.y + normal.z.z;
-  const Vec3d solved = inverse(normal + Mat3::identity(1e-7 * trace)) * wanted;
+  const Vec3d solved = inverse(normal + Mat3::identity(slack * trace)) * wanted;
   std::array<double, 5> weights;
   for (std::size_t k = 0; k < 5; ++k) weights[k] = dot(forms[k], solved);
   return weights;
@@ -155,7 +155,10 @@ void split(const Sheet& sheet, const Plate& plate, Hinge& hinge) {
   form(1, first, c, a, r, p, q);
   form(2, second, a, d, p, s, q);
   form(3, second, d, b, s, q, p);
-  hinge.shift = least_weights(forms, 0.5 * (to_first - to_second));
+  // Three angles at a corner of the rim may hardly tell curvatures apart: exact weights would be tens to hundreds. With
+  // more angles they are below one, and an error of 1e-6 is all that it takes.
+  const bool few = std::count(hinge.others.begin(), hinge.others.end(), kNone) > 1;
+  hinge.shift = least_weights(forms, 0.5 * (to_first - to_second), few ? 1e-2 : 1e-7);
 }
 
 /// Moments by parts of angles: curvature is their sum over the edges, n nᵀ times length by area (the mean of the

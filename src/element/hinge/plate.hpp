@@ -52,8 +52,8 @@ struct Sheet {
 };
 
 /// Hinges at all edges between two triangles that turn the same way round, with their angles at rest; other edges are
-/// free, like the rim. A triangle with three held nodes does not
-/// bend: what is clamped to it begins to bend at its edge.
+/// free, like the rim. A triangle with three held nodes does not bend: what is clamped to it begins to bend at its
+/// edge.
 Plate build_plate(const Sheet& sheet, const Stiffness& bending);
 
 /// Of every hinge, less its angle at rest [rad].
