@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "base/vec.hpp"
+#include "mesh/triangle_mesh.hpp"
 
 namespace weft {
 
@@ -28,6 +31,14 @@ struct Stiffness {
     const double scale = 1 / (1 - m.poisson * m.poisson * m.weft / m.warp);
     return {scale * m.warp, scale * m.poisson * m.weft, scale * m.weft, m.shear};
   }
+};
+
+/// A sheet at rest.
+struct RestSheet {
+  std::span<const Vec3d> position;            // [m]
+  std::span<const mesh::Triangle> triangles;  // that have areas
+  Vec3d warp{1, 0, 0};                        // the direction of warp; triangles see it projected
+  std::span<const std::uint8_t> held{};  // nodes that do not move (1), if any: what is clamped does not bend
 };
 
 /// A point of the sheet at rest, along its axes [m].

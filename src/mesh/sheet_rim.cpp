@@ -1,8 +1,9 @@
 #include "mesh/sheet_rim.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
+
+#include "mesh/sides.hpp"
 
 namespace weft {
 namespace {
@@ -23,40 +24,6 @@ std::vector<std::uint32_t> connected_parts(std::size_t vertex_count,
     }
   for (std::uint32_t v = 0; v < vertex_count; ++v) part[v] = root(v);
   return part;
-}
-
-struct SideOfTriangle {
-  std::array<std::uint32_t, 2> vertices{};  // the lower first
-  std::uint32_t triangle = 0, side = 0;     // from corner `side` to the next
-  bool rises = false;                       // passed from the lower to the higher
-  bool operator<(const SideOfTriangle& other) const {
-    return vertices != other.vertices ? vertices < other.vertices : triangle < other.triangle;
-  }
-};
-
-/// By the lower vertex first, in one pass, as there may be millions.
-std::vector<SideOfTriangle> sorted_sides(std::span<const mesh::Triangle> triangles) {
-  const auto lower = [&](std::uint32_t t, std::uint32_t k) {
-    return std::min(triangles[t][k], triangles[t][(k + 1) % 3]);
-  };
-  std::vector<std::size_t> next(1, 0);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::size_t vertex = lower(t, k);
-      if (vertex + 2 > next.size()) next.resize(vertex + 2, 0);
-      ++next[vertex + 1];
-    }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  const std::vector<std::size_t> offsets = next;
-  std::vector<SideOfTriangle> sides(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      sides[next[lower(t, k)]++] = {{std::min(a, b), std::max(a, b)}, t, k, a < b};
-    }
-  for (std::size_t v = 0; v + 1 < offsets.size(); ++v)
-    std::sort(sides.begin() + std::ptrdiff_t(offsets[v]), sides.begin() + std::ptrdiff_t(offsets[v + 1]));
-  return sides;
 }
 
 }  // namespace
@@ -94,11 +61,14 @@ std::vector<double> rim_distances(std::span<const Vec3d> positions,
 }
 
 bool faces_outward(std::span<const Vec3d> positions, std::span<const mesh::Triangle> triangles) {
-  const std::vector<SideOfTriangle> sides = sorted_sides(triangles);
+  const std::vector<mesh::Side> sides = mesh::sorted_sides(triangles);
+  const auto rises = [&](const mesh::Side& side) {
+    return triangles[side.triangle][side.start()] == side.nodes[0];
+  };
   if (sides.empty() || sides.size() % 2 != 0) return false;
   for (std::size_t i = 0; i < sides.size(); i += 2) {
-    const bool pair = sides[i].vertices == sides[i + 1].vertices && sides[i].rises != sides[i + 1].rises;
-    const bool more = i + 2 < sides.size() && sides[i + 2].vertices == sides[i].vertices;
+    const bool pair = sides[i].nodes == sides[i + 1].nodes && rises(sides[i]) != rises(sides[i + 1]);
+    const bool more = i + 2 < sides.size() && sides[i + 2].nodes == sides[i].nodes;
     if (!pair || more) return false;
   }
   double volume = 0;  // six times, from the first vertex
@@ -109,15 +79,13 @@ bool faces_outward(std::span<const Vec3d> positions, std::span<const mesh::Trian
 }
 
 std::vector<mesh::Triangle> opposite_corners(std::span<const mesh::Triangle> triangles) {
-  const std::vector<SideOfTriangle> sides = sorted_sides(triangles);
   std::vector<mesh::Triangle> corners(triangles.size(), {kNoCorner, kNoCorner, kNoCorner});
-  const auto tip = [&](const SideOfTriangle& side) { return triangles[side.triangle][(side.side + 2) % 3]; };
-  for (std::size_t first = 0, i = 0; i < sides.size(); ++i) {
-    if (sides[i].vertices != sides[first].vertices) first = i;
-    if (i == first) continue;  // all others see the first, and the first the second
-    corners[sides[i].triangle][sides[i].side] = tip(sides[first]);
-    if (i == first + 1) corners[sides[first].triangle][sides[first].side] = tip(sides[i]);
-  }
+  const auto tip = [&](const mesh::Side& side) { return triangles[side.triangle][side.corner]; };
+  mesh::for_each_edge(mesh::sorted_sides(triangles), [&](std::span<const mesh::Side> sides) {
+    for (std::size_t i = 1; i < sides.size(); ++i)  // all others see the first, and the first the second
+      corners[sides[i].triangle][sides[i].start()] = tip(sides[0]);
+    if (sides.size() > 1) corners[sides[0].triangle][sides[0].start()] = tip(sides[1]);
+  });
   return corners;
 }
 

@@ -34,8 +34,8 @@ struct Statics {
   Statics(const std::vector<Vec3d>& rest, const std::vector<mesh::Triangle>& all, const membrane::Law& law,
           const Stiffness& bending, std::vector<std::uint8_t> held_nodes, const Vec3d& warp = {1, 0, 0})
       : triangles(all), membrane(law), held(std::move(held_nodes)), load(rest.size()), x(rest) {
-    const hinge::Sheet sheet{rest, triangles, warp, held};
-    plate = build_plate(sheet, bending);
+    const RestSheet sheet{rest, triangles, warp, held};
+    plate = hinge::build_plate(sheet, bending);
     for (const auto& [a, b, c] : triangles)
       rests.push_back(membrane::Rest::of(places_of({rest[a], rest[b], rest[c]}, sheet.warp)));
     int count = 0;

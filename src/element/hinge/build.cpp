@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/sides.hpp"
+
 namespace weft::hinge {
 namespace {
 
-/// An edge of a triangle, opposite one of its corners.
-struct Side {
-  std::uint32_t low, high, triangle, corner;
-  bool operator<(const Side& b) const {
-    return std::array{low, high, triangle} < std::array{b.low, b.high, b.triangle};
-  }
-};
-
-std::vector<Side> sorted_sides(std::span<const mesh::Triangle> triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = triangles[t][(i + 1) % 3], b = triangles[t][(i + 2) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), t, i});
-    }
-  std::sort(sides.begin(), sides.end());
-  return sides;
-}
-
-bool same_edge(const Side& a, const Side& b) { return a.low == b.low && a.high == b.high; }
+using mesh::Side;
 
 /// Writes a hinge into the facets of its triangles.
 void enter(Plate& plate, const Side& side, double sign) {
@@ -36,7 +18,7 @@ void enter(Plate& plate, const Side& side, double sign) {
 }
 
 /// Makes a hinge between two triangles, unless they turn against each other.
-void join(const Sheet& sheet, Plate& plate, const Side& first, const Side& second) {
+void join(const RestSheet& sheet, Plate& plate, const Side& first, const Side& second) {
   const mesh::Triangle &t = sheet.triangles[first.triangle], &u = sheet.triangles[second.triangle];
   const std::uint32_t a = t[(first.corner + 1) % 3], b = t[(first.corner + 2) % 3];
   if (u[(second.corner + 2) % 3] != a) return;
@@ -45,20 +27,19 @@ void join(const Sheet& sheet, Plate& plate, const Side& first, const Side& secon
   enter(plate, second, -1);
 }
 
-Plate joined(const Sheet& sheet) {
+Plate joined(const RestSheet& sheet) {
   Plate plate;
   plate.facets.assign(sheet.triangles.size(), {{kNone, kNone, kNone}, {}, {}});
-  const std::vector<Side> sides = sorted_sides(sheet.triangles);
-  for (auto run = sides.begin(); run != sides.end();) {
-    const auto end = std::find_if(run, sides.end(), [&](const Side& side) { return !same_edge(side, *run); });
-    if (end - run == 2) join(sheet, plate, run[0], run[1]);
-    run = end;
-  }
+  const std::vector<Side> sides = mesh::sorted_sides(sheet.triangles);
+  mesh::for_each_edge(sides, [&](std::span<const Side> of_edge) {
+    if (of_edge.size() == 2) join(sheet, plate, of_edge[0], of_edge[1]);
+  });
   return plate;
 }
 
 /// The hinge of a triangle that does not touch a node, or kNone.
-std::uint32_t opposite(const Sheet& sheet, const Plate& plate, std::uint32_t triangle, std::uint32_t node) {
+std::uint32_t opposite(const RestSheet& sheet, const Plate& plate, std::uint32_t triangle,
+                       std::uint32_t node) {
   for (std::size_t i = 0; i < 3; ++i)
     if (sheet.triangles[triangle][i] == node) return plate.facets[triangle].hinges[i];
   return kNone;
@@ -83,7 +64,7 @@ Form part(const Vec3d& p, const Vec3d& q, const Vec3d& apex) {
 /// A sheet at rest, laid into a plane triangle by triangle.
 class Unfolded {
  public:
-  Unfolded(const Sheet& sheet, const Plate& plate) : sheet_(sheet), plate_(plate) {}
+  Unfolded(const RestSheet& sheet, const Plate& plate) : sheet_(sheet), plate_(plate) {}
 
   bool rigid(std::uint32_t triangle) const {
     return !sheet_.held.empty() &&
@@ -115,7 +96,7 @@ class Unfolded {
   }
 
  private:
-  const Sheet& sheet_;
+  const RestSheet& sheet_;
   const Plate& plate_;
 };
 
@@ -132,7 +113,7 @@ std::array<double, 5> least_weights(const std::array<Form, 5>& forms, const Form
   return weights;
 }
 
-void split(const Sheet& sheet, const Plate& plate, Hinge& hinge) {
+void split(const RestSheet& sheet, const Plate& plate, Hinge& hinge) {
   const Unfolded unfolded(sheet, plate);
   const auto [a, b, c, d] = hinge.nodes;
   const auto [first, second] = hinge.triangles;
@@ -192,7 +173,7 @@ Mat3 facet_stiffness(const std::array<MaterialPoint, 3>& corners, const Facet& f
 
 }  // namespace
 
-Plate build_plate(const Sheet& sheet, const Stiffness& bending) {
+Plate build_plate(const RestSheet& sheet, const Stiffness& bending) {
   Plate plate = joined(sheet);
   const Unfolded unfolded(sheet, plate);
   for (Hinge& hinge : plate.hinges) {

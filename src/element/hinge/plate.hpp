@@ -10,7 +10,6 @@
 #include "base/mat3.hpp"
 #include "element/hinge/law.hpp"
 #include "element/orthotropic.hpp"
-#include "mesh/triangle_mesh.hpp"
 
 namespace weft::hinge {
 
@@ -43,18 +42,10 @@ struct Plate {
   std::vector<Facet> facets;
 };
 
-/// A sheet at rest.
-struct Sheet {
-  std::span<const Vec3d> position;            // [m]
-  std::span<const mesh::Triangle> triangles;  // that have areas
-  Vec3d warp{1, 0, 0};                        // the direction of warp; triangles see it projected
-  std::span<const std::uint8_t> held{};       // nodes that do not move (1), if any
-};
-
 /// Hinges at all edges between two triangles that turn the same way round, with their angles at rest; other edges are
 /// free, like the rim. A triangle with three held nodes does not bend: what is clamped to it begins to bend at its
 /// edge.
-Plate build_plate(const Sheet& sheet, const Stiffness& bending);
+Plate build_plate(const RestSheet& sheet, const Stiffness& bending);
 
 /// Of every hinge, less its angle at rest [rad].
 std::vector<double> bends(const Plate& plate, std::span<const Vec3d> position);

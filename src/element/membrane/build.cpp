@@ -2,10 +2,11 @@
 
 #include <cassert>
 #include <cmath>
+#include <span>
 
 namespace weft::membrane {
 
-ElementTable build_membranes(const Sheet& sheet, const Law& law, std::uint32_t first) {
+ElementTable build_membranes(const RestSheet& sheet, const Law& law, std::uint32_t first) {
   ElementTable table{ElementKind::Membrane, {}, {}, {}};
   table.nodes.reserve(3 * sheet.triangles.size());
   table.rest.reserve(4 * sheet.triangles.size());

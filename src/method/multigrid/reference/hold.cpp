@@ -16,7 +16,7 @@ std::optional<Hold> Hold::of(const Press& press, const HoldForce& kept, const Ho
   const double part = bears ? std::min(1.0, kHoldRate * node.dt / kHoldPart) : 1.0;
   hold.restored_ = std::min(part * gap, kHoldSpeed * node.dt);
   hold.lack_ = press.lack / press.weight - (gap - hold.restored_);
-  const double pressed = node.inertia * hold.lack_ - (node.again ? 0 : dot(node.residual, hold.normal_));
+  const double pressed = node.inertia * hold.lack_ - dot(node.load, hold.normal_);
   if (!bears && !(pressed > 0)) return {};
   const Vec3d turned = hold.across(kept.along);  // with the obstacle's surface
   hold.kept_ = {kept.normal, length(turned) > 0 ? length(kept.along) / length(turned) * turned : Vec3d{},

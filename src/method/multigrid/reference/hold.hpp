@@ -25,9 +25,8 @@ struct HoldInputs {
   double inertia = 0;  // a [N/m]
   double mass = 0;     // [kg]
   double dt = 0;       // [s]
-  Vec3d residual;      // R [N]
+  Vec3d load;          // R [N]; in a second system 0: what stiff springs have left is none
   Vec3d start;         // s₀ [m]
-  bool again = false;  // in a second system: R is what stiff springs have left, and no load
 };
 
 /// Equation (11) for one node.

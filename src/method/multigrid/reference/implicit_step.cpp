@@ -84,9 +84,9 @@ void hold_at_obstacles(StepStart& step, std::span<const Press> presses, std::spa
                        std::span<const double> inverse_mass, double dt, bool again, const Add& add) {
   for (std::size_t a = 0; a < presses.size(); ++a) {
     if (step.fixed[a]) continue;
-    step.holds[a] = Hold::of(
-        presses[a], kept[a],
-        {step.inertia[a], 1 / inverse_mass[a], dt, step.residual[a], step.way[a] + step.start[a], again});
+    step.holds[a] = Hold::of(presses[a], kept[a],
+                             {step.inertia[a], 1 / inverse_mass[a], dt, again ? Vec3d{} : step.residual[a],
+                              step.way[a] + step.start[a]});
     if (!step.holds[a]) continue;
     step.residual[a] += step.holds[a]->force();
     add(a, step.holds[a]->block());
