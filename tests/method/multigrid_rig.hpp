@@ -161,6 +161,16 @@ class ImplicitRig {
     pressed_sums_.assign(words.begin() + static_cast<std::ptrdiff_t>(kHoldWords * forces.size()),
                          words.end());
     stepper_->set_hold_forces(std::move(forces));
+    set_history_of_pressed(0);
+    for (std::size_t n = 0; n < presses_.size(); ++n)
+      if (presses_[n].weight > 0) stepper_->forget(n);
+  }
+  /// Whether the kernels find a history at nodes that are pressed: 1 where they are first in the second system.
+  void set_history_of_pressed(float history) {
+    std::vector<Vec4f> velocity = download(state_.velocity[0]);
+    for (std::size_t n = 0; n < presses_.size(); ++n)
+      if (presses_[n].weight > 0) velocity[n].w = history;
+    state_.velocity[0].write(device_, velocity);
   }
   const gpu::Buffer<std::int32_t>& press_sums() const { return press_sums_; }
   void set_ratio(double ratio) {

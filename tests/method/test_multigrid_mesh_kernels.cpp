@@ -173,9 +173,12 @@ TEST_CASE("what obstacles hold is in a mesh's matrix, and a pressed node begins 
 
     rig.press(every, every);
     rig.run_first();
+    rig.set_history_of_pressed(1);
     rig.run([&](gpu::ComputePass& pass) { rig.cycle().record_system_again(pass); });
     const auto second = rig.linearise(field(rig.vector(0, kWay)));
-    CHECK(difference(field(rig.vector(0, kResidual)), second.residual) < 2e-5);
+    // Of the first system's residual, most of which is gone: what f32 rounds in the parts that cancel stays.
+    const double gone = std::max(1.0, largest(step.residual) / largest(second.residual));
+    CHECK(difference(field(rig.vector(0, kResidual)), second.residual) < 2e-5 * gone);
 
     rig.press(every, every);
     check_substep(rig, true);

@@ -175,7 +175,7 @@ Result<void> Cycle::create_second(const CycleInputs& inputs, const SharedKernels
            Dispatch::create_by_parity(kernels.predict_again, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {
                  state.steps,           nodes_, state.position[p], state.velocity[p], state.position[1 - p],
-                 state.velocity[1 - p], place_, vectors_,          pair_sums(inputs)};
+                 state.velocity[1 - p], place_, vectors_,          pair_sums(inputs), presses(inputs)};
            }));
   WEFT_SET(first_norm_again_, Dispatch::create(kernels.first_norm_again, for_each_cloth({}),
                                                {nodes_, vectors_, partials_, state.statistics}));

@@ -50,17 +50,22 @@ fn finish_pressed(among_all : u32, solution : vec3f) {
   let surface = holds[hold_way_at(among_all)];
   let force = holds[hold_force_at(among_all)];
   let kept = hold_force(node);
+  let inertia = place[among_all].w;
   let stiffness = dot(hold.xyz, hold.xyz) + hold.w;
   let n = hold.xyz / length(hold.xyz);
   let grip = Grip(n, turned(kept.along, n), stiffness / kHoldStiffness, surface.xyz, force.y);
   let pressed = force.x - stiffness * dot(n, solution);
   let reached = reach_of(grip, way);
-  let borne = max(0.0, pressed - place[among_all].w * surface.w);
-  let after = HoldForce(no_longer(reached, grip.friction * borne), borne, false);
+  let borne = max(0.0, pressed - inertia * surface.w);
+  let along = no_longer(reached, grip.friction * borne);
   let had = select(no_longer(reach_of(grip, start), grip.friction * kept.normal), reached, hold.w > 0.0);
   // What acted beyond what counts is taken out of the velocity, and so is the speed at which a gap is restored.
-  let more = after.along - had + max(0.0, -pressed) * n;
-  keep_hold_force(node, after);
+  let more = along - had + max(0.0, -pressed) * n;
+  let lack = (force.x - kept.normal) / stiffness;
+  let closes = max(0.0, lack + dot(n, start - step.time.dt * velocity_in[node].xyz));
+  let blow = stiffness * inertia / (stiffness + inertia) * closes;
+  let stays = max(kLanded * borne, borne - max(0.0, blow - kept.normal));
+  keep_hold_force(node, HoldForce(no_longer(along, grip.friction * stays), stays, false));
   let moved = way - surface.xyz - surface.w * n;  // over the surface, m
   let freed = no_longer(step.time.dt * now.w * more, kMostFreed / step.time.dt * length(moved));
   // Under cloth no force was kept: friction has not acted yet, and stops the way as well.

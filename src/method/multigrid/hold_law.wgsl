@@ -8,6 +8,10 @@ const kCloses = 0.5;
 const kHoldPart = 0.15;       // of a missing gap, the part that is restored in a substep: contact/proximity/press.wgsl
 const kHoldRate = 10.0;       // 1/s: of what has borne before, no more than so much a second
 const kHoldSpeed = 0.05;      // m/s: and no faster
+// What the spring stops alone, where nothing else holds a node, is a blow, and over, beyond what the node has borne:
+// kept as a load it would throw the node up again. The least part that is kept, so that the next substep knows that the
+// node bears.
+const kLanded = 1e-5;
 // The most by which a velocity changes for what acted beyond what counts, by the speed over the surface: that of what
 // slips, in backward Euler. A node that lands, whose substep is of BDF2, would turn around, and springs that let go
 // would give far more than it can take.

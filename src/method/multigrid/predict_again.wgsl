@@ -1,8 +1,9 @@
 // Where the second system is linearised, and what inertia, air and gravity leave of the equation there. What a pair
-// holds now has no history. One invocation per node of a cloth; see predict.wgsl.
+// or an obstacle holds now has no history. One invocation per node of a cloth; see predict.wgsl.
 // Source: docs/solvers/multigrid.md, equations 1 to 4.
 #include "gpu/index.wgsl"
 #include "state/pair_sums.wgsl"
+#include "contact/proximity/press_sums.wgsl"
 #include "method/multigrid/cloth.wgsl"
 #include "method/multigrid/inertia.wgsl"
 //                                                                                  elements       unit
@@ -15,7 +16,13 @@
 @group(0) @binding(6) var<storage, read_write> place           : array<vec4f>;   // count          m (w: N/m)
 @group(0) @binding(7) var<storage, read_write> vectors         : array<vec4f>;   // cloth.wgsl: the finest
 @group(0) @binding(8) var<storage, read_write> pair_sums       : array<u32>;     // state/pair_holds.wgsl
+@group(0) @binding(9) var<storage, read>       presses         : array<i32>;     // press_sums.wgsl
 override kPairs : bool = false;
+
+fn has_presses(vertex : u32) -> bool {
+  let weight = press_words(vertex) + kPressWeight;
+  return presses[weight] != 0 || presses[weight + kPressWraps] != 0;
+}
 
 @compute @workgroup_size(kWorkgroupSize)
 fn predict_again(@builtin(global_invocation_id) id : vec3u) {
@@ -33,7 +40,7 @@ fn predict_again(@builtin(global_invocation_id) id : vec3u) {
   }
   let now = NodeState(position_in[node], velocity_in[node]);
   var history = max(now.velocity.w, 0.0);
-  if (kPairs && is_held_by_pairs(node)) {
+  if ((kPairs && is_held_by_pairs(node)) || has_presses(node)) {
     history = 0.0;
     velocity_in[node].w = 0.0;
   }

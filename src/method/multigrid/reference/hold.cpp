@@ -51,17 +51,23 @@ Hold::End Hold::end(const Vec3d& unknown) const {
   const Vec3d way = node_.start + unknown, reached = reach(way);
   const double pressed = kept_.normal + stiffness_ * (lack_ - dot(normal_, unknown));
   const double borne = std::max(0.0, pressed - node_.inertia * restored_);
-  const HoldForce force{borne, no_longer(reached, friction_ * borne)};
+  const Vec3d along = no_longer(reached, friction_ * borne);
   const Vec3d had = sticks_ ? reached : no_longer(reach(node_.start), friction_ * kept_.normal);
   // What acted beyond what counts is taken out of the velocity, and so is the speed at which a gap is restored.
-  const Vec3d more = force.along - had + std::max(0.0, -pressed) * normal_;
+  const Vec3d more = along - had + std::max(0.0, -pressed) * normal_;
   // No more than a node that slips has to gain, its own speed over the surface: springs that let go would give it far
   // more than it can take.
   const Vec3d moved = way - surface_way_ - restored_ * normal_;
   const Vec3d freed = no_longer(node_.dt / node_.mass * more, kMostFreed / node_.dt * length(moved));
   // Under cloth no force was kept: friction has not acted yet, and stops the way as well.
   const Vec3d stopped = kept_.under_cloth ? node_.dt * across(freed) : Vec3d{};
-  return {force, way / node_.dt - restored_ / node_.dt * normal_ + freed, stopped};
+  // What stops a node that nothing else holds, beyond what it has borne: a blow, and it is over.
+  const double alone = stiffness_ * node_.inertia / (stiffness_ + node_.inertia);
+  const double blow = alone * std::max(0.0, lack_ + dot(normal_, node_.start - node_.ahead));
+  const double kept = std::max(kLanded * borne, borne - std::max(0.0, blow - kept_.normal));
+  return {{kept, no_longer(along, friction_ * kept)},
+          way / node_.dt - restored_ / node_.dt * normal_ + freed,
+          stopped};
 }
 
 }  // namespace weft::reference
