@@ -263,17 +263,18 @@ TEST_CASE(
     for (const Moduli& m : sheets) {
       const Law law{kind, Stiffness::of(m), 0};
       const Uniaxial warp(law, 1 + e), weft(law, 1 + e, false);
-      CHECK(warp.force / e == doctest::Approx(m.warp).epsilon(1e-6));
-      CHECK(warp.contraction / e == doctest::Approx(m.poisson).epsilon(1e-6));
-      CHECK(weft.force / e == doctest::Approx(m.weft).epsilon(1e-6));
-      CHECK(weft.contraction / e == doctest::Approx(m.poisson * m.weft / m.warp).epsilon(1e-6));
+      CHECK(warp.force / e == doctest::Approx(m.warp).epsilon(1e-6).scale(0));
+      CHECK(warp.contraction / e == doctest::Approx(m.poisson).epsilon(1e-6).scale(0));
+      CHECK(weft.force / e == doctest::Approx(m.weft).epsilon(1e-6).scale(0));
+      CHECK(weft.contraction / e == doctest::Approx(m.poisson * m.weft / m.warp).epsilon(1e-6).scale(0));
       // Both axes by e: strain is the compliance times stress.
       const Axes both = stress(law, {{1 + e, 0, 0}, {0, 1 + e, 0}});
-      CHECK((both.warp.x - m.poisson * both.weft.y) / m.warp / e == doctest::Approx(1).epsilon(1e-6));
+      CHECK((both.warp.x - m.poisson * both.weft.y) / m.warp / e ==
+            doctest::Approx(1).epsilon(1e-6).scale(0));
       CHECK((both.weft.y / m.weft - m.poisson * both.warp.x / m.warp) / e ==
-            doctest::Approx(1).epsilon(1e-6));
+            doctest::Approx(1).epsilon(1e-6).scale(0));
       const Axes sheared = stress(law, {{1, 0, 0}, {e, 1, 0}});
-      CHECK(sheared.weft.x / e == doctest::Approx(m.shear).epsilon(1e-6));
+      CHECK(sheared.weft.x / e == doctest::Approx(m.shear).epsilon(1e-6).scale(0));
     }
   }
 }
@@ -282,14 +283,14 @@ TEST_CASE("large stretches follow each law's closed form") {
   for (const double stretch : {0.8, 1.05, 1.2, 1.5}) {
     const Moduli m = moduli_of(Energy::Yarn);
     CHECK(Uniaxial(law_of(Energy::Green), stretch).force ==
-          doctest::Approx(m.warp * stretch * (stretch * stretch - 1) / 2).epsilon(1e-9));
+          doctest::Approx(m.warp * stretch * (stretch * stretch - 1) / 2).epsilon(1e-9).scale(0));
     CHECK(Uniaxial(law_of(Energy::Yarn), stretch).force ==
-          doctest::Approx(m.warp * (stretch - 1)).epsilon(1e-9));
+          doctest::Approx(m.warp * (stretch - 1)).epsilon(1e-9).scale(0));
     // Stable neo-Hookean: the area of a pulled sheet. Source: newton-physics/newton, pull request 2654.
     const double nu = moduli_of(Energy::NeoHookean).poisson, square = stretch * stretch;
     const Uniaxial pulled(law_of(Energy::NeoHookean), stretch);
     CHECK(stretch * (1 - pulled.contraction) ==
-          doctest::Approx(2 * square / (1 - nu + (1 + nu) * square)).epsilon(1e-9));
+          doctest::Approx(2 * square / (1 - nu + (1 + nu) * square)).epsilon(1e-9).scale(0));
   }
 }
 
@@ -297,8 +298,8 @@ TEST_CASE("yarns that turn without a change of length meet shear alone, by the y
   for (const double angle : {0.1, 0.5, 1.0}) {
     const Axes trellis{{1, 0, 0}, {std::sin(angle), std::cos(angle), 0}};
     const double expected = moduli_of(Energy::Yarn).shear * std::sin(angle) * std::sin(angle) / 2;
-    CHECK(energy(law_of(Energy::Yarn), trellis) == doctest::Approx(expected).epsilon(1e-12));
-    CHECK(energy(law_of(Energy::Green), trellis) == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(energy(law_of(Energy::Yarn), trellis) == doctest::Approx(expected).epsilon(1e-12).scale(0));
+    CHECK(energy(law_of(Energy::Green), trellis) == doctest::Approx(expected).epsilon(1e-12).scale(0));
   }
 }
 
@@ -375,5 +376,5 @@ TEST_CASE("a table's membranes are the triangles, along the axes of the sheet") 
     CHECK(length(f.weft - Vec3d{0, -0.6, 0.8}) < 1e-5);
     area += rest.area;
   }
-  CHECK(area == doctest::Approx(0.01).epsilon(1e-5));
+  CHECK(area == doctest::Approx(0.01).epsilon(1e-5).scale(0));
 }

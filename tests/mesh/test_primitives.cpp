@@ -33,13 +33,13 @@ TEST_CASE("spheres are round, closed and face outward") {
     const TriangleMesh sphere = make_sphere(columns, rows);
     REQUIRE(check_mesh(sphere));
     CHECK(is_closed_and_consistent(sphere));
-    for (const Vec3f& p : sphere.positions) CHECK(length(p) == doctest::Approx(1.0F).epsilon(1e-6));
+    for (const Vec3f& p : sphere.positions) CHECK(length(p) == doctest::Approx(1.0F).epsilon(1e-6).scale(0));
     for (const Triangle& t : sphere.triangles) {
       const Vec3f a = sphere.positions[t[0]], b = sphere.positions[t[1]], c = sphere.positions[t[2]];
       CHECK(dot(cross(b - a, c - a), a + b + c) > 0.0F);
     }
   }
-  CHECK(signed_volume(make_sphere(200, 200)) == doctest::Approx(4.18879).epsilon(1e-3));  // 4/3 π
+  CHECK(signed_volume(make_sphere(200, 200)) == doctest::Approx(4.18879).epsilon(1e-3).scale(0));  // 4/3 π
 }
 
 TEST_CASE("a box has its size, and is closed and faces outward") {
@@ -66,11 +66,11 @@ TEST_CASE("a capsule has its radius around its axis, and is closed and faces out
     CHECK(signed_volume(capsule) > 0);
     for (const Vec3f& p : capsule.positions) {
       const Vec3f on_axis{0, std::min(1.0F, std::max(-1.0F, p.y)), 0};
-      CHECK(length(p - on_axis) == doctest::Approx(0.5F).epsilon(1e-6));
+      CHECK(length(p - on_axis) == doctest::Approx(0.5F).epsilon(1e-6).scale(0));
     }
     TriangleMesh left = capsule;
     CHECK(drop_degenerate_triangles(left) == 0);
   }
   const double volume = 3.14159265 * (0.25 * 2 + 4.0 / 3 * 0.125);
-  CHECK(signed_volume(make_capsule(2, 0.5, 200, 100)) == doctest::Approx(volume).epsilon(1e-3));
+  CHECK(signed_volume(make_capsule(2, 0.5, 200, 100)) == doctest::Approx(volume).epsilon(1e-3).scale(0));
 }

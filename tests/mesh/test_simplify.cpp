@@ -16,7 +16,7 @@ TEST_CASE("a simplified sphere has as few triangles as asked, no unused vertex, 
   CHECK(result->triangles.size() > 1900);
   CHECK(result->positions.size() ==
         result->triangles.size() / 2 + 2);  // Euler, of a closed surface without holes
-  CHECK(signed_volume(*result) == doctest::Approx(signed_volume(sphere)).epsilon(0.01));
+  CHECK(signed_volume(*result) == doctest::Approx(signed_volume(sphere)).epsilon(0.01).scale(0));
 }
 
 TEST_CASE("a mesh that is small enough keeps its triangles and loses its unused vertices") {

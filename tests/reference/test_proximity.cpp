@@ -79,7 +79,7 @@ TEST_CASE("above the angle of friction a sheet slides with g (sin - mu cos), of 
       const double before = mean(simulation.velocities()).x;
       advance(simulation, 60);
       const double expected = kGravity * (std::sin(slope) - mu * std::cos(slope));
-      CHECK(mean(simulation.velocities()).x - before == doctest::Approx(expected).epsilon(0.02));
+      CHECK(mean(simulation.velocities()).x - before == doctest::Approx(expected).epsilon(0.02).scale(0));
     }
   }
 }
@@ -103,16 +103,18 @@ TEST_CASE("a dropped sheet bounces as its restitution says") {
       "cloths": [{"grid": [3, 3], "size": [0.2, 0.2], "plane": "xz", "density": 0.2, "damping": 0,
         "transform": {"translate": [0, 0.1, 0]}, "stiffness": {"structural": 5, "shear": 2, "bend": 1}}],
       "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])");
-    double up = 0;
+    double up = 0;  // where it lies [m/s]
     for (int frame = 0; frame < 20; ++frame) {
       advance(simulation, 1);
-      up = std::max(up, mean(simulation.velocities()).y);
+      const double speed = mean(simulation.velocities()).y;
+      const double square = speed * speed + 2 * kGravity * (mean(simulation.positions()).y - 0.05);
+      if (speed > 0 && square > up * up) up = std::sqrt(square);
     }
     return up / std::sqrt(2 * kGravity * 0.05);
   };
   CHECK(bounce("0") < 0.2);
-  CHECK(bounce("0.5") == doctest::Approx(0.5).epsilon(0.15));
-  CHECK(bounce("0.9") == doctest::Approx(0.9).epsilon(0.1));
+  CHECK(bounce("0.5") == doctest::Approx(0.5).epsilon(0.15).scale(0));
+  CHECK(bounce("0.9") == doctest::Approx(0.9).epsilon(0.1).scale(0));
 }
 
 TEST_CASE("two sheets that meet in free space keep their momentum, and neither passes") {

@@ -76,7 +76,7 @@ TEST_CASE("the stack is sixteen sheets, and fifty of 4900 nodes are its full siz
 TEST_CASE("the sheet on the incline lies at its thickness on a slope that its friction holds") {
   const Scene scene = loaded("incline.json");
   CHECK(scene.cloths[0].transform.translate.y == scene.contact.thickness);
-  CHECK(length(scene.gravity) == doctest::Approx(9.81).epsilon(1e-6));
+  CHECK(length(scene.gravity) == doctest::Approx(9.81).epsilon(1e-6).scale(0));
   CHECK(scene.gravity.x / -scene.gravity.y == doctest::Approx(std::tan(20 * std::acos(-1.0) / 180)));
   CHECK(friction_of(scene.colliders[0]) == 0.5);
 }

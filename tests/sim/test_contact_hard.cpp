@@ -63,7 +63,7 @@ TEST_CASE("a box that is pulled away too fast leaves the sheet behind, by as muc
           R"(], "colliders": [{"kind": "box", "center": [0, -0.1, 0], "size": [4, 0.2, 1], "friction": 0.1,
       "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 2}}])"));
   advance(*world, 30);
-  CHECK(Moment(*world).mean_velocity().x == doctest::Approx(0.1 * 9.81 * 0.5).epsilon(0.02));
+  CHECK(Moment(*world).mean_velocity().x == doctest::Approx(0.1 * 9.81 * 0.5).epsilon(0.02).scale(0));
 }
 
 TEST_CASE("a sphere that spins under a sheet drags it along, and turns it no faster than itself") {

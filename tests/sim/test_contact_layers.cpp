@@ -26,7 +26,7 @@ TEST_CASE("long: sixteen layers at rest are as thick as they should be, and each
             now.largest_speed());
     CHECK(mean_height(now, 540, 576) > 0.07);
     // The implicit solver's own hold bears the lowest layer, which no pair's force knows of.
-    if (solver == "mass_spring") CHECK(forces.ground.y == doctest::Approx(weight).epsilon(0.02));
+    if (solver == "mass_spring") CHECK(forces.ground.y == doctest::Approx(weight).epsilon(0.02).scale(0));
     CHECK(worst < 0.02);
   }
 }
