@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "elastica.hpp"
 #include "patterns.hpp"
 #include "statics.hpp"
 
@@ -16,42 +17,6 @@ const double kPi = std::acos(-1.0);
 constexpr double kLength = 0.2;    // [m]
 constexpr double kModulus = 2e-5;  // B [N·m]
 constexpr int kAlong = 24, kAcross = 5;
-
-/// An inextensible heavy cantilever, clamped level: B φ'' = -w (L - s) cos φ with φ(0) = 0, φ'(L) = 0, where φ is the
-/// angle below level at arc length s. By shooting from the free end, in units of L and B; G = w L³ / B.
-struct Elastica {
-  double load;      // G
-  double drop = 0;  // of the tip, by the length
-
-  explicit Elastica(double g) : load(g) {
-    double low = 0, high = kPi / 2;
-    for (int step = 0; step < 60; ++step) {
-      const double tip = (low + high) / 2;
-      (angle_at_clamp(tip) > 0 ? high : low) = tip;
-    }
-  }
-
- private:
-  /// Runge and Kutta's fourth order over r = 1 - s, from the tip to the clamp: d²φ/dr² = -G r cos φ.
-  double angle_at_clamp(double tip) {
-    constexpr int kSteps = 2000;
-    const double h = 1.0 / kSteps;
-    const auto bent = [&](double r, double phi) { return -load * r * std::cos(phi); };
-    double phi = tip, rate = 0, r = 0;
-    drop = 0;
-    for (int i = 0; i < kSteps; ++i, r += h) {
-      const double k1 = rate, l1 = bent(r, phi);
-      const double k2 = rate + h / 2 * l1, l2 = bent(r + h / 2, phi + h / 2 * k1);
-      const double k3 = rate + h / 2 * l2, l3 = bent(r + h / 2, phi + h / 2 * k2);
-      const double k4 = rate + h * l3, l4 = bent(r + h, phi + h * k3);
-      const double next = phi + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-      drop += h / 6 * (std::sin(phi) + 4 * std::sin(phi + h / 4 * (k1 + k2)) + std::sin(next));
-      rate += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
-      phi = next;
-    }
-    return phi;
-  }
-};
 
 /// A strip clamped at x <= 0, and beyond its length if it goes on there. Its membrane is so soft that triangles bend
 /// freely and so stiff that a load `weight` [N/m²] stretches it by less than a thousandth.
