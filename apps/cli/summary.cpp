@@ -50,6 +50,8 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["nodes"] = about.nodes;
   json["triangles"] = about.triangles;
   json["springs"] = about.springs;
+  json["membranes"] = about.membranes;
+  json["hinges"] = about.hinges;
   json["substeps"] = about.substeps;
   json["step_s"] = about.step_seconds;
   json["stable_step_s"] = about.stable_step_seconds;
@@ -73,6 +75,8 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   const Description about = describe(world);
   line(text, "  cloth       %zu nodes, %zu triangles, %zu springs", about.nodes, about.triangles,
        about.springs);
+  if (about.membranes > 0)
+    line(text, "  fabric      %zu membranes, %zu hinges", about.membranes, about.hinges);
   line(text, "  solver      %s; %u substeps a frame", solver_name(about).c_str(), about.substeps);
   if (about.stable_step_seconds == 0) {
     line(text, "  step        %.4g ms; stable at any length", 1e3 * about.step_seconds);

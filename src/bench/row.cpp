@@ -25,7 +25,7 @@ double dispatches_per_step(sim::World& world) {
 
 void describe(Row& row, sim::World& world, std::uint32_t substeps) {
   row.nodes = world.model().vertex_count();
-  row.springs = world.spring_count();
+  row.springs = world.element_count(ElementKind::Spring);
   for (const mesh::TriangleMesh& object : world.assets().objects)
     row.object_triangles += object.triangles.size();
   row.substeps = substeps;

@@ -8,7 +8,8 @@ namespace weft {
 namespace {
 
 bool equal(const Body& a, const Body& b) {
-  return b.grid && spring_grid(*a.grid, a.material(), 0) == spring_grid(*b.grid, b.material(), 0);
+  return b.grid && !b.fabric &&
+         spring_grid(*a.grid, a.material(), 0) == spring_grid(*b.grid, b.material(), 0);
 }
 
 }  // namespace

@@ -128,17 +128,29 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read) {
   return assets;
 }
 
+namespace {
+
+/// Of one cloth. A scene of grids may come without a mesh for each.
+std::uint64_t nodes_of(const scene::Scene& scene, const Assets& assets, std::size_t cloth) {
+  const auto& grid = scene.cloths[cloth].grid;
+  if (grid) return std::uint64_t{grid->nx} * grid->ny;
+  return cloth < assets.cloths.size() ? assets.cloths[cloth].positions.size() : 0;
+}
+
+}  // namespace
+
 std::uint64_t node_count(const scene::Scene& scene, const Assets& assets) {
   std::uint64_t nodes = 0;
-  for (const scene::Cloth& cloth : scene.cloths)
-    if (cloth.grid) nodes += std::uint64_t{cloth.grid->nx} * cloth.grid->ny;
-  for (const mesh::TriangleMesh& cloth : assets.cloths) nodes += cloth.positions.size();
+  for (std::size_t c = 0; c < scene.cloths.size(); ++c) nodes += nodes_of(scene, assets, c);
   return nodes;
 }
 
 Result<void> check_memory(const scene::Scene& scene, const Assets& assets, std::uint64_t bytes_per_node,
                           std::uint64_t limit, const char* whose) {
-  const std::uint64_t nodes = node_count(scene, assets), bytes = nodes * bytes_per_node;
+  const std::uint64_t nodes = node_count(scene, assets);
+  std::uint64_t bytes = nodes * bytes_per_node;
+  for (std::size_t c = 0; c < scene.cloths.size(); ++c)
+    if (scene.cloths[c].fabric) bytes += nodes_of(scene, assets, c) * kFabricBytesPerNode;
   if (bytes <= limit) return {};
   return make_error(ErrorKind::Limit,
                     "A cloth of %llu nodes needs about %llu bytes of %s memory, more than its limit of %llu.",

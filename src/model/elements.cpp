@@ -2,7 +2,9 @@
 
 #include <cassert>
 
+#include "element/membrane/build.hpp"
 #include "element/triple/triple.hpp"
+#include "model/fabric.hpp"
 #include "model/model.hpp"
 
 namespace weft {
@@ -10,6 +12,12 @@ namespace {
 
 ElementTable build(const Model& model, ElementKind kind, const Body& body) {
   const std::uint32_t first = body.first_vertex;
+  if (body.fabric) {
+    if (kind == ElementKind::Membrane)
+      return membrane::build_membranes(fabric_sheet(model, body).rest(), membrane_law(*body.fabric), first);
+    if (kind == ElementKind::Hinge) return hinge_table(plate_of(model, body), first);
+    return {kind, {}, {}, {}};
+  }
   if (kind == ElementKind::Spring)
     return body.grid ? build_springs(*body.grid, body.material(), first)
                      : build_springs(cloth_mesh(model, body), body.material(), first);
@@ -27,6 +35,7 @@ std::size_t Model::number_of(const Body& body) const {
 }
 
 std::uint64_t Model::count(ElementKind kind, const Body& body) const {
+  if (body.fabric) return elements(kind, body).size();
   if (kind == ElementKind::Spring && body.grid) return mesh::grid_spring_count(*body.grid);
   if (kind == ElementKind::Triple && body.grid) return triple_count(*body.grid, body.stiffness.bending);
   return elements(kind, body).size();

@@ -27,6 +27,18 @@ Result<std::vector<double>> cloth_masses(const scene::Cloth& cloth, const std::v
   return masses;
 }
 
+/// A membrane has strains of its triangle at rest. Errors  Input: a triangle's corners lie on a line.
+Result<void> check_membranes(const scene::Cloth& cloth, const PlacedBody& placed) {
+  for (std::size_t t = 0; t < placed.triangles.size(); ++t) {
+    const auto& [a, b, c] = placed.triangles[t];
+    const std::vector<Vec3d>& x = placed.positions;
+    if (length(cross(x[b] - x[a], x[c] - x[a])) > 0) continue;
+    return input_error("%s.fabric: triangle %zu of the mesh has no area, so it has no strain.",
+                       cloth.where.c_str(), t);
+  }
+  return {};
+}
+
 PlacedBody place_grid(const scene::Cloth& cloth, const mesh::Grid& grid) {
   PlacedBody placed;
   placed.positions = scene::grid_positions(*cloth.grid, cloth.transform);
@@ -65,6 +77,11 @@ void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, B
   body.stiffness = cloth.stiffness;
   body.damping = cloth.damping;
   body.strain_limit = cloth.strain_limit;
+  body.fabric = cloth.fabric;
+  if (cloth.fabric)
+    body.warp = body.grid ? placed.positions[1] - placed.positions[0]
+                          : scene::transformed(cloth.transform, cloth.fabric->warp_direction) -
+                                scene::transformed(cloth.transform, {});
   body.color = cloth.color;
   model.rest_position.insert(model.rest_position.end(), placed.positions.begin(), placed.positions.end());
   model.start_position.insert(model.start_position.end(), placed.starts.begin(), placed.starts.end());
@@ -121,6 +138,7 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
     WEFT_TRY(masses, cloth_masses(cloth, body.grid ? mesh::vertex_areas(*body.grid)
                                                    : mesh::vertex_areas(cloth_meshes[c])));
     placed.mass = std::move(masses);
+    if (cloth.fabric) WEFT_CHECK(check_membranes(cloth, placed));
     selection.positions = placed.positions;
     WEFT_TRY(kinematic, scene::kinematic_nodes(cloth, selection));
     append(model, cloth, placed, body);

@@ -26,9 +26,11 @@ struct Body {
   std::optional<mesh::Grid>
       grid;  // in the world's metres; a hint for fast paths. A cloth without one is a mesh
   mesh::BoundaryWeights weights = mesh::BoundaryWeights::Area;
-  scene::Stiffness stiffness;          // [N/m]
-  double damping = 0;                  // [N·s/m]
-  std::optional<double> strain_limit;  // how far edges are stretched at most, of their length
+  scene::Stiffness stiffness;           // [N/m]
+  double damping = 0;                   // [N·s/m]
+  std::optional<double> strain_limit;   // how far edges are stretched at most, of their length
+  std::optional<scene::Fabric> fabric;  // then it has membranes and hinges, and no springs
+  Vec3d warp{1, 0, 0};                  // the direction of its warp at rest, in the world
   std::optional<Vec3d> color;
 
   /// Nodes of a row, where triangles have diagonals that shear lengthens; 0: every edge of a triangle is as structural

@@ -50,7 +50,7 @@ class Simulation {
   const sim::FramePlan& plan() const { return plan_; }
   std::uint32_t substeps() const { return plan_.substeps(); }
   double step() const { return plan_.step(); }  // [s]; shorter in frames that are cut
-  std::size_t spring_count() const { return system_.springs.size(); }
+  std::uint64_t element_count(ElementKind kind) const { return model_->count(kind); }
   /// In all substeps so far. Of cloth triangles with object triangles, and of nodes with spheres and planes;
   /// by proximity, pairs of features that act.
   std::uint64_t contacts() const { return contacts_; }

@@ -1,6 +1,7 @@
 #include "scene/build.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/build_collider.hpp"
 #include "scene/build_motion.hpp"
@@ -124,6 +125,7 @@ class Builder {
     cloth.transform = transform_of(at(json, "transform"));
     cloth.density = maybe_number(json, "density");
     cloth.node_mass = maybe_number(json, "node_mass");
+    if (const Json* given = json.find("fabric")) WEFT_SET(cloth.fabric, fabric(*given, path + ".fabric"));
     const Json& stiffness = at(json, "stiffness");
     cloth.stiffness = {number(stiffness, "structural"), number(stiffness, "shear"), number(stiffness, "bend"),
                        number(stiffness, "bending")};
@@ -142,6 +144,42 @@ class Builder {
     }
     if (const Json* color = json.find("color")) cloth.color = vector(*color);
     return cloth;
+  }
+
+  Result<Fabric> fabric(const Json& json, const std::string& path) const {
+    Fabric fabric;
+    fabric.warp = number(json, "warp");
+    fabric.weft = maybe_number(json, "weft").value_or(fabric.warp);
+    fabric.shear = number(json, "shear");
+    fabric.poisson = number(json, "poisson");
+    fabric.bending_warp = number(json, "bending_warp");
+    fabric.bending_weft = maybe_number(json, "bending_weft").value_or(fabric.bending_warp);
+    fabric.bending_twist = maybe_number(json, "bending_twist")
+                               .value_or(0.5 * std::sqrt(fabric.bending_warp * fabric.bending_weft));
+    fabric.damping = number(json, "damping");
+    fabric.energy = word<FabricEnergy>(at(json, "energy"), kFabricEnergyNames);
+    fabric.warp_direction = vector(json, "warp_direction");
+    if (fabric.poisson * fabric.poisson >= fabric.warp / fabric.weft)
+      return wrong(path + ".poisson", "is " + number_text(fabric.poisson) +
+                                          "; its square must be below warp / weft, " +
+                                          number_text(fabric.warp / fabric.weft));
+    if (fabric.energy == FabricEnergy::NeoHookean) WEFT_CHECK(check_isotropic(fabric, path));
+    return fabric;
+  }
+
+  /// A stable solid has no axes: one modulus, Poisson's ratio, and the shear modulus that follows.
+  Result<void> check_isotropic(const Fabric& fabric, const std::string& path) const {
+    const double shear = fabric.warp / (2 * (1 + fabric.poisson));
+    if (fabric.weft != fabric.warp)
+      return wrong(path + ".weft", "is " + number_text(fabric.weft) +
+                                       " N/m; energy \"neo_hookean\" has no axes and needs that of warp, " +
+                                       number_text(fabric.warp));
+    if (std::abs(fabric.shear - shear) > 1e-3 * shear)
+      return wrong(path + ".shear",
+                   "is " + number_text(fabric.shear) +
+                       " N/m; energy \"neo_hookean\" has no axes and needs warp / (2 + 2 poisson), " +
+                       number_text(shear));
+    return {};
   }
 
   Result<std::vector<Selector>> selectors(const Json& json, const std::string& path,
@@ -215,6 +253,7 @@ class Builder {
   Result<void> check_solver(const Scene& scene) const {
     for (const Cloth& cloth : scene.cloths) {
       const std::string path = path_of_index("cloths", cloth.entry);
+      if (cloth.fabric) WEFT_CHECK(check_fabric(scene, cloth, path));
       if (cloth.stiffness.bending == 0) continue;
       const std::string bending = "is " + number_text(cloth.stiffness.bending) + " N·m; ";
       if (scene.solver.forces != Forces::NodeCentric)
@@ -223,6 +262,18 @@ class Builder {
             bending + "solver.forces " + in_quotes(name_of(scene.solver.forces)) + " has springs only");
       if (!cloth.grid) return wrong(path + ".stiffness.bending", bending + "a mesh has bend springs only");
     }
+    return {};
+  }
+
+  /// Fabric has no springs, so nothing may be said of them.
+  Result<void> check_fabric(const Scene& scene, const Cloth& cloth, const std::string& path) const {
+    if (scene.solver.forces != Forces::NodeCentric)
+      return wrong(path + ".fabric", "has no springs; solver.forces " +
+                                         in_quotes(name_of(scene.solver.forces)) + " has springs only");
+    if (!(cloth.stiffness == Stiffness{}))
+      return wrong(path + ".stiffness", "is of springs; a cloth with \"fabric\" has none");
+    if (cloth.damping != Cloth{}.damping)
+      return wrong(path + ".damping", "is of springs; a cloth with \"fabric\" has fabric.damping instead");
     return {};
   }
 

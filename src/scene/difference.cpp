@@ -19,6 +19,7 @@ const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (!(a.transform == b.transform)) return b.copy > 0 ? "copies" : "transform";  // the first's are equal
   if (a.density != b.density) return "density";
   if (a.node_mass != b.node_mass) return "node_mass";
+  if (a.fabric != b.fabric) return "fabric";
   if (!(a.stiffness == b.stiffness)) return "stiffness";
   if (a.damping != b.damping) return "damping";
   if (a.friction != b.friction) return "friction";

@@ -236,6 +236,29 @@ constexpr Key kStiffnessKeys[] = {
     {"bending", &kBending, "Resistance of a grid to curvature, beside the bend springs", "0"},
 };
 constexpr Type kStiffness{.kind = Kind::Object, .keys = kStiffnessKeys};
+constexpr Type kModulus{.kind = Kind::Number, .least = 1e-3, .most = 1e9, .unit = "N/m"};
+constexpr Type kPoisson{.kind = Kind::Number, .least = -0.99, .most = 10};
+constexpr Type kBendingModulus{.kind = Kind::Number, .most = 1e3, .unit = "N·m"};
+constexpr Type kDelay{.kind = Kind::Number, .most = 10, .unit = "s"};
+constexpr Type kFabricEnergy{.kind = Kind::Choice, .choices = kFabricEnergyNames};
+constexpr Key kFabricKeys[] = {
+    {"warp", &kModulus, "Young's modulus of a strip along the warp, force per width", nullptr, true},
+    {"weft", &kModulus, "The same along the weft; without it the warp's"},
+    {"shear", &kModulus, "Shear modulus", nullptr, true},
+    {"poisson", &kPoisson, "Weft's contraction by warp's extension; its square below warp / weft", "0"},
+    {"bending_warp", &kBendingModulus, "What a strip along the warp resists curvature with, moment per width",
+     nullptr, true},
+    {"bending_weft", &kBendingModulus, "The same along the weft; without it the warp's"},
+    {"bending_twist", &kBendingModulus,
+     "Moment per width by twice the twist; without it half the geometric mean of both"},
+    {"damping", &kDelay, "By the rate of a strain or bend the cloth resists as by this time's worth of it",
+     "0.0001"},
+    {"energy", &kFabricEnergy, "What strains are: of the yarns, Green's, or of an isotropic stable solid",
+     "\"yarn\""},
+    {"warp_direction", &kDirection, "The warp of a mesh, before its transform; a grid's goes along i",
+     "[1, 0, 0]"},
+};
+constexpr Type kFabric{.kind = Kind::Object, .keys = kFabricKeys};
 constexpr Key kClothKeys[] = {
     {"name", &kShortText, "For messages"},
     {"grid", &kGrid, "Nodes along i and j; all grids together have at most 67108864"},
@@ -246,6 +269,7 @@ constexpr Key kClothKeys[] = {
     {"transform", &kTransform, "From the sheet centred on the origin, or the mesh, to the world", "{}"},
     {"density", &kDensity, "Mass per rest area"},
     {"node_mass", &kNodeMass, "Mass of every node alike"},
+    {"fabric", &kFabric, "Moduli of a measured cloth, instead of springs; only mass_spring takes it"},
     {"stiffness", &kStiffness, "Stiffness of the springs", "{}"},
     {"damping", &kDamping, "Damping along each spring", "0.25"},
     {"friction", &kFriction, "With cloth, and with colliders that give none; only proximity uses it", "0.3"},

@@ -120,15 +120,30 @@ struct Stiffness {
   bool operator==(const Stiffness&) const = default;
 };
 
+/// Which strains a fabric's energy is of (docs/elements.md, Membrane).
+enum class FabricEnergy { Yarn, Green, NeoHookean };
+
+/// A measured cloth: what strips of it resist with.
+struct Fabric {
+  double warp = 0, weft = 0, shear = 0;  // Young's moduli and shear modulus, force per width [N/m]
+  double poisson = 0;                    // weft's contraction by warp's extension
+  double bending_warp = 0, bending_weft = 0, bending_twist = 0;  // [N·m]
+  double damping = 0.0001;                                       // delay of Kelvin and Voigt [s]
+  FabricEnergy energy = FabricEnergy::Yarn;
+  Vec3d warp_direction{1, 0, 0};  // on a mesh, before its transform; a grid's warp goes along i
+  bool operator==(const Fabric&) const = default;
+};
+
 struct Cloth {
   std::string where;  // file and JSON path: "scenes/a.json: cloths[0]"
   std::string name;
   std::optional<GridShape> grid;  // either this
   std::string mesh;               // or this: the name of a model or a path; see mesh_path
   Transform transform;
-  std::optional<double> density;    // either this [kg/m²]
-  std::optional<double> node_mass;  // or this [kg]
-  Stiffness stiffness;
+  std::optional<double> density;       // either this [kg/m²]
+  std::optional<double> node_mass;     // or this [kg]
+  std::optional<Fabric> fabric;        // instead of springs
+  Stiffness stiffness;                 // of springs
   double damping = 0.25;               // along each spring [N·s/m]
   double friction = 0.3;               // with cloth, and with colliders that give none
   std::optional<double> strain_limit;  // how far edges are stretched at most, of their length

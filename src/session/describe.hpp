@@ -16,7 +16,9 @@ Description describe(const Running& running, std::uint64_t nodes, std::uint64_t 
   Description made;
   made.nodes = nodes;
   made.triangles = triangles;
-  made.springs = running.spring_count();
+  made.springs = running.element_count(ElementKind::Spring);
+  made.membranes = running.element_count(ElementKind::Membrane);
+  made.hinges = running.element_count(ElementKind::Hinge);
   made.dropped_triangles = dropped_triangles;
   made.solver = scene::name_of(method.kind);
   made.solver_reason = running.plan().reason();

@@ -110,7 +110,9 @@ class World {
   double step() const { return plan_.step(); }  // [s]
   std::uint32_t frame() const { return asked_; }
   double time() const { return plan_.begin_of(asked_); }  // [s]
-  std::size_t spring_count() const { return spring_count_; }
+  std::uint64_t element_count(ElementKind kind) const {
+    return element_counts_[static_cast<std::size_t>(kind)];
+  }
   /// How many pairs act on each vertex at the end of a frame, f32, while count_contacts is on; null where no
   /// pairs are listed (scene::ContactMethod).
   const gpu::Buffer<float>* contact_counts() const { return contact_.counts(); }
@@ -160,7 +162,7 @@ class World {
   std::uint32_t frame_ = 0;    // submitted
   std::uint32_t asked_ = 0;    // by advance_frame: more than that while frames are repeated
   std::uint32_t attempt_ = 0;  // counts up when frames are repeated
-  std::size_t spring_count_ = 0;
+  std::array<std::uint64_t, kElementKinds> element_counts_{};
   Totals totals_;
   std::optional<Error> diverged_;  // of the first bad frame
   std::uint32_t bad_frame_ = 0;    // its number

@@ -18,7 +18,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_CHECK(check_node_count(node_count(scene_, assets), device_));
   assets_ = assets;
   WEFT_TRY(host, build_model(scene_, assets.cloths));
-  spring_count_ = host.count(ElementKind::Spring);
+  for (std::size_t kind = 0; kind < kElementKinds; ++kind)
+    element_counts_[kind] = host.count(static_cast<ElementKind>(kind));
   WEFT_TRY(plan, FramePlan::create(scene_, host, assets_));
   plan_ = std::move(plan);
   WEFT_TRY(model, GpuModel::create(device_, std::move(host)));

@@ -20,6 +20,12 @@ std::string repeated(std::string_view text, std::size_t count) {
   return result;
 }
 
+/// A scene of one cloth whose fabric has these keys.
+std::string scene_of_fabric(const std::string& fabric, const std::string& more = "") {
+  return scene_of_cloth(R"("grid": [4, 4], "size": [1, 1], "density": 0.2, "fabric": {)" + fabric + "}" +
+                        more);
+}
+
 std::vector<BadScene> bad_scenes() {
   const std::string good = tiny_scene();
   const std::string line = R"("kind": "line", "direction": [1, 0, 0], "speed": 1)";
@@ -62,6 +68,23 @@ std::vector<BadScene> bad_scenes() {
       {R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"}, "cloths": [{"grid": [4, 4], "size": [1, 1],
            "density": 0.2, "strain_limit": 0.1}]})",
        "cloths[0].strain_limit is 0.1, and solver.kind \"mass_spring\" keeps none; \"multigrid\" does."},
+      {R"({"format": "weft-scene/1", "solver": {"kind": "multigrid"}, "cloths": [{"grid": [4, 4], "size": [1, 1],
+           "density": 0.2, "fabric": {"warp": 9, "shear": 3, "bending_warp": 0}}]})",
+       "cloths[0] has membranes, which solver.kind \"multigrid\" does not take; \"mass_spring\" does."},
+      {R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "cloths": [{
+           "grid": [4, 4], "size": [1, 1], "density": 0.2, "fabric": {"warp": 9, "shear": 3, "bending_warp": 0}}]})",
+       "cloths[0].fabric has no springs; solver.forces \"spring_centric\" has springs only"},
+      {scene_of_fabric(R"("shear": 3, "bending_warp": 0)"), "cloths[0].fabric.warp is missing; it must be a number"},
+      {scene_of_fabric(R"("warp": 9, "weft": 36, "poisson": 0.5, "shear": 3, "bending_warp": 0)"),
+       "fabric.poisson is 0.5; its square must be below warp / weft, 0.25"},
+      {scene_of_fabric(R"("warp": 9, "weft": 8, "shear": 4.5, "bending_warp": 0, "energy": "neo_hookean")"),
+       "fabric.weft is 8 N/m; energy \"neo_hookean\" has no axes and needs that of warp, 9"},
+      {scene_of_fabric(R"("warp": 9, "shear": 3, "bending_warp": 0, "energy": "neo_hookean")"),
+       "fabric.shear is 3 N/m; energy \"neo_hookean\" has no axes and needs warp / (2 + 2 poisson), 4.5"},
+      {scene_of_fabric(R"("warp": 9, "shear": 3, "bending_warp": 0)", R"(, "stiffness": {"bend": 1})"),
+       "cloths[0].stiffness is of springs; a cloth with \"fabric\" has none"},
+      {scene_of_fabric(R"("warp": 9, "shear": 3, "bending_warp": 0)", R"(, "damping": 1)"),
+       "cloths[0].damping is of springs; a cloth with \"fabric\" has fabric.damping instead"},
       {scene_of_cloth(R"("grid": [4, 4], "size": [1, 1], "density": 0.2, "strain_limit": 0)"),
        "strain_limit is 0; it must be from 0.001 to 10"},
       {tiny_scene(R"("contact": {"method": "bvhh"}, )"), "did you mean \"bvh\"?"},

@@ -21,6 +21,7 @@
 #include "element/spring/spring_grid.hpp"
 #include "gpu/kernel.hpp"
 #include "mesh/sheet_rim.hpp"
+#include "method/mass_spring/advance_fabric.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
 #include "method/multigrid/cycle.hpp"
 #include "method/multigrid/grid_level_params.hpp"
@@ -70,6 +71,10 @@ PART(Air, "StepAir")
 PART(Hands, "StepHands")
 PART(Method, "StepMethod")
 #undef PART
+template <>
+struct Scalar<MembraneLawBlock> {
+  static constexpr const char* kName = "MembraneLaw";
+};
 
 template <class T>
 Json member(const char* name, std::size_t offset) {
@@ -153,6 +158,16 @@ Json mesh_params() {
   using T = MeshParams;
   return row("MeshParams", "method/mass_spring/advance_mesh.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(kinds)});
+}
+Json membrane_law() {
+  using T = MembraneLawBlock;
+  return row("MembraneLaw", "element/membrane/law.wgsl", sizeof(T), kUniform,
+             {M(stiffness), M(delay), M(energy)});
+}
+Json fabric_params() {
+  using T = FabricParams;
+  return row("FabricParams", "method/mass_spring/fabric_params.wgsl", sizeof(T), kUniform,
+             {M(first), M(count), M(triangles), M(hinges), M(law)});
 }
 Json spring_grid_row() {
   using T = SpringGrid;
@@ -315,16 +330,46 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),        step_time(),     step_nodes(),      step_contact(),
-                      step_air(),          step_hands(),    step_method(),     spring(),
-                      spring_kind(),       limited_edge(),  spring_block(),    block_spring(),
-                      neighbour(),         mesh_params(),   surface_params(),  object_triangle(),
-                      spring_grid_row(),   level_of_grid(), tree_node(),       pair_range(),
-                      analytic_collider(), listed_pair(),   contact_of_pair(), pair_hold(),
-                      search_params(),     patch_place(),   tree_params(),     colliders(),
-                      collider_place(),    frame(),         weave(),           plane(),
-                      fine_grid(),         cloth_nodes(),   bottom_sweeps(),   springs_of_color(),
-                      level_of_mesh(),     share()});
+  return Json::array({step_block(),
+                      step_time(),
+                      step_nodes(),
+                      step_contact(),
+                      step_air(),
+                      step_hands(),
+                      step_method(),
+                      spring(),
+                      spring_kind(),
+                      limited_edge(),
+                      spring_block(),
+                      block_spring(),
+                      neighbour(),
+                      mesh_params(),
+                      membrane_law(),
+                      fabric_params(),
+                      surface_params(),
+                      object_triangle(),
+                      spring_grid_row(),
+                      level_of_grid(),
+                      tree_node(),
+                      pair_range(),
+                      analytic_collider(),
+                      listed_pair(),
+                      contact_of_pair(),
+                      pair_hold(),
+                      search_params(),
+                      patch_place(),
+                      tree_params(),
+                      colliders(),
+                      collider_place(),
+                      frame(),
+                      weave(),
+                      plane(),
+                      fine_grid(),
+                      cloth_nodes(),
+                      bottom_sweeps(),
+                      springs_of_color(),
+                      level_of_mesh(),
+                      share()});
 }
 
 Json shared_constants() {

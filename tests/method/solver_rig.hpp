@@ -125,6 +125,7 @@ class SolverRig {
     for (const Spring s : model_.host.springs())
       system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
+    system.fabrics = reference::fabric_cloths(model_.host);
     system.acceleration = scene_.gravity + scene_.external_force;
     system.drag = scene_.drag;
     system.wind = scene::wind_field(scene_.wind);

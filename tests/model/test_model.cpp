@@ -81,6 +81,48 @@ TEST_CASE("elements of several cloths are numbered through, made once, and of a 
   CHECK(model.springs()[0].stiffness == 2500.0F);
 }
 
+TEST_CASE("cloth of fabric has a membrane for each triangle, hinges between them, and no springs") {
+  const Model model = model_of(R"({"grid": [4, 3], "size": [3, 2], "density": 0.2,
+      "transform": {"rotate": [0, 0.6, 0, 0.8]}, "fabric": {"warp": 9, "shear": 3, "bending_warp": 1}})");
+  CHECK(model.count(ElementKind::Membrane) == 2 * 3 * 2);
+  CHECK(model.count(ElementKind::Hinge) == 23 - 10);  // edges, without those of the rim
+  CHECK(model.count(ElementKind::Spring) == 0);
+  CHECK(model.count(ElementKind::Triple) == 0);
+  const Vec3d along = model.rest_position[1] - model.rest_position[0];  // of i
+  CHECK(length(cross(model.bodies[0].warp, along)) < 1e-12);
+}
+
+TEST_CASE("the warp of a mesh turns with it") {
+  const auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "cloths": [{"mesh": "a.obj", "density": 1, "transform": {
+        "rotate": [0, 0, 0.70710678118, 0.70710678118], "translate": [5, 5, 5]},
+        "fabric": {"warp": 9, "shear": 3, "bending_warp": 1, "warp_direction": [0, 2, 0]}}]})",
+      "test.json");
+  REQUIRE(scene);
+  mesh::TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  const auto model = build_model(*scene, {mesh});
+  REQUIRE(model);
+  CHECK(length(model->bodies[0].warp - Vec3d{-2, 0, 0}) < 1e-6);
+}
+
+TEST_CASE("fabric has no membrane of a triangle without area") {
+  const auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "cloths": [{"mesh": "a.obj", "density": 1,
+        "fabric": {"warp": 9, "shear": 3, "bending_warp": 1}}]})",
+      "test.json");
+  REQUIRE(scene);
+  mesh::TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}};
+  mesh.triangles = {{0, 3, 2}, {3, 1, 2}, {0, 1, 3}};
+  const auto model = build_model(*scene, {mesh});
+  REQUIRE_FALSE(model);
+  CHECK(model.error().kind == ErrorKind::Input);
+  CHECK(model.error().message.find("cloths[0].fabric: triangle 2 of the mesh has no area") !=
+        std::string::npos);
+}
+
 TEST_CASE("a cloth vertex without area is bad input that names the cloth") {
   const auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "cloths": [{"mesh": "a.obj", "density": 1}]})", "test.json");

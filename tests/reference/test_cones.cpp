@@ -16,7 +16,7 @@ using namespace weft::reference;
 namespace {
 
 /// Two triangles at the edge 0-1, along z; the other corners lie at x = -1 and 1, at this height [m].
-Features hinge(double height) {
+Features bent(double height) {
   return features_of({{0, 0, 0}, {0, 0, 1}, {-1, height, 0.5}, {1, height, 0.5}}, {{0, 1, 2}, {1, 0, 3}});
 }
 /// `sides` triangles around an apex at the origin, whose rim lies at this height.
@@ -119,20 +119,20 @@ TEST_CASE("in double a floor of triangles drags a sheet by its friction and no m
 TEST_CASE("the edge of a ridge has a cone between the normals of its sides, that of a valley none") {
   const double s = 0.5;  // of both sides
   const mesh::Edge edge{0, 1};
-  for (const double lean : {-0.499, -0.3, 0.0, 0.499}) CHECK(in_cone_of_edge(hinge(-s), edge, leaning(lean)));
-  for (const double lean : {-0.51, 0.51, 3.0}) CHECK_FALSE(in_cone_of_edge(hinge(-s), edge, leaning(lean)));
+  for (const double lean : {-0.499, -0.3, 0.0, 0.499}) CHECK(in_cone_of_edge(bent(-s), edge, leaning(lean)));
+  for (const double lean : {-0.51, 0.51, 3.0}) CHECK_FALSE(in_cone_of_edge(bent(-s), edge, leaning(lean)));
   for (const double lean : {-1.0, -0.5, 0.0, 0.2, 0.5})
-    CHECK_FALSE(in_cone_of_edge(hinge(s), edge, leaning(lean)));
+    CHECK_FALSE(in_cone_of_edge(bent(s), edge, leaning(lean)));
   // Seen from below the valley is a ridge.
-  CHECK(in_cone_of_edge(hinge(s), edge, -leaning(0.3)));
+  CHECK(in_cone_of_edge(bent(s), edge, -leaning(0.3)));
 }
 
 TEST_CASE("the edge of a flat floor has its normal and no other direction, but for the slack of rounding") {
   const mesh::Edge edge{0, 1};
   for (const double lean : {0.0, 0.9 * kConeSlack, -0.9 * kConeSlack})
-    CHECK(in_cone_of_edge(hinge(0), edge, leaning(lean)));
+    CHECK(in_cone_of_edge(bent(0), edge, leaning(lean)));
   for (const double lean : {1.1 * kConeSlack, -1.1 * kConeSlack, 1.0})
-    CHECK_FALSE(in_cone_of_edge(hinge(0), edge, leaning(lean)));
+    CHECK_FALSE(in_cone_of_edge(bent(0), edge, leaning(lean)));
   const Features floor = tent(6, 0, true);
   CHECK(in_cone_of_vertex(floor, 0, leaning(0)));
   CHECK_FALSE(in_cone_of_vertex(floor, 0, leaning(2 * kConeSlack)));
@@ -170,24 +170,24 @@ TEST_CASE("of an edge with three triangles a direction must lead off all of them
 TEST_CASE("a vertex beside a triangle meets it only where no neighbour of the triangle is nearer") {
   // Over the right side of the hinge, 0.2 m from the edge. Triangle 0 is the left one.
   for (const double height : {-0.5, 0.0, 0.5}) {
-    const Features object = hinge(height);
+    const Features object = bent(height);
     const Vec3d over_right = Vec3d{0.2, 0.2 * height, 0.5} + 0.1 * Vec3d{-height, 1, 0};
     CHECK_FALSE(meets(object, 0, over_right));
     CHECK(meets(object, 1, over_right));
   }
   // Over a ridge both have the edge nearest; over a valley each has its inside.
   for (const double height : {-0.5, 0.0, 0.5})
-    for (const std::uint32_t t : {0U, 1U}) CHECK(meets(hinge(height), t, {0, 0.1, 0.5}));
+    for (const std::uint32_t t : {0U, 1U}) CHECK(meets(bent(height), t, {0, 0.1, 0.5}));
   // Beyond the border of the mesh.
-  CHECK(meets(hinge(0), 1, {0.9, 0.1, 0.9}));
-  CHECK(meets(hinge(0), 1, {1.1, 0.1, 0.5}));
+  CHECK(meets(bent(0), 1, {0.9, 0.1, 0.9}));
+  CHECK(meets(bent(0), 1, {1.1, 0.1, 0.5}));
 }
 
 TEST_CASE("an edge over the edge of a box acts, over the diagonal of its flat side only along the normal") {
-  CHECK(crosses_over(hinge(-1), {-0.5, 0.1, 0.4}, {0.5, 0.1, 0.6}));
-  CHECK(crosses_over(hinge(0), {-0.5, 0.1, 0.4}, {0.5, 0.1, 0.6}));
-  CHECK_FALSE(crosses_over(hinge(0), {-0.5, 0.05, 0.4}, {0.5, 0.15, 0.6}));  // its lower end is nearer
-  CHECK_FALSE(crosses_over(hinge(1), {-0.5, 0.6, 0.4}, {0.5, 0.6, 0.6}));    // so are the valley's sides
+  CHECK(crosses_over(bent(-1), {-0.5, 0.1, 0.4}, {0.5, 0.1, 0.6}));
+  CHECK(crosses_over(bent(0), {-0.5, 0.1, 0.4}, {0.5, 0.1, 0.6}));
+  CHECK_FALSE(crosses_over(bent(0), {-0.5, 0.05, 0.4}, {0.5, 0.15, 0.6}));  // its lower end is nearer
+  CHECK_FALSE(crosses_over(bent(1), {-0.5, 0.6, 0.4}, {0.5, 0.6, 0.6}));    // so are the valley's sides
 }
 
 TEST_CASE("a vertex of a flat floor pricks cloth over it along its normal, a spike also leaning cloth") {
@@ -209,7 +209,7 @@ TEST_CASE("what has a radius has no cone") {
   Features bar = features_of({}, {});
   bar.add_capsule({-1, -0.3, 0.5}, {2, -0.3, 0.5}, 0.25);
   bar.add_sphere({0, -0.3, 0.5}, 0.25);
-  const Features cloth = hinge(-0.1);  // about the bar: its edge is not the nearest
+  const Features cloth = bent(-0.1);  // about the bar: its edge is not the nearest
   for (const FeaturePair& pair : object_pairs(cloth, bar, trees_of(bar), 0.2))
     CHECK(measured(pair, cloth, bar).in_cones);
 }

@@ -17,7 +17,7 @@ bool all_finite(const std::vector<Vec3d>& values, double bound) {
 }
 
 /// A stretched membrane, pinned all around, that swings: smooth, and no spring is ever pressed.
-Sheet membrane() {
+Sheet slack_sheet() {
   Sheet sheet(
       R"("cloths": [{"grid": [13, 10], "size": [1, 0.75], "plane": "xz", "density": 0.2, "damping": 0.05,
       "stiffness": {"structural": 300, "shear": 100, "bend": 20, "bending": 1e-4}, "pins": ["edges"]}])");
@@ -31,7 +31,7 @@ Sheet membrane() {
 }
 
 std::vector<Vec3d> swung(int steps, double residual) {
-  Sheet sheet = membrane();
+  Sheet sheet = slack_sheet();
   sheet.stepper.wanted_residual = residual;
   sheet.advance(0.05 / steps, steps);
   return sheet.system.position;
@@ -41,7 +41,7 @@ std::vector<Vec3d> swung(int steps, double residual) {
 
 TEST_CASE(
     "the step is of second order in time with solved systems, and no lower as they are solved by default") {
-  const Sheet start = membrane();
+  const Sheet start = slack_sheet();
   const std::vector<Vec3d> exact = swung(4096, 1e-10);
   for (const double residual : {1e-10, scene::Solver{}.residual}) {
     std::vector<double> errors;

@@ -64,6 +64,27 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK_FALSE(cloth.node_mass);
 }
 
+TEST_CASE("what a fabric leaves out follows from the rest of it") {
+  const Scene scene = parsed(
+      R"({"format": "weft-scene/1", "cloths": [{"grid": [3, 3], "size": [1, 1], "density": 1,
+          "fabric": {"warp": 100, "shear": 30, "bending_warp": 4}},
+        {"grid": [3, 3], "size": [1, 1], "density": 1,
+          "fabric": {"warp": 100, "weft": 50, "shear": 30, "bending_warp": 4, "bending_weft": 9,
+            "energy": "green"}}]})");
+  const Fabric &plain = *scene.cloths.at(0).fabric, &woven = *scene.cloths.at(1).fabric;
+  CHECK(plain.weft == 100);
+  CHECK(plain.poisson == 0);
+  CHECK(plain.bending_weft == 4);
+  CHECK(plain.bending_twist == 2);
+  CHECK(plain.damping == Fabric{}.damping);
+  CHECK(plain.energy == FabricEnergy::Yarn);
+  CHECK(plain.warp_direction == Vec3d{1, 0, 0});
+  CHECK(woven.weft == 50);
+  CHECK(woven.bending_weft == 9);
+  CHECK(woven.bending_twist == 3);
+  CHECK(woven.energy == FabricEnergy::Green);
+}
+
 TEST_CASE("a default-made Scene has the same defaults as one that is read") {
   const Scene made, read = parsed(minimal_scene());
   CHECK(made.gravity == read.gravity);

@@ -61,6 +61,7 @@ TEST_CASE("a difference in anything else is found and named by its key") {
         {"cloths[1].transform", R"({"scale": 2})"},
         {"cloths[1].density", "0.3"},
         {"cloths[0].stiffness", R"({"bend": 1})"},
+        {"cloths[1].fabric", R"({"warp": 9, "shear": 3, "bending_warp": 0})"},
         {"cloths[1].damping", "0.1"},
         {"cloths[1].friction", "0.1"},
         {"cloths[1].pins", R"(["bottom_right"])"},

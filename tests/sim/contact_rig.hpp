@@ -122,6 +122,7 @@ inline reference::MassSpringSystem system_of(const sim::World& world, const Mome
   system.velocity = now.velocity;
   for (const double mass : now.mass) system.inverse_mass.push_back(mass > 0 ? 1 / mass : 0);
   system.springs = reference::spring_links(world.model().host);
+  system.fabrics = reference::fabric_cloths(world.model().host);
   system.acceleration = world.scene().gravity;
   return system;
 }

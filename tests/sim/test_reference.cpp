@@ -27,7 +27,7 @@ class Twins {
     REQUIRE_OK(made);
     exact_.emplace(std::move(*made));
     CHECK(exact_->substeps() == world_->substeps());
-    CHECK(exact_->spring_count() == world_->spring_count());
+    CHECK(exact_->element_count(ElementKind::Spring) == world_->element_count(ElementKind::Spring));
     // Both find the limit by the same code.
     CHECK(exact_->plan().limit().largest_step ==
           doctest::Approx(world_->plan().limit().largest_step).epsilon(1e-4).scale(0));

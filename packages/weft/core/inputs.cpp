@@ -39,6 +39,8 @@ nlohmann::ordered_json json_of(const Description& description) {
   return {{"nodes", description.nodes},
           {"triangles", description.triangles},
           {"springs", description.springs},
+          {"membranes", description.membranes},
+          {"hinges", description.hinges},
           {"substeps", description.substeps},
           {"frameSeconds", description.frame_seconds},
           {"stepSeconds", description.step_seconds},

@@ -41,6 +41,9 @@ export interface WorldInfo {
   nodes: number;
   triangles: number;
   springs: number;
+  /** Of cloths of fabric. */
+  membranes: number;
+  hinges: number;
   /** Steps a frame, and how long each is and may be [s]. */
   substeps: number;
   stepSeconds: number;

@@ -40,6 +40,43 @@ Vec3d angles_of(const std::array<Part, 3>& parts, std::span<const double> bends)
   return angles;
 }
 
+/// The facets to which a part of a hinge's angle falls, ascending: its own, and those at the other sides of these.
+std::vector<std::uint32_t> facets_of(const Plate& plate, std::uint32_t number) {
+  std::vector<std::uint32_t> facets;
+  const Hinge& hinge = plate.hinges[number];
+  facets.assign(hinge.triangles.begin(), hinge.triangles.end());
+  for (const std::uint32_t other : hinge.others)
+    if (other != kNone)
+      facets.insert(facets.end(), plate.hinges[other].triangles.begin(), plate.hinges[other].triangles.end());
+  std::sort(facets.begin(), facets.end());
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+  return facets;
+}
+
+/// Adds what a facet has in a hinge's row of the matrix of moments.
+void add_row(const Plate& plate, const Facet& facet, std::uint32_t hinge, std::vector<Coupling>& row) {
+  const std::array<Part, 3> parts = parts_of(plate, facet);
+  Vec3d own;  // the hinge's weights in the three parts
+  for (int i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 5; ++k) {
+      const Part& part = parts[static_cast<std::size_t>(i)];
+      if (part.hinges[k] == hinge) own[i] += part.weights[k];
+    }
+  const Vec3d by_part = facet.stiffness * own;  // which is symmetric
+  for (int j = 0; j < 3; ++j)
+    for (std::size_t l = 0; l < 5; ++l) {
+      const Part& part = parts[static_cast<std::size_t>(j)];
+      const double entry = by_part[j] * part.weights[l];
+      if (entry == 0) continue;
+      const auto found =
+          std::find_if(row.begin(), row.end(), [&](const Coupling& c) { return c.column == part.hinges[l]; });
+      if (found == row.end())
+        row.push_back({hinge, part.hinges[l], entry});
+      else
+        found->entry += entry;
+    }
+}
+
 /// A facet's parts of angles as linear forms of places, for small bends of a plane sheet: rows over its nodes.
 struct FlatForms {
   std::vector<std::uint32_t> nodes;
@@ -109,18 +146,13 @@ void add_forces(const Plate& plate, std::span<const double> moments, std::span<c
 }
 
 std::vector<Coupling> couplings(const Plate& plate) {
-  std::vector<Coupling> all;
-  for (const Facet& facet : plate.facets) {
-    const std::array<Part, 3> parts = parts_of(plate, facet);
-    const std::array rows = {facet.stiffness.x, facet.stiffness.y, facet.stiffness.z};
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t k = 0; k < 5; ++k)
-          for (std::size_t l = 0; l < 5; ++l) {
-            const double weight = parts[i].weights[k] * parts[j].weights[l];
-            if (weight != 0)
-              all.push_back({parts[i].hinges[k], parts[j].hinges[l], weight * rows[i][static_cast<int>(j)]});
-          }
+  std::vector<Coupling> all, row;
+  for (std::uint32_t h = 0; h < plate.hinges.size(); ++h) {
+    row.clear();
+    for (const std::uint32_t facet : facets_of(plate, h)) add_row(plate, plate.facets[facet], h, row);
+    std::sort(row.begin(), row.end(),
+              [](const Coupling& a, const Coupling& b) { return a.column < b.column; });
+    all.insert(all.end(), row.begin(), row.end());
   }
   return all;
 }

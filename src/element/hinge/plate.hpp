@@ -62,8 +62,8 @@ struct Coupling {
   std::uint32_t row = 0, column = 0;
   double entry = 0;
 };
-/// The matrix of `moments`, by hinges [N·m]. The Gauss-Newton Hessian of the energy is its product with the angles'
-/// slopes from both sides.
+/// The matrix of `moments`, by hinges, row by row with columns ascending [N·m]. The Gauss-Newton Hessian of the energy
+/// is its product with the angles' slopes from both sides.
 std::vector<Coupling> couplings(const Plate& plate);
 
 /// Of a sheet that is plane at rest, at these places: the matrix by nodes [N/m] of the quadratic energy

@@ -2,18 +2,22 @@
 
 #include <array>
 
+#include "method/mass_spring/fabric_spectrum.hpp"
 #include "method/mass_spring/spectrum.hpp"
 
 namespace weft {
 
 StepLimit mass_spring_step_limit(const Model& model, double drag) {
   std::vector<NetworkSpectrum> cloths;
-  for (const Body& body : model.bodies) cloths.push_back(find_spectrum(stiffest_part(model, body)));
+  for (const Body& body : model.bodies)
+    cloths.push_back(body.fabric ? find_fabric_spectrum(model, body)
+                                 : find_spectrum(stiffest_part(model, body)));
   return least_step_limit(std::move(cloths), drag);
 }
 
 Method mass_spring_method() {
-  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple};
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane,
+                                        ElementKind::Hinge};
   static constexpr MethodCost kCost = {{0.0045, 2.0e-8}, {0.0095, 6.7e-8}, {0.14, 1.5e-6}, {0.09, 5.0e-7}};
   Method row{};
   row.kind = scene::SolverKind::MassSpring;

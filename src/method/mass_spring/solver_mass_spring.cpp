@@ -45,6 +45,7 @@ void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
   }
   for (const AdvanceGrid& advance : grids_) advance.record(pass);
   for (const AdvanceMesh& advance : meshes_) advance.record(pass);
+  for (const AdvanceFabric& advance : fabrics_) advance.record(pass);
 }
 
 Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settings,
@@ -72,12 +73,18 @@ Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settin
 
 Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
   const auto& bodies = inputs.model.host.bodies;
-  const bool two =
-      inputs.contacts == nullptr && two_pay(inputs) &&
-      std::all_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.grid.has_value(); });
+  const bool two = inputs.contacts == nullptr && two_pay(inputs) &&
+                   std::all_of(bodies.begin(), bodies.end(),
+                               [](const Body& body) { return body.grid.has_value() && !body.fabric; });
   const std::size_t most = inputs.device.limits().max_workgroups_per_dimension;
   for (std::size_t b = 0; b < bodies.size();) {
     const Body& body = bodies[b];
+    if (body.fabric) {
+      WEFT_TRY(advance, AdvanceFabric::create(inputs, body));
+      fabrics_.push_back(std::move(advance));
+      ++b;
+      continue;
+    }
     if (!body.grid) {
       WEFT_TRY(advance, AdvanceMesh::create(inputs, body));
       meshes_.push_back(std::move(advance));

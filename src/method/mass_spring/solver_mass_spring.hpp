@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "method/mass_spring/advance_fabric.hpp"
 #include "method/mass_spring/advance_grid.hpp"
 #include "method/mass_spring/advance_grid_twice.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
@@ -45,6 +46,7 @@ class SolverMassSpring : public Solver {
   std::vector<AdvanceGrid> grids_;
   std::vector<AdvanceGridTwice> twice_;
   std::vector<AdvanceMesh> meshes_;
+  std::vector<AdvanceFabric> fabrics_;
 };
 
 }  // namespace weft

@@ -103,8 +103,15 @@ void apply(const Shares& shares, const std::vector<Vec3d>& x, std::vector<Vec3d>
   }
 }
 
-double largest_eigenvalue(const Shares& shares, std::size_t count) {
+double largest_of(const Shares& shares, std::size_t count) {
   if (shares.rows.empty() && shares.triples.empty()) return 0;
+  return largest_eigenvalue([&](const std::vector<Vec3d>& x, std::vector<Vec3d>& y) { apply(shares, x, y); },
+                            count);
+}
+
+}  // namespace
+
+double largest_eigenvalue(const SymmetricProduct& product, std::size_t count) {
   Random random(1);
   std::vector<Vec3d> x(count), before(count), y(count);
   for (Vec3d& v : x)
@@ -113,7 +120,7 @@ double largest_eigenvalue(const Shares& shares, std::size_t count) {
   for (Vec3d& v : x) v = v / start;
   std::vector<double> diagonal, beside, estimates;
   while (diagonal.size() < std::min(kMostSteps, 3 * count)) {
-    apply(shares, x, y);
+    product(x, y);
     double along = 0;
     for (std::size_t n = 0; n < count; ++n) along += dot(x[n], y[n]);
     diagonal.push_back(along);
@@ -133,12 +140,10 @@ double largest_eigenvalue(const Shares& shares, std::size_t count) {
   return estimates.back();
 }
 
-}  // namespace
-
 NetworkSpectrum find_spectrum(const SpringNetwork& network) {
   const std::size_t count = network.position.size();
-  return {largest_eigenvalue({rows_of(network, &Spring::stiffness), triple_rows_of(network)}, count),
-          largest_eigenvalue({rows_of(network, &Spring::damping), {}}, count)};
+  return {largest_of({rows_of(network, &Spring::stiffness), triple_rows_of(network)}, count),
+          largest_of({rows_of(network, &Spring::damping), {}}, count)};
 }
 
 }  // namespace weft

@@ -46,6 +46,7 @@ export class Readings {
         ["Nodes", whole.format(info.nodes)],
         ["Triangles", whole.format(info.triangles)],
         ["Springs", whole.format(info.springs)],
+        ["Membranes, hinges", `${whole.format(info.membranes)}, ${whole.format(info.hinges)}`],
         ["Substeps per frame", whole.format(info.substeps)],
         ["Step", `${two.format(1000 * info.stepSeconds)} ms`],
         ["Largest stable step", `${two.format(1000 * info.stableStepSeconds)} ms`],

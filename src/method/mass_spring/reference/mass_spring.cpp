@@ -30,6 +30,7 @@ std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
     forces[triple.node_b] += 2 * force;
     forces[triple.node_c] -= force;
   }
+  for (const FabricCloth& cloth : system.fabrics) cloth.add_forces(system.position, system.velocity, forces);
   return forces;
 }
 
@@ -88,6 +89,7 @@ double energy(const MassSpringSystem& system) {
     const Vec3d curvature = curvature_of(system, triple);
     sum += 0.5 * triple.stiffness * dot(curvature, curvature);
   }
+  for (const FabricCloth& cloth : system.fabrics) sum += cloth.energy(system.position);
   return sum;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/vec.hpp"
 #include "element/spring/law.hpp"
+#include "method/mass_spring/reference/fabric.hpp"
 #include "scene/wind.hpp"
 
 namespace weft::reference {
@@ -39,6 +40,7 @@ struct MassSpringSystem {
   std::vector<double> inverse_mass;       // [1/kg]
   std::vector<SpringLink> springs;
   std::vector<BendLink> bending;
+  std::vector<FabricCloth> fabrics;
   Vec3d acceleration;  // gravity and external force [m/s²]
   double drag = 0;     // [1/s]
   scene::WindField wind;
@@ -48,7 +50,7 @@ struct MassSpringSystem {
   double grab_speed = 0;  // [m/s]
 };
 
-/// The force of every node's springs and of its resistance to bending [N].
+/// The force of every node's springs, of its resistance to bending, and of fabric [N].
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
 
 /// The wind at a place and time [m/s].

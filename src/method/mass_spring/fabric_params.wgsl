@@ -1,0 +1,9 @@
+// A cloth of fabric for its kernels: its nodes, how many triangles and hinges it has, and its membranes' law.
+#include "element/membrane/law.wgsl"
+struct FabricParams {  // mirror: src/method/mass_spring/advance_fabric.hpp
+  first : u32,
+  count : u32,
+  triangles : u32,
+  hinges : u32,
+  law : MembraneLaw,
+}

@@ -1,0 +1,34 @@
+// The forces of a cloth of fabric as plain loops in double. Source: docs/elements.md.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "element/hinge/plate.hpp"
+#include "element/membrane/law.hpp"
+
+namespace weft {
+struct Model;
+}
+
+namespace weft::reference {
+
+/// Membranes and hinges of one cloth. Nodes count from `first`.
+struct FabricCloth {
+  std::uint32_t first = 0, count = 0;
+  std::vector<mesh::Triangle> triangles;
+  std::vector<membrane::Rest> rest;  // of the triangles
+  membrane::Law law;
+  hinge::Plate plate;
+
+  /// Adds the forces of all nodes of the model at these places [m] and velocities [m/s] to `forces` [N].
+  void add_forces(std::span<const Vec3d> position, std::span<const Vec3d> velocity,
+                  std::span<Vec3d> forces) const;
+  double energy(std::span<const Vec3d> position) const;  // [J]
+};
+
+/// Those of a model's bodies that are of fabric.
+std::vector<FabricCloth> fabric_cloths(const Model& model);
+
+}  // namespace weft::reference

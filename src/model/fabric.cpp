@@ -1,0 +1,45 @@
+#include "model/fabric.hpp"
+
+namespace weft {
+
+membrane::Law membrane_law(const scene::Fabric& fabric) {
+  const Moduli moduli{fabric.warp, fabric.weft, fabric.poisson, fabric.shear};
+  membrane::Energy energy = membrane::Energy::Yarn;
+  if (fabric.energy == scene::FabricEnergy::Green) energy = membrane::Energy::Green;
+  if (fabric.energy == scene::FabricEnergy::NeoHookean) energy = membrane::Energy::NeoHookean;
+  return {energy, Stiffness::of(moduli), fabric.damping};
+}
+
+Stiffness bending_law(const scene::Fabric& fabric) {
+  return {fabric.bending_warp, 0, fabric.bending_weft, fabric.bending_twist};
+}
+
+FabricSheet fabric_sheet(const Model& model, const Body& body) {
+  FabricSheet sheet;
+  sheet.warp = body.warp;
+  for (std::uint32_t v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+    sheet.position.push_back(model.rest_position[v]);
+    sheet.held.push_back(model.kinematic(v) ? 1 : 0);
+  }
+  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t) {
+    mesh::Triangle triangle = model.triangles[t];
+    for (std::uint32_t& vertex : triangle) vertex -= body.first_vertex;
+    sheet.triangles.push_back(triangle);
+  }
+  return sheet;
+}
+
+hinge::Plate plate_of(const Model& model, const Body& body) {
+  return hinge::build_plate(fabric_sheet(model, body).rest(), bending_law(*body.fabric));
+}
+
+ElementTable hinge_table(const hinge::Plate& plate, std::uint32_t first) {
+  ElementTable table{ElementKind::Hinge, {}, {}, {}};
+  for (const hinge::Hinge& hinge : plate.hinges) {
+    for (const std::uint32_t node : hinge.nodes) table.nodes.push_back(first + node);
+    table.rest.push_back(static_cast<float>(hinge.rest_angle));
+  }
+  return table;
+}
+
+}  // namespace weft

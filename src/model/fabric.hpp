@@ -1,0 +1,34 @@
+// What a cloth of fabric is made of: its sheet at rest, its membranes' law and its plate. Source: docs/elements.md.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "element/hinge/plate.hpp"
+#include "element/membrane/law.hpp"
+#include "model/model.hpp"
+
+namespace weft {
+
+membrane::Law membrane_law(const scene::Fabric& fabric);
+/// What the fabric resists bending with [N·m].
+Stiffness bending_law(const scene::Fabric& fabric);
+
+/// A body's sheet at rest. Nodes count from 0.
+struct FabricSheet {
+  std::vector<Vec3d> position;  // [m]
+  std::vector<mesh::Triangle> triangles;
+  std::vector<std::uint8_t> held;  // 1: a node that the scene moves or pins
+  Vec3d warp;
+
+  RestSheet rest() const { return {position, triangles, warp, held}; }
+};
+FabricSheet fabric_sheet(const Model& model, const Body& body);
+
+/// Of a body of fabric. Nodes count from 0.
+hinge::Plate plate_of(const Model& model, const Body& body);
+
+/// The hinges of a plate as rows of a table; rest: the angle [rad]. Nodes are numbered from `first`.
+ElementTable hinge_table(const hinge::Plate& plate, std::uint32_t first);
+
+}  // namespace weft
