@@ -21,11 +21,7 @@ FabricSheet fabric_sheet(const Model& model, const Body& body) {
     sheet.position.push_back(model.rest_position[v]);
     sheet.held.push_back(model.kinematic(v) ? 1 : 0);
   }
-  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t) {
-    mesh::Triangle triangle = model.triangles[t];
-    for (std::uint32_t& vertex : triangle) vertex -= body.first_vertex;
-    sheet.triangles.push_back(triangle);
-  }
+  sheet.triangles = own_triangles(model, body);
   return sheet;
 }
 

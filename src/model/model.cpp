@@ -157,15 +157,19 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
   return model;
 }
 
+std::vector<mesh::Triangle> own_triangles(const Model& model, const Body& body) {
+  const auto first = model.triangles.begin() + body.first_triangle;
+  std::vector<mesh::Triangle> triangles(first, first + body.triangle_count);
+  for (mesh::Triangle& triangle : triangles)
+    for (std::uint32_t& vertex : triangle) vertex -= body.first_vertex;
+  return triangles;
+}
+
 mesh::TriangleMesh cloth_mesh(const Model& model, const Body& body) {
   mesh::TriangleMesh mesh;
   for (std::uint32_t v = 0; v < body.vertex_count; ++v)
     mesh.positions.push_back(model.rest_position[body.first_vertex + v].to<float>());
-  for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
-    mesh::Triangle triangle = model.triangles[body.first_triangle + t];
-    for (std::uint32_t& vertex : triangle) vertex -= body.first_vertex;
-    mesh.triangles.push_back(triangle);
-  }
+  mesh.triangles = own_triangles(model, body);
   return mesh;
 }
 

@@ -88,6 +88,9 @@ struct Model {
 /// moved, a grab does not mean one free node or shares it with another.
 Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes);
 
+/// The triangles of a cloth, whose nodes count from 0.
+std::vector<mesh::Triangle> own_triangles(const Model& model, const Body& body);
+
 /// The mesh of a cloth, numbered from 0, at rest.
 mesh::TriangleMesh cloth_mesh(const Model& model, const Body& body);
 

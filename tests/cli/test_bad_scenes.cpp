@@ -74,7 +74,8 @@ std::vector<BadScene> bad_scenes() {
       {R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "cloths": [{
            "grid": [4, 4], "size": [1, 1], "density": 0.2, "fabric": {"warp": 9, "shear": 3, "bending_warp": 0}}]})",
        "cloths[0].fabric has no springs; solver.forces \"spring_centric\" has springs only"},
-      {scene_of_fabric(R"("shear": 3, "bending_warp": 0)"), "cloths[0].fabric.warp is missing; it must be a number"},
+      {scene_of_fabric(R"("shear": 3, "bending_warp": 0)"),
+       "cloths[0].fabric.warp is missing; it must be a number"},
       {scene_of_fabric(R"("warp": 9, "weft": 36, "poisson": 0.5, "shear": 3, "bending_warp": 0)"),
        "fabric.poisson is 0.5; its square must be below warp / weft, 0.25"},
       {scene_of_fabric(R"("warp": 9, "weft": 8, "shear": 4.5, "bending_warp": 0, "energy": "neo_hookean")"),

@@ -7,14 +7,12 @@
 
 #include "element/hinge/law.hpp"
 #include "element/hinge/plate.hpp"
-#include "element/membrane/law.hpp"
+#include "element/membrane/membranes.hpp"
 
 namespace weft {
 
 struct Statics {
-  std::vector<mesh::Triangle> triangles;
-  std::vector<membrane::Rest> rests;
-  membrane::Law membrane;
+  membrane::Membranes membranes;
   hinge::Plate plate;
   std::vector<std::uint8_t> held;
   std::vector<Vec3d> load;  // on each node [N]
@@ -33,11 +31,10 @@ struct Statics {
 
   Statics(const std::vector<Vec3d>& rest, const std::vector<mesh::Triangle>& all, const membrane::Law& law,
           const Stiffness& bending, std::vector<std::uint8_t> held_nodes, const Vec3d& warp = {1, 0, 0})
-      : triangles(all), membrane(law), held(std::move(held_nodes)), load(rest.size()), x(rest) {
-    const RestSheet sheet{rest, triangles, warp, held};
+      : held(std::move(held_nodes)), load(rest.size()), x(rest) {
+    const RestSheet sheet{rest, all, warp, held};
+    membranes = membrane::Membranes::of(sheet, law);
     plate = hinge::build_plate(sheet, bending);
-    for (const auto& [a, b, c] : triangles)
-      rests.push_back(membrane::Rest::of(places_of({rest[a], rest[b], rest[c]}, sheet.warp)));
     int count = 0;
     for (const std::uint8_t is_held : held) unknown_.push_back(is_held != 0 ? -1 : 3 * count++);
     size_ = 3 * count;
@@ -51,19 +48,14 @@ struct Statics {
     return p.cwiseProduct(quadratic_ * p).sum() / 2;
   }
   double energy_at(const std::vector<Vec3d>& place) const {
-    double sum = bending_energy(place);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      sum += rests[t].area * membrane::energy(membrane, deformation_of(t, place));
+    double sum = bending_energy(place) + membranes.energy(place);
     for (std::size_t v = 0; v < place.size(); ++v) sum -= dot(load[v], place[v]);
     return sum;
   }
 
   std::vector<Vec3d> forces() const {
     std::vector<Vec3d> sum = load;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto f = membrane::forces(rests[t], membrane::stress(membrane, deformation_of(t, x)));
-      for (std::size_t i = 0; i < 3; ++i) sum[triangles[t][i]] += f[i];
-    }
+    membranes.add_forces(x, sum);
     if (quadratic_.rows() == 0) {
       hinge::add_forces(plate, hinge::moments(plate, hinge::bends(plate, x)), x, sum);
       return sum;
@@ -107,11 +99,6 @@ struct Statics {
     return all;
   }
 
-  membrane::Axes deformation_of(std::size_t t, const std::vector<Vec3d>& place) const {
-    const auto& [a, b, c] = triangles[t];
-    return membrane::deformation(rests[t], {place[a], place[b], place[c]});
-  }
-
   Eigen::VectorXd gathered(const std::vector<Vec3d>& field) const {
     Eigen::VectorXd all(size_);
     for (std::size_t v = 0; v < field.size(); ++v)
@@ -123,8 +110,9 @@ struct Statics {
   Eigen::SparseMatrix<double> matrix(membrane::Hessian (*hessian)(const membrane::Law&,
                                                                   const membrane::Axes&)) const {
     std::vector<Eigen::Triplet<double>> entries;
+    const auto& triangles = membranes.triangles;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto own = membrane::blocks(rests[t], hessian(membrane, deformation_of(t, x)));
+      const auto own = blocks(membranes.rests[t], hessian(membranes.law, membranes.deformation(t, x)));
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) add(entries, triangles[t][i], triangles[t][j], own[i][j]);
     }

@@ -38,6 +38,18 @@ Vec3d load_at(const membrane::Law& law, double s, double t) {
   return (at(-step, 0).warp - at(step, 0).warp + at(0, -step).weft - at(0, step).weft) / (2 * step);
 }
 
+/// A strip of this weight by area [N/m²], length [m] and bending modulus [N·m], clamped before x = 0. Its own weight
+/// stretches it by up to a thousandth.
+Sheet heavy_strip(const PatternSheet& pattern, double weight, double length, double modulus) {
+  Sheet sheet = cloth_of(pattern);
+  sheet.warp = {1, 0, 0};
+  sheet.held = held_before_zero(pattern.position);
+  sheet.membrane.stiffness = Stiffness::of(Moduli::isotropic(1000 * weight * length, 0));
+  sheet.bending = Stiffness::of(Moduli::isotropic(modulus, 0));
+  sheet.density = weight / kGravity;
+  return sheet;
+}
+
 /// A heavy strip clamped level, whose weight stretches it by up to a thousandth: how far its tip is from that of an
 /// elastica that stretches alike, by its length.
 double cantilever_error(Pattern kind, int along, double g) {
@@ -47,12 +59,7 @@ double cantilever_error(Pattern kind, int along, double g) {
   // The load rises in steps, so that every start is near its end.
   for (double load = std::min(g, 3.0);; load = std::min(g, 3 * load)) {
     const double weight = load * kModulus / std::pow(kLength, 3);
-    Sheet sheet = cloth_of(pattern);
-    sheet.warp = {1, 0, 0};
-    sheet.held = held_before_zero(pattern.position);
-    sheet.membrane.stiffness = Stiffness::of(Moduli::isotropic(1000 * weight * kLength, 0));
-    sheet.bending = Stiffness::of(Moduli::isotropic(kModulus, 0));
-    sheet.density = weight / kGravity;
+    Sheet sheet = heavy_strip(pattern, weight, kLength, kModulus);
     sheet.gravity = {0, 0, -kGravity};
     const auto found = equilibrium(SheetEnergy(sheet), start);
     REQUIRE_MESSAGE(found, (found ? "" : found.error().message));
@@ -231,12 +238,7 @@ TEST_CASE(
     constexpr double kLength = 0.2, kModulus = 2e-5;
     const PatternSheet pattern = pattern_sheet(Pattern::Alternating, kLength, 24, 4, 1);
     const double weight = part * 7.8373 * kModulus / std::pow(kLength, 3);
-    Sheet sheet = cloth_of(pattern);
-    sheet.warp = {1, 0, 0};
-    sheet.held = held_before_zero(pattern.position);
-    sheet.membrane.stiffness = Stiffness::of(Moduli::isotropic(1000 * weight * kLength, 0));
-    sheet.bending = Stiffness::of(Moduli::isotropic(kModulus, 0));
-    sheet.density = weight / kGravity;
+    Sheet sheet = heavy_strip(pattern, weight, kLength, kModulus);
     sheet.gravity = {-kGravity, 0, 0};
     const auto found = equilibrium(SheetEnergy(sheet), pattern.position);
     REQUIRE_MESSAGE(found, (found ? "" : found.error().message));

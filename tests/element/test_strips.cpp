@@ -182,7 +182,7 @@ TEST_CASE(
     const PatternSheet sheet = pattern_sheet(Pattern::Irregular, kLength, along, along / 2);
     const double weight = 0.5;
     Statics cloth = strip(sheet, Moduli::isotropic(kModulus, 0), weight);
-    const double modulus = cloth.membrane.stiffness.warp,
+    const double modulus = cloth.membranes.law.stiffness.warp,
                  small = 1e-3;  // of the load: strains of at most 1e-6
     weigh(cloth, sheet, small * weight, {1, 0, 0});
     REQUIRE(cloth.solve(1e-9 * small * weight * kLength * kLength));

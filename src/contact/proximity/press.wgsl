@@ -5,6 +5,7 @@
 #include "state/statistics.wgsl"
 #include "contact/proximity/relative_velocity.wgsl"
 #include "contact/proximity/cones.wgsl"
+#include "contact/proximity/history.wgsl"
 #include "contact/proximity/press_sums.wgsl"
 //                                                                                  elements      unit
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
@@ -17,11 +18,6 @@
 @group(0) @binding(7) var<storage, read>       rings      : array<u32>;          // feature_rings.hpp
 
 const kHoldPart = 0.15;  // of a missing gap, the part that a hold restores in a substep, if that is not too fast
-
-fn velocity_of(vertex : u32) -> vec3f {
-  return bitcast<vec3f>(vec3u(atomicLoad(&velocity[4u * vertex]), atomicLoad(&velocity[4u * vertex + 1u]),
-                              atomicLoad(&velocity[4u * vertex + 2u])));
-}
 
 fn add(word : u32, value : f32) {
   let units = i32(round(value));
@@ -68,7 +64,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
       sums[kPressFriction] = weight * friction;
       // A loop: SwiftShader needs minutes and gigabytes to compile nine calls.
       for (var k = 0u; k < kPressWraps; k++) { add(press_words(vertex) + k, sums[k]); }
-      atomicStore(&velocity[4u * vertex + 3u], 0u);
+      forget_history(vertex);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include "state/statistics.wgsl"
 #include "contact/proximity/relative_velocity.wgsl"
 #include "contact/proximity/cones.wgsl"
+#include "contact/proximity/history.wgsl"
 //                                                                                  elements      unit
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous   : array<vec4f>;        // vertex_count  m; w: 1/kg
@@ -16,11 +17,6 @@
 @group(0) @binding(6) var<storage, read>       rings      : array<u32>;          // feature_rings.hpp
 @group(0) @binding(7) var<storage, read_write> pair_holds : array<PairHold>;
 @group(0) @binding(8) var<storage, read_write> pair_sums  : array<atomic<u32>>;  // state/pair_holds.wgsl
-
-fn velocity_of(vertex : u32) -> vec3f {
-  return bitcast<vec3f>(vec3u(atomicLoad(&velocity[4u * vertex]), atomicLoad(&velocity[4u * vertex + 1u]),
-                              atomicLoad(&velocity[4u * vertex + 2u])));
-}
 
 fn hold_of(number : u32, tangled : bool) -> PairHold {
   var hold : PairHold;
@@ -59,7 +55,7 @@ fn press_pairs(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroup
       let vertex = hold.ids[role] & kIdBits;
       // Rounded up: a vertex with any part in a pair has sums, which are read and cleared where this is not 0.
       atomicAdd(&pair_sums[kSumWords * vertex], u32(ceil(kHeldUnits * abs(w[role]))));
-      atomicStore(&velocity[4u * vertex + 3u], 0u);
+      forget_history(vertex);
     }
   }
 }

@@ -114,6 +114,19 @@ std::vector<double> bends(const Plate& plate, std::span<const Vec3d> position) {
   return all;
 }
 
+std::vector<double> bend_rates(const Plate& plate, std::span<const Vec3d> position,
+                               std::span<const Vec3d> velocity) {
+  std::vector<double> all;
+  all.reserve(plate.hinges.size());
+  for (const Hinge& hinge : plate.hinges) {
+    const Corners slope = angle_slope(corners_of(hinge, position)), speed = corners_of(hinge, velocity);
+    double rate = 0;
+    for (std::size_t i = 0; i < 4; ++i) rate += dot(slope[i], speed[i]);
+    all.push_back(rate);
+  }
+  return all;
+}
+
 double energy(const Plate& plate, std::span<const double> bends) {
   double sum = 0;
   for (const Facet& facet : plate.facets) {

@@ -49,6 +49,9 @@ Plate build_plate(const RestSheet& sheet, const Stiffness& bending);
 
 /// Of every hinge, less its angle at rest [rad].
 std::vector<double> bends(const Plate& plate, std::span<const Vec3d> position);
+/// How fast each hinge bends where nodes move so fast [rad/s].
+std::vector<double> bend_rates(const Plate& plate, std::span<const Vec3d> position,
+                               std::span<const Vec3d> velocity);
 /// [J]
 double energy(const Plate& plate, std::span<const double> bends);
 /// The energy's slope by every bend [N·m]: a symmetric, positive semidefinite matrix times them.

@@ -9,19 +9,10 @@ SheetEnergy::SheetEnergy(Sheet sheet) : sheet_(std::move(sheet)), mass_(sheet_.r
   assert(sheet_.load.empty() || sheet_.load.size() == sheet_.rest.size());
   const RestSheet rest{sheet_.rest, sheet_.triangles, sheet_.warp, sheet_.held};
   plate_ = hinge::build_plate(rest, sheet_.bending);
-  rests_.reserve(sheet_.triangles.size());
-  for (const mesh::Triangle& t : sheet_.triangles) {
-    const std::array corners = {sheet_.rest[t[0]], sheet_.rest[t[1]], sheet_.rest[t[2]]};
-    rests_.push_back(membrane::Rest::of(places_of(corners, sheet_.warp)));
-    for (const std::uint32_t node : t) mass_[node] += sheet_.density * rests_.back().area / 3;
-  }
-}
-
-double SheetEnergy::stretching(Places x) const {
-  double sum = 0;
-  for (std::size_t t = 0; t < rests_.size(); ++t)
-    sum += rests_[t].area * membrane::energy(sheet_.membrane, deformation(t, x));
-  return sum;
+  membranes_ = membrane::Membranes::of(rest, sheet_.membrane);
+  for (std::size_t t = 0; t < sheet_.triangles.size(); ++t)
+    for (const std::uint32_t node : sheet_.triangles[t])
+      mass_[node] += sheet_.density * membranes_.rests[t].area / 3;
 }
 
 double SheetEnergy::bending(Places x) const { return hinge::energy(plate_, hinge::bends(plate_, x)); }
@@ -43,10 +34,7 @@ double SheetEnergy::kinetic(std::span<const Vec3d> velocity) const {
 
 std::vector<Vec3d> SheetEnergy::forces(Places x) const {
   std::vector<Vec3d> all(x.size());
-  for (std::size_t t = 0; t < rests_.size(); ++t) {
-    const auto f = membrane::forces(rests_[t], membrane::stress(sheet_.membrane, deformation(t, x)));
-    for (std::size_t i = 0; i < 3; ++i) all[sheet_.triangles[t][i]] += f[i];
-  }
+  membranes_.add_forces(x, all);
   hinge::add_forces(plate_, hinge::moments(plate_, hinge::bends(plate_, x)), x, all);
   for (std::size_t v = 0; v < x.size(); ++v)
     all[v] += mass_[v] * sheet_.gravity + (sheet_.load.empty() ? Vec3d{} : sheet_.load[v]);
@@ -55,13 +43,7 @@ std::vector<Vec3d> SheetEnergy::forces(Places x) const {
 
 std::vector<Vec3d> SheetEnergy::damping_forces(Places x, std::span<const Vec3d> velocity) const {
   std::vector<Vec3d> all(x.size());
-  if (sheet_.membrane.delay == 0) return all;
-  for (std::size_t t = 0; t < rests_.size(); ++t) {
-    const membrane::Axes stress =
-        membrane::damping_stress(sheet_.membrane, deformation(t, x), deformation(t, velocity));
-    const auto f = membrane::forces(rests_[t], stress);
-    for (std::size_t i = 0; i < 3; ++i) all[sheet_.triangles[t][i]] += f[i];
-  }
+  membranes_.add_damping_forces(x, velocity, all);
   return all;
 }
 

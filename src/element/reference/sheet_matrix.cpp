@@ -50,8 +50,8 @@ Matrix SheetMatrix::hessian(Places x, Curvature curvature, double inertia, doubl
   const bool exact = curvature == Curvature::Exact, damped = law.delay > 0 && rate > 0;
   Entries entries;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const membrane::Axes f = energy_.deformation(t, x);
-    const membrane::Rest& rest = energy_.rests()[t];
+    const membrane::Axes f = energy_.membranes().deformation(t, x);
+    const membrane::Rest& rest = energy_.membranes().rests[t];
     const auto own = blocks(rest, exact ? membrane::hessian(law, f) : positive_hessian(law, f));
     const auto damping = damped ? blocks(rest, damping_hessian(law, f)) : membrane::Blocks{};
     for (std::size_t i = 0; i < 3; ++i)

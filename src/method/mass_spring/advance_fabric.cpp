@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "element/incidence.hpp"
 #include "model/fabric.hpp"
 
 namespace weft {
@@ -10,17 +11,12 @@ namespace {
 /// Each node's triangles and hinges, as entries of the forces: rows, then their entries.
 std::vector<std::uint32_t> gathers_of(const ElementTable& membranes, const ElementTable& hinges,
                                       const Body& body) {
-  const std::size_t count = body.vertex_count;
-  std::vector<std::uint32_t> gathers(count + 1);
-  for (const ElementTable* table : {&membranes, &hinges})
-    for (const std::uint32_t node : table->nodes) ++gathers[node - body.first_vertex + 1];
-  gathers[0] = static_cast<std::uint32_t>(count + 1);
-  for (std::size_t row = 0; row < count; ++row) gathers[row + 1] += gathers[row];
-  std::vector<std::uint32_t> next(gathers.begin(), gathers.end() - 1);
-  gathers.resize(gathers.back());
-  std::uint32_t force = 0;
-  for (const ElementTable* table : {&membranes, &hinges})
-    for (const std::uint32_t node : table->nodes) gathers[next[node - body.first_vertex]++] = force++;
+  std::vector<std::uint32_t> nodes = membranes.nodes;  // of the forces, in their order
+  nodes.insert(nodes.end(), hinges.nodes.begin(), hinges.nodes.end());
+  const mesh::Adjacency forces = places_in(nodes, body.first_vertex, body.vertex_count);
+  std::vector<std::uint32_t> gathers = forces.offsets;
+  for (std::uint32_t& row : gathers) row += body.vertex_count + 1;
+  gathers.insert(gathers.end(), forces.entries.begin(), forces.entries.end());
   return gathers;
 }
 

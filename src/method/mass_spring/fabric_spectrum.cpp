@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "element/membrane/membranes.hpp"
 #include "method/mass_spring/spectrum.hpp"
 #include "model/fabric.hpp"
 
@@ -35,77 +36,38 @@ Part part_of(const Model& model, const Body& body) {
   return {sheet.position, {first, first + body.vertex_count}, sheet.triangles, sheet.warp};
 }
 
-/// A triangle at rest, with the directions of its axes.
-struct Membrane {
-  mesh::Triangle nodes;
-  membrane::Rest rest;
-  membrane::Axes axes;
-};
-
-/// The stiffness of a sheet at rest: all energies of membranes agree there.
-class Stiffnesses {
+/// The stiffness of a sheet at rest. All energies of membranes agree there, and what damping does by velocities after a
+/// delay of 1 s is what they do by ways.
+class RestStiffness {
  public:
-  Stiffnesses(const Part& part, const scene::Fabric& fabric)
+  RestStiffness(const Part& part, const scene::Fabric& fabric)
       : part_(part),
-        law_(membrane_law(fabric)),
-        plate_(hinge::build_plate(part.rest(), bending_law(fabric))) {
-    for (const mesh::Triangle& nodes : part.triangles) {
-      const membrane::Corners corners = at(nodes, part.position);
-      const auto rest = membrane::Rest::of(places_of(corners, part.warp));
-      membranes_.push_back({nodes, rest, membrane::deformation(rest, corners)});
-    }
-    for (const hinge::Hinge& hinge : plate_.hinges)
-      slopes_.push_back(hinge::angle_slope(hinge::corners_of(hinge, part.position)));
-  }
+        membranes_(membrane::Membranes::of(part.rest(),
+                                           {membrane::Energy::Green, membrane_law(fabric).stiffness, 1})),
+        plate_(hinge::build_plate(part.rest(), bending_law(fabric))) {}
 
   /// y = M^-1/2 K M^-1/2 x
   void apply(const std::vector<Vec3d>& x, std::vector<Vec3d>& y) const {
-    std::vector<Vec3d> moved(x.size());
-    for (std::size_t n = 0; n < x.size(); ++n) moved[n] = x[n] / std::sqrt(part_.mass[n]);
+    std::vector<Vec3d> way(x.size());
+    for (std::size_t n = 0; n < x.size(); ++n) way[n] = x[n] / std::sqrt(part_.mass[n]);
     std::fill(y.begin(), y.end(), Vec3d{});
-    for (const Membrane& one : membranes_) stretch(one, moved, y);
-    bend(moved, y);
-    for (std::size_t n = 0; n < y.size(); ++n) y[n] = y[n] / std::sqrt(part_.mass[n]);
+    membranes_.add_damping_forces(part_.position, way, y);
+    const std::vector<double> bends = hinge::bend_rates(plate_, part_.position, way);
+    hinge::add_forces(plate_, hinge::moments(plate_, bends), part_.position, y);
+    for (std::size_t n = 0; n < y.size(); ++n) y[n] = y[n] / -std::sqrt(part_.mass[n]);
   }
 
  private:
-  static membrane::Corners at(const mesh::Triangle& nodes, const std::vector<Vec3d>& x) {
-    return {x[nodes[0]], x[nodes[1]], x[nodes[2]]};
-  }
-
-  void stretch(const Membrane& one, const std::vector<Vec3d>& x, std::vector<Vec3d>& y) const {
-    const membrane::Axes change = membrane::deformation(one.rest, at(one.nodes, x));
-    const membrane::Law law{membrane::Energy::Green, law_.stiffness, 1};
-    const membrane::Corners forces =
-        membrane::forces(one.rest, membrane::damping_stress(law, one.axes, change));
-    for (std::size_t i = 0; i < 3; ++i) y[one.nodes[i]] -= forces[i];
-  }
-
-  void bend(const std::vector<Vec3d>& x, std::vector<Vec3d>& y) const {
-    std::vector<double> bends;
-    for (std::size_t h = 0; h < slopes_.size(); ++h) {
-      const hinge::Corners corners = hinge::corners_of(plate_.hinges[h], x);
-      double change = 0;
-      for (std::size_t i = 0; i < 4; ++i) change += dot(slopes_[h][i], corners[i]);
-      bends.push_back(change);
-    }
-    const std::vector<double> moments = hinge::moments(plate_, bends);
-    for (std::size_t h = 0; h < slopes_.size(); ++h)
-      for (std::size_t i = 0; i < 4; ++i) y[plate_.hinges[h].nodes[i]] += moments[h] * slopes_[h][i];
-  }
-
   const Part& part_;
-  membrane::Law law_;
+  membrane::Membranes membranes_;
   hinge::Plate plate_;
-  std::vector<Membrane> membranes_;
-  std::vector<hinge::Corners> slopes_;
 };
 
 }  // namespace
 
 NetworkSpectrum find_fabric_spectrum(const Model& model, const Body& body) {
   const Part part = part_of(model, body);
-  const Stiffnesses stiffness(part, *body.fabric);
+  const RestStiffness stiffness(part, *body.fabric);
   const double largest = largest_eigenvalue(
       [&](const std::vector<Vec3d>& x, std::vector<Vec3d>& y) { stiffness.apply(x, y); }, part.mass.size());
   return {largest, body.fabric->damping * largest};

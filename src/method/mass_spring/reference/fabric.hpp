@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "element/hinge/plate.hpp"
-#include "element/membrane/law.hpp"
+#include "element/membrane/membranes.hpp"
 
 namespace weft {
 struct Model;
@@ -17,10 +17,8 @@ namespace weft::reference {
 /// Membranes and hinges of one cloth. Nodes count from `first`.
 struct FabricCloth {
   std::uint32_t first = 0, count = 0;
-  std::vector<mesh::Triangle> triangles;
-  std::vector<membrane::Rest> rest;  // of the triangles
-  membrane::Law law;
-  hinge::Plate plate;
+  membrane::Membranes membranes;
+  hinge::Plate plate;  // damped as they are
 
   /// Adds the forces of all nodes of the model at these places [m] and velocities [m/s] to `forces` [N].
   void add_forces(std::span<const Vec3d> position, std::span<const Vec3d> velocity,

@@ -81,13 +81,14 @@ void add_held_bending(GridOperator& source) {
 /// its force.
 template <class Add>
 void hold_at_obstacles(StepStart& step, std::span<const Press> presses, std::span<const HoldForce> kept,
-                       std::span<const double> inverse_mass, std::span<const Vec3d> velocity, double dt,
-                       bool again, const Add& add) {
+                       const MassSpringSystem& system, std::size_t first, double dt, bool again,
+                       const Add& add) {
   for (std::size_t a = 0; a < presses.size(); ++a) {
     if (step.fixed[a]) continue;
-    step.holds[a] = Hold::of(presses[a], kept[a],
-                             {step.inertia[a], 1 / inverse_mass[a], dt, again ? Vec3d{} : step.residual[a],
-                              step.way[a] + step.start[a], dt * velocity[a]});
+    step.holds[a] =
+        Hold::of(presses[a], kept[a],
+                 {step.inertia[a], 1 / system.inverse_mass[first + a], dt, again ? Vec3d{} : step.residual[a],
+                  step.way[a] + step.start[a], dt * system.velocity[first + a]});
     if (!step.holds[a]) continue;
     step.residual[a] += step.holds[a]->force();
     add(a, step.holds[a]->block());
@@ -206,10 +207,9 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   for (std::size_t a = 0; a < cloth.count; ++a)
     if (step.fixed[a]) step.residual[a] = {};
   if (!presses.empty())
-    hold_at_obstacles(
-        step, presses.subspan(cloth.first, cloth.count), std::span(hold_forces_).subspan(cloth.first),
-        std::span(system.inverse_mass).subspan(cloth.first), std::span(system.velocity).subspan(cloth.first),
-        dt, !ways.empty(), [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
+    hold_at_obstacles(step, presses.subspan(cloth.first, cloth.count),
+                      std::span(hold_forces_).subspan(cloth.first), system, cloth.first, dt, !ways.empty(),
+                      [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
   return step;
 }
 
@@ -274,9 +274,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
     step.residual[a] = step.matrix.fixed[a] ? Vec3d{} : step.residual[a] - curve[a];
   if (!presses.empty())
     hold_at_obstacles(step, presses.subspan(cloth.first, count), std::span(hold_forces_).subspan(cloth.first),
-                      std::span(system.inverse_mass).subspan(cloth.first),
-                      std::span(system.velocity).subspan(cloth.first), dt, !ways.empty(),
-                      [&](std::size_t a, const Sym3& hold) {
+                      system, cloth.first, dt, !ways.empty(), [&](std::size_t a, const Sym3& hold) {
                         step.matrix.rows[a][0] += hold;
                         step.source.rows[a][0] += hold;
                       });
