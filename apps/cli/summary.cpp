@@ -51,6 +51,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["triangles"] = about.triangles;
   json["springs"] = about.springs;
   json["membranes"] = about.membranes;
+  json["slivers"] = about.slivers;
   json["hinges"] = about.hinges;
   json["substeps"] = about.substeps;
   json["step_s"] = about.step_seconds;
@@ -77,6 +78,8 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
        about.springs);
   if (about.membranes > 0)
     line(text, "  fabric      %zu membranes, %zu hinges", about.membranes, about.hinges);
+  if (about.slivers > 0)
+    line(text, "  slivers     %zu membranes, far thinner than a neighbour, bend freely", about.slivers);
   line(text, "  solver      %s; %u substeps a frame", solver_name(about).c_str(), about.substeps);
   if (about.stable_step_seconds == 0) {
     line(text, "  step        %.4g ms; stable at any length", 1e3 * about.step_seconds);

@@ -62,8 +62,16 @@ namespace {
 /// Bodies that are dispatched together count once: grids of one size, one behind the other, as copies of a cloth are.
 bool is_copy(const Model& model, std::size_t body) {
   if (body == 0) return false;
+  if (model.bodies[body].fabric) return false;
   const auto &grid = model.bodies[body].grid, &before = model.bodies[body - 1].grid;
   return grid && before && grid->nx == before->nx && grid->ny == before->ny;
+}
+
+/// A body's own, and what contact adds.
+std::array<StepCost, 2> costs_of(const MethodCost& all, const Body& body) {
+  if (body.fabric) return {all.fabric, all.fabric_contact};
+  if (body.grid) return {all.grid, all.grid_contact};
+  return {all.mesh, all.mesh_contact};
 }
 
 /// How a method would step the scene, if it can. Errors  as choose_method.
@@ -92,10 +100,9 @@ double predicted_frame(const scene::Scene& scene, const Model& model, const Meth
   double step = 0, contact = 0;  // contact has one set of dispatches for all cloths
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];
-    const StepCost& cost = body.grid ? method.cost->grid : method.cost->mesh;
+    const auto [cost, more] = costs_of(*method.cost, body);
     step += cost.node * body.vertex_count + (is_copy(model, b) ? 0 : cost.step);
     if (scene.contact.method != scene::ContactMethod::Proximity) continue;
-    const StepCost& more = body.grid ? method.cost->grid_contact : method.cost->mesh_contact;
     step += more.node * body.vertex_count;
     contact = std::max(contact, more.step);
   }

@@ -19,8 +19,8 @@ struct StepCost {
   double node = 0;  // [ms]
 };
 struct MethodCost {
-  StepCost grid, mesh;                  // without contact
-  StepCost grid_contact, mesh_contact;  // what "proximity" adds to it
+  StepCost grid, mesh, fabric;                          // without contact; fabric: on grids too
+  StepCost grid_contact, mesh_contact, fabric_contact;  // what "proximity" adds to it
 };
 
 /// GPU memory of a solver besides the state, for grids, measured at 32² to 256² nodes [bytes per node].

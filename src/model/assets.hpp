@@ -26,8 +26,9 @@ std::uint64_t node_count(const scene::Scene& scene, const Assets& assets);
 /// Host memory of a world per node, without its meshes. Measured in the WebAssembly module at
 /// 256² to 1024² nodes: 176, and while its shape is exported, 351; of `weft check`, 183.
 constexpr std::uint64_t kWorldBytesPerNode = 360;
-/// Of fabric besides, for its hinges: 1,640 natively at 512² nodes.
-constexpr std::uint64_t kFabricBytesPerNode = 1700;
+/// Of fabric besides, for its elements and what the implicit solver lists of them: natively 1,640 at 512² nodes by
+/// explicit steps, 3,100 at 256² by implicit ones.
+constexpr std::uint64_t kFabricBytesPerNode = 3200;
 
 /// Whether so many bytes for each node are within `limit`, before any is built: a failed allocation ends the
 /// program. `whose` memory it is goes into the sentence. Errors  Limit.

@@ -1,5 +1,6 @@
 #include "model/elements.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "element/membrane/build.hpp"
@@ -15,7 +16,7 @@ ElementTable build(const Model& model, ElementKind kind, const Body& body) {
   if (body.fabric) {
     if (kind == ElementKind::Membrane)
       return membrane::build_membranes(fabric_sheet(model, body).rest(), membrane_law(*body.fabric), first);
-    if (kind == ElementKind::Hinge) return hinge_table(plate_of(model, body), first);
+    if (kind == ElementKind::Hinge) return hinge_table(model.plate(body), first);
     return {kind, {}, {}, {}};
   }
   if (kind == ElementKind::Spring)
@@ -68,6 +69,27 @@ const ElementTable& Model::elements(ElementKind kind) const {
   }
   joined = std::make_unique<const ElementTable>(std::move(all));
   return *joined;
+}
+
+const hinge::Plate& Model::plate(const Body& body) const {
+  auto& plates = store_.plates();
+  plates.resize(bodies.size());
+  auto& made = plates[number_of(body)];
+  if (!made)
+    made = std::make_unique<const hinge::Plate>(
+        hinge::build_plate(fabric_sheet(*this, body).rest(), bending_law(*body.fabric)));
+  return *made;
+}
+
+std::uint64_t Model::sliver_count() const {
+  std::uint64_t sum = 0;
+  for (const Body& body : bodies) {
+    if (!body.fabric) continue;
+    const std::vector<hinge::Facet>& facets = plate(body).facets;
+    sum += static_cast<std::uint64_t>(
+        std::count_if(facets.begin(), facets.end(), [](const hinge::Facet& facet) { return facet.sliver; }));
+  }
+  return sum;
 }
 
 const mesh::Adjacency& Model::incidence(ElementKind kind, const Body& body) const {

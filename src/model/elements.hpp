@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "element/colors.hpp"
+#include "element/hinge/plate.hpp"
 #include "element/incidence.hpp"
 #include "element/table.hpp"
 
@@ -25,20 +26,28 @@ class ElementStore {
   ElementStore() = default;
   ElementStore(const ElementStore&) {}
   ElementStore& operator=(const ElementStore&) {
-    kinds_.reset();
+    content_.reset();
     return *this;
   }
   ElementStore(ElementStore&&) = default;
   ElementStore& operator=(ElementStore&&) = default;
   ~ElementStore() = default;
 
-  OfKind& of(ElementKind kind) const {
-    if (!kinds_) kinds_ = std::make_unique<std::array<OfKind, kElementKinds>>();
-    return (*kinds_)[static_cast<std::size_t>(kind)];
-  }
+  OfKind& of(ElementKind kind) const { return content().kinds[static_cast<std::size_t>(kind)]; }
+  std::vector<std::unique_ptr<const hinge::Plate>>& plates() const { return content().plates; }  // of bodies
 
  private:
-  mutable std::unique_ptr<std::array<OfKind, kElementKinds>> kinds_;
+  struct Content {
+    std::array<OfKind, kElementKinds> kinds;
+    std::vector<std::unique_ptr<const hinge::Plate>> plates;
+  };
+
+  Content& content() const {
+    if (!content_) content_ = std::make_unique<Content>();
+    return *content_;
+  }
+
+  mutable std::unique_ptr<Content> content_;
 };
 
 }  // namespace weft

@@ -25,10 +25,6 @@ FabricSheet fabric_sheet(const Model& model, const Body& body) {
   return sheet;
 }
 
-hinge::Plate plate_of(const Model& model, const Body& body) {
-  return hinge::build_plate(fabric_sheet(model, body).rest(), bending_law(*body.fabric));
-}
-
 ElementTable hinge_table(const hinge::Plate& plate, std::uint32_t first) {
   ElementTable table{ElementKind::Hinge, {}, {}, {}};
   for (const hinge::Hinge& hinge : plate.hinges) {

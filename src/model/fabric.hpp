@@ -25,9 +25,6 @@ struct FabricSheet {
 };
 FabricSheet fabric_sheet(const Model& model, const Body& body);
 
-/// Of a body of fabric. Nodes count from 0.
-hinge::Plate plate_of(const Model& model, const Body& body);
-
 /// The hinges of a plate as rows of a table; rest: the angle [rad]. Nodes are numbered from `first`.
 ElementTable hinge_table(const hinge::Plate& plate, std::uint32_t first);
 

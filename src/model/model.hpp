@@ -72,6 +72,10 @@ struct Model {
   const ElementTable& elements(ElementKind kind, const Body& body) const;
   /// Node -> elements of one of `bodies`, by its own numbers of both.
   const mesh::Adjacency& incidence(ElementKind kind, const Body& body) const;
+  /// Of a body of fabric, whose nodes count from 0; made once, as the tables.
+  const hinge::Plate& plate(const Body& body) const;
+  /// The triangles of all bodies of fabric that are too thin to bend as a sheet, and bend freely.
+  std::uint64_t sliver_count() const;
   /// Of elements(kind).
   const Colors& colors(ElementKind kind) const;
 

@@ -51,6 +51,7 @@ class Simulation {
   std::uint32_t substeps() const { return plan_.substeps(); }
   double step() const { return plan_.step(); }  // [s]; shorter in frames that are cut
   std::uint64_t element_count(ElementKind kind) const { return model_->count(kind); }
+  std::uint64_t sliver_count() const { return model_->sliver_count(); }
   /// In all substeps so far. Of cloth triangles with object triangles, and of nodes with spheres and planes;
   /// by proximity, pairs of features that act.
   std::uint64_t contacts() const { return contacts_; }

@@ -274,6 +274,8 @@ class Builder {
       return wrong(path + ".stiffness", "is of springs; a cloth with \"fabric\" has none");
     if (cloth.damping != Cloth{}.damping)
       return wrong(path + ".damping", "is of springs; a cloth with \"fabric\" has fabric.damping instead");
+    if (cloth.strain_limit)
+      return wrong(path + ".strain_limit", "is of springs; a cloth with \"fabric\" has none");
     return {};
   }
 

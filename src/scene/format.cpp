@@ -269,7 +269,7 @@ constexpr Key kClothKeys[] = {
     {"transform", &kTransform, "From the sheet centred on the origin, or the mesh, to the world", "{}"},
     {"density", &kDensity, "Mass per rest area"},
     {"node_mass", &kNodeMass, "Mass of every node alike"},
-    {"fabric", &kFabric, "Moduli of a measured cloth, instead of springs; only mass_spring takes it"},
+    {"fabric", &kFabric, "Moduli of a measured cloth, instead of springs; mass_spring and multigrid take it"},
     {"stiffness", &kStiffness, "Stiffness of the springs", "{}"},
     {"damping", &kDamping, "Damping along each spring", "0.25"},
     {"friction", &kFriction, "With cloth, and with colliders that give none; only proximity uses it", "0.3"},

@@ -110,6 +110,7 @@ class World {
   double step() const { return plan_.step(); }  // [s]
   std::uint32_t frame() const { return asked_; }
   double time() const { return plan_.begin_of(asked_); }  // [s]
+  std::uint64_t sliver_count() const { return slivers_; }
   std::uint64_t element_count(ElementKind kind) const {
     return element_counts_[static_cast<std::size_t>(kind)];
   }
@@ -163,6 +164,7 @@ class World {
   std::uint32_t asked_ = 0;    // by advance_frame: more than that while frames are repeated
   std::uint32_t attempt_ = 0;  // counts up when frames are repeated
   std::array<std::uint64_t, kElementKinds> element_counts_{};
+  std::uint64_t slivers_ = 0;
   Totals totals_;
   std::optional<Error> diverged_;  // of the first bad frame
   std::uint32_t bad_frame_ = 0;    // its number

@@ -20,6 +20,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_TRY(host, build_model(scene_, assets.cloths));
   for (std::size_t kind = 0; kind < kElementKinds; ++kind)
     element_counts_[kind] = host.count(static_cast<ElementKind>(kind));
+  slivers_ = host.sliver_count();
   WEFT_TRY(plan, FramePlan::create(scene_, host, assets_));
   plan_ = std::move(plan);
   WEFT_TRY(model, GpuModel::create(device_, std::move(host)));

@@ -86,6 +86,8 @@ std::vector<BadScene> bad_scenes() {
        "cloths[0].stiffness is of springs; a cloth with \"fabric\" has none"},
       {scene_of_fabric(R"("warp": 9, "shear": 3, "bending_warp": 0)", R"(, "damping": 1)"),
        "cloths[0].damping is of springs; a cloth with \"fabric\" has fabric.damping instead"},
+      {scene_of_fabric(R"("warp": 9, "shear": 3, "bending_warp": 0)", R"(, "strain_limit": 0.1)"),
+       "cloths[0].strain_limit is of springs; a cloth with \"fabric\" has none"},
       {scene_of_cloth(R"("grid": [4, 4], "size": [1, 1], "density": 0.2, "strain_limit": 0)"),
        "strain_limit is 0; it must be from 0.001 to 10"},
       {tiny_scene(R"("contact": {"method": "bvhh"}, )"), "did you mean \"bvh\"?"},

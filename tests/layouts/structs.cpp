@@ -21,7 +21,7 @@
 #include "element/spring/spring_grid.hpp"
 #include "gpu/kernel.hpp"
 #include "mesh/sheet_rim.hpp"
-#include "method/mass_spring/advance_fabric.hpp"
+#include "method/fabric_buffers.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
 #include "method/multigrid/cycle.hpp"
 #include "method/multigrid/grid_level_params.hpp"
@@ -166,7 +166,7 @@ Json membrane_law() {
 }
 Json fabric_params() {
   using T = FabricParams;
-  return row("FabricParams", "method/mass_spring/fabric_params.wgsl", sizeof(T), kUniform,
+  return row("FabricParams", "method/fabric_params.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(triangles), M(hinges), M(law)});
 }
 Json spring_grid_row() {

@@ -45,7 +45,12 @@ class ImplicitRig {
                              predicted,     presses ? &press_sums_ : nullptr,
                              nullptr,       scene_.solver.residual,
                              workgroup_size};
-    const auto kernels = Kernels::create(inputs);
+    const auto kernels = [&] {
+      if constexpr (kIsMesh)
+        return Kernels::create(inputs, model_.host.bodies[0].fabric ? Blocks::General : Blocks::Symmetric);
+      else
+        return Kernels::create(inputs);
+    }();
     REQUIRE_OK(kernels);
     auto cycle = ClothCycle::create(inputs, *kernels, {model_.host.bodies[0]});
     REQUIRE_OK(cycle);
@@ -95,6 +100,7 @@ class ImplicitRig {
     for (const Spring s : model_.host.springs())
       system_.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                                  static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
+    system_.fabrics = reference::fabric_cloths(model_.host);
     system_.acceleration = scene_.gravity + scene_.external_force;
     system_.drag = scene_.drag;
     stepper_.emplace(model_.host, dt_);

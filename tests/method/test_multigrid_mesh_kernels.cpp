@@ -23,6 +23,16 @@ const std::string kSoft =
 const std::string kFree =
     R"("node_mass": 0.002, "damping": 2, "stiffness": {"structural": 900, "shear": 0, "bend": 300})";
 
+const std::string kWoven =
+    R"("density": 0.2, "pins": [{"nodes": [0, 3]}], "fabric": {"warp": 900, "weft": 300, "shear": 60, "poisson": 0.25,
+       "bending_warp": 4e-4, "bending_weft": 1e-4, "damping": 0.002})";
+const std::string kGreen =
+    R"("density": 0.2, "pins": [{"nodes": [1]}], "fabric": {"warp": 700, "weft": 900, "shear": 200, "poisson": 0.3,
+       "bending_warp": 4e-3, "damping": 0, "energy": "green"})";
+const std::string kRubber =
+    R"("density": 0.3, "fabric": {"energy": "neo_hookean", "warp": 500, "shear": 200, "poisson": 0.25,
+       "bending_warp": 3e-4, "damping": 0.0005})";
+
 struct Case {
   const char* name;
   mesh::TriangleMesh mesh;
@@ -38,10 +48,15 @@ std::vector<Case> cases() {
       {"sphere", sphere_skin(9, 0.5), kPlain, 0.1, 20, 0},
       {"two pieces", both(jittered_sheet(12, 9, 1, 1), tube(12, 7, 0.2, 0.5), {1, 0, 0}), kSoft, 0.02, 1, 1},
       {"800 triangles apart", triangles_apart(800), kPlain, 0.02, 1, 1},
+      {"woven sheet", jittered_sheet(40, 31, 2, 1.5), kWoven, 0.01, 1, 1},
+      {"woven tube of fast nodes", tube(40, 21, 0.3, 1), kGreen, 0.01, 20, 0.25},
+      {"rubber in two pieces", both(jittered_sheet(12, 9, 1, 1), tube(12, 7, 0.2, 0.5), {1, 0, 0}), kRubber,
+       0.02, 1, 0},
+      {"woven triangles apart", triangles_apart(30), kWoven, 0.02, 1, 1},
       {"a triangle", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, kFree, 0.1, 3, 1}};
 }
 
-/// Products of blocks and random vectors.
+/// Products of blocks' symmetric parts and random vectors.
 Field each_times(const std::vector<Sym3>& blocks, const Field& x) {
   Field made(blocks.size());
   for (std::size_t b = 0; b < blocks.size(); ++b) made[b] = blocks[b] * x[b];
@@ -53,12 +68,18 @@ void check_blocks(MeshRig& rig, const reference::MeshHierarchy& hierarchy, std::
   const MeshLists lists = mesh_lists(hierarchy.levels()[0].levels);
   const std::vector<std::array<float, 2>> all = rig.download(rig.cycle().blocks());
   const std::vector<Sym3>& expected = hierarchy.levels()[l].blocks;
+  const std::vector<Vec3d>& skews = hierarchy.levels()[l].skews;
+  const std::size_t words = skews.empty() ? 3 : 5;
   const Field some = random_field(expected.size(), l);
+  const double size = largest(each_times(expected, some));
   for (const std::size_t row : {0, 1}) {
     std::vector<Sym3> blocks;
-    for (const BlockEntries& entries : lists.entries_of[l]) {
-      const auto* at = &all[3 * std::size_t{entries[row]}];
+    for (std::size_t block = 0; block < expected.size(); ++block) {
+      const auto* at = &all[words * lists.entries_of[l][block][row]];
       blocks.push_back(sym3({at[0][0], at[0][1], at[1][0], at[1][1]}, at[2][0], at[2][1]));
+      if (skews.empty()) continue;
+      const Vec3d skew = Vec3f{at[3][0], at[3][1], at[4][0]}.to<double>();
+      CHECK(length(skew - (row == 0 ? 1.0 : -1.0) * skews[block]) < 1e-5 * size);
     }
     CHECK(difference(each_times(blocks, some), each_times(expected, some)) < 1e-5);
   }

@@ -51,7 +51,7 @@ Matrix block_matrix(const MeshOperator& matrix) {
   for (std::size_t a = 0; a < matrix.size(); ++a) {
     add_block(entries, a, a, dense(matrix.blocks[a]));
     for (const Coupling& c : matrix.levels[0].rows.of(a))
-      add_block(entries, a, c.node, dense(matrix.blocks[c.block]));
+      add_block(entries, a, c.node, dense(matrix.blocks[c.at.block]));
   }
   return matrix_from(entries, matrix.size(), matrix.size());
 }

@@ -41,6 +41,7 @@ nlohmann::ordered_json json_of(const Description& description) {
           {"springs", description.springs},
           {"membranes", description.membranes},
           {"hinges", description.hinges},
+          {"slivers", description.slivers},
           {"substeps", description.substeps},
           {"frameSeconds", description.frame_seconds},
           {"stepSeconds", description.step_seconds},

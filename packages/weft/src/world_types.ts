@@ -44,6 +44,8 @@ export interface WorldInfo {
   /** Of cloths of fabric. */
   membranes: number;
   hinges: number;
+  /** Of the membranes, those far thinner than a neighbour: they bend freely. */
+  slivers: number;
   /** Steps a frame, and how long each is and may be [s]. */
   substeps: number;
   stepSeconds: number;

@@ -66,11 +66,7 @@ class Unfolded {
  public:
   Unfolded(const RestSheet& sheet, const Plate& plate) : sheet_(sheet), plate_(plate) {}
 
-  bool rigid(std::uint32_t triangle) const {
-    return !sheet_.held.empty() &&
-           std::all_of(sheet_.triangles[triangle].begin(), sheet_.triangles[triangle].end(),
-                       [&](std::uint32_t node) { return sheet_.held[node] != 0; });
-  }
+  bool rigid(std::uint32_t triangle) const { return plate_.facets[triangle].rigid; }
 
   /// A triangle beside the way from p to q, where nodes a and b lie: its third corner, left of the way.
   Vec3d apex(std::uint32_t a, std::uint32_t b, std::uint32_t third, const Vec3d& p, const Vec3d& q) const {
@@ -113,7 +109,31 @@ std::array<double, 5> least_weights(const std::array<Form, 5>& forms, const Form
   return weights;
 }
 
-void split(const RestSheet& sheet, const Plate& plate, Hinge& hinge) {
+bool is_held(const RestSheet& sheet, const mesh::Triangle& triangle) {
+  return !sheet.held.empty() && std::all_of(triangle.begin(), triangle.end(),
+                                            [&](std::uint32_t node) { return sheet.held[node] != 0; });
+}
+
+/// The weights that make what the first triangle's part is more than half of the hinge's angle. Three angles at a
+/// corner of the rim may hardly tell curvatures apart: exact weights would be tens to hundreds. With more angles they
+/// are below one but beside slivers, and an error of 1e-6 is all that it takes; there the error is as large as it must
+/// be.
+std::array<double, 5> bounded_weights(const std::array<Form, 5>& forms, const Form& wanted, bool few) {
+  constexpr double kMost = 1, kMostSlack = 1e3;
+  std::array<double, 5> weights{};
+  for (double slack = few ? 1e-2 : 1e-7; slack < kMostSlack; slack *= 10) {
+    weights = least_weights(forms, wanted, slack);
+    if (std::all_of(weights.begin(), weights.end(), [](double w) { return std::abs(w) < kMost; })) break;
+  }
+  return weights;
+}
+
+/// A sliver is a triangle to which even curvature gives so much more of an angle than to its neighbour: its heights are
+/// so much smaller that it zigzags over the sheet. Of meshes whose triangles are alike, however long, one has 10 times
+/// as much at most.
+constexpr double kSliver = 12;
+
+void split(const RestSheet& sheet, Plate& plate, Hinge& hinge) {
   const Unfolded unfolded(sheet, plate);
   const auto [a, b, c, d] = hinge.nodes;
   const auto [first, second] = hinge.triangles;
@@ -136,10 +156,10 @@ void split(const RestSheet& sheet, const Plate& plate, Hinge& hinge) {
   form(1, first, c, a, r, p, q);
   form(2, second, a, d, p, s, q);
   form(3, second, d, b, s, q, p);
-  // Three angles at a corner of the rim may hardly tell curvatures apart: exact weights would be tens to hundreds. With
-  // more angles they are below one, and an error of 1e-6 is all that it takes.
   const bool few = std::count(hinge.others.begin(), hinge.others.end(), kNone) > 1;
-  hinge.shift = least_weights(forms, 0.5 * (to_first - to_second), few ? 1e-2 : 1e-7);
+  hinge.shift = bounded_weights(forms, 0.5 * (to_first - to_second), few);
+  if (length(to_first) > kSliver * length(to_second)) plate.facets[first].sliver = true;
+  if (length(to_second) > kSliver * length(to_first)) plate.facets[second].sliver = true;
 }
 
 /// Moments by parts of angles: curvature is their sum over the edges, n nᵀ times length by area (the mean of the
@@ -175,13 +195,12 @@ Mat3 facet_stiffness(const std::array<MaterialPoint, 3>& corners, const Facet& f
 
 Plate build_plate(const RestSheet& sheet, const Stiffness& bending) {
   Plate plate = joined(sheet);
-  const Unfolded unfolded(sheet, plate);
-  for (Hinge& hinge : plate.hinges) {
-    hinge.rest_angle = angle(corners_of(hinge, sheet.position));
-    split(sheet, plate, hinge);
-  }
+  for (std::uint32_t t = 0; t < plate.facets.size(); ++t)
+    plate.facets[t].rigid = is_held(sheet, sheet.triangles[t]);
+  for (Hinge& hinge : plate.hinges) hinge.rest_angle = angle(corners_of(hinge, sheet.position));
+  for (Hinge& hinge : plate.hinges) split(sheet, plate, hinge);
   for (std::uint32_t t = 0; t < plate.facets.size(); ++t) {
-    if (unfolded.rigid(t)) continue;
+    if (plate.facets[t].rigid || plate.facets[t].sliver) continue;
     const auto& [a, b, c] = sheet.triangles[t];
     const auto corners = places_of({sheet.position[a], sheet.position[b], sheet.position[c]}, sheet.warp);
     plate.facets[t].stiffness = facet_stiffness(corners, plate.facets[t], bending);

@@ -129,6 +129,7 @@ std::vector<double> bend_rates(const Plate& plate, std::span<const Vec3d> positi
 
 double energy(const Plate& plate, std::span<const double> bends) {
   double sum = 0;
+  if (bends.empty()) return sum;
   for (const Facet& facet : plate.facets) {
     const Vec3d angles = angles_of(parts_of(plate, facet), bends);
     sum += dot(angles, facet.stiffness * angles) / 2;
@@ -138,6 +139,7 @@ double energy(const Plate& plate, std::span<const double> bends) {
 
 std::vector<double> moments(const Plate& plate, std::span<const double> bends) {
   std::vector<double> all(bends.size());
+  if (bends.empty()) return all;
   for (const Facet& facet : plate.facets) {
     const std::array<Part, 3> parts = parts_of(plate, facet);
     const Vec3d by_angle = facet.stiffness * angles_of(parts, bends);
@@ -168,6 +170,12 @@ std::vector<Coupling> couplings(const Plate& plate) {
     all.insert(all.end(), row.begin(), row.end());
   }
   return all;
+}
+
+std::vector<double> stiffness_bounds(const Plate& plate) {
+  std::vector<double> sums(plate.hinges.size());
+  for (const Coupling& c : couplings(plate)) sums[c.row] += std::abs(c.entry);
+  return sums;
 }
 
 std::vector<Coupling> isometric_matrix(const Plate& plate, std::span<const Vec3d> rest) {

@@ -35,6 +35,8 @@ struct Facet {
   std::array<std::uint32_t, 3> hinges{};  // kNone at the rim, where no moment acts
   std::array<double, 3> sign{};           // 1: the triangle is the hinge's first, -1: its second
   Mat3 stiffness;                         // [N·m]
+  bool rigid = false;                     // it does not bend, and takes no part of an angle
+  bool sliver = false;                    // it bends freely
 };
 
 struct Plate {
@@ -44,7 +46,8 @@ struct Plate {
 
 /// Hinges at all edges between two triangles that turn the same way round, with their angles at rest; other edges are
 /// free, like the rim. A triangle with three held nodes does not bend: what is clamped to it begins to bend at its
-/// edge.
+/// edge. One that is far thinner than a neighbour takes its part of their angle, but bends freely: its moments would be
+/// those of a zigzag.
 Plate build_plate(const RestSheet& sheet, const Stiffness& bending);
 
 /// Of every hinge, less its angle at rest [rad].
@@ -68,6 +71,9 @@ struct Coupling {
 /// The matrix of `moments`, by hinges, row by row with columns ascending [N·m]. The Gauss-Newton Hessian of the energy
 /// is its product with the angles' slopes from both sides.
 std::vector<Coupling> couplings(const Plate& plate);
+/// Of each hinge, what it resists with in a diagonal matrix that is nowhere below that of `couplings` [N·m]: by
+/// Gershgorin, the sum of its row's absolute values.
+std::vector<double> stiffness_bounds(const Plate& plate);
 
 /// Of a sheet that is plane at rest, at these places: the matrix by nodes [N/m] of the quadratic energy
 /// ½ Σ S_ab x_a · x_b, which is that of small bends, and stays within their squares where the sheet is not stretched.

@@ -54,18 +54,36 @@ fn neo_hookean_stress(c : vec4f, f : Axes) -> Axes {
   return Axes(c.w * f.warp + s * cross(f.weft, normal), c.w * f.weft + s * cross(normal, f.warp));
 }
 
-// The first Piola-Kirchhoff stress, N/m, of what is stretched to f and is changing at `rate`, 1/s.
-fn membrane_stress(law : MembraneLaw, f : Axes, rate : Axes) -> Axes {
-  var e : Strain;
-  if (law.energy == kYarn) { e = yarn_strain(f); } else { e = green_strain(f); }
+// Neo-Hookean cloth is damped by the rate of Green's strain.
+fn strain_of(energy : u32, f : Axes) -> Strain {
+  if (energy == kYarn) { return yarn_strain(f); }
+  return green_strain(f);
+}
+
+// How fast the strain changes where F does by `rate`, times the delay.
+fn delayed(law : MembraneLaw, e : Strain, rate : Axes) -> vec3f {
   let strain_rate = vec3f(dot(e.warp, rate.warp), dot(e.weft, rate.weft),
                           dot(e.shear.warp, rate.warp) + dot(e.shear.weft, rate.weft));
-  let damping = law.delay * strain_rate;
+  return law.delay * strain_rate;
+}
+
+// What damping adds to the stress, N/m, of what is stretched to f and is changing at `rate`, 1/s.
+fn damping_stress(law : MembraneLaw, f : Axes, rate : Axes) -> Axes {
+  let e = strain_of(law.energy, f);
+  return along(stress_of_strain(law.stiffness, delayed(law, e, rate)), e);
+}
+
+// The first Piola-Kirchhoff stress, N/m, of the same.
+fn membrane_stress(law : MembraneLaw, f : Axes, rate : Axes) -> Axes {
+  let e = strain_of(law.energy, f);
+  let damping = delayed(law, e, rate);
   if (law.energy != kNeoHookean) { return along(stress_of_strain(law.stiffness, e.value + damping), e); }
   let elastic = neo_hookean_stress(law.stiffness, f);
   let damped = along(stress_of_strain(law.stiffness, damping), e);
   return Axes(elastic.warp + damped.warp, elastic.weft + damped.weft);
 }
+
+fn area_of(slopes : vec4f) -> f32 { return 0.5 / abs(slopes.x * slopes.w - slopes.y * slopes.z); }
 
 // F, or its rate, of a triangle with these spans from its first corner to the others; `slopes` are those of the others'
 // shape functions, 1/m: along warp and weft, of the second and of the third.
@@ -78,7 +96,7 @@ struct MembraneForces {
   third : vec3f,
 }
 fn membrane_forces(slopes : vec4f, stress : Axes) -> MembraneForces {
-  let area = 0.5 / abs(slopes.x * slopes.w - slopes.y * slopes.z);
+  let area = area_of(slopes);
   return MembraneForces(-area * (slopes.x * stress.warp + slopes.y * stress.weft),
                         -area * (slopes.z * stress.warp + slopes.w * stress.weft));
 }

@@ -2,7 +2,7 @@
 // computed before, and integrates it. One invocation per node. Source: docs/solvers/mass_spring.md, Fabric.
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
-#include "method/mass_spring/fabric_params.wgsl"
+#include "method/fabric_params.wgsl"
 //                                                                               elements      unit
 @group(0) @binding(0) var<uniform>             step         : StepBlock;
 @group(0) @binding(1) var<uniform>             fabric       : FabricParams;

@@ -1,7 +1,7 @@
 // How far each hinge of a cloth is bent from its rest, and τ times how fast. One invocation per hinge.
 // Source: docs/elements.md, Bending.
 #include "gpu/index.wgsl"
-#include "method/mass_spring/fabric_params.wgsl"
+#include "method/fabric_params.wgsl"
 #include "element/hinge/law.wgsl"
 //                                                                               elements      unit
 @group(0) @binding(0) var<uniform>             fabric      : FabricParams;

@@ -1,8 +1,9 @@
 // The forces of a cloth's hinges on their nodes: moments by all bends that have a part in a hinge's triangles. One
 // invocation per hinge. Source: docs/elements.md, Bending.
 #include "gpu/index.wgsl"
-#include "method/mass_spring/fabric_params.wgsl"
+#include "method/fabric_params.wgsl"
 #include "element/hinge/law.wgsl"
+#include "method/hinge_moment.wgsl"
 //                                                                             elements      unit
 @group(0) @binding(0) var<uniform>             fabric    : FabricParams;
 @group(0) @binding(1) var<storage, read>       hinges    : array<vec4u>;    // hinges        a, b, c, d
@@ -15,12 +16,7 @@
 fn fabric_hinges(@builtin(global_invocation_id) id : vec3u) {
   let hinge = flat_index(id);
   if (hinge >= fabric.hinges) { return; }
-  let row = couplings[hinge];  // the first entry, and the one behind the last
-  var moment = 0.0;
-  for (var entry = row.x; entry < row.y; entry++) {
-    let coupling = couplings[entry];  // a hinge, and N·m as the bits of f32
-    moment += bitcast<f32>(coupling.y) * bends[coupling.x];
-  }
+  let moment = moment_of(hinge);
   let nodes = hinges[hinge];
   let slope = hinge_slope(wing_of(position[nodes.x].xyz, position[nodes.y].xyz, position[nodes.z].xyz,
                                   position[nodes.w].xyz));

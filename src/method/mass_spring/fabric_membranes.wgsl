@@ -1,7 +1,7 @@
 // The forces of a cloth's triangles on their corners, in their plane. One invocation per triangle.
 // Source: docs/elements.md, Membrane.
 #include "gpu/index.wgsl"
-#include "method/mass_spring/fabric_params.wgsl"
+#include "method/fabric_params.wgsl"
 //                                                                            elements      unit
 @group(0) @binding(0) var<uniform>             fabric   : FabricParams;
 @group(0) @binding(1) var<storage, read>       corners  : array<u32>;      // 3 * triangles

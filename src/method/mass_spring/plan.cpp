@@ -18,7 +18,8 @@ StepLimit mass_spring_step_limit(const Model& model, double drag) {
 Method mass_spring_method() {
   static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane,
                                         ElementKind::Hinge};
-  static constexpr MethodCost kCost = {{0.0045, 2.0e-8}, {0.0095, 6.7e-8}, {0.14, 1.5e-6}, {0.09, 5.0e-7}};
+  static constexpr MethodCost kCost = {{0.0045, 2.0e-8}, {0.0095, 6.7e-8}, {0.012, 1.0e-6},
+                                       {0.14, 1.5e-6},   {0.09, 5.0e-7},   {0.09, 5.0e-7}};
   Method row{};
   row.kind = scene::SolverKind::MassSpring;
   row.takes = kTakes;

@@ -7,6 +7,7 @@
 #include "element/spring/law.hpp"
 #include "method/multigrid/grid_levels.hpp"
 #include "model/cloth_size.hpp"
+#include "model/fabric.hpp"
 
 namespace weft::multigrid {
 namespace {
@@ -33,6 +34,26 @@ std::uint32_t sweeps_for(double condition) {
 
 std::uint32_t rounds(const LevelScale& level) { return (level.nodes + kInvocations - 1) / kInvocations; }
 
+std::vector<LevelScale> fabric_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
+                                      double step) {
+  const double he = formula_length(step), area = area_of(model, body);
+  const double inertia = mass_of(model, body) / (he * he), damped = 1 + body.fabric->damping / he;
+  const Stiffness membrane = membrane_law(*body.fabric).stiffness, bending = bending_law(*body.fabric);
+  const double stretching = 4.0 / 3 * damped * (membrane.warp + membrane.weft + 2 * membrane.shear);
+  // Coarse functions bend in lines of the finest hinges, whose stiffness is bounded by some five times a sheet's.
+  const double fine = std::sqrt(area / levels[0].node_count);
+  const double most = 30 * damped * (bending.warp + bending.weft + 2 * bending.shear);
+  std::vector<LevelScale> scales;
+  for (const MeshLevel& level : levels) {
+    const double bends = most / (fine * std::sqrt(area / level.node_count));
+    // The smoothed matrix is the inverse of a part of the diagonal's inverse.
+    scales.push_back({level.node_count, inertia / level.node_count,
+                      (stretching + bends) +
+                          (1 / kFabricDiagonalPart - 1) * (inertia / level.node_count + stretching + bends)});
+  }
+  return scales;
+}
+
 }  // namespace
 
 std::vector<LevelScale> grid_scales(const Model& model, const Body& body, double step) {
@@ -58,6 +79,7 @@ std::vector<LevelScale> grid_scales(const Model& model, const Body& body, double
 
 std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
                                     double step) {
+  if (body.fabric) return fabric_scales(model, body, levels, step);
   const double he = formula_length(step), inertia = mass_of(model, body) / (he * he);
   double springs = 0;
   for (const Spring s : model.springs(body)) {

@@ -46,11 +46,16 @@ void Cycle::set_iterations(gpu::Device& device, std::uint32_t iterations, bool m
 
 void Cycle::record_system(gpu::ComputePass& pass) const {
   predict_.record(pass);
-  gradient_.record(pass);
+  record_gradient(pass);
 }
 
 void Cycle::record_system_again(gpu::ComputePass& pass) const {
   predict_again_.record(pass);
+  record_gradient(pass);
+}
+
+void Cycle::record_gradient(gpu::ComputePass& pass) const {
+  for (const Dispatch& stage : elements_) stage.record(pass);
   gradient_.record(pass);
 }
 

@@ -99,6 +99,7 @@ class Cycle {
   // Its parts.
   void record_system(gpu::ComputePass& pass) const;
   void record_system_again(gpu::ComputePass& pass) const;
+  void record_gradient(gpu::ComputePass& pass) const;
   void record_matrices(gpu::ComputePass& pass) const;
   void record_guess(gpu::ComputePass& pass) const;
   void record_down(gpu::ComputePass& pass) const;
@@ -148,6 +149,7 @@ class Cycle {
   gpu::Buffer<std::int32_t> no_presses_;
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<std::array<float, 2>> partials_;
+  std::vector<gpu::Dispatch> elements_;  // what the gradient adds up, where it is not of springs
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_, begin_anew_;
   gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system
   gpu::Dispatch begin_solve_, search_, advance_;       // of conjugate gradients

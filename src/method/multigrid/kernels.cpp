@@ -133,27 +133,38 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
   return made;
 }
 
-Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs) {
+Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, Blocks blocks) {
+  const bool of_fabric = blocks == Blocks::General;
   const std::uint32_t size = inputs.workgroup_size,
                       lone = tail_workgroup_size(inputs.device, multigrid::kMeshTail);
   constexpr std::uint32_t kByLanes = multigrid::kLanes * multigrid::kChunk;
   using K = MeshKernels;
+  const gpu::Constant general{"kGeneral", of_fabric ? 1.0 : 0.0};
+  const gpu::Constant part{"kDiagonalPart", of_fabric ? multigrid::kFabricDiagonalPart : 1.0};
   const Row<K> table[] = {
-      {&K::gradient, "mesh_gradient", size, {holds(inputs), limits(inputs)}},
-      {&K::galerkin, "mesh_galerkin", size},
-      {&K::smooth_down, "mesh_smooth_end", kByLanes, {down()}},
-      {&K::residual, "mesh_residual", kByLanes},
+      {&K::galerkin, "mesh_galerkin", size, {general, part}},
+      {&K::smooth_down, "mesh_smooth_end", kByLanes, {down(), general}},
+      {&K::residual, "mesh_residual", kByLanes, {general}},
       {&K::restrict_residual, "mesh_restrict", size},
-      {&K::tail, "mesh_tail", lone},
-      {&K::tail_of_pieces, "mesh_tail", lone, {{"kShows", 0}}},
+      {&K::tail, "mesh_tail", lone, {general}},
+      {&K::tail_of_pieces, "mesh_tail", lone, {{"kShows", 0}, general}},
       {&K::prolong, "mesh_prolong", size},
-      {&K::smooth_begin, "mesh_smooth_begin", kByLanes},
-      {&K::smooth_up, "mesh_smooth_end", kByLanes, {up()}},
-      {&K::smooth_last, "mesh_smooth_last", kByLanes},
-      {&K::search, "mesh_search", kByLanes, {pairs(inputs)}},
+      {&K::smooth_begin, "mesh_smooth_begin", kByLanes, {general}},
+      {&K::smooth_up, "mesh_smooth_end", kByLanes, {up(), general}},
+      {&K::smooth_last, "mesh_smooth_last", kByLanes, {general}},
+      {&K::search, "mesh_search", kByLanes, {pairs(inputs), general}},
   };
   K made;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
+  const Row<K> of_springs[] = {{&K::gradient, "mesh_gradient", size, {holds(inputs), limits(inputs)}}};
+  const Row<K> of_elements[] = {{&K::gradient, "fabric_gradient", size, {holds(inputs), general, part}}};
+  WEFT_CHECK(create_all<K>(inputs.device, of_fabric ? of_elements : of_springs, made));
+  using F = FabricKernels;
+  const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size},
+                           {&F::hinges, "hinge_terms", size},
+                           {&F::forces, "hinge_forces", size},
+                           {&F::blocks, "fabric_blocks", size, {general}}};
+  if (of_fabric) WEFT_CHECK(create_all<F>(inputs.device, fabric, made.fabric));
   WEFT_SET(made.shared, SharedKernels::create(inputs));
   return made;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "method/multigrid/cycle.hpp"
+#include "method/multigrid/mesh_levels.hpp"
 
 namespace weft {
 
@@ -35,9 +36,15 @@ struct GridKernels {
   static Result<GridKernels> create(const CycleInputs& inputs);
 };
 
-/// The kernels of meshes: the same for all levels.
+/// The kernels of a cloth of fabric's own elements.
+struct FabricKernels {
+  gpu::SharedKernel membranes, hinges, forces, blocks;
+};
+
+/// The kernels of meshes: the same for all levels. Those of fabric have general blocks.
 struct MeshKernels {
   SharedKernels shared;
+  FabricKernels fabric;                                        // none for springs
   gpu::SharedKernel gradient, galerkin;                        // the linear system, and its coarse levels
   gpu::SharedKernel smooth_down, residual, restrict_residual;  // the cycle: down
   gpu::SharedKernel tail, tail_of_pieces;                      // on the coarsest levels
@@ -46,7 +53,7 @@ struct MeshKernels {
   gpu::SharedKernel search;                                    // A p
 
   /// Errors  Shader.
-  static Result<MeshKernels> create(const CycleInputs& inputs);
+  static Result<MeshKernels> create(const CycleInputs& inputs, Blocks blocks = Blocks::Symmetric);
 };
 
 }  // namespace weft

@@ -10,33 +10,34 @@ using gpu::Dispatch;
 
 Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body) {
   MeshCycle made;
-  const Springs springs = inputs.model.host.springs(body);
-  std::vector<MeshLevel> levels = mesh_levels(inputs.model.host, body, springs);
-  made.bottom_ = multigrid::bottom_of(multigrid::mesh_scales(inputs.model.host, body, levels, inputs.step),
-                                      multigrid::kMeshTail);
+  const Model& model = inputs.model.host;
+  const FabricPairs pairs = body.fabric ? fabric_pairs(model, body) : FabricPairs{};
+  std::vector<MeshLevel> levels = body.fabric ? mesh_levels(model, body, pairs.pairs, Blocks::General)
+                                              : mesh_levels(model, body, model.springs(body));
+  made.bottom_ =
+      multigrid::bottom_of(multigrid::mesh_scales(model, body, levels, inputs.step), multigrid::kMeshTail);
   levels.resize(made.bottom_.level + 1);
   const MeshLists lists = mesh_lists(levels);
   made.shapes_ = lists.levels;
   WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_, multigrid::kMeshTail));
-  WEFT_CHECK(made.create_lists(inputs.device, lists, springs,
-                               longest_lengths(limited_edges(inputs.model.host, body), springs)));
-  WEFT_CHECK(made.create_system(inputs, kernels));
+  WEFT_CHECK(made.create_lists(inputs.device, lists));
+  WEFT_SET(made.blocks_,
+           (gpu::Buffer<std::array<float, 2>>::create(
+               inputs.device, (body.fabric ? 5 : 3) * lists.entries.size(), "multigrid blocks")));
+  WEFT_CHECK(made.create_shared(inputs, kernels.shared));
+  WEFT_CHECK(body.fabric ? made.create_fabric(inputs, kernels, body, pairs, lists)
+                         : made.create_springs(inputs, kernels, body, lists));
+  WEFT_CHECK(made.create_search(inputs, kernels));
   WEFT_CHECK(made.create_levels(kernels));
   return made;
 }
 
-Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists, const Springs& springs,
-                                     std::span<const float> longest) {
+Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists) {
   const auto make = [&](auto& buffer, const auto& values, const char* label) -> Result<void> {
     using Made = std::remove_reference_t<decltype(buffer)>;
     WEFT_SET(buffer, Made::create_from(device, values, label));
     return {};
   };
-  const std::uint32_t nodes = lists.levels[0].node_count;
-  std::vector<Vec4f> of_entries(nodes + 2 * springs.size());
-  for (std::size_t s = 0; s < springs.size(); ++s)
-    for (const std::uint32_t entry : lists.entries_of[0][nodes + s])
-      of_entries[entry] = {springs[s].rest_length, springs[s].stiffness, springs[s].damping, longest[s]};
   std::vector<BlockEntries> targets(lists.product_starts.size());
   for (std::size_t l = 1; l < lists.levels.size(); ++l)
     std::copy(lists.entries_of[l].begin(), lists.entries_of[l].end(),
@@ -49,24 +50,48 @@ Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists
   WEFT_CHECK(make(lists_.products, lists.products, "multigrid products"));
   WEFT_CHECK(make(lists_.targets, targets, "multigrid targets"));
   WEFT_CHECK(make(lists_.taps, lists.taps, "multigrid taps"));
-  WEFT_CHECK(make(lists_.springs, of_entries, "multigrid springs"));
-  WEFT_SET(blocks_,
-           (gpu::Buffer<std::array<float, 2>>::create(device, 3 * lists.entries.size(), "multigrid blocks")));
   return {};
 }
 
-Result<void> MeshCycle::create_system(const CycleInputs& inputs, const MeshKernels& kernels) {
-  const gpu::Workgroups nodes = kernels.gradient->workgroups_of(node_count(shapes_[0]));
+Result<void> MeshCycle::create_springs(const CycleInputs& inputs, const MeshKernels& kernels,
+                                       const Body& body, const MeshLists& lists) {
+  const Model& model = inputs.model.host;
+  const Springs springs = model.springs(body);
+  const std::vector<float> longest = longest_lengths(limited_edges(model, body), springs);
+  const std::uint32_t nodes = lists.levels[0].node_count;
+  std::vector<Vec4f> of_entries(nodes + 2 * springs.size());
+  for (std::size_t s = 0; s < springs.size(); ++s)
+    for (const std::uint32_t entry : lists.entries_of[0][nodes + s])
+      of_entries[entry] = {springs[s].rest_length, springs[s].stiffness, springs[s].damping, longest[s]};
+  WEFT_SET(springs_, gpu::Buffer<Vec4f>::create_from(inputs.device, of_entries, "multigrid springs"));
+  WEFT_SET(gradient_,
+           Dispatch::create(kernels.gradient, kernels.gradient->workgroups_of(nodes),
+                            {inputs.state.steps, nodes_, levels_[0].levels, place_, holds_, vectors_, blocks_,
+                             lists_.row_starts, lists_.entries, springs_, presses(inputs)}));
+  return {};
+}
+
+Result<void> MeshCycle::create_fabric(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
+                                      const FabricPairs& pairs, const MeshLists& lists) {
+  const gpu::RawBuffer& levels = levels_[0].levels;
+  WEFT_SET(fabric_,
+           FabricSystem::create(inputs, kernels.fabric, body, pairs, lists.entries_of[0],
+                                {levels, place_, vectors_, lists_.row_starts, lists_.entries, blocks_}));
+  elements_ = fabric_->take_stages();
+  const FabricBuffers& elements = fabric_->elements();
+  WEFT_SET(gradient_,
+           Dispatch::create(kernels.gradient, kernels.gradient->workgroups_of(node_count(shapes_[0])),
+                            {inputs.state.steps, nodes_, levels, place_, holds_, vectors_, blocks_,
+                             lists_.row_starts, elements.gathers, elements.forces, presses(inputs)}));
+  return {};
+}
+
+Result<void> MeshCycle::create_search(const CycleInputs& inputs, const MeshKernels& kernels) {
   const gpu::Workgroups by_lanes =
       kernels.search->workgroups_of(multigrid::kLanes * std::uint64_t{node_count(shapes_[0])});
-  const gpu::RawBuffer& levels = levels_[0].levels;
-  WEFT_CHECK(create_shared(inputs, kernels.shared));
   WEFT_SET(search_, Dispatch::create(kernels.search, by_lanes,
-                                     {levels, vectors_, blocks_, lists_.row_starts, lists_.entries, partials_,
-                                      place_, pair_sums(inputs), nodes_}));
-  WEFT_SET(gradient_, Dispatch::create(kernels.gradient, nodes,
-                                       {inputs.state.steps, nodes_, levels, place_, holds_, vectors_, blocks_,
-                                        lists_.row_starts, lists_.entries, lists_.springs, presses(inputs)}));
+                                     {levels_[0].levels, vectors_, blocks_, lists_.row_starts, lists_.entries,
+                                      partials_, place_, pair_sums(inputs), nodes_}));
   return {};
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "method/multigrid/fabric_system.hpp"
 #include "method/multigrid/kernels.hpp"
 #include "method/multigrid/mesh_lists.hpp"
 
@@ -23,17 +25,21 @@ class MeshCycle : public Cycle {
     gpu::Buffer<std::uint32_t> row_starts, entries, source_starts, product_starts;
     gpu::Buffer<BlockEntries> targets;
     gpu::Buffer<Share> sources, products, taps;
-    gpu::Buffer<Vec4f> springs;
   };
 
-  Result<void> create_lists(gpu::Device& device, const MeshLists& lists, const Springs& springs,
-                            std::span<const float> longest);
-  Result<void> create_system(const CycleInputs& inputs, const MeshKernels& kernels);
+  Result<void> create_lists(gpu::Device& device, const MeshLists& lists);
+  Result<void> create_springs(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
+                              const MeshLists& lists);
+  Result<void> create_fabric(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
+                             const FabricPairs& pairs, const MeshLists& lists);
+  Result<void> create_search(const CycleInputs& inputs, const MeshKernels& kernels);
   Result<void> create_levels(const MeshKernels& kernels);
 
   std::vector<MeshLevelParams> shapes_;  // of its levels
   ListBuffers lists_;
-  gpu::Buffer<std::array<float, 2>> blocks_;  // three an entry
+  gpu::Buffer<Vec4f> springs_;                // of entries
+  std::optional<FabricSystem> fabric_;        // instead of springs
+  gpu::Buffer<std::array<float, 2>> blocks_;  // three an entry, of fabric five
 };
 
 }  // namespace weft

@@ -2,9 +2,7 @@
 // node, which keeps its row.
 // Sums run in a fixed order. Source: docs/solvers/multigrid.md, equations 5, 6 and 11.
 #include "gpu/index.wgsl"
-#include "method/multigrid/hold_at_obstacles.wgsl"
-#include "method/multigrid/level_start.wgsl"
-#include "method/multigrid/mesh_store_block.wgsl"
+#include "method/multigrid/mesh_row_end.wgsl"
 #include "method/multigrid/spring.wgsl"
 //                                                                                elements           unit
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
@@ -42,18 +40,7 @@ fn mesh_gradient(@builtin(global_invocation_id) id : vec3u) {
     let part = sum_of(outer(pulled.block.direction, pulled.block.along), identity(pulled.block.across));
     diagonal = sum_of(diagonal, part);
     residual += pulled.force;
-    store_block(entry, scaled(select(-1.0, 0.0, own.w == 0.0 || at.w == 0.0), part));
+    store_symmetric(entry, scaled(select(-1.0, 0.0, own.w == 0.0 || at.w == 0.0), part));
   }
-  if (own.w == 0.0) {  // it has no unknown
-    diagonal = zero_matrix();
-    residual = vec3f(0.0);
-    if (kHolds) { free_of_obstacles(node, nodes.first_vertex); }
-  } else if (kHolds) {
-    let hold = hold_at_obstacles(node, nodes.first_vertex, own.w, residual, vectors[vector_at(level, kWay, node)]);
-    residual += hold.force;
-    diagonal = sum_of(diagonal, hold.block);
-  }
-  store_block(first, diagonal);
-  store_inverse(level, node, inverse(diagonal));
-  vectors[vector_at(level, kResidual, node)] = vec4f(residual, 0.0);
+  end_row(level, node, own.w, first, diagonal, residual);
 }

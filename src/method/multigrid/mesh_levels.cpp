@@ -16,7 +16,7 @@ mesh::Network network_of(const Model& model, const Body& body) {
 }
 
 /// The rows of a matrix whose blocks beside the diagonal are those of these pairs.
-void set_rows(MeshLevel& level, const std::vector<mesh::Edge>& pairs) {
+void set_rows(MeshLevel& level, std::span<const mesh::Edge> pairs) {
   level.block_count = level.node_count + static_cast<std::uint32_t>(pairs.size());
   std::vector<std::uint32_t>& starts = level.rows.starts;
   starts.assign(level.node_count + 1, 0);
@@ -27,7 +27,7 @@ void set_rows(MeshLevel& level, const std::vector<mesh::Edge>& pairs) {
   std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
   for (std::uint32_t p = 0; p < pairs.size(); ++p)
     for (const std::size_t k : {0, 1})
-      level.rows.items[next[pairs[p][k]]++] = {pairs[p][1 - k], level.node_count + p};
+      level.rows.items[next[pairs[p][k]]++] = {pairs[p][1 - k], {level.node_count + p, k == 1}};
 }
 
 void set_sources(MeshLevel& level) {
@@ -43,44 +43,46 @@ void set_sources(MeshLevel& level) {
 
 /// A part of Pᵀ A P in the row of one coarse node.
 struct Product {
-  std::uint32_t column, block;
+  std::uint32_t column;
+  BlockPlace at;
   double weight;
 };
 
 /// What row `node` of Pᵀ A P is made of, in columns from `node` on: the matrix is symmetric.
-std::vector<Product> products_of(const MeshLevel& fine, const MeshLevel& coarse, std::uint32_t node) {
+std::vector<Product> products_of(const MeshLevel& fine, const MeshLevel& coarse, std::uint32_t node,
+                                 Blocks blocks) {
   std::vector<Product> row;
   for (const Share& source : coarse.sources.of(node)) {
-    const auto add = [&](std::uint32_t other, std::uint32_t block) {
+    const auto add = [&](std::uint32_t other, BlockPlace at) {
+      if (blocks == Blocks::Symmetric) at.transposed = false;
       for (const Share& tap : coarse.taps[other])
         if (tap.weight != 0 && tap.index >= node)
           row.push_back(
-              {tap.index, block, static_cast<double>(source.weight) * static_cast<double>(tap.weight)});
+              {tap.index, at, static_cast<double>(source.weight) * static_cast<double>(tap.weight)});
     };
-    add(source.index, source.index);
-    for (const Coupling& coupling : fine.rows.of(source.index)) add(coupling.node, coupling.block);
+    add(source.index, {source.index});
+    for (const Coupling& coupling : fine.rows.of(source.index)) add(coupling.node, coupling.at);
   }
   std::stable_sort(row.begin(), row.end(), [](const Product& a, const Product& b) {
-    return std::tie(a.column, a.block) < std::tie(b.column, b.block);
+    return std::tie(a.column, a.at.block, a.at.transposed) < std::tie(b.column, b.at.block, b.at.transposed);
   });
   return row;
 }
 
 /// The pattern of Pᵀ A P, and of which blocks it is made.
-void set_products(const MeshLevel& fine, MeshLevel& coarse) {
-  Lists<Share> diagonal, beside;
+void set_products(const MeshLevel& fine, MeshLevel& coarse, Blocks blocks) {
+  Lists<BlockShare> diagonal, beside;
   std::vector<mesh::Edge> pairs;
   for (std::uint32_t node = 0; node < coarse.node_count; ++node) {
-    const std::vector<Product> row = products_of(fine, coarse, node);
+    const std::vector<Product> row = products_of(fine, coarse, node, blocks);
     for (std::size_t k = 0; k < row.size();) {
       const std::uint32_t column = row[k].column;
-      Lists<Share>& lists = column == node ? diagonal : beside;
+      Lists<BlockShare>& lists = column == node ? diagonal : beside;
       while (k < row.size() && row[k].column == column) {
-        const std::uint32_t block = row[k].block;
+        const BlockPlace at = row[k].at;
         double weight = 0;
-        for (; k < row.size() && row[k].column == column && row[k].block == block; ++k)
-          weight += row[k].weight;
-        lists.items.push_back({block, static_cast<float>(weight)});
+        for (; k < row.size() && row[k].column == column && row[k].at == at; ++k) weight += row[k].weight;
+        lists.items.push_back({at, static_cast<float>(weight)});
       }
       lists.close();
       if (column != node) pairs.push_back({node, column});
@@ -97,10 +99,15 @@ void set_products(const MeshLevel& fine, MeshLevel& coarse) {
 }  // namespace
 
 std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, const Springs& springs) {
-  mesh::Network network = network_of(model, body);
   std::vector<mesh::Edge> pairs;
   for (const Spring spring : springs)
     pairs.push_back({spring.node_a - body.first_vertex, spring.node_b - body.first_vertex});
+  return mesh_levels(model, body, pairs, Blocks::Symmetric);
+}
+
+std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, std::span<const mesh::Edge> pairs,
+                                   Blocks blocks) {
+  mesh::Network network = network_of(model, body);
   std::vector<MeshLevel> levels(1);
   levels[0].node_count = body.vertex_count;
   set_rows(levels[0], pairs);
@@ -111,7 +118,7 @@ std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, const S
     level.node_count = static_cast<std::uint32_t>(coarse.of.size());
     level.taps = std::move(coarse.taps);
     set_sources(level);
-    set_products(levels.back(), level);
+    set_products(levels.back(), level, blocks);
     levels.push_back(std::move(level));
     network = std::move(coarse.network);
   }

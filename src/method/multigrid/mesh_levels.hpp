@@ -6,47 +6,53 @@
 #include <span>
 #include <vector>
 
+#include "base/lists.hpp"
 #include "mesh/coarse_mesh.hpp"
 #include "model/model.hpp"
 
 namespace weft {
 
-/// Lists one after the other.
-template <class Item>
-struct Lists {
-  std::vector<std::uint32_t> starts = {0};  // one more than there are lists
-  std::vector<Item> items;
+/// A block of a level's matrix, or its transpose.
+struct BlockPlace {
+  std::uint32_t block = 0;
+  bool transposed = false;
 
-  std::size_t size() const { return starts.size() - 1; }
-  std::span<const Item> of(std::size_t list) const {
-    return std::span(items).subspan(starts[list], starts[list + 1] - starts[list]);
-  }
-  /// Ends the list to which items were added.
-  void close() { starts.push_back(static_cast<std::uint32_t>(items.size())); }
+  bool operator==(const BlockPlace&) const = default;
 };
-
 /// An off-diagonal entry of a matrix row.
 struct Coupling {
-  std::uint32_t node = 0, block = 0;
+  std::uint32_t node = 0;
+  BlockPlace at;
+};
+/// A part of a sum of blocks.
+struct BlockShare {
+  BlockPlace at;
+  float weight = 0;
 };
 using mesh::Share;
 
-/// A level. Its matrix is symmetric and made of symmetric blocks: first those of the diagonal, node by node,
-/// then one for each two nodes that are coupled.
+/// A level. Its matrix is symmetric and made of blocks: first those of the diagonal, node by node, which are symmetric,
+/// then one for each two nodes that are coupled: the row of one, the column of the other.
 struct MeshLevel {
   std::uint32_t node_count = 0, block_count = 0;
   Lists<Coupling> rows;  // of each node
   // From the next finer level; empty for the finest.
   std::vector<std::array<Share, 3>> taps;  // P: of each finer node, this level's nodes
   Lists<Share> sources;                    // Pᵀ: of each node, the finer nodes that take from it
-  Lists<Share> products;                   // Pᵀ A P: of each block, the finer blocks whose sum it is
+  Lists<BlockShare> products;              // Pᵀ A P: of each block, the finer blocks whose sum it is
 };
 
 /// No level of fewer nodes than this is made coarser.
 inline constexpr std::uint32_t kLeastNodes = 25;
 
-/// The levels of a cloth, the finest first. Of that, block node_count + s is that of springs[s], which join
-/// nodes of the cloth and no two of them twice.
+/// Whether blocks of two nodes are symmetric, as those of springs are: then none is taken transposed.
+enum class Blocks { Symmetric, General };
+
+/// The levels of a cloth, the finest first. Of that, block node_count + p is that of pairs[p], two nodes of the cloth,
+/// whose numbers count from 0; no two pairs are the same.
+std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, std::span<const mesh::Edge> pairs,
+                                   Blocks blocks);
+/// Those of a cloth of springs: a pair is a spring.
 std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, const Springs& springs);
 
 }  // namespace weft

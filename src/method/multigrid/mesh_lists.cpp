@@ -27,7 +27,7 @@ std::vector<BlockEntries> append_rows(const MeshLevel& level, MeshLists& lists) 
     lists.row_starts.push_back(own);
     entries_of[node] = {own, own};
     for (const Coupling& coupling : level.rows.of(node))
-      entries_of[coupling.block][node < coupling.node ? 0 : 1] = append_entry(coupling.node);
+      entries_of[coupling.at.block][coupling.at.transposed ? 1 : 0] = append_entry(coupling.node);
   }
   lists.row_starts.push_back(static_cast<std::uint32_t>(lists.entries.size()));
   return entries_of;
@@ -44,10 +44,10 @@ MeshLists mesh_lists(std::span<const MeshLevel> levels) {
     made.first_vector = static_cast<std::uint32_t>(lists.vector_count);
     made.first_row = static_cast<std::uint32_t>(lists.row_starts.size());
     made.first_source = append(level.sources, lists.source_starts, lists.sources);
-    const std::size_t products = lists.products.size();
-    made.first_product = append(level.products, lists.product_starts, lists.products);
-    for (std::size_t p = products; p < lists.products.size(); ++p)
-      lists.products[p].index = lists.entries_of.back()[lists.products[p].index][0];
+    Lists<Share> products{level.products.starts, {}};
+    for (const auto& [at, weight] : level.products.items)
+      products.items.push_back({lists.entries_of.back()[at.block][at.transposed ? 1 : 0], weight});
+    made.first_product = append(products, lists.product_starts, lists.products);
     lists.entries_of.push_back(append_rows(level, lists));
     made.first_taps = static_cast<std::uint32_t>(lists.taps.size());
     for (const auto& taps : level.taps) lists.taps.insert(lists.taps.end(), taps.begin(), taps.end());

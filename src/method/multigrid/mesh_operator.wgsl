@@ -18,7 +18,7 @@ fn lane_product(level : Level, x : u32, node : u32, lane : u32) -> vec3f {
     let block_b = block_of(b);
     let x_a = operand(level, x, entries[a]);
     let x_b = select(vec3f(0.0), operand(level, x, entries[b]), b != a);
-    sum = sum + times(block_a, x_a) + times(block_b, x_b);
+    sum = sum + mesh_block_times(block_a, x_a) + mesh_block_times(block_b, x_b);
   }
   return sum;
 }

@@ -15,8 +15,10 @@ StepLimit step_limit(const scene::Scene& scene, const Model&) {
 }  // namespace
 
 Method multigrid_method() {
-  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple};
-  static constexpr MethodCost kCost = {{0.45, 1.95e-6}, {0.29, 1.6e-5}, {0.9, 2.8e-5}, {0.9, 9.3e-5}};
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane,
+                                        ElementKind::Hinge};
+  static constexpr MethodCost kCost = {{0.45, 1.95e-6}, {0.29, 1.6e-5}, {0.6, 1.2e-5},
+                                       {0.9, 2.8e-5},   {0.9, 9.3e-5},  {1.0, 2.0e-5}};
   Method row{};
   row.kind = scene::SolverKind::Multigrid;
   row.takes = kTakes;

@@ -61,19 +61,21 @@ Result<void> SolverMultigrid::bind_lists() {
 
 Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   std::optional<GridKernels> grid_kernels;
-  std::optional<MeshKernels> mesh_kernels;
+  std::array<std::optional<MeshKernels>, 2> mesh_kernels;  // of springs, of fabric
   const std::span<const Body> bodies = inputs.model.host.bodies;
   for (std::size_t b = 0; b < bodies.size();) {
     const Body& body = bodies[b];
-    if (body.grid) {
+    if (body.grid && !body.fabric) {
       const std::uint32_t count = equal_grids(bodies.subspan(b), most_cloths(body, inputs.device.limits()));
       if (!grid_kernels) WEFT_SET(grid_kernels, GridKernels::create(inputs));
       WEFT_TRY(cycle, GridCycle::create(inputs, *grid_kernels, {body, count}));
       grids_.push_back(std::move(cycle));
       b += count;
     } else {
-      if (!mesh_kernels) WEFT_SET(mesh_kernels, MeshKernels::create(inputs));
-      WEFT_TRY(cycle, MeshCycle::create(inputs, *mesh_kernels, body));
+      std::optional<MeshKernels>& kernels = mesh_kernels[body.fabric ? 1 : 0];
+      if (!kernels)
+        WEFT_SET(kernels, MeshKernels::create(inputs, body.fabric ? Blocks::General : Blocks::Symmetric));
+      WEFT_TRY(cycle, MeshCycle::create(inputs, *kernels, body));
       meshes_.push_back(std::move(cycle));
       ++b;
     }

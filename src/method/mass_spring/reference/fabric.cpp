@@ -27,7 +27,7 @@ std::vector<FabricCloth> fabric_cloths(const Model& model) {
     if (body.fabric)
       all.push_back({body.first_vertex, body.vertex_count,
                      membrane::Membranes::of(fabric_sheet(model, body).rest(), membrane_law(*body.fabric)),
-                     plate_of(model, body)});
+                     model.plate(body)});
   return all;
 }
 

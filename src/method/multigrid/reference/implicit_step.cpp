@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "element/spring/law.hpp"
+#include "method/multigrid/reference/fabric_terms.hpp"
 
 namespace weft::reference {
 namespace {
@@ -46,6 +47,22 @@ SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t
   const Vec3d damping = Sym3::outer(later / std::max(length(later), spring::kMinLength), s.damping) *
                         (step.start_velocity[b] - step.start_velocity[a]);
   return {tension * n + damping + elastic * step_of_span, elastic + Sym3::outer(n, s.damping * rate)};
+}
+
+/// Adds springs of a mesh, one a pair of nodes, to its residual and matrix.
+void add_springs(MeshStep& step, std::span<const SpringLink> springs, std::uint32_t first, double rate) {
+  std::vector<Sym3>& blocks = step.matrix.blocks;
+  std::size_t block = step.fixed.size();
+  for (const SpringLink& s : springs) {
+    const std::size_t a = s.node_a - first, b = s.node_b - first;
+    const SpringTerms terms = spring_terms(s, step, a, b, rate);
+    step.residual[a] += terms.force;
+    step.residual[b] -= terms.force;
+    if (!step.fixed[a]) blocks[a] += terms.block;
+    if (!step.fixed[b]) blocks[b] += terms.block;
+    if (!step.fixed[a] && !step.fixed[b]) blocks[block] = -1.0 * terms.block;
+    ++block;
+  }
 }
 
 std::size_t place_of(const Link& link) { return link.dj == 0 ? 1 : link.di < 0 ? 4 : link.di == 0 ? 2 : 3; }
@@ -105,10 +122,16 @@ ImplicitStepper::ImplicitStepper(const Model& model, double step, double residua
     : wanted_residual(residual),
       position_before_(model.vertex_count()),
       velocity_before_(model.vertex_count()) {
-  std::size_t springs = 0;
+  std::size_t springs = 0, fabrics = 0;
   for (const Body& body : model.bodies) {
     Cloth made{body.first_vertex, body.vertex_count};
-    if (body.grid) {
+    if (body.fabric) {
+      made.fabric = fabrics++;
+      made.parts = fabric_pairs(model, body);
+      made.levels = mesh_levels(model, body, made.parts.pairs, Blocks::General);
+      made.bottom =
+          multigrid::bottom_of(multigrid::mesh_scales(model, body, made.levels, step), multigrid::kMeshTail);
+    } else if (body.grid) {
       made.nx = body.grid->nx;
       made.ny = body.grid->ny;
       const auto [along_i, along_j] = bending_stiffness(body);
@@ -194,16 +217,11 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   blocks.resize(cloth.levels[0].block_count);
   for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
   const double rate = 1 / step_formula(dt, ratio).he;
-  for (std::size_t block = cloth.count; block < blocks.size(); ++block) {
-    const SpringLink& s = system.springs[cloth.first_spring + block - cloth.count];
-    const std::size_t a = s.node_a - cloth.first, b = s.node_b - cloth.first;
-    const SpringTerms terms = spring_terms(s, step, a, b, rate);
-    step.residual[a] += terms.force;
-    step.residual[b] -= terms.force;
-    if (!step.fixed[a]) blocks[a] += terms.block;
-    if (!step.fixed[b]) blocks[b] += terms.block;
-    if (!step.fixed[a] && !step.fixed[b]) blocks[block] = -1.0 * terms.block;
-  }
+  if (cloth.fabric)
+    add_fabric(step, system.fabrics[*cloth.fabric], cloth.parts, rate);
+  else
+    add_springs(step, std::span(system.springs).subspan(cloth.first_spring, blocks.size() - cloth.count),
+                cloth.first, rate);
   for (std::size_t a = 0; a < cloth.count; ++a)
     if (step.fixed[a]) step.residual[a] = {};
   if (!presses.empty())

@@ -7,6 +7,7 @@
 
 #include "contact/reference/proximity/press.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
+#include "method/multigrid/fabric_pairs.hpp"
 #include "method/multigrid/reference/conjugate_gradients.hpp"
 #include "method/multigrid/reference/hold.hpp"
 #include "method/multigrid/reference/pair_hold.hpp"
@@ -97,9 +98,11 @@ class ImplicitStepper : public Stepper {
     std::uint32_t first = 0, count = 0;
     std::uint32_t nx = 0, ny = 0;  // of a grid
     GridBending bending;
-    std::vector<MeshLevel> levels;  // of a mesh
-    std::size_t first_spring = 0;   // of a mesh, in the system's
-    multigrid::Bottom bottom;       // of its cycles
+    std::vector<MeshLevel> levels;      // of a mesh
+    std::size_t first_spring = 0;       // of a mesh, in the system's
+    std::optional<std::size_t> fabric;  // in the system's
+    FabricPairs parts;                  // of the fabric's matrix
+    multigrid::Bottom bottom;           // of its cycles
   };
 
   struct Solved {

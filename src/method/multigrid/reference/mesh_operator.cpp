@@ -2,11 +2,17 @@
 
 namespace weft::reference {
 
+Vec3d MeshOperator::times(const BlockPlace& at, const Vec3d& x) const {
+  const Vec3d product = blocks[at.block] * x;
+  if (skews.empty()) return product;
+  return product + (at.transposed ? -1.0 : 1.0) * cross(skews[at.block], x);
+}
+
 Field MeshOperator::apply(const Field& x) const {
   Field y(size());
   for (std::size_t a = 0; a < size(); ++a) {
     y[a] = blocks[a] * x[a];
-    for (const Coupling& coupling : levels[0].rows.of(a)) y[a] += blocks[coupling.block] * x[coupling.node];
+    for (const Coupling& coupling : levels[0].rows.of(a)) y[a] += times(coupling.at, x[coupling.node]);
   }
   return y;
 }
@@ -14,7 +20,8 @@ Field MeshOperator::apply(const Field& x) const {
 std::vector<Sym3> MeshOperator::inverse_diagonal() const {
   std::vector<Sym3> inverses(size());
   for (std::size_t a = 0; a < size(); ++a)
-    if (!fixed(a)) inverses[a] = inverse(blocks[a] + Sym3::identity(kDiagonalMargin * blocks[a].trace()));
+    if (!fixed(a))
+      inverses[a] = diagonal_part * inverse(blocks[a] + Sym3::identity(kDiagonalMargin * blocks[a].trace()));
   return inverses;
 }
 
@@ -40,10 +47,15 @@ Field restricted(const Field& residual, const MeshOperator& fine) {
 
 MeshOperator coarsened(const MeshOperator& fine) {
   const MeshLevel& level = *fine.coarser();
-  MeshOperator coarse{fine.levels.subspan(1), std::vector<Sym3>(level.block_count)};
+  MeshOperator coarse{fine.levels.subspan(1), std::vector<Sym3>(level.block_count), {}, fine.diagonal_part};
+  coarse.skews.resize(fine.skews.empty() ? 0 : level.block_count);
   for (std::size_t block = 0; block < coarse.blocks.size(); ++block)
-    for (const Share& product : level.products.of(block))
-      coarse.blocks[block] += static_cast<double>(product.weight) * fine.blocks[product.index];
+    for (const auto& [at, part] : level.products.of(block)) {
+      const auto weight = static_cast<double>(part);
+      coarse.blocks[block] += weight * fine.blocks[at.block];
+      if (fine.skews.empty() || block < level.node_count) continue;  // on the diagonal they cancel
+      coarse.skews[block] += (at.transposed ? -weight : weight) * fine.skews[at.block];
+    }
   return coarse;
 }
 

@@ -1,7 +1,7 @@
-// A symmetric 3 x 3 matrix: all blocks of the multigrid solver's matrices are.
+// A symmetric 3 x 3 matrix.
 #pragma once
 
-#include "base/vec.hpp"
+#include "base/mat3.hpp"
 
 namespace weft::reference {
 
@@ -22,6 +22,10 @@ struct Sym3 {
   double trace() const { return xx + yy + zz; }
 
   static Sym3 identity(double s) { return {s, 0, 0, s, 0, s}; }
+  /// (A + Aᵀ) / 2
+  static Sym3 symmetric_part(const Mat3& a) {
+    return {a.x.x, (a.x.y + a.y.x) / 2, (a.x.z + a.z.x) / 2, a.y.y, (a.y.z + a.z.y) / 2, a.z.z};
+  }
   /// s n nᵀ
   static Sym3 outer(const Vec3d& n, double s) {
     return {s * n.x * n.x, s * n.x * n.y, s * n.x * n.z, s * n.y * n.y, s * n.y * n.z, s * n.z * n.z};

@@ -1,0 +1,81 @@
+#include "method/fabric_buffers.hpp"
+
+#include <cstring>
+
+#include "element/incidence.hpp"
+#include "model/fabric.hpp"
+
+namespace weft {
+namespace {
+
+/// Each node's triangles and hinges, as entries of the forces: rows, then their entries.
+std::vector<std::uint32_t> gathers_of(const ElementTable& membranes, const ElementTable& hinges,
+                                      const Body& body) {
+  std::vector<std::uint32_t> nodes = membranes.nodes;  // of the forces, in their order
+  nodes.insert(nodes.end(), hinges.nodes.begin(), hinges.nodes.end());
+  const mesh::Adjacency forces = places_in(nodes, body.first_vertex, body.vertex_count);
+  std::vector<std::uint32_t> gathers = forces.offsets;
+  for (std::uint32_t& row : gathers) row += body.vertex_count + 1;
+  gathers.insert(gathers.end(), forces.entries.begin(), forces.entries.end());
+  return gathers;
+}
+
+/// The rows of moments by bends, then their entries: a hinge, and the bits of N·m.
+std::vector<std::array<std::uint32_t, 2>> couplings_of(const hinge::Plate& plate) {
+  const std::vector<hinge::Coupling> couplings = hinge::couplings(plate);
+  const auto rows = static_cast<std::uint32_t>(plate.hinges.size());
+  std::vector<std::array<std::uint32_t, 2>> words(rows);
+  words.reserve(rows + couplings.size());
+  for (const hinge::Coupling& coupling : couplings) {
+    const auto at = static_cast<std::uint32_t>(words.size());
+    std::array<std::uint32_t, 2>& row = words[coupling.row];
+    if (row[0] == 0) row[0] = at;
+    row[1] = at + 1;
+    const auto entry = static_cast<float>(coupling.entry);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &entry, sizeof bits);
+    words.push_back({coupling.column, bits});
+  }
+  return words;
+}
+
+}  // namespace
+
+Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& model, const Body& body) {
+  FabricBuffers made;
+  const ElementTable &membranes = model.elements(ElementKind::Membrane, body),
+                     &hinges = model.elements(ElementKind::Hinge, body);
+  const membrane::Law law = membrane_law(*body.fabric);
+  const Stiffness& c = law.stiffness;
+  made.layout = {body.first_vertex,
+                 body.vertex_count,
+                 static_cast<std::uint32_t>(membranes.size()),
+                 static_cast<std::uint32_t>(hinges.size()),
+                 {Vec4f::from(Vec3d{c.warp, c.coupled, c.weft}.to<float>(), static_cast<float>(c.shear)),
+                  static_cast<float>(law.delay), static_cast<std::uint32_t>(law.energy)}};
+  WEFT_SET(made.params, gpu::create_uniform(device, made.layout, "fabric"));
+  WEFT_SET(made.corners, gpu::Buffer<std::uint32_t>::create_from(device, membranes.nodes, "membranes"));
+  std::vector<Vec4f> slopes;
+  for (std::size_t t = 0; t < membranes.size(); ++t)
+    slopes.push_back({membranes.rest[4 * t], membranes.rest[4 * t + 1], membranes.rest[4 * t + 2],
+                      membranes.rest[4 * t + 3]});
+  WEFT_SET(made.slopes, gpu::Buffer<Vec4f>::create_from(device, slopes, "membranes at rest"));
+  WEFT_SET(made.gathers, gpu::Buffer<std::uint32_t>::create_from(device, gathers_of(membranes, hinges, body),
+                                                                 "forces of nodes"));
+  WEFT_SET(made.forces,
+           gpu::Buffer<Vec4f>::create(device, 3 * membranes.size() + 4 * hinges.size(), "forces of fabric"));
+  if (hinges.size() == 0) return made;
+  std::vector<Four> nodes;
+  for (std::size_t h = 0; h < hinges.size(); ++h) {
+    const auto four = hinges.nodes_of(h);
+    nodes.push_back({four[0], four[1], four[2], four[3]});
+  }
+  WEFT_SET(made.hinges, gpu::Buffer<Four>::create_from(device, nodes, "hinges"));
+  WEFT_SET(made.rest_angles, gpu::Buffer<float>::create_from(device, hinges.rest, "angles at rest"));
+  WEFT_SET(made.bends, gpu::Buffer<float>::create(device, hinges.size(), "bends"));
+  WEFT_SET(made.couplings,
+           gpu::Buffer<Two>::create_from(device, couplings_of(model.plate(body)), "moments by bends"));
+  return made;
+}
+
+}  // namespace weft

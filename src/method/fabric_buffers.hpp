@@ -1,0 +1,50 @@
+// A cloth of fabric on the GPU: its elements and their forces, as every method's kernels read them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "element/hinge/plate.hpp"
+#include "gpu/buffer.hpp"
+#include "model/model.hpp"
+
+namespace weft {
+
+/// Mirror of MembraneLaw in src/element/membrane/law.wgsl.
+struct MembraneLawBlock {
+  Vec4f stiffness;           // C11, C12, C22, C33 [N/m]
+  float delay = 0;           // [s]
+  std::uint32_t energy = 0;  // membrane::Energy
+  std::uint32_t padding[2] = {};
+};
+static_assert(sizeof(MembraneLawBlock) == 32);
+
+/// Mirror of FabricParams in src/method/fabric_params.wgsl.
+struct FabricParams {
+  std::uint32_t first = 0, count = 0;
+  std::uint32_t triangles = 0, hinges = 0;
+  MembraneLawBlock law;
+};
+static_assert(sizeof(FabricParams) == 48 && offsetof(FabricParams, law) == 16);
+
+struct FabricBuffers {
+  using Two = std::array<std::uint32_t, 2>;
+  using Four = std::array<std::uint32_t, 4>;
+
+  FabricParams layout;
+  gpu::RawBuffer params;               // a uniform
+  gpu::Buffer<std::uint32_t> corners;  // of triangles
+  gpu::Buffer<Vec4f> slopes;           // of triangles at rest [1/m]
+  gpu::Buffer<std::uint32_t> gathers;  // rows of nodes, then their forces
+  gpu::Buffer<Vec4f> forces;           // of the corners of all triangles, then of all hinges [N]
+  // Of hinges; empty where there is none.
+  gpu::Buffer<Four> hinges;
+  gpu::Buffer<float> rest_angles, bends;  // [rad]
+  gpu::Buffer<Two> couplings;             // rows of hinges, then pairs of a hinge and the bits of N·m
+
+  /// Errors  Limit, OutOfMemory.
+  static Result<FabricBuffers> create(gpu::Device& device, const Model& model, const Body& body);
+};
+
+}  // namespace weft

@@ -1,0 +1,58 @@
+// The matrix of a cloth of fabric without its inertia: the sums of what membranes and hinges are for two nodes. One
+// invocation per block. Source: docs/solvers/multigrid.md, Fabric.
+#include "gpu/index.wgsl"
+#include "method/multigrid/membrane_term.wgsl"
+#include "method/multigrid/mesh_store_block.wgsl"
+//                                                                              elements
+@group(0) @binding(0) var<uniform>             levels   : array<MeshLevelParams, 2>;
+@group(0) @binding(1) var<storage, read>       place    : array<vec4f>;     // node_count  w: N/m, 0: fixed
+@group(0) @binding(2) var<storage, read>       terms    : array<vec4f>;     // method/multigrid/membrane_term.wgsl
+@group(0) @binding(3) var<storage, read>       slopes   : array<vec4f>;     // triangles   1/m: membrane/build.hpp
+@group(0) @binding(4) var<storage, read>       wings    : array<vec4f>;     // 4 * hinges  1/m; w of the first: N·m
+@group(0) @binding(5) var<storage, read>       parts    : array<u32>;       // rows of blocks, then their parts
+@group(0) @binding(6) var<storage, read>       targets  : array<vec2u>;     // the entries of each block
+@group(0) @binding(7) var<storage, read>       entries  : array<u32>;       // the node of each
+@group(0) @binding(8) var<storage, read_write> blocks   : array<vec2f>;     // method/multigrid/mesh_block.wgsl
+
+// A part is its element's number, 16 for a hinge, and two corners. Mirror: src/method/multigrid/fabric_pairs.hpp.
+const kHinge = 16u;
+
+fn slope_at(triangle : u32, corner : u32) -> vec2f {
+  let slope = slopes[triangle];
+  if (corner == 0u) { return -(slope.xy + slope.zw); }
+  return select(slope.xy, slope.zw, corner == 2u);
+}
+
+fn block_of_part(part : u32) -> Block {
+  let element = part >> 5u;
+  let row = (part >> 2u) & 3u;
+  let column = part & 3u;
+  if ((part & kHinge) == 0u) {
+    return block_of_term(term_of(element), slope_at(element, row), slope_at(element, column));
+  }
+  let stiffness = wings[4u * element].w;
+  let a = stiffness * wings[4u * element + row].xyz;
+  let b = wings[4u * element + column].xyz;
+  // a bᵀ, whose rest is half of v -> b x a x v
+  return Block(Symmetric(a * b, 0.5 * (a.yxx * b.zzy + a.zzy * b.yxx)), 0.5 * cross(b, a));
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn fabric_blocks(@builtin(global_invocation_id) id : vec3u) {
+  let number = flat_index(id);
+  let level = levels[0];
+  if (number >= level.block_count) { return; }
+  var sum = Block(zero_matrix(), vec3f(0.0));
+  for (var part = parts[number]; part < parts[number + 1u]; part++) {
+    sum = block_sum(sum, block_of_part(parts[part]));
+  }
+  let at = targets[number];
+  if (number < level.node_count) {
+    store_symmetric(at.x, sum.symmetric);
+    return;
+  }
+  let is_fixed = place[entries[at.x]].w == 0.0 || place[entries[at.y]].w == 0.0;
+  sum = block_scaled(select(1.0, 0.0, is_fixed), sum);
+  store_block(at.x, sum);
+  store_block(at.y, Block(sum.symmetric, -sum.skew));
+}

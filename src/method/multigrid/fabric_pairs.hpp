@@ -1,0 +1,29 @@
+// The blocks of a cloth of fabric: of which parts of its membranes and hinges each is a sum. One rule for the kernels
+// and for the reference. Source: docs/solvers/multigrid.md, Fabric.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/lists.hpp"
+#include "model/model.hpp"
+
+namespace weft {
+
+/// The block that an element gives to two of its nodes. Mirror: src/method/multigrid/fabric_blocks.wgsl.
+struct ElementPart {
+  std::uint32_t element = 0;          // its number among its kind's
+  bool is_hinge = false;              // else it is a membrane
+  std::uint32_t row = 0, column = 0;  // corners of the element
+
+  /// The same in one word; elements up to 2²⁷.
+  std::uint32_t packed() const { return element << 5 | (is_hinge ? 16U : 0U) | row << 2 | column; }
+};
+
+struct FabricPairs {
+  std::vector<mesh::Edge> pairs;  // nodes that share an element, from 0; the first is the smaller number
+  Lists<ElementPart> parts;       // of each node's own block, then of each pair's
+};
+FabricPairs fabric_pairs(const Model& model, const Body& body);
+
+}  // namespace weft

@@ -1,0 +1,77 @@
+#include "method/multigrid/reference/fabric_terms.hpp"
+
+namespace weft::reference {
+namespace {
+
+using membrane::Axes, membrane::Hessian;
+
+Axes operator*(const Hessian& h, const Axes& f) {
+  return {h.warp * f.warp + h.mixed * f.weft, transposed(h.mixed) * f.warp + h.weft * f.weft};
+}
+Axes operator+(const Axes& a, const Axes& b) { return {a.warp + b.warp, a.weft + b.weft}; }
+Hessian operator+(const Hessian& a, const Hessian& b) {
+  return {a.warp + b.warp, a.mixed + b.mixed, a.weft + b.weft};
+}
+Hessian operator*(double s, const Hessian& a) { return {s * a.warp, s * a.mixed, s * a.weft}; }
+
+/// How much F changes by on the way to the start, squared, before its stress is extrapolated by the positive matrix
+/// alone. The exact one follows what turns, to second order; but it gives energy where a substep goes farther.
+constexpr double kFarWay = 1.0 / 16;
+
+/// Of one membrane: its force where its corners have come to place + start, and its part of the matrix.
+membrane::Blocks add_membrane(StepStart& step, const membrane::Membranes& all, std::size_t number,
+                              const Field& there, double rate) {
+  const membrane::Law& law = all.law;
+  const Axes f = all.deformation(number, step.place);
+  const Hessian elastic = membrane::positive_hessian(law, f);
+  const Axes damping = membrane::damping_stress(law, all.deformation(number, there),
+                                                all.deformation(number, step.start_velocity));
+  const Axes way = all.deformation(number, step.start);
+  const double far = dot(way.warp, way.warp) + dot(way.weft, way.weft);
+  const double exact = std::max(0.0, 1 - far / kFarWay);
+  const Hessian along_way = exact * membrane::hessian(law, f) + (1 - exact) * elastic;
+  const Axes stress = membrane::stress(law, f) + along_way * way + damping;
+  const membrane::Corners forces = membrane::forces(all.rests[number], stress);
+  for (std::size_t i = 0; i < 3; ++i) step.residual[all.triangles[number][i]] += forces[i];
+  return membrane::blocks(all.rests[number], elastic + rate * membrane::damping_hessian(law, f));
+}
+
+}  // namespace
+
+void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& parts, double rate) {
+  Field there = step.place;
+  for (std::size_t a = 0; a < there.size(); ++a) there[a] += step.start[a];
+  std::vector<membrane::Blocks> membranes;
+  for (std::size_t t = 0; t < cloth.membranes.triangles.size(); ++t)
+    membranes.push_back(add_membrane(step, cloth.membranes, t, there, rate));
+
+  const double delay = cloth.membranes.law.delay;
+  std::vector<double> bends = hinge::bends(cloth.plate, there);
+  const std::vector<double> rates = hinge::bend_rates(cloth.plate, there, step.start_velocity);
+  for (std::size_t h = 0; h < bends.size(); ++h) bends[h] += delay * rates[h];
+  hinge::add_forces(cloth.plate, hinge::moments(cloth.plate, bends), there, step.residual);
+  const std::vector<double> bounds = hinge::stiffness_bounds(cloth.plate);
+  std::vector<hinge::Corners> slopes;
+  for (const hinge::Hinge& hinge : cloth.plate.hinges)
+    slopes.push_back(hinge::angle_slope(hinge::corners_of(hinge, there)));
+
+  step.matrix.skews.resize(step.matrix.blocks.size());
+  for (std::size_t block = 0; block < parts.parts.size(); ++block) {
+    Mat3 sum{};
+    for (const ElementPart& part : parts.parts.of(block))
+      sum += part.is_hinge
+                 ? (1 + delay * rate) * bounds[part.element] *
+                       Mat3::outer(slopes[part.element][part.row], slopes[part.element][part.column])
+                 : membranes[part.element][part.row][part.column];
+    const bool own = block < step.fixed.size();
+    const std::array<std::uint32_t, 2> nodes =
+        own ? std::array{static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(block)}
+            : parts.pairs[block - step.fixed.size()];
+    if (step.fixed[nodes[0]] || step.fixed[nodes[1]]) continue;
+    step.matrix.blocks[block] += Sym3::symmetric_part(sum);
+    if (!own) step.matrix.skews[block] = 0.5 * Vec3d{sum.z.y - sum.y.z, sum.x.z - sum.z.x, sum.y.x - sum.x.y};
+  }
+  step.matrix.diagonal_part = multigrid::kFabricDiagonalPart;
+}
+
+}  // namespace weft::reference

@@ -1,0 +1,12 @@
+// A cloth of fabric in the linear system of a substep, in double. Source: docs/solvers/multigrid.md, Fabric.
+#pragma once
+
+#include "method/multigrid/fabric_pairs.hpp"
+#include "method/multigrid/reference/implicit_step.hpp"
+
+namespace weft::reference {
+
+/// Adds membranes and hinges to the residual and the matrix of a step. `rate`: of velocities by places [1/s].
+void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& parts, double rate);
+
+}  // namespace weft::reference

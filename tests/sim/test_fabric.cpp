@@ -1,0 +1,255 @@
+// Cloth of fabric by the implicit solver, in a world: the reference's frames, and laws that neither was written from.
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "contact_rig.hpp"
+#include "element/reference/motion.hpp"
+#include "mesh/irregular_meshes.hpp"
+#include "reference/simulation.hpp"
+#include "relative_error.hpp"
+
+using namespace weft;
+
+namespace {
+
+const std::string kWoven =
+    R"("warp": 900, "weft": 300, "shear": 60, "poisson": 0.25, "bending_warp": 4e-4, "bending_weft": 1e-4)";
+
+std::string fabric_cloth(const std::string& shape, const std::string& fabric, const std::string& more = "") {
+  return "{" + shape + R"(, "density": 0.2, "fabric": {)" + fabric + "}" + more + "}";
+}
+std::string grid_of(std::uint32_t nx, std::uint32_t ny, double cell) {
+  return R"("grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) + R"(], "size": [)" +
+         std::to_string(cell * (nx - 1)) + ", " + std::to_string(cell * (ny - 1)) + "]";
+}
+const std::string kMesh = R"("mesh": "a.obj")";
+const std::string kFree = R"("gravity": [0, 0, 0], "contact": {"method": "none"}, )";
+const std::string kFalling = R"("contact": {"method": "none"}, )";
+const std::string kStill = R"("drag": 12, "contact": {"method": "none"}, )";  // what swings is soon at rest
+
+scene::Scene implicit_scene(const std::string& members, const std::string& cloths,
+                            const std::string& residual = "0.01") {
+  return contact_scene(R"("solver": {"kind": "multigrid", "residual": )" + residual + "}, " + members +
+                       R"("cloths": [)" + cloths + "]");
+}
+
+std::unique_ptr<sim::World> fabric_world(gpu::Device& device, const scene::Scene& scene,
+                                         const mesh::TriangleMesh& mesh = {}) {
+  Assets assets;
+  assets.cloths.resize(scene.cloths.size());
+  assets.cloths[0] = mesh;
+  auto world = sim::World::create(device, scene, assets);
+  REQUIRE_OK(world);
+  return std::move(*world);
+}
+
+}  // namespace
+
+TEST_CASE("frames of fabric by the implicit solver are the reference's, on a mesh and on a grid") {
+  GpuFixture fixture;
+  scene::Scene scene = implicit_scene(
+      kFalling + R"("drag": 0.5, "wind": {"velocity": [1, 0, 2], "gusts": 0.5}, )",
+      fabric_cloth(kMesh, kWoven,
+                   R"(, "pins": [{"nodes": [0]}], "motions": [{"nodes": {"nodes": [24]}, "kind": "line",
+                      "direction": [-1, 0, 0], "speed": 0.5}])") +
+          ", " +
+          fabric_cloth(grid_of(12, 9, 0.1), kWoven + R"(, "energy": "green")", R"(, "pins": ["top_left"])") +
+          ", " +
+          fabric_cloth(grid_of(5, 4, 0.1),
+                       R"("energy": "neo_hookean", "warp": 500, "shear": 200, "poisson": 0.25,
+                                 "bending_warp": 3e-4)"));
+  scene.solver.residual = 1e-4;  // what is left of systems would hide differences
+  const std::vector<mesh::TriangleMesh> cloths = {jittered_sheet(25, 21, 2, 1.5), {}, {}};
+  auto world = fabric_world(fixture.device(), scene, cloths[0]);
+  auto exact = reference::Simulation::create(scene, {.cloths = cloths});
+  REQUIRE_OK(exact);
+  CHECK(world->substeps() == 8);
+  const std::vector<Vec3d> start = exact->positions();
+  double worst = 0;
+  for (int frame = 0; frame < 12; ++frame) {
+    advance(*world, 1);
+    REQUIRE(exact->advance_frame());
+    worst = std::max(worst, relative_error(Moment(*world).position, exact->positions(), start));
+  }
+  MESSAGE("at most " << worst << " of the way apart");
+  CHECK(worst < 1e-3);
+}
+
+TEST_CASE("a sheet of fabric swings where Newton's method takes it, at the second order in the step") {
+  GpuFixture fixture;
+  const mesh::TriangleMesh mesh = jittered_sheet(12, 9, 0.3, 0.2);
+  constexpr int kFrames = 11, kNewtonSteps = 64;  // of each frame
+  reference::Sheet sheet;
+  for (const Vec3f& p : mesh.positions) sheet.rest.push_back(p.to<double>());
+  sheet.triangles = mesh.triangles;
+  sheet.held.assign(sheet.rest.size(), 0);
+  sheet.held[0] = sheet.held[11] = 1;
+  sheet.membrane = {membrane::Energy::Yarn, Stiffness::of({60, 40, 0.2, 15}), 1e-4};
+  sheet.bending = {2e-4, 0, 1e-4, 0.5 * std::sqrt(2e-8)};
+  sheet.density = 0.2;
+  sheet.gravity = {0, -9.81, 0};
+  reference::Motion motion(sheet, {sheet.rest, std::vector<Vec3d>(sheet.rest.size()), 0},
+                           reference::Scheme::Midpoint);
+  for (int step = 0; step < kFrames * kNewtonSteps; ++step)
+    REQUIRE_OK(motion.advance(1.0 / 60 / kNewtonSteps));
+  std::array<double, 2> apart{};
+  double way = 0;
+  for (const std::size_t fine : {0, 1}) {
+    scene::Scene scene = implicit_scene(
+        R"("time": {"substeps": )" + std::string(fine == 0 ? "8" : "32") + "}, " + kFalling,
+        fabric_cloth(kMesh,
+                     R"("warp": 60, "weft": 40, "shear": 15, "poisson": 0.2, "bending_warp": 2e-4,
+                        "bending_weft": 1e-4)",
+                     R"(, "pins": [{"nodes": [0, 11]}])"));
+    auto world = fabric_world(fixture.device(), scene, mesh);
+    advance(*world, kFrames);
+    const Moment end(*world);
+    for (std::size_t n = 0; n < end.position.size(); ++n) {
+      apart[fine] = std::max(apart[fine], length(end.position[n] - motion.state().position[n]));
+      way = std::max(way, length(motion.state().position[n] - sheet.rest[n]));
+    }
+  }
+  MESSAGE("after " << way << " m at most " << apart[0] << " and " << apart[1] << " m apart");
+  CHECK(way > 0.15);
+  CHECK(apart[0] < 0.02 * way);
+  CHECK(apart[1] < apart[0] / 8);  // a quarter of the step: a sixteenth, but for what systems keep
+}
+
+TEST_CASE("a strip of fabric stretches by its weight over its modulus, and narrows, by the implicit solver") {
+  GpuFixture fixture;
+  struct Strip {
+    std::string fabric;
+    double modulus, narrowing;  // along the strip, whose length is the weft's [N/m]; by its extension
+  };
+  constexpr double kHalf = 0.2, kDensity = 0.2, kPull = 9.81;
+  const std::string woven = R"("warp": 120, "weft": 60, "shear": 20, "poisson": 0.6)";
+  for (const Strip& strip :
+       {Strip{woven + R"(, "energy": "yarn")", 60, 0.3}, Strip{woven + R"(, "energy": "green")", 60, 0.3},
+        Strip{R"("warp": 50, "shear": 20, "poisson": 0.25, "energy": "neo_hookean")", 50, 0.25}}) {
+    CAPTURE(strip.fabric);
+    auto world = fabric_world(
+        fixture.device(),
+        implicit_scene(kStill, fabric_cloth(grid_of(5, 21, 0.02), strip.fabric + R"(, "bending_warp": 1e-5)",
+                                            R"(, "pins": [{"nodes": [2]}])")));
+    advance(*world, 72);  // drag takes e⁻⁷ of what swings
+    const std::vector<Vec3d> end = Moment(*world).position;
+    // Its lower half, rows 10 to 20, far from the pin; there the weight below each place pulls evenly across.
+    const double stretch = length(end[52] - end[102]) - kHalf;
+    const double exact = kDensity * kPull * kHalf * kHalf / (2 * strip.modulus);
+    const double strain = kDensity * kPull * 0.16 / strip.modulus;  // at row 12
+    const double narrowing = (1 - length(end[60] - end[64]) / 0.08) / strain;
+    MESSAGE("stretches by " << stretch / exact << " of it, narrows by " << narrowing << " of the extension");
+    CHECK(stretch == doctest::Approx(exact).epsilon(0.02).scale(0));
+    CHECK(narrowing == doctest::Approx(strip.narrowing).epsilon(0.02).scale(0));
+  }
+}
+
+TEST_CASE(
+    "a heavy strip of fabric hangs as the elastica does, by the implicit solver, on a grid and a mesh") {
+  GpuFixture fixture;
+  // The end of an inextensible strip hangs so much lower for G = w L³ / B (tests/element/test_strips.cpp).
+  constexpr double kLength = 0.26, kDensity = 0.2, kPull = 9.81;
+  mesh::TriangleMesh irregular = jittered_sheet(15, 4, 0.28, 0.06);
+  for (std::size_t j = 0; j < 4; ++j)
+    irregular.positions[15 * j + 1].x = -0.12F;  // the clamp's edge is straight
+  for (const auto& [g, drop, is_mesh] : {std::tuple{10.0, 0.70020, true}, {100.0, 0.93752, false}}) {
+    const std::uint32_t rows = is_mesh ? 4 : 3;
+    std::string held;  // two columns, so that a whole cell is held
+    for (std::uint32_t j = 0; j < rows; ++j)
+      held += (j > 0 ? ", " : "") + std::to_string(15 * j) + ", " + std::to_string(15 * j + 1);
+    std::array<char, 32> bending{};
+    std::snprintf(bending.data(), bending.size(), "%.9g", kDensity * kPull * kLength * kLength * kLength / g);
+    auto world = fabric_world(
+        fixture.device(),
+        implicit_scene(kStill, fabric_cloth(is_mesh ? kMesh : grid_of(15, 3, 0.02) + R"(, "plane": "xz")",
+                                            R"("warp": 300, "shear": 100, "bending_warp": )" +
+                                                std::string(bending.data()),
+                                            R"(, "pins": [{"nodes": [)" + held + "]}]")),
+        irregular);
+    advance(*world, 100);  // e⁻¹⁰
+    const double found = -Moment(*world).position[15 * (rows / 2) + 14].y / kLength;
+    MESSAGE((is_mesh ? "mesh" : "grid")
+            << ", G = " << g << ": " << found << " of its length, the elastica " << drop);
+    CHECK(found == doctest::Approx(drop).epsilon(0.02).scale(0));
+    CHECK(world->totals().unsolved == 0);
+  }
+}
+
+TEST_CASE("free fabric keeps its momentum in long steps, and gains no energy, however it begins") {
+  GpuFixture fixture;
+  const mesh::TriangleMesh mesh = jittered_sheet(16, 12, 0.3, 0.22);
+  struct Steps {
+    const char *substeps, *residual;
+  };
+  for (const std::string energy : {"yarn", "green", "neo_hookean"})
+    for (const Steps& steps : {Steps{"2", "0.01"}, Steps{"8", "1e-4"}}) {
+      CAPTURE(energy);
+      CAPTURE(std::string(steps.substeps));
+      const std::string moduli = energy == "neo_hookean"
+                                     ? R"("warp": 500, "shear": 200, "poisson": 0.25, "bending_warp": 3e-4)"
+                                     : kWoven;
+      const scene::Scene scene = implicit_scene(
+          R"("time": {"substeps": )" + std::string(steps.substeps) + "}, " + kFree,
+          fabric_cloth(kMesh, moduli + R"(, "damping": 0, "energy": ")" + energy + '"'), steps.residual);
+      auto world = fabric_world(fixture.device(), scene, mesh);
+      // It spins and waves, at up to 5 m/s, and its nodes are a tenth of a cell from rest.
+      Random random(3);
+      change_state(*world, [&](std::size_t, Vec3d& x, Vec3d& v) {
+        v = cross(Vec3d{3, 20, 5}, x) + Vec3d{0, 2 * std::sin(40 * x.x) * std::cos(30 * x.z), 0};
+        const double a = random.uniform(-2e-3, 2e-3), b = random.uniform(-2e-3, 2e-3);
+        x += Vec3d{a, b, random.uniform(-2e-3, 2e-3)};
+      });
+      const Moment start(*world);
+      const double begun = energy_of(*world, start);
+      double before = begun, most = 0;
+      for (int frame = 0; frame < 40; ++frame) {
+        advance(*world, 1);
+        const double now = energy_of(*world, Moment(*world));
+        most = std::max(most, now - before);
+        before = now;
+      }
+      const Moment end(*world);
+      double mass = 0, squares = 0;
+      for (std::size_t n = 0; n < start.mass.size(); ++n) {
+        mass += start.mass[n];
+        squares += start.mass[n] * dot(start.velocity[n], start.velocity[n]);
+      }
+      const double drift = length(end.momentum(0, end.mass.size()) - start.momentum(0, end.mass.size())) /
+                           std::sqrt(mass * squares);
+      MESSAGE("momentum drifts by " << drift << " of all speeds, energy rises by " << most / begun);
+      CHECK(most < 1e-5 * begun);  // f32 knows the energy of stiff springs to that
+      if (std::string(steps.residual) == "1e-4") CHECK(drift < 1e-3);
+    }
+}
+
+TEST_CASE("fabric rests on a slope below the angle of friction, and slides above it as a block does") {
+  GpuFixture fixture;
+  constexpr double kFriction = 0.4;
+  for (const auto& [part, is_mesh] : {std::pair{0.9, true}, {1.3, true}, {1.3, false}}) {
+    const double angle = std::atan(part * kFriction);
+    const Vec3d pull = kGravity * Vec3d{std::sin(angle), -std::cos(angle), 0};
+    auto world = fabric_world(
+        fixture.device(),
+        implicit_scene(R"("gravity": [)" + text_of(pull.x) + ", " + text_of(pull.y) +
+                           R"(, 0], "contact": {"thickness": 0.005}, "colliders": [{"kind": "plane",
+                             "point": [0, 0, 0], "normal": [0, 1, 0], "friction": )" +
+                           text_of(kFriction) + "}], ",
+                       fabric_cloth(is_mesh ? kMesh : grid_of(14, 11, 0.02) + R"(, "plane": "xz")", kWoven,
+                                    R"(, "friction": )" + text_of(kFriction) +
+                                        R"(, "transform": {"translate": [0, 0.005, 0]})")),
+        jittered_sheet(14, 11, 0.26, 0.2));
+    advance(*world, 12);
+    const double before = Moment(*world).mean_velocity().x;
+    advance(*world, 12);
+    const Moment end(*world);
+    const double gained = (end.mean_velocity().x - before) / 0.2;
+    const double exact = kGravity * (std::sin(angle) - kFriction * std::cos(angle));
+    MESSAGE((is_mesh ? "mesh" : "grid")
+            << " at " << part << ": " << gained << " m/s², a block " << std::max(exact, 0.0));
+    if (part < 1)
+      CHECK(end.largest_speed() < 1e-4);
+    else
+      CHECK(gained == doctest::Approx(exact).epsilon(0.01).scale(0));
+  }
+}
