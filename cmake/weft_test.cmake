@@ -22,7 +22,9 @@ function(weft_test NAME)
   target_link_libraries(test_${NAME} PRIVATE ${TEST_IMPORTS} ${TEST_LIBRARIES} weft_test_main)
   if(TEST_GPU)
     foreach(driver ${TEST_DRIVERS})
-      weft_discover(${NAME} ${driver}. "VK_DRIVER_FILES=${WEFT_ICD_${driver}};VK_ICD_FILENAMES=${WEFT_ICD_${driver}}")
+      # lavapipe without threads of its own: ctest runs as many programs as there are cores.
+      weft_discover(${NAME} ${driver}.
+        "VK_DRIVER_FILES=${WEFT_ICD_${driver}};VK_ICD_FILENAMES=${WEFT_ICD_${driver}};LP_NUM_THREADS=0")
     endforeach()
   else()
     weft_discover(${NAME} "" "")
