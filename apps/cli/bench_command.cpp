@@ -73,7 +73,7 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
     add_names(*sheet, "--only", options.selection.only, "grid, mesh, springs, blocks");
   add_names(*pull, "--only", options.selection.only, "none, bvh, proximity, proximity_self, paper");
   add_names(*multigrid, "--only", options.selection.only,
-            "multigrid, multigrid4, multigrid16, explicit, null, drape");
+            "multigrid, multigrid4, multigrid16, explicit, null, fabric, drape");
   add_names(*pull, "--objects", options.selection.objects, "sphere, armadillo, dragon");
   for (CLI::App* sized : {hanging, pull, multigrid}) add_sides(*sized, options);
   largest

@@ -59,6 +59,17 @@ def plan(experiments, quick, most_side):
                         side,
                     )
                 )
+        for side in () if quick else (64, 128, 256, 512, 800):
+            if side <= most_side:
+                cases.append(
+                    Case(
+                        "multigrid",
+                        ("multigrid", "--sides", str(side), "--only", "fabric"),
+                        10 + side**2 / 3000,
+                        "fabric",
+                        side,
+                    )
+                )
         for side in () if quick else (256, 800):
             if side <= most_side:
                 cases.append(

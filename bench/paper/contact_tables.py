@@ -63,19 +63,22 @@ def auto_choice(results):
     return Table(left("scene") + right("nodes", *heads) + left("chosen"), lines)
 
 
-def implicit(results):
+# The sheets by two clips of `weft bench multigrid`; its other objects are what sheets are laid over.
+SHEETS = ("sheet", "fabric")
+
+
+def implicit(results, sheet="sheet"):
     """The study's sheet: time and error of the implicit solver, explicit steps, and coarser sheets drawn finely."""
     lines = []
     for row in results["rows"]:
-        if row["object"] != "sheet" or "skipped" in row:
+        if row["object"] != sheet or "skipped" in row:
             continue
+        compared = row.get("error", [])
         errors = [
-            [f"{100 * error['position']:.2f}" for error in row["error"]],
-            [f"{error['normal_degrees']:.1f}" for error in row["error"]],
+            [f"{100 * error['position']:.2f}" for error in compared],
+            [f"{error['normal_degrees']:.1f}" for error in compared],
         ]
-        stretch = [
-            f"{100 * (error['edge_stretch'] / error['edge_stretch_reference'] - 1):+.0f}" for error in row["error"]
-        ]
+        stretch = [f"{100 * (error['edge_stretch'] / error['edge_stretch_reference'] - 1):+.0f}" for error in compared]
         lines.append(
             [
                 f"{row['nodes']:,}",
@@ -83,7 +86,7 @@ def implicit(results):
                 f"{row['substeps']:,}",
                 f"{row['ms_per_frame']['median']:.2f}",
                 f"{number(row['real_time_factor'])} ×",
-                *(" / ".join(cells) for cells in (*errors, stretch)),
+                *(" / ".join(cells) or "–" for cells in (*errors, stretch)),
                 f"`{row['state_hash']}`",
             ]
         )
@@ -109,7 +112,7 @@ def implicit_drapes(results):
     lines = [
         [row["object"], f"{row['side'] ** 2:,}", row["variant"]] + measured_or_skipped(row, cells)
         for row in results["rows"]
-        if row["object"] != "sheet"
+        if row["object"] not in SHEETS
     ]
     return Table(
         left("object")

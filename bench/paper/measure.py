@@ -42,7 +42,7 @@ def check_same(binary, binary_hash):
 def scene_of(experiment, row):
     thing = row.get("object", "")
     return SCENES.get(experiment, "no scene").format(
-        object=thing, sheet_or_drape="sheet" if thing == "sheet" else f"drape-{thing}"
+        object=thing, sheet_or_drape=thing if thing in ("sheet", "fabric") else f"drape-{thing}"
     )
 
 

@@ -285,7 +285,15 @@ def implicit(report, machine, figures):
             ),
         ),
     ]
-    if any(row["object"] != "sheet" for row in results["rows"]):
+    if any(row["object"] == "fabric" for row in results["rows"]):
+        parts.append(
+            report.table(
+                contact_tables.implicit(results, "fabric"),
+                "The same sheet of measured fabric: triangles and hinges instead of springs.",
+                source_of(report, machine, "multigrid"),
+            )
+        )
+    if any(row["object"] not in contact_tables.SHEETS for row in results["rows"]):
         parts.append(
             report.table(
                 contact_tables.implicit_drapes(results),

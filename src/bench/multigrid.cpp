@@ -10,8 +10,8 @@ namespace {
 
 using MultigridRowDone = std::function<Result<void>(const MultigridRow&)>;
 
-constexpr std::string_view kMultigridNames[] = {"multigrid", "multigrid4", "multigrid16",
-                                                "explicit",  "null",       "drape"};
+constexpr std::string_view kMultigridNames[] = {"multigrid", "multigrid4", "multigrid16", "explicit",
+                                                "null",      "fabric",     "drape"};
 constexpr std::uint32_t kNullSides[] = {32, 64, 128, 256, 512};
 
 /// An implicit variant: its substeps, and whether it is run unasked.
@@ -31,6 +31,18 @@ bool asked(const Selection& selection, std::string_view name, bool unasked) {
 std::vector<std::uint32_t> stops_of(const Selection& selection) {
   return selection.quick ? std::vector<std::uint32_t>{15} : std::vector<std::uint32_t>{15, 30, 60};
 }
+
+/// A scene of a sheet by two clips.
+struct SheetScene {
+  const char* name;      // its file, and the object of its rows
+  const char* asked_by;  // a name of --only that stands for all its rows; null: they have names of their own
+  std::uint32_t compared;  // the most nodes along an edge for which explicit steps are run
+  bool has_null_lines;
+};
+constexpr std::uint32_t kAnySide = ~0U;
+constexpr SheetScene kSheet = {"sheet", nullptr, kAnySide, true};
+// Its explicit substeps grow with the square of the side: an hour of them for 800.
+constexpr SheetScene kFabric = {"fabric", "fabric", 256, false};
 
 /// Where scenes come from.
 struct Source {
@@ -93,25 +105,32 @@ Result<SheetRun> run_sheet(gpu::Device& device, const scene::Scene& scene,
 /// Runs the sheet; explicit runs once, since they are rows, and null lines of larger sheets.
 class SheetBench {
  public:
-  SheetBench(gpu::Device& device, const Source& source, const MultigridRowDone& done)
-      : device_(device), source_(source), done_(done), stops_(stops_of(source.selection)) {}
+  SheetBench(gpu::Device& device, const Source& source, const SheetScene& sheet, const MultigridRowDone& done)
+      : device_(device), source_(source), sheet_(sheet), done_(done), stops_(stops_of(source.selection)) {}
 
   Result<void> run(std::uint32_t side) {
-    const Result<SheetRun> reference = run_reference(side);
+    const bool compares = side <= sheet_.compared;
+    const Result<SheetRun> reference =
+        compares
+            ? run_reference(side)
+            : Result<SheetRun>(make_error(
+                  ErrorKind::Limit, "Explicit steps are run up to %u nodes along an edge.", sheet_.compared));
     for (const Implicit& variant : kImplicits) {
-      if (!asked(source_.selection, variant.name, variant.unasked)) continue;
+      if (!is_asked(variant.name, variant.unasked)) continue;
       const std::string substeps = std::to_string(variant.substeps);
-      const MultigridRow begun = begin_row("sheet", "multigrid " + substeps, side);
-      WEFT_CHECK(report(measure_implicit(begun, reference, substeps), begun, done_));
+      const MultigridRow begun = begin_row(sheet_.name, "multigrid " + substeps, side);
+      WEFT_CHECK(
+          report(compares ? measure_implicit(begun, reference, substeps) : measure_alone(begun, substeps),
+                 begun, done_));
     }
-    if (asked(source_.selection, "explicit", true)) {
-      const MultigridRow begun = begin_row("sheet", "explicit", side);
+    if (is_asked("explicit", true)) {
+      const MultigridRow begun = begin_row(sheet_.name, "explicit", side);
       WEFT_CHECK(report(measure_explicit(begun, reference, side), begun, done_));
     }
-    if (!asked(source_.selection, "null", true)) return {};
+    if (!sheet_.has_null_lines || !is_asked("null", true)) return {};
     for (const std::uint32_t coarse : kNullSides) {
       if (coarse >= side) break;
-      MultigridRow begun = begin_row("sheet", "null " + std::to_string(coarse), side);
+      MultigridRow begun = begin_row(sheet_.name, "null " + std::to_string(coarse), side);
       begun.simulated_nodes = static_cast<std::uint64_t>(coarse) * coarse;
       WEFT_CHECK(report(measure_explicit(begun, reference, coarse), begun, done_));
     }
@@ -119,8 +138,13 @@ class SheetBench {
   }
 
  private:
+  bool is_asked(std::string_view variant, bool unasked) const {
+    if (sheet_.asked_by == nullptr) return asked(source_.selection, variant, unasked);
+    return unasked && asked(source_.selection, sheet_.asked_by, true);
+  }
+
   Result<SheetRun> run_new(const std::vector<scene::Override>& changes) {
-    WEFT_TRY(scene, source_.load("sheet", changes));
+    WEFT_TRY(scene, source_.load(sheet_.name, changes));
     return run_sheet(device_, scene, stops_);
   }
 
@@ -133,7 +157,7 @@ class SheetBench {
   /// Explicit steps of half the length that "auto" chooses.
   Result<SheetRun> run_reference(std::uint32_t side) {
     WEFT_CHECK(sim::check_node_count(static_cast<std::uint64_t>(side) * side, device_));
-    WEFT_TRY(scene, source_.load("sheet", solved_by(side, "mass_spring", "\"auto\"")));
+    WEFT_TRY(scene, source_.load(sheet_.name, solved_by(side, "mass_spring", "\"auto\"")));
     WEFT_TRY(substeps, count_substeps(scene, {{{}}}));
     return run_new(solved_by(side, "mass_spring", std::to_string(2 * substeps)));
   }
@@ -143,6 +167,13 @@ class SheetBench {
     if (!reference) return reference.error();
     WEFT_TRY(made, run_new(solved_by(row.side, "multigrid", substeps)));
     return filled(std::move(row), *reference, made, made.shapes);
+  }
+
+  Result<MultigridRow> measure_alone(MultigridRow row, const std::string& substeps) {
+    WEFT_TRY(made, run_new(solved_by(row.side, "multigrid", substeps)));
+    row.run = made.run;
+    row.state_hash = made.state_hash;
+    return row;
   }
 
   Result<MultigridRow> measure_explicit(MultigridRow row, const Result<SheetRun>& reference,
@@ -167,6 +198,7 @@ class SheetBench {
 
   gpu::Device& device_;
   const Source& source_;
+  const SheetScene& sheet_;
   const MultigridRowDone& done_;
   std::vector<std::uint32_t> stops_;
   std::map<std::uint32_t, SheetRun> explicit_;  // by side
@@ -215,12 +247,15 @@ Result<void> run_multigrid(gpu::Device& device, const Selection& selection, cons
   if (sides.empty()) sides = {64, 128, 256, 512, 800};
   const Source source{selection, folders};
   const bool hangs =
-      std::any_of(std::begin(kMultigridNames), std::end(kMultigridNames),
-                  [&](std::string_view name) { return name != "drape" && asked(selection, name, true); });
-  SheetBench sheets(device, source, done);
-  WEFT_TRY(sheet, source.load("sheet"));  // a missing file is no skipped row
-  if (hangs)
+      std::any_of(std::begin(kMultigridNames), std::end(kMultigridNames), [&](std::string_view name) {
+        return name != "fabric" && name != "drape" && asked(selection, name, true);
+      });
+  for (const SheetScene& scene : {kSheet, kFabric}) {
+    if (scene.asked_by != nullptr ? !asked(selection, scene.asked_by, !selection.quick) : !hangs) continue;
+    WEFT_TRY(sheet, source.load(scene.name));  // a missing file is no skipped row
+    SheetBench sheets(device, source, scene, done);
     for (const std::uint32_t side : sides) WEFT_CHECK(sheets.run(side));
+  }
   if (asked(selection, "drape", !selection.quick))
     WEFT_CHECK(run_drapes(device, source, selection.sides, done));
   return {};

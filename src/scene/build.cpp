@@ -159,10 +159,12 @@ class Builder {
     fabric.damping = number(json, "damping");
     fabric.energy = word<FabricEnergy>(at(json, "energy"), kFabricEnergyNames);
     fabric.warp_direction = vector(json, "warp_direction");
-    if (fabric.poisson * fabric.poisson >= fabric.warp / fabric.weft)
+    // At warp / weft the cloth resists one strain with nothing, and another without end.
+    const double most = 0.9999 * fabric.warp / fabric.weft;
+    if (fabric.poisson * fabric.poisson >= most)
       return wrong(path + ".poisson", "is " + number_text(fabric.poisson) +
-                                          "; its square must be below warp / weft, " +
-                                          number_text(fabric.warp / fabric.weft));
+                                          "; its square must be below 0.9999 warp / weft, " +
+                                          number_text(most));
     if (fabric.energy == FabricEnergy::NeoHookean) WEFT_CHECK(check_isotropic(fabric, path));
     return fabric;
   }
@@ -274,6 +276,8 @@ class Builder {
       return wrong(path + ".stiffness", "is of springs; a cloth with \"fabric\" has none");
     if (cloth.damping != Cloth{}.damping)
       return wrong(path + ".damping", "is of springs; a cloth with \"fabric\" has fabric.damping instead");
+    if (cloth.grid && !(cloth.fabric->warp_direction == Fabric{}.warp_direction))
+      return wrong(path + ".fabric.warp_direction", "is of meshes; the warp of a grid goes along i");
     if (cloth.strain_limit)
       return wrong(path + ".strain_limit", "is of springs; a cloth with \"fabric\" has none");
     return {};

@@ -22,6 +22,7 @@ export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: r
     { name: "flag", title: "Flag in a storm", nodes: 64 },
     { name: "hanging", title: "Hanging" },
     { name: "sheet", title: "Thin fabric by two clips, implicit" },
+    { name: "fabric", title: "The same, of measured fabric" },
     { name: "drag", title: "Corner lift" },
     { name: "hanging-paper", title: "Hanging, in the paper's units" },
   ] },

@@ -46,6 +46,12 @@ fn positive_part(s : vec3f) -> vec3f {
 
 fn kronecker(s : vec3f, m : mat3x3f) -> MembraneHessian { return MembraneHessian(s.x * m, s.y * m, s.z * m); }
 
+// The axes where they are pressed as long as at rest: law.cpp.
+fn unpressed(f : Axes) -> Axes {
+  let stretch = max(vec2f(length(f.warp), length(f.weft)), vec2f(kMinStretch));
+  return Axes(max(1.0, 1.0 / stretch.x) * f.warp, max(1.0, 1.0 / stretch.y) * f.weft);
+}
+
 fn green_geometry(s : vec3f, clamped : bool) -> MembraneHessian {
   var second = vec3f(s.x, s.z, s.y);
   if (clamped) { second = positive_part(second); }
@@ -103,9 +109,10 @@ fn membrane_hessian(law : MembraneLaw, f : Axes, clamped : bool) -> MembraneHess
   if (law.energy == kNeoHookean) { return neo_hookean_hessian(law.stiffness, f, clamped); }
   let e = strain_of(law.energy, f);
   let s = stress_of_strain(law.stiffness, e.value);
-  let material = material_part(law.stiffness, e);
-  if (law.energy == kYarn) { return hessian_sum(material, yarn_geometry(f, s, clamped)); }
-  return hessian_sum(material, green_geometry(s, clamped));
+  if (law.energy == kYarn) { return hessian_sum(material_part(law.stiffness, e), yarn_geometry(f, s, clamped)); }
+  var known = f;
+  if (clamped) { known = unpressed(f); }
+  return hessian_sum(material_part(law.stiffness, green_strain(known)), green_geometry(s, clamped));
 }
 
 // The derivative of the stress of damping by the rate of F, N·s/m.

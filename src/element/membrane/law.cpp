@@ -95,6 +95,13 @@ Sym2 positive_part(const Sym2& s) {
 
 Hessian kronecker(const Sym2& s, const Mat3& m) { return {s.xx * m, s.xy * m, s.yy * m}; }
 
+/// The axes where they are pressed as long as at rest. What Green's energy resists further pressure with vanishes as an
+/// axis does, but not what throws it apart: a long step that knew no more would go far beyond its rest.
+Axes unpressed(const Axes& f) {
+  const Yarns y = yarns_of(f);
+  return {std::max(1.0, 1 / y.warp_stretch) * f.warp, std::max(1.0, 1 / y.weft_stretch) * f.weft};
+}
+
 /// Σ σ_k ∂²ε_k/∂F² of Green's strain: S I. Clamped it is positive.
 Hessian green_geometry(const Triple& s, bool clamped) {
   const Sym2 second{s.warp, s.shear, s.weft};
@@ -173,8 +180,8 @@ Hessian hessian_of(const Law& law, const Axes& f, bool clamped) {
   if (law.energy == Energy::NeoHookean) return neo_hookean_hessian(law.stiffness, f, clamped);
   const Strain e = strain_of(law.energy, f);
   const Triple s = law.stiffness * e.value;
-  return material_part(law.stiffness, e) +
-         (law.energy == Energy::Yarn ? yarn_geometry(f, s, clamped) : green_geometry(s, clamped));
+  if (law.energy == Energy::Yarn) return material_part(law.stiffness, e) + yarn_geometry(f, s, clamped);
+  return material_part(law.stiffness, clamped ? green_strain(unpressed(f)) : e) + green_geometry(s, clamped);
 }
 
 }  // namespace

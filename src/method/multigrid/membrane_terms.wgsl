@@ -17,9 +17,11 @@
 @group(0) @binding(7) var<storage, read_write> terms   : array<vec4f>;    // method/multigrid/membrane_term.wgsl
 @group(0) @binding(8) var<storage, read_write> forces  : array<vec4f>;    // 3 * triangles + 4 * hinges, N
 
-// How much F may change by on the way to the start, squared, before its stress is extrapolated by the positive matrix
-// alone. Mirror: src/method/multigrid/reference/fabric_terms.cpp.
+// Limits of what of the exact Hessian is taken: how much F may change by on the way to the start, squared, and the
+// forces on corners by their inertia times how far their spans change.
+// Mirror: src/method/multigrid/reference/fabric_terms.cpp.
 const kFarWay = 1.0 / 16.0;
+const kMostPush = 0.01;
 
 fn store_term(triangle : u32, h : MembraneHessian) {
   let warp = symmetric_of(h.warp);
@@ -52,20 +54,25 @@ fn membrane_terms(@builtin(global_invocation_id) id : vec3u) {
   let change = deformation(slope, vector_of(kSecond, b) - velocity, vector_of(kSecond, c) - velocity);
 
   let elastic = membrane_hessian(fabric.law, f, true);
-  let far = dot(way.warp, way.warp) + dot(way.weft, way.weft);
-  let exact = max(0.0, 1.0 - far / kFarWay);
-  let along_way = hessian_sum(hessian_scaled(exact, membrane_hessian(fabric.law, f, false)),
-                              hessian_scaled(1.0 - exact, elastic));
   let still = membrane_stress(fabric.law, f, Axes(vec3f(0.0), vec3f(0.0)));
-  let pulled = hessian_times(along_way, way);
+  let pulled = hessian_times(elastic, way);
+  // What is left out there, as far as a step may follow it: equation 18.
+  let whole = hessian_times(membrane_hessian(fabric.law, f, false), way);
+  let rest = Axes(whole.warp - pulled.warp, whole.weft - pulled.weft);
+  let far = dot(way.warp, way.warp) + dot(way.weft, way.weft);
+  let push = membrane_forces(slope, rest);
+  let most = max(length(push.second + push.third), max(length(push.second), length(push.third)));
+  let inertia = max(place[a].w, max(place[b].w, place[c].w));
+  let reach = inertia * length(vec2f(length(vector_of(kFirst, b) - start), length(vector_of(kFirst, c) - start)));
+  let part = min(max(0.0, 1.0 - far / kFarWay), kMostPush * reach / max(most, kMostPush * reach));
   let damped = damping_stress(fabric.law, Axes(f.warp + way.warp, f.weft + way.weft), change);
-  let found = membrane_forces(slope, Axes(still.warp + pulled.warp + damped.warp,
-                                          still.weft + pulled.weft + damped.weft));
+  let found = membrane_forces(slope, Axes(still.warp + pulled.warp + part * rest.warp + damped.warp,
+                                          still.weft + pulled.weft + part * rest.weft + damped.weft));
   forces[3u * triangle] = vec4f(-(found.second + found.third), 0.0);
   forces[3u * triangle + 1u] = vec4f(found.second, 0.0);
   forces[3u * triangle + 2u] = vec4f(found.third, 0.0);
 
   let rate = 1.0 / formula_of(step.time.step_ratio).he;
-  let whole = hessian_sum(elastic, hessian_scaled(rate, damping_hessian(fabric.law, f)));
-  store_term(triangle, hessian_scaled(area_of(slope), whole));
+  let damped_by_place = hessian_sum(elastic, hessian_scaled(rate, damping_hessian(fabric.law, f)));
+  store_term(triangle, hessian_scaled(area_of(slope), damped_by_place));
 }

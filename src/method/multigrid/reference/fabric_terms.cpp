@@ -1,5 +1,8 @@
 #include "method/multigrid/reference/fabric_terms.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace weft::reference {
 namespace {
 
@@ -14,9 +17,24 @@ Hessian operator+(const Hessian& a, const Hessian& b) {
 }
 Hessian operator*(double s, const Hessian& a) { return {s * a.warp, s * a.mixed, s * a.weft}; }
 
-/// How much F changes by on the way to the start, squared, before its stress is extrapolated by the positive matrix
-/// alone. The exact one follows what turns, to second order; but it gives energy where a substep goes farther.
-constexpr double kFarWay = 1.0 / 16;
+/// Limits of what of the exact Hessian is taken: how much F may change by on the way to the start, squared, and the
+/// forces on a triangle's corners by their inertia times how far their spans change.
+constexpr double kFarWay = 1.0 / 16, kMostPush = 0.01;
+
+/// How much of what the positive matrix leaves out is taken: it follows what turns, to second order, but gives energy
+/// where a substep goes farther, or where pressure would buckle a cell within it.
+double part_of(const StepStart& step, const membrane::Membranes& all, std::size_t number, const Axes& way,
+               const Axes& rest) {
+  double most = 0, inertia = 0;
+  for (const Vec3d& push : membrane::forces(all.rests[number], rest)) most = std::max(most, length(push));
+  const auto& [a, b, c] = all.triangles[number];
+  for (const std::uint32_t node : {a, b, c}) inertia = std::max(inertia, step.inertia[node]);
+  const double reach =
+      inertia * std::hypot(length(step.start[b] - step.start[a]), length(step.start[c] - step.start[a]));
+  const double far = dot(way.warp, way.warp) + dot(way.weft, way.weft);
+  return std::min(std::max(0.0, 1 - far / kFarWay),
+                  most > kMostPush * reach ? kMostPush * reach / most : 1.0);
+}
 
 /// Of one membrane: its force where its corners have come to place + start, and its part of the matrix.
 membrane::Blocks add_membrane(StepStart& step, const membrane::Membranes& all, std::size_t number,
@@ -27,10 +45,10 @@ membrane::Blocks add_membrane(StepStart& step, const membrane::Membranes& all, s
   const Axes damping = membrane::damping_stress(law, all.deformation(number, there),
                                                 all.deformation(number, step.start_velocity));
   const Axes way = all.deformation(number, step.start);
-  const double far = dot(way.warp, way.warp) + dot(way.weft, way.weft);
-  const double exact = std::max(0.0, 1 - far / kFarWay);
-  const Hessian along_way = exact * membrane::hessian(law, f) + (1 - exact) * elastic;
-  const Axes stress = membrane::stress(law, f) + along_way * way + damping;
+  const Axes pulled = elastic * way, whole = membrane::hessian(law, f) * way;
+  const Axes rest{whole.warp - pulled.warp, whole.weft - pulled.weft};
+  const double part = part_of(step, all, number, way, rest);
+  const Axes stress = membrane::stress(law, f) + pulled + Axes{part * rest.warp, part * rest.weft} + damping;
   const membrane::Corners forces = membrane::forces(all.rests[number], stress);
   for (std::size_t i = 0; i < 3; ++i) step.residual[all.triangles[number][i]] += forces[i];
   return membrane::blocks(all.rests[number], elastic + rate * membrane::damping_hessian(law, f));
