@@ -2,6 +2,9 @@
 
 import dataclasses
 
+# The sheets by two clips of `weft bench multigrid`; its other objects are what sheets are laid over.
+SHEETS = ("sheet", "fabric")
+
 SIDES = (64, 100, 128, 200, 256, 400, 512, 800)
 LARGE_SIDE = 2048  # hanging only, to see the bandwidth
 TRIANGLES = {"sphere": 760, "armadillo": 52_000, "dragon": 99_784}
@@ -59,28 +62,14 @@ def plan(experiments, quick, most_side):
                         side,
                     )
                 )
-        for side in () if quick else (64, 128, 256, 512, 800):
-            if side <= most_side:
-                cases.append(
-                    Case(
-                        "multigrid",
-                        ("multigrid", "--sides", str(side), "--only", "fabric"),
-                        10 + side**2 / 3000,
-                        "fabric",
-                        side,
-                    )
-                )
-        for side in () if quick else (256, 800):
-            if side <= most_side:
-                cases.append(
-                    Case(
-                        "multigrid",
-                        ("multigrid", "--sides", str(side), "--only", "drape"),
-                        20 + side**2 / 2000,
-                        "",
-                        side,
-                    )
-                )
+        for only, thing, start, rate, sides in (
+            ("fabric", "fabric", 10, 3000, (64, 128, 256, 512, 800)),
+            ("drape", "", 20, 2000, (256, 800)),
+        ):
+            for side in () if quick else sides:
+                if side <= most_side:
+                    which = ("multigrid", "--sides", str(side), "--only", only)
+                    cases.append(Case("multigrid", which, start + side**2 / rate, thing, side))
     if "largest" in experiments and not quick:
         cases.append(Case("largest", ("largest",), 60))
     return cases

@@ -3,6 +3,7 @@
 They compare contact by itself, the implicit solver, hosts, the page, Embree and Newton.
 """
 
+from .cases import SHEETS
 from .fits import power_law
 from .table import Table, left, right
 from .wording import number
@@ -61,10 +62,6 @@ def auto_choice(results):
     lines = [[row["what"], f"{row['nodes']:,}", *cells(row), row["chosen"]] for row in results["rows"]]
     heads = [f"{method}, {what}" for method in methods for what in ("predicted", "ms a frame")]
     return Table(left("scene") + right("nodes", *heads) + left("chosen"), lines)
-
-
-# The sheets by two clips of `weft bench multigrid`; its other objects are what sheets are laid over.
-SHEETS = ("sheet", "fabric")
 
 
 def implicit(results, sheet="sheet"):

@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 import time
 
-from .cases import SLOWEST_STEP_MS, too_slow_before
+from .cases import SHEETS, SLOWEST_STEP_MS, too_slow_before
 from .progress import TimeLeft, in_words, say
 from .store import with_side
 
@@ -42,7 +42,7 @@ def check_same(binary, binary_hash):
 def scene_of(experiment, row):
     thing = row.get("object", "")
     return SCENES.get(experiment, "no scene").format(
-        object=thing, sheet_or_drape=thing if thing in ("sheet", "fabric") else f"drape-{thing}"
+        object=thing, sheet_or_drape=thing if thing in SHEETS else f"drape-{thing}"
     )
 
 

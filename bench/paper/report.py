@@ -8,6 +8,7 @@ import jinja2
 
 from . import contact_tables, media, plots, scaling
 from . import experiment_tables as tables
+from .cases import SHEETS
 from .store import RESULTS, ROOT, machines, write_whole
 from .svg import DARK, LIGHT, STYLE, drawing
 from .table import Table, left
@@ -293,7 +294,7 @@ def implicit(report, machine, figures):
                 source_of(report, machine, "multigrid"),
             )
         )
-    if any(row["object"] not in contact_tables.SHEETS for row in results["rows"]):
+    if any(row["object"] not in SHEETS for row in results["rows"]):
         parts.append(
             report.table(
                 contact_tables.implicit_drapes(results),

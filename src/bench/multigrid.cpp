@@ -41,7 +41,7 @@ struct SheetScene {
 };
 constexpr std::uint32_t kAnySide = ~0U;
 constexpr SheetScene kSheet = {"sheet", nullptr, kAnySide, true};
-// Its explicit substeps grow with the square of the side: an hour of them for 800.
+// Its explicit substeps grow with the square of the side: half an hour of them for 800.
 constexpr SheetScene kFabric = {"fabric", "fabric", 256, false};
 
 /// Where scenes come from.

@@ -14,10 +14,7 @@ std::vector<std::uint32_t> gathers_of(const ElementTable& membranes, const Eleme
   std::vector<std::uint32_t> nodes = membranes.nodes;  // of the forces, in their order
   nodes.insert(nodes.end(), hinges.nodes.begin(), hinges.nodes.end());
   const mesh::Adjacency forces = places_in(nodes, body.first_vertex, body.vertex_count);
-  std::vector<std::uint32_t> gathers = forces.offsets;
-  for (std::uint32_t& row : gathers) row += body.vertex_count + 1;
-  gathers.insert(gathers.end(), forces.entries.begin(), forces.entries.end());
-  return gathers;
+  return rows_then_entries(forces.offsets, forces.entries);
 }
 
 /// The rows of moments by bends, then their entries: a hinge, and the bits of N·m.
@@ -40,6 +37,14 @@ std::vector<std::array<std::uint32_t, 2>> couplings_of(const hinge::Plate& plate
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> rows_then_entries(std::span<const std::uint32_t> starts,
+                                             std::span<const std::uint32_t> entries) {
+  std::vector<std::uint32_t> words(starts.begin(), starts.end());
+  for (std::uint32_t& row : words) row += static_cast<std::uint32_t>(starts.size());
+  words.insert(words.end(), entries.begin(), entries.end());
+  return words;
+}
 
 Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& model, const Body& body) {
   FabricBuffers made;

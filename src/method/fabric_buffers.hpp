@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "element/hinge/plate.hpp"
 #include "gpu/buffer.hpp"
@@ -27,6 +29,10 @@ struct FabricParams {
   MembraneLawBlock law;
 };
 static_assert(sizeof(FabricParams) == 48 && offsetof(FabricParams, law) == 16);
+
+/// Rows, each where its entries begin, one more than there are, then the entries, as kernels read both in one buffer.
+std::vector<std::uint32_t> rows_then_entries(std::span<const std::uint32_t> starts,
+                                             std::span<const std::uint32_t> entries);
 
 struct FabricBuffers {
   using Two = std::array<std::uint32_t, 2>;

@@ -45,6 +45,14 @@ std::unique_ptr<sim::World> fabric_world(gpu::Device& device, const scene::Scene
   return std::move(*world);
 }
 
+/// Members of an undamped fabric with this energy.
+std::string undamped(const std::string& energy) {
+  const std::string moduli = energy == "neo_hookean"
+                                 ? R"("warp": 500, "shear": 200, "poisson": 0.25, "bending_warp": 3e-4)"
+                                 : kWoven;
+  return moduli + R"(, "damping": 0, "energy": ")" + energy + '"';
+}
+
 /// The most that the energy rises by in one of so many frames; `energy`: now, and afterwards that of the end [J].
 double most_rise(sim::World& world, int frames, double& energy) {
   double most = 0;
@@ -183,12 +191,9 @@ TEST_CASE("free fabric keeps its momentum in long steps, and gains no energy, ho
     for (const Steps& steps : {Steps{"2", "0.01"}, Steps{"8", "1e-4"}}) {
       CAPTURE(energy);
       CAPTURE(std::string(steps.substeps));
-      const std::string moduli = energy == "neo_hookean"
-                                     ? R"("warp": 500, "shear": 200, "poisson": 0.25, "bending_warp": 3e-4)"
-                                     : kWoven;
-      const scene::Scene scene = implicit_scene(
-          R"("time": {"substeps": )" + std::string(steps.substeps) + "}, " + kFree,
-          fabric_cloth(kMesh, moduli + R"(, "damping": 0, "energy": ")" + energy + '"'), steps.residual);
+      const scene::Scene scene =
+          implicit_scene(R"("time": {"substeps": )" + std::string(steps.substeps) + "}, " + kFree,
+                         fabric_cloth(kMesh, undamped(energy)), steps.residual);
       auto world = fabric_world(fixture.device(), scene, mesh);
       // It spins and waves, at up to 5 m/s, and its nodes are a tenth of a cell from rest.
       Random random(3);
@@ -220,13 +225,9 @@ TEST_CASE("fabric squeezed to a twentieth comes back without more energy than th
   const mesh::TriangleMesh mesh = jittered_sheet(12, 9, 0.3, 0.2);
   for (const std::string energy : {"yarn", "green", "neo_hookean"}) {
     CAPTURE(energy);
-    const std::string moduli = energy == "neo_hookean"
-                                   ? R"("warp": 500, "shear": 200, "poisson": 0.25, "bending_warp": 3e-4)"
-                                   : kWoven;
     auto world = fabric_world(
         fixture.device(),
-        implicit_scene(R"("time": {"substeps": 2}, )" + kFree,
-                       fabric_cloth(kMesh, moduli + R"(, "damping": 0, "energy": ")" + energy + '"'), "1e-3"),
+        implicit_scene(R"("time": {"substeps": 2}, )" + kFree, fabric_cloth(kMesh, undamped(energy)), "1e-3"),
         mesh);
     Random random(5);
     change_state(*world, [&](std::size_t, Vec3d& x, Vec3d&) {

@@ -40,6 +40,11 @@ struct HingeSlope {  // 1/m
   c : vec3f,
   d : vec3f,  // a has what makes the sum zero
 }
+// How fast the angle changes where the corners move so fast, or by how much where they move so far.
+fn hinge_change(slope : HingeSlope, a : vec3f, b : vec3f, c : vec3f, d : vec3f) -> f32 {
+  return dot(slope.b, b - a) + dot(slope.c, c - a) + dot(slope.d, d - a);
+}
+
 fn hinge_slope(w : Wing) -> HingeSlope {
   let square = max(dot(w.edge, w.edge), kMinArea);
   let span = sqrt(square);

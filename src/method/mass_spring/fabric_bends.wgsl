@@ -18,8 +18,7 @@ fn fabric_bends(@builtin(global_invocation_id) id : vec3u) {
   let nodes = hinges[hinge];
   let wing = wing_of(position[nodes.x].xyz, position[nodes.y].xyz, position[nodes.z].xyz, position[nodes.w].xyz);
   let slope = hinge_slope(wing);
-  let v = velocity[nodes.x].xyz;
-  let rate = dot(slope.b, velocity[nodes.y].xyz - v) + dot(slope.c, velocity[nodes.z].xyz - v) +
-             dot(slope.d, velocity[nodes.w].xyz - v);
+  let rate = hinge_change(slope, velocity[nodes.x].xyz, velocity[nodes.y].xyz, velocity[nodes.z].xyz,
+                          velocity[nodes.w].xyz);
   bends[hinge] = (hinge_angle(wing) - rest_angles[hinge]) + fabric.law.delay * rate;
 }

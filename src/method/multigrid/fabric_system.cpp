@@ -7,12 +7,10 @@ constexpr std::size_t kTermWords = 6;  // src/method/multigrid/membrane_term.wgs
 
 /// Rows of blocks, then the parts whose sums they are.
 std::vector<std::uint32_t> words_of(const Lists<ElementPart>& parts) {
-  std::vector<std::uint32_t> words;
-  words.reserve(parts.starts.size() + parts.items.size());
-  for (const std::uint32_t start : parts.starts)
-    words.push_back(static_cast<std::uint32_t>(parts.starts.size()) + start);
-  for (const ElementPart& part : parts.items) words.push_back(part.packed());
-  return words;
+  std::vector<std::uint32_t> packed;
+  packed.reserve(parts.items.size());
+  for (const ElementPart& part : parts.items) packed.push_back(part.packed());
+  return rows_then_entries(parts.starts, packed);
 }
 
 }  // namespace

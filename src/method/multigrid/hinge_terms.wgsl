@@ -27,8 +27,7 @@ fn hinge_terms(@builtin(global_invocation_id) id : vec3u) {
   let nodes = hinges[hinge] - vec4u(fabric.first);
   let wing = wing_of(there(nodes.x), there(nodes.y), there(nodes.z), there(nodes.w));
   let slope = hinge_slope(wing);
-  let v = speed(nodes.x);
-  let change = dot(slope.b, speed(nodes.y) - v) + dot(slope.c, speed(nodes.z) - v) + dot(slope.d, speed(nodes.w) - v);
+  let change = hinge_change(slope, speed(nodes.x), speed(nodes.y), speed(nodes.z), speed(nodes.w));
   bends[hinge] = (hinge_angle(wing) - rest_angles[hinge]) + fabric.law.delay * change;
   let rate = 1.0 / formula_of(step.time.step_ratio).he;
   let stiffness = (1.0 + fabric.law.delay * rate) * bounds[hinge];

@@ -56,7 +56,8 @@ membrane::Blocks add_membrane(StepStart& step, const membrane::Membranes& all, s
 
 }  // namespace
 
-void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& parts, double rate) {
+void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& parts,
+                std::span<const double> bounds, double rate) {
   Field there = step.place;
   for (std::size_t a = 0; a < there.size(); ++a) there[a] += step.start[a];
   std::vector<membrane::Blocks> membranes;
@@ -68,7 +69,6 @@ void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& par
   const std::vector<double> rates = hinge::bend_rates(cloth.plate, there, step.start_velocity);
   for (std::size_t h = 0; h < bends.size(); ++h) bends[h] += delay * rates[h];
   hinge::add_forces(cloth.plate, hinge::moments(cloth.plate, bends), there, step.residual);
-  const std::vector<double> bounds = hinge::stiffness_bounds(cloth.plate);
   std::vector<hinge::Corners> slopes;
   for (const hinge::Hinge& hinge : cloth.plate.hinges)
     slopes.push_back(hinge::angle_slope(hinge::corners_of(hinge, there)));

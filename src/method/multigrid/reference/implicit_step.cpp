@@ -128,6 +128,7 @@ ImplicitStepper::ImplicitStepper(const Model& model, double step, double residua
     if (body.fabric) {
       made.fabric = fabrics++;
       made.parts = fabric_pairs(model, body);
+      made.hinge_bounds = hinge::stiffness_bounds(model.plate(body));
       made.levels = mesh_levels(model, body, made.parts.pairs, Blocks::General);
       made.bottom =
           multigrid::bottom_of(multigrid::mesh_scales(model, body, made.levels, step), multigrid::kMeshTail);
@@ -218,7 +219,7 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
   const double rate = 1 / step_formula(dt, ratio).he;
   if (cloth.fabric)
-    add_fabric(step, system.fabrics[*cloth.fabric], cloth.parts, rate);
+    add_fabric(step, system.fabrics[*cloth.fabric], cloth.parts, cloth.hinge_bounds, rate);
   else
     add_springs(step, std::span(system.springs).subspan(cloth.first_spring, blocks.size() - cloth.count),
                 cloth.first, rate);

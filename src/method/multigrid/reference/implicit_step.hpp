@@ -102,6 +102,7 @@ class ImplicitStepper : public Stepper {
     std::size_t first_spring = 0;       // of a mesh, in the system's
     std::optional<std::size_t> fabric;  // in the system's
     FabricPairs parts;                  // of the fabric's matrix
+    std::vector<double> hinge_bounds;   // [N·m]
     multigrid::Bottom bottom;           // of its cycles
   };
 
