@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "closed_forms/rope_over_capsule.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "scene/load.hpp"
 
@@ -42,36 +43,7 @@ struct Capstan {
     REQUIRE_MESSAGE(made, made.error().message);
     return std::move(*made);
   }
-  /// The acceleration of a rope that has slid by `way` [m] and goes at `speed` [m/s], toward the right end [m/s²].
-  /// Along the capsule, from the left end on, with N = (T / λ - v²) / R + g sin θ, T over the rope's mass per length:
-  /// dT/dθ = μ R N + R (a + g cos θ), T(0) = (g + a) L, T(π) = (g - a) L'. What is left of that is linear in a.
-  double rope_acceleration(double way, double speed) const {
-    constexpr int kParts = 400;
-    const double width = std::acos(-1.0) / kParts;
-    const auto beyond = [&](double a) {
-      double tension = (kGravity + a) * (left - way);
-      for (int k = 0; k < kParts; ++k) {
-        const double angle = (k + 0.5) * width;
-        const auto rate = [&](double t) {
-          return friction * (t - speed * speed + kGravity * kDistance * std::sin(angle)) +
-                 kDistance * (a + kGravity * std::cos(angle));
-        };
-        tension += width * rate(tension + 0.5 * width * rate(tension));
-      }
-      return tension - (kGravity - a) * (right + way);
-    };
-    return -beyond(0) / (beyond(1) - beyond(0));
-  }
-  /// How far a rope that starts at rest slides in a time [m]; 0: friction holds it.
-  double rope_way(double time) const {
-    constexpr double kStep = 1e-3;
-    double way = 0, speed = 0;
-    for (double t = 0; t < time; t += kStep) {
-      speed = std::max(0.0, speed + kStep * rope_acceleration(way, speed));
-      way += kStep * speed;
-    }
-    return way;
-  }
+  RopeOverCapsule rope() const { return {left, right, kDistance, friction, kGravity}; }
   /// Where a node starts that the scene has at `flat`: draped, at the thickness and its rest length.
   Vec3d draped(const Vec3d& flat) const {
     const double along = flat.x + 0.5 * kSpacing * (rows() - 1) - left, angle = along / kDistance;
@@ -129,7 +101,7 @@ void check_capstan(const Run& run) {
   }
   const Capstan beyond{0.3, 1, 0.3};
   const CapstanWatch slid = run(beyond);
-  const double exact = beyond.rope_way(40.0 / 60);
+  const double exact = beyond.rope().way(40.0 / 60);
   MESSAGE("0.3 m and 1 m: ", slid.way(40), " m in two thirds of a second, a rope ", exact, " m");
   CHECK(slid.way(40) > 0.5 * exact);
   CHECK(slid.way(40) < 1.1 * exact);

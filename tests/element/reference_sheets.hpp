@@ -7,8 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "base/random.hpp"
+#include "closed_forms/pattern_sheet.hpp"
 #include "element/reference/motion.hpp"
-#include "patterns.hpp"
 
 namespace weft {
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.hpp"
+#include "closed_forms/pattern_sheet.hpp"
 #include "element/hinge/law.hpp"
 #include "element/hinge/plate.hpp"
-#include "patterns.hpp"
 
 using namespace weft;
 using namespace weft::hinge;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "closed_forms/pattern_sheet.hpp"
 #include "element/membrane/build.hpp"
 #include "element/membrane/law.hpp"
-#include "patterns.hpp"
 
 using namespace weft;
 using namespace weft::membrane;

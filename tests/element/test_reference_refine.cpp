@@ -1,5 +1,5 @@
 // The reference refined until a number is known: what it says of its error, against closed forms.
-#include "elastica.hpp"
+#include "closed_forms/elastica.hpp"
 #include "element/reference/equilibrium.hpp"
 #include "element/reference/refine.hpp"
 #include "reference_sheets.hpp"

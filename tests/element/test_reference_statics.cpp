@@ -1,7 +1,7 @@
 // The reference at rest against closed forms.
 #include <algorithm>
 
-#include "elastica.hpp"
+#include "closed_forms/elastica.hpp"
 #include "element/reference/equilibrium.hpp"
 #include "reference_sheets.hpp"
 

@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "elastica.hpp"
-#include "patterns.hpp"
+#include "base/random.hpp"
+#include "closed_forms/elastica.hpp"
+#include "closed_forms/pattern_sheet.hpp"
 #include "statics.hpp"
 
 using namespace weft;

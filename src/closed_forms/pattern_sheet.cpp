@@ -1,45 +1,15 @@
-// Flat rectangular sheets, triangulated in the ways that tell bending rules apart.
-#pragma once
+#include "closed_forms/pattern_sheet.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "base/random.hpp"
-#include "mesh/triangle_mesh.hpp"
 
 namespace weft {
-
-enum class Pattern { Equilateral, OneDiagonal, Alternating, Irregular };
-inline constexpr std::array kPatterns = {Pattern::Equilateral, Pattern::OneDiagonal, Pattern::Alternating,
-                                         Pattern::Irregular};
-inline std::string name_of(Pattern pattern) {
-  constexpr std::array kNames = {"equilateral", "one diagonal", "alternating", "irregular"};
-  return kNames[static_cast<std::size_t>(pattern)];
-}
-
-/// From x = 0 to length and y = 0 to width, with `clamped` columns of cells before and `beyond` after. The nodes of
-/// every pattern lie in columns, but for irregular ones inside, which are up to 0.3 cells off.
-struct PatternSheet {
-  double length = 1, width = 1;  // [m]
-  double cell = 1;               // the distance of columns [m]
-  std::vector<Vec3d> position;
-  std::vector<mesh::Triangle> triangles;
-
-  double area_of(std::size_t t) const {
-    const auto& [a, b, c] = triangles[t];
-    return weft::length(cross(position[b] - position[a], position[c] - position[a])) / 2;
-  }
-  bool inside(std::uint32_t node, double margin) const {
-    const Vec3d& p = position[node];
-    return p.x > margin && p.x < length - margin && p.y > margin && p.y < width - margin;
-  }
-};
+namespace {
 
 /// Columns of `across` and `across + 1` cells in turn; the short ones at both rims are halves.
-inline PatternSheet equilateral_sheet(double length, int along, int across, int clamped, int beyond) {
+PatternSheet equilateral_sheet(double length, int along, int across, int clamped, int beyond) {
   PatternSheet sheet{length, across * 2 / std::sqrt(3.0) * length / along, length / along, {}, {}};
   const double step = sheet.width / across;
   std::vector<std::uint32_t> first;
@@ -68,15 +38,15 @@ inline PatternSheet equilateral_sheet(double length, int along, int across, int 
 }
 
 /// Whether the diagonal from a to c of a quad a b c d sees angles that sum to less than pi, as Delaunay's does.
-inline bool delaunay(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+bool delaunay(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   const auto cotangent = [](const Vec3d& at, const Vec3d& p, const Vec3d& q) {
     return dot(p - at, q - at) / length(cross(p - at, q - at));
   };
   return cotangent(b, c, a) + cotangent(d, a, c) > 0;
 }
 
-inline PatternSheet quad_sheet(Pattern pattern, double length, int along, int across, int clamped, int beyond,
-                               std::uint64_t seed) {
+PatternSheet quad_sheet(Pattern pattern, double length, int along, int across, int clamped, int beyond,
+                        std::uint64_t seed) {
   PatternSheet sheet{length, across * length / along, length / along, {}, {}};
   Random random(seed);
   for (int i = -clamped; i <= along + beyond; ++i)
@@ -102,10 +72,24 @@ inline PatternSheet quad_sheet(Pattern pattern, double length, int along, int ac
   return sheet;
 }
 
-inline PatternSheet pattern_sheet(Pattern pattern, double length, int along, int across, int clamped = 0,
-                                  int beyond = 0, std::uint64_t seed = 1) {
+}  // namespace
+
+std::string name_of(Pattern pattern) {
+  constexpr std::array kNames = {"equilateral", "one diagonal", "alternating", "irregular"};
+  return kNames[static_cast<std::size_t>(pattern)];
+}
+
+PatternSheet pattern_sheet(Pattern pattern, double length, int along, int across, int clamped, int beyond,
+                           std::uint64_t seed) {
   return pattern == Pattern::Equilateral ? equilateral_sheet(length, along, across, clamped, beyond)
                                          : quad_sheet(pattern, length, along, across, clamped, beyond, seed);
+}
+
+mesh::TriangleMesh PatternSheet::triangle_mesh() const {
+  mesh::TriangleMesh made;
+  for (const Vec3d& p : position) made.positions.push_back(p.to<float>());
+  made.triangles = triangles;
+  return made;
 }
 
 }  // namespace weft
