@@ -89,7 +89,8 @@ class World {
   std::uint32_t frame() const;  ///< frames so far
   double time() const;          ///< simulated [s]
 
-  /// Changes a value of the running scene from the next frame on, as Scene::set: gravity, external_force, drag, wind.
+  /// Changes a value of the running scene from the next frame on, as Scene::set: gravity, external_force, drag, wind
+  /// and, where the scene has it, air.
   /// Errors  Input: not a valid scene, or the key cannot change while the cloth moves. Limit: the drag makes the step
   ///         unstable. The world stays as it was.
   Result<void> change(const std::string& key, const std::string& value);

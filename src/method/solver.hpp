@@ -45,6 +45,7 @@ struct SolverInputs {
   const Contacts* contacts = nullptr;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   std::optional<bool> two_steps = {};  // at once, where the solver can; none: where that is quicker
+  bool air = false;                    // whether the air pushes on triangles
 
   /// Obstacles' demands on vertices, for a solver that includes them in its matrix; null: none.
   const gpu::Buffer<std::int32_t>* presses() const {

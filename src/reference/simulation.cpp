@@ -57,6 +57,8 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   system.acceleration = scene.gravity + scene.external_force;
   system.drag = scene.drag;
   system.wind = scene::wind_field(scene.wind);
+  system.air = scene.air;
+  if (scene.air) system.triangles = air_triangles(*made.model_);
   system.grab_speed = grab_speed(*made.model_);
   // No more than the whole distance in a substep: the follower would swing about its target.
   system.grab_rate = std::min(kGrabRate, 1 / made.step());

@@ -27,6 +27,9 @@ class Builder {
     scene.drag = number(json, "drag");
     const Json& wind = at(json, "wind");
     scene.wind = {vector(wind, "velocity"), number(wind, "gusts"), number(wind, "wavelength")};
+    if (const Json* air = json.find("air"))
+      scene.air = Air{number(*air, "density"), number(*air, "pressure"), number(*air, "lift"),
+                      number(*air, "friction")};
     scene.time = time(at(json, "time"));
     scene.solver = solver(at(json, "solver"));
     WEFT_TRY(contact, this->contact(at(json, "contact")));

@@ -43,6 +43,7 @@ std::optional<std::string> fixed_difference(const Scene& running, const Scene& w
   if (running.contact.thickness != wanted.contact.thickness) return "contact.thickness";
   if (running.contact.self != wanted.contact.self) return "contact.self";
   if (running.contact.restitution != wanted.contact.restitution) return "contact.restitution";
+  if (running.air.has_value() != wanted.air.has_value()) return "air";
   if (running.cloths.size() != wanted.cloths.size()) return "cloths";
   for (std::size_t c = 0; c < running.cloths.size(); ++c)
     if (const char* key = cloth_difference(running.cloths[c], wanted.cloths[c]))

@@ -59,6 +59,17 @@ constexpr Key kWindKeys[] = {
 };
 constexpr Type kWind{.kind = Kind::Object, .keys = kWindKeys};
 
+// air
+constexpr Type kAirDensity{.kind = Kind::Number, .most = 1e4, .unit = "kg/m³"};
+constexpr Type kCoefficient{.kind = Kind::Number, .most = 100};
+constexpr Key kAirKeys[] = {
+    {"density", &kAirDensity, "Density of the air", "1.225"},
+    {"pressure", &kCoefficient, "Pressure on a sheet across the flow, by the dynamic pressure", "1.17"},
+    {"lift", &kCoefficient, "Normal force on a sheet by its small angle to the flow", "1.48"},
+    {"friction", &kCoefficient, "Friction on both faces of a sheet along the flow", "0.01"},
+};
+constexpr Type kAir{.kind = Kind::Object, .keys = kAirKeys};
+
 // time
 constexpr Type kFrame{.kind = Kind::Number, .least = 1e-6, .most = 10, .unit = "s"};
 constexpr Type kSubstepCount{.kind = Kind::Number, .least = 1, .most = 65536, .whole = true};
@@ -374,7 +385,8 @@ constexpr Key kSceneKeys[] = {
     {"external_force", &kForcePerMass, "Uniform force on each kilogram of cloth, beside gravity",
      "[0, 0, 0]"},
     {"drag", &kRate, "Air drag: acceleration = -drag * (velocity - wind)", "0"},
-    {"wind", &kWind, "The moving air that drag pulls towards", "{}"},
+    {"wind", &kWind, "The moving air that drag pulls towards, and that pushes where there is \"air\"", "{}"},
+    {"air", &kAir, "Pressure, lift and friction on every triangle; without it there are none"},
     {"time", &kTime, "Frames and steps", "{}"},
     {"solver", &kSolver, "How cloth moves", "{}"},
     {"contact", &kContact, "How cloth meets colliders", "{}"},

@@ -213,11 +213,21 @@ using Collider = std::variant<ColliderMesh, ColliderSphere, ColliderPlane, Colli
 const std::optional<double>& friction_of(const Collider& collider);
 const std::optional<ColliderMotion>& motion_of(const Collider& collider);
 
-/// The velocity that drag pulls towards. Gusts are two waves that travel through it (wind.hpp).
+/// The velocity that drag and `air` are relative to. Gusts are two waves that travel through it (wind.hpp).
 struct Wind {
   Vec3d velocity;         // the mean [m/s]
   double gusts = 0;       // their strength, from 0 to 1 of the mean
   double wavelength = 1;  // of the gusts along the wind [m]
+};
+
+/// What pushes on every triangle of every cloth, as the wind relative to it does: docs/air.md. The coefficients are by
+/// the area of one face and count what happens on both.
+struct Air {
+  double density = 1.225;  // [kg/m³]
+  double pressure = 1.17;  // on a sheet across the flow
+  double lift = 1.48;      // normal force by angle to the flow, where that is small [1/rad]
+  double friction = 0.01;  // on a sheet along the flow
+  bool operator==(const Air&) const = default;
 };
 
 struct Time {
@@ -265,6 +275,7 @@ struct Scene {
   Vec3d external_force;        // uniform, beside gravity [N/kg]
   double drag = 0;             // a = -drag * (v - wind) [1/s]
   Wind wind;
+  std::optional<Air> air;  // none: it does not push
   Time time;
   Solver solver;
   Contact contact;

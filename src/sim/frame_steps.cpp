@@ -16,6 +16,7 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
   for (StepBlock& block : blocks_) {
     block.air.acceleration = Vec4f::from(acceleration.to<float>(), 0);
     block.air.drag = static_cast<float>(scene.drag);
+    weft::set_air(block.air, scene.air);
   }
   changed_ = true;
 }

@@ -26,7 +26,7 @@ class FrameSteps {
   /// `blocks`: of the most substeps of a frame, with what no frame changes: nodes, contact, method. `frame` [s].
   FrameSteps(std::vector<StepBlock> blocks, double frame);
 
-  /// Takes over gravity, external force, drag and wind, from `time` [s] on. The waves of the wind go on from
+  /// Takes over gravity, external force, drag, wind and air, from `time` [s] on. The waves of the wind go on from
   /// where they are.
   void set_air(const scene::Scene& scene, double time);
   void write(gpu::Device& device, const gpu::Buffer<StepBlock>& steps, const Grabs& grabs,

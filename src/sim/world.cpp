@@ -197,6 +197,7 @@ Result<void> World::change(const scene::Scene& scene) {
   scene_.external_force = scene.external_force;
   scene_.drag = scene.drag;
   scene_.wind = scene.wind;
+  scene_.air = scene.air;
   scene_.title = scene.title;
   scene_.description = scene.description;
   scene_.time.frames = scene.time.frames;

@@ -74,8 +74,8 @@ class World {
   /// Lets go a node that grab() has grabbed: it goes on with its velocity. Errors  Input: it is not grabbed.
   Result<void> release(std::uint32_t node);
 
-  /// Takes over gravity, external force, drag and wind of a scene that is this one otherwise, from the next
-  /// frame on; and its title, description, time.frames, camera, render.view and render.size. The step stays
+  /// Takes over gravity, external force, drag, wind and the numbers of air of a scene that is this one otherwise, from
+  /// the next frame on; and its title, description, time.frames, camera, render.view and render.size. The step stays
   /// as it is. Errors  Input: something else differs (scene::fixed_difference). Limit: the drag makes the
   /// step unstable.
   Result<void> change(const scene::Scene& scene);

@@ -35,8 +35,9 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   contact_ = std::move(contact);
   scene::Solver settings = scene_.solver;
   settings.kind = method.kind;
-  WEFT_TRY(solver, make_solver(settings, {device_, model_, state_, plan_.step(), contact_.contacts(),
-                                          options.workgroup_size, options.two_steps}));
+  WEFT_TRY(solver,
+           make_solver(settings, {device_, model_, state_, plan_.step(), contact_.contacts(),
+                                  options.workgroup_size, options.two_steps, scene_.air.has_value()}));
   solver_ = std::move(solver);
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);

@@ -41,6 +41,9 @@ struct StepAir {
   gust_a : vec4f,        // m/s: the amplitude of a wave of the wind, xyz
   gust_b : vec4f,
   drag : f32,            // 1/s
+  pressure : f32,        // kg/m³: half the air's density times each of its coefficients (method/air.wgsl)
+  lift : f32,
+  friction : f32,
 }
 struct StepHands {
   node : vec4u,                      // the grabbed nodes; 0xffffffff where a place is free

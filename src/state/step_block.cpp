@@ -2,6 +2,14 @@
 
 namespace weft {
 
+void set_air(StepBlock::Air& part, const std::optional<scene::Air>& air) {
+  const scene::Air given = air.value_or(scene::Air{.density = 0});
+  const double half = given.density / 2;
+  part.pressure = static_cast<float>(half * given.pressure);
+  part.lift = static_cast<float>(half * given.lift);
+  part.friction = static_cast<float>(half * given.friction);
+}
+
 void set_wind(StepBlock::Air& air, const scene::WindField& wind, const std::array<double, 2>& turns) {
   air.wind = Vec4f::from(wind.velocity.to<float>(), wind.blows() ? 1.0F : 0.0F);
   // The whole turns are taken off in double: f32 would have lost the rest after some minutes.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "base/vec.hpp"
 #include "gpu/command_list.hpp"
@@ -43,13 +44,15 @@ struct StepBlock {
     std::uint32_t first_place = 0;
     std::uint32_t most_delay = 0;  // of a frame [µs]
   };
-  /// By the scene's fields: gravity, drag, wind.
+  /// By the scene's fields: gravity, drag, wind, air.
   struct alignas(128) Air {
     Vec4f acceleration;              // [m/s²]
     Vec4f wind;                      // [m/s]; w: 1 where wind blows
     Vec4f wind_wave_a, wind_wave_b;  // [1/m]; w: in [0, 1)
     Vec4f gust_a, gust_b;            // [m/s]
     float drag = 0;                  // [1/s]
+    float pressure = 0;              // of the scene's air, with half its density [kg/m³]
+    float lift = 0, friction = 0;    // [kg/m³]
   };
   /// By what holds nodes.
   struct alignas(128) Hands {
@@ -73,6 +76,9 @@ struct StepBlock {
   Method method;
 };
 static_assert(sizeof(StepBlock) == gpu::kStepStride);
+
+/// Sets what the air pushes with; none: nothing.
+void set_air(StepBlock::Air& part, const std::optional<scene::Air>& air);
 
 /// Sets the wind; `turns` is how far time has brought each wave.
 void set_wind(StepBlock::Air& air, const scene::WindField& wind, const std::array<double, 2>& turns);

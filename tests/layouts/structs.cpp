@@ -118,7 +118,8 @@ Json step_contact() {
 Json step_air() {
   using T = StepBlock::Air;
   return row("StepAir", "state/step.wgsl", sizeof(T), alignof(T),
-             {M(acceleration), M(wind), M(wind_wave_a), M(wind_wave_b), M(gust_a), M(gust_b), M(drag)});
+             {M(acceleration), M(wind), M(wind_wave_a), M(wind_wave_b), M(gust_a), M(gust_b), M(drag),
+              M(pressure), M(lift), M(friction)});
 }
 Json step_hands() {
   using T = StepBlock::Hands;

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "fields.hpp"
+#include "method/air_corners.hpp"
 #include "method/multigrid/grid_cycle.hpp"
 #include "method/multigrid/mesh_cycle.hpp"
 #include "method/multigrid/reference/implicit_step.hpp"
@@ -40,11 +41,16 @@ class ImplicitRig {
     // As in a world: aside where contact asks for it before the step is done.
     const Predicted predicted =
         presses ? Predicted{&predicted_, &predicted_} : Predicted{&state_.velocity[1], &state_.velocity[0]};
-    const CycleInputs inputs{device,        model_,
-                             state_,        dt,
-                             predicted,     presses ? &press_sums_ : nullptr,
-                             nullptr,       scene_.solver.residual,
-                             workgroup_size};
+    const CycleInputs inputs{device,         model_,
+                             state_,         dt,
+                             predicted,      presses ? &press_sums_ : nullptr,
+                             nullptr,        scene_.solver.residual,
+                             workgroup_size, scene_.air ? &corners_ : nullptr};
+    if (scene_.air) {
+      auto corners = air_corners(device, model_);
+      REQUIRE_OK(corners);
+      corners_ = std::move(*corners);
+    }
     const auto kernels = [&] {
       if constexpr (kIsMesh)
         return Kernels::create(inputs, model_.host.bodies[0].fabric ? Blocks::General : Blocks::Symmetric);
@@ -58,6 +64,9 @@ class ImplicitRig {
     params_.air.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);
     params_.time.dt = static_cast<float>(dt);
     params_.air.drag = static_cast<float>(scene_.drag);
+    set_air(params_.air, scene_.air);
+    const scene::WindField wind = scene::wind_field(scene_.wind);
+    set_wind(params_.air, wind, {});
     params_.nodes.count = model_.vertex_count();
     state_.steps.write(device, std::span(&params_, 1));
   }
@@ -103,6 +112,9 @@ class ImplicitRig {
     system_.fabrics = reference::fabric_cloths(model_.host);
     system_.acceleration = scene_.gravity + scene_.external_force;
     system_.drag = scene_.drag;
+    system_.wind = scene::wind_field(scene_.wind);
+    system_.air = scene_.air;
+    system_.triangles = air_triangles(model_.host);
     stepper_.emplace(model_.host, dt_);
     stepper_->remember(before, velocity_before);
     for (std::size_t n = 0; n < v.size(); ++n)
@@ -279,6 +291,7 @@ class ImplicitRig {
   std::vector<reference::Press> presses_;
   std::vector<std::int32_t> pressed_sums_;
   gpu::Buffer<Vec4f> predicted_;
+  gpu::Buffer<std::uint32_t> corners_;
   scene::Scene scene_;
   double dt_, ratio_ = 1;
   StepBlock params_;

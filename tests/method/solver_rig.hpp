@@ -43,13 +43,15 @@ class SolverRig {
     auto state = State::create(device, model_.host, 1);
     REQUIRE_OK(state);
     state_ = std::move(*state);
-    auto solver = make_solver(scene.solver, {device, model_, state_, dt, nullptr, workgroup_size});
+    auto solver = make_solver(
+        scene.solver, {device, model_, state_, dt, nullptr, workgroup_size, {}, scene.air.has_value()});
     REQUIRE_OK(solver);
     solver_ = std::move(*solver);
     StepBlock& params = params_;
     params.air.acceleration = Vec4f::from((scene.gravity + scene.external_force).to<float>(), 0);
     params.time.dt = static_cast<float>(dt);
     params.air.drag = static_cast<float>(scene.drag);
+    set_air(params.air, scene.air);
     const scene::WindField wind = scene::wind_field(scene.wind);
     set_wind(params.air, wind, {wind.waves[0].rate * kTime, wind.waves[1].rate * kTime});
     params.nodes.count = model_.vertex_count();
@@ -129,6 +131,8 @@ class SolverRig {
     system.acceleration = scene_.gravity + scene_.external_force;
     system.drag = scene_.drag;
     system.wind = scene::wind_field(scene_.wind);
+    system.air = scene_.air;
+    system.triangles = air_triangles(model_.host);
     system.time = kTime;
     system.grabs = grabs_;
     system.grab_rate = static_cast<double>(params_.hands.rate);

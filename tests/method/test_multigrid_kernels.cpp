@@ -13,6 +13,9 @@ namespace {
 
 using namespace weft::multigrid;
 
+/// Gusts that are felt, by cloth of these tests.
+const std::string kAirPushes = R"("wind": {"velocity": [3, 4, -6], "gusts": 0.7}, "air": {}, )";
+
 std::string cloth(std::uint32_t nx, std::uint32_t ny, const std::string& more) {
   return R"("drag": 0.4, "cloths": [{"grid": [)" + std::to_string(nx) + ", " + std::to_string(ny) +
          R"(], "size": [2, 1.5], "plane": "xz", )" + more + "}]";
@@ -57,16 +60,20 @@ TEST_CASE("the residual and the diagonal equal the reference's") {
     std::uint32_t nx, ny;
     std::string cloth;
     double amount, speed, ratio;
+    std::string world = "";
   };
   for (const Case& c : {Case{17, 23, kPlain, 0.02, 1, 1},
                         {9, 2, kPlain, 0.5, 20, 0.25},
                         {2, 2, kBending, 0.01, 1, 1},
                         {3, 31, kBending, 0.2, 5, 2},
                         {40, 13, kNodeMass, 0.01, 1, 1},
-                        {12, 7, kNodeMass, 1, 100, 0}}) {
+                        {12, 7, kNodeMass, 1, 100, 0},
+                        {17, 23, kPlain, 0.02, 3, 1, kAirPushes},
+                        {12, 7, kNodeMass, 1, 100, 0.25, kAirPushes},
+                        {2, 9, kBending, 0.05, 9, 2, kAirPushes}}) {
     CAPTURE(c.nx);
     CAPTURE(c.cloth);
-    MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth));
+    MultigridRig rig(fixture.device(), c.world + cloth(c.nx, c.ny, c.cloth));
     rig.perturb(c.nx, c.amount, c.speed);
     rig.set_ratio(c.ratio);
     if (c.nx > 9) rig.hold(10, {0.1, 0.2, 0.3});
@@ -90,16 +97,18 @@ TEST_CASE("the matrices of coarse levels equal the reference's") {
   GpuFixture fixture;
   struct Case {
     std::uint32_t nx, ny;
-    std::string cloth;
+    std::string cloth, world = "";
   };
   for (const Case& c : {Case{34, 21, kPlain},
+                        {34, 21, kPlain, kAirPushes},
+                        {22, 18, kPinnedInside, kAirPushes},
                         {7, 50, kBending},
                         {22, 18, kPinnedInside},
                         {100, 80, kNodeMass},
                         {128, 3, kPlain}}) {
     CAPTURE(c.nx);
     CAPTURE(c.cloth);
-    MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth));
+    MultigridRig rig(fixture.device(), c.world + cloth(c.nx, c.ny, c.cloth));
     rig.perturb(c.ny, 0.01, 1);
     rig.run([&](gpu::ComputePass& pass) {
       rig.cycle().record_system(pass);
@@ -169,8 +178,11 @@ TEST_CASE("a whole implicit substep equals the reference's, on sheets flat and c
     std::uint32_t nx, ny;
     std::string cloth;
     double amount, speed;
+    std::string world = "";
   };
   for (const Case& c : {Case{64, 64, kPlain, 1e-3, 1},
+                        {64, 63, kPlain, 1e-3, 1, kAirPushes},
+                        {33, 20, kNodeMass, 0.05, 5, kAirPushes},
                         {100, 80, kBending, 0.01, 1},
                         {5, 4, kPlain, 0.1, 3},
                         {2, 2, kNodeMass, 0.1, 3},
@@ -178,7 +190,7 @@ TEST_CASE("a whole implicit substep equals the reference's, on sheets flat and c
                         {129, 70, kNodeMass, 0.05, 5}}) {
     CAPTURE(c.nx);
     CAPTURE(c.cloth);
-    MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth));
+    MultigridRig rig(fixture.device(), c.world + cloth(c.nx, c.ny, c.cloth));
     rig.perturb(c.nx, c.amount, c.speed);
     if (c.nx > 9) rig.hold(c.nx + 5, {0.1, 0.2, 0.3});
     check_substep(rig);
@@ -189,11 +201,14 @@ TEST_CASE("what obstacles hold is in the matrix, and a pressed node begins anew,
   GpuFixture fixture;
   struct Case {
     std::uint32_t nx, ny, every;
-    std::string cloth;
+    std::string cloth, world = "";
   };
-  for (const Case& c : {Case{34, 21, 3, kPlain}, {64, 64, 1, kBending}, {100, 80, 7, kNodeMass}}) {
+  for (const Case& c : {Case{34, 21, 3, kPlain},
+                        {64, 64, 1, kBending},
+                        {100, 80, 7, kNodeMass},
+                        {34, 22, 3, kPlain, kAirPushes}}) {
     CAPTURE(c.nx);
-    MultigridRig rig(fixture.device(), cloth(c.nx, c.ny, c.cloth), 1.0 / 480, 64, true);
+    MultigridRig rig(fixture.device(), c.world + cloth(c.nx, c.ny, c.cloth), 1.0 / 480, 64, true);
     rig.perturb(c.nx, 1e-3, 1);
     rig.press(c.ny, c.every);
     const reference::LinearStep step = rig.linearise();

@@ -38,7 +38,11 @@ struct Case {
   mesh::TriangleMesh mesh;
   std::string cloth;
   double amount, speed, ratio;  // [m], [m/s]
+  std::string world = "";
 };
+
+/// Gusts that are felt, by cloth of these tests.
+const std::string kAirPushes = R"("wind": {"velocity": [3, 4, -6], "gusts": 0.7}, "air": {}, )";
 
 std::vector<Case> cases() {
   return {
@@ -53,7 +57,11 @@ std::vector<Case> cases() {
       {"rubber in two pieces", both(jittered_sheet(12, 9, 1, 1), tube(12, 7, 0.2, 0.5), {1, 0, 0}), kRubber,
        0.02, 1, 0},
       {"woven triangles apart", triangles_apart(30), kWoven, 0.02, 1, 1},
-      {"a triangle", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, kFree, 0.1, 3, 1}};
+      {"a triangle", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, kFree, 0.1, 3, 1},
+      {"sheet in wind", jittered_sheet(40, 31, 2, 1.5), kPlain, 0.01, 1, 1, kAirPushes},
+      {"two pieces in wind", both(jittered_sheet(12, 9, 1, 1), tube(12, 7, 0.2, 0.5), {1, 0, 0}), kSoft, 0.02,
+       9, 2, kAirPushes},
+      {"woven sheet in wind", jittered_sheet(40, 31, 2, 1.5), kWoven, 0.01, 1, 1, kAirPushes}};
 }
 
 /// Products of blocks' symmetric parts and random vectors.
@@ -98,7 +106,7 @@ TEST_CASE("a mesh's residual, matrices and diagonals equal the reference's") {
   GpuFixture fixture;
   for (const Case& c : cases()) {
     CAPTURE(std::string(c.name));
-    MeshRig rig(fixture.device(), cloth(c.cloth), 1.0 / 480, 64, false, {c.mesh});
+    MeshRig rig(fixture.device(), c.world + cloth(c.cloth), 1.0 / 480, 64, false, {c.mesh});
     rig.perturb(c.mesh.positions.size(), c.amount, c.speed);
     rig.set_ratio(c.ratio);
     if (c.mesh.positions.size() > 9) rig.hold(9, {0.1, 0.2, 0.3});
@@ -160,7 +168,7 @@ TEST_CASE("a whole implicit substep of a mesh equals the reference's") {
   GpuFixture fixture;
   for (const Case& c : cases()) {
     CAPTURE(std::string(c.name));
-    MeshRig rig(fixture.device(), cloth(c.cloth), 1.0 / 480, 64, false, {c.mesh});
+    MeshRig rig(fixture.device(), c.world + cloth(c.cloth), 1.0 / 480, 64, false, {c.mesh});
     rig.perturb(c.mesh.positions.size(), c.amount, std::min(c.speed, 5.0));
     rig.set_ratio(c.ratio);
     if (c.mesh.positions.size() > 9) rig.hold(9, {0.1, 0.2, 0.3});

@@ -28,6 +28,7 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(scene.wind.velocity == Vec3d{0, 0, 0});
   CHECK(scene.wind.gusts == 0);
   CHECK(scene.wind.wavelength == 1);
+  CHECK_FALSE(scene.air);
   CHECK(scene.time.frame == 1.0 / 60.0);
   CHECK_FALSE(scene.time.substeps);
   CHECK(scene.time.frames == 90);
@@ -62,6 +63,13 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(cloth.copy == 0);
   CHECK_FALSE(cloth.color);
   CHECK_FALSE(cloth.node_mass);
+}
+
+TEST_CASE("what a scene's air leaves out is that of a plate at sea level") {
+  const Scene scene = parsed(R"({"format": "weft-scene/1", "air": {"lift": 2},
+      "cloths": [{"grid": [3, 3], "size": [1, 1], "density": 1}]})");
+  CHECK(scene.air == Air{1.225, 1.17, 2, 0.01});
+  CHECK(Air{}.lift == 1.48);
 }
 
 TEST_CASE("what a fabric leaves out follows from the rest of it") {
@@ -113,6 +121,7 @@ TEST_CASE("every key arrives where it belongs") {
   const Scene scene = parsed(R"({
     "format": "weft-scene/1", "title": "T", "description": "D", "gravity": [1, 2, 3], "external_force": [4, 5, 6],
     "drag": 0.5, "wind": {"velocity": [7, 8, 9], "gusts": 0.25, "wavelength": 3},
+    "air": {"density": 2, "pressure": 3, "lift": 4, "friction": 5},
     "time": {"frame": 0.02, "substeps": 12, "frames": 7},
     "solver": {"kind": "mass_spring", "forces": "spring_centric"},
     "contact": {"method": "proximity", "thickness": 0.01, "self": false, "restitution": 0.5},
@@ -149,6 +158,7 @@ TEST_CASE("every key arrives where it belongs") {
   CHECK(scene.external_force == Vec3d{4, 5, 6});
   CHECK(scene.drag == 0.5);
   CHECK(scene.wind.velocity == Vec3d{7, 8, 9});
+  CHECK(scene.air == Air{2, 3, 4, 5});
   CHECK(scene.wind.gusts == 0.25);
   CHECK(scene.wind.wavelength == 3);
   CHECK(scene.time.frame == 0.02);

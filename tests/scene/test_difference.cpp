@@ -53,6 +53,7 @@ TEST_CASE("a difference in anything else is found and named by its key") {
         {"contact.thickness", "0.1"},
         {"contact.self", "false"},
         {"contact.restitution", "0.5"},
+        {"air", "{}"},
         {"cloths[0].mesh", "\"coat.obj\""},
         {"cloths[1].grid", "[5, 3]"},
         {"cloths[1].size", "[3, 1]"},

@@ -49,6 +49,8 @@ std::vector<Hostile> hostile_scenes() {
       {scene_with(R"("wind": [1, 0, 0])"), "wind is a list of 3, not an object"},
       {scene_with(R"("wind": {"velocity": [1, 0, 2000]})"),
        "wind.velocity[2] is 2000; it must be from -1000 to 1000 m/s"},
+      {scene_with(R"("air": {"density": -1})"), "air.density is -1; it must be from 0 to 10000 kg/m³"},
+      {scene_with(R"("air": {"lift": 101})"), "air.lift is 101; it must be from 0 to 100"},
       {scene_with(R"("wind": {"gusts": 1.5})"), "wind.gusts is 1.5; it must be from 0 to 1"},
       {scene_with(R"("wind": {"wavelength": 0})"),
        "wind.wavelength is 0; it must be from 1e-06 to 1000000 m"},

@@ -20,6 +20,7 @@ export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: r
   { title: "In the air", scenes: [
     { name: "breeze", title: "Breeze" },
     { name: "flag", title: "Flag in a storm", nodes: 64 },
+    { name: "flag-in-air", title: "Flag in air that pushes", nodes: 32 },
     { name: "hanging", title: "Hanging" },
     { name: "sheet", title: "Thin fabric by two clips, implicit" },
     { name: "fabric", title: "The same, of measured fabric" },

@@ -169,7 +169,8 @@ export class World {
 
   /**
    * Changes a key of the scene while it moves: `gravity`, `external_force`, `drag`, `wind.velocity`, `wind.gusts`,
-   * `wind.wavelength`. Any other is refused: load the scene again with `set`.
+   * `wind.wavelength`, and those of `air` where the scene has it. Any other is refused: load the scene again with
+   * `set`.
    */
   async setParameter(key: string, value: unknown): Promise<void> {
     this.loaded();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "method/air_corners.hpp"
+
 namespace weft {
 
 namespace {
@@ -46,6 +48,22 @@ void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
   for (const AdvanceGrid& advance : grids_) advance.record(pass);
   for (const AdvanceMesh& advance : meshes_) advance.record(pass);
   for (const AdvanceFabric& advance : fabrics_) advance.record(pass);
+  push_by_air_.record(pass);
+}
+
+Result<void> SolverMassSpring::create_air(const SolverInputs& inputs) {
+  const State& state = inputs.state;
+  WEFT_SET(corners_, air_corners(inputs.device, inputs.model));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/push_by_air.wgsl", {},
+                                             inputs.workgroup_size));
+  WEFT_SET(push_by_air_,
+           gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(inputs.model.vertex_count()),
+                                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                                             return {state.steps,           corners_,
+                                                     state.position[p],     state.velocity[p],
+                                                     state.position[1 - p], *inputs.predicted()[p]};
+                                           }));
+  return {};
 }
 
 Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settings,
@@ -73,7 +91,7 @@ Result<void> SolverMassSpring::create_spring_centric(const scene::Solver& settin
 
 Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
   const auto& bodies = inputs.model.host.bodies;
-  const bool two = inputs.contacts == nullptr && two_pay(inputs) &&
+  const bool two = inputs.contacts == nullptr && !inputs.air && two_pay(inputs) &&
                    std::all_of(bodies.begin(), bodies.end(),
                                [](const Body& body) { return body.grid.has_value() && !body.fabric; });
   const std::size_t most = inputs.device.limits().max_workgroups_per_dimension;
@@ -110,6 +128,7 @@ Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& se
   } else {
     WEFT_CHECK(made->create_spring_centric(settings, inputs));
   }
+  if (inputs.air) WEFT_CHECK(made->create_air(inputs));
   return std::unique_ptr<Solver>(std::move(made));
 }
 

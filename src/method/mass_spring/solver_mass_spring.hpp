@@ -36,6 +36,7 @@ class SolverMassSpring : public Solver {
   };
 
   void record_predict(gpu::ComputePass& pass) const;
+  Result<void> create_air(const SolverInputs& inputs);
   Result<void> create_spring_centric(const scene::Solver& settings, const SolverInputs& inputs);
   Result<void> create_node_centric(const SolverInputs& inputs);
 
@@ -47,6 +48,8 @@ class SolverMassSpring : public Solver {
   std::vector<AdvanceGridTwice> twice_;
   std::vector<AdvanceMesh> meshes_;
   std::vector<AdvanceFabric> fabrics_;
+  gpu::Buffer<std::uint32_t> corners_;
+  gpu::Dispatch push_by_air_;  // without air it records nothing
 };
 
 }  // namespace weft

@@ -1,5 +1,5 @@
 // A 3 x 3 matrix: its symmetric part, and s of the rest, v -> s x v.
-#include "method/multigrid/symmetric.wgsl"
+#include "method/symmetric.wgsl"
 
 struct Block {
   symmetric : Symmetric,

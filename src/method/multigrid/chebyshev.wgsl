@@ -1,6 +1,6 @@
 // Chebyshev's polynomial of D⁻¹ A, of degree 2, for eigenvalues from an eighth of the largest up to it: 2 for springs,
 // 8/3 for bending inside. The including kernel binds `vectors` and has the Level. Source: docs/solvers/multigrid.md.
-#include "method/multigrid/symmetric.wgsl"
+#include "method/symmetric.wgsl"
 const kHigh = 2.9;
 const kMiddle = kHigh * (1.0 + 1.0 / 8.0) / 2.0;
 const kHalf = kHigh * (1.0 - 1.0 / 8.0) / 2.0;

@@ -26,3 +26,4 @@ const kSearch = 7u;     // m: p of this iteration, and in the next vector that o
 const kProduct = 9u;    // N: A p
 const kWay = 10u;       // m: from where the substep begins to where the unknown starts; w, of a free node: 1 in the
                         // second of two systems, 0 in the first
+const kAir = 11u;       // N/m: where the air pushes, its block of the matrix, as kInverse and the next

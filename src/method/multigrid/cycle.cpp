@@ -46,11 +46,13 @@ void Cycle::set_iterations(gpu::Device& device, std::uint32_t iterations, bool m
 
 void Cycle::record_system(gpu::ComputePass& pass) const {
   predict_.record(pass);
+  add_air_.record(pass);
   record_gradient(pass);
 }
 
 void Cycle::record_system_again(gpu::ComputePass& pass) const {
   predict_again_.record(pass);
+  add_air_again_.record(pass);
   record_gradient(pass);
 }
 
@@ -156,6 +158,10 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                return {nodes_, state.statistics, state.velocity[1 - p]};
              }));
   if (corrects_) WEFT_CHECK(create_second(inputs, kernels));
+  if (inputs.corners != nullptr) {
+    WEFT_SET(add_air_, create_air(inputs, kernels.add_air));
+    if (corrects_) WEFT_SET(add_air_again_, create_air(inputs, kernels.add_air_again));
+  }
   if (inputs.pairs == nullptr) return {};
   WEFT_SET(pair_finish_,
            Dispatch::create_by_parity(kernels.pair_finish, nodes, [&](std::size_t p) -> Dispatch::Bindings {
@@ -185,6 +191,16 @@ Result<void> Cycle::create_second(const CycleInputs& inputs, const SharedKernels
   WEFT_SET(first_norm_again_, Dispatch::create(kernels.first_norm_again, for_each_cloth({}),
                                                {nodes_, vectors_, partials_, state.statistics}));
   return {};
+}
+
+Result<Dispatch> Cycle::create_air(const CycleInputs& inputs, const gpu::SharedKernel& kernel) const {
+  const State& state = inputs.state;
+  return Dispatch::create_by_parity(
+      kernel, for_each_cloth(kernel->workgroups_of(own_nodes_.count)),
+      [&](std::size_t p) -> Dispatch::Bindings {
+        return {state.steps,           nodes_, *inputs.corners, state.position[p], state.velocity[p],
+                state.velocity[1 - p], place_, vectors_};
+      });
 }
 
 Result<void> Cycle::bind_pairs(const CycleInputs& inputs) {

@@ -25,8 +25,12 @@ inline constexpr std::uint32_t kFineVectors = 11;  // of the finest level, with 
 inline constexpr std::uint32_t kSolveWords = 3;
 inline constexpr std::uint32_t kChunk = 64;  // nodes of a partial sum: src/method/multigrid/partial_sums.wgsl
 
+inline constexpr std::uint32_t kAir = 11, kAirVectors = 2;  // and what the air adds, where it pushes
+
 /// Of level `l`, the finest being 0.
-inline std::uint32_t vector_count(std::size_t l) { return l == 0 ? kFineVectors : kVectors; }
+inline std::uint32_t vector_count(std::size_t l, bool air) {
+  return l > 0 ? kVectors : kFineVectors + (air ? kAirVectors : 0);
+}
 
 }  // namespace multigrid
 
@@ -68,6 +72,8 @@ struct CycleInputs {
   const ContactPairs* pairs = nullptr;                 // of cloth with cloth, that are held apart; null: none
   double residual = scene::Solver{}.residual;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
+  const gpu::Buffer<std::uint32_t>* corners =
+      nullptr;  // around each vertex (src/method/air.wgsl); null: no air pushes
 };
 
 /// Whether contact may change what a substep predicts, which is aside then.
@@ -149,7 +155,8 @@ class Cycle {
   gpu::Buffer<std::int32_t> no_presses_;
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<std::array<float, 2>> partials_;
-  std::vector<gpu::Dispatch> elements_;  // what the gradient adds up, where it is not of springs
+  std::vector<gpu::Dispatch> elements_;    // what the gradient adds up, where it is not of springs
+  gpu::Dispatch add_air_, add_air_again_;  // none: record nothing
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_, begin_anew_;
   gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system
   gpu::Dispatch begin_solve_, search_, advance_;       // of conjugate gradients
@@ -163,6 +170,7 @@ class Cycle {
   bool corrects_ = false;  // a substep has a second system
 
  private:
+  Result<gpu::Dispatch> create_air(const CycleInputs& inputs, const gpu::SharedKernel& kernel) const;
   Result<void> create_second(const CycleInputs& inputs, const SharedKernels& kernels);
   void begin_guess(gpu::ComputePass& pass) const;
   void record_cycle(gpu::ComputePass& pass) const;
@@ -180,7 +188,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > most_of_tail) ++tail_;
   std::size_t vectors = 0;
   for (std::size_t l = 0; l < shapes.size(); ++l) {
-    vectors += std::size_t{multigrid::vector_count(l)} * node_count(shapes[l]);
+    vectors += std::size_t{multigrid::vector_count(l, inputs.corners != nullptr)} * node_count(shapes[l]);
     if (l > 0 && l + 1 == shapes.size()) continue;
     std::array<Shape, 2> pair = {shapes[l]};
     if (l + 1 < shapes.size()) pair[1] = shapes[l + 1];

@@ -1,5 +1,6 @@
 // A x on the finest level of a grid, where A is not stored: each spring's block is recomputed from the positions of its
 // nodes. The including kernel binds `step`, `grid`, `place`, `holds` and `vectors`, and has operand(level, x, node).
+#include "method/multigrid/air_block.wgsl"
 #include "method/multigrid/bending.wgsl"
 #include "method/multigrid/hold.wgsl"
 #include "method/multigrid/spring.wgsl"
@@ -27,7 +28,8 @@ fn product(level : Level, x : u32, node : u32) -> vec3f {
   let here = place[among_all(level, node)];
   let own = Own(here.xyz, operand(level, x, node), 1.0 / formula_of(step.time.step_ratio).he, level, x);
   let springs = sum_of_springs(own, grid, node, grid.nx, i, j);
-  let sum = here.w * own.value + springs + bending_product(level, x, i, j, node);
+  var sum = here.w * own.value + springs + bending_product(level, x, i, j, node);
+  if (kAirPushes) { sum += times(air_block(level, node), own.value); }
   if (!kHolds) { return sum; }
   return sum + hold_product(among_all(level, node), own.value);
 }

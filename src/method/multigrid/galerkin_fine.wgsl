@@ -3,6 +3,7 @@
 // stiffer by twice their stiffness each: exact where both springs that they span have the same stretch. Source:
 // docs/solvers/multigrid.md, equation 10.
 #include "gpu/index.wgsl"
+#include "method/multigrid/air_block.wgsl"
 #include "method/multigrid/fine_bindings.wgsl"
 #include "method/multigrid/grid_store_block.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
@@ -133,6 +134,7 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
       let before = below_a;
       below_a = below_b;
       var own = identity(a.at.w);
+      if (kAirPushes) { own = sum_of(own, air_block(levels[0], u32(y) * grid.nx + u32(x))); }
       if (kHolds) { own = sum_of(own, hold_block(node_at(x, y))); }
       add(own, a.right.x, a.right, a.left);
       let rim_i = select(1.0, levels[0].rim, on_rim(u32(y), grid.ny));

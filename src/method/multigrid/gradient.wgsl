@@ -2,6 +2,7 @@
 // in a fixed order: the same bits every run.
 // Source: docs/solvers/multigrid.md, equations 5 and 6.
 #include "gpu/index.wgsl"
+#include "method/multigrid/air_block.wgsl"
 #include "method/multigrid/bending.wgsl"
 #include "method/multigrid/hold_at_obstacles.wgsl"
 #include "method/multigrid/level_start.wgsl"
@@ -63,6 +64,7 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   diagonal = identity(here.w + bending_diagonal(level, i, j));
   var residual = vectors[vector_at(level, kResidual, node)].xyz + sum_of_springs(own, grid, node, grid.nx, i, j) -
                  bending_product(level, kFirst, i, j, node);
+  if (kAirPushes) { diagonal = sum_of(diagonal, air_block(level, node)); }
   if (kHolds) {
     let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual, vectors[vector_at(level, kWay, node)]);
     residual += hold.force;

@@ -2,7 +2,7 @@
 // and (i-1, j+1); 0 where there is no such node. A block is six numbers in three vec2f. The including kernel binds
 // `operators`.
 #include "method/multigrid/grid_level.wgsl"
-#include "method/multigrid/symmetric.wgsl"
+#include "method/symmetric.wgsl"
 const kBlocks = 5u;
 const kBlockParts = 3u;
 

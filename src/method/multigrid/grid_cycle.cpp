@@ -18,8 +18,8 @@ gpu::Workgroups tiles(const gpu::Kernel& kernel, const GridLevelParams& level, s
 
 }  // namespace
 
-std::size_t most_cloths(const Body& body, const gpu::Limits& limits) {
-  const std::size_t vectors = grid_level_params(body)[0].vectors + multigrid::kSolveWords;
+std::size_t most_cloths(const Body& body, const gpu::Limits& limits, bool air) {
+  const std::size_t vectors = grid_level_params(body, air)[0].vectors + multigrid::kSolveWords;
   return std::min<std::size_t>(limits.max_workgroups_per_dimension,
                                limits.max_storage_binding_size / (sizeof(Vec4f) * vectors));
 }
@@ -30,7 +30,7 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
   GridCycle made;
   made.bottom_ = multigrid::bottom_of(multigrid::grid_scales(inputs.model.host, body, inputs.step),
                                       multigrid::kGridTail);
-  made.shapes_ = grid_level_params(body, made.bottom_.level + 1);
+  made.shapes_ = grid_level_params(body, inputs.corners != nullptr, made.bottom_.level + 1);
   WEFT_CHECK(made.create_buffers(inputs, cloths, made.shapes_, multigrid::kGridTail));
   WEFT_SET(made.grid_,
            gpu::create_uniform(inputs.device, spring_grid(*body.grid, body.material(), body.first_vertex),

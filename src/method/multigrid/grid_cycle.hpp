@@ -8,7 +8,7 @@
 namespace weft {
 
 /// How many cloths like this one a cycle has room for in a binding and in a dispatch.
-std::size_t most_cloths(const Body& body, const gpu::Limits& limits);
+std::size_t most_cloths(const Body& body, const gpu::Limits& limits, bool air = false);
 
 /// Of cloths that are grids.
 class GridCycle : public Cycle {

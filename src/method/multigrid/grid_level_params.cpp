@@ -5,7 +5,7 @@
 
 namespace weft {
 
-std::vector<GridLevelParams> grid_level_params(const Body& body, std::size_t most) {
+std::vector<GridLevelParams> grid_level_params(const Body& body, bool air, std::size_t most) {
   const mesh::Grid& grid = *body.grid;
   const auto [along_i, along_j] = bending_stiffness(body);
   const auto ratio = [](std::uint32_t interval, std::uint32_t last) {
@@ -25,7 +25,7 @@ std::vector<GridLevelParams> grid_level_params(const Body& body, std::size_t mos
     level.last_bend_i = ratio(shape.interval_i, shape.last_i);
     level.last_bend_j = ratio(shape.interval_j, shape.last_j);
     level.rim = body.weights == mesh::BoundaryWeights::Uniform ? 1.0F : 0.5F;
-    vectors += multigrid::vector_count(levels.size()) * node_count(level);
+    vectors += multigrid::vector_count(levels.size(), air) * node_count(level);
     if (!levels.empty()) operators += multigrid::kOperatorParts * node_count(level);
     levels.push_back(level);
   }

@@ -37,7 +37,8 @@ inline constexpr std::uint32_t kCoarseTile = 8, kTile = 16;
 
 inline constexpr std::size_t kAllLevels = std::numeric_limits<std::size_t>::max();
 /// The levels of a grid cloth, the finest first, no more than `most`; one buffer has the vectors of all, another one
-/// the matrices of all but the finest.
-std::vector<GridLevelParams> grid_level_params(const Body& body, std::size_t most = kAllLevels);
+/// the matrices of all but the finest. `air`: whether it pushes, and the finest has its vectors.
+std::vector<GridLevelParams> grid_level_params(const Body& body, bool air = false,
+                                               std::size_t most = kAllLevels);
 
 }  // namespace weft

@@ -2,7 +2,7 @@
 // adds to the matrix; then for each node what `finish` needs to know of its hold. The including kernel binds `holds`.
 // Source: docs/solvers/multigrid.md, Contact.
 #include "method/multigrid/hold_law.wgsl"
-#include "method/multigrid/symmetric.wgsl"
+#include "method/symmetric.wgsl"
 override kHolds : bool = false;  // false: there is no contact to hold any, and `holds` is not read
 
 fn hold_block(node : u32) -> Symmetric {

@@ -46,6 +46,9 @@ std::uint32_t tail_workgroup_size(const gpu::Device& device, std::uint32_t nodes
 /// Whether contact may hold nodes at obstacles, for the kernels that read the holds.
 gpu::Constant holds(const CycleInputs& inputs) { return {"kHolds", inputs.presses != nullptr ? 1.0 : 0.0}; }
 
+/// Whether the air pushes, for the kernels whose matrix has it.
+gpu::Constant air(const CycleInputs& inputs) { return {"kAirPushes", inputs.corners != nullptr ? 1.0 : 0.0}; }
+
 /// Whether pairs of cloth with cloth may be held apart, for the kernels that read the sums over them.
 gpu::Constant pairs(const CycleInputs& inputs) { return {"kPairs", inputs.pairs != nullptr ? 1.0 : 0.0}; }
 
@@ -107,23 +110,28 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::pair_finish, "pair_finish", size},
   };
   if (inputs.pairs != nullptr) WEFT_CHECK(create_all<K>(inputs.device, of_pairs, made));
+  const Row<K> of_air[] = {{&K::add_air, "add_air", size}, {&K::add_air_again, "add_air", size, {again()}}};
+  if (inputs.corners != nullptr) WEFT_CHECK(create_all<K>(inputs.device, of_air, made));
   return made;
 }
 
 Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
   const std::uint32_t size = inputs.workgroup_size;
-  const std::vector<gpu::Constant> of_springs = {holds(inputs), bend(inputs), limits(inputs)};
+  const std::vector<gpu::Constant> of_springs = {holds(inputs), air(inputs), bend(inputs), limits(inputs)};
   using K = GridKernels;
   const Row<K> table[] = {
       {&K::gradient, "gradient", size, of_springs},
-      {&K::galerkin_fine, "galerkin_fine", size, {holds(inputs), limits(inputs)}},
+      {&K::galerkin_fine, "galerkin_fine", size, {holds(inputs), air(inputs), limits(inputs)}},
       {&K::galerkin, "galerkin", size},
       {&K::smooth_fine, "smooth_fine", size, of_springs},
       {&K::residual_fine, "residual_fine", size, of_springs},
       {&K::correct_fine, "correct_fine", size},
       {&K::prolong_fine, "prolong_fine", size, of_springs},
       {&K::smooth_last, "smooth_last_fine", size, of_springs},
-      {&K::search, "search_fine", size, {holds(inputs), bend(inputs), limits(inputs), pairs(inputs)}},
+      {&K::search,
+       "search_fine",
+       size,
+       {holds(inputs), air(inputs), bend(inputs), limits(inputs), pairs(inputs)}},
       {&K::restrict_residual, "restrict_residual", size},
       {&K::descend, "descend_coarse", size},
       {&K::ascend, "ascend_coarse", size},
@@ -158,8 +166,10 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, Blocks blocks
   };
   K made;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
-  const Row<K> of_springs[] = {{&K::gradient, "mesh_gradient", size, {holds(inputs), limits(inputs)}}};
-  const Row<K> of_elements[] = {{&K::gradient, "fabric_gradient", size, {holds(inputs), general, part}}};
+  const Row<K> of_springs[] = {
+      {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs)}}};
+  const Row<K> of_elements[] = {
+      {&K::gradient, "fabric_gradient", size, {holds(inputs), air(inputs), general, part}}};
   WEFT_CHECK(create_all<K>(inputs.device, of_fabric ? of_elements : of_springs, made));
   using F = FabricKernels;
   const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size},

@@ -17,7 +17,7 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
   made.bottom_ =
       multigrid::bottom_of(multigrid::mesh_scales(model, body, levels, inputs.step), multigrid::kMeshTail);
   levels.resize(made.bottom_.level + 1);
-  const MeshLists lists = mesh_lists(levels);
+  const MeshLists lists = mesh_lists(levels, inputs.corners != nullptr);
   made.shapes_ = lists.levels;
   WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_, multigrid::kMeshTail));
   WEFT_CHECK(made.create_lists(inputs.device, lists));

@@ -40,6 +40,7 @@ struct MeshLists {
   std::vector<Share> sources, products, taps;
   std::vector<std::vector<BlockEntries>> entries_of;  // of each level's blocks
 };
-MeshLists mesh_lists(std::span<const MeshLevel> levels);
+/// `air`: whether it pushes, and the finest level has its vectors.
+MeshLists mesh_lists(std::span<const MeshLevel> levels, bool air = false);
 
 }  // namespace weft

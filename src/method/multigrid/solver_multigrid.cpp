@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "method/air_corners.hpp"
 #include "method/multigrid/solve_limits.hpp"
 
 namespace weft {
@@ -66,7 +67,8 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   for (std::size_t b = 0; b < bodies.size();) {
     const Body& body = bodies[b];
     if (body.grid && !body.fabric) {
-      const std::uint32_t count = equal_grids(bodies.subspan(b), most_cloths(body, inputs.device.limits()));
+      const std::uint32_t count = equal_grids(
+          bodies.subspan(b), most_cloths(body, inputs.device.limits(), inputs.corners != nullptr));
       if (!grid_kernels) WEFT_SET(grid_kernels, GridKernels::create(inputs));
       WEFT_TRY(cycle, GridCycle::create(inputs, *grid_kernels, {body, count}));
       grids_.push_back(std::move(cycle));
@@ -86,9 +88,10 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
 
 Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs, double residual) {
   auto made = std::make_unique<SolverMultigrid>();
+  if (inputs.air) WEFT_SET(made->corners_, air_corners(inputs.device, inputs.model));
   made->inputs_.emplace(CycleInputs{inputs.device, inputs.model, inputs.state, inputs.step,
                                     inputs.predicted(), inputs.presses(), inputs.pairs(), residual,
-                                    inputs.workgroup_size});
+                                    inputs.workgroup_size, inputs.air ? &made->corners_ : nullptr});
   WEFT_CHECK(made->create_cycles(*made->inputs_));
   return std::unique_ptr<Solver>(std::move(made));
 }

@@ -26,6 +26,7 @@ class SolverMultigrid : public Solver {
   void set_iterations(gpu::Device& device, std::uint32_t iterations);
 
   std::optional<CycleInputs> inputs_;
+  gpu::Buffer<std::uint32_t> corners_;  // where the air pushes
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
   std::uint32_t iterations_ = 0;  // that are recorded

@@ -1,5 +1,7 @@
 #include "method/xpbd/solver_xpbd.hpp"
 
+#include "method/air_corners.hpp"
+
 namespace weft {
 
 void SolverXpbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
@@ -41,13 +43,18 @@ Result<void> SolverXpbd::create_springs(const SolverInputs& inputs) {
 Result<void> SolverXpbd::create_nodes(const SolverInputs& inputs) {
   const State& state = inputs.state;
   const std::uint32_t count = inputs.model.vertex_count();
-  WEFT_TRY(predict, gpu::create_shared_kernel(inputs.device, "method/xpbd/predict_way.wgsl", {},
-                                              inputs.workgroup_size));
+  if (inputs.air)
+    WEFT_SET(corners_, air_corners(inputs.device, inputs.model));
+  else
+    WEFT_SET(corners_, gpu::Buffer<std::uint32_t>::create(inputs.device, 1, "no corners around"));
+  WEFT_TRY(predict,
+           gpu::create_shared_kernel(inputs.device, "method/xpbd/predict_way.wgsl",
+                                     {{"kAirPushes", inputs.air ? 1.0 : 0.0}}, inputs.workgroup_size));
   WEFT_SET(predict_way_,
            gpu::Dispatch::create_by_parity(
                predict, predict->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                 return {state.steps,   state.position[p],    state.velocity[p], inputs.model.rest_position,
-                         state.motions, state.position[1 - p]};
+                 return {state.steps,   state.position[p],     state.velocity[p], inputs.model.rest_position,
+                         state.motions, state.position[1 - p], corners_};
                }));
   WEFT_TRY(end,
            gpu::create_shared_kernel(inputs.device, "method/xpbd/end_way.wgsl", {}, inputs.workgroup_size));

@@ -35,6 +35,8 @@ class SolverXpbd : public Solver {
   std::vector<SpringsOfColor> colors_;
   std::vector<gpu::Buffer<SpringsOfColor>> color_uniforms_;
 
+  gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
+
   // While the springs are projected, position[1 - parity] holds ways from position[parity], not places.
   gpu::Dispatch predict_way_, end_way_;
   std::vector<gpu::Dispatch> first_sweep_, later_sweep_;  // a dispatch a colour

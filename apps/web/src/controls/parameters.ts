@@ -55,7 +55,7 @@ export class Parameters {
       }
       reset.hidden = !group.parameters.some(({ key }) => key in state.set);
     }
-    this.calm.hidden = (state.set[DRAG] ?? scene.own(DRAG)) !== 0;
+    this.calm.hidden = (state.set[DRAG] ?? scene.own(DRAG)) !== 0 || scene.own("air") !== undefined;
   }
 
   // Building

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "element/spring/law.hpp"
+#include "method/air_reference.hpp"
 
 namespace weft::reference {
 namespace {
@@ -54,7 +55,17 @@ std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t n
   return std::nullopt;
 }
 
+/// What the air resists with at each node, as a step begins [kg/s]; empty: there is none.
+static std::vector<Sym3> air_of(const MassSpringSystem& system) {
+  if (!system.air) return {};
+  std::vector<Vec3d> slip;
+  for (std::size_t i = 0; i < system.position.size(); ++i)
+    slip.push_back(wind_at(system.wind, system.position[i], system.time) - system.velocity[i]);
+  return air_on_nodes(*system.air, system.triangles, system.position, slip);
+}
+
 void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, double dt) {
+  const std::vector<Sym3> air = air_of(system);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     if (system.inverse_mass[i] == 0) {
       system.velocity[i] = {};
@@ -65,9 +76,14 @@ void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, doubl
       system.position[i] += dt * *velocity;
       continue;
     }
-    const Vec3d slip = system.velocity[i] - wind_at(system.wind, system.position[i], system.time);
+    const Vec3d wind = wind_at(system.wind, system.position[i], system.time);
+    const Vec3d slip = system.velocity[i] - wind;
     const Vec3d acceleration = system.acceleration + system.inverse_mass[i] * forces[i] - system.drag * slip;
     system.velocity[i] += dt * acceleration;
+    if (system.air) {
+      const Sym3 share = dt * system.inverse_mass[i] * air[i];
+      system.velocity[i] += inverse(Sym3::identity(1) + share) * (share * (wind - system.velocity[i]));
+    }
     system.position[i] += dt * system.velocity[i];
   }
   system.time += dt;

@@ -8,6 +8,8 @@
 #include "base/vec.hpp"
 #include "element/spring/law.hpp"
 #include "method/mass_spring/reference/fabric.hpp"
+#include "model/air_triangles.hpp"
+#include "scene/scene.hpp"
 #include "scene/wind.hpp"
 
 namespace weft::reference {
@@ -44,7 +46,9 @@ struct MassSpringSystem {
   Vec3d acceleration;  // gravity and external force [m/s²]
   double drag = 0;     // [1/s]
   scene::WindField wind;
-  double time = 0;  // [s]; advance counts it up
+  std::optional<scene::Air> air;
+  std::vector<AirTriangle> triangles;  // that it pushes on
+  double time = 0;                     // [s]; advance counts it up
   std::vector<Follower> grabs;
   double grab_rate = 0;   // [1/s]
   double grab_speed = 0;  // [m/s]

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "method/multigrid/reference/sym3.hpp"
+#include "method/sym3.hpp"
 
 namespace weft::reference {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "contact/reference/proximity/press.hpp"
-#include "method/multigrid/reference/sym3.hpp"
+#include "method/sym3.hpp"
 
 namespace weft::reference {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "element/spring/law.hpp"
+#include "method/air_reference.hpp"
 #include "method/multigrid/reference/fabric_terms.hpp"
 
 namespace weft::reference {
@@ -206,7 +207,39 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
     step.way[a] = step.place[a] - x;
     step.start_velocity[a] = (step.place[a] - x) / dt;
   }
+  if (system.air) add_air(step, system, dt, ratio, cloth, !ways.empty());
   return step;
+}
+
+void ImplicitStepper::add_air(StepStart& step, const MassSpringSystem& system, double dt, double ratio,
+                              const Cloth& cloth, bool again) const {
+  std::vector<AirTriangle> triangles;
+  for (AirTriangle triangle : system.triangles) {
+    if (triangle.corners[0] < cloth.first || triangle.corners[0] >= cloth.first + cloth.count) continue;
+    for (std::uint32_t& node : triangle.corners) node -= cloth.first;
+    triangles.push_back(triangle);
+  }
+  Field place(cloth.count), wind(cloth.count), slip(cloth.count);
+  for (std::size_t a = 0; a < cloth.count; ++a) {
+    place[a] = step.place[a] + step.start[a];
+    wind[a] = wind_at(system.wind, place[a], system.time);
+    slip[a] = wind[a] - (again ? step.start_velocity[a] : system.velocity[cloth.first + a]);
+  }
+  if (!again) {
+    const std::vector<double> most = most_air_on_nodes(*system.air, triangles, place, slip);
+    for (std::size_t a = 0; a < cloth.count; ++a) {
+      const std::size_t node = cloth.first + a;
+      if (!known_[node]) continue;
+      const double swing = dt * system.inverse_mass[node] * most[a];
+      slip[a] -= ratio / std::max(1.0, swing) * (system.velocity[node] - velocity_before_[node]);
+    }
+  }
+  step.air = air_on_nodes(*system.air, triangles, place, slip);
+  for (std::size_t a = 0; a < cloth.count; ++a) {
+    const double he = step_formula(dt, known_[cloth.first + a] ? ratio : 0).he;
+    step.residual[a] += step.air[a] * (wind[a] - step.start_velocity[a]);
+    step.air[a] = 1 / he * step.air[a];
+  }
 }
 
 MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const std::vector<Vec3d>& places,
@@ -225,6 +258,8 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
                 cloth.first, rate);
   for (std::size_t a = 0; a < cloth.count; ++a)
     if (step.fixed[a]) step.residual[a] = {};
+  for (std::size_t a = 0; a < step.air.size(); ++a)
+    if (!step.fixed[a]) blocks[a] += step.air[a];
   if (!presses.empty())
     hold_at_obstacles(step, presses.subspan(cloth.first, cloth.count),
                       std::span(hold_forces_).subspan(cloth.first), system, cloth.first, dt, !ways.empty(),
@@ -242,6 +277,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   step.matrix.ny = cloth.ny;
   step.matrix.rows.resize(count);
   for (std::size_t a = 0; a < count; ++a) step.matrix.rows[a][0] = Sym3::identity(step.inertia[a]);
+  for (std::size_t a = 0; a < step.air.size(); ++a) step.matrix.rows[a][0] += step.air[a];
   step.matrix.fixed = step.fixed;
   step.matrix.bending = cloth.bending;
   step.source = step.matrix;

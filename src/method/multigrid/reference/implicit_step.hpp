@@ -23,6 +23,7 @@ struct StepStart {
   Field residual;                      // r [N]
   Field guess;                         // of dz: velocities change on as in the step before [m]
   std::vector<double> inertia;         // its part of the diagonal of A [N/m]
+  std::vector<Sym3> air;               // the same of the air, where it pushes [N/m]; else empty
   std::vector<bool> fixed;
   std::vector<std::optional<Hold>>
       holds;                    // of nodes that an obstacle holds: in the matrix, and no history after it
@@ -113,6 +114,9 @@ class ImplicitStepper : public Stepper {
 
   StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
                   const Cloth& cloth, std::span<const Vec3d> ways) const;
+  /// Adds the air to the residual, and keeps its part of the matrix. `again`: in the second system.
+  void add_air(StepStart& step, const MassSpringSystem& system, double dt, double ratio, const Cloth& cloth,
+               bool again) const;
   /// A system of cloth c: the first, without `ways`, or the second.
   template <class Enough>
   Solved solved(const Substep& substep, const Pressed& pressed, std::size_t c, std::span<const Vec3d> ways,
