@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kBash = R"(_weft() {
   local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}
   if [ "$COMP_CWORD" = 1 ]; then
-    COMPREPLY=($(compgen -W "run check adapters schema bench completion --help --version" -- "$word")); return
+    COMPREPLY=($(compgen -W "run check fabrics adapters schema bench completion --help --version" -- "$word")); return
   fi
   case "$previous" in
     --out) COMPREPLY=($(compgen -d -- "$word")); return ;;
@@ -42,6 +42,7 @@ constexpr const char* kBash = R"(_weft() {
         compare) COMPREPLY=($(compgen -W "--json --fail --help" -f -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "hanging pull contact multigrid copy largest compare --help" -- "$word")) ;;
       esac ;;
+    fabrics) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
     completion) COMPREPLY=($(compgen -W "bash zsh fish" -- "$word")) ;;
   esac
 }
@@ -49,13 +50,14 @@ complete -o filenames -F _weft weft
 )";
 
 constexpr const char* kFish = R"(complete -c weft -f
-complete -c weft -n __fish_use_subcommand -a "run check adapters schema bench completion"
+complete -c weft -n __fish_use_subcommand -a "run check fabrics adapters schema bench completion"
 complete -c weft -n "__fish_seen_subcommand_from run check" -F -l set -x -d "KEY=JSON"
 complete -c weft -n "__fish_seen_subcommand_from run check" -l solver -x -a '@SOLVERS@'
 complete -c weft -n "__fish_seen_subcommand_from run" -l frames -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l out -r
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
+complete -c weft -n "__fish_seen_subcommand_from fabrics" -l json
 set -l experiments hanging pull contact multigrid copy largest compare
 complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" \
   -a "$experiments"

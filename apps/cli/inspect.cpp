@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "cloths.hpp"
 #include "memory.hpp"
 #include "model/assets.hpp"
 #include "model/model.hpp"
@@ -25,6 +26,7 @@ Result<void> check_scene(const SceneOptions& options) {
       options.path.c_str(), scene.cloths.size(), scene.cloths.size() == 1 ? "" : "s", model.vertex_count(),
       model.triangles.size(), scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s",
       object_triangles);
+  std::fputs(cloths_text(scene, model).c_str(), stdout);
   if (assets.dropped_triangles > 0)
     say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
   return {};

@@ -11,6 +11,7 @@
 
 #include "bench_command.hpp"
 #include "completion.hpp"
+#include "fabrics.hpp"
 #include "inspect.hpp"
 #include "run.hpp"
 #include "scene/nearest.hpp"
@@ -102,6 +103,10 @@ int main(int argc, char** argv) {
 
   CLI::App* adapters_command =
       app.add_subcommand("adapters", "Example: weft adapters\n\nList the GPUs that weft can use.");
+  bool fabrics_json = false;
+  CLI::App* fabrics_command = app.add_subcommand(
+      "fabrics", "Example: weft fabrics --json\n\nList the measured fabrics that scenes know by name.");
+  fabrics_command->add_flag("--json", fabrics_json, "Print them as JSON, with the source of every number");
   CLI::App* schema_command = app.add_subcommand(
       "schema", "Example: weft schema > weft-scene.schema.json\n\nPrint the JSON Schema of scenes.");
 
@@ -128,6 +133,7 @@ int main(int argc, char** argv) {
   if (*run_command) code = run(run_options);
   if (*check_command) code = check(check_options);
   if (*adapters_command) code = list_adapters();
+  if (*fabrics_command) code = list_fabrics(fabrics_json);
   if (*schema_command) code = print_schema();
   if (*bench_command.bench)
     code = *bench_command.compare ? compare_results(compare_options) : bench(bench_options);

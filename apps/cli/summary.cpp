@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bench_rows.hpp"
+#include "cloths.hpp"
 #include "session/describe.hpp"
 
 namespace weft::cli {
@@ -53,6 +54,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["membranes"] = about.membranes;
   json["slivers"] = about.slivers;
   json["hinges"] = about.hinges;
+  json["cloths"] = cloths_json(world.scene(), world.model().host);
   json["substeps"] = about.substeps;
   json["step_s"] = about.step_seconds;
   json["stable_step_s"] = about.stable_step_seconds;

@@ -7,6 +7,7 @@
 #include "scene/build_motion.hpp"
 #include "scene/checked_values.hpp"
 #include "scene/copies.hpp"
+#include "scene/fabrics.hpp"
 #include "scene/grab.hpp"
 #include "scene/names.hpp"
 
@@ -129,11 +130,13 @@ class Builder {
     cloth.density = maybe_number(json, "density");
     cloth.node_mass = maybe_number(json, "node_mass");
     if (const Json* given = json.find("fabric")) WEFT_SET(cloth.fabric, fabric(*given, path + ".fabric"));
+    const NamedFabric* named = cloth.fabric ? find_fabric(cloth.fabric->name) : nullptr;
+    if (named && !cloth.density && !cloth.node_mass) cloth.density = named->density.value;
     const Json& stiffness = at(json, "stiffness");
     cloth.stiffness = {number(stiffness, "structural"), number(stiffness, "shear"), number(stiffness, "bend"),
                        number(stiffness, "bending")};
     cloth.damping = number(json, "damping");
-    cloth.friction = number(json, "friction");
+    cloth.friction = maybe_number(json, "friction").value_or(named ? named->friction.value : cloth.friction);
     cloth.strain_limit = maybe_number(json, "strain_limit");
     WEFT_TRY(pins, selectors(at(json, "pins"), path + ".pins", cloth));
     cloth.pins = std::move(pins);
@@ -150,15 +153,18 @@ class Builder {
   }
 
   Result<Fabric> fabric(const Json& json, const std::string& path) const {
-    Fabric fabric;
-    fabric.warp = number(json, "warp");
-    fabric.weft = maybe_number(json, "weft").value_or(fabric.warp);
-    fabric.shear = number(json, "shear");
-    fabric.poisson = number(json, "poisson");
-    fabric.bending_warp = number(json, "bending_warp");
-    fabric.bending_weft = maybe_number(json, "bending_weft").value_or(fabric.bending_warp);
-    fabric.bending_twist = maybe_number(json, "bending_twist")
-                               .value_or(0.5 * std::sqrt(fabric.bending_warp * fabric.bending_weft));
+    if (json.kind == Json::Kind::Text) return moduli_of(*find_fabric(json.text));
+    const NamedFabric* named = find_fabric(text(json, "name"));
+    Fabric fabric = named ? moduli_of(*named) : Fabric{};
+    fabric.warp = maybe_number(json, "warp").value_or(fabric.warp);
+    fabric.weft = maybe_number(json, "weft").value_or(named ? fabric.weft : fabric.warp);
+    fabric.shear = maybe_number(json, "shear").value_or(fabric.shear);
+    fabric.poisson = maybe_number(json, "poisson").value_or(fabric.poisson);
+    fabric.bending_warp = maybe_number(json, "bending_warp").value_or(fabric.bending_warp);
+    fabric.bending_weft =
+        maybe_number(json, "bending_weft").value_or(named ? fabric.bending_weft : fabric.bending_warp);
+    const double twist = 0.5 * std::sqrt(fabric.bending_warp * fabric.bending_weft);
+    fabric.bending_twist = maybe_number(json, "bending_twist").value_or(named ? fabric.bending_twist : twist);
     fabric.damping = number(json, "damping");
     fabric.energy = word<FabricEnergy>(at(json, "energy"), kFabricEnergyNames);
     fabric.warp_direction = vector(json, "warp_direction");

@@ -150,6 +150,7 @@ class Checker {
         return wrong(path_of_key(path, rule.key), "needs " + in_quotes(rule.needed) + " beside it");
     for (const Key* key : keys) {
       if (!json.find(key->name)) {
+        if (names_fabric(json, key->named)) continue;
         if (key->required)
           return wrong(path_of_key(path, key->name), "is missing; it must be " + expected(*key->type));
         if (!key->fallback) continue;
@@ -181,7 +182,7 @@ class Checker {
       if (json.find(key)) present.push_back(in_quotes(key));
       all += (all.empty() ? "" : " nor ") + in_quotes(key);
     }
-    if (present.size() == 1) return {};
+    if (present.size() == 1 || (present.empty() && names_fabric(json, rule.named))) return {};
     if (present.empty()) return wrong(path, "has neither " + all + "; it must have one of them");
     return wrong(path, "has both " + present[0] + " and " + present[1] + "; it must have one of them");
   }
@@ -209,6 +210,11 @@ Json::Kind json_kind(const Type& type) {
       break;
   }
   return Json::Kind::Object;
+}
+
+bool names_fabric(const Json& object, const char* key) {
+  const Json* value = key ? object.find(key) : nullptr;
+  return value && (value->kind == Json::Kind::Text || value->find("name"));
 }
 
 std::vector<const Key*> keys_of(const Type& type, const Json& json) {

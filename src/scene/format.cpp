@@ -1,5 +1,6 @@
 #include "scene/format.hpp"
 
+#include "scene/fabrics.hpp"
 #include "scene/names.hpp"
 
 namespace weft::scene {
@@ -252,13 +253,16 @@ constexpr Type kPoisson{.kind = Kind::Number, .least = -0.99, .most = 10};
 constexpr Type kBendingModulus{.kind = Kind::Number, .most = 1e3, .unit = "N·m"};
 constexpr Type kDelay{.kind = Kind::Number, .most = 10, .unit = "s"};
 constexpr Type kFabricEnergy{.kind = Kind::Choice, .choices = kFabricEnergyNames};
+constexpr Type kFabricName{.kind = Kind::Choice, .name = "fabric_name", .choices = kFabricNames};
 constexpr Key kFabricKeys[] = {
-    {"warp", &kModulus, "Young's modulus of a strip along the warp, force per width", nullptr, true},
+    {"name", &kFabricName, "A measured fabric, from which the numbers come that are not given here"},
+    {"warp", &kModulus, "Young's modulus of a strip along the warp, force per width", nullptr, true, "name"},
     {"weft", &kModulus, "The same along the weft; without it the warp's"},
-    {"shear", &kModulus, "Shear modulus", nullptr, true},
-    {"poisson", &kPoisson, "Weft's contraction by warp's extension; its square below warp / weft", "0"},
+    {"shear", &kModulus, "Shear modulus", nullptr, true, "name"},
+    {"poisson", &kPoisson, "Weft's contraction by warp's extension; its square below warp / weft", "0", false,
+     "name"},
     {"bending_warp", &kBendingModulus, "What a strip along the warp resists curvature with, moment per width",
-     nullptr, true},
+     nullptr, true, "name"},
     {"bending_weft", &kBendingModulus, "The same along the weft; without it the warp's"},
     {"bending_twist", &kBendingModulus,
      "Moment per width by twice the twist; without it half the geometric mean of both"},
@@ -269,7 +273,9 @@ constexpr Key kFabricKeys[] = {
     {"warp_direction", &kDirection, "The warp of a mesh, before its transform; a grid's goes along i",
      "[1, 0, 0]"},
 };
-constexpr Type kFabric{.kind = Kind::Object, .keys = kFabricKeys};
+constexpr Type kFabricObject{.kind = Kind::Object, .keys = kFabricKeys};
+constexpr const Type* kFabricTypes[] = {&kFabricName, &kFabricObject};
+constexpr Type kFabric{.kind = Kind::Either, .types = kFabricTypes};
 constexpr Key kClothKeys[] = {
     {"name", &kShortText, "For messages"},
     {"grid", &kGrid, "Nodes along i and j; all grids together have at most 67108864"},
@@ -278,12 +284,16 @@ constexpr Key kClothKeys[] = {
     {"bump", &kBump, "How far the middle of a grid stands out along its normal at the start", "0"},
     {"mesh", &kMeshName, "Name of a model, or path of an OBJ or PLY file relative to the scene"},
     {"transform", &kTransform, "From the sheet centred on the origin, or the mesh, to the world", "{}"},
-    {"density", &kDensity, "Mass per rest area"},
+    {"density", &kDensity, "Mass per rest area; without it and node_mass that of the fabric's name"},
     {"node_mass", &kNodeMass, "Mass of every node alike"},
-    {"fabric", &kFabric, "Moduli of a measured cloth, instead of springs; mass_spring and multigrid take it"},
+    {"fabric", &kFabric,
+     "A measured cloth by its name or its moduli, instead of springs; mass_spring and multigrid take it"},
     {"stiffness", &kStiffness, "Stiffness of the springs", "{}"},
     {"damping", &kDamping, "Damping along each spring", "0.25"},
-    {"friction", &kFriction, "With cloth, and with colliders that give none; only proximity uses it", "0.3"},
+    {"friction", &kFriction,
+     "With cloth, and with colliders that give none; only proximity uses it; without it that of the fabric's "
+     "name",
+     "0.3", false, "fabric"},
     {"strain_limit", &kStrainLimit,
      "How far edges are stretched before they are stiffer, of their length; only multigrid"},
     {"pins", &kPinList, "Nodes that stay where they are", "[]"},
@@ -294,7 +304,7 @@ constexpr Key kClothKeys[] = {
 };
 constexpr const char* kShapeWays[] = {"grid", "mesh"};
 constexpr const char* kMassWays[] = {"density", "node_mass"};
-constexpr OneOf kClothOneOf[] = {{kShapeWays}, {kMassWays}};
+constexpr OneOf kClothOneOf[] = {{kShapeWays}, {kMassWays, "fabric"}};
 constexpr Needs kClothNeeds[] = {{"grid", "size"}, {"size", "grid"}, {"plane", "grid"}, {"bump", "grid"}};
 constexpr Type kCloth{
     .kind = Kind::Object, .name = "cloth", .keys = kClothKeys, .one_of = kClothOneOf, .needs = kClothNeeds};

@@ -16,6 +16,9 @@ struct Key {
   const char* doc;
   const char* fallback = nullptr;  // JSON of the default; null: none
   bool required = false;
+  // A key of the same object: where it names a fabric, this one comes with it. It is then neither required nor filled
+  // in.
+  const char* named = nullptr;
 };
 
 /// The keys that an object has beside the common ones when its "kind" is `value`.
@@ -27,6 +30,7 @@ struct Variant {
 /// An object has exactly one of these keys.
 struct OneOf {
   std::span<const char* const> keys;
+  const char* named = nullptr;  // as of a Key: where it names a fabric, the object may have none of them
 };
 
 /// An object that has `key` has `needed` too.

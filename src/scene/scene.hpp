@@ -125,6 +125,8 @@ enum class FabricEnergy { Yarn, Green, NeoHookean };
 
 /// A measured cloth: what strips of it resist with.
 struct Fabric {
+  std::string
+      name;  // in the table of fabrics.hpp, before anything was changed; none: the scene has all numbers
   double warp = 0, weft = 0, shear = 0;  // Young's moduli and shear modulus, force per width [N/m]
   double poisson = 0;                    // weft's contraction by warp's extension
   double bending_warp = 0, bending_weft = 0, bending_twist = 0;  // [N·m]

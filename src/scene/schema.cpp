@@ -97,10 +97,13 @@ class Writer {
 
   /// An object with the common keys, those of one variant, and no others.
   Schema closed(const Type& type, const Variant* variant) {
-    Schema properties = Schema::object(), required = Schema::array();
+    Schema properties = Schema::object(), required = Schema::array(), unnamed = Schema::array();
+    const char* named = nullptr;
     const auto add = [&](const Key& key) {
       properties[key.name] = property(key);
-      if (key.required) required.push_back(key.name);
+      if (!key.required) return;
+      (key.named ? unnamed : required).push_back(key.name);
+      if (key.named) named = key.named;
     };
     for (const Key& key : type.keys) add(key);
     if (variant) {
@@ -114,9 +117,17 @@ class Writer {
     Schema schema = {
         {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
     if (!required.empty()) schema["required"] = std::move(required);
+    if (named)
+      schema["allOf"].push_back(
+          {{"anyOf", Schema::array({{{"required", Schema::array({named})}}, {{"required", unnamed}}})}});
     for (const OneOf& rule : type.one_of) {
       Schema ways = Schema::array();
       for (const char* key : rule.keys) ways.push_back({{"required", Schema::array({key})}});
+      if (rule.named) {  // "required" of what is in it does not touch a text
+        const Schema any = {{"anyOf", ways}}, inner = {{"required", Schema::array({"name"})}};
+        ways.push_back(
+            {{"required", Schema::array({rule.named})}, {"properties", {{rule.named, inner}}}, {"not", any}});
+      }
       schema["allOf"].push_back({{"oneOf", std::move(ways)}});
     }
     for (const Needs& rule : type.needs) schema["dependentRequired"][rule.key].push_back(rule.needed);

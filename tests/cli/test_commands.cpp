@@ -13,7 +13,8 @@ using namespace weft;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"run", "check", "adapters", "schema", "bench", "completion"};
+const std::vector<std::string> kCommands = {"run",    "check", "fabrics",   "adapters",
+                                            "schema", "bench", "completion"};
 
 /// All commands, also those of `bench`, each as its words.
 std::vector<std::vector<std::string>> every_command() {
@@ -50,8 +51,65 @@ TEST_CASE("check reads a scene and its meshes without any adapter") {
   const Ended ended = run_without_driver({"check", scene});
   CHECK(ended.code == 0);
   CHECK(ended.err == "");
-  CHECK(ended.out ==
-        scene + " is a valid scene: 1 cloth with 30 nodes and 40 triangles, 1 collider with 12 triangles.\n");
+  const std::string first =
+      scene + " is a valid scene: 1 cloth with 30 nodes and 40 triangles, 1 collider with 12 triangles.\n";
+  CHECK(ended.out.substr(0, first.size()) == first);
+}
+
+TEST_CASE("check says what each cloth resists with, and why its explicit step is so long") {
+  const TemporaryFolder folder;
+  put(folder, "sheet.obj", mesh::write_obj(mesh::cube()));
+  // Squares: along a row k + 4 b + d of springs, less the part of d² that lets the other direction give way.
+  const std::string scene = put(folder, "a.json", R"({"format": "weft-scene/1", "cloths": [
+    {"name": "lattice", "grid": [6, 6], "size": [1, 1], "density": 0.2, "copies": {"count": 3, "offset": [0, 0, 2]},
+     "stiffness": {"structural": 500, "shear": 200, "bend": 50}},
+    {"mesh": "sheet.obj", "density": 0.2},
+    {"grid": [6, 6], "size": [1, 1], "fabric": {"name": "denim_11oz", "warp": 1234}}]})");
+  const Ended ended = run_without_driver({"check", scene});
+  REQUIRE_MESSAGE(ended.code == 0, ended.err);
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < ended.out.size(); at = ended.out.find('\n', at) + 1)
+    lines.push_back(ended.out.substr(at, ended.out.find('\n', at) - at));
+  REQUIRE(lines.size() == 7);  // copies are the same cloth
+  // C11 = 500 + 4 * 50 + 200 = 900, C12 = C33 = 200: 900 - 200² / 900 = 855.6
+  CHECK(lines[1] ==
+        "  cloths[0] \"lattice\", of springs: 855.6 N/m along i and 855.6 along j, Poisson's ratio 0.222, "
+        "shear 200 N/m; "
+        "bending 0 for slight folds; 200 g/m²; friction 0.3");
+  CHECK(lines[2].find("because of springs; the least height of a triangle is 141.4 mm") != std::string::npos);
+  CHECK(lines[3].find("cloths[1], of springs: at most ") != std::string::npos);
+  CHECK(lines[3].find("in the mean over directions") != std::string::npos);
+  CHECK(lines[5].find("cloths[2], of fabric denim_11oz: 1234 N/m along i and 410.5 along j") !=
+        std::string::npos);
+  CHECK(lines[5].find("16.05 and 24.24 µN·m, twist 8.736; 324 g/m²; friction 0.3") != std::string::npos);
+  CHECK(lines[6].find("because of membranes (hinges alone: ") != std::string::npos);
+  CHECK(lines[6].find("; 0 slivers") != std::string::npos);
+}
+
+TEST_CASE("fabrics prints every fabric, as a table and as JSON with the source of each number") {
+  const Ended table = run_without_driver({"fabrics"}), json = run_without_driver({"fabrics", "--json"});
+  CHECK(table.code == 0);
+  CHECK(json.code == 0);
+  CHECK(table.err + json.err == "");
+  const nlohmann::json all = json_of(json.out);
+  CHECK(all.at("fabrics").size() >= 10);
+  for (const nlohmann::json& fabric : all.at("fabrics")) {
+    const auto name = fabric.at("name").get<std::string>();
+    CAPTURE(name);
+    CHECK(table.out.find("\n" + name + " ") != std::string::npos);
+    for (const char* key : {"density", "warp", "weft", "shear", "poisson", "bending_warp", "bending_weft",
+                            "bending_twist", "friction"}) {
+      const nlohmann::json& number = fabric.at(key);
+      CHECK(number.at("value").is_number());
+      CHECK(all.at("sources").contains(number.at("source")));
+      CHECK(number.at("guess") == (number.at("source") == "guess"));
+    }
+    // A scene of this name has these numbers, and so would say check.
+    const TemporaryFolder folder;
+    const std::string scene = put(folder, "a.json", R"({"format": "weft-scene/1", "cloths": [{"grid": [3, 3],
+      "size": [1, 1], "fabric": ")" + name + "\"}]}");
+    CHECK(run_without_driver({"check", scene}).out.find("of fabric " + name + ": ") != std::string::npos);
+  }
 }
 
 TEST_CASE("check accepts every shipped scene") {

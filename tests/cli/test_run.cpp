@@ -40,6 +40,29 @@ TEST_CASE("run leaves pictures, the final mesh, the summary and a video, and pri
   CHECK(png.substr(0, 24) == std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x40\0\0\0\x30", 24));
 }
 
+TEST_CASE("the summary has what each cloth resisted with") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", R"({"format": "weft-scene/1", "cloths": [
+    {"name": "shirt", "grid": [4, 4], "size": [1, 1], "fabric": {"name": "interlock", "friction": 0.2}},
+    {"grid": [4, 4], "size": [1, 1], "density": 0.2,
+     "stiffness": {"structural": 500, "shear": 200, "bend": 0, "bending": 1e-5}}]})");
+  CHECK(run_weft({"run", scene, "--frames", "0"}).code == 3);  // friction is the cloth's, not the fabric's
+  const nlohmann::json cloths =
+      run_json(scene, {"--frames", "0", "--set", "cloths.0.fabric=interlock"}).at("cloths");
+  REQUIRE(cloths.size() == 2);
+  CHECK(cloths[0].at("name") == "shirt");
+  CHECK(cloths[0].at("of") == "fabric");
+  CHECK(cloths[0].at("fabric") == "interlock");
+  CHECK(cloths[0].at("density") == 0.187);
+  CHECK(cloths[0].at("shear") == 22.768457);
+  CHECK(cloths[0].at("friction") == 0.3);
+  CHECK(cloths[1].at("of") == "springs");
+  CHECK(!cloths[1].contains("fabric"));
+  CHECK(cloths[1].at("warp").get<double>() == doctest::Approx(700 - 200.0 * 200 / 700));
+  CHECK(cloths[1].at("bending_warp") == 1e-5);
+  CHECK(cloths[1].at("bending_twist") == 0);
+}
+
 TEST_CASE(
     "a run with subdivide moves as one without, and its final mesh has the finer vertices through the "
     "nodes") {

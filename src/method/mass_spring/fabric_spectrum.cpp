@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "element/membrane/membranes.hpp"
 #include "method/mass_spring/spectrum.hpp"
@@ -40,8 +41,9 @@ Part part_of(const Model& model, const Body& body) {
 /// delay of 1 s is what they do by ways.
 class RestStiffness {
  public:
-  RestStiffness(const Part& part, const scene::Fabric& fabric)
+  RestStiffness(const Part& part, const scene::Fabric& fabric, std::optional<ElementKind> kind)
       : part_(part),
+        kind_(kind),
         membranes_(membrane::Membranes::of(part.rest(),
                                            {membrane::Energy::Green, membrane_law(fabric).stiffness, 1})),
         plate_(hinge::build_plate(part.rest(), bending_law(fabric))) {}
@@ -51,26 +53,37 @@ class RestStiffness {
     std::vector<Vec3d> way(x.size());
     for (std::size_t n = 0; n < x.size(); ++n) way[n] = x[n] / std::sqrt(part_.mass[n]);
     std::fill(y.begin(), y.end(), Vec3d{});
-    membranes_.add_damping_forces(part_.position, way, y);
-    const std::vector<double> bends = hinge::bend_rates(plate_, part_.position, way);
-    hinge::add_forces(plate_, hinge::moments(plate_, bends), part_.position, y);
+    if (kind_ != ElementKind::Hinge) membranes_.add_damping_forces(part_.position, way, y);
+    if (kind_ != ElementKind::Membrane) {
+      const std::vector<double> bends = hinge::bend_rates(plate_, part_.position, way);
+      hinge::add_forces(plate_, hinge::moments(plate_, bends), part_.position, y);
+    }
     for (std::size_t n = 0; n < y.size(); ++n) y[n] = y[n] / -std::sqrt(part_.mass[n]);
   }
 
  private:
   const Part& part_;
+  std::optional<ElementKind> kind_;  // none: both
   membrane::Membranes membranes_;
   hinge::Plate plate_;
 };
 
-}  // namespace
-
-NetworkSpectrum find_fabric_spectrum(const Model& model, const Body& body) {
+NetworkSpectrum spectrum_of(const Model& model, const Body& body, std::optional<ElementKind> kind) {
   const Part part = part_of(model, body);
-  const RestStiffness stiffness(part, *body.fabric);
+  const RestStiffness stiffness(part, *body.fabric, kind);
   const double largest = largest_eigenvalue(
       [&](const std::vector<Vec3d>& x, std::vector<Vec3d>& y) { stiffness.apply(x, y); }, part.mass.size());
   return {largest, body.fabric->damping * largest};
+}
+
+}  // namespace
+
+NetworkSpectrum find_fabric_spectrum(const Model& model, const Body& body) {
+  return spectrum_of(model, body, std::nullopt);
+}
+
+NetworkSpectrum find_fabric_spectrum(const Model& model, const Body& body, ElementKind kind) {
+  return spectrum_of(model, body, kind);
 }
 
 }  // namespace weft

@@ -8,5 +8,7 @@ namespace weft {
 /// the whole mesh, or of at most 64 x 64 nodes of a grid (spring_network.hpp). Nodes that the scene holds are free,
 /// which can only raise them.
 NetworkSpectrum find_fabric_spectrum(const Model& model, const Body& body);
+/// The same of its membranes alone, or of its hinges.
+NetworkSpectrum find_fabric_spectrum(const Model& model, const Body& body, ElementKind kind);
 
 }  // namespace weft

@@ -1,5 +1,6 @@
 #include "method/mass_spring/plan.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "method/mass_spring/fabric_spectrum.hpp"
@@ -7,12 +8,43 @@
 
 namespace weft {
 
+namespace {
+
+NetworkSpectrum spectrum_of(const Model& model, const Body& body) {
+  return body.fabric ? find_fabric_spectrum(model, body) : find_spectrum(stiffest_part(model, body));
+}
+
+NetworkSpectrum spectrum_of(const Model& model, const Body& body, ElementKind kind) {
+  if (body.fabric) return find_fabric_spectrum(model, body, kind);
+  SpringNetwork network = stiffest_part(model, body);
+  ElementTable& left_out = kind == ElementKind::Spring ? network.triples : network.springs;
+  left_out = {left_out.kind, {}, {}, {}};
+  return find_spectrum(network);
+}
+
+double step_of(const NetworkSpectrum& spectrum, double drag) {
+  return largest_stable_step(spectrum.stiffness, spectrum.damping + drag);
+}
+
+}  // namespace
+
 StepLimit mass_spring_step_limit(const Model& model, double drag) {
   std::vector<NetworkSpectrum> cloths;
-  for (const Body& body : model.bodies)
-    cloths.push_back(body.fabric ? find_fabric_spectrum(model, body)
-                                 : find_spectrum(stiffest_part(model, body)));
+  for (const Body& body : model.bodies) cloths.push_back(spectrum_of(model, body));
   return least_step_limit(std::move(cloths), drag);
+}
+
+StepCause step_cause(const Model& model, const Body& body, double drag) {
+  StepCause cause{step_of(spectrum_of(model, body), drag), {}};
+  for (const ElementKind kind :
+       {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane, ElementKind::Hinge}) {
+    if (model.count(kind, body) == 0) continue;
+    if (const double step = step_of(spectrum_of(model, body, kind), drag); step > 0)
+      cause.parts.push_back({kind, step});
+  }
+  std::stable_sort(cause.parts.begin(), cause.parts.end(),
+                   [](const auto& a, const auto& b) { return a.largest_step < b.largest_step; });
+  return cause;
 }
 
 Method mass_spring_method() {

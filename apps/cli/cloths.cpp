@@ -1,0 +1,114 @@
+#include "cloths.hpp"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/json.hpp"
+#include "method/mass_spring/plan.hpp"
+#include "model/sheet_moduli.hpp"
+
+namespace weft::cli {
+namespace {
+
+constexpr double kMicro = 1e6, kMilli = 1e3;
+
+[[gnu::format(printf, 2, 3)]] void add(std::string& text, const char* format, ...) {
+  char buffer[512];
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(buffer, sizeof buffer, format, arguments);
+  va_end(arguments);
+  text += buffer;
+}
+
+/// "cloths[0]", and what kind of sheet it is.
+std::string heading(const scene::Cloth& cloth) {
+  std::string text = "  " + path_of_index("cloths", cloth.entry);
+  if (!cloth.name.empty()) text += " " + in_quotes(cloth.name);
+  if (!cloth.fabric) return text + ", of springs";
+  return text + (cloth.fabric->name.empty() ? ", of fabric" : ", of fabric " + cloth.fabric->name);
+}
+
+/// "2017 N/m along i and 408 across, ..." Springs of a mesh have no axes.
+void add_moduli(std::string& text, const scene::Cloth& cloth, const SheetModuli& moduli) {
+  const Moduli &stretch = moduli.stretch, &bending = moduli.bending;
+  const bool springs = !cloth.fabric;
+  if (springs && !cloth.grid) {
+    add(text, "at most %.4g N/m in the mean over directions", stretch.warp);
+  } else {
+    add(text, "%.4g N/m along %s and %.4g along %s", stretch.warp, cloth.grid ? "i" : "the warp",
+        stretch.weft, cloth.grid ? "j" : "the weft");
+  }
+  add(text, ", Poisson's ratio %.3g, shear %.4g N/m; bending ", stretch.poisson, stretch.shear);
+  if (bending.warp == 0 && bending.weft == 0) {
+    add(text, "0 for slight folds");
+  } else {
+    add(text, "%.4g and %.4g µN·m, twist %.4g", kMicro * bending.warp, kMicro * bending.weft,
+        kMicro * bending.shear);
+  }
+  if (cloth.density) add(text, "; %.4g g/m²", kMilli * *cloth.density);
+  add(text, "; friction %.3g\n", cloth.friction);
+}
+
+void add_step(std::string& text, const scene::Scene& scene, const Model& model, const Body& body) {
+  const StepCause cause = step_cause(model, body, scene.drag);
+  if (cause.parts.empty()) {
+    add(text, "    any explicit step is stable: nothing resists\n");
+    return;
+  }
+  add(text, "    explicit steps are stable up to %.4g ms, because of %s", kMilli * cause.largest_step,
+      kElementNames[static_cast<std::size_t>(cause.parts[0].kind)]);
+  for (std::size_t k = 1; k < cause.parts.size(); ++k)
+    add(text, " (%s alone: %.4g ms)", kElementNames[static_cast<std::size_t>(cause.parts[k].kind)],
+        kMilli * cause.parts[k].largest_step);
+  add(text, "; the least height of a triangle is %.4g mm", kMilli * least_height(model, body));
+  if (body.fabric) {
+    const auto& facets = model.plate(body).facets;
+    const auto slivers =
+        std::count_if(facets.begin(), facets.end(), [](const hinge::Facet& facet) { return facet.sliver; });
+    add(text, "; %td sliver%s", slivers, slivers == 1 ? "" : "s");
+  }
+  text += '\n';
+}
+
+}  // namespace
+
+std::string cloths_text(const scene::Scene& scene, const Model& model) {
+  std::string text;
+  for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
+    const scene::Cloth& cloth = scene.cloths[c];
+    if (cloth.copy > 0) continue;
+    text += heading(cloth) + ": ";
+    add_moduli(text, cloth, sheet_moduli(model, model.bodies[c]));
+    add_step(text, scene, model, model.bodies[c]);
+  }
+  return text;
+}
+
+nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
+    const scene::Cloth& cloth = scene.cloths[c];
+    if (cloth.copy > 0) continue;
+    const auto [stretch, bending] = sheet_moduli(model, model.bodies[c]);
+    nlohmann::ordered_json one;
+    if (!cloth.name.empty()) one["name"] = cloth.name;
+    if (cloth.fabric && !cloth.fabric->name.empty()) one["fabric"] = cloth.fabric->name;
+    one["of"] = cloth.fabric ? "fabric" : "springs";
+    if (cloth.density) one["density"] = *cloth.density;
+    one["warp"] = stretch.warp;
+    one["weft"] = stretch.weft;
+    one["poisson"] = stretch.poisson;
+    one["shear"] = stretch.shear;
+    one["bending_warp"] = bending.warp;
+    one["bending_weft"] = bending.weft;
+    one["bending_twist"] = bending.shear;
+    one["friction"] = cloth.friction;
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+}  // namespace weft::cli

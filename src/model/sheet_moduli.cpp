@@ -1,0 +1,72 @@
+#include "model/sheet_moduli.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace weft {
+namespace {
+
+/// Moduli of strips by the inverse of C (docs/elements.md, eq. 2). An axis without stiffness takes no load.
+Moduli moduli_of(const Stiffness& c) {
+  const double warp = c.weft > 0 ? c.warp - c.coupled * c.coupled / c.weft : c.warp;
+  const double weft = c.warp > 0 ? c.weft - c.coupled * c.coupled / c.warp : c.weft;
+  return {warp, weft, c.weft > 0 ? c.coupled / c.weft : 0, c.shear};
+}
+
+/// A cell of dx by dy has a structural and a bend spring along each axis, and both its diagonals.
+Moduli grid_moduli(const mesh::Grid& grid, const scene::Stiffness& k) {
+  const double dx = grid.width / (grid.nx - 1), dy = grid.height / (grid.ny - 1);
+  const bool long_x = grid.nx > 2, long_y = grid.ny > 2;  // else there is no spring over two cells
+  const double along_x = k.structural + (long_x ? 4 * k.bend : 0);
+  const double along_y = k.structural + (long_y ? 4 * k.bend : 0);
+  const double diagonals = 2 * k.shear / ((dx * dx + dy * dy) * dx * dy);
+  const double mixed = diagonals * dx * dx * dy * dy;
+  return moduli_of({along_x * dx / dy + diagonals * dx * dx * dx * dx, mixed,
+                    along_y * dy / dx + diagonals * dy * dy * dy * dy, mixed});
+}
+
+double triangle_area(const Model& model, const mesh::Triangle& t) {
+  const Vec3d& a = model.rest_position[t[0]];
+  return 0.5 * length(cross(model.rest_position[t[1]] - a, model.rest_position[t[2]] - a));
+}
+
+/// The mean of n_i n_j n_k n_l over directions is 3/8 for C11 and C22, 1/8 for C12 and C33.
+Moduli mesh_moduli(const Model& model, const Body& body) {
+  double sum = 0, area = 0;
+  for (const Spring spring : model.springs(body)) {
+    const auto rest = static_cast<double>(spring.rest_length);
+    sum += static_cast<double>(spring.stiffness) * rest * rest;
+  }
+  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t)
+    area += triangle_area(model, model.triangles[t]);
+  const double mean = sum / area;
+  return moduli_of({0.375 * mean, 0.125 * mean, 0.375 * mean, 0.125 * mean});
+}
+
+}  // namespace
+
+SheetModuli sheet_moduli(const Model& model, const Body& body) {
+  if (body.fabric) {
+    const scene::Fabric& fabric = *body.fabric;
+    return {{fabric.warp, fabric.weft, fabric.poisson, fabric.shear},
+            {fabric.bending_warp, fabric.bending_weft, 0, fabric.bending_twist}};
+  }
+  const double bending = body.stiffness.bending;
+  return {body.grid ? grid_moduli(*body.grid, body.stiffness) : mesh_moduli(model, body),
+          {bending, bending, 0, 0}};
+}
+
+double least_height(const Model& model, const Body& body) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t) {
+    const mesh::Triangle& triangle = model.triangles[t];
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(
+          longest, length(model.rest_position[triangle[(k + 1) % 3]] - model.rest_position[triangle[k]]));
+    least = std::min(least, 2 * triangle_area(model, triangle) / longest);
+  }
+  return least;
+}
+
+}  // namespace weft
