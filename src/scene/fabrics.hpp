@@ -20,8 +20,7 @@ inline constexpr FabricSource kFabricSources[] = {
      "H. Wang, J. F. O'Brien, R. Ramamoorthi: Data-Driven Elastic Models for Cloth: Modeling and "
      "Measurement. ACM "
      "Transactions on Graphics 30(4) 71, 2011. Read in the material files of ARCSim 0.3.1 "
-     "(github.com/kaist-silab/"
-     "arcsim, materials/), their meaning in its src/dde.cpp and src/physics.cpp."},
+     "(github.com/kaist-silab/arcsim), what they mean in its code of stiffness and forces."},
     {"matsudaira2015",
      "M. Matsudaira, T. Masuda, M. Wada, H. Yokura: Shape Factor of Flared Skirts Compared with That of "
      "Circular "
@@ -67,7 +66,7 @@ struct WangRows {
 };
 
 /// By what ARCSim computes of them:
-/// - dde.cpp takes each c twice, and physics.cpp has the energy (c11 E11² + 2 c12 E11 E22 + c22 E22²) / 2 of Green's
+/// - It takes each c twice, and has the energy (c11 E11² + 2 c12 E11 E22 + c22 E22²) / 2 of Green's
 ///   strains: C = 2 c. Its forces of shear are those of 2 c33 E12² = c33 γ² / 2, with γ = 2 E12: the modulus is c33.
 /// - The moduli of strips are C's inverse (docs/elements.md, eq. 2): E1 = C11 - C12² / C22, ν = C12 / C11 where axis 2
 ///   is pulled.

@@ -63,6 +63,11 @@ TEST_CASE("the schema is JSON, of draft 2020-12, and has the keys of the loader 
 TEST_CASE("the schema accepts what the loader accepts") {
   CHECK(accepts(minimal_scene()));
   CHECK(accepts(cloth_of(R"("mesh": "shirt.obj", "node_mass": 1)")));
+  CHECK(accepts(cloth_of(R"("mesh": "shirt.obj", "fabric": "blanket")")));
+  CHECK(
+      accepts(cloth_of(R"("mesh": "shirt.obj", "node_mass": 1, "fabric": {"name": "blanket", "weft": 3})")));
+  CHECK(accepts(cloth_of(
+      R"("mesh": "shirt.obj", "density": 1, "fabric": {"warp": 3, "shear": 1, "bending_warp": 0})")));
   CHECK(accepts(scene_with(R"("solver": {"forces": "spring_centric"})")));
   CHECK(accepts(scene_with(R"("time": {"substeps": 4.0})")));
   CHECK(

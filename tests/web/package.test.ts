@@ -85,7 +85,7 @@ it("a scene names the meshes of its cloths, its colliders and their keyframes, e
 });
 
 it("the catalog has the schema, the colour map and the limits of the core, without a device", async () => {
-  const { schema, colors, ranges, mostGrabs } = await catalog();
+  const { schema, colors, ranges, mostGrabs, fabrics } = await catalog();
   expect(schemaOf(schema, "contact.method")!.enum).toEqual(["none", "paper", "bvh", "proximity"]);
   expect(schemaOf(schema, "solver.forces")!.enum).toContain("spring_centric"); // of a variant
   expect(schemaOf(schema, "cloths.0.stiffness.shear")).toMatchObject({ minimum: 0, maximum: 1e12, default: 2000 });
@@ -97,6 +97,9 @@ it("the catalog has the schema, the colour map and the limits of the core, witho
   expect(colors.at(-1)!.map((part) => Math.round(255 * part))).toEqual([253, 231, 37]);
   expect(ranges.stretch).toEqual([0.95, 1.15]);
   expect(mostGrabs).toBe(4);
+  expect(fabrics.find(({ name }) => name === "denim_11oz")).toMatchObject({ density: 0.324 });
+  expect(schemaOf(schema, "cloths.0.fabric.name")!.enum).toEqual(fabrics.map(({ name }) => name));
+  expect(schemaOf(schema, "cloths.0.fabric.warp")).toMatchObject({ type: "number", minimum: 0.001 });
 });
 
 it("is packed with its licence, its notices, types and the module, and nothing else", () => {

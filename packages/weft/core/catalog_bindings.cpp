@@ -9,6 +9,7 @@
 #include "method/method.hpp"
 #include "render/color_map.hpp"
 #include "render/renderer.hpp"
+#include "scene/fabrics.hpp"
 #include "scene/grab.hpp"
 #include "scene/names.hpp"
 #include "scene/schema.hpp"
@@ -45,7 +46,7 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE void weft_schema() { weft::web::message = weft::scene::schema_json(); }
 
 /// As JSON: the colour map as sRGB in [0, 1], from the lowest value to the highest, the values that stand at
-/// its ends by view, how many nodes can be grabbed at once, and the methods.
+/// its ends by view, how many nodes can be grabbed at once, the methods, and the fabrics with names.
 EMSCRIPTEN_KEEPALIVE void weft_catalog() {
   nlohmann::ordered_json json;
   json["colors"] = nlohmann::ordered_json::array();
@@ -60,6 +61,9 @@ EMSCRIPTEN_KEEPALIVE void weft_catalog() {
   }
   json["mostGrabs"] = weft::scene::kMaxGrabs;
   json["methods"] = methods_json();
+  for (const weft::scene::NamedFabric& fabric : weft::scene::kFabrics)
+    json["fabrics"].push_back(
+        {{"name", fabric.name}, {"what", fabric.what}, {"density", fabric.density.value}});
   weft::web::message = json.dump();
 }
 

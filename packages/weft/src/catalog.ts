@@ -32,6 +32,16 @@ export interface Catalog {
   readonly mostGrabs: number;
   /** What a scene's solver.kind can be, but for "auto". */
   readonly methods: readonly Method[];
+  /** The measured cloths that a scene's cloths.0.fabric can name (docs/fabrics.md). */
+  readonly fabrics: readonly Fabric[];
+}
+
+export interface Fabric {
+  readonly name: string;
+  /** The kind of cloth, for people. */
+  readonly what: string;
+  /** [kg/m²] */
+  readonly density: number;
 }
 
 export interface Method {
@@ -71,8 +81,8 @@ export function schemaOf(root: Schema, key: string): Schema | null {
   for (const part of key.split(".")) {
     const inner: Schema | undefined = /^\d+$/.test(part) ?
       at?.items :
-      [at, ...(at?.oneOf ?? [])].find((way) => way?.properties && Object.hasOwn(way.properties, part))?.properties
-        ?.[part];
+      [at, ...(at?.oneOf ?? []), ...(at?.anyOf ?? [])]
+        .find((way) => way?.properties && Object.hasOwn(way.properties, part))?.properties?.[part];
     if (!inner) return null;
     at = { ...resolved(inner), ...inner }; // what stands beside a reference is of this key
   }

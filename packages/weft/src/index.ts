@@ -1,5 +1,5 @@
 // weft: real-time cloth on WebGPU. README.md has an example.
-export { catalog, schemaOf, type Catalog, type Method, type Schema } from "./catalog.js";
+export { catalog, schemaOf, type Catalog, type Fabric, type Method, type Schema } from "./catalog.js";
 export { WeftError } from "./error.js";
 export { checkScene, readMesh, type MeshFile, type SceneSize } from "./files.js";
 export type { ErrorKind } from "./gpu_tables.js";
