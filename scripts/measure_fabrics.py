@@ -84,7 +84,7 @@ def strip_angle(weft, fabric, axis, overhang):
         low, high = low[::-1], high[::-1]
     cloth = {"grid": grid, "size": size, "plane": "xz", "fabric": fabric, "pins": [{"box": {"min": low, "max": high}}]}
     with tempfile.TemporaryDirectory() as folder:
-        _, nodes, _ = run(weft, scene_of(cloth, 60, 2 * math.sqrt(GRAVITY / overhang), 1), folder)
+        _, nodes, _ = run(weft, scene_of(cloth, 240, 2 * math.sqrt(GRAVITY / overhang), 1), folder)
     k = 0 if axis == "warp" else 2
     tip = max(range(len(nodes)), key=lambda n: n % grid[0] if axis == "warp" else n // grid[0])
     reach = nodes[tip][k] - (-length / 2 + held)
@@ -248,9 +248,9 @@ def measured_numbers(fabrics, measured):
             low, high = literature["least"], literature["most"]
             said = f"{low:g}" if low == high else f"{low:g}–{high:g}"
             said += f" ({literature['source']})"
+        sheets = f"{d['least']:.0f}–{d['most']:.0f}" if m["seeds"] > 1 else "one"
         lines.append(
-            f"| `{f['name']}` | {' | '.join(c)} | {d['mean']:.0f} | {d['least']:.0f}–{d['most']:.0f} | "
-            f"{m['folds']['mean']:.1f} | {said} |"
+            f"| `{f['name']}` | {' | '.join(c)} | {d['mean']:.0f} | {sheets} | {m['folds']['mean']:.1f} | {said} |"
         )
     return lines
 
