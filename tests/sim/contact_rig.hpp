@@ -72,6 +72,11 @@ struct Moment {
     for (std::size_t i = begin; i < end; ++i) sum += mass[i] * velocity[i];
     return sum;
   }
+  Vec3d spin() const {
+    Vec3d sum;
+    for (std::size_t i = 0; i < mass.size(); ++i) sum += mass[i] * cross(position[i], velocity[i]);
+    return sum;
+  }
   Vec3d mean_position() const { return mean(position); }
   Vec3d mean_velocity() const { return mean(velocity); }
   double largest_speed() const {

@@ -133,7 +133,7 @@ TEST_CASE("a sheet of fabric swings where Newton's method takes it, at the secon
   }
   MESSAGE("after " << way << " m at most " << apart[0] << " and " << apart[1] << " m apart");
   CHECK(way > 0.15);
-  CHECK(apart[0] < 0.02 * way);
+  CHECK(apart[0] < 0.01 * way);
   CHECK(apart[1] < apart[0] / 8);  // a quarter of the step: a sixteenth, but for what systems keep
 }
 
@@ -215,9 +215,48 @@ TEST_CASE("free fabric keeps its momentum in long steps, and gains no energy, ho
       const double drift = length(end.momentum(0, end.mass.size()) - start.momentum(0, end.mass.size())) /
                            std::sqrt(mass * squares);
       MESSAGE("momentum drifts by " << drift << " of all speeds, energy rises by " << most / begun);
-      CHECK(most < 1e-5 * begun);  // f32 knows the energy of stiff springs to that
+      // f32 knows the energy of stiff springs to 1e-5; by BDF2 what stays within bounds is a norm of two steps, which
+      // few long ones show.
+      CHECK(most < (std::string(steps.substeps) == "2" ? 1e-3 : 1e-5) * begun);
+      CHECK(left < 0.2 * begun);  // and what its jolted nodes had is damped
       if (std::string(steps.residual) == "1e-4") CHECK(drift < 1e-3);
     }
+}
+
+TEST_CASE("a free stiff sheet that spins keeps its spin and its energy, a mesh of springs and fabric") {
+  GpuFixture fixture;
+  const mesh::TriangleMesh mesh = jittered_sheet(12, 9, 0.3, 0.22);
+  const std::string springs =
+      R"(, "density": 0.2, "damping": 0, "stiffness": {"structural": 2000, "shear": 1000, "bend": 1}})";
+  const std::string grid = grid_of(12, 9, 0.025);
+  for (const std::string& sheet : {"{" + kMesh + springs, fabric_cloth(kMesh, undamped("yarn")),
+                                   fabric_cloth(grid, undamped("green"))}) {
+    CAPTURE(sheet);
+    auto world = fabric_world(fixture.device(), implicit_scene(kFree, sheet),
+                              sheet.find("grid") == std::string::npos ? mesh : mesh::TriangleMesh{});
+    change_state(*world, [](std::size_t, Vec3d& x, Vec3d& v) { v = cross(Vec3d{3, 20, 5}, x); });
+    const Moment start(*world);
+    const double begun = energy_of(*world, start);
+    const Vec3d spin = start.spin();
+    advance(*world, 40);
+    const Moment end(*world);
+    const double lost = length(end.spin() - spin) / length(spin);
+    const double left = energy_of(*world, end) / begun;
+    MESSAGE("loses " << lost << " of its spin, keeps " << left << " of its energy");
+    CHECK(lost < 0.02);  // in fourteen radians
+    CHECK(left > 0.96);
+    CHECK(left < 1.001);
+  }
+}
+
+TEST_CASE("fabric that resists by its rate is not torn where it flaps, with a long delay") {
+  GpuFixture fixture;
+  const scene::Scene scene =
+      shipped_scene("flag-in-air", {{"contact.method", "\"none\""}, {"cloths.0.fabric.damping", "0.01"}});
+  auto world = world_of(fixture.device(), scene);
+  advance(*world, 30);
+  MESSAGE("stretched to " << world->totals().max_stretch);
+  CHECK(world->totals().max_stretch < 1.1);  // the wind pulls by less than a tenth of its modulus
 }
 
 TEST_CASE("fabric squeezed to a twentieth comes back without more energy than that") {

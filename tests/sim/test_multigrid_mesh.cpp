@@ -64,7 +64,9 @@ TEST_CASE("frames of an implicit mesh are the reference's, beside a grid, with w
   CHECK(exact->substeps() == 8);
   const std::vector<Vec3d> start = exact->positions();
   double worst = 0;
-  for (int frame = 0; frame < 15; ++frame) {
+  // Until the hand has let go. The sheet folds then, and what rounding leaves grows: of the reference, begun 6e-8
+  // m off, frames are a thousandth apart after 11 and a hundredth after 15.
+  for (int frame = 0; frame < 11; ++frame) {
     advance(*world, 1);
     REQUIRE(exact->advance_frame());
     worst = std::max(worst, relative_error(positions_of(*world), exact->positions(), start));

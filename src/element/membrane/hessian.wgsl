@@ -1,5 +1,5 @@
-// How the stress of a membrane triangle changes with F, and without what could make that indefinite. The same as
-// law.cpp in f32. Source: docs/elements.md, equations 6 to 10.
+// How the stress of a membrane triangle changes with F, without what could make that indefinite. The same as law.cpp in
+// f32. Source: docs/elements.md, equations 6 to 10.
 #include "element/membrane/law.wgsl"
 
 // By the columns of F, N/m; the block (weft, warp) is `mixed` transposed.
@@ -52,35 +52,13 @@ fn unpressed(f : Axes) -> Axes {
   return Axes(max(1.0, 1.0 / stretch.x) * f.warp, max(1.0, 1.0 / stretch.y) * f.weft);
 }
 
-fn green_geometry(s : vec3f, clamped : bool) -> MembraneHessian {
-  var second = vec3f(s.x, s.z, s.y);
-  if (clamped) { second = positive_part(second); }
-  return kronecker(second, unit_matrix());
-}
-
-// How the slope of the cosine changes by an axis: equation 6.
-fn cosine_curvature(n : vec3f, other : vec3f, stretch : f32) -> mat3x3f {
-  let cosine = dot(n, other);
-  let slope = other - cosine * n;
-  return -1.0 / (stretch * stretch) * (dyad(n, slope) + dyad(slope, n) + cosine * across(n));
-}
-
-fn yarn_geometry(f : Axes, s : vec3f, clamped : bool) -> MembraneHessian {
+fn yarn_geometry(f : Axes, s : vec3f) -> MembraneHessian {
   let stretch = max(vec2f(length(f.warp), length(f.weft)), vec2f(kMinStretch));
-  let n = f.warp / stretch.x;
-  let m = f.weft / stretch.y;
-  let pull = select(s.xy, max(s.xy, vec2f(0.0)), clamped) / stretch;
-  var geometry = MembraneHessian(pull.x * across(n), mat3x3f(), pull.y * across(m));
-  if (!clamped) {
-    let curvature = MembraneHessian(cosine_curvature(n, m, stretch.x),
-                                    1.0 / (stretch.x * stretch.y) * (across(n) * across(m)),
-                                    cosine_curvature(m, n, stretch.y));
-    geometry = hessian_sum(geometry, hessian_scaled(s.z, curvature));
-  }
-  return geometry;
+  let pull = max(s.xy, vec2f(0.0)) / stretch;
+  return MembraneHessian(pull.x * across(f.warp / stretch.x), mat3x3f(), pull.y * across(f.weft / stretch.y));
 }
 
-fn neo_hookean_hessian(c : vec4f, f : Axes, clamped : bool) -> MembraneHessian {
+fn neo_hookean_hessian(c : vec4f, f : Axes) -> MembraneHessian {
   let lambda = c.y + c.w;
   let spanned = cross(f.warp, f.weft);
   let area = max(length(spanned), kMinStretch * kMinStretch);
@@ -89,30 +67,23 @@ fn neo_hookean_hessian(c : vec4f, f : Axes, clamped : bool) -> MembraneHessian {
   let weft = cross(normal, f.warp);
   let s = lambda * (area - 1.0) - c.w;
   let by_area = s / area;
-  var out = vec3f(c.w + by_area * dot(f.weft, f.weft), -by_area * dot(f.warp, f.weft),
-                  c.w + by_area * dot(f.warp, f.warp));
-  var keeps = c.w + s;
-  var turns = c.w - s;
-  if (clamped) {
-    out = positive_part(out);
-    keeps = max(0.0, keeps);
-    turns = max(0.0, turns);
-  }
+  let out = positive_part(vec3f(c.w + by_area * dot(f.weft, f.weft), -by_area * dot(f.warp, f.weft),
+                                c.w + by_area * dot(f.warp, f.warp)));
+  let keeps = max(0.0, c.w + s);
+  let turns = max(0.0, c.w - s);
   let plane = 0.5 * (keeps + turns) * across(normal);
   let in_plane = MembraneHessian(plane, 0.5 * (turns - keeps) * cross_matrix(normal), plane);
   let by_size = hessian_scaled(lambda, MembraneHessian(dyad(warp, warp), dyad(warp, weft), dyad(weft, weft)));
   return hessian_sum(hessian_sum(by_size, in_plane), kronecker(out, dyad(normal, normal)));
 }
 
-// Clamped: what is never indefinite.
-fn membrane_hessian(law : MembraneLaw, f : Axes, clamped : bool) -> MembraneHessian {
-  if (law.energy == kNeoHookean) { return neo_hookean_hessian(law.stiffness, f, clamped); }
+fn membrane_hessian(law : MembraneLaw, f : Axes) -> MembraneHessian {
+  if (law.energy == kNeoHookean) { return neo_hookean_hessian(law.stiffness, f); }
   let e = strain_of(law.energy, f);
   let s = stress_of_strain(law.stiffness, e.value);
-  if (law.energy == kYarn) { return hessian_sum(material_part(law.stiffness, e), yarn_geometry(f, s, clamped)); }
-  var known = f;
-  if (clamped) { known = unpressed(f); }
-  return hessian_sum(material_part(law.stiffness, green_strain(known)), green_geometry(s, clamped));
+  if (law.energy == kYarn) { return hessian_sum(material_part(law.stiffness, e), yarn_geometry(f, s)); }
+  return hessian_sum(material_part(law.stiffness, green_strain(unpressed(f))),
+                     kronecker(positive_part(vec3f(s.x, s.z, s.y)), unit_matrix()));
 }
 
 // The derivative of the stress of damping by the rate of F, N·s/m.

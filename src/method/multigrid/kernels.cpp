@@ -46,6 +46,9 @@ std::uint32_t tail_workgroup_size(const gpu::Device& device, std::uint32_t nodes
 /// Whether contact may hold nodes at obstacles, for the kernels that read the holds.
 gpu::Constant holds(const CycleInputs& inputs) { return {"kHolds", inputs.presses != nullptr ? 1.0 : 0.0}; }
 
+/// Whether elements of a mesh are taken ahead of its nodes, since no second system follows.
+gpu::Constant leads(const CycleInputs& inputs) { return {"kLeads", inputs.presses == nullptr ? 1.0 : 0.0}; }
+
 /// Whether the air pushes, for the kernels whose matrix has it.
 gpu::Constant air(const CycleInputs& inputs) { return {"kAirPushes", inputs.corners != nullptr ? 1.0 : 0.0}; }
 
@@ -167,12 +170,12 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, Blocks blocks
   K made;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
   const Row<K> of_springs[] = {
-      {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs)}}};
+      {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs), leads(inputs)}}};
   const Row<K> of_elements[] = {
       {&K::gradient, "fabric_gradient", size, {holds(inputs), air(inputs), general, part}}};
   WEFT_CHECK(create_all<K>(inputs.device, of_fabric ? of_elements : of_springs, made));
   using F = FabricKernels;
-  const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size},
+  const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size, {leads(inputs)}},
                            {&F::hinges, "hinge_terms", size},
                            {&F::forces, "hinge_forces", size},
                            {&F::blocks, "fabric_blocks", size, {general}}};

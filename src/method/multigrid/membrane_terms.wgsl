@@ -3,6 +3,7 @@
 #include "gpu/index.wgsl"
 #include "element/membrane/hessian.wgsl"
 #include "method/fabric_params.wgsl"
+#include "method/multigrid/lead.wgsl"
 #include "method/multigrid/mesh_level.wgsl"
 #include "method/multigrid/membrane_term.wgsl"
 #include "method/multigrid/spring.wgsl"
@@ -16,12 +17,6 @@
 @group(0) @binding(6) var<storage, read>       vectors : array<vec4f>;    // method/multigrid/cloth.wgsl
 @group(0) @binding(7) var<storage, read_write> terms   : array<vec4f>;    // method/multigrid/membrane_term.wgsl
 @group(0) @binding(8) var<storage, read_write> forces  : array<vec4f>;    // 3 * triangles + 4 * hinges, N
-
-// Limits of what of the exact Hessian is taken: how much F may change by on the way to the start, squared, and the
-// forces on corners by their inertia times how far their spans change.
-// Mirror: src/method/multigrid/reference/fabric_terms.cpp.
-const kFarWay = 1.0 / 16.0;
-const kMostPush = 0.01;
 
 fn store_term(triangle : u32, h : MembraneHessian) {
   let warp = symmetric_of(h.warp);
@@ -53,26 +48,21 @@ fn membrane_terms(@builtin(global_invocation_id) id : vec3u) {
   let velocity = vector_of(kSecond, a);
   let change = deformation(slope, vector_of(kSecond, b) - velocity, vector_of(kSecond, c) - velocity);
 
-  let elastic = membrane_hessian(fabric.law, f, true);
-  let still = membrane_stress(fabric.law, f, Axes(vec3f(0.0), vec3f(0.0)));
-  let pulled = hessian_times(elastic, way);
-  // What is left out there, as far as a step may follow it: equation 18.
-  let whole = hessian_times(membrane_hessian(fabric.law, f, false), way);
-  let rest = Axes(whole.warp - pulled.warp, whole.weft - pulled.weft);
-  let far = dot(way.warp, way.warp) + dot(way.weft, way.weft);
-  let push = membrane_forces(slope, rest);
-  let most = max(length(push.second + push.third), max(length(push.second), length(push.third)));
-  let inertia = max(place[a].w, max(place[b].w, place[c].w));
-  let reach = inertia * length(vec2f(length(vector_of(kFirst, b) - start), length(vector_of(kFirst, c) - start)));
-  let part = min(max(0.0, 1.0 - far / kFarWay), kMostPush * reach / max(most, kMostPush * reach));
-  let damped = damping_stress(fabric.law, Axes(f.warp + way.warp, f.weft + way.weft), change);
-  let found = membrane_forces(slope, Axes(still.warp + pulled.warp + part * rest.warp + damped.warp,
-                                          still.weft + pulled.weft + part * rest.weft + damped.weft));
+  let lead = lead_of(dot(way.warp, way.warp) + dot(way.weft, way.weft));
+  let at = Axes(f.warp + lead * way.warp, f.weft + lead * way.weft);
+  let left = 1.0 - lead;
+  let elastic = membrane_hessian(fabric.law, at);
+  let still = membrane_stress(fabric.law, at, Axes(vec3f(0.0), vec3f(0.0)));
+  let pulled = hessian_times(elastic, Axes(left * way.warp, left * way.weft));
+  let later = damping_lead(lead);
+  let damped = damping_stress(fabric.law, Axes(f.warp + later * way.warp, f.weft + later * way.weft), change);
+  let found = membrane_forces(slope, Axes(still.warp + pulled.warp + damped.warp,
+                                          still.weft + pulled.weft + damped.weft));
   forces[3u * triangle] = vec4f(-(found.second + found.third), 0.0);
   forces[3u * triangle + 1u] = vec4f(found.second, 0.0);
   forces[3u * triangle + 2u] = vec4f(found.third, 0.0);
 
   let rate = 1.0 / formula_of(step.time.step_ratio).he;
-  let damped_by_place = hessian_sum(elastic, hessian_scaled(rate, damping_hessian(fabric.law, f)));
+  let damped_by_place = hessian_sum(elastic, hessian_scaled(rate, damping_hessian(fabric.law, at)));
   store_term(triangle, hessian_scaled(area_of(slope), damped_by_place));
 }

@@ -1,6 +1,7 @@
 // The coefficients of a substep's formula, and a spring's terms: equations 1, 5 and 6 of docs/solvers/multigrid.md. The
 // including kernel binds `step`.
 #include "element/spring/law.wgsl"
+#include "method/multigrid/lead.wgsl"
 #include "state/step.wgsl"
 
 // BDF2 with a step that is `step_ratio` of the one before it: x' = x + c (x - x before) + he v'. Ratio 0: backward
@@ -55,12 +56,14 @@ struct Pull {
 // From the node to its neighbour: span, m; how much it changes by the start of the unknown, m; and by the velocity that
 // this would be, m/s.
 fn pull_of(span : vec3f, span_step : vec3f, rate_of_span : vec3f, law : SpringLaw, damping : f32, rate : f32) -> Pull {
-  let hessian = spring_block(span, law, 0.0);
-  let now = law_at(law, length(span));
-  let tension = now.stiffness * (length(span) - now.rest_length);
-  var force = tension * hessian.direction + block_times(hessian, span_step);
-  if (damping > 0.0) {  // along the spring as it will be: along its direction now, of first order in the step
-    let later = span + span_step;
+  let lead = lead_of(dot(span_step, span_step) / max(dot(span, span), kMinLength * kMinLength));
+  let at = span + lead * span_step;
+  let hessian = spring_block(at, law, 0.0);
+  let now = law_at(law, length(at));
+  let tension = now.stiffness * (length(at) - now.rest_length);
+  var force = tension * hessian.direction + block_times(hessian, (1.0 - lead) * span_step);
+  if (damping > 0.0) {
+    let later = span + damping_lead(lead) * span_step;
     let square = max(dot(later, later), kMinLength * kMinLength);
     force += (damping * dot(later, rate_of_span) / square) * later;
   }

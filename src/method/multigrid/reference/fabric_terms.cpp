@@ -1,7 +1,6 @@
 #include "method/multigrid/reference/fabric_terms.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "method/multigrid/lead.hpp"
 
 namespace weft::reference {
 namespace {
@@ -11,47 +10,27 @@ using membrane::Axes, membrane::Hessian;
 Axes operator*(const Hessian& h, const Axes& f) {
   return {h.warp * f.warp + h.mixed * f.weft, transposed(h.mixed) * f.warp + h.weft * f.weft};
 }
+Axes operator*(double s, const Axes& f) { return {s * f.warp, s * f.weft}; }
 Axes operator+(const Axes& a, const Axes& b) { return {a.warp + b.warp, a.weft + b.weft}; }
 Hessian operator+(const Hessian& a, const Hessian& b) {
   return {a.warp + b.warp, a.mixed + b.mixed, a.weft + b.weft};
 }
 Hessian operator*(double s, const Hessian& a) { return {s * a.warp, s * a.mixed, s * a.weft}; }
 
-/// Limits of what of the exact Hessian is taken: how much F may change by on the way to the start, squared, and the
-/// forces on a triangle's corners by their inertia times how far their spans change.
-constexpr double kFarWay = 1.0 / 16, kMostPush = 0.01;
-
-/// How much of what the positive matrix leaves out is taken: it follows what turns, to second order, but gives energy
-/// where a substep goes farther, or where pressure would buckle a cell within it.
-double part_of(const StepStart& step, const membrane::Membranes& all, std::size_t number, const Axes& way,
-               const Axes& rest) {
-  double most = 0, inertia = 0;
-  for (const Vec3d& push : membrane::forces(all.rests[number], rest)) most = std::max(most, length(push));
-  const auto& [a, b, c] = all.triangles[number];
-  for (const std::uint32_t node : {a, b, c}) inertia = std::max(inertia, step.inertia[node]);
-  const double reach =
-      inertia * std::hypot(length(step.start[b] - step.start[a]), length(step.start[c] - step.start[a]));
-  const double far = dot(way.warp, way.warp) + dot(way.weft, way.weft);
-  return std::min(std::max(0.0, 1 - far / kFarWay),
-                  most > kMostPush * reach ? kMostPush * reach / most : 1.0);
-}
-
 /// Of one membrane: its force where its corners have come to place + start, and its part of the matrix.
-membrane::Blocks add_membrane(StepStart& step, const membrane::Membranes& all, std::size_t number,
-                              const Field& there, double rate) {
+membrane::Blocks add_membrane(MeshStep& step, const membrane::Membranes& all, std::size_t number,
+                              double rate) {
   const membrane::Law& law = all.law;
-  const Axes f = all.deformation(number, step.place);
-  const Hessian elastic = membrane::positive_hessian(law, f);
-  const Axes damping = membrane::damping_stress(law, all.deformation(number, there),
-                                                all.deformation(number, step.start_velocity));
-  const Axes way = all.deformation(number, step.start);
-  const Axes pulled = elastic * way, whole = membrane::hessian(law, f) * way;
-  const Axes rest{whole.warp - pulled.warp, whole.weft - pulled.weft};
-  const double part = part_of(step, all, number, way, rest);
-  const Axes stress = membrane::stress(law, f) + pulled + Axes{part * rest.warp, part * rest.weft} + damping;
+  const Axes f = all.deformation(number, step.place), way = all.deformation(number, step.start);
+  const double lead = step.leads ? multigrid::lead_of(dot(way.warp, way.warp) + dot(way.weft, way.weft)) : 0;
+  const Axes at = f + lead * way;
+  const Hessian elastic = membrane::positive_hessian(law, at);
+  const Axes damping =
+      membrane::damping_stress(law, step.leads ? at : f + way, all.deformation(number, step.start_velocity));
+  const Axes stress = membrane::stress(law, at) + elastic * ((1 - lead) * way) + damping;
   const membrane::Corners forces = membrane::forces(all.rests[number], stress);
   for (std::size_t i = 0; i < 3; ++i) step.residual[all.triangles[number][i]] += forces[i];
-  return membrane::blocks(all.rests[number], elastic + rate * membrane::damping_hessian(law, f));
+  return membrane::blocks(all.rests[number], elastic + rate * membrane::damping_hessian(law, at));
 }
 
 }  // namespace
@@ -62,7 +41,7 @@ void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& par
   for (std::size_t a = 0; a < there.size(); ++a) there[a] += step.start[a];
   std::vector<membrane::Blocks> membranes;
   for (std::size_t t = 0; t < cloth.membranes.triangles.size(); ++t)
-    membranes.push_back(add_membrane(step, cloth.membranes, t, there, rate));
+    membranes.push_back(add_membrane(step, cloth.membranes, t, rate));
 
   const double delay = cloth.membranes.law.delay;
   std::vector<double> bends = hinge::bends(cloth.plate, there);

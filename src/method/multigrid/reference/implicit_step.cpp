@@ -5,6 +5,7 @@
 
 #include "element/spring/law.hpp"
 #include "method/air_reference.hpp"
+#include "method/multigrid/lead.hpp"
 #include "method/multigrid/reference/fabric_terms.hpp"
 
 namespace weft::reference {
@@ -36,18 +37,22 @@ struct SpringTerms {
   Sym3 block;   // [N/m]
 };
 
+/// `leads`: it is taken ahead of its nodes.
 SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t a, std::size_t b,
-                         double rate) {
-  const Vec3d span = step.place[b] - step.place[a];
-  if (length(span) < spring::kMinLength) return {};
-  const auto [tension, n] = spring::pull(span, {}, s.law(), 0);
-  const Vec3d step_of_span = step.start[b] - step.start[a];
-  const Sym3 elastic = spring_block(span, s.law(), 0);
+                         double rate, bool leads) {
+  const Vec3d span = step.place[b] - step.place[a], step_of_span = step.start[b] - step.start[a];
+  const double square = std::max(dot(span, span), spring::kMinLength * spring::kMinLength);
+  const double lead = leads ? multigrid::lead_of(dot(step_of_span, step_of_span) / square) : 0;
+  const Vec3d at = span + lead * step_of_span;
+  if (length(at) < spring::kMinLength) return {};
+  const auto [tension, n] = spring::pull(at, {}, s.law(), 0);
+  const Sym3 elastic = spring_block(at, s.law(), 0);
   // Damping acts along the spring as it will be: along n it would be of first order in the step.
-  const Vec3d later = span + step_of_span;
+  const Vec3d later = leads ? at : span + step_of_span;
   const Vec3d damping = Sym3::outer(later / std::max(length(later), spring::kMinLength), s.damping) *
                         (step.start_velocity[b] - step.start_velocity[a]);
-  return {tension * n + damping + elastic * step_of_span, elastic + Sym3::outer(n, s.damping * rate)};
+  return {tension * n + damping + elastic * ((1 - lead) * step_of_span),
+          elastic + Sym3::outer(n, s.damping * rate)};
 }
 
 /// Adds springs of a mesh, one a pair of nodes, to its residual and matrix.
@@ -56,7 +61,7 @@ void add_springs(MeshStep& step, std::span<const SpringLink> springs, std::uint3
   std::size_t block = step.fixed.size();
   for (const SpringLink& s : springs) {
     const std::size_t a = s.node_a - first, b = s.node_b - first;
-    const SpringTerms terms = spring_terms(s, step, a, b, rate);
+    const SpringTerms terms = spring_terms(s, step, a, b, rate, step.leads);
     step.residual[a] += terms.force;
     step.residual[b] -= terms.force;
     if (!step.fixed[a]) blocks[a] += terms.block;
@@ -246,7 +251,7 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
                                          double dt, double ratio, std::size_t c,
                                          std::span<const Press> presses, std::span<const Vec3d> ways) const {
   const Cloth& cloth = cloths_[c];
-  MeshStep step{begin(system, places, dt, ratio, cloth, ways), {cloth.levels, {}}};
+  MeshStep step{begin(system, places, dt, ratio, cloth, ways), {cloth.levels, {}}, presses.empty()};
   std::vector<Sym3>& blocks = step.matrix.blocks;
   blocks.resize(cloth.levels[0].block_count);
   for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
@@ -299,7 +304,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   const double rate = 1 / step_formula(dt, ratio).he;
   for (const Link& link : links) {
     const SpringLink& s = link.spring;
-    const SpringTerms terms = spring_terms(s, step, link.a, link.b, rate);
+    const SpringTerms terms = spring_terms(s, step, link.a, link.b, rate, false);
     step.residual[link.a] += terms.force;
     step.residual[link.b] -= terms.force;
     const Sym3& block = terms.block;

@@ -39,6 +39,7 @@ struct LinearStep : StepStart {
 /// The linear system of a mesh.
 struct MeshStep : StepStart {
   MeshOperator matrix;
+  bool leads = false;  // elements are taken ahead of the nodes, since no second system follows
 };
 
 /// The coefficients of BDF2 for a step and the one before it: x' = x + s + he v', with s = c (x - x before).
