@@ -11,7 +11,6 @@
 #include "bench_rows.hpp"
 #include "common.hpp"
 #include "memory.hpp"
-#include "scene/nearest.hpp"
 
 namespace weft::cli {
 namespace {
@@ -39,21 +38,6 @@ class Results {
   std::string file_;
   nlohmann::ordered_json json_;
 };
-
-/// Refuses a name that an option has and its experiment does not know. Errors  Usage.
-Result<void> check_names(const char* option, const std::vector<std::string>& given,
-                         std::span<const std::string_view> known) {
-  std::string all;
-  for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
-  for (const std::string& name : given) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string near(scene::nearest(name, known));
-    return make_error(ErrorKind::Usage, "%s does not know %s%s; there are: %s.", option,
-                      in_quotes(name).c_str(),
-                      near.empty() ? "" : (", did you mean " + in_quotes(near) + "?").c_str(), all.c_str());
-  }
-  return {};
-}
 
 Result<void> check_selection(const BenchOptions& options) {
   const bench::Selection& selection = options.selection;

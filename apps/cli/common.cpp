@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <climits>
 #include <cstdarg>
@@ -10,7 +11,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/json.hpp"
 #include "scene/load.hpp"
+#include "scene/nearest.hpp"
 
 namespace weft::cli {
 namespace {
@@ -47,6 +50,20 @@ std::string models_folder() {
               .parent_path() /
           "models")
       .string();
+}
+
+Result<void> check_names(const char* option, const std::vector<std::string>& given,
+                         std::span<const std::string_view> known) {
+  std::string all;
+  for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
+  for (const std::string& name : given) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string near(scene::nearest(name, known));
+    return make_error(ErrorKind::Usage, "%s does not know %s%s; there are: %s.", option,
+                      in_quotes(name).c_str(),
+                      near.empty() ? "" : (", did you mean " + in_quotes(near) + "?").c_str(), all.c_str());
+  }
+  return {};
 }
 
 void say(const char* format, ...) {

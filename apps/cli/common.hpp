@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
@@ -24,6 +26,10 @@ Result<scene::Scene> load(const SceneOptions& options);
 /// The folder of the models that ./dev build makes: $WEFT_MODELS, or models/ beside the folder of this
 /// program.
 std::string models_folder();
+
+/// Refuses a name that an option has and `known` has not. Errors  Usage.
+Result<void> check_names(const char* option, const std::vector<std::string>& given,
+                         std::span<const std::string_view> known);
 
 /// Says a message on stderr, in one line: control characters become "?".
 [[gnu::format(printf, 1, 2)]] void say(const char* format, ...);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "scene/names.hpp"
+#include "validate.hpp"
 
 namespace weft::cli {
 namespace {
@@ -12,7 +13,8 @@ namespace {
 constexpr const char* kBash = R"(_weft() {
   local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}
   if [ "$COMP_CWORD" = 1 ]; then
-    COMPREPLY=($(compgen -W "run check fabrics adapters schema bench completion --help --version" -- "$word")); return
+    COMPREPLY=($(compgen -W "run check fabrics validate adapters schema bench completion --help --version" \
+      -- "$word")); return
   fi
   case "$previous" in
     --out) COMPREPLY=($(compgen -d -- "$word")); return ;;
@@ -23,7 +25,9 @@ constexpr const char* kBash = R"(_weft() {
       fi ;;
     --set|--frames|--adapter|--sides|--memory|--seconds) return ;;
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
-    --only) case "${COMP_WORDS[2]}" in
+    --only)
+      if [ "$command" = validate ]; then COMPREPLY=($(compgen -W "@LAWS@" -- "$word")); return; fi
+      case "${COMP_WORDS[2]}" in
         pull) COMPREPLY=($(compgen -W "none bvh proximity proximity_self paper" -- "$word")) ;;
         multigrid) COMPREPLY=($(compgen -W "multigrid multigrid4 multigrid16 explicit null drape" -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "grid mesh springs blocks" -- "$word")) ;;
@@ -42,6 +46,7 @@ constexpr const char* kBash = R"(_weft() {
         compare) COMPREPLY=($(compgen -W "--json --fail --help" -f -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "hanging pull contact multigrid copy largest compare --help" -- "$word")) ;;
       esac ;;
+    validate) COMPREPLY=($(compgen -W "--solver --only --adapter --json --help" -- "$word")) ;;
     fabrics) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
     completion) COMPREPLY=($(compgen -W "bash zsh fish" -- "$word")) ;;
   esac
@@ -50,14 +55,15 @@ complete -o filenames -F _weft weft
 )";
 
 constexpr const char* kFish = R"(complete -c weft -f
-complete -c weft -n __fish_use_subcommand -a "run check fabrics adapters schema bench completion"
+complete -c weft -n __fish_use_subcommand -a "run check fabrics validate adapters schema bench completion"
 complete -c weft -n "__fish_seen_subcommand_from run check" -F -l set -x -d "KEY=JSON"
-complete -c weft -n "__fish_seen_subcommand_from run check" -l solver -x -a '@SOLVERS@'
+complete -c weft -n "__fish_seen_subcommand_from run check validate" -l solver -x -a '@SOLVERS@'
 complete -c weft -n "__fish_seen_subcommand_from run" -l frames -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l out -r
-complete -c weft -n "__fish_seen_subcommand_from run bench" -l adapter -x
+complete -c weft -n "__fish_seen_subcommand_from run bench validate" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
-complete -c weft -n "__fish_seen_subcommand_from fabrics" -l json
+complete -c weft -n "__fish_seen_subcommand_from fabrics validate" -l json
+complete -c weft -n "__fish_seen_subcommand_from validate" -l only -x -a "@LAWS@"
 set -l experiments hanging pull contact multigrid copy largest compare
 complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" \
   -a "$experiments"
@@ -80,13 +86,13 @@ complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subc
 complete -c weft -n "__fish_seen_subcommand_from completion" -a "bash zsh fish"
 )";
 
-/// The words of scenes, where a script names them.
-std::string with_words(std::string script) {
+/// The script with words where it has a mark for them.
+template <class Words>
+std::string with_words(std::string script, std::string_view mark, const Words& all) {
   std::string words;
-  for (const char* word : scene::kSolverKindNames) words += (words.empty() ? "" : " ") + std::string(word);
-  constexpr std::string_view kMark = "@SOLVERS@";
-  for (std::size_t at = script.find(kMark); at != std::string::npos; at = script.find(kMark, at))
-    script.replace(at, kMark.size(), words);
+  for (const auto& word : all) words += (words.empty() ? "" : " ") + std::string(word);
+  for (std::size_t at = script.find(mark); at != std::string::npos; at = script.find(mark, at))
+    script.replace(at, mark.size(), words);
   return script;
 }
 
@@ -94,7 +100,9 @@ std::string with_words(std::string script) {
 
 int print_completion(const std::string& shell) {
   if (shell == "zsh") std::fputs("autoload -U +X bashcompinit && bashcompinit\n", stdout);
-  std::fputs(with_words(shell == "fish" ? kFish : kBash).c_str(), stdout);
+  const std::string script =
+      with_words(shell == "fish" ? kFish : kBash, "@SOLVERS@", scene::kSolverKindNames);
+  std::fputs(with_words(script, "@LAWS@", law_names()).c_str(), stdout);
   return 0;
 }
 

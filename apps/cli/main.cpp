@@ -15,6 +15,7 @@
 #include "inspect.hpp"
 #include "run.hpp"
 #include "scene/nearest.hpp"
+#include "validate.hpp"
 
 namespace {
 
@@ -56,6 +57,12 @@ std::string usage_error(const CLI::App& app, int argc, char** argv, const CLI::P
   const std::vector<std::string_view> known(names.begin(), names.end());
   const std::string meant(weft::scene::nearest(word, known));
   return "There is no command \"" + word + "\"" + (meant.empty() ? "" : ", but there is \"" + meant + "\"");
+}
+
+std::string names_of_laws() {
+  std::string all;
+  for (const std::string_view name : law_names()) all += (all.empty() ? "" : ", ") + std::string(name);
+  return all;
 }
 
 /// The exit code of a command whose data may not all have reached a full disk or a closed pipe.
@@ -114,6 +121,21 @@ int main(int argc, char** argv) {
   CompareOptions compare_options;
   const BenchCommand bench_command = add_bench_command(app, bench_options, compare_options);
 
+  ValidateOptions validate_options;
+  CLI::App* validate_command = app.add_subcommand("validate",
+                                                  "Example: weft validate --only slope,landing\n\nHold this "
+                                                  "GPU's cloth to laws of mechanics, each number beside "
+                                                  "the law's.");
+  validate_command->add_option("--solver", validate_options.solver, "Only by this kind; else by each")
+      ->type_name("KIND");
+  validate_command->add_option("--only", validate_options.only, "Only these laws: " + names_of_laws())
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  validate_command->add_option("--adapter", validate_options.adapter, "Use the GPU whose name contains this")
+      ->type_name("NAME");
+  validate_command->add_flag("--json", validate_options.json, "Print JSON instead of a table");
+
   std::string shell;
   CLI::App* completion_command = app.add_subcommand(
       "completion", "Example: eval \"$(weft completion bash)\"\n\nPrint the completion script of a shell.");
@@ -137,6 +159,7 @@ int main(int argc, char** argv) {
   if (*schema_command) code = print_schema();
   if (*bench_command.bench)
     code = *bench_command.compare ? compare_results(compare_options) : bench(bench_options);
+  if (*validate_command) code = validate(validate_options);
   if (*completion_command) code = print_completion(shell);
   return finish_output(code);
 }

@@ -13,8 +13,8 @@ using namespace weft;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"run",    "check", "fabrics",   "adapters",
-                                            "schema", "bench", "completion"};
+const std::vector<std::string> kCommands = {"run",      "check",  "fabrics", "validate",
+                                            "adapters", "schema", "bench",   "completion"};
 
 /// All commands, also those of `bench`, each as its words.
 std::vector<std::vector<std::string>> every_command() {
@@ -84,6 +84,31 @@ TEST_CASE("check says what each cloth resists with, and why its explicit step is
   CHECK(lines[5].find("16.05 and 24.24 µN·m, twist 8.736; 324 g/m²; friction 0.3") != std::string::npos);
   CHECK(lines[6].find("because of membranes (hinges alone: ") != std::string::npos);
   CHECK(lines[6].find("; 0 slivers") != std::string::npos);
+}
+
+TEST_CASE(
+    "validate prints numbers beside the laws', as a table and as JSON, and refuses what it does not know") {
+  const Ended table = run_weft({"validate", "--only", "fall", "--solver", "multigrid"});
+  CHECK(table.code == 0);
+  CHECK(table.out.find("2 of 2 numbers hold.") != std::string::npos);
+  const Ended json = run_weft({"validate", "--only", "fall", "--solver", "multigrid", "--json"});
+  CHECK(json.code == 0);
+  const nlohmann::json all = json_of(json.out);
+  CHECK(all.at("laws").size() > 10);
+  REQUIRE(all.at("rows").size() == 2);
+  for (const nlohmann::json& row : all.at("rows")) {
+    CHECK(row.at("law") == "fall");
+    CHECK(row.at("holds") == true);
+    CHECK(row.at("value").get<double>() == doctest::Approx(row.at("expected").get<double>()).epsilon(0.01));
+  }
+  for (const auto& [option, value, near] :
+       {std::tuple{"--only", "slop", "slope"}, {"--solver", "auto", "mass_spring"}}) {
+    const Ended refused = run_weft({"validate", option, value});
+    CHECK(refused.code == 2);
+    CHECK(refused.out == "");
+    CHECK(check_message(refused.err) == "");
+    CHECK(refused.err.find(near) != std::string::npos);
+  }
 }
 
 TEST_CASE("fabrics prints every fabric, as a table and as JSON with the source of each number") {

@@ -80,6 +80,13 @@ double tip_drop(const Statics& cloth, const PatternSheet& sheet) {
 
 }  // namespace
 
+TEST_CASE("the elastica stands below the load at which a column buckles by its weight, and falls above") {
+  constexpr double kAlmostUpright = 1e-4;  // rad; Greenhill 1881: 7.8373
+  const double right_angle = std::acos(0.0);
+  CHECK(Elastica(7.7, 0, right_angle - kAlmostUpright).reach < 0.01);
+  CHECK(Elastica(8.0, 0, right_angle - kAlmostUpright).reach > 0.1);
+}
+
 TEST_CASE("the elastica by shooting has the published drops of a heavy cantilever") {
   for (const auto& [g, drop] : {std::pair{1.0, 0.12347}, {2.0, 0.23851}, {10.0, 0.70020}, {100.0, 0.93752}})
     CHECK(Elastica(g).drop == doctest::Approx(drop).epsilon(2e-5).scale(0));

@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+"""Writes the table of docs/validation.md from stored runs of `weft validate --json`.
+
+build/weft validate --json > bench/validation_2core.json
+python3 scripts/make_validation.py            writes the page
+python3 scripts/make_validation.py --check    says whether it is as the runs make it
+"""
+
+import json
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs/validation.md"
+RUNS = sorted((ROOT / "bench").glob("validation_*.json"))
+MARKS = ("<!-- validation -->", "<!-- /validation -->")
+
+
+def allowed(row: dict) -> str:
+    """What a value may be, as "0.7002 ± 2 %"."""
+    sign = {"near": "±", "at_most": "+", "at_least": "−"}[row["bound"]]
+    if row["expected"] == 0:
+        return f"0 {sign} {row['tolerance']:g}"
+    return f"{row['expected']:.4g} {sign} {100 * row['tolerance']:g} %"
+
+
+def cell(row: dict | None) -> str:
+    """A measured value, marked where it does not hold."""
+    if row is None:
+        return ""
+    text = "none" if row["value"] is None else f"{row['value']:.4g}"
+    return text if row["holds"] else f"**{text}**"
+
+
+def table(run: dict) -> str:
+    """The rows of a run, a column a solver."""
+    solvers = list(dict.fromkeys(row["solver"] for row in run["rows"]))
+    lines = [
+        f"### {run['adapter']}",
+        "",
+        f"| law | number | unit | by the law | {' | '.join(solvers)} |",
+        "|---|---|---|---|" + "---|" * len(solvers),
+    ]
+    numbers: dict[tuple, dict] = {}
+    for law in run["laws"]:
+        for row in run["rows"]:
+            if row["law"] == law["name"]:
+                key = (row["law"], row["what"], row["unit"], allowed(row))
+                numbers.setdefault(key, {})[row["solver"]] = row
+    for (law, what, unit, bounds), by in numbers.items():
+        lines.append(f"| `{law}` | {what} | {unit} | {bounds} | {' | '.join(cell(by.get(s)) for s in solvers)} |")
+    held = sum(row["holds"] for row in run["rows"])
+    return "\n".join([*lines, "", f"{held} of {len(run['rows'])} numbers hold."])
+
+
+def made(page: str, runs: list[dict]) -> str:
+    """The page with the tables of these runs between its marks."""
+    before, rest = page.split(MARKS[0], 1)
+    after = rest.split(MARKS[1], 1)[1]
+    return before + MARKS[0] + "\n" + "\n\n".join(table(run) for run in runs) + "\n" + MARKS[1] + after
+
+
+def stored() -> list[dict]:
+    """The stored runs."""
+    return [json.loads(path.read_text("utf-8")) for path in RUNS]
+
+
+def main() -> int:
+    page = PAGE.read_text("utf-8")
+    new = made(page, stored())
+    if sys.argv[1:] == ["--check"]:
+        print("docs/validation.md is as its runs make it." if page == new else "Run scripts/make_validation.py.")
+        return int(page != new)
+    PAGE.write_text(new, "utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
