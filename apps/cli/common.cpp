@@ -52,16 +52,20 @@ std::string models_folder() {
       .string();
 }
 
+std::string listed(std::span<const std::string_view> names) {
+  std::string all;
+  for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+  return all;
+}
+
 Result<void> check_names(const char* option, const std::vector<std::string>& given,
                          std::span<const std::string_view> known) {
-  std::string all;
-  for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
   for (const std::string& name : given) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string near(scene::nearest(name, known));
-    return make_error(ErrorKind::Usage, "%s does not know %s%s; there are: %s.", option,
-                      in_quotes(name).c_str(),
-                      near.empty() ? "" : (", did you mean " + in_quotes(near) + "?").c_str(), all.c_str());
+    return make_error(
+        ErrorKind::Usage, "%s does not know %s%s; there are: %s.", option, in_quotes(name).c_str(),
+        near.empty() ? "" : (", did you mean " + in_quotes(near) + "?").c_str(), listed(known).c_str());
   }
   return {};
 }

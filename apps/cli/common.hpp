@@ -27,6 +27,9 @@ Result<scene::Scene> load(const SceneOptions& options);
 /// program.
 std::string models_folder();
 
+/// "a, b, c"
+std::string listed(std::span<const std::string_view> names);
+
 /// Refuses a name that an option has and `known` has not. Errors  Usage.
 Result<void> check_names(const char* option, const std::vector<std::string>& given,
                          std::span<const std::string_view> known);

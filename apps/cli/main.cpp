@@ -59,12 +59,6 @@ std::string usage_error(const CLI::App& app, int argc, char** argv, const CLI::P
   return "There is no command \"" + word + "\"" + (meant.empty() ? "" : ", but there is \"" + meant + "\"");
 }
 
-std::string names_of_laws() {
-  std::string all;
-  for (const std::string_view name : law_names()) all += (all.empty() ? "" : ", ") + std::string(name);
-  return all;
-}
-
 /// The exit code of a command whose data may not all have reached a full disk or a closed pipe.
 int finish_output(int code) {
   const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
@@ -128,7 +122,7 @@ int main(int argc, char** argv) {
                                                   "the law's.");
   validate_command->add_option("--solver", validate_options.solver, "Only by this kind; else by each")
       ->type_name("KIND");
-  validate_command->add_option("--only", validate_options.only, "Only these laws: " + names_of_laws())
+  validate_command->add_option("--only", validate_options.only, "Only these laws: " + listed(law_names()))
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -40,16 +40,15 @@ void print(const Row& row) {
 
 nlohmann::ordered_json json_of(const Row& row) {
   const Measure& measure = row.measure;
-  nlohmann::ordered_json json{{"law", row.law->name},
-                              {"solver", scene::name_of(row.solver)},
-                              {"what", measure.what},
-                              {"unit", measure.unit},
-                              {"value", measure.value},  // null where it is not a number
-                              {"expected", measure.expected},
-                              {"tolerance", measure.tolerance},
-                              {"bound", word_of(measure.bound)},
-                              {"holds", measure.holds()}};
-  return json;
+  return {{"law", row.law->name},
+          {"solver", scene::name_of(row.solver)},
+          {"what", measure.what},
+          {"unit", measure.unit},
+          {"value", measure.value},  // null where it is not a number
+          {"expected", measure.expected},
+          {"tolerance", measure.tolerance},
+          {"bound", word_of(measure.bound)},
+          {"holds", measure.holds()}};
 }
 
 struct Outcome {

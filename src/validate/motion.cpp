@@ -52,10 +52,9 @@ Result<std::vector<Measure>> measure_chain(const Rig& rig) {
   WEFT_TRY(trial, Trial::create(rig, kAlone + R"("cloths": [{)" + grid_of(2, 31, kLength / 30) + ", " +
                                          members_of(rig, {1500}) + R"(, "pins": ["top"]}])"));
   WEFT_TRY(rest, trial.now());
-  WEFT_CHECK(trial.change([&](std::size_t node, Vec3d& x, Vec3d&) {
+  WEFT_CHECK(trial.change([&](std::size_t, Vec3d& x, Vec3d&) {
     const double below = std::max(0.0, 1 - (rest.position[0].y - x.y) / kLength);
     x.z += 0.01 * kLength * std::cyl_bessel_j(0.0, kFirstZero * std::sqrt(below));
-    static_cast<void>(node);
   }));
   WEFT_TRY(period, trial.period(120, [](const Moment& m) { return m.position.back().z; }));
   return std::vector<Measure>{{"rope of 0.45 m: period of its first mode", "s", period,
