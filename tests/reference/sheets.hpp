@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -105,6 +106,13 @@ inline std::string thin_sheet(std::uint32_t nx, std::uint32_t ny, const std::str
             "pins": [{"near": {"point": [-1, 0, -1], "radius": 0.05}},
             {"near": {"point": [1, 0, -1], "radius": 0.05}}])" +
          more + "}]";
+}
+
+/// From node a to node b where their element is linearised: docs/solvers/multigrid.md, equation 5b.
+inline Vec3d led_span(const reference::StepStart& step, std::size_t a, std::size_t b) {
+  const Vec3d now = step.place[b] - step.place[a], way = step.start[b] - step.start[a];
+  const double turn = 16 * dot(way, way) / dot(now, now);
+  return step.leads ? now + std::max(0.0, 1 - turn * turn) * way : now;
 }
 
 inline double norm(const reference::Field& field) {

@@ -13,7 +13,7 @@ namespace {
 /// The matrix of a step, spring by spring from the sheet itself: mass, springs as they are stretched,
 /// bending. `galerkin`: what coarser levels are made of instead, bend springs as structural ones, and of
 /// bending only what names a fixed node, taken apart where that is the middle one.
-Matrix explicit_matrix(const Sheet& sheet, double he, bool galerkin) {
+Matrix explicit_matrix(const Sheet& sheet, const StepStart& step, double he, bool galerkin) {
   const auto& system = sheet.system;
   const mesh::Grid grid = *sheet.model.bodies[0].grid;
   const std::size_t count = system.position.size();
@@ -31,7 +31,7 @@ Matrix explicit_matrix(const Sheet& sheet, double he, bool galerkin) {
       add_block(entries, a, a, mass * Eigen::Matrix3d::Identity());
     }
   const auto spring = [&](std::size_t a, std::size_t b, double l0, double k, double c) {
-    const Eigen::Vector3d span = eigen(system.position[b] - system.position[a]);
+    const Eigen::Vector3d span = eigen(led_span(step, a, b));
     const Eigen::Vector3d n = span.normalized();
     const double stretched = std::max(0.0, 1 - l0 / span.norm());
     add_line({{a, -1.0}, {b, 1.0}}, (k * (1 - stretched) + c / he) * n * n.transpose() +
@@ -132,7 +132,7 @@ TEST_CASE("the matrix of a step is mass, springs and bending, added up one by on
     // No node has been stepped yet, so that mass is backward Euler's; damping goes by the step.
     sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
     const LinearStep second = sheet.linearise();
-    const Matrix expected = explicit_matrix(sheet, he, false);
+    const Matrix expected = explicit_matrix(sheet, second, he, false);
     Random random(3);
     Field x(second.matrix.size());
     for (std::size_t a = 0; a < x.size(); ++a)
@@ -153,7 +153,7 @@ TEST_CASE("coarse matrices are Pᵀ A P of mass and springs, for sides of any le
     sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
     const LinearStep step = sheet.linearise();
     const Hierarchy hierarchy(step.matrix, step.source);
-    Matrix expected = explicit_matrix(sheet, 2.0 / 3 / 480, true);
+    Matrix expected = explicit_matrix(sheet, step, 2.0 / 3 / 480, true);
     CHECK(difference(stencil_matrix(step.source), expected) < 1e-6);
     REQUIRE(hierarchy.levels().size() > 1);
     for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
@@ -187,7 +187,7 @@ TEST_CASE("coarse matrices have what obstacles hold nodes with") {
   sheet.stepper.set_hold_forces(std::vector<HoldForce>(presses.size(), {1, {}}));
   const LinearStep step =
       sheet.stepper.linearise(sheet.system, sheet.system.position, 1.0 / 480, 1, 0, presses);
-  Matrix expected = explicit_matrix(sheet, 2.0 / 3 / 480, true) + matrix_from(holds, 16 * 23, 16 * 23);
+  Matrix expected = explicit_matrix(sheet, step, 2.0 / 3 / 480, true) + matrix_from(holds, 16 * 23, 16 * 23);
   const Hierarchy hierarchy(step.matrix, step.source);
   CHECK(difference(stencil_matrix(step.source), expected) < 1e-6);
   for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
@@ -333,7 +333,7 @@ TEST_CASE(
     Entries fixed;            // their rows are empty
     for (std::size_t a = 0; a < step.matrix.size(); ++a)
       if (step.matrix.fixed[a]) add_block(fixed, a, a, Eigen::Matrix3d::Identity());
-    const Matrix matrix = explicit_matrix(sheet, 2.0 / 3 / 480, false) +
+    const Matrix matrix = explicit_matrix(sheet, step, 2.0 / 3 / 480, false) +
                           matrix_from(fixed, step.matrix.size(), step.matrix.size());
     const Eigen::SimplicialLLT<Matrix> factors(matrix);
     const Eigen::VectorXd exact = factors.solve(eigen(step.residual));

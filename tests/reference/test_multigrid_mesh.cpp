@@ -32,10 +32,7 @@ Matrix explicit_matrix(const Sheet& sheet, const StepStart& step, double he) {
       add_block(entries, a, a, mass * Eigen::Matrix3d::Identity());
     }
   for (const SpringLink& s : system.springs) {
-    const Vec3d now = step.place[s.node_b] - step.place[s.node_a];
-    const Vec3d way = step.start[s.node_b] - step.start[s.node_a];
-    const double turn = 16 * dot(way, way) / dot(now, now);
-    const Eigen::Vector3d span = eigen(now + std::max(0.0, 1 - turn * turn) * way);
+    const Eigen::Vector3d span = eigen(led_span(step, s.node_a, s.node_b));
     const Eigen::Vector3d n = span.normalized();
     const double stretched = std::max(0.0, 1 - s.rest_length / span.norm());
     const Eigen::Matrix3d block = (s.stiffness * (1 - stretched) + s.damping / he) * n * n.transpose() +

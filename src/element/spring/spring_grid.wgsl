@@ -15,3 +15,12 @@ struct SpringGrid {  // mirror: src/element/spring/spring_grid.hpp
 fn line_weight(grid : SpringGrid, at : u32, side : u32) -> f32 {
   return select(0.5, 1.0, grid.uniform_weights == 1u || (at > 0u && at + 1u < side));
 }
+
+override kBend : bool = true;  // false: there are no bend springs
+// The springs from a node to ones behind it, row by row.
+const kRight = 0u;
+const kDown = 1u;
+const kDownRight = 2u;
+const kDownLeft = 3u;
+const kFarRight = 4u;
+const kFarDown = 5u;

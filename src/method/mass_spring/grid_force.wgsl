@@ -10,7 +10,7 @@ struct Own {
   v : vec3f,  // m/s
 }
 
-fn pull(own : Own, other : u32, rest_length : f32, longest : f32, weight : f32, stiffness : f32,
+fn pull(own : Own, other : u32, number : u32, rest_length : f32, longest : f32, weight : f32, stiffness : f32,
         damping : f32) -> vec3f {
   let span = position_at(other) - own.x;
   var rate = vec3f(0.0);

@@ -4,7 +4,7 @@
 #include "method/multigrid/grid_correction.wgsl"
 #include "method/multigrid/grid_tile.wgsl"
 #include "method/multigrid/level_solution.wgsl"
-const kTile = 16u;                            // mirror: src/method/multigrid/grid_level_params.hpp
+const kTile = 12u;                            // mirror: src/method/multigrid/grid_level_params.hpp
 const kBegunSide = kTile + 2u * kReach;       // of the nodes that these look at
 const kCorrectedSide = kTile + 4u * kReach;   // and of those that these look at
 var<workgroup> corrected : array<vec3f, kCorrectedSide * kCorrectedSide>;

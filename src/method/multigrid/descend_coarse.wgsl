@@ -3,7 +3,7 @@
 // nodes between two tiles are done by both. Source: docs/solvers/multigrid.md, equations 7 and 8.
 #include "method/multigrid/grid_tile.wgsl"
 #include "method/multigrid/grid_restriction.wgsl"
-const kCoarseTile = 8u;                         // mirror: src/method/multigrid/grid_level_params.hpp
+const kCoarseTile = 6u;                         // mirror: src/method/multigrid/grid_level_params.hpp
 const kLeftSide = 2u * kCoarseTile + 1u;        // of the nodes that these take residuals from
 const kSmoothedSide = kLeftSide + 2u * kReach;  // and of those that residuals take solutions from
 var<workgroup> smoothed : array<vec3f, kSmoothedSide * kSmoothedSide>;

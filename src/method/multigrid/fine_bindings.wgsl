@@ -1,4 +1,4 @@
-// Bindings of the kernels that recompute the matrix of a grid's finest level.
+// Bindings of the kernels of a grid's finest level, whose matrix is in the poses of its springs.
 #include "method/multigrid/grid_level.wgsl"
 #include "element/spring/spring_grid.wgsl"
 #include "state/step.wgsl"
@@ -9,3 +9,4 @@
 @group(0) @binding(3) var<storage, read>       place   : array<vec4f>;        // nx * ny        m (w: N/m; 0: fixed)
 @group(0) @binding(4) var<storage, read>       holds   : array<vec4f>;        // method/multigrid/hold.wgsl
 @group(0) @binding(5) var<storage, read_write> vectors : array<vec4f>;        // method/multigrid/cloth.wgsl
+@group(0) @binding(6) var<storage, read>       springs : array<vec2u>;        // method/multigrid/grid_springs.wgsl

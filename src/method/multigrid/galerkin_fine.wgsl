@@ -5,13 +5,13 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/air_block.wgsl"
 #include "method/multigrid/fine_bindings.wgsl"
+#include "method/multigrid/grid_springs.wgsl"
 #include "method/multigrid/grid_store_block.wgsl"
 #include "method/multigrid/grid_transfer.wgsl"
 #include "method/multigrid/level_start.wgsl"
 #include "method/multigrid/hold.wgsl"
-#include "method/multigrid/spring.wgsl"
 //                                                                                 elements
-@group(0) @binding(6) var<storage, read_write> operators : array<vec2f>;        // method/multigrid/grid_block.wgsl
+@group(0) @binding(7) var<storage, read_write> operators : array<vec2f>;        // method/multigrid/grid_block.wgsl
 var<private> blocks : array<Symmetric, 5>;
 var<private> rate : f32;  // 1/s
 
@@ -25,18 +25,22 @@ fn line_taps(at : i32, center : i32, coarse : i32, n : i32, m : i32, regular : b
 }
 fn is_regular(center : i32, n : i32, m : i32) -> bool { return n != m && center > 3 && center + 4 < n; }
 
-// A fine node, among those of all cloths.
-fn node_at(x : i32, y : i32) -> u32 { return among_all(levels[0], u32(y) * grid.nx + u32(x)); }
-fn place_at(x : i32, y : i32) -> vec4f { return place[node_at(x, y)]; }
+fn node_at(x : i32, y : i32) -> u32 { return u32(y) * grid.nx + u32(x); }
+fn inertia_at(x : i32, y : i32) -> f32 { return place[among_all(levels[0], node_at(x, y))].w; }
 
 // Weights of a fine node, from the coarse node (x) and its neighbours to the right (y), below (z), and beside that (w),
 // and to the left of that.
-struct Taps { right : vec4f, left : f32, at : vec4f }
+struct Taps {
+  right : vec4f,
+  left : f32,
+  node : u32,
+  inertia : f32,  // N/m; 0: fixed
+}
 
 fn taps_at(x : i32, y : i32, column : vec3f, row : vec3f) -> Taps {
-  let at = place_at(x, y);
-  if (at.w == 0.0) { return Taps(vec4f(0.0), 0.0, at); }
-  return Taps(vec4f(column.xy * row.x, column.xy * row.y), column.z * row.y, at);
+  let inertia = inertia_at(x, y);
+  if (inertia == 0.0) { return Taps(vec4f(0.0), 0.0, node_at(x, y), 0.0); }
+  return Taps(vec4f(column.xy * row.x, column.xy * row.y), column.z * row.y, node_at(x, y), inertia);
 }
 
 fn add(matrix : Symmetric, own : f32, right : vec4f, left : f32) {
@@ -48,21 +52,23 @@ fn add(matrix : Symmetric, own : f32, right : vec4f, left : f32) {
   blocks[4] = sum_of(blocks[4], scaled(left, part));
 }
 
-fn add_spring(a : Taps, b : Taps, law : SpringLaw, damping : f32) {
+// A spring from a to b.
+fn add_spring(a : Taps, b : Taps, number : u32, law : SpringLaw, damping : f32) {
   let right = b.right - a.right;
   if (right.x == 0.0 || law.stiffness == 0.0) { return; }
-  let s = spring_block(b.at.xyz - a.at.xyz, law, rate * damping);
+  let s = spring_block(unpacked_pose(springs[spring_at(levels[0], a.node, number)]), law, rate * damping);
   add(sum_of(outer(s.direction, s.along), identity(s.across)), right.x, right, b.left - a.left);
 }
 
 // A structural spring from node `at` of a line to the next, with the bend springs above it.
-fn add_structural(a : Taps, b : Taps, rest_length : f32, longest : f32, at : i32, side : i32, weight : f32) {
+fn add_structural(a : Taps, b : Taps, number : u32, rest_length : f32, longest : f32, at : i32, side : i32,
+                  weight : f32) {
   let above = 2.0 * weight * (select(0.0, 1.0, at > 0) + select(0.0, 1.0, at + 2 < side));
   let bend = grid.stiffness.z;
   let damping = weight * grid.damping.x + above * grid.damping.z;
   var law = law_of(rest_length, longest, weight * grid.stiffness.x);
   law.stiffness += above * bend;
-  add_spring(a, b, law, damping);
+  add_spring(a, b, number, law, damping);
 }
 
 // Second differences of the fine grid that name a fixed node: coarse levels know of none, so these are not in their own
@@ -72,9 +78,9 @@ fn add_fixed_bend(coarse : vec2i, coarse_sides : vec2i, at : vec2i, along : vec2
   let before = at - along;
   let behind = at + along;
   if (stiffness == 0.0 || any(before < vec2i(0)) || any(behind >= sides)) { return; }
-  let fixed_before = place_at(before.x, before.y).w == 0.0;
-  let fixed_at = place_at(at.x, at.y).w == 0.0;
-  let fixed_behind = place_at(behind.x, behind.y).w == 0.0;
+  let fixed_before = inertia_at(before.x, before.y) == 0.0;
+  let fixed_at = inertia_at(at.x, at.y) == 0.0;
+  let fixed_behind = inertia_at(behind.x, behind.y) == 0.0;
   if (!(fixed_before || fixed_at || fixed_behind)) { return; }
   let a = taps_of_node(coarse, coarse_sides, before);
   let b = taps_of_node(coarse, coarse_sides, behind);
@@ -113,6 +119,7 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
   let regular_j = is_regular(center_j, ny, my);
   rate = 1.0 / formula_of(step.time.step_ratio).he;
   blocks = array<Symmetric, 5>();
+  let shear = law_of(grid.rest_length.z, 0.0, grid.stiffness.y);
   let left = max(center_i - 2, 0);
   for (var y = max(center_j - 2, 0); y <= min(center_j + 2, ny - 1); y++) {
     let row_weight = line_weight(grid, u32(y), grid.ny);
@@ -133,9 +140,9 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
       let a = b;
       let before = below_a;
       below_a = below_b;
-      var own = identity(a.at.w);
-      if (kAirPushes) { own = sum_of(own, air_block(levels[0], u32(y) * grid.nx + u32(x))); }
-      if (kHolds) { own = sum_of(own, hold_block(node_at(x, y))); }
+      var own = identity(a.inertia);
+      if (kAirPushes) { own = sum_of(own, air_block(levels[0], a.node)); }
+      if (kHolds) { own = sum_of(own, hold_block(among_all(levels[0], a.node))); }
       add(own, a.right.x, a.right, a.left);
       let rim_i = select(1.0, levels[0].rim, on_rim(u32(y), grid.ny));
       let rim_j = select(1.0, levels[0].rim, on_rim(u32(x), grid.nx));
@@ -144,15 +151,16 @@ fn galerkin_fine(@builtin(global_invocation_id) id : vec3u) {
       if (x + 1 < nx) {
         let column = line_taps(x + 1, center_i, i, nx, mx, regular_i);
         b = taps_at(x + 1, y, column, row);
-        add_structural(a, b, grid.rest_length.x, grid.longest.x, x, nx, row_weight);
+        add_structural(a, b, kRight, grid.rest_length.x, grid.longest.x, x, nx, row_weight);
         if (down) {
           below_b = taps_at(x + 1, y + 1, column, below_row);
-          add_spring(a, below_b, law_of(grid.rest_length.z, 0.0, grid.stiffness.y), grid.damping.y);
+          add_spring(a, below_b, kDownRight, shear, grid.damping.y);
         }
       }
       if (down) {
-        add_structural(a, below_a, grid.rest_length.y, grid.longest.y, y, ny, line_weight(grid, u32(x), grid.nx));
-        if (x > 0) { add_spring(a, before, law_of(grid.rest_length.z, 0.0, grid.stiffness.y), grid.damping.y); }
+        let weight = line_weight(grid, u32(x), grid.nx);
+        add_structural(a, below_a, kDown, grid.rest_length.y, grid.longest.y, y, ny, weight);
+        if (x > 0) { add_spring(a, before, kDownLeft, shear, grid.damping.y); }
       }
     }
   }

@@ -16,6 +16,12 @@ gpu::Workgroups tiles(const gpu::Kernel& kernel, const GridLevelParams& level, s
   return kernel.workgroups_of(across * along * kernel.workgroup_size());
 }
 
+/// Of all springs of the cloths: src/method/multigrid/grid_springs.wgsl.
+std::size_t poses(const CycleInputs& inputs, const EqualCloths& cloths) {
+  return std::size_t{any_bend_springs(inputs.model.host) ? 6U : 4U} * cloths.count *
+         cloths.first.vertex_count;
+}
+
 }  // namespace
 
 std::size_t most_cloths(const Body& body, const gpu::Limits& limits, bool air) {
@@ -38,6 +44,8 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
   const std::size_t operators = std::size_t{cloths.count} * made.shapes_[0].operators;
   WEFT_SET(made.operators_,
            gpu::Buffer<multigrid::BlockPart>::create(inputs.device, operators, "multigrid operators"));
+  WEFT_SET(made.springs_, (gpu::Buffer<std::array<std::uint32_t, 2>>::create(
+                              inputs.device, poses(inputs, cloths), "poses of springs")));
   WEFT_CHECK(made.create_system(inputs, kernels));
   WEFT_CHECK(made.create_fine(inputs, kernels));
   WEFT_CHECK(made.create_coarse(kernels));
@@ -49,10 +57,11 @@ Result<void> GridCycle::create_system(const CycleInputs& inputs, const GridKerne
   const gpu::RawBuffer& levels = levels_[0].levels;
   const gpu::Workgroups nodes = for_each_cloth(kernels.gradient->workgroups_of(node_count(shapes_[0])));
   WEFT_CHECK(create_shared(inputs, kernels.shared));
-  WEFT_SET(gradient_, Dispatch::create(kernels.gradient, nodes,
-                                       {steps, grid_, levels, place_, holds_, vectors_, presses(inputs)}));
+  WEFT_SET(gradient_,
+           Dispatch::create(kernels.gradient, nodes,
+                            {steps, grid_, levels, place_, holds_, vectors_, springs_, presses(inputs)}));
   WEFT_SET(search_, Dispatch::create(kernels.search, nodes,
-                                     {steps, grid_, levels, place_, holds_, vectors_, partials_,
+                                     {steps, grid_, levels, place_, holds_, vectors_, springs_, partials_,
                                       pair_sums(inputs), nodes_}));
   return {};
 }
@@ -60,17 +69,18 @@ Result<void> GridCycle::create_system(const CycleInputs& inputs, const GridKerne
 Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels& kernels) {
   Level& fine = levels_[0];
   const gpu::Workgroups nodes = for_each_cloth(kernels.smooth_fine->workgroups_of(node_count(shapes_[0])));
-  const Dispatch::Bindings bindings = {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_};
+  const Dispatch::Bindings bindings = {inputs.state.steps, grid_,   fine.levels, place_, holds_,
+                                       vectors_,           springs_};
   WEFT_SET(fine.smooth_down, Dispatch::create(kernels.smooth_fine, nodes, bindings));
   WEFT_SET(fine.smooth_begin, Dispatch::create(kernels.prolong_fine, nodes, bindings));
-  WEFT_SET(fine.smooth_up,
-           Dispatch::create(kernels.smooth_last, nodes,
-                            {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_, partials_}));
+  WEFT_SET(fine.smooth_up, Dispatch::create(kernels.smooth_last, nodes,
+                                            {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_,
+                                             springs_, partials_}));
   if (shapes_.size() == 1) return {};
   const gpu::Workgroups coarse = for_each_cloth(kernels.galerkin_fine->workgroups_of(node_count(shapes_[1])));
-  WEFT_SET(fine.coarsen,
-           Dispatch::create(kernels.galerkin_fine, coarse,
-                            {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_, operators_}));
+  WEFT_SET(fine.coarsen, Dispatch::create(kernels.galerkin_fine, coarse,
+                                          {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_,
+                                           springs_, operators_}));
   WEFT_SET(fine.residual, Dispatch::create(kernels.residual_fine, nodes, bindings));
   WEFT_SET(fine.restrict_down, Dispatch::create(kernels.restrict_residual, coarse, {fine.levels, vectors_}));
   WEFT_SET(fine.correct, Dispatch::create(kernels.correct_fine, nodes, {fine.levels, place_, vectors_}));

@@ -29,6 +29,7 @@ class GridCycle : public Cycle {
   std::vector<GridLevelParams> shapes_;  // of its levels
   gpu::RawBuffer grid_;
   gpu::Buffer<multigrid::BlockPart> operators_;
+  gpu::Buffer<std::array<std::uint32_t, 2>> springs_;  // their poses: src/method/multigrid/grid_springs.wgsl
 };
 
 }  // namespace weft

@@ -31,7 +31,7 @@ inline constexpr std::uint32_t kBlocks = 5, kBlockParts = 3;
 inline constexpr std::uint32_t kOperatorParts = kBlocks * kBlockParts;
 /// Nodes a side of what a workgroup smooths on the levels between: src/method/multigrid/descend_coarse.wgsl, of the
 /// coarser level, and ascend_coarse.wgsl.
-inline constexpr std::uint32_t kCoarseTile = 8, kTile = 16;
+inline constexpr std::uint32_t kCoarseTile = 6, kTile = 12;
 
 }  // namespace multigrid
 

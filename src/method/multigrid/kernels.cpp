@@ -46,7 +46,7 @@ std::uint32_t tail_workgroup_size(const gpu::Device& device, std::uint32_t nodes
 /// Whether contact may hold nodes at obstacles, for the kernels that read the holds.
 gpu::Constant holds(const CycleInputs& inputs) { return {"kHolds", inputs.presses != nullptr ? 1.0 : 0.0}; }
 
-/// Whether elements of a mesh are taken ahead of its nodes, since no second system follows.
+/// Whether elements are taken ahead of their nodes, since no second system follows.
 gpu::Constant leads(const CycleInputs& inputs) { return {"kLeads", inputs.presses == nullptr ? 1.0 : 0.0}; }
 
 /// Whether the air pushes, for the kernels whose matrix has it.
@@ -57,10 +57,7 @@ gpu::Constant pairs(const CycleInputs& inputs) { return {"kPairs", inputs.pairs 
 
 /// Whether a grid has bend springs, for the kernels that sum over the springs of a node.
 gpu::Constant bend(const CycleInputs& inputs) {
-  const auto& bodies = inputs.model.host.bodies;
-  const bool any = std::any_of(bodies.begin(), bodies.end(),
-                               [](const Body& body) { return body.grid && body.stiffness.bend > 0; });
-  return {"kBend", any ? 1.0 : 0.0};
+  return {"kBend", any_bend_springs(inputs.model.host) ? 1.0 : 0.0};
 }
 
 /// Whether an edge has a strain limit, for the kernels that evaluate springs.
@@ -84,6 +81,11 @@ gpu::Constant last() { return {"kLast", 1}; }
 gpu::Constant sum(std::uint32_t number) { return {"kSum", static_cast<double>(number)}; }
 
 }  // namespace
+
+bool any_bend_springs(const Model& model) {
+  return std::any_of(model.bodies.begin(), model.bodies.end(),
+                     [](const Body& body) { return body.grid && body.stiffness.bend > 0; });
+}
 
 Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
   const std::uint32_t size = inputs.workgroup_size, lone = lone_workgroup_size(inputs.device);
@@ -123,8 +125,11 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
   const std::vector<gpu::Constant> of_springs = {holds(inputs), air(inputs), bend(inputs), limits(inputs)};
   using K = GridKernels;
   const Row<K> table[] = {
-      {&K::gradient, "gradient", size, of_springs},
-      {&K::galerkin_fine, "galerkin_fine", size, {holds(inputs), air(inputs), limits(inputs)}},
+      {&K::gradient,
+       "gradient",
+       size,
+       {holds(inputs), air(inputs), bend(inputs), limits(inputs), leads(inputs)}},
+      {&K::galerkin_fine, "galerkin_fine", size, of_springs},
       {&K::galerkin, "galerkin", size},
       {&K::smooth_fine, "smooth_fine", size, of_springs},
       {&K::residual_fine, "residual_fine", size, of_springs},

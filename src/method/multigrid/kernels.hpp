@@ -5,6 +5,9 @@
 
 namespace weft {
 
+/// Whether a grid has bend springs: then all grids' kernels look for some.
+bool any_bend_springs(const Model& model);
+
 /// The kernels of grids and meshes alike: the system, conjugate gradients, the new state.
 struct SharedKernels {
   gpu::SharedKernel predict, finish, begin_anew;

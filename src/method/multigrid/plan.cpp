@@ -28,7 +28,7 @@ Method multigrid_method() {
     return long_substeps(scene, limit, 2);
   };
   row.cost = &kCost;
-  row.memory = [](const scene::Solver&) { return SolverMemory{299, 193}; };
+  row.memory = [](const scene::Solver&) { return SolverMemory{347, 193}; };
   row.settings_word = [](const scene::Solver&) { return ""; };
   row.search_interval = 1;
   row.holds_obstacles = true;

@@ -6,9 +6,9 @@
 #include "method/multigrid/lone_lane.wgsl"
 #include "method/multigrid/search.wgsl"
 //                                                                                 elements
-@group(0) @binding(6) var<storage, read_write> partials  : array<vec2f>;       // one a kChunk nodes
-@group(0) @binding(7) var<storage, read_write> pair_sums : array<u32>;         // state/pair_holds.wgsl
-@group(0) @binding(8) var<uniform>             nodes     : ClothNodes;
+@group(0) @binding(7) var<storage, read_write> partials  : array<vec2f>;       // one a kChunk nodes
+@group(0) @binding(8) var<storage, read_write> pair_sums : array<u32>;         // state/pair_holds.wgsl
+@group(0) @binding(9) var<uniform>             nodes     : ClothNodes;
 
 @compute @workgroup_size(kWorkgroupSize)
 fn search_fine(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) local : u32) {

@@ -14,34 +14,45 @@ fn formula_of(ratio : f32) -> Formula {
 // A spring's rest length, m, and stiffness, N/m; beyond `longest`, m, if that is not 0, there is `more` of it: equation
 // (5a).
 struct SpringLaw { rest_length : f32, stiffness : f32, longest : f32, more : f32 }
-override kLimits : bool = true;  // false: no spring has such a length
 const kStiffer = 50.0;  // mirror: src/element/spring/law.hpp
+override kLimits : bool = true;  // false: no spring has such a length
 fn law_of(rest_length : f32, longest : f32, stiffness : f32) -> SpringLaw {
-  return SpringLaw(rest_length, stiffness, longest, kStiffer * stiffness);
+  return SpringLaw(rest_length, stiffness, select(0.0, longest, stiffness > 0.0), kStiffer * stiffness);
 }
+fn is_long(law : SpringLaw, len : f32) -> bool { return kLimits && law.longest > 0.0 && len > law.longest; }
 // k (l - l0) + m (l - L) = (k + m) (l - (k l0 + m L)/(k + m)): of such a length it is another spring.
 struct LawAtLength { rest_length : f32, stiffness : f32 }
 fn law_at(law : SpringLaw, len : f32) -> LawAtLength {
   if (!kLimits) { return LawAtLength(law.rest_length, law.stiffness); }
-  let beyond = law.longest > 0.0 && len > law.longest;
+  let beyond = is_long(law, len);
   let stiffness = law.stiffness + law.more;
   let rest_length = (law.stiffness * law.rest_length + law.more * law.longest) / stiffness;
   return LawAtLength(select(law.rest_length, rest_length, beyond), select(law.stiffness, stiffness, beyond));
 }
 
-// How a spring's force changes: k [(1 - b) n nᵀ + b I] + c/he n nᵀ with b = max(0, 1 - l0 / l): its Hessian where it is
-// stretched, and where it is pressed without what would make it indefinite.
+// How a spring lies: all that its matrix depends on besides its law.
+struct SpringPose {
+  direction : vec3f,  // n; 0: too short to have one
+  stretch : f32,      // b = max(0, 1 - l0 / l)
+  is_long : bool,     // whether it is longer than it should be: equation (5a)
+}
+// `most`: the length that decides whether it is long.
+fn pose_of(span : vec3f, law : SpringLaw, most : f32) -> SpringPose {
+  let len = length(span);
+  if (len < kMinLength) { return SpringPose(vec3f(0.0), 0.0, false); }
+  return SpringPose(span / len, max(0.0, 1.0 - law_at(law, most).rest_length / len), is_long(law, most));
+}
+
+// How a spring's force changes: k [(1 - b) n nᵀ + b I] + c/he n nᵀ: its Hessian where it is stretched, and where it is
+// pressed without what would make it indefinite.
 struct SpringBlock {
   direction : vec3f,
   along : f32,   // N/m
   across : f32,  // N/m
 }
-fn spring_block(span : vec3f, law : SpringLaw, damping : f32) -> SpringBlock {
-  let len = length(span);
-  if (len < kMinLength) { return SpringBlock(vec3f(0.0), 0.0, 0.0); }
-  let now = law_at(law, len);
-  let b = max(0.0, 1.0 - now.rest_length / len);
-  return SpringBlock(span / len, now.stiffness * (1.0 - b) + damping, now.stiffness * b);
+fn spring_block(pose : SpringPose, law : SpringLaw, damping : f32) -> SpringBlock {
+  let stiffness = select(law.stiffness, law.stiffness + law.more, pose.is_long);
+  return SpringBlock(pose.direction, stiffness * (1.0 - pose.stretch) + damping, stiffness * pose.stretch);
 }
 fn block_times(hessian : SpringBlock, v : vec3f) -> vec3f {
   return hessian.along * dot(hessian.direction, v) * hessian.direction + hessian.across * v;
@@ -50,6 +61,7 @@ fn block_times(hessian : SpringBlock, v : vec3f) -> vec3f {
 // A spring's terms at a node.
 struct Pull {
   force : vec3f,        // N: on the node, where both have come to place + start
+  pose : SpringPose,    // in which it is linearised
   block : SpringBlock,  // N/m: its part of the matrix
 }
 
@@ -58,8 +70,10 @@ struct Pull {
 fn pull_of(span : vec3f, span_step : vec3f, rate_of_span : vec3f, law : SpringLaw, damping : f32, rate : f32) -> Pull {
   let lead = lead_of(dot(span_step, span_step) / max(dot(span, span), kMinLength * kMinLength));
   let at = span + lead * span_step;
-  let hessian = spring_block(at, law, 0.0);
-  let now = law_at(law, length(at));
+  let most = max(length(span), length(at));  // long in either, it is: docs/solvers/multigrid.md, Elements ahead
+  let pose = pose_of(at, law, most);
+  let hessian = spring_block(pose, law, 0.0);
+  let now = law_at(law, most);
   let tension = now.stiffness * (length(at) - now.rest_length);
   var force = tension * hessian.direction + block_times(hessian, (1.0 - lead) * span_step);
   if (damping > 0.0) {
@@ -67,5 +81,5 @@ fn pull_of(span : vec3f, span_step : vec3f, rate_of_span : vec3f, law : SpringLa
     let square = max(dot(later, later), kMinLength * kMinLength);
     force += (damping * dot(later, rate_of_span) / square) * later;
   }
-  return Pull(force, SpringBlock(hessian.direction, hessian.along + damping * rate, hessian.across));
+  return Pull(force, pose, SpringBlock(hessian.direction, hessian.along + damping * rate, hessian.across));
 }

@@ -26,33 +26,39 @@ Link link_of(const SpringLink& spring, std::uint32_t first, std::uint32_t nx) {
 
 bool is_far(const Link& link) { return std::abs(link.di) > 1 || link.dj > 1; }
 
-/// The spring's block, and c/he n nᵀ.
-Sym3 spring_block(const Vec3d& span, const spring::Law& law, double damping) {
-  const spring::Block block = spring::block(span, law);
-  return Sym3::outer(block.direction, block.along + damping) + Sym3::identity(block.across);
-}
-
 struct SpringTerms {
-  Vec3d force;  // on the first node, at place + start [N]
-  Sym3 block;   // [N/m]
+  Vec3d force;            // on the first node, at place + start [N]
+  spring::Block elastic;  // [N/m]
+  double stretch = 0;     // β
+  double damping = 0;     // along the same direction [N/m]
+
+  /// Of another spring of Hooke's law that lies as this one does, and damps.
+  Sym3 as_stiff(double stiffness, double damping_along) const {
+    return Sym3::outer(elastic.direction, stiffness * (1 - stretch) + damping_along) +
+           Sym3::identity(stiffness * stretch);
+  }
+  Sym3 block() const {
+    return Sym3::outer(elastic.direction, elastic.along + damping) + Sym3::identity(elastic.across);
+  }
 };
 
-/// `leads`: it is taken ahead of its nodes.
 SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t a, std::size_t b,
-                         double rate, bool leads) {
+                         double rate) {
   const Vec3d span = step.place[b] - step.place[a], step_of_span = step.start[b] - step.start[a];
   const double square = std::max(dot(span, span), spring::kMinLength * spring::kMinLength);
-  const double lead = leads ? multigrid::lead_of(dot(step_of_span, step_of_span) / square) : 0;
+  const double lead = step.leads ? multigrid::lead_of(dot(step_of_span, step_of_span) / square) : 0;
   const Vec3d at = span + lead * step_of_span;
   if (length(at) < spring::kMinLength) return {};
-  const auto [tension, n] = spring::pull(at, {}, s.law(), 0);
-  const Sym3 elastic = spring_block(at, s.law(), 0);
+  const spring::Law law = s.law().at(std::max(length(span), length(at)));  // long in either, it is
+  const auto [tension, n] = spring::pull(at, {}, law, 0);
+  const spring::Block elastic = spring::block(at, law);
+  const Sym3 hessian = Sym3::outer(n, elastic.along) + Sym3::identity(elastic.across);
   // Damping acts along the spring as it will be: along n it would be of first order in the step.
-  const Vec3d later = leads ? at : span + step_of_span;
+  const Vec3d later = step.leads ? at : span + step_of_span;
   const Vec3d damping = Sym3::outer(later / std::max(length(later), spring::kMinLength), s.damping) *
                         (step.start_velocity[b] - step.start_velocity[a]);
-  return {tension * n + damping + elastic * ((1 - lead) * step_of_span),
-          elastic + Sym3::outer(n, s.damping * rate)};
+  return {tension * n + damping + hessian * ((1 - lead) * step_of_span), elastic,
+          std::max(0.0, 1 - law.rest_length / length(at)), s.damping * rate};
 }
 
 /// Adds springs of a mesh, one a pair of nodes, to its residual and matrix.
@@ -61,12 +67,12 @@ void add_springs(MeshStep& step, std::span<const SpringLink> springs, std::uint3
   std::size_t block = step.fixed.size();
   for (const SpringLink& s : springs) {
     const std::size_t a = s.node_a - first, b = s.node_b - first;
-    const SpringTerms terms = spring_terms(s, step, a, b, rate, step.leads);
+    const SpringTerms terms = spring_terms(s, step, a, b, rate);
     step.residual[a] += terms.force;
     step.residual[b] -= terms.force;
-    if (!step.fixed[a]) blocks[a] += terms.block;
-    if (!step.fixed[b]) blocks[b] += terms.block;
-    if (!step.fixed[a] && !step.fixed[b]) blocks[block] = -1.0 * terms.block;
+    if (!step.fixed[a]) blocks[a] += terms.block();
+    if (!step.fixed[b]) blocks[b] += terms.block();
+    if (!step.fixed[a] && !step.fixed[b]) blocks[block] = -1.0 * terms.block();
     ++block;
   }
 }
@@ -251,7 +257,8 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
                                          double dt, double ratio, std::size_t c,
                                          std::span<const Press> presses, std::span<const Vec3d> ways) const {
   const Cloth& cloth = cloths_[c];
-  MeshStep step{begin(system, places, dt, ratio, cloth, ways), {cloth.levels, {}}, presses.empty()};
+  MeshStep step{begin(system, places, dt, ratio, cloth, ways), {cloth.levels, {}}};
+  step.leads = presses.empty();
   std::vector<Sym3>& blocks = step.matrix.blocks;
   blocks.resize(cloth.levels[0].block_count);
   for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
@@ -278,6 +285,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   const Cloth& cloth = cloths_[c];
   const std::size_t count = cloth.count;
   LinearStep step{begin(system, places, dt, ratio, cloth, ways), {}, {}};
+  step.leads = presses.empty();
   step.matrix.nx = cloth.nx;
   step.matrix.ny = cloth.ny;
   step.matrix.rows.resize(count);
@@ -304,10 +312,10 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   const double rate = 1 / step_formula(dt, ratio).he;
   for (const Link& link : links) {
     const SpringLink& s = link.spring;
-    const SpringTerms terms = spring_terms(s, step, link.a, link.b, rate, false);
+    const SpringTerms terms = spring_terms(s, step, link.a, link.b, rate);
     step.residual[link.a] += terms.force;
     step.residual[link.b] -= terms.force;
-    const Sym3& block = terms.block;
+    const Sym3 block = terms.block();
     if (is_far(link)) {
       step.matrix.far.push_back({link.a, link.b, block});
       continue;
@@ -318,10 +326,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
       more = (link.dj == 0 ? below_i : below_j)[link.a][0];
       more_damping = (link.dj == 0 ? below_i : below_j)[link.a][1];
     }
-    spring::Law law = s.law();
-    law.stiffness += more;
-    add_near(step.source, link,
-             spring_block(step.place[link.b] - step.place[link.a], law, (s.damping + more_damping) * rate));
+    add_near(step.source, link, block + terms.as_stiff(more, more_damping * rate));
   }
   add_held_bending(step.source);
   GridOperator bending = step.matrix;  // its force is linear: that at place + start

@@ -28,6 +28,7 @@ struct StepStart {
   std::vector<std::optional<Hold>>
       holds;                    // of nodes that an obstacle holds: in the matrix, and no history after it
   std::vector<PairHold> pairs;  // of cloth with cloth
+  bool leads = false;           // elements are taken ahead of the nodes, since no second system follows
 };
 
 /// The linear system of a grid.
@@ -39,7 +40,6 @@ struct LinearStep : StepStart {
 /// The linear system of a mesh.
 struct MeshStep : StepStart {
   MeshOperator matrix;
-  bool leads = false;  // elements are taken ahead of the nodes, since no second system follows
 };
 
 /// The coefficients of BDF2 for a step and the one before it: x' = x + s + he v', with s = c (x - x before).
