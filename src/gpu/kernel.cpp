@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdio>
+#ifndef __EMSCRIPTEN__
+#include <thread>
+#endif
 
 namespace weft::gpu {
 
@@ -54,6 +57,16 @@ std::string all_sources(const ShaderSource& source, const std::string& path,
   return all + "\n" + source.text;
 }
 
+/// How many workgroups an adapter that is the processor takes at a time.
+std::uint64_t processor_threads() {
+#ifdef __EMSCRIPTEN__
+  return 4;  // a page does not know
+#else
+  static const std::uint64_t threads = std::max(1U, std::thread::hardware_concurrency());
+  return threads;
+#endif
+}
+
 }  // namespace
 
 Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vector<Constant> constants,
@@ -100,7 +113,9 @@ void Kernel::dispatch_strided(ComputePass& pass, const BindGroup& group, std::ui
 }
 
 Workgroups Kernel::strided(std::uint64_t capacity) const {
-  const std::uint64_t most = device_->adapter().type == "CPU" ? 16 : 262144 / workgroup_size_;
+  // A software adapter executes all of a kernel's code for a workgroup that finds nothing to do.
+  const std::uint64_t most =
+      device_->adapter().type == "CPU" ? processor_threads() : 262144 / workgroup_size_;
   const std::uint64_t groups = (capacity + workgroup_size_ - 1) / workgroup_size_;
   return {static_cast<std::uint32_t>(std::clamp<std::uint64_t>(groups, 1, most))};
 }
