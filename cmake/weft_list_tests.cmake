@@ -11,11 +11,20 @@ if(NOT status EQUAL 0)
   return()
 endif()
 
+include(${CMAKE_CURRENT_LIST_DIR}/../tests/costs.cmake)
+
 # A limit ends a hang and says nothing else [s].
 function(weft_add_cases NAME LABELS LIMIT)
   add_test("${NAME}" ${WEFT_PROGRAM} ${ARGN} --no-version --no-intro)
   set_tests_properties("${NAME}" PROPERTIES TIMEOUT ${LIMIT} LABELS "${LABELS}"
     ENVIRONMENT "${WEFT_ENVIRONMENT}" FAIL_REGULAR_EXPRESSION "test cases: +0 ")
+  foreach(cost IN LISTS WEFT_COSTS)
+    string(FIND "${cost}" "${NAME}=" at)
+    if(at EQUAL 0)
+      string(REPLACE "${NAME}=" "" cost "${cost}")
+      set_tests_properties("${NAME}" PROPERTIES COST ${cost})
+    endif()
+  endforeach()
 endfunction()
 
 string(MD5 hash "${WEFT_PREFIX}")
