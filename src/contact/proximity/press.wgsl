@@ -18,6 +18,33 @@
 @group(0) @binding(7) var<storage, read>       rings      : array<u32>;          // feature_rings.hpp
 
 const kHoldPart = 0.15;  // of a missing gap, the part that a hold restores in a substep, if that is not too fast
+const kRoundCosine = 0.8;  // from which on a round obstacle presses along the pair's direction alone
+const kRoundFade = 0.1;  // how much more of it until that is along the vertex's own
+
+// How a vertex is pressed: in this direction, along which its way is so long.
+struct Outward {
+  direction : vec3f,
+  way : f32,          // over the obstacle, m
+}
+
+// From a segment to a place, m.
+fn arm_of(a : vec3f, b : vec3f, place : vec3f) -> vec3f {
+  return place - a - place_on_segment(place, a, b - a) * (b - a);
+}
+
+// A round obstacle presses a vertex away from its axis, in the direction that the vertex will have: equation (11b).
+fn turned(pairs_own : Outward, ids : vec4u, place : vec3f, moved : vec3f) -> Outward {
+  let from_a = is_collider(ids.x);
+  let first = select(ids.z, ids.x, from_a);  // the ends of its axis
+  let second = select(ids.w, ids.x, from_a);
+  let before = arm_of(start_of(first).xyz, start_of(second).xyz, place);
+  let arm = arm_of(end_of(first).xyz, end_of(second).xyz, place + moved);
+  let size = length(arm);
+  if (size <= 0.0) { return pairs_own; }
+  let part = saturate((dot(arm, pairs_own.direction) / size - kRoundCosine) / kRoundFade);
+  let direction = pairs_own.direction + part * (arm / size - pairs_own.direction);
+  return Outward(direction / length(direction), pairs_own.way + part * (size - length(before) - pairs_own.way));
+}
 
 fn add(word : u32, value : f32) {
   let units = i32(round(value));
@@ -48,10 +75,12 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
       let side = sign(weights[role]);
       let vertex = ids[role] & kIdBits;
       // A vertex's own way, not the pair's: neighbours that differ in speed would be made to go on differing.
-      let own_way = step.time.dt * dot(measured.normal, side * velocity_of(vertex) + r.surface);
-      let lack = clamp((room - own_way) / step.contact.thickness, -kMostLack, kMostLack);
+      let moved = step.time.dt * velocity_of(vertex);
+      var outward = Outward(side * measured.normal, dot(measured.normal, side * moved + step.time.dt * r.surface));
+      if (measured.radius > 0.0) { outward = turned(outward, ids, start_of(ids[role]).xyz, moved); }
+      let lack = clamp((room - outward.way) / step.contact.thickness, -kMostLack, kMostLack);
       let weight = abs(weights[role]) * kPressUnits;
-      let normal = weight * side * measured.normal;
+      let normal = weight * outward.direction;
       let surface = weight * clamp(-side * r.surface, vec3f(-kMostSurface), vec3f(kMostSurface));
       var sums : array<f32, kPressWraps>;
       for (var k = 0u; k < 3u; k++) {

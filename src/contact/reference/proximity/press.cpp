@@ -6,8 +6,36 @@
 #include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
+namespace {
 
-std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const Vec3d> velocity, double dt) {
+/// How a node is pressed: in this direction, along which its way is so long.
+struct Outward {
+  Vec3d direction;
+  double way = 0;  // over the obstacle [m]
+};
+
+/// From the axis to a place [m].
+Vec3d arm_of(const std::array<Vec3d, 2>& ends, const Vec3d& place) {
+  const Vec3d along = ends[1] - ends[0], reached = place - ends[0];
+  const double square = dot(along, along);
+  return reached - (square > 0 ? std::clamp(dot(reached, along) / square, 0.0, 1.0) : 0.0) * along;
+}
+
+/// A round obstacle presses a node away from its axis, in the direction that the node will have: equation (11b).
+Outward turned(const Outward& pairs_own, const RoundAxis& axis, const Vec3d& place, const Vec3d& moved) {
+  const Vec3d before = arm_of(axis.start, place), arm = arm_of(axis.end, place + moved);
+  const double size = length(arm);
+  if (!(size > 0)) return pairs_own;
+  const double cosine = dot(arm, pairs_own.direction) / size;
+  const double part = std::clamp((cosine - kRoundCosine) / kRoundFade, 0.0, 1.0);
+  const Vec3d direction = pairs_own.direction + part * (arm / size - pairs_own.direction);
+  return {direction / length(direction), pairs_own.way + part * (size - length(before) - pairs_own.way)};
+}
+
+}  // namespace
+
+std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const Vec3d> position,
+                              std::span<const Vec3d> velocity, double dt) {
   std::vector<Press> presses(velocity.size());
   for (const NearPair& pair : pairs) {
     if (!pair.with_body || !pair.may || pair.untangles) continue;
@@ -20,10 +48,12 @@ std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const V
       if (weight == 0) continue;
       const double side = pair.weights[k] > 0 ? 1 : -1;
       // A node's own way, not the pair's: neighbours that differ in speed would be made to go on differing.
-      const double own_way = dt * dot(pair.direction, side * velocity[pair.nodes[k]] + pair.surface);
-      const double lack = std::clamp(room - own_way, -most, most);
-      Press& press = presses[pair.nodes[k]];
-      press.normal += weight * side * pair.direction;
+      const std::uint32_t node = pair.nodes[k];
+      Outward outward{side * pair.direction, dt * dot(pair.direction, side * velocity[node] + pair.surface)};
+      if (pair.round) outward = turned(outward, *pair.round, position[node], dt * velocity[node]);
+      const double lack = std::clamp(room - outward.way, -most, most);
+      Press& press = presses[node];
+      press.normal += weight * outward.direction;
       press.lack += weight * lack;
       press.restored += weight * std::max(room, 0.0);
       press.weight += weight;

@@ -19,7 +19,8 @@ struct Press {
   double friction = 0;  // μ
 };
 
-/// Of each node, by the velocities at the start of the substep [m/s]; `dt` [s].
-std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const Vec3d> velocity, double dt);
+/// Of each node, by its place at the start of the substep [m] and the velocities that take it on [m/s]; `dt` [s].
+std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const Vec3d> position,
+                              std::span<const Vec3d> velocity, double dt);
 
 }  // namespace weft::reference

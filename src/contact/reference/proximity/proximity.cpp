@@ -175,8 +175,19 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool 
   if (with_obstacle) {
     const double sign = sides.a.obstacle ? 1 : -1;
     near.surface = sign * surface_of(pair, sides, -sign * pair.direction, dt).velocity;
+    near.round = axis_of(pair);
   }
   return near;
+}
+
+std::optional<RoundAxis> Proximity::axis_of(const FeaturePair& pair) const {
+  std::array<std::uint32_t, 2> ends{pair.a, pair.a};
+  if (pair.kind == PairKind::EdgeObjectEdge && object_.radius_of_edge(pair.b) > 0)
+    ends = object_.edges[pair.b];
+  else if (pair.kind != PairKind::ObjectVertexTriangle || !(object_.radius_of_vertex(pair.a) > 0))
+    return {};
+  return RoundAxis{{start_.positions[ends[0]], start_.positions[ends[1]]},
+                   {end_.positions[ends[0]], end_.positions[ends[1]]}};
 }
 
 void Proximity::add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,
@@ -252,7 +263,7 @@ std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span
     if (one.distance + std::min(way, 0.0) < kContactTouching * one.thickness)
       pressed_.push_back({pairs[p], one});
   }
-  return presses_of(near, velocity, dt);
+  return presses_of(near, position, velocity, dt);
 }
 
 bool Proximity::is_held(const NearPair& pair, const std::vector<bool>& held) {

@@ -97,6 +97,8 @@ class Proximity {
   /// Whether the solver's matrix has answered the pair: of a node that it holds, where it lay before the substep, so
   /// that it was among what pressed the node.
   static bool is_held(const NearPair& pair, const std::vector<bool>& held);
+  /// Of the sphere or capsule of a pair, if it has one.
+  std::optional<RoundAxis> axis_of(const FeaturePair& pair) const;
   /// What a pair asks of truncate(): planes of a side that contact cannot move, or a pair of cloth.
   void add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,
                   std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const;

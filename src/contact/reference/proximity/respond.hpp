@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,11 @@
 #include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
+
+/// The axis of a sphere or capsule; both ends of a sphere's are its centre.
+struct RoundAxis {
+  std::array<Vec3d, 2> start, end;  // its ends, at the start and at the end of the substep [m]
+};
 
 /// A pair of features as its impulse sees it.
 struct NearPair {
@@ -29,6 +35,7 @@ struct NearPair {
   bool untangles =
       false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
   bool of_one_cloth = false;
+  std::optional<RoundAxis> round;  // of the obstacle
 };
 
 struct ContactLaw {
