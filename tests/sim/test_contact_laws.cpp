@@ -198,8 +198,8 @@ TEST_CASE("cloth that meets nothing errs by no more than without contact, howeve
   MESSAGE("with contact ", error, " m from a sixteenth of the step, without ", free_error, " m, truncated ",
           with->totals().truncated, ", contacts ", with->totals().contacts);
   CHECK(with->totals().truncated == 0);
-  CHECK(error <
-        free_error);  // with contact a substep has two linear systems, the second from where the first leads
+  // With contact a substep has two linear systems, the second from where the first leads.
+  CHECK(error < free_error);
 }
 
 // ---- Momentum and energy

@@ -45,9 +45,9 @@ std::unique_ptr<sim::World> fabric_world(gpu::Device& device, const scene::Scene
   return std::move(*world);
 }
 
-/// Members of an undamped fabric with this energy.
 const std::string kSprings =
     R"(, "density": 0.2, "damping": 0, "stiffness": {"structural": 2000, "shear": 1000, "bend": 1}})";
+/// Members of an undamped fabric with this energy.
 std::string undamped(const std::string& energy) {
   const std::string moduli = energy == "neo_hookean"
                                  ? R"("warp": 500, "shear": 200, "poisson": 0.25, "bending_warp": 3e-4)"

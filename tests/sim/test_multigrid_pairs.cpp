@@ -257,7 +257,7 @@ TEST_CASE("what pairs are held with does not depend on the run or the workgroups
   GpuFixture fixture;
   const Setting setting = clothesline();
   std::string hash;
-  for (const std::uint32_t size : {256U, 64U}) {
+  for (const std::uint32_t size : {256U, 64U, 256U}) {
     auto world = world_from(fixture.device(), setting.scene, setting.assets, {.workgroup_size = size});
     advance(*world, 17);
     CHECK(world->totals().contacts > 100);

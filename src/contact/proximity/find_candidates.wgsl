@@ -315,8 +315,8 @@ fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocati
     if (k == 0u && params.self_contact != 1u) { continue; }
     if (k > 0u) {
       let collider = colliders.list[k - 1u];
-      if (collider.x > kColliderImplicit) { continue; }
       let rigid = collider.x == kColliderTree;
+      if (!rigid && collider.x != kColliderImplicit) { continue; }
       tree = Tree(select(kNearDeforming, kNearRigid, rigid), collider.y, collider.z, select(collider.w, 0u, rigid), 0u);
       box = grown(own_box, radius);
       if (rigid) { box = grown(local_box(collider.w), radius); }

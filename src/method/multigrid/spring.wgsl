@@ -14,8 +14,8 @@ fn formula_of(ratio : f32) -> Formula {
 // A spring's rest length, m, and stiffness, N/m; beyond `longest`, m, if that is not 0, there is `more` of it: equation
 // (5a).
 struct SpringLaw { rest_length : f32, stiffness : f32, longest : f32, more : f32 }
-const kStiffer = 50.0;  // mirror: src/element/spring/law.hpp
 override kLimits : bool = true;  // false: no spring has such a length
+const kStiffer = 50.0;  // mirror: src/element/spring/law.hpp
 fn law_of(rest_length : f32, longest : f32, stiffness : f32) -> SpringLaw {
   return SpringLaw(rest_length, stiffness, select(0.0, longest, stiffness > 0.0), kStiffer * stiffness);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/reference/proximity/closest.hpp"
 #include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
@@ -14,22 +15,17 @@ struct Outward {
   double way = 0;  // over the obstacle [m]
 };
 
-/// From the axis to a place [m].
-Vec3d arm_of(const std::array<Vec3d, 2>& ends, const Vec3d& place) {
-  const Vec3d along = ends[1] - ends[0], reached = place - ends[0];
-  const double square = dot(along, along);
-  return reached - (square > 0 ? std::clamp(dot(reached, along) / square, 0.0, 1.0) : 0.0) * along;
-}
-
 /// A round obstacle presses a node away from its axis, in the direction that the node will have: equation (11b).
 Outward turned(const Outward& pairs_own, const RoundAxis& axis, const Vec3d& place, const Vec3d& moved) {
-  const Vec3d before = arm_of(axis.start, place), arm = arm_of(axis.end, place + moved);
-  const double size = length(arm);
+  const double before = closest_on_segment(place, axis.start[0], axis.start[1]).distance;
+  const ClosestOnSegment after = closest_on_segment(place + moved, axis.end[0], axis.end[1]);
+  const Vec3d& arm = after.offset;
+  const double size = after.distance;
   if (!(size > 0)) return pairs_own;
   const double cosine = dot(arm, pairs_own.direction) / size;
   const double part = std::clamp((cosine - kRoundCosine) / kRoundFade, 0.0, 1.0);
   const Vec3d direction = pairs_own.direction + part * (arm / size - pairs_own.direction);
-  return {direction / length(direction), pairs_own.way + part * (size - length(before) - pairs_own.way)};
+  return {direction / length(direction), pairs_own.way + part * (size - before - pairs_own.way)};
 }
 
 }  // namespace

@@ -27,18 +27,15 @@ Link link_of(const SpringLink& spring, std::uint32_t first, std::uint32_t nx) {
 bool is_far(const Link& link) { return std::abs(link.di) > 1 || link.dj > 1; }
 
 struct SpringTerms {
-  Vec3d force;            // on the first node, at place + start [N]
-  spring::Block elastic;  // [N/m]
-  double stretch = 0;     // β
-  double damping = 0;     // along the same direction [N/m]
+  Vec3d force;                        // on the first node, at place + start [N]
+  Vec3d direction;                    // n, in which it is linearised
+  double stretch = 0;                 // β
+  double stiffness = 0, damping = 0;  // with what a strain limit adds; by the step [N/m]
 
-  /// Of another spring of Hooke's law that lies as this one does, and damps.
-  Sym3 as_stiff(double stiffness, double damping_along) const {
-    return Sym3::outer(elastic.direction, stiffness * (1 - stretch) + damping_along) +
-           Sym3::identity(stiffness * stretch);
-  }
-  Sym3 block() const {
-    return Sym3::outer(elastic.direction, elastic.along + damping) + Sym3::identity(elastic.across);
+  /// Its part of the matrix; or that of another spring of Hooke's law that lies as this one does, and damps.
+  Sym3 block() const { return as_stiff(stiffness, damping); }
+  Sym3 as_stiff(double other, double other_damping) const {
+    return Sym3::outer(direction, other * (1 - stretch) + other_damping) + Sym3::identity(other * stretch);
   }
 };
 
@@ -51,14 +48,13 @@ SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t
   if (length(at) < spring::kMinLength) return {};
   const spring::Law law = s.law().at(std::max(length(span), length(at)));  // long in either, it is
   const auto [tension, n] = spring::pull(at, {}, law, 0);
-  const spring::Block elastic = spring::block(at, law);
-  const Sym3 hessian = Sym3::outer(n, elastic.along) + Sym3::identity(elastic.across);
+  SpringTerms terms{{}, n, std::max(0.0, 1 - law.rest_length / length(at)), law.stiffness, s.damping * rate};
   // Damping acts along the spring as it will be: along n it would be of first order in the step.
   const Vec3d later = step.leads ? at : span + step_of_span;
   const Vec3d damping = Sym3::outer(later / std::max(length(later), spring::kMinLength), s.damping) *
                         (step.start_velocity[b] - step.start_velocity[a]);
-  return {tension * n + damping + hessian * ((1 - lead) * step_of_span), elastic,
-          std::max(0.0, 1 - law.rest_length / length(at)), s.damping * rate};
+  terms.force = tension * n + damping + terms.as_stiff(terms.stiffness, 0) * ((1 - lead) * step_of_span);
+  return terms;
 }
 
 /// Adds springs of a mesh, one a pair of nodes, to its residual and matrix.
