@@ -48,6 +48,29 @@ test("gravity, drag and wind act on the cloth as it moves, and each group goes b
   expect(await meanVelocity(page)).toEqual(own);
 });
 
+test("a flag of fabric has its moduli and its air to change, and no springs", async () => {
+  const visited = await visit(here.browser, `${here.site.address}?scene=flag-in-air&nodes=16`,
+    { reducedMotion: "reduce" });
+  const flag = visited.page;
+  await ready(flag);
+  for (const summary of await flag.locator("summary").all()) await summary.click();
+  const set = () => flag.evaluate(() => window.weft.state!.set as Record<string, unknown>);
+  const becomes = (expected: Record<string, unknown>) =>
+    until(`it is ${JSON.stringify(expected)}`, async () => JSON.stringify(await set()) === JSON.stringify(expected));
+  for (const label of ["Structural stiffness", "Bend stiffness", "Damping", "Mass of a node"])
+    expect(await flag.getByLabel(label, { exact: true }).isVisible()).toBe(false);
+  const own = await meanVelocity(flag);
+  await flag.getByLabel("Density of air", { exact: true }).fill("0");
+  await becomes({ "air.density": 0 });
+  expect((await meanVelocity(flag))[0]).toBeLessThan(own[0]);
+  await flag.getByRole("button", { name: "Reset gravity and air" }).click();
+  await becomes({});
+  await flag.getByLabel("Modulus along the warp", { exact: true }).fill("500");
+  await flag.keyboard.press("Enter");
+  await becomes({ "cloths.0.fabric.warp": 500 });
+  await expectClean(visited, here.site);
+});
+
 test("wind that nothing feels says why", async () => {
   const remark = page.getByText("raise it to feel the wind");
   expect(await remark.isVisible()).toBe(false);

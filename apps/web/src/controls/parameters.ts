@@ -6,12 +6,14 @@ import type { LoadedScene } from "../scenes.js";
 import { blowing, headingOf, scaled, type Vector } from "../state/air.js";
 import { choicesOf, meaningOf, parsed, rangeOf, unitOf } from "../state/limits.js";
 import { withKey, type PageState, type Value } from "../state/page_state.js";
-import { applies, DRAG, GRAVITY, GROUPS, GUSTS, WIND, type Group, type Parameter } from "../state/parameters.js";
+import { AIR, AIR_DENSITY, applies, DRAG, GRAVITY, GROUPS, GUSTS, WIND, type Group, type Parameter } from "../state/parameters.js";
 import { NumberField, Slider } from "./fields.js";
 
 const STILL: Vector = [0, 0, 0];
 // The least range of a slider.
-const REACH: Readonly<Record<string, number>> = { [GRAVITY]: 20, [DRAG]: 10, [WIND]: 15, [GUSTS]: 1 };
+const REACH: Readonly<Record<string, number>> = {
+  [GRAVITY]: 20, [DRAG]: 10, [AIR_DENSITY]: 5, [WIND]: 15, [GUSTS]: 1,
+};
 
 interface Field {
   readonly key: string;
@@ -55,7 +57,7 @@ export class Parameters {
       }
       reset.hidden = !group.parameters.some(({ key }) => key in state.set);
     }
-    this.calm.hidden = (state.set[DRAG] ?? scene.own(DRAG)) !== 0 || scene.own("air") !== undefined;
+    this.calm.hidden = (state.set[DRAG] ?? scene.own(DRAG)) !== 0 || scene.own(AIR) !== undefined;
   }
 
   // Building

@@ -21,13 +21,18 @@ export const WIND = "wind.velocity";
 export const GUSTS = "wind.gusts";
 export const SUBSTEPS = "time.substeps";
 export const DRAG = "drag";
+export const AIR = "air"; // of a scene whose air pushes on triangles
+export const AIR_DENSITY = "air.density";
 export const SUBDIVIDE = "render.subdivide"; // in the address alone
 const [DENSITY, NODE_MASS] = ["cloths.0.density", "cloths.0.node_mass"] as const;
+const FABRIC = "cloths.0.fabric";
+const SPRINGS = ["cloths.0.stiffness.", "cloths.0.damping"];
 
 export const GROUPS: readonly Group[] = [
   { name: "air", title: "Gravity and air", live: true, parameters: [
     { key: GRAVITY, label: "Gravity" },
     { key: DRAG, label: "Drag" },
+    { key: AIR_DENSITY, label: "Density of air" },
   ] },
   { name: "wind", title: "Wind", live: true, parameters: [
     { key: WIND, label: "Speed" },
@@ -36,6 +41,11 @@ export const GROUPS: readonly Group[] = [
   { name: "cloth", title: "Cloth", live: false, parameters: [
     { key: DENSITY, label: "Density" },
     { key: NODE_MASS, label: "Mass of a node" },
+    { key: "cloths.0.fabric.warp", label: "Modulus along the warp" },
+    { key: "cloths.0.fabric.weft", label: "Modulus along the weft" },
+    { key: "cloths.0.fabric.shear", label: "Shear modulus" },
+    { key: "cloths.0.fabric.bending_warp", label: "Bending along the warp" },
+    { key: "cloths.0.fabric.bending_weft", label: "Bending along the weft" },
     { key: "cloths.0.stiffness.structural", label: "Structural stiffness" },
     { key: "cloths.0.stiffness.shear", label: "Shear stiffness" },
     { key: "cloths.0.stiffness.bend", label: "Bend stiffness" },
@@ -55,7 +65,11 @@ export const KEYS: readonly string[] = [FORMULATION, CONTACT_METHOD, SUBDIVIDE,
 const LIVE = new Set(GROUPS.filter(({ live }) => live).flatMap(({ parameters }) => parameters.map(({ key }) => key)));
 export const isLive = (key: string): boolean => LIVE.has(key);
 
-/** Of two keys a cloth has one: what it is not given, it cannot be asked for. */
+/** A cloth has a density or a mass of its nodes, and is of springs or of a fabric, whose numbers may stand in its name;
+ *  a scene may be without air. What it is not given, it cannot be asked for. */
 export function applies(key: string, own: (key: string) => unknown): boolean {
-  return (key !== DENSITY && key !== NODE_MASS) || own(key) !== undefined;
+  if (key === AIR_DENSITY) return own(AIR) !== undefined;
+  if (SPRINGS.some((start) => key.startsWith(start))) return own(FABRIC) === undefined;
+  const given = [DENSITY, NODE_MASS].includes(key) || key.startsWith(FABRIC);
+  return !given || own(key) !== undefined;
 }
