@@ -1,17 +1,23 @@
 #!/usr/bin/python3
-"""Writes the table of docs/validation.md from stored runs of `weft validate --json`.
+"""Writes the table and the plot of docs/validation.md from stored runs of `weft validate --json`.
 
 build/weft validate --json > bench/validation_2core.json
-python3 scripts/make_validation.py            writes the page
+python3 scripts/make_validation.py            writes the page and its plot
 python3 scripts/make_validation.py --check    says whether it is as the runs make it
 """
 
 import json
+import re
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from bench.paper.svg import Line, Plot, drawing  # noqa: E402 (the root is no package's folder)
+
 PAGE = ROOT / "docs/validation.md"
+PLOT = ROOT / "docs/images/convergence.svg"
 RUNS = sorted((ROOT / "bench").glob("validation_*.json"))
 MARKS = ("<!-- validation -->", "<!-- /validation -->")
 
@@ -60,6 +66,22 @@ def made(page: str, runs: list[dict]) -> str:
     return before + MARKS[0] + "\n" + "\n\n".join(table(run) for run in runs) + "\n" + MARKS[1] + after
 
 
+def convergence(run: dict) -> str:
+    """How far strips of coarse cells are off the elastica, a line a pattern of triangles, and what order 2 would be."""
+    errors: dict[str, list] = {}
+    for row in run["rows"]:
+        found = re.fullmatch(r"strip of (\d+) cells, (.*) triangles: drop by the length", row["what"])
+        if found and row["law"] == "refine" and row["solver"] == "multigrid":
+            error = 100 * abs(row["value"] / row["expected"] - 1)
+            errors.setdefault(found[2], []).append((int(found[1]), error))
+    lines = [Line(f"{pattern} triangles", points, k) for k, (pattern, points) in enumerate(errors.items())]
+    cells, first = lines[0].points[0]
+    second = [(cells * scale, first / scale**2) for scale in (1, 4)]
+    lines.append(Line("order 2", second, len(lines), guide=True))
+    plot = Plot("Error of a heavy cantilever", "cells along it", "drop of its tip, off by [%]", lines)
+    return drawing("convergence", [plot], alone=True) + "\n"
+
+
 def stored() -> list[dict]:
     """The stored runs."""
     return [json.loads(path.read_text("utf-8")) for path in RUNS]
@@ -67,11 +89,14 @@ def stored() -> list[dict]:
 
 def main() -> int:
     page = PAGE.read_text("utf-8")
-    new = made(page, stored())
+    runs = stored()
+    new, plot = made(page, runs), convergence(runs[0])
     if sys.argv[1:] == ["--check"]:
-        print("docs/validation.md is as its runs make it." if page == new else "Run scripts/make_validation.py.")
-        return int(page != new)
+        same = page == new and PLOT.read_text("utf-8") == plot
+        print("docs/validation.md is as its runs make it." if same else "Run scripts/make_validation.py.")
+        return int(not same)
     PAGE.write_text(new, "utf-8")
+    PLOT.write_text(plot, "utf-8")
     return 0
 
 

@@ -11,6 +11,9 @@ Result<std::vector<Measure>> measure_bias(const Rig& rig);
 Result<std::vector<Measure>> measure_catenary(const Rig& rig);
 Result<std::vector<Measure>> measure_cantilever(const Rig& rig);
 Result<std::vector<Measure>> measure_standing(const Rig& rig);
+Result<std::vector<Measure>> measure_refine(const Rig& rig);
+Result<std::vector<Measure>> measure_twist(const Rig& rig);
+Result<std::vector<Measure>> measure_lateral(const Rig& rig);
 
 // Cloth that moves freely: motion.cpp.
 Result<std::vector<Measure>> measure_fall(const Rig& rig);

@@ -3,13 +3,16 @@
 import json
 import unittest
 
-from scripts.make_validation import PAGE, made, stored
+from scripts.make_validation import PAGE, PLOT, convergence, made, stored
 
 
 class Validation(unittest.TestCase):
     def test_the_page_is_as_its_runs_make_it(self):
         page = PAGE.read_text("utf-8")
         self.assertEqual(page, made(page, stored()), "run scripts/make_validation.py")
+
+    def test_the_plot_is_as_its_runs_make_it(self):
+        self.assertEqual(PLOT.read_text("utf-8"), convergence(stored()[0]), "run scripts/make_validation.py")
 
     def test_a_number_that_fails_is_marked(self):
         runs = json.loads(json.dumps(stored()))
