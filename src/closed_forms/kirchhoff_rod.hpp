@@ -8,8 +8,9 @@ namespace weft {
 struct RodSection {
   double in_plane = 1;  // bending within the plane of the width; of a strip of width w E w²/12B
   double twist = 1;     // of a strip 4 D33/B
-  double warping = 0;   // over what length twist sets in, from a clamp that keeps the width straight [the rod's length];
-                        // of a strip w sqrt(B/48 D33)
+  double warping =
+      0;  // over what length twist sets in, from a clamp that keeps the width straight [the rod's length];
+          // of a strip w sqrt(B/48 D33)
 };
 
 /// A rod, or a narrow strip, that is clamped at one end and bends and twists under its own weight.

@@ -53,6 +53,7 @@ struct Method {
   bool limits_strain = false;  // whether edges beyond a strain limit are stiffer
   /// How many states before the current one it reads, for nodes whose velocity's w is 1.
   std::uint32_t history;
+  std::uint32_t order = 1;  // of its steps in time
 };
 
 /// All methods.

@@ -1,6 +1,7 @@
 // A line a method.
 #include "method/mass_spring/solver_mass_spring.hpp"
 #include "method/multigrid/solver_multigrid.hpp"
+#include "method/vbd/solver_vbd.hpp"
 #include "method/xpbd/solver_xpbd.hpp"
 
 namespace weft {
@@ -13,6 +14,8 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
       return SolverMultigrid::create(inputs, settings.residual);
     case scene::SolverKind::Xpbd:
       return SolverXpbd::create(settings, inputs);
+    case scene::SolverKind::Vbd:
+      return SolverVbd::create(settings, inputs);
     case scene::SolverKind::Auto:
       break;
   }

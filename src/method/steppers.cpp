@@ -2,6 +2,7 @@
 #include "method/mass_spring/reference/mass_spring_stepper.hpp"
 #include "method/multigrid/reference/implicit_step.hpp"
 #include "method/stepper.hpp"
+#include "method/vbd/reference/vbd_stepper.hpp"
 #include "method/xpbd/reference/xpbd_stepper.hpp"
 
 namespace weft::reference {
@@ -12,6 +13,8 @@ std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model
       return std::make_unique<ImplicitStepper>(model, step, settings.residual);
     case scene::SolverKind::Xpbd:
       return std::make_unique<XpbdStepper>(model, settings.iterations);
+    case scene::SolverKind::Vbd:
+      return std::make_unique<VbdStepper>(model, settings.iterations);
     case scene::SolverKind::MassSpring:
     case scene::SolverKind::Auto:
       break;

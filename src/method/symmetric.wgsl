@@ -1,4 +1,4 @@
-// A symmetric 3 x 3 matrix: all blocks of the multigrid solver's matrices are.
+// A symmetric 3 x 3 matrix: all blocks of implicit matrices are.
 struct Symmetric {
   diagonal : vec3f,  // xx, yy, zz
   mixed : vec3f,     // yz, xz, xy

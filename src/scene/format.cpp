@@ -99,6 +99,7 @@ constexpr Key kXpbdKeys[] = {
     {"iterations", &kIterations,
      "Sweeps over all springs in a substep; more substeps do more for the same work", "1"},
 };
+constexpr Key kVbdKeys[] = {{"iterations", &kIterations, "Sweeps over all nodes in a substep", "10"}};
 constexpr Type kResidual{.kind = Kind::Number, .least = 1e-5, .most = 0.5};
 constexpr Key kResidualKey = {
     "residual", &kResidual, "What a substep may leave of its linear system's residual, by what it began with",
@@ -109,7 +110,8 @@ constexpr Variant kSolverVariants[] = {                  // in the order of Solv
     {kSolverKindNames[0], kMassSpringKeys},
     {kSolverKindNames[1], kMultigridKeys},
     {kSolverKindNames[2], kXpbdKeys},
-    {kSolverKindNames[3], kAutoKeys}};
+    {kSolverKindNames[3], kVbdKeys},
+    {kSolverKindNames[4], kAutoKeys}};
 static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 

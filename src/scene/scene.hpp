@@ -242,13 +242,14 @@ enum class SolverKind {
   MassSpring,
   Multigrid,
   Xpbd,
+  Vbd,
   Auto,  ///< the cheaper of the first two for this scene
 };
 enum class Forces { NodeCentric, SpringCentric, SpringBlocks };
 struct Solver {
   SolverKind kind = SolverKind::Auto;
   Forces forces = Forces::NodeCentric;  // of MassSpring
-  std::uint32_t iterations = 1;         // of Xpbd: sweeps over the springs in a substep
+  std::uint32_t iterations = 1;  // of Xpbd and Vbd: sweeps over the springs, or the nodes, in a substep
   double residual =
       0.01;  // of Multigrid: what a substep leaves of its linear system's, by what it began with
 };

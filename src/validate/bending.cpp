@@ -129,13 +129,12 @@ Result<std::vector<Measure>> measure_standing(const Rig& rig) {
 
 Result<std::vector<Measure>> measure_twist(const Rig& rig) {
   const Strip strip = narrow(20, {0, -std::sqrt(0.5), -std::sqrt(0.5)});
-  WEFT_TRY(tip, bent_tip(rig, strip, 12, 100));
+  WEFT_TRY(tip, bent_tip(rig, strip, 12, 75));
   const Vec3d exact = rod_tip(strip);
   const std::string what = "strip aslant of w L³/B = 20: tip's ";
-  return std::vector<Measure>{
-      {what + "reach by the length", "", tip.x, exact.x, 0.02},
-      {what + "way along its width by the length", "", -tip.y, -exact.y, 0.02},
-      {what + "way across it by the length", "", -tip.z, -exact.z, 0.02}};
+  return std::vector<Measure>{{what + "reach by the length", "", tip.x, exact.x, 0.02},
+                              {what + "way along its width by the length", "", -tip.y, -exact.y, 0.02},
+                              {what + "way across it by the length", "", -tip.z, -exact.z, 0.02}};
 }
 
 Result<std::vector<Measure>> measure_lateral(const Rig& rig) {
@@ -143,7 +142,7 @@ Result<std::vector<Measure>> measure_lateral(const Rig& rig) {
   std::vector<Measure> measures;
   for (const double load : {12.0, 24.0}) {
     const Strip strip = narrow(load, {0, -std::cos(kTilt), -std::sin(kTilt)});
-    WEFT_TRY(tip, bent_tip(rig, strip, 8, 120));
+    WEFT_TRY(tip, bent_tip(rig, strip, 8, 100));
     const Vec3d exact = rod_tip(strip);
     const std::string what = "strip on edge of w L³/B = " + text_of(load) + ": tip";
     measures.push_back({what + " aside by the length", "", -tip.z, -exact.z, 0.02});

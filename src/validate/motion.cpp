@@ -161,9 +161,9 @@ Result<std::vector<Measure>> measure_order(const Rig& rig) {
   for (std::size_t level = 0; level < 3; ++level)
     for (std::size_t n = 0; n < ends[0].size(); ++n)
       apart[level] = std::max(apart[level], length(ends[level][n] - ends[level + 1][n]));
-  const double order = method_of(rig.solver).history > 0 ? 2 : 1;  // it reads a step before the last, or none
   return std::vector<Measure>{{"sheet that swings for 0.2 m: order in the step", "",
-                               std::log2(apart[0] / apart[2]) / 2, order, 0.15, Bound::AtLeast}};
+                               std::log2(apart[0] / apart[2]) / 2,
+                               static_cast<double>(method_of(rig.solver).order), 0.15, Bound::AtLeast}};
 }
 
 }  // namespace weft::validate

@@ -167,7 +167,8 @@ TEST_CASE(
     return errors.at(name).at(member).get<double>();
   };
   for (const std::string side : {"16", "36"})
-    for (const char* member : {"position", "normal_degrees"}) {  // the reference knows more than what it judges
+    for (const char* member :
+         {"position", "normal_degrees"}) {  // the reference knows more than what it judges
       CHECK(of("explicit, " + side, member) > 0);
       CHECK(of("explicit, " + side, member) < of("multigrid 8, " + side, member));
     }

@@ -42,7 +42,8 @@ TEST_CASE("a Kirchhoff rod that its weight does not twist is the elastica, acros
 
 TEST_CASE("a Kirchhoff rod buckles under Greenhill's load where it stands, and under Timoshenko's on edge") {
   CHECK(buckling_load(7.8373, {0, 0, -1}, {0, 1, 0}, {50, 2}) == doctest::Approx(7.8373).epsilon(1e-4));
-  for (const double twist : {0.5, 2.0}) {  // 12.85 sqrt(GJ/EI) [Timoshenko and Gere 1961, table 6-3], no bending in plane
+  for (const double twist :
+       {0.5, 2.0}) {  // 12.85 sqrt(GJ/EI) [Timoshenko and Gere 1961, table 6-3], no bending in plane
     const double load = 12.85 * std::sqrt(twist);
     CHECK(buckling_load(load, {-1, 0, 0}, {0, 1, 0}, {1e7, twist}) == doctest::Approx(load).epsilon(1e-3));
   }
@@ -62,5 +63,6 @@ TEST_CASE("a clamp that keeps the width straight takes from a rod's twist what V
     CHECK(off < before);
     before = off;
   }
-  CHECK(before / length(KirchhoffRod(20, aslant, {10, 2, 0.00625}).tip - free) == doctest::Approx(2).epsilon(0.05));
+  CHECK(before / length(KirchhoffRod(20, aslant, {10, 2, 0.00625}).tip - free) ==
+        doctest::Approx(2).epsilon(0.05));
 }

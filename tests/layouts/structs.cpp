@@ -26,6 +26,7 @@
 #include "method/multigrid/cycle.hpp"
 #include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/mesh_lists.hpp"
+#include "method/vbd/solver_vbd.hpp"
 #include "method/xpbd/solver_xpbd.hpp"
 #include "model/limited_edges.hpp"
 #include "model/model.hpp"
@@ -206,6 +207,11 @@ Json springs_of_color() {
   using T = SpringsOfColor;
   return row("SpringsOfColor", "method/xpbd/project_springs.wgsl", sizeof(T), kUniform, {M(first), M(count)});
 }
+Json nodes_of_color() {
+  using T = NodesOfColor;
+  return row("NodesOfColor", "method/vbd/descend.wgsl", sizeof(T), kUniform,
+             {M(first), M(count), M(first_node), M(kinds)});
+}
 Json surface_params() {
   using T = SurfaceParams;
   return row("SurfaceParams", "state/surface.wgsl", sizeof(T), kUniform,
@@ -369,6 +375,7 @@ Json struct_layouts() {
                       cloth_nodes(),
                       bottom_sweeps(),
                       springs_of_color(),
+                      nodes_of_color(),
                       level_of_mesh(),
                       share()});
 }

@@ -34,6 +34,7 @@ Method multigrid_method() {
   row.holds_obstacles = true;
   row.limits_strain = true;
   row.history = 1;  // BDF2
+  row.order = 2;
   return row;
 }
 

@@ -49,8 +49,9 @@ test("gravity, drag and wind act on the cloth as it moves, and each group goes b
 });
 
 test("a flag of fabric has its moduli and its air to change, and no springs", async () => {
-  const visited = await visit(here.browser, `${here.site.address}?scene=flag-in-air&nodes=16`,
-    { reducedMotion: "reduce" });
+  const visited = await visit(here.browser, `${here.site.address}?scene=flag-in-air&nodes=16`, {
+    reducedMotion: "reduce",
+  });
   const flag = visited.page;
   await ready(flag);
   for (const summary of await flag.locator("summary").all()) await summary.click();

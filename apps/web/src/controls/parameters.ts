@@ -6,13 +6,18 @@ import type { LoadedScene } from "../scenes.js";
 import { blowing, headingOf, scaled, type Vector } from "../state/air.js";
 import { choicesOf, meaningOf, parsed, rangeOf, unitOf } from "../state/limits.js";
 import { withKey, type PageState, type Value } from "../state/page_state.js";
-import { AIR, AIR_DENSITY, applies, DRAG, GRAVITY, GROUPS, GUSTS, WIND, type Group, type Parameter } from "../state/parameters.js";
+import { AIR, AIR_DENSITY, applies, DRAG, GRAVITY, GROUPS, GUSTS, WIND, type Group,
+  type Parameter } from "../state/parameters.js";
 import { NumberField, Slider } from "./fields.js";
 
 const STILL: Vector = [0, 0, 0];
 // The least range of a slider.
 const REACH: Readonly<Record<string, number>> = {
-  [GRAVITY]: 20, [DRAG]: 10, [AIR_DENSITY]: 5, [WIND]: 15, [GUSTS]: 1,
+  [GRAVITY]: 20,
+  [DRAG]: 10,
+  [AIR_DENSITY]: 5,
+  [WIND]: 15,
+  [GUSTS]: 1,
 };
 
 interface Field {

@@ -1,0 +1,39 @@
+#include "method/vbd/plan.hpp"
+
+#include <array>
+
+#include "method/step_limit.hpp"
+
+namespace weft {
+namespace {
+
+StepLimit vbd_step_limit(const scene::Scene&, const Model&) {
+  StepLimit limit;  // stable at any length
+  limit.longest_auto_step = kImplicitStep;
+  return limit;
+}
+
+}  // namespace
+
+Method vbd_method() {
+  static constexpr std::array kTakes = {ElementKind::Spring};
+  Method row{};
+  row.kind = scene::SolverKind::Vbd;
+  row.takes = kTakes;
+  row.step_limit = vbd_step_limit;
+  row.with_drag = [](const StepLimit& limit, double) { return limit; };
+  row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {
+    return long_substeps(scene, limit, 4);
+  };
+  row.cost = nullptr;
+  row.memory = [](const scene::Solver&) {
+    return SolverMemory{116, 96};
+  };  // 8 bytes for each end of a spring
+  row.settings_word = [](const scene::Solver&) { return ""; };
+  row.search_interval = 1;
+  row.holds_obstacles = false;
+  row.history = 1;  // the velocity before, for the guess of a substep
+  return row;
+}
+
+}  // namespace weft

@@ -1,0 +1,92 @@
+#include "method/vbd/solver_vbd.hpp"
+
+#include "method/air_corners.hpp"
+#include "method/vbd/node_colors.hpp"
+
+namespace weft {
+
+void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
+  start_way_.record(pass);
+  for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep)
+    for (const gpu::Dispatch& color : sweep_) color.record(pass);
+  end_descent_.record(pass);
+  contact.search(pass);
+  contact.measure(pass);
+  contact.answer(pass);
+  contact.hold_back(pass);
+}
+
+Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
+  const State& state = inputs.state;
+  const std::uint32_t count = inputs.model.vertex_count();
+  WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, count, "aims"));
+  if (inputs.air)
+    WEFT_SET(corners_, air_corners(inputs.device, inputs.model));
+  else
+    WEFT_SET(corners_, gpu::Buffer<std::uint32_t>::create(inputs.device, 1, "no corners around"));
+  WEFT_TRY(start, gpu::create_shared_kernel(inputs.device, "method/vbd/start_way.wgsl",
+                                            {{"kAirPushes", inputs.air ? 1.0 : 0.0}}, inputs.workgroup_size));
+  WEFT_SET(start_way_, gpu::Dispatch::create_by_parity(start, start->workgroups_of(count),
+                                                       [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                                                         return {state.steps,
+                                                                 state.position[p],
+                                                                 state.velocity[p],
+                                                                 state.velocity[1 - p],
+                                                                 inputs.model.rest_position,
+                                                                 state.motions,
+                                                                 aim_,
+                                                                 state.position[1 - p],
+                                                                 corners_};
+                                                       }));
+  WEFT_TRY(end, gpu::create_shared_kernel(inputs.device, "method/vbd/end_descent.wgsl", {},
+                                          inputs.workgroup_size));
+  WEFT_SET(end_descent_,
+           gpu::Dispatch::create_by_parity(
+               end, end->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                 return {state.steps, state.position[p], state.position[1 - p], *inputs.predicted()[p]};
+               }));
+  return {};
+}
+
+Result<void> SolverVbd::create_cloth(const SolverInputs& inputs, const Body& body) {
+  gpu::Device& device = inputs.device;
+  const State& state = inputs.state;
+  const Model& model = inputs.model.host;
+  WEFT_TRY(built, build_neighbours(model.springs(body), model.incidence(ElementKind::Spring, body),
+                                   body.first_vertex));
+  const NodeColors colors = color_nodes(model, body);
+  Cloth cloth;
+  WEFT_SET(cloth.order, gpu::Buffer<std::uint32_t>::create_from(device, colors.nodes, "nodes by color"));
+  WEFT_SET(cloth.slices, gpu::Buffer<std::uint32_t>::create_from(device, built.slices, "neighbour slices"));
+  WEFT_SET(cloth.neighbours, gpu::Buffer<Neighbour>::create_from(device, built.entries, "neighbours"));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend.wgsl", {}, inputs.workgroup_size));
+  NodesOfColor params;
+  params.first_node = body.first_vertex;
+  for (std::size_t kind = 0; kind < built.kinds.size(); ++kind)
+    params.kinds[kind] = {built.kinds[kind].stiffness, built.kinds[kind].damping, 0, 0};
+  for (std::uint32_t color = 0; color < colors.count(); ++color) {
+    params.first = colors.starts[color];
+    params.count = colors.starts[color + 1] - params.first;
+    WEFT_TRY(uniform, gpu::create_uniform(device, params, "nodes of color"));
+    WEFT_TRY(dispatch,
+             gpu::Dispatch::create_by_parity(
+                 kernel, kernel->workgroups_of(params.count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                   return {state.steps,      uniform,           cloth.order, cloth.slices,
+                           cloth.neighbours, state.position[p], aim_,        state.position[1 - p]};
+                 }));
+    cloth.colors.push_back(std::move(uniform));
+    sweep_.push_back(std::move(dispatch));
+  }
+  cloths_.push_back(std::move(cloth));
+  return {};
+}
+
+Result<std::unique_ptr<Solver>> SolverVbd::create(const scene::Solver& settings, const SolverInputs& inputs) {
+  auto made = std::make_unique<SolverVbd>();
+  made->iterations_ = settings.iterations;
+  WEFT_CHECK(made->create_nodes(inputs));
+  for (const Body& body : inputs.model.host.bodies) WEFT_CHECK(made->create_cloth(inputs, body));
+  return std::unique_ptr<Solver>(std::move(made));
+}
+
+}  // namespace weft

@@ -1,0 +1,150 @@
+// Vertex block descent over springs: the kernels against the same substep in double, and laws that hold without a
+// computer. What every method must do: test_every_method.cpp; in a world: tests/sim/test_every_method.cpp.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "gpu/gpu_fixture.hpp"
+#include "mesh/primitives.hpp"
+#include "method/stepper.hpp"
+#include "method/vbd/node_colors.hpp"
+#include "solver_rig.hpp"
+
+using namespace weft;
+
+namespace {
+
+constexpr double kGravity = 9.81;        // [m/s²]
+constexpr double kUlp = 1.0 / 16777216;  // 2^-24: a relative rounding error of f32
+
+std::string vbd(int iterations) {
+  return R"("solver": {"kind": "vbd", "iterations": )" + std::to_string(iterations) + "}, ";
+}
+const std::string kLoose = R"("density": 0.2, "damping": 0.02,
+    "stiffness": {"structural": 500, "shear": 200, "bend": 20})";
+
+/// Three substeps against double; the second and third look back.
+void check_substeps(SolverRig& rig, const scene::Scene& scene) {
+  reference::MassSpringSystem exact = rig.reference();
+  const std::vector<Vec3d> start = exact.position;
+  const auto stepper = reference::make_stepper(scene.solver, rig.model().host, rig.dt());
+  double longest = 0;
+  for (const auto& s : exact.springs)
+    longest = std::max({longest, s.rest_length, length(start[s.node_b] - start[s.node_a])});
+  constexpr int kSteps = 3;
+  for (int step = 0; step < kSteps; ++step) {
+    const std::vector<Vec3d> places = exact.position;
+    stepper->advance({exact, places, rig.dt()});
+  }
+  rig.advance(kSteps);
+  const auto position = rig.positions();
+  double way = 0, worst = 0;
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    way = std::max(way, length(exact.position[i] - start[i]));
+    worst = std::max(worst, length(position[i].xyz().to<double>() - exact.position[i]));
+  }
+  // A descent rounds each span of its node (6 roundings of its length), the tension's difference (2) and a product and
+  // a sum of each (4): twelve a spring of up to its length, of which a step of Newton's method makes a way of as much.
+  // What a neighbour is off moves a node by no more than that. So the roundings of a node's sweeps add up, and those of
+  // a step are carried on by its velocity: 1 + 2 + 3 of them.
+  const double tolerance = 6 * 12 * kUlp * longest * scene.solver.iterations + kSteps * 4 * kUlp;
+  MESSAGE(position.size() << " nodes: " << worst << " m off after a way of " << way << " m; allowed "
+                          << tolerance << " m");
+  CHECK(worst < tolerance);
+  CHECK(tolerance < 0.01 * way);  // a spring that is left out, or a weight, is seen
+}
+
+}  // namespace
+
+TEST_CASE(
+    "vbd substeps equal the reference on grids, on meshes and on two cloths, with one sweep or several") {
+  GpuFixture fixture;
+  const std::string gusts = R"("drag": 3, "wind": {"velocity": [-2, 1.5, 6]}, )";
+  const std::string grid = R"({"size": [1.0, 0.8], "pins": ["top_left"], )" + kLoose + R"(, "grid": )";
+  for (const char* nodes : {"[2, 2]", "[7, 3]", "[13, 29]"})
+    for (const int iterations : {1, 10}) {
+      CAPTURE(nodes);
+      CAPTURE(iterations);
+      const auto scene = scene_of(vbd(iterations) + gusts + R"("cloths": [)" + grid + nodes + "}]");
+      SolverRig rig(fixture.device(), scene, 2e-3);
+      rig.perturb(5, 0.008, 1.0);
+      check_substeps(rig, scene);
+    }
+  const auto both =
+      scene_of(vbd(4) + R"("cloths": [)" + grid + R"([9, 6]}, {"mesh": "a.obj", )" + kLoose + "}]");
+  SolverRig rig(fixture.device(), both, 2e-3, {{}, mesh::make_sphere(12, 9)});
+  rig.perturb(6, 0.008, 1.0);
+  check_substeps(rig, both);
+}
+
+TEST_CASE("one vbd node is backward Euler: v' = (v + h (g - k x / m)) / (1 + h² k / m) in every substep") {
+  GpuFixture fixture;
+  constexpr double kStiffness = 50, kMass = 0.1, kStep = 1e-3;  // half of 100 N/m, and a quarter of 0.4 kg
+  SolverRig rig(
+      fixture.device(),
+      scene_of(vbd(1) + R"("cloths": [{"grid": [2, 2], "size": [1, 1], "density": 0.4, "pins": ["top"],
+                    "stiffness": {"structural": 100, "shear": 0, "bend": 0}, "damping": 0}])"),
+      kStep);
+  const double top = static_cast<double>(rig.positions()[0].y);
+  double x = top - static_cast<double>(rig.positions()[2].y) - 1, v = 0;
+  const int steps = 400;  // nearly a swing and a half
+  for (int step = 0; step < steps; ++step) {
+    v = (v + kStep * (kGravity - kStiffness * x / kMass)) / (1 + kStep * kStep * kStiffness / kMass);
+    x += kStep * v;
+  }
+  rig.advance(steps);
+  // A step rounds the span of 1 m four times, of which h² k/m goes into its way and is carried on n²/2 times if it is
+  // always the same; and it rounds a place of 1 m.
+  const double allowed =
+      4 * kUlp * 0.5 * steps * steps * kStep * kStep * kStiffness / kMass + 2 * steps * kUlp;
+  for (const std::size_t node : {2UL, 3UL})
+    CHECK(std::abs(top - static_cast<double>(rig.positions()[node].y) - 1 - x) < allowed);
+}
+
+TEST_CASE("a vbd strip at rest hangs as its springs say, whatever its sweeps have left to do in a substep") {
+  GpuFixture fixture;
+  constexpr std::uint32_t kRows = 21;
+  constexpr double kLength = 1, kDensity = 0.2, kStiffness = 2000, kCell = kLength / (kRows - 1);
+  double drop = 0;  // each row's spring carries the rows below it and half the last
+  for (std::uint32_t n = 0; n + 1 < kRows; ++n)
+    drop += kDensity * kCell * kCell * kGravity * (kRows - 1.5 - n) / kStiffness;
+  constexpr double h = 1.0 / 512;
+  for (const int iterations : {10, 20}) {
+    CAPTURE(iterations);
+    SolverRig rig(fixture.device(),
+                  scene_of(vbd(iterations) + R"("drag": 10, "cloths": [{"grid": [5, 21], "size": [0.2, 1],
+                      "density": 0.2, "damping": 0, "pins": ["top"],
+                      "stiffness": {"structural": 2000, "shear": 0, "bend": 0}}])"),
+                  h);
+    const double top = static_cast<double>(rig.positions()[2].y);
+    rig.advance(static_cast<std::uint32_t>(std::lround(4 / h)));
+    const double found = top - static_cast<double>(rig.positions()[(kRows - 1) * 5 + 2].y) - kLength;
+    MESSAGE(iterations << " sweeps: " << found << " m, by its springs " << drop);
+    CHECK(found == doctest::Approx(drop).epsilon(0.01).scale(0));
+  }
+}
+
+TEST_CASE("no spring joins two nodes of one vbd colour, and every node has one") {
+  for (const char* cloth :
+       {R"({"grid": [17, 11], "size": [1, 1], "density": 0.2})", R"({"mesh": "a.obj", "density": 0.2})"}) {
+    const auto scene = scene_of(
+        std::string(R"("cloths": [{"grid": [3, 3], "size": [1, 1], "density": 0.2}, )") + cloth + "]");
+    auto model = build_model(scene, {{}, mesh::make_sphere(14, 9)});
+    REQUIRE_OK(model);
+    std::vector<std::uint32_t> color_of(model->rest_position.size(), ~0U);
+    std::size_t most_springs = 0;
+    for (const Body& body : model->bodies) {
+      const NodeColors colors = color_nodes(*model, body);
+      for (std::uint32_t color = 0; color < colors.count(); ++color)
+        for (std::uint32_t at = colors.starts[color]; at < colors.starts[color + 1]; ++at) {
+          CHECK(color_of[colors.nodes[at]] == ~0U);
+          color_of[colors.nodes[at]] = color;
+        }
+      const auto& incidence = model->incidence(ElementKind::Spring, body);
+      for (std::size_t row = 0; row < incidence.row_count(); ++row)
+        most_springs = std::max(most_springs, incidence.row(row).size());
+    }
+    for (const Spring& spring : model->springs()) CHECK(color_of[spring.node_a] != color_of[spring.node_b]);
+    CHECK(*std::max_element(color_of.begin(), color_of.end()) <= most_springs);
+  }
+}
