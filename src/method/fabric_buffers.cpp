@@ -65,10 +65,6 @@ Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& mo
     slopes.push_back({membranes.rest[4 * t], membranes.rest[4 * t + 1], membranes.rest[4 * t + 2],
                       membranes.rest[4 * t + 3]});
   WEFT_SET(made.slopes, gpu::Buffer<Vec4f>::create_from(device, slopes, "membranes at rest"));
-  WEFT_SET(made.gathers, gpu::Buffer<std::uint32_t>::create_from(device, gathers_of(membranes, hinges, body),
-                                                                 "forces of nodes"));
-  WEFT_SET(made.forces,
-           gpu::Buffer<Vec4f>::create(device, 3 * membranes.size() + 4 * hinges.size(), "forces of fabric"));
   if (hinges.size() == 0) return made;
   std::vector<Four> nodes;
   for (std::size_t h = 0; h < hinges.size(); ++h) {
@@ -77,10 +73,20 @@ Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& mo
   }
   WEFT_SET(made.hinges, gpu::Buffer<Four>::create_from(device, nodes, "hinges"));
   WEFT_SET(made.rest_angles, gpu::Buffer<float>::create_from(device, hinges.rest, "angles at rest"));
-  WEFT_SET(made.bends, gpu::Buffer<float>::create(device, hinges.size(), "bends"));
   WEFT_SET(made.couplings,
            gpu::Buffer<Two>::create_from(device, couplings_of(model.plate(body)), "moments by bends"));
   return made;
+}
+
+Result<void> FabricBuffers::create_forces(gpu::Device& device, const Model& model, const Body& body) {
+  const ElementTable &membranes = model.elements(ElementKind::Membrane, body),
+                     &hinges_at = model.elements(ElementKind::Hinge, body);
+  WEFT_SET(gathers, gpu::Buffer<std::uint32_t>::create_from(device, gathers_of(membranes, hinges_at, body),
+                                                            "forces of nodes"));
+  WEFT_SET(forces, gpu::Buffer<Vec4f>::create(device, 3 * membranes.size() + 4 * hinges_at.size(),
+                                              "forces of fabric"));
+  if (hinges_at.size() > 0) WEFT_SET(bends, gpu::Buffer<float>::create(device, hinges_at.size(), "bends"));
+  return {};
 }
 
 }  // namespace weft

@@ -1,4 +1,4 @@
-// A cloth of fabric on the GPU: its elements and their forces, as every method's kernels read them.
+// A cloth of fabric on the GPU: its elements, as every method's kernels read them, and room for their forces.
 #pragma once
 
 #include <array>
@@ -42,15 +42,19 @@ struct FabricBuffers {
   gpu::RawBuffer params;               // a uniform
   gpu::Buffer<std::uint32_t> corners;  // of triangles
   gpu::Buffer<Vec4f> slopes;           // of triangles at rest [1/m]
-  gpu::Buffer<std::uint32_t> gathers;  // rows of nodes, then their forces
-  gpu::Buffer<Vec4f> forces;           // of the corners of all triangles, then of all hinges [N]
   // Of hinges; empty where there is none.
   gpu::Buffer<Four> hinges;
-  gpu::Buffer<float> rest_angles, bends;  // [rad]
-  gpu::Buffer<Two> couplings;             // rows of hinges, then pairs of a hinge and the bits of N·m
+  gpu::Buffer<float> rest_angles;  // [rad]
+  gpu::Buffer<Two> couplings;      // rows of hinges, then pairs of a hinge and the bits of N·m
+
+  // Of methods that sum forces: create_forces.
+  gpu::Buffer<std::uint32_t> gathers;  // rows of nodes, then their forces
+  gpu::Buffer<Vec4f> forces;           // of the corners of all triangles, then of all hinges [N]
+  gpu::Buffer<float> bends;            // of hinges; empty where there is none [rad]
 
   /// Errors  Limit, OutOfMemory.
   static Result<FabricBuffers> create(gpu::Device& device, const Model& model, const Body& body);
+  Result<void> create_forces(gpu::Device& device, const Model& model, const Body& body);
 };
 
 }  // namespace weft

@@ -9,6 +9,7 @@
 #include "base/random.hpp"
 #include "closed_forms/pattern_sheet.hpp"
 #include "element/membrane/build.hpp"
+#include "element/membrane/form.hpp"
 #include "element/membrane/law.hpp"
 
 using namespace weft;
@@ -127,6 +128,49 @@ struct Patch {
 };
 
 }  // namespace
+
+TEST_CASE(
+    "every energy is half its form, but for a constant, and its stress is the form's slopes by what they "
+    "hold") {
+  Random random(31);
+  for (const Energy kind : kEnergies) {
+    const Law law = law_of(kind);
+    for (int turn = 0; turn < 40; ++turn) {
+      const Axes f = State(random, 0.8).deformation();
+      const Form form = membrane::form(law, f);
+      const auto& [warp, weft, shear] = form.strain.value;
+      const Stiffness& k = form.stiffness;
+      const double held_warp = k.warp * warp + k.coupled * weft, held_weft = k.coupled * warp + k.weft * weft,
+                   held_shear = k.shear * shear;
+      const double half = (held_warp * warp + held_weft * weft + held_shear * shear) / 2;
+      CHECK(half == doctest::Approx(energy(law, f)).epsilon(1e-9));  // 0 at rest, both
+      const Axes exact = stress(law, f);
+      const double size = length(exact.warp) + length(exact.weft);
+      CHECK(length(held_warp * form.strain.warp.warp + held_weft * form.strain.weft.warp +
+                   held_shear * form.strain.shear.warp - exact.warp) < 1e-9 * size);
+      CHECK(length(held_warp * form.strain.warp.weft + held_weft * form.strain.weft.weft +
+                   held_shear * form.strain.shear.weft - exact.weft) < 1e-9 * size);
+    }
+  }
+}
+
+TEST_CASE("a form's steep slopes are its own at rest, and not short where an axis or an angle has closed") {
+  const Axes rest{{1, 0, 0}, {0, 1, 0}};
+  for (const Energy kind : kEnergies) {
+    const Strain own = form(law_of(kind), rest).strain, steep = steep_slopes(kind, rest);
+    for (const auto& [a, b] :
+         {std::pair{own.warp, steep.warp}, {own.weft, steep.weft}, {own.shear, steep.shear}}) {
+      CHECK(length(a.warp - b.warp) < 1e-15);
+      CHECK(length(a.weft - b.weft) < 1e-15);
+    }
+    // An axis or an angle that has closed: no slope is short.
+    for (const Axes& closed : {Axes{{1e-3, 0, 0}, {0, 1e-3, 0}}, Axes{{1, 0, 0}, {1, 1e-4, 0}}}) {
+      const Strain shut = steep_slopes(kind, closed);
+      for (const Axes& slope : {shut.warp, shut.weft, shut.shear})
+        CHECK(length(slope.warp) + length(slope.weft) > 0.9);
+    }
+  }
+}
 
 TEST_CASE("a membrane's forces are the slope of its energy, and its blocks that of its forces") {
   Random random(1);

@@ -27,7 +27,7 @@
 #include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/mesh_lists.hpp"
 #include "method/vbd/solver_vbd.hpp"
-#include "method/xpbd/solver_xpbd.hpp"
+#include "method/xpbd/color.hpp"
 #include "model/limited_edges.hpp"
 #include "model/model.hpp"
 #include "render/cloth_surface.hpp"
@@ -203,9 +203,9 @@ Json share() {
   using T = Share;
   return row("Share", "method/multigrid/mesh_level.wgsl", sizeof(T), kExact, {M(index), M(weight)});
 }
-Json springs_of_color() {
-  using T = SpringsOfColor;
-  return row("SpringsOfColor", "method/xpbd/project_springs.wgsl", sizeof(T), kUniform, {M(first), M(count)});
+Json elements_of_color() {
+  using T = ElementsOfColor;
+  return row("ElementsOfColor", "method/xpbd/color.wgsl", sizeof(T), kUniform, {M(first), M(count)});
 }
 Json nodes_of_color() {
   using T = NodesOfColor;
@@ -374,7 +374,7 @@ Json struct_layouts() {
                       fine_grid(),
                       cloth_nodes(),
                       bottom_sweeps(),
-                      springs_of_color(),
+                      elements_of_color(),
                       nodes_of_color(),
                       level_of_mesh(),
                       share()});

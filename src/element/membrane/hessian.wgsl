@@ -46,12 +46,6 @@ fn positive_part(s : vec3f) -> vec3f {
 
 fn kronecker(s : vec3f, m : mat3x3f) -> MembraneHessian { return MembraneHessian(s.x * m, s.y * m, s.z * m); }
 
-// The axes where they are pressed as long as at rest: law.cpp.
-fn unpressed(f : Axes) -> Axes {
-  let stretch = max(vec2f(length(f.warp), length(f.weft)), vec2f(kMinStretch));
-  return Axes(max(1.0, 1.0 / stretch.x) * f.warp, max(1.0, 1.0 / stretch.y) * f.weft);
-}
-
 fn yarn_geometry(f : Axes, s : vec3f) -> MembraneHessian {
   let stretch = max(vec2f(length(f.warp), length(f.weft)), vec2f(kMinStretch));
   let pull = max(s.xy, vec2f(0.0)) / stretch;

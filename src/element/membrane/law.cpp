@@ -6,15 +6,6 @@
 namespace weft::membrane {
 namespace {
 
-constexpr double kMinStretch =
-    1e-9;  // an axis that is shorter by this factor has no direction, and pulls nowhere
-
-/// Strains, and their slopes by the columns of F.
-struct Strain {
-  Triple value;
-  Axes warp, weft, shear;
-};
-
 Strain green_strain(const Axes& f) {
   return {{(dot(f.warp, f.warp) - 1) / 2, (dot(f.weft, f.weft) - 1) / 2, dot(f.warp, f.weft)},
           {f.warp, {}},
@@ -41,11 +32,6 @@ Strain yarn_strain(const Axes& f) {
           {y.warp, {}},
           {{}, y.weft},
           {(y.weft - y.cosine * y.warp) / y.warp_stretch, (y.warp - y.cosine * y.weft) / y.weft_stretch}};
-}
-
-/// Neo-Hookean cloth is damped by the rate of Green's strain.
-Strain strain_of(Energy energy, const Axes& f) {
-  return energy == Energy::Yarn ? yarn_strain(f) : green_strain(f);
 }
 
 Triple operator*(const Stiffness& c, const Triple& e) {
@@ -94,13 +80,6 @@ Sym2 positive_part(const Sym2& s) {
 }
 
 Hessian kronecker(const Sym2& s, const Mat3& m) { return {s.xx * m, s.xy * m, s.yy * m}; }
-
-/// The axes where they are pressed as long as at rest. What Green's energy resists further pressure with vanishes as an
-/// axis does, but not what throws it apart: a long step that knew no more would go far beyond its rest.
-Axes unpressed(const Axes& f) {
-  const Yarns y = yarns_of(f);
-  return {std::max(1.0, 1 / y.warp_stretch) * f.warp, std::max(1.0, 1 / y.weft_stretch) * f.weft};
-}
 
 /// Σ σ_k ∂²ε_k/∂F² of Green's strain: S I. Clamped it is positive.
 Hessian green_geometry(const Triple& s, bool clamped) {
@@ -185,6 +164,15 @@ Hessian hessian_of(const Law& law, const Axes& f, bool clamped) {
 }
 
 }  // namespace
+
+Strain strain_of(Energy energy, const Axes& f) {
+  return energy == Energy::Yarn ? yarn_strain(f) : green_strain(f);
+}
+
+Axes unpressed(const Axes& f) {
+  const Yarns y = yarns_of(f);
+  return {std::max(1.0, 1 / y.warp_stretch) * f.warp, std::max(1.0, 1 / y.weft_stretch) * f.weft};
+}
 
 double energy(const Law& law, const Axes& f) {
   if (law.energy == Energy::NeoHookean) return neo_hookean_energy(law.stiffness, f);

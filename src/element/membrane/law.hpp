@@ -32,6 +32,21 @@ struct Axes {
   Vec3d warp, weft;
 };
 
+/// An axis that is shorter by this factor has no direction, and pulls nowhere.
+inline constexpr double kMinStretch = 1e-9;
+
+/// The axes where they are pressed as long as at rest. What Green's energy resists further pressure with vanishes as an
+/// axis does, but not what throws it apart: a long step that knew no more would go far beyond its rest.
+Axes unpressed(const Axes& f);
+
+/// Three numbers of F, and their slopes by its columns.
+struct Strain {
+  Triple value;
+  Axes warp, weft, shear;
+};
+/// Those whose rates damping resists: Green's where the energy is neo-Hookean.
+Strain strain_of(Energy energy, const Axes& f);
+
 /// A second derivative by the columns of F [N/m]; the block (weft, warp) is `mixed` transposed.
 struct Hessian {
   Mat3 warp, mixed, weft;

@@ -38,6 +38,12 @@ fn yarn_strain(f : Axes) -> Strain {
   return Strain(vec3f(stretch - 1.0, cosine), slope, n, m);
 }
 
+// The axes where they are pressed as long as at rest: law.cpp.
+fn unpressed(f : Axes) -> Axes {
+  let stretch = max(vec2f(length(f.warp), length(f.weft)), vec2f(kMinStretch));
+  return Axes(max(1.0, 1.0 / stretch.x) * f.warp, max(1.0, 1.0 / stretch.y) * f.weft);
+}
+
 fn stress_of_strain(c : vec4f, e : vec3f) -> vec3f {
   return vec3f(c.x * e.x + c.y * e.y, c.y * e.x + c.z * e.y, c.w * e.z);
 }

@@ -20,6 +20,7 @@ Result<void> FabricSystem::create_buffers(const CycleInputs& inputs, const Body&
   gpu::Device& device = inputs.device;
   const Model& model = inputs.model.host;
   WEFT_SET(elements_, FabricBuffers::create(device, model, body));
+  WEFT_CHECK(elements_.create_forces(device, model, body));
   // Where there is no hinge, one of no stiffness is bound, of which no block has a part.
   std::vector<float> bounds;
   for (const double bound : hinge::stiffness_bounds(model.plate(body)))

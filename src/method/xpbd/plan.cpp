@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-/// How many springs in a row reach across a cloth.
+/// How many elements in a row reach across a cloth.
 struct Span {
   double extent = 0;   // diagonal of the box around it at rest [m]
   double spacing = 0;  // of its nodes: a triangle is half a square of that side [m]
@@ -29,14 +29,44 @@ Span span_of(const Model& model, const Body& cloth) {
   return {length(high - low), std::sqrt(2 * area / cloth.triangle_count)};
 }
 
-/// Equation (7) of docs/solvers/xpbd.md, for the cloth that needs the shortest.
+/// By what part of itself, over h², one sweep lets a cloth of fabric be softer than its bending says [1/s²]:
+/// k̄ Σ w |∂θ/∂x|², the mean of its hinges.
+double softening(const Model& model, const Body& cloth) {
+  const hinge::Plate& plate = model.plate(cloth);
+  const std::vector<double> resistance = hinge::stiffness_bounds(plate);
+  double sum = 0, count = 0;
+  for (std::size_t h = 0; h < plate.hinges.size(); ++h) {
+    if (resistance[h] == 0) continue;
+    hinge::Corners corners;
+    for (std::size_t i = 0; i < 4; ++i)
+      corners[i] = model.rest_position[cloth.first_vertex + plate.hinges[h].nodes[i]];
+    const hinge::Corners slope = hinge::angle_slope(corners);
+    for (std::size_t i = 0; i < 4; ++i)
+      sum += resistance[h] * model.inverse_mass(cloth.first_vertex + plate.hinges[h].nodes[i]) *
+             dot(slope[i], slope[i]);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/// Equations (7) and (13) of docs/solvers/xpbd.md, for the cloth that needs the shortest.
 StepLimit xpbd_step_limit(const scene::Scene& scene, const Model& model) {
   const double pull = length(scene.gravity + scene.external_force);  // [m/s²]
   double step = kImplicitStep;
   for (const Body& cloth : model.bodies) {
+    if (pull == 0) continue;
     const Span span = span_of(model, cloth);
-    if (pull > 0)
-      step = std::min(step, span.spacing * std::sqrt(scene.solver.iterations * kSag / (pull * span.extent)));
+    step = std::min(step, span.spacing * std::sqrt(scene.solver.iterations * kSag / (pull * span.extent)));
+    if (!cloth.fabric) continue;
+    const double soft = softening(model, cloth);
+    if (soft == 0) continue;
+    double mass = 0, area = 0;
+    for (std::uint32_t v = cloth.first_vertex; v < cloth.first_vertex + cloth.vertex_count; ++v)
+      mass += model.mass[v];
+    area = cloth.triangle_count * span.spacing * span.spacing / 2;
+    const double bending = std::max(cloth.fabric->bending_warp, cloth.fabric->bending_weft);
+    const double load = mass / area * pull * span.extent * span.extent * span.extent / bending;  // w L³/B
+    step = std::min(step, std::sqrt(8 * scene.solver.iterations * kSag / (soft * std::min(1.0, load))));
   }
   StepLimit limit;
   limit.longest_auto_step = step;
@@ -46,7 +76,7 @@ StepLimit xpbd_step_limit(const scene::Scene& scene, const Model& model) {
 }  // namespace
 
 Method xpbd_method() {
-  static constexpr std::array kTakes = {ElementKind::Spring};
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge};
   Method row{};
   row.kind = scene::SolverKind::Xpbd;
   row.takes = kTakes;

@@ -5,15 +5,11 @@
 #include "state/step.wgsl"
 #include "element/spring/law.wgsl"
 #include "element/spring/packed_spring.wgsl"
+#include "method/xpbd/color.wgsl"
 override kFirst : bool = true;  // the first sweep of the substep: every multiplier is 0
-
-struct SpringsOfColor {  // mirror: src/method/xpbd/solver_xpbd.hpp
-  first : u32,
-  count : u32,
-}
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
-@group(0) @binding(1) var<uniform>             color       : SpringsOfColor;
+@group(0) @binding(1) var<uniform>             color       : ElementsOfColor;
 @group(0) @binding(2) var<storage, read>       springs     : array<Spring>;      // colour after colour
 @group(0) @binding(3) var<storage, read>       kinds       : array<SpringKind>;
 @group(0) @binding(4) var<storage, read>       position_in : array<vec4f>;       // vertex_count   m

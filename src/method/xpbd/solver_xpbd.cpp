@@ -6,9 +6,10 @@ namespace weft {
 
 void SolverXpbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   predict_way_.record(pass);
-  for (const gpu::Dispatch& color : first_sweep_) color.record(pass);
-  for (std::uint32_t more = 1; more < iterations_; ++more)
-    for (const gpu::Dispatch& color : later_sweep_) color.record(pass);
+  for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
+    for (const gpu::Dispatch& color : sweep == 0 ? first_sweep_ : later_sweep_) color.record(pass);
+    for (const ProjectFabric& fabric : fabrics_) fabric.record(pass, sweep == 0);
+  }
   end_way_.record(pass);
   contact.search(pass);
   contact.measure(pass);
@@ -22,21 +23,15 @@ Result<void> SolverXpbd::create_springs(const SolverInputs& inputs) {
   const Colors& colors = inputs.model.host.colors(ElementKind::Spring);
   std::vector<std::uint32_t> order;
   for (std::uint32_t color = 0; color < colors.count(); ++color) {
-    SpringsOfColor range;
-    range.first = static_cast<std::uint32_t>(order.size());
+    const std::size_t before = order.size();
     for (const std::uint32_t spring : colors.of(color))
       if (springs[spring].stiffness > 0) order.push_back(spring);  // others hold nothing
-    range.count = static_cast<std::uint32_t>(order.size()) - range.first;
-    if (range.count > 0) colors_.push_back(range);
+    WEFT_CHECK(colors_.add(device, static_cast<std::uint32_t>(order.size() - before)));
   }
   WEFT_TRY(packed, pack_springs(springs, order, inputs.model.vertex_count()));
   WEFT_SET(springs_, gpu::Buffer<PackedSpring>::create_from(device, packed.springs, "springs"));
   WEFT_SET(kinds_, gpu::Buffer<SpringKind>::create_from(device, packed.kinds, "spring kinds"));
   WEFT_SET(multiplier_, gpu::Buffer<float>::create(device, packed.springs.size(), "multipliers"));
-  for (const SpringsOfColor& color : colors_) {
-    WEFT_TRY(uniform, gpu::create_uniform(device, color, "springs of color"));
-    color_uniforms_.push_back(std::move(uniform));
-  }
   return {};
 }
 
@@ -70,17 +65,10 @@ Result<std::vector<gpu::Dispatch>> SolverXpbd::create_sweep(const SolverInputs& 
   const State& state = inputs.state;
   WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/xpbd/project_springs.wgsl",
                                              {{"kFirst", first ? 1.0 : 0.0}}, inputs.workgroup_size));
-  std::vector<gpu::Dispatch> sweep;
-  for (std::size_t color = 0; color < colors_.size(); ++color) {
-    WEFT_TRY(dispatch, gpu::Dispatch::create_by_parity(
-                           kernel, kernel->workgroups_of(colors_[color].count),
-                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                             return {state.steps, color_uniforms_[color], springs_, kinds_, state.position[p],
-                                     multiplier_, state.position[1 - p]};
-                           }));
-    sweep.push_back(std::move(dispatch));
-  }
-  return sweep;
+  return colors_.dispatches(
+      kernel, [&](std::size_t p, const gpu::RawBuffer& color) -> gpu::Dispatch::Bindings {
+        return {state.steps, color, springs_, kinds_, state.position[p], multiplier_, state.position[1 - p]};
+      });
 }
 
 Result<std::unique_ptr<Solver>> SolverXpbd::create(const scene::Solver& settings,
@@ -88,9 +76,16 @@ Result<std::unique_ptr<Solver>> SolverXpbd::create(const scene::Solver& settings
   auto made = std::make_unique<SolverXpbd>();
   made->iterations_ = settings.iterations;
   WEFT_CHECK(made->create_nodes(inputs));
-  WEFT_CHECK(made->create_springs(inputs));
-  WEFT_SET(made->first_sweep_, made->create_sweep(inputs, true));
-  if (settings.iterations > 1) WEFT_SET(made->later_sweep_, made->create_sweep(inputs, false));
+  if (inputs.model.host.count(ElementKind::Spring) > 0) {
+    WEFT_CHECK(made->create_springs(inputs));
+    WEFT_SET(made->first_sweep_, made->create_sweep(inputs, true));
+    if (settings.iterations > 1) WEFT_SET(made->later_sweep_, made->create_sweep(inputs, false));
+  }
+  for (const Body& body : inputs.model.host.bodies) {
+    if (!body.fabric) continue;
+    WEFT_TRY(fabric, ProjectFabric::create(inputs, body));
+    made->fabrics_.push_back(std::move(fabric));
+  }
   return std::unique_ptr<Solver>(std::move(made));
 }
 

@@ -3,20 +3,14 @@
 #include <vector>
 
 #include "element/spring/packed_springs.hpp"
-#include "gpu/dispatch.hpp"
 #include "method/solver.hpp"
+#include "method/xpbd/color.hpp"
+#include "method/xpbd/project_fabric.hpp"
 
 namespace weft {
 
-/// Mirror: src/method/xpbd/project_springs.wgsl.
-struct SpringsOfColor {
-  std::uint32_t first = 0, count = 0;
-  std::uint32_t padding[2] = {};
-};
-static_assert(sizeof(SpringsOfColor) == 16);
-
-/// Cloth by extended position-based dynamics in small steps: springs are compliant constraints, projected colour after
-/// colour. Source: docs/solvers/xpbd.md.
+/// Cloth by extended position-based dynamics in small steps: springs, membranes and hinges are compliant constraints,
+/// projected colour after colour. Source: docs/solvers/xpbd.md.
 class SolverXpbd : public Solver {
  public:
   /// Errors  Shader, Limit, OutOfMemory.
@@ -32,14 +26,15 @@ class SolverXpbd : public Solver {
   gpu::Buffer<PackedSpring> springs_;  // colour after colour
   gpu::Buffer<SpringKind> kinds_;
   gpu::Buffer<float> multiplier_;  // of each spring [kg·m]
-  std::vector<SpringsOfColor> colors_;
-  std::vector<gpu::Buffer<SpringsOfColor>> color_uniforms_;
+  ColorRuns colors_;
 
   gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
 
-  // While the springs are projected, position[1 - parity] holds ways from position[parity], not places.
+  std::vector<ProjectFabric> fabrics_;
+
+  // While elements are projected, position[1 - parity] holds ways from position[parity], not places.
   gpu::Dispatch predict_way_, end_way_;
-  std::vector<gpu::Dispatch> first_sweep_, later_sweep_;  // a dispatch a colour
+  std::vector<gpu::Dispatch> first_sweep_, later_sweep_;  // over springs: a dispatch a colour
   std::uint32_t iterations_ = 1;
 };
 

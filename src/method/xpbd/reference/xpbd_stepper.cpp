@@ -1,16 +1,10 @@
 #include "method/xpbd/reference/xpbd_stepper.hpp"
 
 #include "element/spring/law.hpp"
+#include "method/xpbd/reference/ways.hpp"
 
 namespace weft::reference {
 namespace {
-
-/// What moves while springs are projected: ways from the places at the start of the substep.
-struct Ways {
-  const std::vector<Vec3d>& start;   // [m]
-  std::vector<Vec3d> way;            // [m]
-  std::vector<double> inverse_mass;  // 0: prescribed [1/kg]
-};
 
 /// Equations (3) to (5); `multiplier` is the spring's.
 void project(Ways& ways, const SpringLink& s, double dt, double& multiplier) {
@@ -27,6 +21,12 @@ void project(Ways& ways, const SpringLink& s, double dt, double& multiplier) {
 
 }  // namespace
 
+XpbdStepper::XpbdStepper(const Model& model, std::uint32_t iterations)
+    : model_(model), iterations_(iterations) {
+  for (const Body& body : model.bodies)
+    if (body.fabric) fabrics_.emplace_back(model, body);
+}
+
 void XpbdStepper::advance(const Substep& substep) {
   const auto& [system, places, dt, ratio, pressed] = substep;
   const std::vector<Vec3d> start = system.position;
@@ -40,9 +40,13 @@ void XpbdStepper::advance(const Substep& substep) {
   for (const Follower& grabbed : system.grabs) ways.inverse_mass[grabbed.node] = 0;
   const Colors& colors = model_.colors(ElementKind::Spring);
   std::vector<double> multipliers(system.springs.size(), 0.0);
-  for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep)
+  for (FabricProjection& fabric : fabrics_) fabric.begin();
+  for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const std::uint32_t spring : colors.elements)
       project(ways, system.springs[spring], dt, multipliers[spring]);
+    for (std::size_t cloth = 0; cloth < fabrics_.size(); ++cloth)
+      fabrics_[cloth].sweep(ways, system.fabrics[cloth], dt);
+  }
   for (std::size_t node = 0; node < start.size(); ++node) {
     system.position[node] = start[node] + ways.way[node];
     system.velocity[node] = ways.way[node] / dt;

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "method/fabric_buffers.hpp"
+#include "method/solver.hpp"
+#include "method/xpbd/color.hpp"
+
+namespace weft {
+
+/// A sweep over a cloth of fabric: its hinges, then its membranes, colour after colour, and the same way back.
+/// Source  docs/solvers/xpbd.md, Fabric.
+/// Reads   steps, position[parity] [m].
+/// Writes  the ways of its nodes in position[1 - parity] [m].
+/// Errors  Shader, Limit, OutOfMemory.
+class ProjectFabric {
+ public:
+  static Result<ProjectFabric> create(const SolverInputs& inputs, const Body& body);
+  /// `first`: whether it is the first of the substep, in which nothing has pulled yet.
+  void record(gpu::ComputePass& pass, bool first) const;
+
+ private:
+  using Bend = std::array<float, 2>;
+
+  /// Elements of a kind, colour after colour.
+  struct Ordered {
+    gpu::Buffer<std::uint32_t> order;
+    ColorRuns colors;
+    gpu::Buffer<float> multiplier;
+    std::vector<gpu::Dispatch> first,
+        later;  // a dispatch a colour: where nothing has pulled yet, and after that
+  };
+  /// Without those whose number in `resistance` is 0; where it is empty, all.
+  static Result<Ordered> ordered(const SolverInputs& inputs, const ElementTable& table,
+                                 std::span<const double> resistance, std::size_t multipliers);
+  Result<void> create_membranes(const SolverInputs& inputs, const Body& body);
+  Result<void> create_hinges(const SolverInputs& inputs, const Body& body);
+
+  FabricBuffers fabric_;
+  Ordered membranes_, hinges_;
+  gpu::Buffer<std::array<float, 2>>
+      bends_;  // of hinges, as a sweep begins: angle, and τ times its rate [rad]
+  gpu::Dispatch bend_;
+};
+
+}  // namespace weft
