@@ -11,6 +11,7 @@ set(WEFT_COSTS
   "lavapipe.every_method: every_method=270"
   "lavapipe.contact_laws: contact_laws=220"
   "lavapipe.multigrid: strain_limit=160"
+  "lavapipe.fabric: fabric_limit=160"
   "lavapipe.validate: validate=160"
   "lavapipe.contact: contact_bits=140"
   "lavapipe.untangle: untangle=130"

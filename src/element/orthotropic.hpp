@@ -23,6 +23,12 @@ struct Moduli {
   }
 };
 
+/// Young's modulus of a strip cut along a direction, by its parts along warp and weft [N/m].
+inline double modulus_along(const Moduli& m, double warp, double weft) {
+  const double square = warp * warp + weft * weft, p = warp * warp / square, q = weft * weft / square;
+  return 1 / (p * p / m.warp + q * q / m.weft + p * q * (1 / m.shear - 2 * m.poisson / m.warp));
+}
+
 /// Stress by strain, or moment by curvature: the inverse of the moduli's compliance. Source: docs/elements.md, eq. 2.
 struct Stiffness {
   double warp = 0, coupled = 0, weft = 0, shear = 0;  // C11, C12, C22, C33

@@ -8,11 +8,13 @@
 namespace weft {
 namespace {
 
-/// Each node's triangles and hinges, as entries of the forces: rows, then their entries.
+/// Each node's triangles, hinges and limited edges, as entries of the forces: rows, then their entries.
 std::vector<std::uint32_t> gathers_of(const ElementTable& membranes, const ElementTable& hinges,
-                                      const Body& body) {
+                                      std::span<const LimitSpring> limits, const Body& body) {
   std::vector<std::uint32_t> nodes = membranes.nodes;  // of the forces, in their order
   nodes.insert(nodes.end(), hinges.nodes.begin(), hinges.nodes.end());
+  for (const LimitSpring& limit : limits)
+    nodes.insert(nodes.end(), {body.first_vertex + limit.a, body.first_vertex + limit.b});
   const mesh::Adjacency forces = places_in(nodes, body.first_vertex, body.vertex_count);
   return rows_then_entries(forces.offsets, forces.entries);
 }
@@ -81,10 +83,14 @@ Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& mo
 Result<void> FabricBuffers::create_forces(gpu::Device& device, const Model& model, const Body& body) {
   const ElementTable &membranes = model.elements(ElementKind::Membrane, body),
                      &hinges_at = model.elements(ElementKind::Hinge, body);
-  WEFT_SET(gathers, gpu::Buffer<std::uint32_t>::create_from(device, gathers_of(membranes, hinges_at, body),
-                                                            "forces of nodes"));
-  WEFT_SET(forces, gpu::Buffer<Vec4f>::create(device, 3 * membranes.size() + 4 * hinges_at.size(),
-                                              "forces of fabric"));
+  const std::vector<LimitSpring> limits_at = limit_springs(model, body);
+  WEFT_SET(gathers, gpu::Buffer<std::uint32_t>::create_from(
+                        device, gathers_of(membranes, hinges_at, limits_at, body), "forces of nodes"));
+  WEFT_SET(forces, gpu::Buffer<Vec4f>::create(
+                       device, 3 * membranes.size() + 4 * hinges_at.size() + 2 * limits_at.size(),
+                       "forces of fabric"));
+  if (!limits_at.empty())
+    WEFT_SET(limits, gpu::Buffer<LimitSpring>::create_from(device, limits_at, "limited edges of fabric"));
   if (hinges_at.size() > 0) WEFT_SET(bends, gpu::Buffer<float>::create(device, hinges_at.size(), "bends"));
   return {};
 }

@@ -9,7 +9,7 @@
 
 #include "element/hinge/plate.hpp"
 #include "gpu/buffer.hpp"
-#include "model/model.hpp"
+#include "model/limited_edges.hpp"
 
 namespace weft {
 
@@ -49,8 +49,9 @@ struct FabricBuffers {
 
   // Of methods that sum forces: create_forces.
   gpu::Buffer<std::uint32_t> gathers;  // rows of nodes, then their forces
-  gpu::Buffer<Vec4f> forces;           // of the corners of all triangles, then of all hinges [N]
+  gpu::Buffer<Vec4f> forces;           // of the corners of all triangles, of all hinges, of all limited edges [N]
   gpu::Buffer<float> bends;            // of hinges; empty where there is none [rad]
+  gpu::Buffer<LimitSpring> limits;     // of edges; empty where there is no strain limit
 
   /// Errors  Limit, OutOfMemory.
   static Result<FabricBuffers> create(gpu::Device& device, const Model& model, const Body& body);

@@ -2,12 +2,15 @@
 
 namespace weft {
 
+Moduli membrane_moduli(const scene::Fabric& fabric) {
+  return {fabric.warp, fabric.weft, fabric.poisson, fabric.shear};
+}
+
 membrane::Law membrane_law(const scene::Fabric& fabric) {
-  const Moduli moduli{fabric.warp, fabric.weft, fabric.poisson, fabric.shear};
   membrane::Energy energy = membrane::Energy::Yarn;
   if (fabric.energy == scene::FabricEnergy::Green) energy = membrane::Energy::Green;
   if (fabric.energy == scene::FabricEnergy::NeoHookean) energy = membrane::Energy::NeoHookean;
-  return {energy, Stiffness::of(moduli), fabric.damping};
+  return {energy, Stiffness::of(membrane_moduli(fabric)), fabric.damping};
 }
 
 Stiffness bending_law(const scene::Fabric& fabric) {

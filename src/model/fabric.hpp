@@ -10,6 +10,8 @@
 
 namespace weft {
 
+/// What the fabric resists stretching with [N/m].
+Moduli membrane_moduli(const scene::Fabric& fabric);
 membrane::Law membrane_law(const scene::Fabric& fabric);
 /// What the fabric resists bending with [N·m].
 Stiffness bending_law(const scene::Fabric& fabric);

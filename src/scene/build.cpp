@@ -287,8 +287,6 @@ class Builder {
       return wrong(path + ".damping", "is of springs; a cloth with \"fabric\" has fabric.damping instead");
     if (cloth.grid && !(cloth.fabric->warp_direction == Fabric{}.warp_direction))
       return wrong(path + ".fabric.warp_direction", "is of meshes; the warp of a grid goes along i");
-    if (cloth.strain_limit)
-      return wrong(path + ".strain_limit", "is of springs; a cloth with \"fabric\" has none");
     return {};
   }
 

@@ -249,6 +249,11 @@ Json limited_edge() {
   return row("LimitedEdge", "contact/proximity/limit_edges.wgsl", sizeof(T), kExact,
              {M(a), M(b), M(longest)});
 }
+Json limit_spring() {
+  using T = LimitSpring;
+  return row("LimitSpring", "method/multigrid/limit_terms.wgsl", sizeof(T), kExact,
+             {M(a), M(b), M(longest), M(stiffness)});
+}
 Json listed_pair() {
   using T = ListedPair;
   return row("ListedPair", "state/contact.wgsl", sizeof(T), kExact, {M(ids), M(words)});
@@ -347,6 +352,7 @@ Json struct_layouts() {
                       spring(),
                       spring_kind(),
                       limited_edge(),
+                      limit_spring(),
                       spring_block(),
                       block_spring(),
                       neighbour(),

@@ -33,6 +33,11 @@ const std::string kRubber =
     R"("density": 0.3, "fabric": {"energy": "neo_hookean", "warp": 500, "shear": 200, "poisson": 0.25,
        "bending_warp": 3e-4, "damping": 0.0005})";
 
+/// The same beyond a strain limit where nodes are moved far enough.
+std::string limited(const std::string& fabric, const std::string& limit) {
+  return fabric + R"(, "strain_limit": )" + limit;
+}
+
 struct Case {
   const char* name;
   mesh::TriangleMesh mesh;
@@ -56,6 +61,8 @@ std::vector<Case> cases() {
       {"woven tube of fast nodes", tube(40, 21, 0.3, 1), kGreen, 0.01, 20, 0.25},
       {"rubber in two pieces", both(jittered_sheet(12, 9, 1, 1), tube(12, 7, 0.2, 0.5), {1, 0, 0}), kRubber,
        0.02, 1, 0},
+      {"limited woven sheet", jittered_sheet(40, 31, 2, 1.5), limited(kWoven, "0.02"), 0.01, 1, 1},
+      {"limited woven tube of fast nodes", tube(40, 21, 0.3, 1), limited(kGreen, "0.1"), 0.01, 20, 0.25},
       {"woven triangles apart", triangles_apart(30), kWoven, 0.02, 1, 1},
       {"a triangle", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, kFree, 0.1, 3, 1},
       {"sheet in wind", jittered_sheet(40, 31, 2, 1.5), kPlain, 0.01, 1, 1, kAirPushes},

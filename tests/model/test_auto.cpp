@@ -84,16 +84,19 @@ TEST_CASE("auto takes no method that would blow up in the scene's substeps") {
 }
 
 TEST_CASE("auto takes the method that keeps a strain limit, however coarse the cloth") {
-  const auto scene = scene::parse_scene(
-      R"({"format": "weft-scene/1", "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 0.2,
-          "strain_limit": 0.1}]})",
-      "test.json");
-  REQUIRE_MESSAGE(scene, scene.error().message);
-  const auto model = build_model(*scene, {{}});
-  REQUIRE_MESSAGE(model, model.error().message);
-  const auto choice = choose_method(*scene, *model);
-  REQUIRE_MESSAGE(choice, choice.error().message);
-  CHECK(choice->method->kind == Kind::Multigrid);
+  for (const char* fabric : {"", R"(, "fabric": {"warp": 9, "shear": 3, "bending_warp": 0})"}) {
+    const auto scene = scene::parse_scene(
+        R"({"format": "weft-scene/1", "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 0.2,
+            "strain_limit": 0.1)" +
+            std::string(fabric) + "}]}",
+        "test.json");
+    REQUIRE_MESSAGE(scene, scene.error().message);
+    const auto model = build_model(*scene, {{}});
+    REQUIRE_MESSAGE(model, model.error().message);
+    const auto choice = choose_method(*scene, *model);
+    REQUIRE_MESSAGE(choice, choice.error().message);
+    CHECK(choice->method->kind == Kind::Multigrid);
+  }
 }
 
 TEST_CASE("implicit steps are 1/480 s long, and 1/360 s where contact gives each a second system") {

@@ -26,7 +26,7 @@ struct Law {
   }
   /// The spring of Hooke's law that it is like at a length.
   Law at(double length) const {
-    if (longest == 0 || length <= longest || stiffness == 0) return {rest_length, stiffness};
+    if (longest == 0 || length <= longest || more == 0) return {rest_length, stiffness};
     const double sum = stiffness + more;
     return {(stiffness * rest_length + more * longest) / sum, sum};
   }

@@ -8,6 +8,7 @@
 #include "method/multigrid/grid_levels.hpp"
 #include "model/cloth_size.hpp"
 #include "model/fabric.hpp"
+#include "model/limited_edges.hpp"
 
 namespace weft::multigrid {
 namespace {
@@ -39,7 +40,14 @@ std::vector<LevelScale> fabric_scales(const Model& model, const Body& body, std:
   const double he = formula_length(step), area = area_of(model, body);
   const double inertia = mass_of(model, body) / (he * he), damped = 1 + body.fabric->damping / he;
   const Stiffness membrane = membrane_law(*body.fabric).stiffness, bending = bending_law(*body.fabric);
-  const double stretching = 4.0 / 3 * damped * (membrane.warp + membrane.weft + 2 * membrane.shear);
+  double limits = 0;  // those of springs, as below
+  for (const LimitSpring& limit : limit_springs(model, body)) {
+    const Vec3d span =
+        model.rest_position[body.first_vertex + limit.b] - model.rest_position[body.first_vertex + limit.a];
+    limits += limit.stiffness * dot(span, span);
+  }
+  const double stretching =
+      4.0 / 3 * (damped * (membrane.warp + membrane.weft + 2 * membrane.shear) + limits / area);
   // Coarse functions bend in lines of the finest hinges, whose stiffness is bounded by some five times a sheet's.
   const double fine = std::sqrt(area / levels[0].node_count);
   const double most = 30 * damped * (bending.warp + bending.weft + 2 * bending.shear);

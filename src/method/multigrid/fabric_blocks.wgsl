@@ -1,12 +1,12 @@
-// The matrix of a cloth of fabric without its inertia: the sums of what membranes and hinges are for two nodes. One
-// invocation per block. Source: docs/solvers/multigrid.md, Fabric.
+// The matrix of a cloth of fabric without its inertia: the sums of what membranes, hinges and limited edges
+// are for two nodes. One invocation per block. Source: docs/solvers/multigrid.md, Fabric.
 #include "gpu/index.wgsl"
-#include "method/multigrid/membrane_term.wgsl"
+#include "method/multigrid/limit_term.wgsl"
 #include "method/multigrid/mesh_store_block.wgsl"
 //                                                                              elements
 @group(0) @binding(0) var<uniform>             levels   : array<MeshLevelParams, 2>;
 @group(0) @binding(1) var<storage, read>       place    : array<vec4f>;     // node_count  w: N/m, 0: fixed
-@group(0) @binding(2) var<storage, read>       terms    : array<vec4f>;     // method/multigrid/membrane_term.wgsl
+@group(0) @binding(2) var<storage, read>       terms    : array<vec4f>;     // method/multigrid/limit_term.wgsl
 @group(0) @binding(3) var<storage, read>       slopes   : array<vec4f>;     // triangles   1/m: membrane/build.hpp
 @group(0) @binding(4) var<storage, read>       wings    : array<vec4f>;     // 4 * hinges  1/m; w of the first: N·m
 @group(0) @binding(5) var<storage, read>       parts    : array<u32>;       // rows of blocks, then their parts
@@ -14,8 +14,9 @@
 @group(0) @binding(7) var<storage, read>       entries  : array<u32>;       // the node of each
 @group(0) @binding(8) var<storage, read_write> blocks   : array<vec2f>;     // method/multigrid/mesh_block.wgsl
 
-// A part is its element's number, 16 for a hinge, and two corners. Mirror: src/method/multigrid/fabric_pairs.hpp.
-const kHinge = 16u;
+// A part is its element's number, its kind, and two corners. Mirror: src/method/multigrid/fabric_pairs.hpp.
+const kMembrane = 0u;
+const kHinge = 1u;
 
 fn slope_at(triangle : u32, corner : u32) -> vec2f {
   let slope = slopes[triangle];
@@ -24,11 +25,17 @@ fn slope_at(triangle : u32, corner : u32) -> vec2f {
 }
 
 fn block_of_part(part : u32) -> Block {
-  let element = part >> 5u;
+  let element = part >> 6u;
+  let kind = (part >> 4u) & 3u;
   let row = (part >> 2u) & 3u;
   let column = part & 3u;
-  if ((part & kHinge) == 0u) {
+  if (kind == kMembrane) {
     return block_of_term(term_of(element), slope_at(element, row), slope_at(element, column));
+  }
+  if (kind != kHinge) {  // a limited edge
+    let at = limit_at(arrayLength(&slopes), element);
+    let found = Symmetric(terms[at].xyz, vec3f(terms[at].w, terms[at + 1u].xy));
+    return Block(scaled(select(-1.0, 1.0, row == column), found), vec3f(0.0));
   }
   let stiffness = wings[4u * element].w;
   let a = stiffness * wings[4u * element + row].xyz;

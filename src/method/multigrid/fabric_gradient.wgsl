@@ -13,7 +13,7 @@
 @group(0) @binding(6) var<storage, read_write> blocks     : array<vec2f>;      // method/multigrid/mesh_block.wgsl
 @group(0) @binding(7) var<storage, read>       row_starts : array<u32>;        // node_count + 1 of each level
 @group(0) @binding(8) var<storage, read>       gathers    : array<u32>;        // rows of nodes, then their forces
-@group(0) @binding(9) var<storage, read>       forces     : array<vec4f>;      // 3 * triangles + 4 * hinges, N
+@group(0) @binding(9) var<storage, read>       forces     : array<vec4f>;      // of all elements, N
 @group(0) @binding(10) var<storage, read_write> presses   : array<i32>;        // press_sums.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)

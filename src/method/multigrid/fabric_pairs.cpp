@@ -1,7 +1,11 @@
 #include "method/multigrid/fabric_pairs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <tuple>
+
+#include "model/limited_edges.hpp"
 
 namespace weft {
 namespace {
@@ -12,26 +16,32 @@ struct PlacedPart {
 
   bool is_own() const { return row == column; }
   auto order() const {
-    return std::tuple(!is_own(), row, column, part.is_hinge, part.element);  // nodes before pairs
+    return std::tuple(!is_own(), row, column, part.kind, part.element);  // nodes before pairs
   }
 };
 
-void add_parts(const ElementTable& table, bool is_hinge, std::uint32_t first,
+/// Those of an element, whose nodes count from `first`.
+void add_parts(PartKind kind, std::uint32_t element, std::span<const std::uint32_t> nodes,
+               std::uint32_t first, std::vector<PlacedPart>& parts) {
+  for (std::uint32_t i = 0; i < nodes.size(); ++i)
+    for (std::uint32_t j = 0; j < nodes.size(); ++j)
+      if (nodes[i] <= nodes[j]) parts.push_back({nodes[i] - first, nodes[j] - first, {kind, element, i, j}});
+}
+
+void add_parts(PartKind kind, const ElementTable& table, std::uint32_t first,
                std::vector<PlacedPart>& parts) {
-  for (std::uint32_t e = 0; e < table.size(); ++e) {
-    const auto nodes = table.nodes_of(e);
-    for (std::uint32_t i = 0; i < nodes.size(); ++i)
-      for (std::uint32_t j = 0; j < nodes.size(); ++j)
-        if (nodes[i] <= nodes[j]) parts.push_back({nodes[i] - first, nodes[j] - first, {e, is_hinge, i, j}});
-  }
+  for (std::uint32_t e = 0; e < table.size(); ++e) add_parts(kind, e, table.nodes_of(e), first, parts);
 }
 
 }  // namespace
 
 FabricPairs fabric_pairs(const Model& model, const Body& body) {
   std::vector<PlacedPart> parts;
-  add_parts(model.elements(ElementKind::Membrane, body), false, body.first_vertex, parts);
-  add_parts(model.elements(ElementKind::Hinge, body), true, body.first_vertex, parts);
+  add_parts(PartKind::Membrane, model.elements(ElementKind::Membrane, body), body.first_vertex, parts);
+  add_parts(PartKind::Hinge, model.elements(ElementKind::Hinge, body), body.first_vertex, parts);
+  const std::vector<LimitSpring> limits = limit_springs(model, body);
+  for (std::uint32_t e = 0; e < limits.size(); ++e)
+    add_parts(PartKind::Limit, e, std::array{limits[e].a, limits[e].b}, 0, parts);
   std::sort(parts.begin(), parts.end(),
             [](const PlacedPart& a, const PlacedPart& b) { return a.order() < b.order(); });
   FabricPairs made;

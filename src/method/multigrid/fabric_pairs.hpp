@@ -1,5 +1,5 @@
-// The blocks of a cloth of fabric: of which parts of its membranes and hinges each is a sum. One rule for the kernels
-// and for the reference. Source: docs/solvers/multigrid.md, Fabric.
+// The blocks of a cloth of fabric: of which parts of its membranes, hinges and limited edges each is a sum. One rule
+// for the kernels and for the reference. Source: docs/solvers/multigrid.md, Fabric.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,19 @@
 
 namespace weft {
 
+/// What gives blocks. Mirror: src/method/multigrid/fabric_blocks.wgsl.
+enum class PartKind : std::uint8_t { Membrane, Hinge, Limit };
+
 /// The block that an element gives to two of its nodes. Mirror: src/method/multigrid/fabric_blocks.wgsl.
 struct ElementPart {
-  std::uint32_t element = 0;          // its number among its kind's
-  bool is_hinge = false;              // else it is a membrane
+  PartKind kind = PartKind::Membrane;
+  std::uint32_t element = 0;          // its number among its kind's: of Limit among limit_springs
   std::uint32_t row = 0, column = 0;  // corners of the element
 
-  /// The same in one word; elements up to 2²⁷.
-  std::uint32_t packed() const { return element << 5 | (is_hinge ? 16U : 0U) | row << 2 | column; }
+  /// The same in one word; elements up to 2²⁶.
+  std::uint32_t packed() const {
+    return element << 6 | static_cast<std::uint32_t>(kind) << 4 | row << 2 | column;
+  }
 };
 
 struct FabricPairs {

@@ -3,7 +3,8 @@
 namespace weft {
 namespace {
 
-constexpr std::size_t kTermWords = 6;  // src/method/multigrid/membrane_term.wgsl
+constexpr std::size_t kTermWords = 6;   // src/method/multigrid/membrane_term.wgsl
+constexpr std::size_t kLimitWords = 2;  // src/method/multigrid/limit_term.wgsl
 
 /// Rows of blocks, then the parts whose sums they are.
 std::vector<std::uint32_t> words_of(const Lists<ElementPart>& parts) {
@@ -29,7 +30,9 @@ Result<void> FabricSystem::create_buffers(const CycleInputs& inputs, const Body&
   WEFT_SET(bounds_, gpu::Buffer<float>::create_from(device, bounds, "bounds of hinges"));
   WEFT_SET(wings_, gpu::Buffer<Vec4f>::create(device, 4 * bounds.size(), "slopes of hinges"));
   WEFT_SET(terms_,
-           gpu::Buffer<Vec4f>::create(device, kTermWords * elements_.layout.triangles, "membranes' matrix"));
+           gpu::Buffer<Vec4f>::create(
+               device, kTermWords * elements_.layout.triangles + kLimitWords * elements_.limits.size(),
+               "membranes' matrix"));
   WEFT_SET(parts_, gpu::Buffer<std::uint32_t>::create_from(device, words_of(pairs.parts), "parts of blocks"));
   WEFT_SET(targets_,
            gpu::Buffer<BlockEntries>::create_from(
@@ -59,6 +62,9 @@ Result<FabricSystem> FabricSystem::create(const CycleInputs& inputs, const Fabri
                   mesh.vectors, made.wings_, own.bends}));
   WEFT_CHECK(add(kernels.forces, own.layout.hinges,
                  {own.params, own.couplings, made.wings_, own.bends, own.forces}));
+  WEFT_CHECK(
+      add(kernels.limits, own.limits.size(),
+          {steps, own.params, mesh.levels, own.limits, mesh.place, mesh.vectors, made.terms_, own.forces}));
   WEFT_CHECK(add(kernels.blocks, blocks.size(),
                  {mesh.levels, mesh.place, made.terms_, own.slopes, made.wings_, made.parts_, made.targets_,
                   mesh.entries, mesh.blocks}));

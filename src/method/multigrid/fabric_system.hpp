@@ -14,7 +14,7 @@ struct MeshSystem {
   const gpu::RawBuffer &levels, &place, &vectors, &row_starts, &entries, &blocks;
 };
 
-/// Membranes and hinges in the linear system of a cloth of fabric.
+/// Membranes, hinges and limited edges in the linear system of a cloth of fabric.
 /// Source  docs/solvers/multigrid.md, Fabric.
 /// Reads   steps; the cycle's place, and the start of its unknown.
 /// Writes  the matrix of the finest level without inertia, and forces of elements.
@@ -36,7 +36,7 @@ class FabricSystem {
 
   FabricBuffers elements_;
   gpu::Buffer<float> bounds_;  // of hinges [N·m]
-  gpu::Buffer<Vec4f> terms_;   // of membranes: src/method/multigrid/membrane_term.wgsl
+  gpu::Buffer<Vec4f> terms_;   // of membranes, then of limited edges: src/method/multigrid/limit_term.wgsl
   gpu::Buffer<Vec4f> wings_;   // slopes of hinges, four each [1/m]
   gpu::Buffer<std::uint32_t> parts_;
   gpu::Buffer<BlockEntries> targets_;

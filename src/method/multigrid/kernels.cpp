@@ -60,13 +60,13 @@ gpu::Constant bend(const CycleInputs& inputs) {
   return {"kBend", any_bend_springs(inputs.model.host) ? 1.0 : 0.0};
 }
 
-/// Whether an edge has a strain limit, for the kernels that evaluate springs.
-gpu::Constant limits(const CycleInputs& inputs) {
+bool any_strain_limit(const CycleInputs& inputs) {
   const auto& bodies = inputs.model.host.bodies;
-  const bool any = std::any_of(bodies.begin(), bodies.end(),
-                               [](const Body& body) { return body.strain_limit.has_value(); });
-  return {"kLimits", any ? 1.0 : 0.0};
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const Body& body) { return body.strain_limit.has_value(); });
 }
+/// Whether an edge has a strain limit, for the kernels that evaluate springs.
+gpu::Constant limits(const CycleInputs& inputs) { return {"kLimits", any_strain_limit(inputs) ? 1.0 : 0.0}; }
 
 /// The vector in which the second smoothing sweep finds the solution: the first sweep itself on the way
 /// down.
@@ -185,6 +185,8 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, Blocks blocks
                            {&F::forces, "hinge_forces", size},
                            {&F::blocks, "fabric_blocks", size, {general}}};
   if (of_fabric) WEFT_CHECK(create_all<F>(inputs.device, fabric, made.fabric));
+  const Row<F> of_limits[] = {{&F::limits, "limit_terms", size, {leads(inputs)}}};
+  if (of_fabric && any_strain_limit(inputs)) WEFT_CHECK(create_all<F>(inputs.device, of_limits, made.fabric));
   WEFT_SET(made.shared, SharedKernels::create(inputs));
   return made;
 }

@@ -43,6 +43,7 @@ struct GridKernels {
 /// The kernels of a cloth of fabric's own elements.
 struct FabricKernels {
   gpu::SharedKernel membranes, hinges, forces, blocks;
+  gpu::SharedKernel limits;  // of edges; none without a strain limit
 };
 
 /// The kernels of meshes: the same for all levels. Those of fabric have general blocks.

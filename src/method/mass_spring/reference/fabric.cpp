@@ -14,11 +14,18 @@ void FabricCloth::add_forces(std::span<const Vec3d> position, std::span<const Ve
   const std::vector<double> rates = hinge::bend_rates(plate, x, v);
   for (std::size_t h = 0; h < bends.size(); ++h) bends[h] += membranes.law.delay * rates[h];
   hinge::add_forces(plate, hinge::moments(plate, bends), x, own);
+  for (const LimitSpring& limit : limits) {
+    const auto [tension, direction] = spring::pull(x[limit.b] - x[limit.a], {}, law_of(limit), 0);
+    own[limit.a] += tension * direction;
+    own[limit.b] -= tension * direction;
+  }
 }
 
 double FabricCloth::energy(std::span<const Vec3d> position) const {
   const auto x = position.subspan(first, count);
-  return membranes.energy(x) + hinge::energy(plate, hinge::bends(plate, x));
+  double sum = membranes.energy(x) + hinge::energy(plate, hinge::bends(plate, x));
+  for (const LimitSpring& limit : limits) sum += spring::energy(x[limit.b] - x[limit.a], law_of(limit));
+  return sum;
 }
 
 std::vector<FabricCloth> fabric_cloths(const Model& model) {
@@ -27,7 +34,7 @@ std::vector<FabricCloth> fabric_cloths(const Model& model) {
     if (body.fabric)
       all.push_back({body.first_vertex, body.vertex_count,
                      membrane::Membranes::of(fabric_sheet(model, body).rest(), membrane_law(*body.fabric)),
-                     model.plate(body)});
+                     model.plate(body), limit_springs(model, body)});
   return all;
 }
 

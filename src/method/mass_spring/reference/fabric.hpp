@@ -7,18 +7,23 @@
 
 #include "element/hinge/plate.hpp"
 #include "element/membrane/membranes.hpp"
-
-namespace weft {
-struct Model;
-}
+#include "element/spring/law.hpp"
+#include "model/limited_edges.hpp"
 
 namespace weft::reference {
 
-/// Membranes and hinges of one cloth. Nodes count from `first`.
+/// Of no force below its longest length.
+inline spring::Law law_of(const LimitSpring& spring) {
+  const double longest = spring.longest;
+  return {longest, 0, longest, spring.stiffness};
+}
+
+/// Membranes, hinges and limited edges of one cloth. Nodes count from `first`.
 struct FabricCloth {
   std::uint32_t first = 0, count = 0;
   membrane::Membranes membranes;
-  hinge::Plate plate;  // damped as they are
+  hinge::Plate plate;               // damped as they are
+  std::vector<LimitSpring> limits;  // of its edges, where it has a strain limit
 
   /// Adds the forces of all nodes of the model at these places [m] and velocities [m/s] to `forces` [N].
   void add_forces(std::span<const Vec3d> position, std::span<const Vec3d> velocity,

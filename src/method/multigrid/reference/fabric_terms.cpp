@@ -1,6 +1,7 @@
 #include "method/multigrid/reference/fabric_terms.hpp"
 
 #include "method/multigrid/lead.hpp"
+#include "method/multigrid/reference/spring_terms.hpp"
 
 namespace weft::reference {
 namespace {
@@ -33,6 +34,15 @@ membrane::Blocks add_membrane(MeshStep& step, const membrane::Membranes& all, st
   return membrane::blocks(all.rests[number], elastic + rate * membrane::damping_hessian(law, at));
 }
 
+/// Of an edge beyond its strain limit: its force, and its part of the matrix at each of its ends.
+Mat3 add_limit(MeshStep& step, const LimitSpring& limit, double rate) {
+  const SpringTerms terms = spring_terms(law_of(limit), 0, step, limit.a, limit.b, rate);
+  step.residual[limit.a] += terms.force;
+  step.residual[limit.b] -= terms.force;
+  return Mat3::outer(terms.stiffness * (1 - terms.stretch) * terms.direction, terms.direction) +
+         Mat3::identity(terms.stiffness * terms.stretch);
+}
+
 }  // namespace
 
 void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& parts,
@@ -52,14 +62,25 @@ void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& par
   for (const hinge::Hinge& hinge : cloth.plate.hinges)
     slopes.push_back(hinge::angle_slope(hinge::corners_of(hinge, there)));
 
+  std::vector<Mat3> limits;
+  for (const LimitSpring& limit : cloth.limits) limits.push_back(add_limit(step, limit, rate));
+
+  const auto block_of = [&](const ElementPart& part) -> Mat3 {
+    switch (part.kind) {
+      case PartKind::Membrane:
+        return membranes[part.element][part.row][part.column];
+      case PartKind::Hinge:
+        return (1 + delay * rate) * bounds[part.element] *
+               Mat3::outer(slopes[part.element][part.row], slopes[part.element][part.column]);
+      case PartKind::Limit:
+        return (part.row == part.column ? 1.0 : -1.0) * limits[part.element];
+    }
+    return {};
+  };
   step.matrix.skews.resize(step.matrix.blocks.size());
   for (std::size_t block = 0; block < parts.parts.size(); ++block) {
     Mat3 sum{};
-    for (const ElementPart& part : parts.parts.of(block))
-      sum += part.is_hinge
-                 ? (1 + delay * rate) * bounds[part.element] *
-                       Mat3::outer(slopes[part.element][part.row], slopes[part.element][part.column])
-                 : membranes[part.element][part.row][part.column];
+    for (const ElementPart& part : parts.parts.of(block)) sum += block_of(part);
     const bool own = block < step.fixed.size();
     const std::array<std::uint32_t, 2> nodes =
         own ? std::array{static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(block)}

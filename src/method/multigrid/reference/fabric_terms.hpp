@@ -6,8 +6,8 @@
 
 namespace weft::reference {
 
-/// Adds membranes and hinges to the residual and the matrix of a step. `bounds`: of the hinges' stiffness [N·m].
-/// `rate`: of velocities by places [1/s].
+/// Adds membranes, hinges and limited edges to the residual and the matrix of a step. `bounds`: of the hinges'
+/// stiffness [N·m]. `rate`: of velocities by places [1/s].
 void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& parts,
                 std::span<const double> bounds, double rate);
 

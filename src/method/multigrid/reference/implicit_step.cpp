@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "element/spring/law.hpp"
 #include "method/air_reference.hpp"
-#include "method/multigrid/lead.hpp"
 #include "method/multigrid/reference/fabric_terms.hpp"
+#include "method/multigrid/reference/spring_terms.hpp"
 
 namespace weft::reference {
 namespace {
@@ -26,44 +25,13 @@ Link link_of(const SpringLink& spring, std::uint32_t first, std::uint32_t nx) {
 
 bool is_far(const Link& link) { return std::abs(link.di) > 1 || link.dj > 1; }
 
-struct SpringTerms {
-  Vec3d force;                        // on the first node, at place + start [N]
-  Vec3d direction;                    // n, in which it is linearised
-  double stretch = 0;                 // β
-  double stiffness = 0, damping = 0;  // with what a strain limit adds; by the step [N/m]
-
-  /// Its part of the matrix; or that of another spring of Hooke's law that lies as this one does, and damps.
-  Sym3 block() const { return as_stiff(stiffness, damping); }
-  Sym3 as_stiff(double other, double other_damping) const {
-    return Sym3::outer(direction, other * (1 - stretch) + other_damping) + Sym3::identity(other * stretch);
-  }
-};
-
-SpringTerms spring_terms(const SpringLink& s, const StepStart& step, std::size_t a, std::size_t b,
-                         double rate) {
-  const Vec3d span = step.place[b] - step.place[a], step_of_span = step.start[b] - step.start[a];
-  const double square = std::max(dot(span, span), spring::kMinLength * spring::kMinLength);
-  const double lead = step.leads ? multigrid::lead_of(dot(step_of_span, step_of_span) / square) : 0;
-  const Vec3d at = span + lead * step_of_span;
-  if (length(at) < spring::kMinLength) return {};
-  const spring::Law law = s.law().at(std::max(length(span), length(at)));  // long in either, it is
-  const auto [tension, n] = spring::pull(at, {}, law, 0);
-  SpringTerms terms{{}, n, std::max(0.0, 1 - law.rest_length / length(at)), law.stiffness, s.damping * rate};
-  // Damping acts along the spring as it will be: along n it would be of first order in the step.
-  const Vec3d later = step.leads ? at : span + step_of_span;
-  const Vec3d damping = Sym3::outer(later / std::max(length(later), spring::kMinLength), s.damping) *
-                        (step.start_velocity[b] - step.start_velocity[a]);
-  terms.force = tension * n + damping + terms.as_stiff(terms.stiffness, 0) * ((1 - lead) * step_of_span);
-  return terms;
-}
-
 /// Adds springs of a mesh, one a pair of nodes, to its residual and matrix.
 void add_springs(MeshStep& step, std::span<const SpringLink> springs, std::uint32_t first, double rate) {
   std::vector<Sym3>& blocks = step.matrix.blocks;
   std::size_t block = step.fixed.size();
   for (const SpringLink& s : springs) {
     const std::size_t a = s.node_a - first, b = s.node_b - first;
-    const SpringTerms terms = spring_terms(s, step, a, b, rate);
+    const SpringTerms terms = spring_terms(s.law(), s.damping, step, a, b, rate);
     step.residual[a] += terms.force;
     step.residual[b] -= terms.force;
     if (!step.fixed[a]) blocks[a] += terms.block();
@@ -308,7 +276,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   const double rate = 1 / step_formula(dt, ratio).he;
   for (const Link& link : links) {
     const SpringLink& s = link.spring;
-    const SpringTerms terms = spring_terms(s, step, link.a, link.b, rate);
+    const SpringTerms terms = spring_terms(s.law(), s.damping, step, link.a, link.b, rate);
     step.residual[link.a] += terms.force;
     step.residual[link.b] -= terms.force;
     const Sym3 block = terms.block();
