@@ -67,11 +67,11 @@ def made(page: str, runs: list[dict]) -> str:
 
 
 def convergence(run: dict) -> str:
-    """How far strips of coarse cells are off the elastica, a line a pattern of triangles, and what order 2 would be."""
+    """How far strips of coarse cells are off the elastica by the run's first solver, and what order 2 would be."""
     errors: dict[str, list] = {}
     for row in run["rows"]:
         found = re.fullmatch(r"strip of (\d+) cells, (.*) triangles: drop by the length", row["what"])
-        if found and row["law"] == "refine" and row["solver"] == "multigrid":
+        if found and row["law"] == "refine" and row["solver"] == run["rows"][0]["solver"]:
             error = 100 * abs(row["value"] / row["expected"] - 1)
             errors.setdefault(found[2], []).append((int(found[1]), error))
     lines = [Line(f"{pattern} triangles", points, k) for k, (pattern, points) in enumerate(errors.items())]

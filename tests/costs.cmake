@@ -27,6 +27,7 @@ set(WEFT_COSTS
   "cli: run=66"
   "swiftshader.method: every_method=64"
   "lavapipe.contact_bodies: contact_bodies=62"
+  "lavapipe.method_sweeps: xpbd_fabric=55"
   "swiftshader.method: air=54"
   "lavapipe.memory: memory=48"
   "swiftshader.method: multigrid_mesh_kernels=44"

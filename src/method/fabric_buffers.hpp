@@ -49,9 +49,9 @@ struct FabricBuffers {
 
   // Of methods that sum forces: create_forces.
   gpu::Buffer<std::uint32_t> gathers;  // rows of nodes, then their forces
-  gpu::Buffer<Vec4f> forces;           // of the corners of all triangles, of all hinges, of all limited edges [N]
-  gpu::Buffer<float> bends;            // of hinges; empty where there is none [rad]
-  gpu::Buffer<LimitSpring> limits;     // of edges; empty where there is no strain limit
+  gpu::Buffer<Vec4f> forces;  // of the corners of all triangles, of all hinges, of all limited edges [N]
+  gpu::Buffer<float> bends;   // of hinges; empty where there is none [rad]
+  gpu::Buffer<LimitSpring> limits;  // of edges; empty where there is no strain limit
 
   /// Errors  Limit, OutOfMemory.
   static Result<FabricBuffers> create(gpu::Device& device, const Model& model, const Body& body);

@@ -42,6 +42,8 @@ struct Law {
   std::string_view statement;  // with its source
   bool of_fabric;              // needs moduli that no lattice of springs has
   Result<std::vector<Measure>> (*measure)(const Rig& rig);
+  bool of_sweeps =
+      true;  // false: a method that sweeps (Method::sweeps) is measured only where the law is named
 };
 
 /// All laws, in the order in which they are told.

@@ -35,13 +35,14 @@ std::span<const Law> laws() {
       Law{"catenary", "A rope between level ends hangs as a catenary", false, measure_catenary},
       Law{"cantilever", "A heavy strip clamped level hangs as the elastica", true, measure_cantilever},
       Law{"refine", "Half the cell leaves a quarter of the error, on every pattern of triangles", true,
-          measure_refine},
+          measure_refine, false},
       Law{"standing", "A strip stands below w L³/B = 7.8373 (Greenhill 1881), and falls above: the elastica",
-          true, measure_standing},
-      Law{"twist", "A heavy strip aslant bends and twists as Kirchhoff's rod (1859)", true, measure_twist},
+          true, measure_standing, false},
+      Law{"twist", "A heavy strip aslant bends and twists as Kirchhoff's rod (1859)", true, measure_twist,
+          false},
       Law{"lateral",
           "A strip on edge stands below w L³/B = 12.85 sqrt(4 D33/B) (Timoshenko), and turns aside above",
-          true, measure_lateral},
+          true, measure_lateral, false},
       Law{"fall", "A free sheet falls by g t²/2, with drag by g/c (t - (1 - exp(-c t))/c)", false,
           measure_fall},
       Law{"chain", "A hanging rope swings with ω = 2.4048/2 sqrt(g/L) (Bernoulli 1733)", false,
@@ -65,6 +66,7 @@ Result<void> measure_laws(const Rig& rig, std::span<const std::string> names,
   for (const Law& law : laws()) {
     if (!names.empty() && std::find(names.begin(), names.end(), law.name) == names.end()) continue;
     if (law.of_fabric && !rig.takes_fabric()) continue;
+    if (names.empty() && !law.of_sweeps && method_of(rig.solver).sweeps) continue;
     auto measures = law.measure(rig);
     if (!measures && measures.error().kind == ErrorKind::Diverged)
       measures = std::vector<Measure>{{"its cloth diverged", "", std::numeric_limits<double>::quiet_NaN()}};

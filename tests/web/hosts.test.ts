@@ -34,6 +34,8 @@ const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "a
       cloths: [{ mesh: "sphere", density: 0.2, pins: [{ nodes: [0] }] }] } },
   { name: "hanging, xpbd", scene: "hanging", frames: 3,
     set: { "cloths.0.grid": [60, 43], solver: { kind: "xpbd", iterations: 2 } } },
+  { name: "fabric, xpbd", scene: "fabric", frames: 2,
+    set: { "cloths.0.grid": [24, 17], "time.substeps": 8, solver: { kind: "xpbd", iterations: 2 } } },
   { name: "hanging, vbd", scene: "hanging", frames: 3,
     set: { "cloths.0.grid": [60, 43], solver: { kind: "vbd", iterations: 2 } } },
   { name: "hanging with its own choice of substeps", scene: "hanging", frames: 1, set: { "cloths.0.grid": [24, 24] } },

@@ -1,6 +1,6 @@
 // Where a node would go in this substep without its springs, and the guess from which it descends: the same, with as
-// much of the change of its velocity as it followed in the substep before. One invocation per node. Source: docs/solvers/vbd.md,
-// equations 1 and 2.
+// much of the change of its velocity as it followed in the substep before. One invocation per node.
+// Source: docs/solvers/vbd.md, equations 1 and 2.
 #include "gpu/index.wgsl"
 #include "method/air_step.wgsl"
 #include "state/integrate.wgsl"
@@ -12,7 +12,7 @@
 @group(0) @binding(4) var<storage, read>       rest            : array<vec4f>;   // vertex_count   m (w: motion)
 @group(0) @binding(5) var<storage, read>       motions         : array<vec4f>;   // 3 * motions * substeps
 @group(0) @binding(6) var<storage, read_write> aim             : array<vec4f>;   // vertex_count   m
-@group(0) @binding(7) var<storage, read_write> way             : array<vec4f>;   // vertex_count   m (w: 1/kg; 0: driven)
+@group(0) @binding(7) var<storage, read_write> way             : array<vec4f>;   // vertex_count   m (w: 1/kg; 0: held)
 @group(0) @binding(8) var<storage, read>       corners         : array<u32>;     // method/air.wgsl
 override kAirPushes : bool = false;  // false: `corners` is not read
 

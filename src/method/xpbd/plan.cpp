@@ -92,6 +92,7 @@ Method xpbd_method() {
   row.settings_word = [](const scene::Solver&) { return ""; };
   row.search_interval = 1;
   row.holds_obstacles = false;
+  row.sweeps = true;
   row.history = 0;
   return row;
 }
