@@ -97,7 +97,7 @@ constexpr Key kMassSpringKeys[] = {kForcesKey};
 constexpr Type kIterations{.kind = Kind::Number, .least = 1, .most = 1000, .whole = true};
 constexpr Key kXpbdKeys[] = {
     {"iterations", &kIterations,
-     "Sweeps over all springs in a substep; more substeps do more for the same work", "1"},
+     "Sweeps over all elements in a substep; more substeps do more for the same work", "1"},
 };
 constexpr Key kVbdKeys[] = {{"iterations", &kIterations, "Sweeps over all nodes in a substep", "10"}};
 constexpr Type kResidual{.kind = Kind::Number, .least = 1e-5, .most = 0.5};

@@ -1,7 +1,7 @@
 #include "method/vbd/solver_vbd.hpp"
 
-#include "method/air_corners.hpp"
 #include "method/vbd/node_colors.hpp"
+#include "method/ways.hpp"
 
 namespace weft {
 
@@ -9,7 +9,7 @@ void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, s
   start_way_.record(pass);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep)
     for (const gpu::Dispatch& color : sweep_) color.record(pass);
-  end_descent_.record(pass);
+  end_way_.record(pass);
   contact.search(pass);
   contact.measure(pass);
   contact.answer(pass);
@@ -20,10 +20,7 @@ Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
   const State& state = inputs.state;
   const std::uint32_t count = inputs.model.vertex_count();
   WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, count, "aims"));
-  if (inputs.air)
-    WEFT_SET(corners_, air_corners(inputs.device, inputs.model));
-  else
-    WEFT_SET(corners_, gpu::Buffer<std::uint32_t>::create(inputs.device, 1, "no corners around"));
+  WEFT_SET(corners_, corners_in_air(inputs));
   WEFT_TRY(start, gpu::create_shared_kernel(inputs.device, "method/vbd/start_way.wgsl",
                                             {{"kAirPushes", inputs.air ? 1.0 : 0.0}}, inputs.workgroup_size));
   WEFT_SET(start_way_, gpu::Dispatch::create_by_parity(start, start->workgroups_of(count),
@@ -38,13 +35,7 @@ Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
                                                                  state.position[1 - p],
                                                                  corners_};
                                                        }));
-  WEFT_TRY(end, gpu::create_shared_kernel(inputs.device, "method/vbd/end_descent.wgsl", {},
-                                          inputs.workgroup_size));
-  WEFT_SET(end_descent_,
-           gpu::Dispatch::create_by_parity(
-               end, end->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                 return {state.steps, state.position[p], state.position[1 - p], *inputs.predicted()[p]};
-               }));
+  WEFT_SET(end_way_, create_end_way(inputs, true));
   return {};
 }
 

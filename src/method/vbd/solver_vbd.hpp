@@ -41,7 +41,7 @@ class SolverVbd : public Solver {
   gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
 
   // While nodes descend, position[1 - parity] holds ways from position[parity], not places.
-  gpu::Dispatch start_way_, end_descent_;
+  gpu::Dispatch start_way_, end_way_;
   std::vector<gpu::Dispatch> sweep_;  // a dispatch a colour of each cloth
   std::uint32_t iterations_ = 1;
 };

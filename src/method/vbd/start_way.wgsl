@@ -2,8 +2,7 @@
 // much of the change of its velocity as it followed in the substep before. One invocation per node.
 // Source: docs/solvers/vbd.md, equations 1 and 2.
 #include "gpu/index.wgsl"
-#include "method/air_step.wgsl"
-#include "state/integrate.wgsl"
+#include "method/way_velocity.wgsl"
 //                                                                                  elements       unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: 1/kg)
@@ -14,16 +13,14 @@
 @group(0) @binding(6) var<storage, read_write> aim             : array<vec4f>;   // vertex_count   m
 @group(0) @binding(7) var<storage, read_write> way             : array<vec4f>;   // vertex_count   m (w: 1/kg; 0: held)
 @group(0) @binding(8) var<storage, read>       corners         : array<u32>;     // method/air.wgsl
-override kAirPushes : bool = false;  // false: `corners` is not read
 
 @compute @workgroup_size(kWorkgroupSize)
 fn start_way(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= step.nodes.count) { return; }
   let before = NodeState(position_in[node], velocity_in[node]);
-  var velocity = integrate_node(node, before, vec3f(0.0)).velocity.xyz;
+  var velocity = way_velocity(node, before);
   let driven = is_prescribed(node, before);
-  if (kAirPushes && !driven) { velocity = velocity_in_air(node, before, velocity); }
   aim[node] = vec4f(step.time.dt * velocity, 0.0);
   let change = velocity - before.velocity.xyz;
   let square = dot(change, change);

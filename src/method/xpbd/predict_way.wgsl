@@ -1,8 +1,7 @@
 // The way of every node in this substep without its springs, where the springs are then projected: along its motion, to
 // the hand, or by inertia, gravity and air. One invocation per node. Source: docs/solvers/xpbd.md, equation 1.
 #include "gpu/index.wgsl"
-#include "method/air_step.wgsl"
-#include "state/integrate.wgsl"
+#include "method/way_velocity.wgsl"
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
 @group(0) @binding(1) var<storage, read>       position_in : array<vec4f>;   // vertex_count   m (w: 1/kg)
@@ -11,15 +10,13 @@
 @group(0) @binding(4) var<storage, read>       motions     : array<vec4f>;   // 3 * motions * substeps
 @group(0) @binding(5) var<storage, read_write> way         : array<vec4f>;   // vertex_count   m (w: 1/kg; 0: driven)
 @group(0) @binding(6) var<storage, read>       corners     : array<u32>;     // method/air.wgsl
-override kAirPushes : bool = false;  // false: `corners` is not read
 
 @compute @workgroup_size(kWorkgroupSize)
 fn predict_way(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= step.nodes.count) { return; }
   let before = NodeState(position_in[node], velocity_in[node]);
-  var velocity = integrate_node(node, before, vec3f(0.0)).velocity.xyz;
+  let velocity = way_velocity(node, before);
   let driven = is_prescribed(node, before);
-  if (kAirPushes && !driven) { velocity = velocity_in_air(node, before, velocity); }
   way[node] = vec4f(step.time.dt * velocity, select(before.position.w, 0.0, driven));
 }

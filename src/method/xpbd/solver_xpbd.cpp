@@ -1,6 +1,6 @@
 #include "method/xpbd/solver_xpbd.hpp"
 
-#include "method/air_corners.hpp"
+#include "method/ways.hpp"
 
 namespace weft {
 
@@ -38,10 +38,7 @@ Result<void> SolverXpbd::create_springs(const SolverInputs& inputs) {
 Result<void> SolverXpbd::create_nodes(const SolverInputs& inputs) {
   const State& state = inputs.state;
   const std::uint32_t count = inputs.model.vertex_count();
-  if (inputs.air)
-    WEFT_SET(corners_, air_corners(inputs.device, inputs.model));
-  else
-    WEFT_SET(corners_, gpu::Buffer<std::uint32_t>::create(inputs.device, 1, "no corners around"));
+  WEFT_SET(corners_, corners_in_air(inputs));
   WEFT_TRY(predict,
            gpu::create_shared_kernel(inputs.device, "method/xpbd/predict_way.wgsl",
                                      {{"kAirPushes", inputs.air ? 1.0 : 0.0}}, inputs.workgroup_size));
@@ -51,13 +48,7 @@ Result<void> SolverXpbd::create_nodes(const SolverInputs& inputs) {
                  return {state.steps,   state.position[p],     state.velocity[p], inputs.model.rest_position,
                          state.motions, state.position[1 - p], corners_};
                }));
-  WEFT_TRY(end,
-           gpu::create_shared_kernel(inputs.device, "method/xpbd/end_way.wgsl", {}, inputs.workgroup_size));
-  WEFT_SET(end_way_,
-           gpu::Dispatch::create_by_parity(
-               end, end->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                 return {state.steps, state.position[p], state.position[1 - p], *inputs.predicted()[p]};
-               }));
+  WEFT_SET(end_way_, create_end_way(inputs, false));
   return {};
 }
 

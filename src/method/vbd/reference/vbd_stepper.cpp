@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "element/spring/law.hpp"
+#include "method/reference_ways.hpp"
 #include "method/sym3.hpp"
 
 namespace weft::reference {
@@ -10,23 +11,23 @@ namespace {
 
 /// Equations (3) and (4): the way of a node at which its own part of what is minimised is least, its neighbours where
 /// they are. `aim` is its way without springs.
-Vec3d descended(const MassSpringSystem& system, std::span<const std::uint32_t> springs,
-                const std::vector<Vec3d>& start, const std::vector<Vec3d>& way, std::uint32_t node,
-                const Vec3d& aim, double dt) {
-  const double mobility = dt * dt * system.inverse_mass[node];
-  Vec3d slope = aim - way[node];
+Vec3d descended(const MassSpringSystem& system, std::span<const std::uint32_t> springs, const Ways& ways,
+                std::uint32_t node, const Vec3d& aim, double dt) {
+  const double mobility = dt * dt * ways.inverse_mass[node];
+  Vec3d slope = aim - ways.way[node];
   Sym3 hessian = Sym3::identity(1);
   for (const std::uint32_t at : springs) {
     const SpringLink& s = system.springs[at];
     const std::uint32_t other = s.node_a == node ? s.node_b : s.node_a;
-    const Vec3d turn = way[other] - way[node], span = start[other] - start[node] + turn;
+    const Vec3d turn = ways.way[other] - ways.way[node];
+    const Vec3d span = ways.start[other] - ways.start[node] + turn;
     const spring::Pull pull = spring::pull(span, turn / dt, s.law(), s.damping);
     const spring::Block block = spring::block(span, s.law());
     slope += mobility * pull.tension * pull.direction;
     hessian += Sym3::identity(mobility * block.across);
     hessian += Sym3::outer(block.direction, mobility * (block.along + s.damping / dt));
   }
-  return way[node] + inverse(hessian) * slope;
+  return ways.way[node] + inverse(hessian) * slope;
 }
 
 }  // namespace
@@ -44,33 +45,21 @@ VbdStepper::VbdStepper(const Model& model, std::uint32_t iterations)
 
 void VbdStepper::advance(const Substep& substep) {
   const auto& [system, places, dt, ratio, pressed] = substep;
-  const std::vector<Vec3d> start = system.position, velocity = system.velocity;
-  integrate(system, std::vector<Vec3d>(start.size()), dt);
-  std::vector<Vec3d> way;
-  std::vector<bool> driven;
-  std::vector<Vec3d> aim;
-  for (std::size_t node = 0; node < start.size(); ++node) {
-    const bool kinematic = system.inverse_mass[node] == 0;
-    aim.push_back((kinematic ? places[node] : system.position[node]) - start[node]);
-    driven.push_back(kinematic);
-  }
-  for (const Follower& grabbed : system.grabs) driven[grabbed.node] = true;
-  for (std::size_t node = 0; node < start.size(); ++node) {
-    way.push_back(aim[node]);
+  const std::vector<Vec3d> velocity = system.velocity;
+  Ways ways = Ways::begin(substep);
+  const std::vector<Vec3d> aim = ways.way;
+  for (std::size_t node = 0; node < aim.size(); ++node) {
     const Vec3d change = aim[node] - dt * velocity[node];
     const double square = dot(change, change);
-    if (driven[node] || !known_[node] || ratio == 0 || square == 0) continue;
+    if (ways.inverse_mass[node] == 0 || !known_[node] || ratio == 0 || square == 0) continue;
     const Vec3d felt = dt * ratio * (velocity[node] - velocity_before_[node]);
-    way[node] = dt * velocity[node] + std::clamp(dot(felt, change) / square, 0.0, 1.0) * change;  // (2)
+    ways.way[node] = dt * velocity[node] + std::clamp(dot(felt, change) / square, 0.0, 1.0) * change;  // (2)
   }
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep)
     for (const std::uint32_t node : order_)
-      if (!driven[node])
-        way[node] = descended(system, springs_of_.row(node), start, way, node, aim[node], dt);
-  for (std::size_t node = 0; node < start.size(); ++node) {
-    system.position[node] = start[node] + way[node];
-    system.velocity[node] = way[node] / dt;
-  }
+      if (ways.inverse_mass[node] > 0)
+        ways.way[node] = descended(system, springs_of_.row(node), ways, node, aim[node], dt);
+  ways.end(substep);
   velocity_before_ = velocity;
   known_.assign(known_.size(), true);
 }

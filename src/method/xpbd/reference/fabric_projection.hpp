@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "element/colors.hpp"
+#include "method/reference_ways.hpp"
 #include "method/stepper.hpp"
-#include "method/xpbd/reference/ways.hpp"
 #include "model/model.hpp"
 
 namespace weft::reference {

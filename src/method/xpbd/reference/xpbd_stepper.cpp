@@ -1,7 +1,7 @@
 #include "method/xpbd/reference/xpbd_stepper.hpp"
 
 #include "element/spring/law.hpp"
-#include "method/xpbd/reference/ways.hpp"
+#include "method/reference_ways.hpp"
 
 namespace weft::reference {
 namespace {
@@ -29,15 +29,7 @@ XpbdStepper::XpbdStepper(const Model& model, std::uint32_t iterations)
 
 void XpbdStepper::advance(const Substep& substep) {
   const auto& [system, places, dt, ratio, pressed] = substep;
-  const std::vector<Vec3d> start = system.position;
-  integrate(system, std::vector<Vec3d>(start.size()), dt);
-  Ways ways{start, {}, system.inverse_mass};
-  for (std::size_t node = 0; node < start.size(); ++node) {
-    // Pinned nodes stay: their place is the one that they had.
-    const bool kinematic = system.inverse_mass[node] == 0;
-    ways.way.push_back((kinematic ? places[node] : system.position[node]) - start[node]);
-  }
-  for (const Follower& grabbed : system.grabs) ways.inverse_mass[grabbed.node] = 0;
+  Ways ways = Ways::begin(substep);
   const Colors& colors = model_.colors(ElementKind::Spring);
   std::vector<double> multipliers(system.springs.size(), 0.0);
   for (FabricProjection& fabric : fabrics_) fabric.begin();
@@ -47,10 +39,7 @@ void XpbdStepper::advance(const Substep& substep) {
     for (std::size_t cloth = 0; cloth < fabrics_.size(); ++cloth)
       fabrics_[cloth].sweep(ways, system.fabrics[cloth], dt);
   }
-  for (std::size_t node = 0; node < start.size(); ++node) {
-    system.position[node] = start[node] + ways.way[node];
-    system.velocity[node] = ways.way[node] / dt;
-  }
+  ways.end(substep);
 }
 
 }  // namespace weft::reference
