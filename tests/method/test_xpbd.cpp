@@ -325,4 +325,25 @@ TEST_CASE(
   CHECK(step_of(xpbd() + R"("gravity": [0, -39.24, 0], )", sheet(20)) == doctest::Approx(h / 2));
   CHECK(step_of(xpbd() + R"("gravity": [0, 0, 0], )", sheet(20)) == doctest::Approx(kImplicitStep));
   CHECK(step_of(xpbd(), sheet(20, R"(, "stiffness": {"structural": 1e6})")) == doctest::Approx(h));
+  const auto pull_of = [&](const std::string& members) {
+    const double step = step_of(xpbd() + members, sheet(20));
+    return 0.05 * 0.05 * kSag / (step * step * 5);
+  };
+  CHECK(pull_of(R"("drag": 3, "wind": {"velocity": [0, 12, 5]}, )") == doctest::Approx(kGravity + 3 * 13));
+  // Air at any angle: no less than what it pushes with at the worst, and hardly more.
+  double most = 0;
+  for (int degree = 0; degree <= 90; ++degree) {
+    const double across = std::sin(degree * M_PI / 180), along = std::cos(degree * M_PI / 180);
+    most = std::max(most, std::hypot((0.8 * across + 2 * along) * across, 0.1 * along));
+  }
+  most *= 0.5 * 1.2 * 13 * 13 / 0.2;
+  const double pull =
+      pull_of(R"("air": {"density": 1.2, "pressure": 0.8, "lift": 2, "friction": 0.1}, "wind": {"velocity": [0, 12, 5]}, )");
+  CHECK(pull > kGravity + most);
+  CHECK(pull < kGravity + 1.1 * most);
+  // With gusts: by the square of the most that the wind has.
+  const auto gusts = [&](double part) {
+    return pull_of(R"("air": {}, "wind": {"velocity": [10, 0, 0], "gusts": )" + std::to_string(part) + "}, ");
+  };
+  CHECK(gusts(0.5) > 1.2 * gusts(0));
 }

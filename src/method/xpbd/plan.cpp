@@ -4,13 +4,16 @@
 #include <array>
 #include <cmath>
 
+#include "scene/wind.hpp"
+
 namespace weft {
 namespace {
 
-/// How many elements in a row reach across a cloth.
+/// How many elements in a row reach across a cloth, and what these weigh.
 struct Span {
   double extent = 0;   // diagonal of the box around it at rest [m]
   double spacing = 0;  // of its nodes: a triangle is half a square of that side [m]
+  double density = 0;  // [kg/m²]
 };
 
 Span span_of(const Model& model, const Body& cloth) {
@@ -26,7 +29,25 @@ Span span_of(const Model& model, const Body& cloth) {
         high[axis] = std::max(high[axis], corner[axis]);
       }
   }
-  return {length(high - low), std::sqrt(2 * area / cloth.triangle_count)};
+  double mass = 0;
+  for (std::uint32_t v = cloth.first_vertex; v < cloth.first_vertex + cloth.vertex_count; ++v)
+    mass += model.mass[v];
+  return {length(high - low), std::sqrt(2 * area / cloth.triangle_count), mass / area};
+}
+
+/// The most that pulls at a cloth of this density [kg/m²] at rest, by its mass [m/s²]: `air` pushes at a triangle of
+/// area A with at most ½ ρ A U² ((C_D + (C_D² + C_L²)^½) / 2 + C_F), over all angles to the wind.
+double most_pull(const scene::Scene& scene, double density) {
+  const scene::WindField wind = scene::wind_field(scene.wind);
+  double speed = length(wind.velocity);
+  for (const scene::WindWave& wave : wind.waves) speed += length(wave.gust);
+  double pull = length(scene.gravity + scene.external_force) + scene.drag * speed;
+  if (scene.air) {
+    const scene::Air& air = *scene.air;
+    const double along = (air.pressure + std::hypot(air.pressure, air.lift)) / 2 + air.friction;
+    pull += 0.5 * air.density * speed * speed * along / density;
+  }
+  return pull;
 }
 
 /// By what part of itself, over h², one sweep lets a cloth of fabric be softer than its bending says [1/s²]:
@@ -51,21 +72,17 @@ double softening(const Model& model, const Body& cloth) {
 
 /// Equations (7) and (13) of docs/solvers/xpbd.md, for the cloth that needs the shortest.
 StepLimit xpbd_step_limit(const scene::Scene& scene, const Model& model) {
-  const double pull = length(scene.gravity + scene.external_force);  // [m/s²]
   double step = kImplicitStep;
   for (const Body& cloth : model.bodies) {
-    if (pull == 0) continue;
     const Span span = span_of(model, cloth);
+    const double pull = most_pull(scene, span.density);
+    if (pull == 0) continue;
     step = std::min(step, span.spacing * std::sqrt(scene.solver.iterations * kSag / (pull * span.extent)));
     if (!cloth.fabric) continue;
     const double soft = softening(model, cloth);
     if (soft == 0) continue;
-    double mass = 0, area = 0;
-    for (std::uint32_t v = cloth.first_vertex; v < cloth.first_vertex + cloth.vertex_count; ++v)
-      mass += model.mass[v];
-    area = cloth.triangle_count * span.spacing * span.spacing / 2;
     const double bending = std::max(cloth.fabric->bending_warp, cloth.fabric->bending_weft);
-    const double load = mass / area * pull * span.extent * span.extent * span.extent / bending;  // w L³/B
+    const double load = span.density * pull * span.extent * span.extent * span.extent / bending;  // w L³/B
     step = std::min(step, std::sqrt(8 * scene.solver.iterations * kSag / (soft * std::min(1.0, load))));
   }
   StepLimit limit;
