@@ -1,5 +1,6 @@
 # Run by ctest: adds one test for the short cases of each file of WEFT_PROGRAM, which share a device and what it has
-# compiled, and one for each case that is "long:". Short cases on SwiftShader, which lavapipe has too, take turns.
+# compiled, and one for each case that is "long:". Short cases on SwiftShader, which lavapipe has too, take
+# turns, and so do those of WEFT_TURNS.
 if(NOT EXISTS ${WEFT_PROGRAM})
   add_test("${WEFT_PREFIX}.NOT_BUILT" ${WEFT_PROGRAM})  # fails: a missing program is no passed test
   return()
@@ -53,11 +54,12 @@ list(REMOVE_DUPLICATES files)
 foreach(file IN LISTS files)
   string(REGEX REPLACE ".*/test_([^/]*)\\.cpp$" "\\1" name ${file})
   set(labels short)
-  if(WEFT_PREFIX MATCHES "^swiftshader")  # a second driver's turn comes in three parts of the ten
+  list(FIND WEFT_TURNS "${WEFT_PREFIX}: ${name}" at)
+  if(WEFT_PREFIX MATCHES "^swiftshader" OR at GREATER -1)  # it has a turn in three parts of the ten
     math(EXPR part "(${part} + 1) % 10")
     math(EXPR second "(${part} + 3) % 10")
     math(EXPR third "(${part} + 6) % 10")
-    set(labels "second;part${part};part${second};part${third}")
+    set(labels "turn;part${part};part${second};part${third}")
   endif()
   weft_add_cases("${WEFT_PREFIX}: ${name}" "${labels}" 6000 "--source-file=${file}" "--test-case-exclude=long:*")
 endforeach()

@@ -40,3 +40,9 @@ set(WEFT_COSTS
   "cli: outputs=33"
   "lavapipe.api_native: native=32"
   "swiftshader.pair_search: motion_sets=31")
+
+# Dear files whose subject other files of the daily run meet too: they take turns, as those on SwiftShader.
+set(WEFT_TURNS
+  "lavapipe.contact: contact_patches"
+  "lavapipe.multigrid: strain_limit"
+  "lavapipe.fabric: fabric_limit")

@@ -44,6 +44,7 @@ Result<void> check_selection(const BenchOptions& options) {
   WEFT_CHECK(check_names("--only", selection.only,
                          options.name == "pull"        ? bench::pull_variants()
                          : options.name == "multigrid" ? bench::multigrid_variants()
+                         : options.name == "methods"   ? bench::method_names()
                                                        : bench::hanging_variants()));
   return check_names("--objects", selection.objects, bench::pull_objects());
 }
@@ -85,8 +86,12 @@ Result<void> run_bench(const BenchOptions& options) {
     return bench::run_contact(*device, options.selection.quick, folders.scenes, add);
   }
   if (options.name == "multigrid") {
-    print_multigrid_head();
+    print_sheet_head();
     return bench::run_multigrid(*device, options.selection, folders, add);
+  }
+  if (options.name == "methods") {
+    print_sheet_head();
+    return bench::run_methods(*device, options.selection, folders, add);
   }
   print_head();
   if (options.name == "hanging") return bench::run_hanging(*device, options.selection, add);

@@ -64,18 +64,22 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
   CLI::App* multigrid =
       add_experiment(*bench, options, "multigrid", "multigrid --sides 64,256 --only multigrid,explicit",
                      "Measure time and error of the implicit solver beside explicit steps and null lines.");
+  CLI::App* methods =
+      add_experiment(*bench, options, "methods", "methods --sides 64 --json methods.json",
+                     "Measure time and error of every method over its substeps and sweeps.");
   CLI::App* copy = add_experiment(*bench, options, "copy", "copy --json results.json",
                                   "Measure what a copy and a dispatch take at best.");
   CLI::App* largest = add_experiment(*bench, options, "largest", "largest --only grid",
                                      "Find the largest sheet that fits, and run it.");
-  for (CLI::App* sized : {hanging, pull, contact, multigrid, copy}) add_quick(*sized, options);
+  for (CLI::App* sized : {hanging, pull, contact, multigrid, methods, copy}) add_quick(*sized, options);
   for (CLI::App* sheet : {hanging, largest})
     add_names(*sheet, "--only", options.selection.only, "grid, mesh, springs, blocks");
   add_names(*pull, "--only", options.selection.only, "none, bvh, proximity, proximity_self, paper");
   add_names(*multigrid, "--only", options.selection.only,
             "multigrid, multigrid4, multigrid16, explicit, null, fabric, drape");
+  add_names(*methods, "--only", options.selection.only, "words of methods, as solver.kind has them");
   add_names(*pull, "--objects", options.selection.objects, "sphere, armadillo, dragon");
-  for (CLI::App* sized : {hanging, pull, multigrid}) add_sides(*sized, options);
+  for (CLI::App* sized : {hanging, pull, multigrid, methods}) add_sides(*sized, options);
   largest
       ->add_option("--memory", options.memory, "Memory to use at most; else a quarter of what is available")
       ->type_name("GIB")

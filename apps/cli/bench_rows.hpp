@@ -6,6 +6,7 @@
 #include "bench/contact.hpp"
 #include "bench/copy.hpp"
 #include "bench/largest.hpp"
+#include "bench/methods.hpp"
 #include "bench/multigrid.hpp"
 #include "bench/row.hpp"
 
@@ -29,9 +30,9 @@ nlohmann::ordered_json json_of(const bench::ContactRow& row);
 void print(const bench::CopyRow& row);
 nlohmann::ordered_json json_of(const bench::CopyRow& row);
 
-void print_multigrid_head();
-void print(const bench::MultigridRow& row);
-nlohmann::ordered_json json_of(const bench::MultigridRow& row);
+void print_sheet_head();
+void print(const bench::SheetRow& row);
+nlohmann::ordered_json json_of(const bench::SheetRow& row);
 
 void print(const bench::LargestRow& row);
 nlohmann::ordered_json json_of(const bench::LargestRow& row);

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "bench/methods.hpp"
 #include "scene/names.hpp"
 #include "validate.hpp"
 
@@ -30,6 +31,7 @@ constexpr const char* kBash = R"(_weft() {
       case "${COMP_WORDS[2]}" in
         pull) COMPREPLY=($(compgen -W "none bvh proximity proximity_self paper" -- "$word")) ;;
         multigrid) COMPREPLY=($(compgen -W "multigrid multigrid4 multigrid16 explicit null drape" -- "$word")) ;;
+        methods) COMPREPLY=($(compgen -W "@METHODS@" -- "$word")) ;;
         *) COMPREPLY=($(compgen -W "grid mesh springs blocks" -- "$word")) ;;
       esac; return ;;
   esac
@@ -40,11 +42,11 @@ constexpr const char* kBash = R"(_weft() {
       case "${COMP_WORDS[2]}" in
         hanging) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
         pull) COMPREPLY=($(compgen -W "$measure --quick --sides --only --objects" -- "$word")) ;;
-        multigrid) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
+        multigrid|methods) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
         contact|copy) COMPREPLY=($(compgen -W "$measure --quick" -- "$word")) ;;
         largest) COMPREPLY=($(compgen -W "$measure --only --memory --seconds" -- "$word")) ;;
         compare) COMPREPLY=($(compgen -W "--json --fail --help" -f -- "$word")) ;;
-        *) COMPREPLY=($(compgen -W "hanging pull contact multigrid copy largest compare --help" -- "$word")) ;;
+        *) COMPREPLY=($(compgen -W "hanging pull contact multigrid methods copy largest compare --help" -- "$word")) ;;
       esac ;;
     validate) COMPREPLY=($(compgen -W "--solver --only --adapter --json --help" -- "$word")) ;;
     fabrics) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
@@ -64,19 +66,21 @@ complete -c weft -n "__fish_seen_subcommand_from run bench validate" -l adapter 
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
 complete -c weft -n "__fish_seen_subcommand_from fabrics validate" -l json
 complete -c weft -n "__fish_seen_subcommand_from validate" -l only -x -a "@LAWS@"
-set -l experiments hanging pull contact multigrid copy largest compare
+set -l experiments hanging pull contact multigrid methods copy largest compare
 complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" \
   -a "$experiments"
 complete -c weft -l quick \
-  -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull contact multigrid copy"
+  -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull contact multigrid methods copy"
 complete -c weft -l sides -x \
-  -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull multigrid"
+  -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging pull multigrid methods"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from hanging largest" \
   -l only -x -a "grid mesh springs blocks"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" \
   -l only -x -a "none bvh proximity proximity_self paper"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from multigrid" \
   -l only -x -a "multigrid multigrid4 multigrid16 explicit null drape"
+complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from methods" \
+  -l only -x -a "@METHODS@"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from pull" \
   -l objects -x -a "sphere armadillo dragon"
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l memory -x
@@ -100,9 +104,9 @@ std::string with_words(std::string script, std::string_view mark, const Words& a
 
 int print_completion(const std::string& shell) {
   if (shell == "zsh") std::fputs("autoload -U +X bashcompinit && bashcompinit\n", stdout);
-  const std::string script =
-      with_words(shell == "fish" ? kFish : kBash, "@SOLVERS@", scene::kSolverKindNames);
-  std::fputs(with_words(script, "@LAWS@", law_names()).c_str(), stdout);
+  std::string script = with_words(shell == "fish" ? kFish : kBash, "@SOLVERS@", scene::kSolverKindNames);
+  script = with_words(std::move(script), "@METHODS@", bench::method_names());
+  std::fputs(with_words(std::move(script), "@LAWS@", law_names()).c_str(), stdout);
   return 0;
 }
 

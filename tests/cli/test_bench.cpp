@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <set>
 
 #include "source_path.hpp"
 #include "weft.hpp"
@@ -215,9 +216,47 @@ TEST_CASE("the rows of bench multigrid end in the bits of a run without a clock"
   CHECK(drapes[2].at("object") == "dragon");
 }
 
+TEST_CASE("bench methods runs every method on one sheet, to the bits of a run without a clock") {
+  constexpr const char* kSprings = R"(cloths.0.stiffness={"structural":1500,"shear":750,"bend":15})";
+  const nlohmann::json rows = bench_rows({"methods", "--quick", "--sides", "12"});
+  std::set<std::string> words;
+  double nearest = 1, explicit_error = 1;
+  for (const auto& row : rows) {
+    const std::string variant = row.at("variant");
+    CAPTURE(variant);
+    const std::string word = variant.substr(0, variant.find(' '));
+    CHECK(words.insert(word).second);
+    std::string solver = R"(solver={"kind":")" + word + '"';
+    if (const std::size_t by = variant.find(" x "); by != std::string::npos)
+      solver += R"(,"iterations":)" + variant.substr(by + 3);
+    const std::string substeps = "time.substeps=" + std::to_string(row.at("substeps").get<int>());
+    const Ended ended =
+        run_weft({"run", source_path("scenes/sheet.json"), "--set", kSprings, "--set", solver + "}", "--set",
+                  substeps, "--set", "cloths.0.grid=[12,12]", "--frames", "15", "--json"});
+    REQUIRE_MESSAGE(ended.code == 0, ended.err);
+    CHECK(row.at("state_hash") == json_of(ended.out).at("state_hash"));
+    check_times(row.at("ms_per_frame"));
+    REQUIRE(row.at("error").size() == 1);
+    const double error = row.at("error")[0].at("position");
+    nearest = std::min(nearest, error);
+    if (word == "mass_spring") explicit_error = error;
+  }
+  const nlohmann::json schema = json_of(run_weft({"schema"}).out);
+  std::set<std::string> kinds;
+  for (const auto& solver : schema.at("properties").at("solver").at("oneOf"))
+    kinds.insert(solver.at("properties").at("kind").at("const"));
+  kinds.erase("auto");
+  CHECK(words == kinds);
+  CHECK(explicit_error <
+        0.01);  // half the step moves it by no more, so that the others' errors say something
+  CHECK(nearest == explicit_error);
+}
+
 TEST_CASE("what is too large for the adapter is a skipped row with the limit, before anything is built") {
-  for (const auto& [name, variants] :
-       {std::pair{"hanging", "mesh"}, {"pull", "bvh"}, {"multigrid", "multigrid,explicit,drape"}}) {
+  for (const auto& [name, variants] : {std::pair{"hanging", "mesh"},
+                                       {"pull", "bvh"},
+                                       {"multigrid", "multigrid,explicit,drape"},
+                                       {"methods", "xpbd,vbd"}}) {
     const nlohmann::json rows = bench_rows({name, "--quick", "--sides", "60000", "--only", variants});
     REQUIRE(!rows.empty());
     for (const auto& row : rows) {

@@ -150,7 +150,8 @@ TEST_CASE("no spring joins two nodes of one vbd colour, and every node has one")
   }
 }
 
-TEST_CASE("a free sheet thrown at random gains nothing by ten vbd sweeps in steps of a frame, by one it does") {
+TEST_CASE(
+    "a free sheet thrown at random gains nothing by ten vbd sweeps in steps of a frame, by one it does") {
   GpuFixture fixture;
   const auto scene = scene_of(
       R"("gravity": [0, 0, 0], "cloths": [{"grid": [9, 8], "size": [0.4, 0.35], "density": 0.2, "damping": 0,

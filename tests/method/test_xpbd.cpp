@@ -337,8 +337,8 @@ TEST_CASE(
     most = std::max(most, std::hypot((0.8 * across + 2 * along) * across, 0.1 * along));
   }
   most *= 0.5 * 1.2 * 13 * 13 / 0.2;
-  const double pull =
-      pull_of(R"("air": {"density": 1.2, "pressure": 0.8, "lift": 2, "friction": 0.1}, "wind": {"velocity": [0, 12, 5]}, )");
+  const double pull = pull_of(
+      R"("air": {"density": 1.2, "pressure": 0.8, "lift": 2, "friction": 0.1}, "wind": {"velocity": [0, 12, 5]}, )");
   CHECK(pull > kGravity + most);
   CHECK(pull < kGravity + 1.1 * most);
   // With gusts: by the square of the most that the wind has.

@@ -31,6 +31,7 @@ NAMED = {
         "src/bench/contact.cpp",
         "src/bench/hanging_sheet.cpp",
         "src/bench/multigrid.cpp",
+        "src/bench/sheet_runs.cpp",
         "src/method/multigrid/reference/implicit_step.hpp",
         "src/method/stepper.hpp",
         "src/reference/simulation.hpp",

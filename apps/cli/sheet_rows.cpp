@@ -23,12 +23,12 @@ bench::Timing part_of(bench::Timing timing, double parts) {
 
 }  // namespace
 
-void print_multigrid_head() {
+void print_sheet_head() {
   std::printf("%-10s %-13s %8s %9s %9s %8s %6s %9s  %s\n", "object", "variant", "nodes", "ms/frame", "least",
               "substeps", "disp.", "real time", "state hash");
 }
 
-void print(const bench::MultigridRow& row) {
+void print(const bench::SheetRow& row) {
   std::printf("%-10s %-13s %8llu ", row.object.c_str(), row.variant.c_str(),
               static_cast<unsigned long long>(row.nodes));
   if (!row.skipped.empty()) {
@@ -50,7 +50,7 @@ void print(const bench::MultigridRow& row) {
   std::fflush(stdout);
 }
 
-nlohmann::ordered_json json_of(const bench::MultigridRow& row) {
+nlohmann::ordered_json json_of(const bench::SheetRow& row) {
   nlohmann::ordered_json json = {{"object", row.object},
                                  {"variant", row.variant},
                                  {"side", row.side},
