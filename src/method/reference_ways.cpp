@@ -1,5 +1,7 @@
 #include "method/reference_ways.hpp"
 
+#include <algorithm>
+
 namespace weft::reference {
 
 Ways Ways::begin(const Substep& substep) {
@@ -20,6 +22,23 @@ void Ways::end(const Substep& substep) const {
     substep.system.position[node] = place(node);
     substep.system.velocity[node] = way[node] / substep.dt;
   }
+}
+
+Ways LookBack::begin(const Substep& substep, std::vector<Vec3d>& aim) {
+  const double dt = substep.dt;
+  const std::vector<Vec3d> velocity = substep.system.velocity;
+  Ways ways = Ways::begin(substep);
+  aim = ways.way;
+  for (std::size_t node = 0; node < aim.size(); ++node) {
+    const Vec3d change = aim[node] - dt * velocity[node];
+    const double square = dot(change, change);
+    if (ways.inverse_mass[node] == 0 || !known_[node] || substep.ratio == 0 || square == 0) continue;
+    const Vec3d felt = dt * substep.ratio * (velocity[node] - velocity_before_[node]);
+    ways.way[node] = dt * velocity[node] + std::clamp(dot(felt, change) / square, 0.0, 1.0) * change;
+  }
+  velocity_before_ = velocity;
+  known_.assign(known_.size(), true);
+  return ways;
 }
 
 }  // namespace weft::reference

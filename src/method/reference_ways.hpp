@@ -1,4 +1,5 @@
-// The substep of methods that move ways, in double: what src/method/way_velocity.wgsl and end_way.wgsl do.
+// The substep of methods that move ways, in double: what src/method/way_velocity.wgsl, start_way.wgsl and end_way.wgsl
+// do.
 #pragma once
 
 #include <vector>
@@ -19,6 +20,20 @@ struct Ways {
   static Ways begin(const Substep& substep);
   /// Where the ways have taken every node, and the velocities that this is.
   void end(const Substep& substep) const;
+};
+
+/// What a substep that seeks its end begins from: docs/solvers/vbd.md, equation 2.
+class LookBack {
+ public:
+  explicit LookBack(std::size_t node_count) : velocity_before_(node_count), known_(node_count, false) {}
+  /// The ways to begin from; `aim` gets those without springs.
+  Ways begin(const Substep& substep, std::vector<Vec3d>& aim);
+  void forget() { known_.assign(known_.size(), false); }
+  void forget(std::size_t node) { known_[node] = false; }
+
+ private:
+  std::vector<Vec3d> velocity_before_;  // at the start of the substep before [m/s]
+  std::vector<bool> known_;             // whether that is of the motion that goes on
 };
 
 }  // namespace weft::reference

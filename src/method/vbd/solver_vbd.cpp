@@ -21,20 +21,10 @@ Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
   const std::uint32_t count = inputs.model.vertex_count();
   WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, count, "aims"));
   WEFT_SET(corners_, corners_in_air(inputs));
-  WEFT_TRY(start, gpu::create_shared_kernel(inputs.device, "method/vbd/start_way.wgsl",
-                                            {{"kAirPushes", inputs.air ? 1.0 : 0.0}}, inputs.workgroup_size));
-  WEFT_SET(start_way_, gpu::Dispatch::create_by_parity(start, start->workgroups_of(count),
-                                                       [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                                                         return {state.steps,
-                                                                 state.position[p],
-                                                                 state.velocity[p],
-                                                                 state.velocity[1 - p],
-                                                                 inputs.model.rest_position,
-                                                                 state.motions,
-                                                                 aim_,
-                                                                 state.position[1 - p],
-                                                                 corners_};
-                                                       }));
+  WEFT_SET(start_way_,
+           create_start_way(inputs, corners_, aim_, [&](std::size_t p) -> const gpu::Buffer<Vec4f>& {
+             return state.position[1 - p];
+           }));
   WEFT_SET(end_way_, create_end_way(inputs, true));
   return {};
 }

@@ -1,7 +1,5 @@
 #include "method/vbd/reference/vbd_stepper.hpp"
 
-#include <algorithm>
-
 #include "element/spring/law.hpp"
 #include "method/reference_ways.hpp"
 #include "method/sym3.hpp"
@@ -35,8 +33,7 @@ Vec3d descended(const MassSpringSystem& system, std::span<const std::uint32_t> s
 VbdStepper::VbdStepper(const Model& model, std::uint32_t iterations)
     : iterations_(iterations),
       springs_of_(incidence(model.elements(ElementKind::Spring), 0, model.rest_position.size())),
-      velocity_before_(model.rest_position.size()),
-      known_(model.rest_position.size(), false) {
+      look_back_(model.rest_position.size()) {
   for (const Body& cloth : model.bodies) {
     const NodeColors colors = color_nodes(model, cloth);
     order_.insert(order_.end(), colors.nodes.begin(), colors.nodes.end());
@@ -44,24 +41,13 @@ VbdStepper::VbdStepper(const Model& model, std::uint32_t iterations)
 }
 
 void VbdStepper::advance(const Substep& substep) {
-  const auto& [system, places, dt, ratio, pressed] = substep;
-  const std::vector<Vec3d> velocity = system.velocity;
-  Ways ways = Ways::begin(substep);
-  const std::vector<Vec3d> aim = ways.way;
-  for (std::size_t node = 0; node < aim.size(); ++node) {
-    const Vec3d change = aim[node] - dt * velocity[node];
-    const double square = dot(change, change);
-    if (ways.inverse_mass[node] == 0 || !known_[node] || ratio == 0 || square == 0) continue;
-    const Vec3d felt = dt * ratio * (velocity[node] - velocity_before_[node]);
-    ways.way[node] = dt * velocity[node] + std::clamp(dot(felt, change) / square, 0.0, 1.0) * change;  // (2)
-  }
+  std::vector<Vec3d> aim;
+  Ways ways = look_back_.begin(substep, aim);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep)
     for (const std::uint32_t node : order_)
       if (ways.inverse_mass[node] > 0)
-        ways.way[node] = descended(system, springs_of_.row(node), ways, node, aim[node], dt);
+        ways.way[node] = descended(substep.system, springs_of_.row(node), ways, node, aim[node], substep.dt);
   ways.end(substep);
-  velocity_before_ = velocity;
-  known_.assign(known_.size(), true);
 }
 
 }  // namespace weft::reference

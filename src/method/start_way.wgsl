@@ -1,6 +1,6 @@
-// Where a node would go in this substep without its springs, and the guess from which it descends: the same, with as
-// much of the change of its velocity as it followed in the substep before. One invocation per node.
-// Source: docs/solvers/vbd.md, equations 1 and 2.
+// Where a node would go in this substep without its springs, and the way from which a method that seeks the end of a
+// substep begins: the same, with as much of the change of its velocity as it followed in the substep before. One
+// invocation per node. Source: docs/solvers/vbd.md, equations 1 and 2.
 #include "gpu/index.wgsl"
 #include "method/way_velocity.wgsl"
 //                                                                                  elements       unit
