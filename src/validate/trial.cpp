@@ -113,7 +113,7 @@ std::string members_of(const Rig& rig, const Material& material) {
     return R"("density": 0.2, "fabric": {"warp": )" + text_of(material.modulus) + R"(, "shear": )" +
            text_of(material.shear > 0 ? material.shear : 0.4 * material.modulus) + R"(, "bending_warp": )" +
            text_of(material.bending) + R"(, "damping": )" + text_of(material.damping) + "}";
-  return R"("density": 0.2, "damping": 0.001, "stiffness": {"structural": )" + text_of(material.modulus / 2) +
+  return R"("density": 0.2, "damping": 0.001, "stiffness": {"structural": )" + text_of(material.modulus) +
          R"(, "shear": )" + text_of(material.shear) + R"(, "bend": 0})";
 }
 

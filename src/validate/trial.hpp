@@ -61,8 +61,8 @@ struct Material {
   double damping = 1e-4;  // of fabric [s]
   double shear = 0;       // 0: 0.4 of the modulus [N/m]
 };
-/// The members "density", and "fabric" or "stiffness" and "damping", of a cloth. A strip of springs two nodes wide,
-/// without springs across its cells, has twice their stiffness as its modulus.
+/// The members "density", and "fabric" or "stiffness" and "damping", of a cloth. Springs along the boundary have half
+/// the stiffness, so without springs across its cells a strip of any width has it as its modulus.
 std::string members_of(const Rig& rig, const Material& material);
 
 /// "grid" and "size" of square cells.
