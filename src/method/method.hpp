@@ -54,7 +54,7 @@ struct Method {
   /// How many states before the current one it reads, for nodes whose velocity's w is 1.
   std::uint32_t history;
   std::uint32_t order = 1;  // of its steps in time
-  bool sweeps = false;      // over elements or nodes, a dispatch a colour
+  bool sweeps = false;      // over elements or nodes, in dozens of dispatches a substep
 };
 
 /// All methods.

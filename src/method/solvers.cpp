@@ -1,6 +1,7 @@
 // A line a method.
 #include "method/mass_spring/solver_mass_spring.hpp"
 #include "method/multigrid/solver_multigrid.hpp"
+#include "method/projective_dynamics/solver_projective_dynamics.hpp"
 #include "method/vbd/solver_vbd.hpp"
 #include "method/xpbd/solver_xpbd.hpp"
 
@@ -16,6 +17,8 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
       return SolverXpbd::create(settings, inputs);
     case scene::SolverKind::Vbd:
       return SolverVbd::create(settings, inputs);
+    case scene::SolverKind::ProjectiveDynamics:
+      return SolverProjectiveDynamics::create(settings, inputs);
     case scene::SolverKind::Auto:
       break;
   }

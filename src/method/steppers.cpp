@@ -1,6 +1,7 @@
 // A line a method.
 #include "method/mass_spring/reference/mass_spring_stepper.hpp"
 #include "method/multigrid/reference/implicit_step.hpp"
+#include "method/projective_dynamics/reference/projective_dynamics_stepper.hpp"
 #include "method/stepper.hpp"
 #include "method/vbd/reference/vbd_stepper.hpp"
 #include "method/xpbd/reference/xpbd_stepper.hpp"
@@ -15,6 +16,8 @@ std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model
       return std::make_unique<XpbdStepper>(model, settings.iterations);
     case scene::SolverKind::Vbd:
       return std::make_unique<VbdStepper>(model, settings.iterations);
+    case scene::SolverKind::ProjectiveDynamics:
+      return std::make_unique<ProjectiveDynamicsStepper>(model, step, settings.iterations);
     case scene::SolverKind::MassSpring:
     case scene::SolverKind::Auto:
       break;

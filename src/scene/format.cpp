@@ -100,6 +100,8 @@ constexpr Key kXpbdKeys[] = {
      "Sweeps over all elements in a substep; more substeps do more for the same work", "1"},
 };
 constexpr Key kVbdKeys[] = {{"iterations", &kIterations, "Sweeps over all nodes in a substep", "10"}};
+constexpr Key kProjectiveDynamicsKeys[] = {
+    {"iterations", &kIterations, "Iterations over all nodes in a substep", "20"}};
 constexpr Type kResidual{.kind = Kind::Number, .least = 1e-5, .most = 0.5};
 constexpr Key kResidualKey = {
     "residual", &kResidual, "What a substep may leave of its linear system's residual, by what it began with",
@@ -111,7 +113,8 @@ constexpr Variant kSolverVariants[] = {                  // in the order of Solv
     {kSolverKindNames[1], kMultigridKeys},
     {kSolverKindNames[2], kXpbdKeys},
     {kSolverKindNames[3], kVbdKeys},
-    {kSolverKindNames[4], kAutoKeys}};
+    {kSolverKindNames[4], kProjectiveDynamicsKeys},
+    {kSolverKindNames[5], kAutoKeys}};
 static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 

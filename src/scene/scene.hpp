@@ -243,13 +243,14 @@ enum class SolverKind {
   Multigrid,
   Xpbd,
   Vbd,
+  ProjectiveDynamics,
   Auto,  ///< the cheaper of the first two for this scene
 };
 enum class Forces { NodeCentric, SpringCentric, SpringBlocks };
 struct Solver {
   SolverKind kind = SolverKind::Auto;
   Forces forces = Forces::NodeCentric;  // of MassSpring
-  std::uint32_t iterations = 1;  // of Xpbd and Vbd: sweeps over the springs, or the nodes, in a substep
+  std::uint32_t iterations = 1;         // of methods that sweep or iterate: how often in a substep
   double residual =
       0.01;  // of Multigrid: what a substep leaves of its linear system's, by what it began with
 };

@@ -26,6 +26,7 @@
 #include "method/multigrid/cycle.hpp"
 #include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/mesh_lists.hpp"
+#include "method/projective_dynamics/solver_projective_dynamics.hpp"
 #include "method/vbd/solver_vbd.hpp"
 #include "method/xpbd/color.hpp"
 #include "model/limited_edges.hpp"
@@ -212,6 +213,15 @@ Json nodes_of_color() {
   return row("NodesOfColor", "method/vbd/descend.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(first_node), M(kinds)});
 }
+Json relaxed_nodes() {
+  using T = RelaxedNodes;
+  return row("RelaxedNodes", "method/projective_dynamics/relaxed_nodes.wgsl", sizeof(T), kUniform,
+             {M(first_node), M(count), M(stiffness_rate), M(damping_rate), M(radius), M(kinds)});
+}
+Json iteration() {
+  using T = Iteration;
+  return row("Iteration", "method/projective_dynamics/relax_nodes.wgsl", sizeof(T), kUniform, {M(weight)});
+}
 Json surface_params() {
   using T = SurfaceParams;
   return row("SurfaceParams", "state/surface.wgsl", sizeof(T), kUniform,
@@ -342,20 +352,50 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),      step_time(),       step_nodes(),
-                      step_contact(),    step_air(),        step_hands(),
-                      step_method(),     spring(),          spring_kind(),
-                      limited_edge(),    limit_spring(),    spring_block(),
-                      block_spring(),    neighbour(),       mesh_params(),
-                      membrane_law(),    fabric_params(),   surface_params(),
-                      object_triangle(), spring_grid_row(), level_of_grid(),
-                      tree_node(),       pair_range(),      analytic_collider(),
-                      listed_pair(),     contact_of_pair(), pair_hold(),
-                      search_params(),   patch_place(),     tree_params(),
-                      colliders(),       collider_place(),  frame(),
-                      weave(),           plane(),           fine_grid(),
-                      cloth_nodes(),     bottom_sweeps(),   elements_of_color(),
-                      nodes_of_color(),  level_of_mesh(),   share()});
+  return Json::array({step_block(),
+                      step_time(),
+                      step_nodes(),
+                      step_contact(),
+                      step_air(),
+                      step_hands(),
+                      step_method(),
+                      spring(),
+                      spring_kind(),
+                      limited_edge(),
+                      limit_spring(),
+                      spring_block(),
+                      block_spring(),
+                      neighbour(),
+                      mesh_params(),
+                      membrane_law(),
+                      fabric_params(),
+                      surface_params(),
+                      object_triangle(),
+                      spring_grid_row(),
+                      level_of_grid(),
+                      tree_node(),
+                      pair_range(),
+                      analytic_collider(),
+                      listed_pair(),
+                      contact_of_pair(),
+                      pair_hold(),
+                      search_params(),
+                      patch_place(),
+                      tree_params(),
+                      colliders(),
+                      collider_place(),
+                      frame(),
+                      weave(),
+                      plane(),
+                      fine_grid(),
+                      cloth_nodes(),
+                      bottom_sweeps(),
+                      elements_of_color(),
+                      nodes_of_color(),
+                      relaxed_nodes(),
+                      iteration(),
+                      level_of_mesh(),
+                      share()});
 }
 
 Json shared_constants() {

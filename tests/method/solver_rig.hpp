@@ -88,6 +88,13 @@ class SolverRig {
     state_.steps.write(device_, std::span(&params_, 1));
   }
 
+  /// Holds none from now on.
+  void let_go() {
+    params_.hands = {};
+    grabs_.clear();
+    state_.steps.write(device_, std::span(&params_, 1));
+  }
+
   void advance(std::uint32_t steps) {
     while (steps > 0) {
       const std::uint32_t batch = steps < 500 ? steps : 500;

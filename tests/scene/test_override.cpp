@@ -84,7 +84,7 @@ TEST_CASE("a solver override replaces the whole solver object") {
   CHECK(with({override_solver("mass_spring")}, text)->solver.forces == Forces::NodeCentric);
   CHECK(with({override_solver("newton")}, text).error().message ==
         "a.json: solver.kind is \"newton\", not one of \"mass_spring\", \"multigrid\", \"xpbd\", \"vbd\", "
-        "\"auto\".");
+        "\"projective_dynamics\", \"auto\".");
   CHECK(with({override_solver("a\"b\\c\n")}, text).error().kind == ErrorKind::Input);
 }
 
