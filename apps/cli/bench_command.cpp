@@ -64,9 +64,8 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
   CLI::App* multigrid =
       add_experiment(*bench, options, "multigrid", "multigrid --sides 64,256 --only multigrid,explicit",
                      "Measure time and error of the implicit solver beside explicit steps and null lines.");
-  CLI::App* methods =
-      add_experiment(*bench, options, "methods", "methods --sides 64 --json methods.json",
-                     "Measure time and error of every method over its substeps and sweeps.");
+  CLI::App* methods = add_experiment(*bench, options, "methods", "methods --sides 64 --json methods.json",
+                                     "Measure time and error of every method over its substeps and sweeps.");
   CLI::App* copy = add_experiment(*bench, options, "copy", "copy --json results.json",
                                   "Measure what a copy and a dispatch take at best.");
   CLI::App* largest = add_experiment(*bench, options, "largest", "largest --only grid",

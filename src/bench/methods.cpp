@@ -11,6 +11,9 @@ constexpr const char* kSheetName = "sheet";
 /// Springs that every method takes, of the sheet's own moduli; bend springs instead of its bending [N/m].
 const scene::Override kSprings = {"cloths.0.stiffness", R"({"structural": 1500, "shear": 750, "bend": 15})"};
 
+constexpr std::uint32_t kMostSweeps =
+    1024;  // of a frame: more take five times its length and longer on any GPU
+
 /// How a method steps in a row.
 struct Steps {
   std::string variant, solver, substeps;
@@ -27,10 +30,12 @@ std::vector<Steps> steps_of(const Method& method, bool is_explicit, bool quick) 
     return steps;
   }
   for (const std::uint32_t substeps : quick ? std::vector{8U} : std::vector{8U, 32U, 128U})
-    for (const std::uint32_t sweeps : quick ? std::vector{4U} : std::vector{1U, 4U, 16U, 64U})
+    for (const std::uint32_t sweeps : quick ? std::vector{4U} : std::vector{1U, 4U, 16U, 64U}) {
+      if (substeps * sweeps > kMostSweeps) break;
       steps.push_back({kind + " " + std::to_string(substeps) + " x " + std::to_string(sweeps),
                        opening + R"(, "iterations": )" + std::to_string(sweeps) + "}",
                        std::to_string(substeps)});
+    }
   return steps;
 }
 

@@ -10,7 +10,8 @@ namespace {
 scene::Scene sheet(const std::vector<scene::Override>& overrides) {
   auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"}, "contact": {"method": "none"},
-         "wind": {"velocity": [2, 0, 1], "gusts": 0.8}, "cloths": [{"grid": [9, 8], "size": [1, 0.8],
+         "time": {"substeps": 32}, "wind": {"velocity": [2, 0, 1], "gusts": 0.8},
+         "cloths": [{"grid": [9, 8], "size": [1, 0.8],
          "density": 0.2, "damping": 0.005, "pins": ["top"],
          "stiffness": {"structural": 100, "shear": 30, "bend": 1}}]})",
       "sheet.json", overrides);
