@@ -11,32 +11,42 @@ constexpr const char* kSheetName = "sheet";
 /// Springs that every method takes, of the sheet's own moduli; bend springs instead of its bending [N/m].
 const scene::Override kSprings = {"cloths.0.stiffness", R"({"structural": 1500, "shear": 750, "bend": 15})"};
 
-constexpr std::uint32_t kMostSweeps =
-    1024;  // of a frame: more take five times its length and longer on any GPU
+/// Of a frame: more take five times its length and longer on any GPU.
+constexpr std::uint32_t kMostSweeps = 1024;
 
 /// How a method steps in a row.
 struct Steps {
-  std::string variant, solver, substeps;
+  std::string variant, substeps;
+  std::vector<scene::Override> settings;  // of the solver
 };
 
 std::vector<Steps> steps_of(const Method& method, bool is_explicit, bool quick) {
   const std::string kind = scene::name_of(method.kind);
-  const std::string opening = R"({"kind": ")" + kind + '"';
-  if (is_explicit) return {{kind, opening + "}", "\"auto\""}};
+  if (is_explicit) return {{kind, "\"auto\"", {}}};
   std::vector<Steps> steps;
   if (!method.sweeps) {
     for (const std::uint32_t substeps : quick ? std::vector{8U} : std::vector{4U, 8U, 16U, 32U})
-      steps.push_back({kind + " " + std::to_string(substeps), opening + "}", std::to_string(substeps)});
+      steps.push_back({kind + " " + std::to_string(substeps), std::to_string(substeps), {}});
     return steps;
   }
   for (const std::uint32_t substeps : quick ? std::vector{8U} : std::vector{8U, 32U, 128U})
     for (const std::uint32_t sweeps : quick ? std::vector{4U} : std::vector{1U, 4U, 16U, 64U}) {
       if (substeps * sweeps > kMostSweeps) break;
       steps.push_back({kind + " " + std::to_string(substeps) + " x " + std::to_string(sweeps),
-                       opening + R"(, "iterations": )" + std::to_string(sweeps) + "}",
-                       std::to_string(substeps)});
+                       std::to_string(substeps),
+                       {{"solver.iterations", std::to_string(sweeps)}}});
     }
   return steps;
+}
+
+/// Measures the method in these steps. `reference`: of the same grid.
+Result<SheetRow> measure(const SheetRuns& runs, const Method& method, const Steps& steps,
+                         const Result<SheetRun>& reference, SheetRow row) {
+  if (!reference) return reference.error();
+  std::vector<scene::Override> changes = solved_by(row.side, scene::name_of(method.kind), steps.substeps);
+  changes.insert(changes.end(), steps.settings.begin(), steps.settings.end());
+  WEFT_TRY(made, runs.run(changes));
+  return filled(std::move(row), *reference, made, made.shapes);
 }
 
 }  // namespace
@@ -60,17 +70,11 @@ Result<void> run_methods(gpu::Device& device, const Selection& selection, const 
     const Result<SheetRun> reference = runs.run_reference(side);
     for (const Method& method : methods()) {
       if (!selection.has_variant(scene::name_of(method.kind))) continue;
-      const std::string solver = std::string(R"({"kind": ")") + scene::name_of(method.kind) + "\"}";
-      WEFT_TRY(limit, runs.step_limit(
-                          solved_by(4, solver, "1")));  // whether there is one does not depend on the grid
+      // Whether a method has a largest step does not depend on the grid.
+      WEFT_TRY(limit, runs.step_limit(solved_by(4, scene::name_of(method.kind), "1")));
       for (const Steps& steps : steps_of(method, limit.largest_step > 0, selection.quick)) {
         const SheetRow begun = begin_row(kSheetName, steps.variant, side);
-        const auto measure = [&]() -> Result<SheetRow> {
-          if (!reference) return reference.error();
-          WEFT_TRY(made, runs.run(solved_by(side, steps.solver, steps.substeps)));
-          return filled(begun, *reference, made, made.shapes);
-        };
-        WEFT_CHECK(report(measure(), begun, done));
+        WEFT_CHECK(report(measure(runs, method, steps, reference, begun), begun, done));
       }
     }
   }

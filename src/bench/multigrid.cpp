@@ -38,8 +38,7 @@ constexpr SheetScene kSheet = {"sheet", nullptr, kAnySide, true};
 // Its explicit substeps grow with the square of the side: half an hour of them for 800.
 constexpr SheetScene kFabric = {"fabric", "fabric", 256, false};
 
-const std::string kImplicit = R"({"kind": "multigrid"})";
-const std::string kAuto = "\"auto\"";
+constexpr const char* kImplicit = "multigrid";
 
 /// Runs the sheet; explicit runs once, since they are rows, and null lines of larger sheets.
 class SheetBench {
@@ -124,8 +123,8 @@ std::string drape_of(const Folders& folders, const std::string& object) {
 Result<SheetRow> measure_drape(gpu::Device& device, const Selection& selection, const Folders& folders,
                                const Assets& assets, SheetRow row) {
   WEFT_CHECK(sim::check_node_count(row.nodes, device));
-  const std::string solver = row.variant == "explicit" ? R"({"kind": "mass_spring"})" : kImplicit;
-  WEFT_TRY(scene, scene::load_scene(drape_of(folders, row.object), solved_by(row.side, solver, kAuto)));
+  const char* solver = row.variant == "explicit" ? "mass_spring" : kImplicit;
+  WEFT_TRY(scene, scene::load_scene(drape_of(folders, row.object), solved_by(row.side, solver, "\"auto\"")));
   const std::uint32_t frames = selection.quick ? stops_of(selection).back() : scene.time.frames;
   WEFT_TRY(run, run_timed(device, scene, assets, std::vector{frames}));
   row.run = std::move(run);

@@ -6,7 +6,7 @@
 namespace weft::bench {
 namespace {
 
-const std::string kExplicit = R"({"kind": "mass_spring"})";
+constexpr const char* kExplicit = "mass_spring";
 
 }  // namespace
 
@@ -14,11 +14,12 @@ std::vector<std::uint32_t> stops_of(const Selection& selection) {
   return selection.quick ? std::vector<std::uint32_t>{15} : std::vector<std::uint32_t>{15, 30, 60};
 }
 
-std::vector<scene::Override> solved_by(std::uint32_t side, const std::string& solver,
+std::vector<scene::Override> solved_by(std::uint32_t side, const std::string& kind,
                                        const std::string& substeps) {
   const std::string count = std::to_string(side);
-  return {
-      {"cloths.0.grid", "[" + count + "," + count + "]"}, {"solver", solver}, {"time.substeps", substeps}};
+  return {{"cloths.0.grid", "[" + count + "," + count + "]"},
+          scene::override_solver(kind),
+          {"time.substeps", substeps}};
 }
 
 SheetRow begin_row(const std::string& object, const std::string& variant, std::uint32_t side) {

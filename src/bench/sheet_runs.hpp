@@ -13,8 +13,8 @@ namespace weft::bench {
 /// Frames after which states are compared: 0.25, 0.5 and 1 s; `quick`: the first of them.
 std::vector<std::uint32_t> stops_of(const Selection& selection);
 
-/// A grid of so many nodes a side and its solver, an object in JSON; `substeps` is a number or "auto".
-std::vector<scene::Override> solved_by(std::uint32_t side, const std::string& solver,
+/// A grid of so many nodes a side and its solver; `substeps` is a number or "auto".
+std::vector<scene::Override> solved_by(std::uint32_t side, const std::string& kind,
                                        const std::string& substeps);
 
 /// A run of a sheet, and its states at the times that are compared.
