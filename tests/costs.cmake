@@ -44,5 +44,6 @@ set(WEFT_COSTS
 # Dear files whose subject other files of the daily run meet too: they take turns, as those on SwiftShader.
 set(WEFT_TURNS
   "lavapipe.contact: contact_patches"
+  "lavapipe.multigrid: multigrid_pairs"
   "lavapipe.multigrid: strain_limit"
   "lavapipe.fabric: fabric_limit")

@@ -4,6 +4,7 @@ import { readFile } from "node:fs/promises";
 import type { AddressInfo } from "node:net";
 import { extname, join, normalize } from "node:path";
 import { chromium, type Browser, type Page } from "playwright-core";
+import { SLOW_ON_SWIFTSHADER } from "./adapter.ts";
 
 declare global {
   interface Window {
@@ -17,9 +18,9 @@ const TYPES: Record<string, string> = { ".js": "text/javascript", ".wasm": "appl
 
 const PACKAGE = "/packages/weft/build/index.js";
 
-/** Compute alone needs the first two; a canvas needs them all (a subset fails at the first canvas texture). */
+/** Compute alone needs the first two; a canvas needs all but the last (a subset fails at the first canvas texture). */
 export const SOFTWARE_FLAGS = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan",
-  "--use-vulkan=swiftshader", "--use-angle=vulkan"];
+  "--use-vulkan=swiftshader", "--use-angle=vulkan", `--disable-dawn-features=${SLOW_ON_SWIFTSHADER}`];
 
 /** WebGL 2 too: ANGLE on SwiftShader of its own, beside Vulkan's for WebGPU and its canvas. */
 export const WEBGL_TOO_FLAGS = [...SOFTWARE_FLAGS.filter((flag) => !flag.startsWith("--use-angle")),
