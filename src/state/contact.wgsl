@@ -102,7 +102,7 @@ const kStruck = 64u;  // by an obstacle: a pair of it with one would end nearer 
 const kFarWay = 16u;  // it goes farther than free_way: planes of obstacles without a record count, too
 const kInBody = 3e38;           // in place of a plane's nearness: a pair moves the vertex out of a body
 
-const kMostSeparations = 6u;  // rounds of a substep; mirror: src/contact/proximity/separation_rounds.hpp
+const kMostSeparations = 6u;  // rounds of a substep; mirror: src/contact/proximity/round_kernel.hpp
 const kSoftLack = 0.02;      // of the thickness: of a smaller lack less is restored, in proportion to it
 const kPushPart = 0.7;       // β: of a missing gap, the part that a substep restores, by a push that is in no velocity
 const kHeldLack = 0.2;       // of the thickness: what a pair may lack that is left to the solver, before it is pushed

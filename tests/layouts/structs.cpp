@@ -10,6 +10,7 @@
 
 #include "contact/object_tree.hpp"
 #include "contact/proximity/pair_search.hpp"
+#include "contact/proximity/round_kernel.hpp"
 #include "contact/proximity/tree_refit.hpp"
 #include "contact/pushes/colliders_analytic.hpp"
 #include "contact/pushes/object_triangles.hpp"
@@ -297,6 +298,11 @@ Json tree_params() {
   return row("TreeParams", "contact/proximity/tree_params.wgsl", sizeof(T), kExact,
              {M(tree), M(top), M(first_triangle), M(triangle_count)});
 }
+Json contact_round() {
+  using T = contact::Round;
+  return row("Round", "contact/proximity/rounds.wgsl", sizeof(T), kExact,
+             {M(number), M(is_first), M(is_last)});
+}
 Json colliders() {
   using List = std::array<std::array<std::uint32_t, 4>, contact::kMostColliders>;
   static_assert(sizeof(List) == contact::kMostColliders * sizeof(contact::TreeWord));
@@ -352,49 +358,17 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),
-                      step_time(),
-                      step_nodes(),
-                      step_contact(),
-                      step_air(),
-                      step_hands(),
-                      step_method(),
-                      spring(),
-                      spring_kind(),
-                      limited_edge(),
-                      limit_spring(),
-                      spring_block(),
-                      block_spring(),
-                      neighbour(),
-                      mesh_params(),
-                      membrane_law(),
-                      fabric_params(),
-                      surface_params(),
-                      object_triangle(),
-                      spring_grid_row(),
-                      level_of_grid(),
-                      tree_node(),
-                      pair_range(),
-                      analytic_collider(),
-                      listed_pair(),
-                      contact_of_pair(),
-                      pair_hold(),
-                      search_params(),
-                      patch_place(),
-                      tree_params(),
-                      colliders(),
-                      collider_place(),
-                      frame(),
-                      weave(),
-                      plane(),
-                      fine_grid(),
-                      cloth_nodes(),
-                      bottom_sweeps(),
-                      elements_of_color(),
-                      nodes_of_color(),
-                      relaxed_nodes(),
-                      iteration(),
-                      level_of_mesh(),
+  return Json::array({step_block(),     step_time(),       step_nodes(),      step_contact(),
+                      step_air(),       step_hands(),      step_method(),     spring(),
+                      spring_kind(),    limited_edge(),    limit_spring(),    spring_block(),
+                      block_spring(),   neighbour(),       mesh_params(),     membrane_law(),
+                      fabric_params(),  surface_params(),  object_triangle(), spring_grid_row(),
+                      level_of_grid(),  tree_node(),       pair_range(),      analytic_collider(),
+                      listed_pair(),    contact_of_pair(), pair_hold(),       search_params(),
+                      patch_place(),    contact_round(),   tree_params(),     colliders(),
+                      collider_place(), frame(),           weave(),           plane(),
+                      fine_grid(),      cloth_nodes(),     bottom_sweeps(),   elements_of_color(),
+                      nodes_of_color(), relaxed_nodes(),   iteration(),       level_of_mesh(),
                       share()});
 }
 

@@ -1,5 +1,5 @@
 // The quads of cells of open patches, and how open their triangles are where ways end. The including kernel binds
-// `previous` and `position`, where ways begin and end, `places`, `patches`, and `statistics` as atomics.
+// `previous` and `position`, where ways begin and end, `places`, `patches`, and what rounds.wgsl asks for.
 // Source: docs/contact.md, Patches.
 #include "contact/proximity/patches.wgsl"
 #include "contact/proximity/rounds.wgsl"
@@ -7,8 +7,8 @@ var<workgroup> quads : u32;
 
 // How many quads a kernel of a round goes through, with places for kCellQuads of each cell; 0: the round is idle. All
 // invocations of a workgroup call it.
-fn quads_of_round(thread : u32, round : u32, is_first : bool, acts : bool) -> u32 {
-  if (thread == 0u) { quads = select(kCellQuads * arrayLength(&places), 0u, round_is_idle(round, is_first, acts)); }
+fn quads_of_round(thread : u32, acts : bool) -> u32 {
+  if (thread == 0u) { quads = select(kCellQuads * arrayLength(&places), 0u, round_is_idle(acts)); }
   return workgroupUniformLoad(&quads);
 }
 

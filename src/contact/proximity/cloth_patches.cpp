@@ -24,16 +24,13 @@ Result<ClothPatches> ClothPatches::create(gpu::Device& device, const PatchTable&
   };
   WEFT_SET(made.find_open_, find(false));
   WEFT_SET(made.find_early_, find(true));
-  const auto keep = [&](std::size_t round, double end_ways) {
-    return gpu::Kernel::create(device, "contact/proximity/keep_open.wgsl",
-                               {{"kRound", static_cast<double>(kMostSeparations + round + 1)},
-                                {"kFirst", round == 0 ? 1.0 : 0.0},
-                                {"kIsLast", round + 1 == kRounds ? 1.0 : 0.0},
-                                {"kEndWays", end_ways}},
+  const std::vector<Round> rounds = holding_rounds(true);
+  const auto keep = [&](double end_ways) {
+    return RoundKernel::create(device, "contact/proximity/keep_open.wgsl", {{"kEndWays", end_ways}}, rounds,
                                workgroup_size);
   };
-  WEFT_SET(made.end_ways_, keep(0, 1));
-  for (std::size_t round = 0; round < kRounds; ++round) WEFT_SET(made.mark_[round], keep(round, 0));
+  WEFT_SET(made.mark_, keep(0));
+  WEFT_SET(made.end_ways_, keep(1));
   WEFT_SET(made.unfold_,
            SeparationRounds::create(device, "contact/proximity/unfold.wgsl", separations, workgroup_size));
   for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -43,14 +40,11 @@ Result<ClothPatches> ClothPatches::create(gpu::Device& device, const PatchTable&
     };
     WEFT_SET(made.find_groups_[parity], bind_find(made.find_open_, end));
     WEFT_SET(made.early_groups_[parity], bind_find(made.find_early_, state.velocity[parity]));
-    const auto bind = [&](const gpu::Kernel& kernel) {
-      return kernel.bind({start, end, made.places_, made.openness_, pairs.vertex_contacts, state.statistics});
-    };
-    WEFT_SET(made.end_groups_[parity], bind(made.end_ways_));
+    for (RoundKernel* kernel : {&made.mark_, &made.end_ways_})
+      WEFT_CHECK(kernel->bind(
+          parity, {start, end, made.places_, made.openness_, pairs.vertex_contacts, state.statistics}));
     WEFT_CHECK(made.unfold_.bind(parity, {state.steps, start, end, state.velocity[1 - parity], made.places_,
                                           made.openness_, pairs.vertex_contacts, state.statistics}));
-    for (std::size_t round = 0; round < kRounds; ++round)
-      WEFT_SET(made.mark_groups_[round][parity], bind(made.mark_[round]));
   }
   return made;
 }
@@ -62,20 +56,19 @@ void ClothPatches::record_search(gpu::ComputePass& pass, bool early) const {
 }
 
 void ClothPatches::record_counts(gpu::ComputePass& pass, std::size_t round) const {
-  if (count_ > 0) unfold_.count(round).dispatch_strided(pass, kCellQuads * count_);
+  if (count_ > 0) unfold_.count.dispatch_strided(pass, round, kCellQuads * count_);
 }
 
 void ClothPatches::record_gifts(gpu::ComputePass& pass, std::size_t round) const {
-  if (count_ > 0) unfold_.give(round).dispatch_strided(pass, kCellQuads * count_);
+  if (count_ > 0) unfold_.give.dispatch_strided(pass, round, kCellQuads * count_);
 }
 
 void ClothPatches::record_marks(gpu::ComputePass& pass, std::size_t round) const {
-  if (count_ > 0)
-    mark_[round].dispatch_strided(pass, mark_groups_[round][pass.parity()], kCellQuads * count_);
+  if (count_ > 0) mark_.dispatch_strided(pass, round, kCellQuads * count_);
 }
 
 void ClothPatches::record_ends(gpu::ComputePass& pass) const {
-  if (count_ > 0) end_ways_.dispatch_strided(pass, end_groups_[pass.parity()], kCellQuads * count_);
+  if (count_ > 0) end_ways_.dispatch_strided(pass, 0, kCellQuads * count_);
 }
 
 }  // namespace weft::contact

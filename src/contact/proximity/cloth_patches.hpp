@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "contact/proximity/patch_table.hpp"
-#include "contact/proximity/separation_rounds.hpp"
+#include "contact/proximity/round_kernel.hpp"
 #include "gpu/kernel.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/state.hpp"
@@ -46,11 +46,10 @@ class ClothPatches {
   std::size_t count_ = 0;
   gpu::Buffer<PatchPlace> places_;
   gpu::Buffer<Vec4f> openness_;
-  gpu::Kernel find_open_, find_early_, end_ways_;
+  gpu::Kernel find_open_, find_early_;
   SeparationRounds unfold_;
-  std::array<gpu::Kernel, kRounds> mark_;
-  std::array<gpu::BindGroup, 2> find_groups_, early_groups_, end_groups_;  // by parity
-  std::array<std::array<gpu::BindGroup, 2>, kRounds> mark_groups_;
+  RoundKernel mark_, end_ways_;
+  std::array<gpu::BindGroup, 2> find_groups_, early_groups_;  // by parity
 };
 
 }  // namespace weft::contact

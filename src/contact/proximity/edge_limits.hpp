@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "contact/proximity/separation_rounds.hpp"
+#include "contact/proximity/round_kernel.hpp"
 #include "model/limited_edges.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/state.hpp"
@@ -22,10 +22,10 @@ class EdgeLimits {
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(const State& state, const ContactPairs& pairs);
   void record_counts(gpu::ComputePass& pass, std::size_t round) const {
-    if (!empty()) rounds_.count(round).dispatch(pass, edges_.size());
+    if (!empty()) rounds_.count.dispatch(pass, round, edges_.size());
   }
   void record_gifts(gpu::ComputePass& pass, std::size_t round) const {
-    if (!empty()) rounds_.give(round).dispatch(pass, edges_.size());
+    if (!empty()) rounds_.give.dispatch(pass, round, edges_.size());
   }
   bool empty() const { return edges_.size() == 0; }
 

@@ -7,20 +7,19 @@
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/meeting.wgsl"
+#include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/slow.wgsl"
 #include "contact/proximity/solid_reach.wgsl"
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepBlock;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
-@group(0) @binding(2) var<storage, read>       position        : array<vec4f>; // vertex_count      m, where ways end
-@group(0) @binding(3) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
-@group(0) @binding(4) var<storage, read>       listed          : array<ListedPair>;
-@group(0) @binding(5) var<storage, read>       contacts        : array<Contact>;
-@group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
-@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
-override kRound : u32 = 1;
-override kFirst : bool = true;  // of the rounds that hold back
-override kIsLast : bool = false;  // of these
+@group(0) @binding(0) var<uniform>             this_round      : Round;
+@group(0) @binding(1) var<uniform>             step            : StepBlock;
+@group(0) @binding(2) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(3) var<storage, read>       position        : array<vec4f>; // vertex_count      m, where ways end
+@group(0) @binding(4) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
+@group(0) @binding(5) var<storage, read>       listed          : array<ListedPair>;
+@group(0) @binding(6) var<storage, read>       contacts        : array<Contact>;
+@group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 
 var<workgroup> pairs : u32;
 
@@ -54,17 +53,18 @@ fn end_before_collider(ids : vec4u, thickness : f32) {
     let now = beyond_solid(side, dot(n, previous[vertex].xyz), reach, measured.gap, thickness);
     end_before(vertex, part_before(now, then));
     atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kMarked);
-    atomicMax(&statistics[kStatMeeting], kRound);
+    atomicMax(&statistics[kStatMeeting], this_round.number);
   }
 }
 
 @compute @workgroup_size(kWorkgroupSize)
 fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
                 @builtin(local_invocation_index) thread : u32) {
+  let is_first = this_round.is_first != 0u;
   if (thread == 0u) {
     let last = atomicLoad(&statistics[kStatMeeting]);
-    let far = kFirst && atomicLoad(&statistics[kStatFarWays]) != 0u;
-    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u || (last + 1u < kRound && !far);
+    let far = is_first && atomicLoad(&statistics[kStatFarWays]) != 0u;
+    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u || (last + 1u < this_round.number && !far);
     pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, idle);
   }
   let count = workgroupUniformLoad(&pairs);
@@ -73,7 +73,7 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     if (is_crossing(ids)) { continue; }
     let words = listed[pair].words;
     if (!is_self_pair(ids)) {
-      if (kFirst && (words.x & kHasRecord) == 0u) { end_before_collider(ids, bitcast<f32>(words.x)); }
+      if (is_first && (words.x & kHasRecord) == 0u) { end_before_collider(ids, bitcast<f32>(words.x)); }
       continue;
     }
     let ends = ends_of(ids, words);
@@ -82,7 +82,7 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     for (var role = 0u; role < 4u; role++) {
       let vertex = ids[role] & kIdBits;
       let inverse_mass = previous[vertex].w;
-      if (!kFirst) {
+      if (!is_first) {
         let held = atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]) & kHeld;
         all_held = all_held && (held != 0u || inverse_mass == 0.0);
       } else if (inverse_mass != 0.0) {
@@ -94,14 +94,14 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
         }
       }
     }
-    if (!end_too_near(ids, ends) || (!kFirst && all_held)) { continue; }
-    if (kIsLast) {
+    if (!end_too_near(ids, ends) || (!is_first && all_held)) { continue; }
+    if (this_round.is_last != 0u) {
       let least = min(0.5 * ends.gap, least_apart(ends.gap, ends.thickness));
       slow_all(part_until(ends.gap, ends.apart, least));
     }
     for (var role = 0u; role < 4u; role++) {
       atomicOr(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kHeldWord], kMarked);
     }
-    atomicMax(&statistics[kStatMeeting], kRound);
+    atomicMax(&statistics[kStatMeeting], this_round.number);
   }
 }

@@ -8,18 +8,18 @@
 #include "state/statistics.wgsl"
 #include "contact/proximity/links.wgsl"
 #include "contact/proximity/planes.wgsl"
+#include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/slow.wgsl"
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepBlock;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
-@group(0) @binding(2) var<storage, read>       contacts        : array<Contact>;
-@group(0) @binding(3) var<storage, read_write> vertex_contacts : array<u32>;
-@group(0) @binding(4) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
-@group(0) @binding(5) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
-@group(0) @binding(6) var<storage, read_write> statistics      : array<atomic<u32>>;
-@group(0) @binding(7) var<storage, read>       velocity_before : array<vec4f>; // vertex_count      m/s
-override kRound : u32 = 1;
-override kIsLast : bool = false;  // of the rounds
+@group(0) @binding(0) var<uniform>             this_round      : Round;
+@group(0) @binding(1) var<uniform>             step            : StepBlock;
+@group(0) @binding(2) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
+@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<u32>;
+@group(0) @binding(5) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
+@group(0) @binding(6) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read>       velocity_before : array<vec4f>; // vertex_count      m/s
 const kDrivenPart = 0.01;  // of the thickness: no rounding
 
 // Equation (6h): a state on the straight line between those at the start and at the end of the substep.
@@ -35,8 +35,8 @@ fn end_before_time(vertex : u32, part : f32) {
 fn hold_back(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.nodes.count) { return; }
-  if (atomicLoad(&statistics[kStatMeeting]) < kRound) { return; }
-  if (kIsLast) {
+  if (atomicLoad(&statistics[kStatMeeting]) < this_round.number) { return; }
+  if (this_round.is_last != 0u) {
     let part = part_of_all();
     let delay = u32(ceil(1e6 * step.time.dt * (1.0 - part)));
     if (part > 0.0 && atomicLoad(&statistics[kStatDelayBefore]) + delay <= step.contact.most_delay) {
@@ -51,7 +51,7 @@ fn hold_back(@builtin(global_invocation_id) id : vec3u) {
   let held = vertex_contacts[kVertexWords * vertex + kHeldWord];
   let start = previous[vertex];
   if (start.w == 0.0 || (held & kHeld) != 0u) { return; }
-  if (!kIsLast && (held & kMarked) == 0u) { return; }
+  if (this_round.is_last == 0u && (held & kMarked) == 0u) { return; }
   let found = vertex_contacts[kVertexWords * vertex + kPartWord];
   let count_now = found != 0u && (held & kCounted) == 0u;
   vertex_contacts[kVertexWords * vertex + kHeldWord] = held | kHeld | select(0u, kCounted, count_now);

@@ -8,15 +8,13 @@
 #include "contact/proximity/cell_quads.wgsl"
 #include "contact/proximity/slow.wgsl"
 //                                                                             elements
-@group(0) @binding(0) var<storage, read>       previous        : array<vec4f>;      // vertex_count  m; w: 1/kg
-@group(0) @binding(1) var<storage, read>       position        : array<vec4f>;      // vertex_count  m, where ways end
-@group(0) @binding(2) var<storage, read>       places          : array<PatchPlace>; // patch_count
-@group(0) @binding(3) var<storage, read>       patches         : array<vec4f>;      // 2 * patch_count: find_open.wgsl
-@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
-@group(0) @binding(5) var<storage, read_write> statistics      : array<atomic<u32>>;
-override kRound : u32 = 1;
-override kFirst : bool = true;  // of the rounds that hold back
-override kIsLast : bool = false;  // of these
+@group(0) @binding(0) var<uniform>             this_round      : Round;
+@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;      // vertex_count  m; w: 1/kg
+@group(0) @binding(2) var<storage, read>       position        : array<vec4f>;      // vertex_count  m, where ways end
+@group(0) @binding(3) var<storage, read>       places          : array<PatchPlace>; // patch_count
+@group(0) @binding(4) var<storage, read>       patches         : array<vec4f>;      // 2 * patch_count: find_open.wgsl
+@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(6) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kEndWays : bool = false;
 
 fn is_held(vertex : u32) -> bool {
@@ -25,12 +23,12 @@ fn is_held(vertex : u32) -> bool {
 }
 
 fn mark_folded(corners : vec3u, least : f32, start : f32) {
-  if (kFirst && least < kFolding) { atomicStore(&statistics[kStatDetect], 1u); }
+  if (this_round.is_first != 0u && least < kFolding) { atomicStore(&statistics[kStatDetect], 1u); }
   if (least >= kFolded) { return; }
-  if (!kFirst && is_held(corners.x) && is_held(corners.y) && is_held(corners.z)) { return; }
+  if (this_round.is_first == 0u && is_held(corners.x) && is_held(corners.y) && is_held(corners.z)) { return; }
   for (var k = 0u; k < 3u; k++) { atomicOr(&vertex_contacts[kVertexWords * corners[k] + kHeldWord], kMarked); }
-  if (kIsLast) { slow_all(part_until(start, least, kFolded)); }
-  atomicMax(&statistics[kStatMeeting], kRound);
+  if (this_round.is_last != 0u) { slow_all(part_until(start, least, kFolded)); }
+  atomicMax(&statistics[kStatMeeting], this_round.number);
 }
 
 // Equation (6c). If no corner of a triangle goes farther along the patch than the room, its sides change by no more
@@ -73,6 +71,6 @@ fn keep_quad(cell : u32, k : u32) {
 @compute @workgroup_size(kWorkgroupSize)
 fn keep_open(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
              @builtin(local_invocation_index) thread : u32) {
-  let count = quads_of_round(thread, kRound, kFirst, kEndWays);
+  let count = quads_of_round(thread, kEndWays);
   for (var k = id.x; k < count; k += groups.x * kWorkgroupSize) { keep_quad(k / kCellQuads, k % kCellQuads); }
 }

@@ -14,22 +14,21 @@ struct LimitedEdge {  // mirror: src/model/limited_edges.hpp
   longest : f32,  // m
 }
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepBlock;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
-@group(0) @binding(2) var<storage, read>       position        : array<vec4f>; // vertex_count      m, where ways end
-@group(0) @binding(3) var<storage, read>       velocity        : array<vec4f>; // vertex_count      m/s
-@group(0) @binding(4) var<storage, read>       edges           : array<LimitedEdge>;
-@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
-@group(0) @binding(6) var<storage, read_write> statistics      : array<atomic<u32>>;
-override kRound : u32 = 1;
-override kFirst : bool = true;  // of the rounds
+@group(0) @binding(0) var<uniform>             this_round      : Round;
+@group(0) @binding(1) var<uniform>             step            : StepBlock;
+@group(0) @binding(2) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(3) var<storage, read>       position        : array<vec4f>; // vertex_count      m, where ways end
+@group(0) @binding(4) var<storage, read>       velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(5) var<storage, read>       edges           : array<LimitedEdge>;
+@group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kGives : bool = false;
 const kBeyond = 1.001;  // of the limit: an edge that is no longer stays as it is
 
 @compute @workgroup_size(kWorkgroupSize)
 fn limit_edges(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
-  if (index >= arrayLength(&edges) || round_is_idle(kRound, kFirst, kGives)) { return; }
+  if (index >= arrayLength(&edges) || round_is_idle(kGives)) { return; }
   let edge = edges[index];
   let start = previous[edge.b].xyz - previous[edge.a].xyz;
   let end = position[edge.b].xyz - position[edge.a].xyz;
@@ -40,7 +39,7 @@ fn limit_edges(@builtin(global_invocation_id) id : vec3u) {
   if (!kGives) {
     if (mobility.x > 0.0) { share_mass(edge.a); }
     if (mobility.y > 0.0) { share_mass(edge.b); }
-    atomicMax(&statistics[kStatMeeting], kRound);
+    atomicMax(&statistics[kStatMeeting], this_round.number);
     return;
   }
   let n = end / size;

@@ -25,22 +25,19 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, {"kLast", 0}}});
     all.push_back({made.add_, "contact/proximity/add_impulses.wgsl", {presses}});
   }
-  for (std::size_t round = 0; round < made.separation_count_; ++round) {
-    const gpu::Constant number{"kRound", separation_number(round, made.separation_count_)};
-    all.push_back({made.moves_[round].kernel, "contact/proximity/separate_ways.wgsl", {number}});
-  }
-  for (std::size_t round = 0; round < made.round_count(); ++round) {
-    const gpu::Constant number{"kRound", static_cast<double>(kMostSeparations + round + 1)};
-    const gpu::Constant is_first{"kFirst", round == 0 ? 1.0 : 0.0};
-    const gpu::Constant is_last{"kIsLast", setup.self && round + 1 == made.round_count() ? 1.0 : 0.0};
-    all.push_back(
-        {made.rounds_[round].find, "contact/proximity/find_meeting.wgsl", {number, is_first, is_last}});
-    all.push_back({made.rounds_[round].hold, "contact/proximity/hold_back.wgsl", {number, is_last}});
-  }
   for (const Wanted& wanted : all) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));
     wanted.kernel = std::move(kernel);
   }
+  const auto in_rounds = [&](const char* path, const std::vector<Round>& rounds) {
+    return RoundKernel::create(device, path, {}, rounds, setup.workgroup_size);
+  };
+  const std::vector<Round> separations = separation_rounds(made.separation_count_);
+  const std::vector<Round> holds = holding_rounds(setup.self);
+  made.holding_count_ = holds.size();
+  WEFT_SET(made.moves_, in_rounds("contact/proximity/separate_ways.wgsl", separations));
+  WEFT_SET(made.find_meeting_, in_rounds("contact/proximity/find_meeting.wgsl", holds));
+  WEFT_SET(made.hold_back_, in_rounds("contact/proximity/hold_back.wgsl", holds));
   if (setup.self)
     WEFT_SET(made.separate_, SeparationRounds::create(device, "contact/proximity/separate_pairs.wgsl",
                                                       made.separation_count_, setup.workgroup_size));
@@ -77,21 +74,15 @@ Result<void> Respond::bind(gpu::Device& device, const State& state, const Contac
       WEFT_SET(add_groups_[parity],
                add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
     }
-    WEFT_CHECK(separate_.bind(parity, {state.steps, start, position, velocity, points, pairs.listed,
-                                       pairs.contacts, pairs.vertex_contacts, state.statistics}));
-    for (std::size_t r = 0; r < separation_count_; ++r)
-      WEFT_SET(moves_[r].groups[parity],
-               moves_[r].kernel.bind({state.steps, start, pairs.predicted, pairs.contacts,
-                                      pairs.vertex_contacts, position, velocity, state.statistics}));
-    for (std::size_t r = 0; r < round_count(); ++r) {
-      Round& round = rounds_[r];
-      WEFT_SET(round.find_groups[parity],
-               round.find.bind({state.steps, start, position, points, pairs.listed, pairs.contacts,
-                                pairs.vertex_contacts, state.statistics}));
-      WEFT_SET(round.hold_groups[parity],
-               round.hold.bind({state.steps, start, pairs.contacts, pairs.vertex_contacts, position, velocity,
-                                state.statistics, state.velocity[parity]}));
-    }
+    if (setup_.self)
+      WEFT_CHECK(separate_.bind(parity, {state.steps, start, position, velocity, points, pairs.listed,
+                                         pairs.contacts, pairs.vertex_contacts, state.statistics}));
+    WEFT_CHECK(moves_.bind(parity, {state.steps, start, pairs.predicted, pairs.contacts,
+                                    pairs.vertex_contacts, position, velocity, state.statistics}));
+    WEFT_CHECK(find_meeting_.bind(parity, {state.steps, start, position, points, pairs.listed, pairs.contacts,
+                                           pairs.vertex_contacts, state.statistics}));
+    WEFT_CHECK(hold_back_.bind(parity, {state.steps, start, pairs.contacts, pairs.vertex_contacts, position,
+                                        velocity, state.statistics, state.velocity[parity]}));
   }
   pair_room_ = pairs.room.pairs;
   near_room_ = pairs.room.near;
@@ -116,19 +107,19 @@ void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patch
   const std::uint32_t parity = pass.parity();
   respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
   for (std::size_t round = 0; round < separation_count_; ++round) {
-    if (setup_.self) separate_.count(round).dispatch_strided(pass, pair_room_);
+    if (setup_.self) separate_.count.dispatch_strided(pass, round, pair_room_);
     edges_.record_counts(pass, round);
     patches.record_counts(pass, round);
-    if (setup_.self) separate_.give(round).dispatch_strided(pass, pair_room_);
+    if (setup_.self) separate_.give.dispatch_strided(pass, round, pair_room_);
     edges_.record_gifts(pass, round);
     patches.record_gifts(pass, round);
-    moves_[round].dispatch(pass, vertex_count_);
+    moves_.dispatch(pass, round, vertex_count_);
   }
-  for (std::size_t round = 0; round < round_count(); ++round) {
+  for (std::size_t round = 0; round < holding_count_; ++round) {
     patches.record_marks(pass, round);
-    rounds_[round].find.dispatch_strided(pass, rounds_[round].find_groups[parity], pair_room_);
+    find_meeting_.dispatch_strided(pass, round, pair_room_);
     if (round == 0) patches.record_ends(pass);
-    rounds_[round].hold.dispatch(pass, rounds_[round].hold_groups[parity], vertex_count_);
+    hold_back_.dispatch(pass, round, vertex_count_);
   }
 }
 

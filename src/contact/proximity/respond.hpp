@@ -49,15 +49,11 @@ class Respond {
   /// The rounds in which pairs of cloth that may meet are separated, and edges kept within their limit.
   std::size_t separation_count_ = 0;
   SeparationRounds separate_;
-  std::array<SeparationRounds::Part, kMostSeparations> moves_;
+  RoundKernel moves_;
   EdgeLimits edges_;
   /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and from other cloth.
-  struct Round {
-    gpu::Kernel find, hold;
-    std::array<gpu::BindGroup, 2> find_groups, hold_groups;
-  };
-  std::size_t round_count() const { return setup_.self ? kRounds : 1; }
-  std::array<Round, kRounds> rounds_;
+  std::size_t holding_count_ = 0;
+  RoundKernel find_meeting_, hold_back_;
   std::size_t pair_room_ = 0, near_room_ = 0, vertex_count_ = 0;
 };
 

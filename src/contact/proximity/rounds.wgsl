@@ -1,11 +1,17 @@
-// When the rounds of a substep have something to do: kStatMeeting has the number of the last one that had.
-// The including kernel declares `statistics` as atomics.
+// The rounds of a substep, and when they have something to do: kStatMeeting has the number of the last one that had.
+// The including kernel binds `this_round`, and `statistics` as atomics. Mirror: Round in
+// src/contact/proximity/round_kernel.hpp.
 #include "state/statistics.wgsl"
+struct Round {
+  number : u32,
+  is_first : u32,  // 1: of those that separate, or of those that hold back
+  is_last : u32,   // 1: of those that hold back
+}
 
 // Of a kernel that asks what there is to do in a round, and of the one that then `acts` on it. The first asks always,
 // another one if there was something to do in the round before it.
-fn round_is_idle(round : u32, is_first : bool, acts : bool) -> bool {
-  let asks = is_first && !acts;
+fn round_is_idle(acts : bool) -> bool {
+  let asks = this_round.is_first != 0u && !acts;
   return atomicLoad(&statistics[kStatRolledBack]) != 0u ||
-         (!asks && atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, acts) < round);
+         (!asks && atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, acts) < this_round.number);
 }

@@ -13,17 +13,16 @@
 #include "contact/proximity/sides.wgsl"
 #include "contact/proximity/sums.wgsl"
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepBlock;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
-@group(0) @binding(2) var<storage, read>       position        : array<vec4f>; // vertex_count      m, where ways end
-@group(0) @binding(3) var<storage, read>       velocity        : array<vec4f>; // vertex_count      m/s
-@group(0) @binding(4) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
-@group(0) @binding(5) var<storage, read>       listed          : array<ListedPair>;
-@group(0) @binding(6) var<storage, read>       contacts        : array<Contact>;
-@group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
-@group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
-override kRound : u32 = 1;
-override kFirst : bool = true;  // of the rounds that separate
+@group(0) @binding(0) var<uniform>             this_round      : Round;
+@group(0) @binding(1) var<uniform>             step            : StepBlock;
+@group(0) @binding(2) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(3) var<storage, read>       position        : array<vec4f>; // vertex_count      m, where ways end
+@group(0) @binding(4) var<storage, read>       velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(5) var<storage, read>       points          : array<vec4f>; // of colliders: move_points.wgsl
+@group(0) @binding(6) var<storage, read>       listed          : array<ListedPair>;
+@group(0) @binding(7) var<storage, read>       contacts        : array<Contact>;
+@group(0) @binding(8) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(9) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kGives : bool = false;
 var<workgroup> pairs : u32;
 
@@ -37,7 +36,7 @@ fn count_moved(ids : vec4u, shifts : vec4f) {
   for (var role = 0u; role < 4u; role++) {
     if (shifts[role] != 0.0) { share_mass(ids[role]); }
   }
-  atomicMax(&statistics[kStatMeeting], kRound);
+  atomicMax(&statistics[kStatMeeting], this_round.number);
 }
 
 fn give(ids : vec4u, word : u32, units_in_one : f32, amounts : vec4f, n : vec3f) {
@@ -51,7 +50,7 @@ fn give(ids : vec4u, word : u32, units_in_one : f32, amounts : vec4f, n : vec3f)
 fn separate_pairs(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
                   @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) {
-    pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, round_is_idle(kRound, kFirst, kGives));
+    pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, round_is_idle(kGives));
   }
   let count = workgroupUniformLoad(&pairs);
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {

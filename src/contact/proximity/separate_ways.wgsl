@@ -6,22 +6,23 @@
 #include "state/statistics.wgsl"
 #include "contact/proximity/before_solids.wgsl"
 #include "contact/proximity/reach.wgsl"
+#include "contact/proximity/rounds.wgsl"
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepBlock;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
-@group(0) @binding(2) var<storage, read>       predicted       : array<vec4f>; // 3 * vertex_count  reach.wgsl
-@group(0) @binding(3) var<storage, read>       contacts        : array<Contact>;
-@group(0) @binding(4) var<storage, read_write> vertex_contacts : array<vec4u>; // 4 * vertex_count: state/contact.wgsl
-@group(0) @binding(5) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
-@group(0) @binding(6) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
-@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
-override kRound : u32 = 1;
+@group(0) @binding(0) var<uniform>             this_round      : Round;
+@group(0) @binding(1) var<uniform>             step            : StepBlock;
+@group(0) @binding(2) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
+@group(0) @binding(3) var<storage, read>       predicted       : array<vec4f>; // 3 * vertex_count  reach.wgsl
+@group(0) @binding(4) var<storage, read>       contacts        : array<Contact>;
+@group(0) @binding(5) var<storage, read_write> vertex_contacts : array<vec4u>; // 4 * vertex_count: state/contact.wgsl
+@group(0) @binding(6) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
+@group(0) @binding(7) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
+@group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 
 @compute @workgroup_size(kWorkgroupSize)
 fn separate_ways(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.nodes.count) { return; }
-  if (atomicLoad(&statistics[kStatMeeting]) < kRound) { return; }
+  if (atomicLoad(&statistics[kStatMeeting]) < this_round.number) { return; }
   let at = kVertexWords / 4u * vertex;
   let words = vertex_contacts[at];
   let sums = array(vertex_contacts[at + 1u], vertex_contacts[at + 2u], vertex_contacts[at + 3u]);

@@ -10,16 +10,15 @@
 #include "contact/proximity/cell_quads.wgsl"
 #include "contact/proximity/sums.wgsl"
 //                                                                                elements          unit
-@group(0) @binding(0) var<uniform>             step            : StepBlock;
-@group(0) @binding(1) var<storage, read>       previous        : array<vec4f>;      // vertex_count  m; w: 1/kg
-@group(0) @binding(2) var<storage, read>       position        : array<vec4f>;      // vertex_count  m, where ways end
-@group(0) @binding(3) var<storage, read>       velocity        : array<vec4f>;      // vertex_count  m/s
-@group(0) @binding(4) var<storage, read>       places          : array<PatchPlace>; // patch_count
-@group(0) @binding(5) var<storage, read>       patches         : array<vec4f>;      // 2 * patch_count: find_open.wgsl
-@group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
-@group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
-override kRound : u32 = 1;
-override kFirst : bool = true;  // of the rounds
+@group(0) @binding(0) var<uniform>             this_round      : Round;
+@group(0) @binding(1) var<uniform>             step            : StepBlock;
+@group(0) @binding(2) var<storage, read>       previous        : array<vec4f>;      // vertex_count  m; w: 1/kg
+@group(0) @binding(3) var<storage, read>       position        : array<vec4f>;      // vertex_count  m, where ways end
+@group(0) @binding(4) var<storage, read>       velocity        : array<vec4f>;      // vertex_count  m/s
+@group(0) @binding(5) var<storage, read>       places          : array<PatchPlace>; // patch_count
+@group(0) @binding(6) var<storage, read>       patches         : array<vec4f>;      // 2 * patch_count: find_open.wgsl
+@group(0) @binding(7) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kGives : bool = false;
 const kKeptOpen = 0.2;  // λ; above kFolded, at which triangles are held back
 
@@ -51,7 +50,7 @@ fn unfold_triangle(quad : CellQuad, second : bool, place : PatchPlace, axes : Ax
     for (var k = 0u; k < 4u; k++) {
       if (moves[k]) { share_mass(corners[k]); }
     }
-    atomicMax(&statistics[kStatMeeting], kRound);
+    atomicMax(&statistics[kStatMeeting], this_round.number);
     return;
   }
   let shares = vec4f(share_count(corners.x), share_count(corners.y), share_count(corners.z), share_count(corners.w));
@@ -66,7 +65,7 @@ fn unfold_triangle(quad : CellQuad, second : bool, place : PatchPlace, axes : Ax
 @compute @workgroup_size(kWorkgroupSize)
 fn unfold(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u,
           @builtin(local_invocation_index) thread : u32) {
-  let count = quads_of_round(thread, kRound, kFirst, kGives);
+  let count = quads_of_round(thread, kGives);
   for (var k = id.x; k < count; k += groups.x * kWorkgroupSize) {
     let cell = k / kCellQuads;
     let place = places[cell];
