@@ -8,6 +8,7 @@ namespace weft {
 struct Mat3 {
   Vec3d x, y, z;  // rows
 
+  bool operator==(const Mat3&) const = default;
   Mat3& operator+=(const Mat3& b) { return *this = *this + b; }
   friend Mat3 operator+(const Mat3& a, const Mat3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Mat3 operator*(double s, const Mat3& a) { return {s * a.x, s * a.y, s * a.z}; }

@@ -69,4 +69,14 @@ RigidTransform motion_at(const MotionShape& shape, double time) {
 
 RigidTransform motion_at(const Motion& motion, double time) { return motion_at(motion.shape, time); }
 
+/// R₁ R₀ᵀ is the turn; its skew part over the time is the angular velocity.
+Vec3d spin_between(const RigidTransform& from, const RigidTransform& to, double step) {
+  double turn[9] = {};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      for (int k = 0; k < 3; ++k)
+        turn[3 * row + column] += to.rotation[3 * row + k] * from.rotation[3 * column + k];
+  return Vec3d{turn[7] - turn[5], turn[2] - turn[6], turn[3] - turn[1]} / (2 * step);
+}
+
 }  // namespace weft::scene

@@ -24,6 +24,9 @@ struct RigidTransform {
 RigidTransform motion_at(const MotionShape& shape, double time);
 RigidTransform motion_at(const Motion& motion, double time);
 
+/// The angular velocity of what turns by a small angle from one place to the other in `step` s [rad/s].
+Vec3d spin_between(const RigidTransform& from, const RigidTransform& to, double step);
+
 /// How far a motion has come `elapsed` s after its start: the speed rises linearly from 0 in `ramp` s, stays,
 /// and falls in `ramp` s to 0 at `end`. Where `end` is too near for the full speed, both ramps are cut short
 /// with the same slope.

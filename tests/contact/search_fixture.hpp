@@ -128,7 +128,7 @@ class SearchRun {
     std::vector<Vec3f> moved;
     for (const Vec3f& p : setup_.objects[object].positions) moved.push_back(to(p.to<double>()).to<float>());
     place_object(object, moved);
-    search_.points().write(device_, to.rows, 2 * search_.colliders().point_count + 3 * object);
+    search_.points().write(device_, to.rows, 4 * (search_.colliders().point_count + object));
   }
 
   SearchFound run() {

@@ -16,7 +16,8 @@ CapstanWatch seen_in_double(const Capstan& capstan) {
   reference::MassSpringSystem& now = strip.system;
   const StripOverCapsule begun = capstan.strip();
   for (Vec3d& x : now.position) x = begun.draped(x);
-  reference::Proximity contact(scene, strip.model, {}, {}, 1.0 / 480);
+  const Assets assets = capstan.assets(scene);
+  reference::Proximity contact(scene, strip.model, assets.objects, assets.keyframes, 1.0 / 480);
   CapstanWatch watch(capstan, now);
   const double dt = 1.0 / 480;
   for (int step = 0; step < 8 * static_cast<int>(capstan.frames); ++step) {

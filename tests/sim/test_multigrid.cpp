@@ -78,7 +78,8 @@ void check_soft_shear(std::uint32_t frames) {
 }
 CapstanWatch seen_by_kernels(const Capstan& capstan) {
   GpuFixture fixture;
-  auto world = world_of(fixture.device(), capstan.scene());
+  const scene::Scene scene = capstan.scene();
+  auto world = world_from(fixture.device(), scene, capstan.assets(scene));
   const StripOverCapsule begun = capstan.strip();
   change_state(*world, [&](std::size_t, Vec3d& x, Vec3d&) { x = begun.draped(x); });
   CapstanWatch watch(capstan, system_of(*world, Moment(*world)));

@@ -1,17 +1,20 @@
 #include "contact/proximity/collider_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "contact/object_tree.hpp"
 #include "contact/proximity/feature_owners.hpp"
 #include "contact/proximity/triangle_order.hpp"
+#include "mesh/curvature.hpp"
 #include "mesh/sheet_rim.hpp"
 #include "scene/motion.hpp"
 
 namespace weft::contact {
 namespace {
 
+constexpr double kNormalUnits = 127;               // as in curved.wgsl
 constexpr float kDirection = 0.25F, kSpin = 0.5F;  // of a shape's w, as in move_points.wgsl
 
 std::uint32_t bits(float value) {
@@ -39,10 +42,13 @@ class ColliderSetBuilder {
         set_.moves = true;
       }
     for (const Vec4f& end : ends_) set_.points.push_back(end);
+    shapes_.resize(2 * ends_.size());
+    for (const Vec4f& word : shapes_) set_.points.push_back(word);
     for (std::size_t c = 0; c < scene_.colliders.size(); ++c) {
       set_.points.push_back({1, 0, 0, 0});
       set_.points.push_back({0, 1, 0, 0});
       set_.points.push_back({0, 0, 1, 0});
+      set_.points.push_back({});
     }
     return {};
   }
@@ -88,7 +94,21 @@ class ColliderSetBuilder {
     set_.rims.resize(first_point, 0);
     for (const double rim : rim_distances(places, mesh.triangles))
       set_.rims.push_back(static_cast<float>(rim));
-    return meshes_.keyframes[o].empty() ? add_rigid(c, mesh, first_point) : add_deforming(mesh, first_point);
+    if (!meshes_.keyframes[o].empty()) return add_deforming(mesh, first_point);
+    shapes_.resize(2 * std::size_t{first_point});
+    for (const mesh::Curvature& at : mesh::vertex_curvatures(places, mesh.triangles)) add_curvature(c, at);
+    return add_rigid(c, mesh, first_point);
+  }
+
+  void add_curvature(std::size_t c, const mesh::Curvature& at) {
+    const Mat3& s = at.shape;
+    const auto part = [](double n) {
+      return static_cast<std::uint32_t>(std::lround(kNormalUnits * (n + 1)));
+    };
+    const std::uint32_t normal =
+        part(at.normal.x) | part(at.normal.y) << 8U | part(at.normal.z) << 16U;  // f32 has it exactly
+    shapes_.push_back(Vec4f::from(Vec3d{s.x.x, s.y.y, s.z.z}.to<float>(), static_cast<float>(normal)));
+    shapes_.push_back(Vec4f::from(Vec3d{s.x.y, s.x.z, s.y.z}.to<float>(), static_cast<float>(c)));
   }
 
   /// A tree by the surface area heuristic, in the mesh's own space; a triangle is three words.
@@ -149,19 +169,9 @@ class ColliderSetBuilder {
   const scene::Scene& scene_;
   const ColliderMeshes& meshes_;
   std::uint32_t first_word_, first_triangle_;
-  std::vector<Vec4f> ends_;
+  std::vector<Vec4f> ends_, shapes_;
   float friction_ = -1;
 };
-
-/// dR = R₁ R₀ᵀ is a turn by a small angle; its skew part over the time is the angular velocity.
-Vec3d spin_between(const scene::RigidTransform& from, const scene::RigidTransform& to, double step) {
-  double turn[9] = {};
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column)
-      for (int k = 0; k < 3; ++k)
-        turn[3 * row + column] += to.rotation[3 * row + k] * from.rotation[3 * column + k];
-  return Vec3d{turn[7] - turn[5], turn[2] - turn[6], turn[3] - turn[1]} / (2 * step);
-}
 
 }  // namespace
 
@@ -189,7 +199,7 @@ void place_colliders(const scene::Scene& scene, const ColliderSet& set, double t
                                                     static_cast<float>(r[2]),
                                                     static_cast<float>(now.translation[axis])};
     }
-    place.spin = Vec4f::from(spin_between(now, then, step).to<float>(), 0);
+    place.spin = Vec4f::from(scene::spin_between(now, then, step).to<float>(), 0);
     place.shape = {};
     const auto* mesh = std::get_if<scene::ColliderMesh>(&scene.colliders[c]);
     if (mesh == nullptr || mesh->keyframes.empty()) continue;

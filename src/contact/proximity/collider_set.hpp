@@ -35,8 +35,10 @@ struct ColliderMeshes {
 
 struct ColliderSet {
   std::vector<TreeWord> list;  // a collider each: kind, and three numbers
-  std::vector<Vec4f> points;   // all at time 0 with radii, again with friction, then 3 rows a collider;
-                               // a negative radius: of a mesh that faces outward
+  /// All at time 0 with radii (negative: of a mesh that faces outward), again with friction; then two each for how its
+  /// mesh is curved (curved.wgsl): xx, yy, zz of dn/dx and the normal; xy, xz, yz and its collider; then 4 rows a
+  /// collider.
+  std::vector<Vec4f> points;
   std::vector<mesh::Triangle> faces;   // of all meshes, by points
   std::vector<float> rims;             // of each point of a mesh: how far it lies from the mesh's rim [m]
   std::vector<Vec4f> shapes;           // points, then those of keyframes; w: collider + kind of point

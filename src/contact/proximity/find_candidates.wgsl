@@ -219,7 +219,7 @@ fn meet_tree(tree : Tree, box : Box, first_own : u32, thread : u32) {
 
 // A point in the space of a collider: the transpose of its rotation.
 fn local(collider : u32, p : vec3f) -> vec3f {
-  let row = params.first_row + 3u * collider;
+  let row = params.first_row + 4u * collider;
   let rx = points[row];
   let ry = points[row + 1u];
   let rz = points[row + 2u];

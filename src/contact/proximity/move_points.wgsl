@@ -1,5 +1,6 @@
 // Moves the colliders' points to their places at the start and at the end of a substep. One invocation per point.
-// `points` holds all starts, all ends, then for each collider three rows: x, y and z of R·p + t at the start.
+// `points` holds all starts, all ends, how meshes are curved (curved.wgsl), then for each collider four rows: x, y
+// and z of R·p + t at the start, and its spin.
 // w of a start is the point's radius, of an end its friction; both stay.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
@@ -12,7 +13,7 @@ struct ColliderPlace {  // mirror: src/contact/proximity/collider_set.hpp
 @group(0) @binding(0) var<uniform>             step   : StepBlock;
 @group(0) @binding(1) var<storage, read>       places : array<ColliderPlace>; // colliders * (substeps + 1)
 @group(0) @binding(2) var<storage, read>       shapes : array<vec4f>;         // m, then keyframes; w: collider + a kind
-@group(0) @binding(3) var<storage, read_write> points : array<vec4f>;         // 2 * point_count + 3 * colliders  m
+@group(0) @binding(3) var<storage, read_write> points : array<vec4f>;         // 4 * (point_count + colliders)    m
 const kDirection = 0.25;  // of w: it turns but does not move
 const kSpin = 0.5;        // of w: it is a collider's spin
 
@@ -27,9 +28,11 @@ fn placed(place : ColliderPlace, point : u32, kind : f32) -> vec3f {
 @compute @workgroup_size(kWorkgroupSize)
 fn move_points(@builtin(global_invocation_id) id : vec3u) {
   let point = flat_index(id);
-  let count = (arrayLength(&points) - 2u * step.contact.point_count) / 3u;
-  if (point < 3u * count) {
-    points[2u * step.contact.point_count + point] = places[step.contact.first_place + point / 3u].rows[point % 3u];
+  let first_row = 4u * step.contact.point_count;
+  let count = (arrayLength(&points) - first_row) / 4u;
+  if (point < 4u * count) {
+    let place = places[step.contact.first_place + point / 4u];
+    points[first_row + point] = select(place.spin, place.rows[point % 4u % 3u], point % 4u < 3u);
   }
   if (point >= step.contact.point_count) { return; }
   let owner = shapes[point].w;

@@ -168,7 +168,7 @@ Result<void> PairSearch::bind_lists(gpu::Device& device, const State& state, con
   room_ = pairs.room;
   SearchParams params{triangle_count_, static_cast<std::uint32_t>(colliders_.list.size())};
   params.self_contact = setup_.self_thickness > 0 ? 1 : 0;
-  params.first_row = 2 * colliders_.point_count;
+  params.first_row = 4 * colliders_.point_count;
   params.candidate_capacity = room_.candidates;
   params.pair_capacity = room_.pairs;
   params.thickness = setup_.thickness;

@@ -5,6 +5,7 @@
 #include "state/statistics.wgsl"
 #include "contact/proximity/relative_velocity.wgsl"
 #include "contact/proximity/cones.wgsl"
+#include "contact/proximity/curved.wgsl"
 #include "contact/proximity/history.wgsl"
 #include "contact/proximity/press_sums.wgsl"
 //                                                                                  elements      unit
@@ -32,6 +33,13 @@ fn arm_of(a : vec3f, b : vec3f, place : vec3f) -> vec3f {
   return place - a - place_on_segment(place, a, b - a) * (b - a);
 }
 
+// The pair's own direction, and where both do not differ too much that which the vertex will have.
+fn mixed(pairs_own : Outward, direction : vec3f, way : f32) -> Outward {
+  let part = saturate((dot(direction, pairs_own.direction) - kRoundCosine) / kRoundFade);
+  let sum = pairs_own.direction + part * (direction - pairs_own.direction);
+  return Outward(sum / length(sum), pairs_own.way + part * (way - pairs_own.way));
+}
+
 // A round obstacle presses a vertex away from its axis, in the direction that the vertex will have: equation (11b).
 fn turned(pairs_own : Outward, ids : vec4u, place : vec3f, moved : vec3f) -> Outward {
   let from_a = is_collider(ids.x);
@@ -41,9 +49,7 @@ fn turned(pairs_own : Outward, ids : vec4u, place : vec3f, moved : vec3f) -> Out
   let arm = arm_of(end_of(first).xyz, end_of(second).xyz, place + moved);
   let size = length(arm);
   if (size <= 0.0) { return pairs_own; }
-  let part = saturate((dot(arm, pairs_own.direction) / size - kRoundCosine) / kRoundFade);
-  let direction = pairs_own.direction + part * (arm / size - pairs_own.direction);
-  return Outward(direction / length(direction), pairs_own.way + part * (size - length(before) - pairs_own.way));
+  return mixed(pairs_own, arm / size, size - length(before));
 }
 
 fn add(word : u32, value : f32) {
@@ -70,6 +76,11 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     let missing = step.contact.thickness - measured.gap;
     let room = min(missing, kHoldPart * missing);
     let friction = min(friction_of(ids, bitcast<f32>(listed[pair].words.y)), kMostFriction);
+    let surface = surface_at(ids, weights);
+    var touching = vec3f(0.0);
+    for (var role = 0u; role < role_count(ids); role++) {
+      if (!is_collider(ids[role])) { touching += abs(weights[role]) * start_of(ids[role]).xyz; }
+    }
     for (var role = 0u; role < role_count(ids); role++) {
       if (is_collider(ids[role]) || weights[role] == 0.0) { continue; }
       let side = sign(weights[role]);
@@ -77,7 +88,14 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
       // A vertex's own way, not the pair's: neighbours that differ in speed would be made to go on differing.
       let moved = step.time.dt * velocity_of(vertex);
       var outward = Outward(side * measured.normal, dot(measured.normal, side * moved + step.time.dt * r.surface));
-      if (measured.radius > 0.0) { outward = turned(outward, ids, start_of(ids[role]).xyz, moved); }
+      let place = start_of(ids[role]).xyz;
+      if (measured.radius > 0.0) { outward = turned(outward, ids, place, moved); }
+      if (!is_flat(surface)) {
+        let before = place - touching;
+        let after = before + moved + side * step.time.dt * r.surface;
+        let turn = turned_by(surface, outward.direction, measured.gap, before, after);
+        outward = mixed(outward, turn.direction, outward.way + turn.more);
+      }
       let lack = clamp((room - outward.way) / step.contact.thickness, -kMostLack, kMostLack);
       let weight = abs(weights[role]) * kPressUnits;
       let normal = weight * outward.direction;

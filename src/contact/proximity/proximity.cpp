@@ -145,7 +145,7 @@ void Proximity::move_colliders(gpu::ComputePass& pass) const {
   const ColliderSet& colliders = search_.colliders();
   if (colliders.moves)
     move_points_.dispatch(pass, move_group_,
-                          std::max<std::size_t>(colliders.point_count, 3 * colliders.list.size()));
+                          std::max<std::size_t>(colliders.point_count, 4 * colliders.list.size()));
 }
 
 void Proximity::press(gpu::ComputePass& pass) const {

@@ -3,7 +3,7 @@ struct SearchParams {  // mirror: src/contact/proximity/pair_search.hpp
   triangle_count : u32,      // of the cloths
   collider_count : u32,
   self_contact : u32,        // 1: cloth meets cloth
-  first_row : u32,           // of `points`: three rows for each collider, its place in the world
+  first_row : u32,           // of `points`: four rows for each collider, its place in the world
   candidate_capacity : u32,
   pair_capacity : u32,
   thickness : f32,           // m, cloth and collider; with the reaches of both, features are listed

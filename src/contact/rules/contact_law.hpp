@@ -37,9 +37,11 @@ inline constexpr double kHoldPart = 0.15, kHoldRate = 10, kHoldSpeed = 0.05;
 /// What a hold has answered is pushed only where it lacks more than this part of the thickness: so deep the pushes of
 /// layers bring it, which are faster than the hold, while those of edges that bend over a body make it creep.
 inline constexpr double kHeldLack = 0.2;
-/// The cosine between a node's own direction from a sphere's or capsule's axis and the pair's, from which on a press is
-/// along the pair's alone, and how much more of it until it is along the node's own.
+/// The cosine between a node's own direction from a round obstacle and the pair's, from which on a press is along the
+/// pair's alone, and how much more of it until it is along the node's own.
 inline constexpr double kRoundCosine = 0.8, kRoundFade = 0.1;
+/// No less of a surface's radius than this part is left at a distance from its hollow side.
+inline constexpr double kLeastSpread = 0.5;
 /// A press says no more than this of how far a node has to go, in thicknesses, so that sums of integers hold:
 /// docs/solvers/multigrid.md, Contact.
 inline constexpr double kMostLack = 16;

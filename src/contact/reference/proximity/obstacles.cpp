@@ -34,7 +34,14 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
       triangles.push_back(triangle);
     }
     collider_of_vertex_.resize(positions.size(), c);
-    if (deforming && object < keyframes.size() && !keyframes[object].empty()) {
+    const bool deforms = deforming && object < keyframes.size() && !keyframes[object].empty();
+    curvatures_.resize(positions.size());
+    if (!deforms) {
+      const std::vector<mesh::Curvature> own =
+          mesh::vertex_curvatures(std::span(positions).subspan(first), mesh.triangles);
+      std::copy(own.begin(), own.end(), curvatures_.begin() + first);
+    }
+    if (deforms) {
       Keyframes frames{first, {}, {}};
       for (std::size_t k = 0; k < keyframes[object].size(); ++k) {
         frames.times.push_back(deforming->keyframes[k].time);
@@ -52,6 +59,7 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
     if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&scene.colliders[c]))
       features_.add_capsule(capsule->a, capsule->b, capsule->radius);
     collider_of_vertex_.resize(features_.positions.size(), c);
+    curvatures_.resize(features_.positions.size());
     if (const auto* plane = std::get_if<scene::ColliderPlane>(&scene.colliders[c])) {
       planes_.push_back(*plane);
       collider_of_plane_.push_back(c);

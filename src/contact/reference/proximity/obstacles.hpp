@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/reference/proximity/pairs.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/curvature.hpp"
 #include "scene/motion.hpp"
 #include "scene/scene.hpp"
 
@@ -35,6 +35,8 @@ class Obstacles {
   /// All but planes, at time 0 before any motion: meshes, then spheres and capsules.
   const Features& features() const { return features_; }
 
+  /// Of the mesh at a vertex, before any motion; none of one that deforms.
+  const mesh::Curvature& curvature(std::uint32_t vertex) const { return curvatures_[vertex]; }
   std::uint32_t collider_of_vertex(std::uint32_t vertex) const { return collider_of_vertex_[vertex]; }
   std::uint32_t collider_of_plane(std::uint32_t plane) const { return collider_of_plane_[plane]; }
   const std::optional<double>& friction(std::uint32_t collider) const { return frictions_[collider]; }
@@ -49,6 +51,7 @@ class Obstacles {
   void deform(const Keyframes& keyframes, double time, std::vector<Vec3d>& positions) const;
 
   Features features_;
+  std::vector<mesh::Curvature> curvatures_;
   std::vector<std::uint32_t> collider_of_vertex_, collider_of_plane_;
   std::vector<scene::ColliderPlane> planes_;
   std::vector<std::optional<double>> frictions_;

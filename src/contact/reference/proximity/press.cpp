@@ -15,6 +15,14 @@ struct Outward {
   double way = 0;  // over the obstacle [m]
 };
 
+/// The pair's own direction, and where both do not differ too much that which the node will have.
+Outward mixed(const Outward& pairs_own, const Vec3d& direction, double way) {
+  const double cosine = dot(direction, pairs_own.direction);
+  const double part = std::clamp((cosine - kRoundCosine) / kRoundFade, 0.0, 1.0);
+  const Vec3d sum = pairs_own.direction + part * (direction - pairs_own.direction);
+  return {sum / length(sum), pairs_own.way + part * (way - pairs_own.way)};
+}
+
 /// A round obstacle presses a node away from its axis, in the direction that the node will have: equation (11b).
 Outward turned(const Outward& pairs_own, const RoundAxis& axis, const Vec3d& place, const Vec3d& moved) {
   const double before = closest_on_segment(place, axis.start[0], axis.start[1]).distance;
@@ -22,10 +30,24 @@ Outward turned(const Outward& pairs_own, const RoundAxis& axis, const Vec3d& pla
   const Vec3d& arm = after.offset;
   const double size = after.distance;
   if (!(size > 0)) return pairs_own;
-  const double cosine = dot(arm, pairs_own.direction) / size;
-  const double part = std::clamp((cosine - kRoundCosine) / kRoundFade, 0.0, 1.0);
-  const Vec3d direction = pairs_own.direction + part * (arm / size - pairs_own.direction);
-  return {direction / length(direction), pairs_own.way + part * (size - before - pairs_own.way)};
+  return mixed(pairs_own, arm / size, size - before);
+}
+
+/// The same of a mesh, as the smooth surface that it stands for: equation (11c).
+Outward turned(const Outward& pairs_own, const CurvedSurface& surface, double distance, const Vec3d& place,
+               const Vec3d& moved, double dt) {
+  if (surface.shape == Mat3{}) return pairs_own;
+  const Vec3d& n = pairs_own.direction;
+  // From where it touches to where the node is and will be, along the surface.
+  const auto along = [&](const Vec3d& way) { return way - dot(n, way) * n; };
+  const Vec3d before = along(place - surface.place),
+              after = along(place - surface.place + moved - dt * surface.velocity);
+  const Vec3d turn = surface.shape * after;
+  const double size = dot(after, after), bent = dot(after, turn);
+  const double less = size > 0 ? 1 / std::max(1 + distance * bent / size, kLeastSpread) : 1;
+  const Vec3d direction = n + less * turn + dt * cross(surface.spin, n);
+  return mixed(pairs_own, direction / length(direction),
+               pairs_own.way + 0.5 * less * (bent - dot(before, surface.shape * before)));
 }
 
 }  // namespace
@@ -46,7 +68,9 @@ std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const V
       // A node's own way, not the pair's: neighbours that differ in speed would be made to go on differing.
       const std::uint32_t node = pair.nodes[k];
       Outward outward{side * pair.direction, dt * dot(pair.direction, side * velocity[node] + pair.surface)};
-      if (pair.round) outward = turned(outward, *pair.round, position[node], dt * velocity[node]);
+      const Vec3d moved = dt * velocity[node];
+      if (pair.round) outward = turned(outward, *pair.round, position[node], moved);
+      if (pair.curved) outward = turned(outward, *pair.curved, pair.distance, position[node], moved, dt);
       const double lack = std::clamp(room - outward.way, -most, most);
       Press& press = presses[node];
       press.normal += weight * outward.direction;

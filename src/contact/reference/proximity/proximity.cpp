@@ -174,8 +174,10 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool 
   near.may = (pair.inside || with_capsule) && pair.in_cones && near.thickness > 0;
   if (with_obstacle) {
     const double sign = sides.a.obstacle ? 1 : -1;
-    near.surface = sign * surface_of(pair, sides, -sign * pair.direction, dt).velocity;
+    const Vec3d velocity = surface_of(pair, sides, -sign * pair.direction, dt).velocity;
+    near.surface = sign * velocity;
     near.round = axis_of(pair);
+    if (!near.round) near.curved = curved_of(pair, sides, velocity, dt);
   }
   return near;
 }
@@ -188,6 +190,31 @@ std::optional<RoundAxis> Proximity::axis_of(const FeaturePair& pair) const {
     return {};
   return RoundAxis{{start_.positions[ends[0]], start_.positions[ends[1]]},
                    {end_.positions[ends[0]], end_.positions[ends[1]]}};
+}
+
+std::optional<CurvedSurface> Proximity::curved_of(const FeaturePair& pair, const Sides& sides,
+                                                  const Vec3d& velocity, double dt) const {
+  if (pair.kind == PairKind::VertexPlane) return {};
+  const bool on_a = sides.a.obstacle;
+  const Side &obstacle = on_a ? sides.a : sides.b, &cloth = on_a ? sides.b : sides.a;
+  const std::uint32_t collider = obstacles_.collider_of_vertex(obstacle.vertices[0]);
+  CurvedSurface surface{
+      .velocity = velocity,
+      .spin = scene::spin_between(start_.transforms[collider], end_.transforms[collider], dt)};
+  Vec3d normal;
+  for (std::uint32_t k = 0; k < obstacle.count; ++k) {
+    const mesh::Curvature& at = obstacles_.curvature(obstacle.vertices[k]);
+    normal += std::abs(obstacle.weights[k]) * at.normal;
+    surface.shape += std::abs(obstacle.weights[k]) * at.shape;
+  }
+  for (std::uint32_t k = 0; k < cloth.count; ++k)
+    surface.place += std::abs(cloth.weights[k]) * cloth_.positions[cloth.vertices[k]];
+  const double* r = start_.transforms[collider].rotation;
+  const Mat3 turn{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
+  const Vec3d toward = on_a ? -pair.direction : pair.direction;
+  const double side = dot(turn * normal, toward) < 0 ? -1 : 1;
+  surface.shape = side * (turn * surface.shape * transposed(turn));
+  return surface;
 }
 
 void Proximity::add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,

@@ -99,6 +99,9 @@ class Proximity {
   static bool is_held(const NearPair& pair, const std::vector<bool>& held);
   /// Of the sphere or capsule of a pair, if it has one.
   std::optional<RoundAxis> axis_of(const FeaturePair& pair) const;
+  /// Of the mesh of a pair, if it has one that keeps its shape; `surface`: that of its closest point.
+  std::optional<CurvedSurface> curved_of(const FeaturePair& pair, const Sides& sides, const Vec3d& velocity,
+                                         double dt) const;
   /// What a pair asks of truncate(): planes of a side that contact cannot move, or a pair of cloth.
   void add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,
                   std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const;

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vec.hpp"
+#include "base/mat3.hpp"
 #include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
@@ -15,6 +15,13 @@ namespace weft::reference {
 /// The axis of a sphere or capsule; both ends of a sphere's are its centre.
 struct RoundAxis {
   std::array<Vec3d, 2> start, end;  // its ends, at the start and at the end of the substep [m]
+};
+
+/// What the mesh of a pair stands for: a smooth surface, at a place on it.
+struct CurvedSurface {
+  Vec3d place;           // p, of cloth: the pair's closest point, at the start of the substep [m]
+  Mat3 shape;            // S = dn/dx, with the normal toward cloth [1/m]
+  Vec3d velocity, spin;  // o of the surface there [m/s]; of the mesh [rad/s]
 };
 
 /// A pair of features as its impulse sees it.
@@ -35,7 +42,8 @@ struct NearPair {
   bool untangles =
       false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
   bool of_one_cloth = false;
-  std::optional<RoundAxis> round;  // of the obstacle
+  std::optional<RoundAxis> round;       // of the obstacle
+  std::optional<CurvedSurface> curved;  // likewise
 };
 
 struct ContactLaw {

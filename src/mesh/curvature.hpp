@@ -1,0 +1,28 @@
+// How a surface of triangles is curved, where it stands for a smooth one.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/mat3.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace weft::mesh {
+
+/// An edge at which a surface turns by more than this is a crease of it, which no smooth surface has [rad].
+inline constexpr double kCrease = 0.35;
+
+/// A surface at a vertex.
+struct Curvature {
+  Vec3d normal;  // of the triangles around it, by their areas; 0 where they have none
+  Mat3
+      shape;  // dn/dx, symmetric; positive where the surface is convex on the side that the normal shows [1/m]
+};
+
+/// At each vertex what the edges at it turn, half of each, over the vertex's part of the area. Creases and edges that
+/// have not two triangles turn nothing. Source: Cohen-Steiner and Morvan 2003, Restricted Delaunay Triangulations and
+/// Normal Cycle (the tensor); Meyer et al. 2003, Discrete Differential-Geometry Operators (the area).
+std::vector<Curvature> vertex_curvatures(std::span<const Vec3d> positions,
+                                         std::span<const Triangle> triangles);
+
+}  // namespace weft::mesh
