@@ -33,7 +33,11 @@ test("the list has all scenes, in groups", async () => {
   expect(await page.locator("#scene optgroup").count()).toBe(4);
 });
 
-test.for(SCENES)("%s loads, is drawn and moves", async (name) => {
+/** A page compiles what a scene needs for up to 40 s, so in CI's part N every third has a turn. */
+const PART = process.env["WEFT_PART"];
+const IN_TURN = SCENES.filter((_, i) => PART === undefined || (i + Number(PART)) % 3 === 0);
+
+test.for(IN_TURN)("%s loads, is drawn and moves", async (name) => {
   await page.goto(`${here.site.address}?scene=${name}&nodes=${name === "stack" ? 6 : 16}`);
   await ready(page);
   const moved = await page.evaluate(async (frames) => {
