@@ -76,7 +76,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     let missing = step.contact.thickness - measured.gap;
     let room = min(missing, kHoldPart * missing);
     let friction = min(friction_of(ids, bitcast<f32>(listed[pair].words.y)), kMostFriction);
-    let surface = surface_at(ids, weights);
+    let curved = surface_at(ids, weights);
     var touching = vec3f(0.0);
     for (var role = 0u; role < role_count(ids); role++) {
       if (!is_collider(ids[role])) { touching += abs(weights[role]) * start_of(ids[role]).xyz; }
@@ -90,10 +90,10 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
       var outward = Outward(side * measured.normal, dot(measured.normal, side * moved + step.time.dt * r.surface));
       let place = start_of(ids[role]).xyz;
       if (measured.radius > 0.0) { outward = turned(outward, ids, place, moved); }
-      if (!is_flat(surface)) {
+      if (!is_flat(curved)) {
         let before = place - touching;
         let after = before + moved + side * step.time.dt * r.surface;
-        let turn = turned_by(surface, outward.direction, measured.gap, before, after);
+        let turn = turned_by(curved, outward.direction, measured.gap, before, after);
         outward = mixed(outward, turn.direction, outward.way + turn.more);
       }
       let lack = clamp((room - outward.way) / step.contact.thickness, -kMostLack, kMostLack);

@@ -34,14 +34,8 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
       triangles.push_back(triangle);
     }
     collider_of_vertex_.resize(positions.size(), c);
-    const bool deforms = deforming && object < keyframes.size() && !keyframes[object].empty();
     curvatures_.resize(positions.size());
-    if (!deforms) {
-      const std::vector<mesh::Curvature> own =
-          mesh::vertex_curvatures(std::span(positions).subspan(first), mesh.triangles);
-      std::copy(own.begin(), own.end(), curvatures_.begin() + first);
-    }
-    if (deforms) {
+    if (deforming && object < keyframes.size() && !keyframes[object].empty()) {
       Keyframes frames{first, {}, {}};
       for (std::size_t k = 0; k < keyframes[object].size(); ++k) {
         frames.times.push_back(deforming->keyframes[k].time);
@@ -49,6 +43,10 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
       }
       keyframes_.push_back(std::move(frames));
       still_ = false;
+    } else {
+      const std::vector<mesh::Curvature> own =
+          mesh::vertex_curvatures(std::span(positions).subspan(first), mesh.triangles);
+      std::copy(own.begin(), own.end(), curvatures_.begin() + first);
     }
     ++object;
   }
