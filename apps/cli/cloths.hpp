@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "method/method.hpp"
 #include "model/model.hpp"
 #include "scene/scene.hpp"
 
@@ -12,6 +13,9 @@ namespace weft::cli {
 /// Lines for each entry of `cloths`: its moduli; its largest stable explicit step, and why. Finds spectra, which takes
 /// as long as a few hundred products with the matrix of a cloth.
 std::string cloths_text(const scene::Scene& scene, const Model& model);
+
+/// Where the method cannot represent a stiffness: by how many times that of the cloth's elements it resists. Else "".
+std::string stiffening_text(const scene::Scene& scene, const Model& model, const MethodChoice& choice);
 
 /// A list of the entries' moduli, density and friction; docs/cli.md lists the members.
 nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model);

@@ -27,6 +27,8 @@ Result<void> check_scene(const SceneOptions& options) {
       model.triangles.size(), scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s",
       object_triangles);
   std::fputs(cloths_text(scene, model).c_str(), stdout);
+  WEFT_TRY(choice, choose_method(scene, model));
+  std::fputs(stiffening_text(scene, model, choice).c_str(), stdout);
   if (assets.dropped_triangles > 0)
     say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
   return {};

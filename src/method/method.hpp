@@ -29,6 +29,11 @@ struct SolverMemory {
   double largest_buffer = 0;  // in its largest buffer
 };
 
+/// By how many times its own stiffness an element of a cloth resists that nothing else pulls at, least and most.
+struct StiffeningRange {
+  double least = 1, most = 1;
+};
+
 struct Method {
   scene::SolverKind kind;              // its word: scene::name_of(kind)
   std::span<const ElementKind> takes;  // elements of other kinds are refused: check_elements
@@ -42,6 +47,9 @@ struct Method {
   /// Null: "auto" never takes the method.
   const MethodCost* cost;
   SolverMemory (*memory)(const scene::Solver& settings);
+  /// Null: cloth resists with the stiffness of its elements, as far as a step is solved.
+  StiffeningRange (*stiffening)(const scene::Solver& settings, const Model& model, const Body& body,
+                                double step);
   /// How its settings read in a summary; "" without settings.
   const char* (*settings_word)(const scene::Solver& settings);
 

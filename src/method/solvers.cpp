@@ -1,9 +1,9 @@
 // A line a method.
 #include "method/mass_spring/solver_mass_spring.hpp"
 #include "method/multigrid/solver_multigrid.hpp"
+#include "method/projection/solver_projection.hpp"
 #include "method/projective_dynamics/solver_projective_dynamics.hpp"
 #include "method/vbd/solver_vbd.hpp"
-#include "method/xpbd/solver_xpbd.hpp"
 
 namespace weft {
 
@@ -14,7 +14,9 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
     case scene::SolverKind::Multigrid:
       return SolverMultigrid::create(inputs, settings.residual);
     case scene::SolverKind::Xpbd:
-      return SolverXpbd::create(settings, inputs);
+      return SolverProjection::create(inputs, settings.iterations, Multipliers::Kept);
+    case scene::SolverKind::Pbd:
+      return SolverProjection::create(inputs, settings.iterations, Multipliers::Forgotten);
     case scene::SolverKind::Vbd:
       return SolverVbd::create(settings, inputs);
     case scene::SolverKind::ProjectiveDynamics:

@@ -1,10 +1,10 @@
 // A line a method.
 #include "method/mass_spring/reference/mass_spring_stepper.hpp"
 #include "method/multigrid/reference/implicit_step.hpp"
+#include "method/projection/reference/projection_stepper.hpp"
 #include "method/projective_dynamics/reference/projective_dynamics_stepper.hpp"
 #include "method/stepper.hpp"
 #include "method/vbd/reference/vbd_stepper.hpp"
-#include "method/xpbd/reference/xpbd_stepper.hpp"
 
 namespace weft::reference {
 
@@ -13,7 +13,9 @@ std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model
     case scene::SolverKind::Multigrid:
       return std::make_unique<ImplicitStepper>(model, step, settings.residual);
     case scene::SolverKind::Xpbd:
-      return std::make_unique<XpbdStepper>(model, settings.iterations);
+      return std::make_unique<ProjectionStepper>(model, settings.iterations, Multipliers::Kept);
+    case scene::SolverKind::Pbd:
+      return std::make_unique<ProjectionStepper>(model, settings.iterations, Multipliers::Forgotten);
     case scene::SolverKind::Vbd:
       return std::make_unique<VbdStepper>(model, settings.iterations);
     case scene::SolverKind::ProjectiveDynamics:

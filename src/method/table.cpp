@@ -4,6 +4,7 @@
 #include "method/mass_spring/plan.hpp"
 #include "method/method.hpp"
 #include "method/multigrid/plan.hpp"
+#include "method/pbd/plan.hpp"
 #include "method/projective_dynamics/plan.hpp"
 #include "method/vbd/plan.hpp"
 #include "method/xpbd/plan.hpp"
@@ -11,8 +12,8 @@
 namespace weft {
 
 std::span<const Method> methods() {
-  static const std::array rows = {multigrid_method(), mass_spring_method(), xpbd_method(), vbd_method(),
-                                  projective_dynamics_method()};
+  static const std::array rows = {multigrid_method(), mass_spring_method(), xpbd_method(),
+                                  pbd_method(),       vbd_method(),         projective_dynamics_method()};
   return rows;
 }
 

@@ -99,6 +99,8 @@ constexpr Key kXpbdKeys[] = {
     {"iterations", &kIterations,
      "Sweeps over all elements in a substep; more substeps do more for the same work", "1"},
 };
+constexpr Key kPbdKeys[] = {
+    {"iterations", &kIterations, "Sweeps over all elements in a substep; more make cloth stiffer", "10"}};
 constexpr Key kVbdKeys[] = {{"iterations", &kIterations, "Sweeps over all nodes in a substep", "10"}};
 constexpr Key kProjectiveDynamicsKeys[] = {
     {"iterations", &kIterations, "Iterations over all nodes in a substep", "20"}};
@@ -109,12 +111,10 @@ constexpr Key kResidualKey = {
 constexpr Key kMultigridKeys[] = {kResidualKey};
 constexpr Key kAutoKeys[] = {kForcesKey, kResidualKey};  // of whichever it takes
 constexpr Variant kSolverVariants[] = {                  // in the order of SolverKind
-    {kSolverKindNames[0], kMassSpringKeys},
-    {kSolverKindNames[1], kMultigridKeys},
-    {kSolverKindNames[2], kXpbdKeys},
-    {kSolverKindNames[3], kVbdKeys},
-    {kSolverKindNames[4], kProjectiveDynamicsKeys},
-    {kSolverKindNames[5], kAutoKeys}};
+    {kSolverKindNames[0], kMassSpringKeys}, {kSolverKindNames[1], kMultigridKeys},
+    {kSolverKindNames[2], kXpbdKeys},       {kSolverKindNames[3], kPbdKeys},
+    {kSolverKindNames[4], kVbdKeys},        {kSolverKindNames[5], kProjectiveDynamicsKeys},
+    {kSolverKindNames[6], kAutoKeys}};
 static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 

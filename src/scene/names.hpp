@@ -8,7 +8,7 @@ inline constexpr const char* kGridPartNames[] = {"top_left", "top_right", "botto
                                                  "top",      "bottom",    "left",        "right",
                                                  "corners",  "edges"};
 inline constexpr const char* kPlaneNames[] = {"xy", "xz"};
-inline constexpr const char* kSolverKindNames[] = {"mass_spring", "multigrid",           "xpbd",
+inline constexpr const char* kSolverKindNames[] = {"mass_spring", "multigrid",           "xpbd", "pbd",
                                                    "vbd",         "projective_dynamics", "auto"};
 inline constexpr const char* kForcesNames[] = {"node_centric", "spring_centric", "spring_blocks"};
 inline constexpr const char* kFabricEnergyNames[] = {"yarn", "green", "neo_hookean"};

@@ -242,6 +242,7 @@ enum class SolverKind {
   MassSpring,
   Multigrid,
   Xpbd,
+  Pbd,
   Vbd,
   ProjectiveDynamics,
   Auto,  ///< the cheaper of the first two for this scene

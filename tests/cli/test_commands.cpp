@@ -86,6 +86,22 @@ TEST_CASE("check says what each cloth resists with, and why its explicit step is
   CHECK(lines[6].find("; 0 slivers") != std::string::npos);
 }
 
+TEST_CASE("check says by how many times a method without a stiffness of its own resists") {
+  const TemporaryFolder folder;
+  // Springs of 50 N/m, half of a cell's each, and nodes of 0.1 kg: a = h² 50/0.1 = 0.00868 upright, twice that below,
+  // where both nodes are free; two sweeps resist with 2 + a.
+  const std::string scene = put(folder, "a.json", R"({"format": "weft-scene/1", "time": {"substeps": 4},
+    "cloths": [{"grid": [2, 2], "size": [1, 1], "density": 0.4, "pins": ["top"],
+                "stiffness": {"structural": 100, "shear": 0, "bend": 0}}]})");
+  const Ended ended =
+      run_without_driver({"check", scene, "--set", R"(solver={"kind": "pbd", "iterations": 2})"});
+  REQUIRE_MESSAGE(ended.code == 0, ended.err);
+  CHECK(ended.out.find(
+            "  By \"pbd\" in 4 substeps of 2 sweeps, an element of cloths[0] that nothing else pulls at "
+            "resists with 2.01 to 2.02 times its stiffness.\n") != std::string::npos);
+  CHECK(run_without_driver({"check", scene, "--solver", "xpbd"}).out.find("  By ") == std::string::npos);
+}
+
 TEST_CASE(
     "validate prints numbers beside the laws', as a table and as JSON, and refuses what it does not know") {
   const Ended table = run_weft({"validate", "--only", "fall", "--solver", "multigrid"});

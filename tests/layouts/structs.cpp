@@ -27,9 +27,9 @@
 #include "method/multigrid/cycle.hpp"
 #include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/mesh_lists.hpp"
+#include "method/projection/color.hpp"
 #include "method/projective_dynamics/solver_projective_dynamics.hpp"
 #include "method/vbd/solver_vbd.hpp"
-#include "method/xpbd/color.hpp"
 #include "model/limited_edges.hpp"
 #include "model/model.hpp"
 #include "render/cloth_surface.hpp"
@@ -207,7 +207,7 @@ Json share() {
 }
 Json elements_of_color() {
   using T = ElementsOfColor;
-  return row("ElementsOfColor", "method/xpbd/color.wgsl", sizeof(T), kUniform, {M(first), M(count)});
+  return row("ElementsOfColor", "method/projection/color.wgsl", sizeof(T), kUniform, {M(first), M(count)});
 }
 Json nodes_of_color() {
   using T = NodesOfColor;

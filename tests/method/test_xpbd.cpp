@@ -6,8 +6,9 @@
 
 #include "gpu/gpu_fixture.hpp"
 #include "mesh/primitives.hpp"
+#include "method/method.hpp"
+#include "method/projection/sag.hpp"
 #include "method/stepper.hpp"
-#include "method/xpbd/plan.hpp"
 #include "solver_rig.hpp"
 
 using namespace weft;

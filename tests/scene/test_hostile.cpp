@@ -74,10 +74,10 @@ std::vector<Hostile> hostile_scenes() {
       // solver, contact, camera, render
       {scene_with(R"("solver": "mass_spring")"), R"(solver is the text "mass_spring", not an object)"},
       {scene_with(R"("solver": {"kind": "newton"})"),
-       R"(solver.kind is "newton", not one of "mass_spring", "multigrid", "xpbd", "vbd", )"
+       R"(solver.kind is "newton", not one of "mass_spring", "multigrid", "xpbd", "pbd", "vbd", )"
        R"("projective_dynamics", "auto")"},
       {scene_with(R"("solver": {"kind": 7})"),
-       R"(solver.kind is 7, not one of "mass_spring", "multigrid", "xpbd", "vbd", )"
+       R"(solver.kind is 7, not one of "mass_spring", "multigrid", "xpbd", "pbd", "vbd", )"
        R"("projective_dynamics", "auto")"},
       {R"({"format": "weft-scene/1", "solver": {"forces": "spring_centric"},
            "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 1, "stiffness": {"bending": 1e-5}}]})",

@@ -83,7 +83,8 @@ TEST_CASE("a solver override replaces the whole solver object") {
   const std::string text = scene_with(R"("solver": {"kind": "mass_spring", "forces": "spring_centric"})");
   CHECK(with({override_solver("mass_spring")}, text)->solver.forces == Forces::NodeCentric);
   CHECK(with({override_solver("newton")}, text).error().message ==
-        "a.json: solver.kind is \"newton\", not one of \"mass_spring\", \"multigrid\", \"xpbd\", \"vbd\", "
+        "a.json: solver.kind is \"newton\", not one of \"mass_spring\", \"multigrid\", \"xpbd\", \"pbd\", "
+        "\"vbd\", "
         "\"projective_dynamics\", \"auto\".");
   CHECK(with({override_solver("a\"b\\c\n")}, text).error().kind == ErrorKind::Input);
 }

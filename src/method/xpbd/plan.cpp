@@ -1,103 +1,17 @@
 #include "method/xpbd/plan.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "scene/wind.hpp"
+#include "method/projection/sag.hpp"
 
 namespace weft {
-namespace {
-
-/// How many elements in a row reach across a cloth, and what these weigh.
-struct Span {
-  double extent = 0;   // diagonal of the box around it at rest [m]
-  double spacing = 0;  // of its nodes: a triangle is half a square of that side [m]
-  double density = 0;  // [kg/m²]
-};
-
-Span span_of(const Model& model, const Body& cloth) {
-  double area = 0;
-  Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -1.0 * low;
-  for (std::uint32_t t = cloth.first_triangle; t < cloth.first_triangle + cloth.triangle_count; ++t) {
-    const auto [a, b, c] = model.triangles[t];
-    const Vec3d &x = model.rest_position[a], &y = model.rest_position[b], &z = model.rest_position[c];
-    area += 0.5 * length(cross(y - x, z - x));
-    for (const Vec3d& corner : {x, y, z})
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], corner[axis]);
-        high[axis] = std::max(high[axis], corner[axis]);
-      }
-  }
-  double mass = 0;
-  for (std::uint32_t v = cloth.first_vertex; v < cloth.first_vertex + cloth.vertex_count; ++v)
-    mass += model.mass[v];
-  return {length(high - low), std::sqrt(2 * area / cloth.triangle_count), mass / area};
-}
-
-/// The most that pulls at a cloth of this density [kg/m²] at rest, by its mass [m/s²]: `air` pushes at a triangle of
-/// area A with at most ½ ρ A U² ((C_D + (C_D² + C_L²)^½) / 2 + C_F), over all angles to the wind.
-double most_pull(const scene::Scene& scene, double density) {
-  const scene::WindField wind = scene::wind_field(scene.wind);
-  double speed = length(wind.velocity);
-  for (const scene::WindWave& wave : wind.waves) speed += length(wave.gust);
-  double pull = length(scene.gravity + scene.external_force) + scene.drag * speed;
-  if (scene.air) {
-    const scene::Air& air = *scene.air;
-    const double along = (air.pressure + std::hypot(air.pressure, air.lift)) / 2 + air.friction;
-    pull += 0.5 * air.density * speed * speed * along / density;
-  }
-  return pull;
-}
-
-/// By what part of itself, over h², one sweep lets a cloth of fabric be softer than its bending says [1/s²]:
-/// k̄ Σ w |∂θ/∂x|², the mean of its hinges.
-double softening(const Model& model, const Body& cloth) {
-  const hinge::Plate& plate = model.plate(cloth);
-  const std::vector<double> resistance = hinge::stiffness_bounds(plate);
-  double sum = 0, count = 0;
-  for (std::size_t h = 0; h < plate.hinges.size(); ++h) {
-    if (resistance[h] == 0) continue;
-    hinge::Corners corners;
-    for (std::size_t i = 0; i < 4; ++i)
-      corners[i] = model.rest_position[cloth.first_vertex + plate.hinges[h].nodes[i]];
-    const hinge::Corners slope = hinge::angle_slope(corners);
-    for (std::size_t i = 0; i < 4; ++i)
-      sum += resistance[h] * model.inverse_mass(cloth.first_vertex + plate.hinges[h].nodes[i]) *
-             dot(slope[i], slope[i]);
-    ++count;
-  }
-  return count > 0 ? sum / count : 0;
-}
-
-/// Equations (7) and (13) of docs/solvers/xpbd.md, for the cloth that needs the shortest.
-StepLimit xpbd_step_limit(const scene::Scene& scene, const Model& model) {
-  double step = kImplicitStep;
-  for (const Body& cloth : model.bodies) {
-    const Span span = span_of(model, cloth);
-    const double pull = most_pull(scene, span.density);
-    if (pull == 0) continue;
-    step = std::min(step, span.spacing * std::sqrt(scene.solver.iterations * kSag / (pull * span.extent)));
-    if (!cloth.fabric) continue;
-    const double soft = softening(model, cloth);
-    if (soft == 0) continue;
-    const double bending = std::max(cloth.fabric->bending_warp, cloth.fabric->bending_weft);
-    const double load = span.density * pull * span.extent * span.extent * span.extent / bending;  // w L³/B
-    step = std::min(step, std::sqrt(8 * scene.solver.iterations * kSag / (soft * std::min(1.0, load))));
-  }
-  StepLimit limit;
-  limit.longest_auto_step = step;
-  return limit;
-}
-
-}  // namespace
 
 Method xpbd_method() {
   static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge};
   Method row{};
   row.kind = scene::SolverKind::Xpbd;
   row.takes = kTakes;
-  row.step_limit = xpbd_step_limit;
+  row.step_limit = sag_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {
     return long_substeps(scene, limit, 4);

@@ -1,4 +1,4 @@
-#include "method/xpbd/project_fabric.hpp"
+#include "method/projection/project_fabric.hpp"
 
 #include <algorithm>
 #include <string>
@@ -10,7 +10,7 @@ namespace {
 
 Result<gpu::SharedKernel> kernel_of(const SolverInputs& inputs, const std::string& name,
                                     std::vector<gpu::Constant> constants) {
-  return gpu::create_shared_kernel(inputs.device, "method/xpbd/" + name + ".wgsl", std::move(constants),
+  return gpu::create_shared_kernel(inputs.device, "method/projection/" + name + ".wgsl", std::move(constants),
                                    inputs.workgroup_size);
 }
 
@@ -18,7 +18,7 @@ Result<gpu::SharedKernel> kernel_of(const SolverInputs& inputs, const std::strin
 
 Result<ProjectFabric::Ordered> ProjectFabric::ordered(const SolverInputs& inputs, const ElementTable& table,
                                                       std::span<const double> resistance,
-                                                      std::size_t multipliers) {
+                                                      std::size_t multipliers) const {
   const Colors colors = color_elements(table, inputs.model.vertex_count());
   Ordered made;
   std::vector<std::uint32_t> order;
@@ -29,7 +29,8 @@ Result<ProjectFabric::Ordered> ProjectFabric::ordered(const SolverInputs& inputs
     WEFT_CHECK(made.colors.add(inputs.device, static_cast<std::uint32_t>(order.size() - before)));
   }
   WEFT_SET(made.order, gpu::Buffer<std::uint32_t>::create_from(inputs.device, order, "elements by color"));
-  WEFT_SET(made.multiplier, gpu::Buffer<float>::create(inputs.device, multipliers, "multipliers"));
+  WEFT_SET(made.multiplier, gpu::Buffer<float>::create(
+                                inputs.device, kept_multipliers(multipliers_, multipliers), "multipliers"));
   return made;
 }
 
@@ -40,8 +41,9 @@ Result<void> ProjectFabric::create_membranes(const SolverInputs& inputs, const B
   WEFT_SET(membranes_, ordered(inputs, inputs.model.host.elements(ElementKind::Membrane, body), {},
                                std::size_t{apart ? 6U : 3U} * fabric_.layout.triangles));
   for (const bool first : {true, false}) {
-    WEFT_TRY(kernel, kernel_of(inputs, "project_membranes",
-                               {{"kFirst", first ? 1.0 : 0.0}, {"kDampedApart", apart ? 1.0 : 0.0}}));
+    std::vector<gpu::Constant> constants = sweep_constants(multipliers_, !first);
+    constants.push_back({"kDampedApart", apart ? 1.0 : 0.0});
+    WEFT_TRY(kernel, kernel_of(inputs, "project_membranes", std::move(constants)));
     WEFT_SET((first ? membranes_.first : membranes_.later),
              membranes_.colors.dispatches(
                  kernel, [&](std::size_t p, const gpu::RawBuffer& color) -> gpu::Dispatch::Bindings {
@@ -68,7 +70,7 @@ Result<void> ProjectFabric::create_hinges(const SolverInputs& inputs, const Body
                                 state.position[p], state.position[1 - p], bends_};
                       }));
   for (const bool first : {true, false}) {
-    WEFT_TRY(kernel, kernel_of(inputs, "project_hinges", {{"kFirst", first ? 1.0 : 0.0}}));
+    WEFT_TRY(kernel, kernel_of(inputs, "project_hinges", sweep_constants(multipliers_, !first)));
     WEFT_SET((first ? hinges_.first : hinges_.later),
              hinges_.colors.dispatches(
                  kernel, [&](std::size_t p, const gpu::RawBuffer& color) -> gpu::Dispatch::Bindings {
@@ -81,8 +83,10 @@ Result<void> ProjectFabric::create_hinges(const SolverInputs& inputs, const Body
   return {};
 }
 
-Result<ProjectFabric> ProjectFabric::create(const SolverInputs& inputs, const Body& body) {
+Result<ProjectFabric> ProjectFabric::create(const SolverInputs& inputs, const Body& body,
+                                            Multipliers multipliers) {
   ProjectFabric made;
+  made.multipliers_ = multipliers;
   WEFT_SET(made.fabric_, FabricBuffers::create(inputs.device, inputs.model.host, body));
   WEFT_CHECK(made.create_membranes(inputs, body));
   WEFT_CHECK(made.create_hinges(inputs, body));

@@ -5,8 +5,9 @@
 #include "state/step.wgsl"
 #include "element/spring/law.wgsl"
 #include "element/spring/packed_spring.wgsl"
-#include "method/xpbd/color.wgsl"
-override kFirst : bool = true;  // the first sweep of the substep: every multiplier is 0
+#include "method/projection/color.wgsl"
+override kFirst : bool = true;  // every multiplier is 0
+override kKeeps : bool = true;  // whether the next sweep has them
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
 @group(0) @binding(1) var<uniform>             color       : ElementsOfColor;
@@ -35,7 +36,7 @@ fn project_springs(@builtin(global_invocation_id) id : vec3u) {
   let square = step.time.dt * step.time.dt;
   let resistance = (square * kind.stiffness + step.time.dt * kind.damping) * (way_a.w + way_b.w);
   let change = -(square * spring.tension + before) / (1.0 + resistance);
-  multiplier[at] = before + change;
+  if (kKeeps) { multiplier[at] = before + change; }
   let push = (change * spring.per_length) * span;
   way[s.node_a] = vec4f(way_a.xyz - way_a.w * push, way_a.w);
   way[node_b] = vec4f(way_b.xyz + way_b.w * push, way_b.w);

@@ -3,7 +3,7 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "method/fabric_params.wgsl"
-#include "method/xpbd/bent_hinge.wgsl"
+#include "method/projection/bent_hinge.wgsl"
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
 @group(0) @binding(1) var<uniform>             fabric      : FabricParams;

@@ -4,9 +4,10 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "method/fabric_params.wgsl"
-#include "method/xpbd/bent_hinge.wgsl"
-#include "method/xpbd/color.wgsl"
-override kFirst : bool = true;  // the first sweep of the substep: every multiplier is 0
+#include "method/projection/bent_hinge.wgsl"
+#include "method/projection/color.wgsl"
+override kFirst : bool = true;  // every multiplier is 0
+override kKeeps : bool = true;  // whether the next sweep has them
 //                                                                              elements       unit
 @group(0) @binding(0)  var<uniform>             step        : StepBlock;
 @group(0) @binding(1)  var<uniform>             fabric      : FabricParams;
@@ -58,7 +59,7 @@ fn project_hinges(@builtin(global_invocation_id) id : vec3u) {
   if (!kFirst) { before = multiplier[hinge]; }
   let change = -(square * moment + before) /
                (1.0 + (square + step.time.dt * fabric.law.delay) * resistance * weight);
-  multiplier[hinge] = before + change;
+  if (kKeeps) { multiplier[hinge] = before + change; }
   way[nodes.x] = vec4f(a.xyz + a.w * change * at_a, a.w);
   way[nodes.y] = vec4f(b.xyz + b.w * change * bent.slope.b, b.w);
   way[nodes.z] = vec4f(c.xyz + c.w * change * bent.slope.c, c.w);

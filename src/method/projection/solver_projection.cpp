@@ -1,10 +1,10 @@
-#include "method/xpbd/solver_xpbd.hpp"
+#include "method/projection/solver_projection.hpp"
 
 #include "method/ways.hpp"
 
 namespace weft {
 
-void SolverXpbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
+void SolverProjection::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   predict_way_.record(pass);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep == 0 ? first_sweep_ : later_sweep_) color.record(pass);
@@ -17,7 +17,7 @@ void SolverXpbd::record(gpu::ComputePass& pass, const contact::Stages& contact, 
   contact.hold_back(pass);
 }
 
-Result<void> SolverXpbd::create_springs(const SolverInputs& inputs) {
+Result<void> SolverProjection::create_springs(const SolverInputs& inputs) {
   gpu::Device& device = inputs.device;
   const Springs springs = inputs.model.host.springs();
   const Colors& colors = inputs.model.host.colors(ElementKind::Spring);
@@ -31,16 +31,17 @@ Result<void> SolverXpbd::create_springs(const SolverInputs& inputs) {
   WEFT_TRY(packed, pack_springs(springs, order, inputs.model.vertex_count()));
   WEFT_SET(springs_, gpu::Buffer<PackedSpring>::create_from(device, packed.springs, "springs"));
   WEFT_SET(kinds_, gpu::Buffer<SpringKind>::create_from(device, packed.kinds, "spring kinds"));
-  WEFT_SET(multiplier_, gpu::Buffer<float>::create(device, packed.springs.size(), "multipliers"));
+  WEFT_SET(multiplier_, gpu::Buffer<float>::create(
+                            device, kept_multipliers(multipliers_, packed.springs.size()), "multipliers"));
   return {};
 }
 
-Result<void> SolverXpbd::create_nodes(const SolverInputs& inputs) {
+Result<void> SolverProjection::create_nodes(const SolverInputs& inputs) {
   const State& state = inputs.state;
   const std::uint32_t count = inputs.model.vertex_count();
   WEFT_SET(corners_, corners_in_air(inputs));
   WEFT_TRY(predict,
-           gpu::create_shared_kernel(inputs.device, "method/xpbd/predict_way.wgsl",
+           gpu::create_shared_kernel(inputs.device, "method/projection/predict_way.wgsl",
                                      {{"kAirPushes", inputs.air ? 1.0 : 0.0}}, inputs.workgroup_size));
   WEFT_SET(predict_way_,
            gpu::Dispatch::create_by_parity(
@@ -52,29 +53,30 @@ Result<void> SolverXpbd::create_nodes(const SolverInputs& inputs) {
   return {};
 }
 
-Result<std::vector<gpu::Dispatch>> SolverXpbd::create_sweep(const SolverInputs& inputs, bool first) const {
+Result<Sweep> SolverProjection::create_sweep(const SolverInputs& inputs, bool pulled) const {
   const State& state = inputs.state;
-  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/xpbd/project_springs.wgsl",
-                                             {{"kFirst", first ? 1.0 : 0.0}}, inputs.workgroup_size));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/projection/project_springs.wgsl",
+                                             sweep_constants(multipliers_, pulled), inputs.workgroup_size));
   return colors_.dispatches(
       kernel, [&](std::size_t p, const gpu::RawBuffer& color) -> gpu::Dispatch::Bindings {
         return {state.steps, color, springs_, kinds_, state.position[p], multiplier_, state.position[1 - p]};
       });
 }
 
-Result<std::unique_ptr<Solver>> SolverXpbd::create(const scene::Solver& settings,
-                                                   const SolverInputs& inputs) {
-  auto made = std::make_unique<SolverXpbd>();
-  made->iterations_ = settings.iterations;
+Result<std::unique_ptr<Solver>> SolverProjection::create(const SolverInputs& inputs, std::uint32_t iterations,
+                                                         Multipliers multipliers) {
+  auto made = std::make_unique<SolverProjection>();
+  made->iterations_ = iterations;
+  made->multipliers_ = multipliers;
   WEFT_CHECK(made->create_nodes(inputs));
   if (inputs.model.host.count(ElementKind::Spring) > 0) {
     WEFT_CHECK(made->create_springs(inputs));
-    WEFT_SET(made->first_sweep_, made->create_sweep(inputs, true));
-    if (settings.iterations > 1) WEFT_SET(made->later_sweep_, made->create_sweep(inputs, false));
+    WEFT_SET(made->first_sweep_, made->create_sweep(inputs, false));
+    if (iterations > 1) WEFT_SET(made->later_sweep_, made->create_sweep(inputs, true));
   }
   for (const Body& body : inputs.model.host.bodies) {
     if (!body.fabric) continue;
-    WEFT_TRY(fabric, ProjectFabric::create(inputs, body));
+    WEFT_TRY(fabric, ProjectFabric::create(inputs, body, multipliers));
     made->fabrics_.push_back(std::move(fabric));
   }
   return std::unique_ptr<Solver>(std::move(made));

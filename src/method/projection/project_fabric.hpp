@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "method/fabric_buffers.hpp"
+#include "method/projection/color.hpp"
+#include "method/projection/multipliers.hpp"
 #include "method/solver.hpp"
-#include "method/xpbd/color.hpp"
 
 namespace weft {
 
@@ -17,7 +18,7 @@ namespace weft {
 /// Errors  Shader, Limit, OutOfMemory.
 class ProjectFabric {
  public:
-  static Result<ProjectFabric> create(const SolverInputs& inputs, const Body& body);
+  static Result<ProjectFabric> create(const SolverInputs& inputs, const Body& body, Multipliers multipliers);
   /// `first`: whether it is the first of the substep, in which nothing has pulled yet.
   void record(gpu::ComputePass& pass, bool first) const;
 
@@ -29,15 +30,15 @@ class ProjectFabric {
     gpu::Buffer<std::uint32_t> order;
     ColorRuns colors;
     gpu::Buffer<float> multiplier;
-    std::vector<gpu::Dispatch> first,
-        later;  // a dispatch a colour: where nothing has pulled yet, and after that
+    Sweep first, later;  // where nothing has pulled yet, and after that
   };
   /// Without those whose number in `resistance` is 0; where it is empty, all.
-  static Result<Ordered> ordered(const SolverInputs& inputs, const ElementTable& table,
-                                 std::span<const double> resistance, std::size_t multipliers);
+  Result<Ordered> ordered(const SolverInputs& inputs, const ElementTable& table,
+                          std::span<const double> resistance, std::size_t multipliers) const;
   Result<void> create_membranes(const SolverInputs& inputs, const Body& body);
   Result<void> create_hinges(const SolverInputs& inputs, const Body& body);
 
+  Multipliers multipliers_ = Multipliers::Kept;
   FabricBuffers fabric_;
   Ordered membranes_, hinges_;
   gpu::Buffer<std::array<float, 2>>

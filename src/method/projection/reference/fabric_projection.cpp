@@ -1,4 +1,4 @@
-#include "method/xpbd/reference/fabric_projection.hpp"
+#include "method/projection/reference/fabric_projection.hpp"
 
 #include <array>
 #include <cmath>
@@ -82,8 +82,9 @@ Bend bend_of(const hinge::Hinge& hinge, const Ways& ways, std::uint32_t first, d
 
 }  // namespace
 
-FabricProjection::FabricProjection(const Model& model, const Body& body)
-    : membranes_(color_elements(model.elements(ElementKind::Membrane, body), model.vertex_count())),
+FabricProjection::FabricProjection(const Model& model, const Body& body, Multipliers multipliers)
+    : multipliers_(multipliers),
+      membranes_(color_elements(model.elements(ElementKind::Membrane, body), model.vertex_count())),
       hinges_(color_elements(model.elements(ElementKind::Hinge, body), model.vertex_count())),
       resistance_(hinge::stiffness_bounds(model.plate(body))) {
   begin();
@@ -155,8 +156,10 @@ void FabricProjection::project_membrane(Ways& ways, const FabricCloth& cloth, st
 void FabricProjection::sweep(Ways& ways, const FabricCloth& cloth, double dt) {
   const std::vector<std::uint32_t>&triangles = membranes_.elements, &hinges = hinges_.elements;
   const std::vector<std::uint32_t> back(hinges.rbegin(), hinges.rend());
+  if (multipliers_ == Multipliers::Forgotten) begin();
   project_hinges(ways, cloth, hinges, dt);
   for (const std::uint32_t triangle : triangles) project_membrane(ways, cloth, triangle, dt);
+  if (multipliers_ == Multipliers::Forgotten) begin();
   for (auto triangle = triangles.rbegin(); triangle != triangles.rend(); ++triangle)
     project_membrane(ways, cloth, *triangle, dt);
   project_hinges(ways, cloth, back, dt);

@@ -3,25 +3,26 @@
 #include <vector>
 
 #include "element/spring/packed_springs.hpp"
+#include "method/projection/color.hpp"
+#include "method/projection/project_fabric.hpp"
 #include "method/solver.hpp"
-#include "method/xpbd/color.hpp"
-#include "method/xpbd/project_fabric.hpp"
 
 namespace weft {
 
-/// Cloth by extended position-based dynamics in small steps: springs, membranes and hinges are compliant constraints,
-/// projected colour after colour. Source: docs/solvers/xpbd.md.
-class SolverXpbd : public Solver {
+/// Cloth by position-based dynamics: springs, membranes and hinges are compliant constraints, projected colour after
+/// colour. Source: docs/solvers/xpbd.md; where multipliers are forgotten docs/solvers/pbd.md.
+class SolverProjection : public Solver {
  public:
   /// Errors  Shader, Limit, OutOfMemory.
-  static Result<std::unique_ptr<Solver>> create(const scene::Solver& settings, const SolverInputs& inputs);
+  static Result<std::unique_ptr<Solver>> create(const SolverInputs& inputs, std::uint32_t iterations,
+                                                Multipliers multipliers);
 
   void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
 
  private:
   Result<void> create_springs(const SolverInputs& inputs);
   Result<void> create_nodes(const SolverInputs& inputs);
-  Result<std::vector<gpu::Dispatch>> create_sweep(const SolverInputs& inputs, bool first) const;
+  Result<Sweep> create_sweep(const SolverInputs& inputs, bool pulled) const;
 
   gpu::Buffer<PackedSpring> springs_;  // colour after colour
   gpu::Buffer<SpringKind> kinds_;
@@ -34,8 +35,9 @@ class SolverXpbd : public Solver {
 
   // While elements are projected, position[1 - parity] holds ways from position[parity], not places.
   gpu::Dispatch predict_way_, end_way_;
-  std::vector<gpu::Dispatch> first_sweep_, later_sweep_;  // over springs: a dispatch a colour
+  Sweep first_sweep_, later_sweep_;  // over springs
   std::uint32_t iterations_ = 1;
+  Multipliers multipliers_ = Multipliers::Kept;
 };
 
 }  // namespace weft

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "element/colors.hpp"
+#include "method/projection/multipliers.hpp"
 #include "method/reference_ways.hpp"
 #include "method/stepper.hpp"
 #include "model/model.hpp"
@@ -15,7 +16,7 @@ namespace weft::reference {
 /// Source: docs/solvers/xpbd.md, Fabric.
 class FabricProjection {
  public:
-  FabricProjection(const Model& model, const Body& body);
+  FabricProjection(const Model& model, const Body& body, Multipliers multipliers);
 
   /// A substep begins: nothing pulls yet.
   void begin();
@@ -27,6 +28,7 @@ class FabricProjection {
   void project_hinges(Ways& ways, const FabricCloth& cloth, std::span<const std::uint32_t> order, double dt);
   void project_membrane(Ways& ways, const FabricCloth& cloth, std::uint32_t triangle, double dt);
 
+  Multipliers multipliers_;
   Colors membranes_, hinges_;
   std::vector<double> resistance_;  // of hinges: k̄ [N·m]
   std::vector<Vec3d> strained_,

@@ -1,4 +1,4 @@
-#include "method/xpbd/reference/xpbd_stepper.hpp"
+#include "method/projection/reference/projection_stepper.hpp"
 
 #include "element/spring/law.hpp"
 #include "method/reference_ways.hpp"
@@ -21,19 +21,20 @@ void project(Ways& ways, const SpringLink& s, double dt, double& multiplier) {
 
 }  // namespace
 
-XpbdStepper::XpbdStepper(const Model& model, std::uint32_t iterations)
-    : model_(model), iterations_(iterations) {
+ProjectionStepper::ProjectionStepper(const Model& model, std::uint32_t iterations, Multipliers multipliers)
+    : model_(model), iterations_(iterations), multipliers_(multipliers) {
   for (const Body& body : model.bodies)
-    if (body.fabric) fabrics_.emplace_back(model, body);
+    if (body.fabric) fabrics_.emplace_back(model, body, multipliers);
 }
 
-void XpbdStepper::advance(const Substep& substep) {
+void ProjectionStepper::advance(const Substep& substep) {
   const auto& [system, places, dt, ratio, pressed] = substep;
   Ways ways = Ways::begin(substep);
   const Colors& colors = model_.colors(ElementKind::Spring);
   std::vector<double> multipliers(system.springs.size(), 0.0);
   for (FabricProjection& fabric : fabrics_) fabric.begin();
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
+    if (multipliers_ == Multipliers::Forgotten) multipliers.assign(multipliers.size(), 0.0);
     for (const std::uint32_t spring : colors.elements)
       project(ways, system.springs[spring], dt, multipliers[spring]);
     for (std::size_t cloth = 0; cloth < fabrics_.size(); ++cloth)

@@ -1,5 +1,5 @@
 // The elements of one colour: a run of a list that has them colour after colour.
-struct ElementsOfColor {  // mirror: src/method/xpbd/color.hpp
+struct ElementsOfColor {  // mirror: src/method/projection/color.hpp
   first : u32,
   count : u32,
 }

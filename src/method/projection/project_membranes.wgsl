@@ -4,8 +4,9 @@
 #include "state/step.wgsl"
 #include "method/fabric_params.wgsl"
 #include "element/membrane/form.wgsl"
-#include "method/xpbd/color.wgsl"
-override kFirst : bool = true;       // the first sweep of the substep: every multiplier is 0
+#include "method/projection/color.wgsl"
+override kFirst : bool = true;       // every multiplier is 0
+override kKeeps : bool = true;  // whether the next sweep has them
 override kDampedApart : bool = false;  // by strains that are not the energy's: a second block, behind the first
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
@@ -88,9 +89,11 @@ fn project(at : Corners, form : MembraneForm, steep : MembraneForm, k : vec4f, e
   let column = vec3f(compliance.x + s * weighed(w, p, p), compliance.y + s * weighed(w, p, q), s * weighed(w, p, r));
   let rest = vec3f(compliance.z + s * weighed(w, q, q), s * weighed(w, q, r), shear_compliance + s * weighed(w, r, r));
   let found = -solve_symmetric(column, rest, left);
-  multiplier[entry] = before.x + found.x;
-  multiplier[entry + 1u] = before.y + found.y;
-  multiplier[entry + 2u] = before.z + found.z;
+  if (kKeeps) {
+    multiplier[entry] = before.x + found.x;
+    multiplier[entry + 1u] = before.y + found.y;
+    multiplier[entry + 2u] = before.z + found.z;
+  }
   let push = at_corners(at.rest, Axes(
       found.x * form.warp.warp + found.y * form.weft.warp + found.z * form.shear.warp,
       found.x * form.warp.weft + found.y * form.weft.weft + found.z * form.shear.weft));

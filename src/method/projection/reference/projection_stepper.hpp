@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "method/projection/reference/fabric_projection.hpp"
+#include "method/stepper.hpp"
+
+namespace weft::reference {
+
+/// The substep of docs/solvers/xpbd.md, or where multipliers are forgotten that of docs/solvers/pbd.md: elements are
+/// projected in the order of their colours.
+class ProjectionStepper : public Stepper {
+ public:
+  ProjectionStepper(const Model& model, std::uint32_t iterations, Multipliers multipliers);
+  void advance(const Substep& substep) override;
+
+ private:
+  const Model& model_;
+  std::uint32_t iterations_;
+  Multipliers multipliers_;
+  std::vector<FabricProjection> fabrics_;  // of the bodies that have it
+};
+
+}  // namespace weft::reference
