@@ -62,6 +62,36 @@ TEST_CASE("a tube turns by 1/R around itself and not along, whichever way its di
   }
 }
 
+TEST_CASE("a rod's side is round up to its ends, which are flat") {
+  constexpr std::uint32_t kFacets = 32;
+  constexpr double kRadius = 0.02;
+  Tube rod = tube(kRadius, kFacets, 1, 1);  // two rings: every vertex of its side is at a rim
+  for (const double z : {0.0, 1.0}) rod.places.push_back({0, 0, z});
+  for (std::uint32_t i = 0; i < kFacets; ++i) {
+    const std::uint32_t next = (i + 1) % kFacets;
+    rod.triangles.insert(rod.triangles.end(),
+                         {{2 * kFacets, next, i}, {2 * kFacets + 1, kFacets + i, kFacets + next}});
+  }
+  const std::vector<Curvature> at = mesh::vertex_curvatures(rod.places, rod.triangles);
+  const double angle = 2 * std::numbers::pi / kFacets;
+  for (std::size_t v = 0; v < 2 * kFacets; ++v) {
+    const Vec3d& p = rod.places[v];
+    const Vec3d out{p.x / kRadius, p.y / kRadius, 0}, around{-out.y, out.x, 0}, along{0, 0, 1};
+    CHECK(dot(at[v].normal, out) > 1 - angle * angle);  // not the end's
+    // Long triangles share a corner's area unevenly; the mean of a ring is exact.
+    CHECK(dot(around, at[v].shape * around) > 0);
+    CHECK(length(at[v].shape * along) * kRadius < angle);
+  }
+  double sum = 0;
+  for (std::size_t v = 0; v < kFacets; ++v) {
+    const Vec3d around{-rod.places[v].y / kRadius, rod.places[v].x / kRadius, 0};
+    sum += dot(around, at[v].shape * around) * kRadius / kFacets;
+  }
+  CHECK(sum == doctest::Approx(1).epsilon(0.05));
+  for (const std::size_t middle : {2 * kFacets, 2 * kFacets + 1})
+    CHECK(length(at[middle].shape * Vec3d{1, 1, 1}) == 0);
+}
+
 TEST_CASE(
     "a finer ball turns more nearly by 1/R in every direction, and a hollow one by as much the other way") {
   double worst_before = 1;

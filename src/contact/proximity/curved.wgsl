@@ -5,6 +5,7 @@
 const kShapeWords = 2u;     // of a point, behind the ends: collider_set.hpp
 const kColliderRows = 4u;   // of `points`, behind these: move_points.wgsl
 const kNormalUnits = 127.0;  // of the parts of a normal, which are below 256 in steps of one
+const kSameSector = 0.765;  // mirror: src/mesh/curvature.hpp
 const kLeastSpread = 0.5;   // of a surface's radius; mirror: src/contact/rules/contact_law.hpp
 
 // dn/dx, symmetric, 1/m; in the mesh's own space, with the normal on the side that `normal` shows.
@@ -28,28 +29,31 @@ fn row_of_collider(id : u32) -> u32 {
   return (2u + kShapeWords) * step.contact.point_count + kColliderRows * collider;
 }
 
-// Where a pair touches a mesh: the mean over the mesh's vertices.
-fn surface_at(ids : vec4u, weights : vec4f) -> CurvedSurface {
-  var sum = CurvedSurface(vec3f(0.0), vec3f(0.0), vec3f(0.0), 0u);
-  for (var role = 0u; role < role_count(ids); role++) {
-    if (!is_collider(ids[role])) { continue; }
-    let word = shape_word(ids[role]);
-    let packed = u32(points[word].w);
-    let w = abs(weights[role]);
-    sum.diagonal += w * points[word].xyz;
-    sum.beside += w * points[word + 1u].xyz;
-    sum.row = row_of_collider(ids[role]);
-    sum.normal += w * (vec3f(vec3u(packed, packed >> 8u, packed >> 16u) & vec3u(255u)) - kNormalUnits);
-  }
-  return sum;
-}
-
 // The vectors of a collider's own space, and those of the world.
 fn to_own(row : u32, v : vec3f) -> vec3f {
   return v.x * points[row].xyz + v.y * points[row + 1u].xyz + v.z * points[row + 2u].xyz;
 }
 fn to_world(row : u32, v : vec3f) -> vec3f {
   return vec3f(dot(points[row].xyz, v), dot(points[row + 1u].xyz, v), dot(points[row + 2u].xyz, v));
+}
+
+// Where a pair of direction n touches a mesh: the mean over the mesh's vertices, without what these have of another side
+// of a crease.
+fn surface_at(ids : vec4u, weights : vec4f, n : vec3f) -> CurvedSurface {
+  var sum = CurvedSurface(vec3f(0.0), vec3f(0.0), vec3f(0.0), 0u);
+  for (var role = 0u; role < role_count(ids); role++) {
+    if (!is_collider(ids[role])) { continue; }
+    let word = shape_word(ids[role]);
+    let packed = u32(points[word].w);
+    sum.row = row_of_collider(ids[role]);
+    let normal = vec3f(vec3u(packed, packed >> 8u, packed >> 16u) & vec3u(255u)) - kNormalUnits;
+    if (abs(dot(normal, to_own(sum.row, n))) < kSameSector * kNormalUnits) { continue; }
+    let w = abs(weights[role]);
+    sum.diagonal += w * points[word].xyz;
+    sum.beside += w * points[word + 1u].xyz;
+    sum.normal += w * normal;
+  }
+  return sum;
 }
 
 // The direction n of a pair, toward cloth, as it is for a vertex, and by how much more than along n that goes away.

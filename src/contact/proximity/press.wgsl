@@ -76,7 +76,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     let missing = step.contact.thickness - measured.gap;
     let room = min(missing, kHoldPart * missing);
     let friction = min(friction_of(ids, bitcast<f32>(listed[pair].words.y)), kMostFriction);
-    let curved = surface_at(ids, weights);
+    let curved = surface_at(ids, weights, measured.normal);
     var touching = vec3f(0.0);
     for (var role = 0u; role < role_count(ids); role++) {
       if (!is_collider(ids[role])) { touching += abs(weights[role]) * start_of(ids[role]).xyz; }

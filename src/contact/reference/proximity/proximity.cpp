@@ -201,16 +201,17 @@ std::optional<CurvedSurface> Proximity::curved_of(const FeaturePair& pair, const
   CurvedSurface surface{
       .velocity = velocity,
       .spin = scene::spin_between(start_.transforms[collider], end_.transforms[collider], dt)};
+  const double* r = start_.transforms[collider].rotation;
+  const Mat3 turn{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
   Vec3d normal;
   for (std::uint32_t k = 0; k < obstacle.count; ++k) {
     const mesh::Curvature& at = obstacles_.curvature(obstacle.vertices[k]);
+    if (std::abs(dot(turn * at.normal, pair.direction)) < mesh::kSameSector) continue;
     normal += std::abs(obstacle.weights[k]) * at.normal;
     surface.shape += std::abs(obstacle.weights[k]) * at.shape;
   }
   for (std::uint32_t k = 0; k < cloth.count; ++k)
     surface.place += std::abs(cloth.weights[k]) * cloth_.positions[cloth.vertices[k]];
-  const double* r = start_.transforms[collider].rotation;
-  const Mat3 turn{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
   const Vec3d toward = on_a ? -pair.direction : pair.direction;
   const double side = dot(turn * normal, toward) < 0 ? -1 : 1;
   surface.shape = side * (turn * surface.shape * transposed(turn));
