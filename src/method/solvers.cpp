@@ -13,6 +13,8 @@ Result<std::unique_ptr<Solver>> make_solver(const scene::Solver& settings, const
       return SolverMassSpring::create(settings, inputs);
     case scene::SolverKind::Multigrid:
       return SolverMultigrid::create(inputs, settings.residual);
+    case scene::SolverKind::Fem:
+      return SolverMultigrid::create(inputs, settings.residual, settings.iterations);
     case scene::SolverKind::Xpbd:
       return SolverProjection::create(inputs, settings.iterations, Multipliers::Kept);
     case scene::SolverKind::Pbd:

@@ -12,6 +12,8 @@ std::unique_ptr<Stepper> make_stepper(const scene::Solver& settings, const Model
   switch (settings.kind) {
     case scene::SolverKind::Multigrid:
       return std::make_unique<ImplicitStepper>(model, step, settings.residual);
+    case scene::SolverKind::Fem:
+      return std::make_unique<ImplicitStepper>(model, step, settings.residual, settings.iterations);
     case scene::SolverKind::Xpbd:
       return std::make_unique<ProjectionStepper>(model, settings.iterations, Multipliers::Kept);
     case scene::SolverKind::Pbd:

@@ -1,6 +1,7 @@
 // The methods. A new one: its folder, a row here, and a line in each of the two factories (solvers.cpp, steppers.cpp).
 #include <array>
 
+#include "method/fem/plan.hpp"
 #include "method/mass_spring/plan.hpp"
 #include "method/method.hpp"
 #include "method/multigrid/plan.hpp"
@@ -13,7 +14,8 @@ namespace weft {
 
 std::span<const Method> methods() {
   static const std::array rows = {multigrid_method(), mass_spring_method(), xpbd_method(),
-                                  pbd_method(),       vbd_method(),         projective_dynamics_method()};
+                                  pbd_method(),       vbd_method(),         projective_dynamics_method(),
+                                  fem_method()};
   return rows;
 }
 

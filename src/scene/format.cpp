@@ -109,12 +109,17 @@ constexpr Key kResidualKey = {
     "residual", &kResidual, "What a substep may leave of its linear system's residual, by what it began with",
     "0.01"};
 constexpr Key kMultigridKeys[] = {kResidualKey};
+constexpr Type kNewtonSteps{.kind = Kind::Number, .least = 1, .most = 50, .whole = true};
+constexpr Key kFemKeys[] = {
+    {"iterations", &kNewtonSteps, "Newton steps in a substep at most", "4"},
+    {"residual", &kResidual, "What a substep may leave of its equation's residual, by what it began with",
+     "0.01"}};
 constexpr Key kAutoKeys[] = {kForcesKey, kResidualKey};  // of whichever it takes
 constexpr Variant kSolverVariants[] = {                  // in the order of SolverKind
     {kSolverKindNames[0], kMassSpringKeys}, {kSolverKindNames[1], kMultigridKeys},
     {kSolverKindNames[2], kXpbdKeys},       {kSolverKindNames[3], kPbdKeys},
     {kSolverKindNames[4], kVbdKeys},        {kSolverKindNames[5], kProjectiveDynamicsKeys},
-    {kSolverKindNames[6], kAutoKeys}};
+    {kSolverKindNames[6], kFemKeys},        {kSolverKindNames[7], kAutoKeys}};
 static_assert(std::size(kSolverVariants) == std::size(kSolverKindNames));
 constexpr Type kSolver{.kind = Kind::Object, .keys = kSolverKeys, .variants = kSolverVariants};
 

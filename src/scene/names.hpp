@@ -9,7 +9,7 @@ inline constexpr const char* kGridPartNames[] = {"top_left", "top_right", "botto
                                                  "corners",  "edges"};
 inline constexpr const char* kPlaneNames[] = {"xy", "xz"};
 inline constexpr const char* kSolverKindNames[] = {"mass_spring", "multigrid",           "xpbd", "pbd",
-                                                   "vbd",         "projective_dynamics", "auto"};
+                                                   "vbd",         "projective_dynamics", "fem",  "auto"};
 inline constexpr const char* kForcesNames[] = {"node_centric", "spring_centric", "spring_blocks"};
 inline constexpr const char* kFabricEnergyNames[] = {"yarn", "green", "neo_hookean"};
 inline constexpr const char* kContactMethodNames[] = {"none", "paper", "bvh", "proximity"};

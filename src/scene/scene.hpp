@@ -245,6 +245,7 @@ enum class SolverKind {
   Pbd,
   Vbd,
   ProjectiveDynamics,
+  Fem,
   Auto,  ///< the cheaper of the first two for this scene
 };
 enum class Forces { NodeCentric, SpringCentric, SpringBlocks };
@@ -253,7 +254,8 @@ struct Solver {
   Forces forces = Forces::NodeCentric;  // of MassSpring
   std::uint32_t iterations = 1;         // of methods that sweep or iterate: how often in a substep
   double residual =
-      0.01;  // of Multigrid: what a substep leaves of its linear system's, by what it began with
+      0.01;  // of Multigrid: what a substep leaves of its linear system's, by what it began with; of
+             // Fem: of its equation's
 };
 
 enum class ContactMethod { None, Paper, Bvh, Proximity };

@@ -75,10 +75,10 @@ std::vector<Hostile> hostile_scenes() {
       {scene_with(R"("solver": "mass_spring")"), R"(solver is the text "mass_spring", not an object)"},
       {scene_with(R"("solver": {"kind": "newton"})"),
        R"(solver.kind is "newton", not one of "mass_spring", "multigrid", "xpbd", "pbd", "vbd", )"
-       R"("projective_dynamics", "auto")"},
+       R"("projective_dynamics", "fem", "auto")"},
       {scene_with(R"("solver": {"kind": 7})"),
        R"(solver.kind is 7, not one of "mass_spring", "multigrid", "xpbd", "pbd", "vbd", )"
-       R"("projective_dynamics", "auto")"},
+       R"("projective_dynamics", "fem", "auto")"},
       {R"({"format": "weft-scene/1", "solver": {"forces": "spring_centric"},
            "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 1, "stiffness": {"bending": 1e-5}}]})",
        R"(cloths[0].stiffness.bending is 1e-05 N·m; solver.forces "spring_centric" has springs only.)",

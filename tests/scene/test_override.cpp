@@ -85,7 +85,7 @@ TEST_CASE("a solver override replaces the whole solver object") {
   CHECK(with({override_solver("newton")}, text).error().message ==
         "a.json: solver.kind is \"newton\", not one of \"mass_spring\", \"multigrid\", \"xpbd\", \"pbd\", "
         "\"vbd\", "
-        "\"projective_dynamics\", \"auto\".");
+        "\"projective_dynamics\", \"fem\", \"auto\".");
   CHECK(with({override_solver("a\"b\\c\n")}, text).error().kind == ErrorKind::Input);
 }
 

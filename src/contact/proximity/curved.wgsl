@@ -37,8 +37,8 @@ fn to_world(row : u32, v : vec3f) -> vec3f {
   return vec3f(dot(points[row].xyz, v), dot(points[row + 1u].xyz, v), dot(points[row + 2u].xyz, v));
 }
 
-// Where a pair of direction n touches a mesh: the mean over the mesh's vertices, without what these have of another side
-// of a crease.
+// Where a pair of direction n touches a mesh: the mean over the mesh's vertices, without those that belong to another
+// side of a crease.
 fn surface_at(ids : vec4u, weights : vec4f, n : vec3f) -> CurvedSurface {
   var sum = CurvedSurface(vec3f(0.0), vec3f(0.0), vec3f(0.0), 0u);
   for (var role = 0u; role < role_count(ids); role++) {

@@ -14,8 +14,9 @@
 @group(0) @binding(2) var<storage, read>       partials   : array<vec2f>;     // partial_sums.wgsl
 @group(0) @binding(3) var<storage, read_write> statistics : array<atomic<u32>>;
 override kSum : u32;
-override kAgain : bool = false;  // true: of a second system
-override kLast : bool = false;   // true: of the only or the second one
+override kAgain : bool = false;  // true: of a system behind the first
+override kLast : bool = false;   // true: of the only system, or one behind the first
+override kMeasures : bool = false;  // true: of what Newton's method has left, which no system follows
 const kFirstNorm = 0u;  // mirror: src/method/multigrid/kernels.cpp
 const kSquare = 1u;     // p·A p
 const kNorm = 2u;
@@ -79,7 +80,7 @@ fn report(state : Solve) {
     atomicMax(&statistics[kStatResidual], bitcast<u32>(sqrt(state.left / state.first)));
   }
   if (state.done && has_norm) { return; }
-  if (nodes.may_retry == 1u && has_norm) {
+  if (nodes.may_retry == 1u && has_norm && !kMeasures) {
     atomicStore(&statistics[kStatRolledBack], 1u);
   } else {
     atomicAdd(&statistics[kStatUnsolved], 1u);
@@ -101,7 +102,7 @@ fn add_up(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index)
   }
   if (kSum != kFirstNorm) { state = after(solve_state(), sum); }
   let is_last = state.done || (kSum == kNorm && state.turn >= state.begun + nodes.iterations);
-  if (kLast && is_last) { report(state); }
+  if (kMeasures || (kLast && is_last)) { report(state); }
   let at = solve_at();
   vectors[at] = vec4f(state.first, state.left, state.enough, state.rho);
   vectors[at + 1u] = vec4f(state.rate, state.keep, f32(state.turn), select(0.0, 1.0, state.done));

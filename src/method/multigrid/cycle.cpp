@@ -17,24 +17,44 @@ void Cycle::record_first(gpu::ComputePass& pass) const {
 
 void Cycle::record_last(gpu::ComputePass& pass, std::uint32_t iterations) const {
   if (corrects_) {
-    record_system_again(pass);
-    record_matrices(pass);
-    pair_force_again_.record(pass);
-    begin_again_.record(pass);
-    first_norm_again_.record(pass);
+    record_solve_again(pass, iterations);
   } else {
     record_system(pass);
     record_matrices(pass);
     begin_guess(pass);
     record_step(pass, last_norm_);
-  }
-  for (std::uint32_t k = 0; k < iterations; ++k) {
-    record_cycle(pass);
-    record_step(pass, last_norm_);
+    record_last_iterations(pass, iterations);
   }
   pair_end_.record(pass);
   finish_.record(pass);
   pair_finish_.record(pass);
+}
+
+void Cycle::record_newton(gpu::ComputePass& pass, std::uint32_t steps, std::uint32_t iterations) const {
+  for (std::uint32_t step = 1; step < steps; ++step) {
+    record_solve_again(pass, iterations);
+    go_on_.record(pass);
+  }
+  record_system_again(pass);
+  begin_again_.record(pass);
+  measure_.record(pass);
+  finish_.record(pass);
+}
+
+void Cycle::record_solve_again(gpu::ComputePass& pass, std::uint32_t iterations) const {
+  record_system_again(pass);
+  record_matrices(pass);
+  pair_force_again_.record(pass);
+  begin_again_.record(pass);
+  first_norm_again_.record(pass);
+  record_last_iterations(pass, iterations);
+}
+
+void Cycle::record_last_iterations(gpu::ComputePass& pass, std::uint32_t iterations) const {
+  for (std::uint32_t k = 0; k < iterations; ++k) {
+    record_cycle(pass);
+    record_step(pass, last_norm_);
+  }
 }
 
 void Cycle::set_iterations(gpu::Device& device, std::uint32_t iterations, bool may_retry) const {
@@ -188,8 +208,9 @@ Result<void> Cycle::create_second(const CycleInputs& inputs, const SharedKernels
                  state.steps,           nodes_, state.position[p], state.velocity[p], state.position[1 - p],
                  state.velocity[1 - p], place_, vectors_,          pair_sums(inputs), presses(inputs)};
            }));
-  WEFT_SET(first_norm_again_, Dispatch::create(kernels.first_norm_again, for_each_cloth({}),
-                                               {nodes_, vectors_, partials_, state.statistics}));
+  const Dispatch::Bindings sums = {nodes_, vectors_, partials_, state.statistics};
+  WEFT_SET(first_norm_again_, Dispatch::create(kernels.first_norm_again, for_each_cloth({}), sums));
+  WEFT_SET(measure_, Dispatch::create(kernels.measure, for_each_cloth({}), sums));
   return {};
 }
 

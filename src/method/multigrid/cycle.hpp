@@ -73,7 +73,8 @@ struct CycleInputs {
   double residual = scene::Solver{}.residual;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   const gpu::Buffer<std::uint32_t>* corners =
-      nullptr;  // around each vertex (src/method/air.wgsl); null: no air pushes
+      nullptr;                     // around each vertex (src/method/air.wgsl); null: no air pushes
+  std::uint32_t newton_steps = 0;  // of Newton's method; 0: one system a substep, with contact two
 };
 
 /// Whether contact may change what a substep predicts, which is aside then.
@@ -81,10 +82,13 @@ inline bool meets_contact(const CycleInputs& inputs) {
   return inputs.predicted[0] != &inputs.state.velocity[1];
 }
 
+/// Whether elements are taken ahead of their nodes, since no other system follows.
+inline bool leads(const CycleInputs& inputs) { return inputs.presses == nullptr && inputs.newton_steps == 0; }
+
 /// One implicit substep of a cloth, or of several equal ones: a linear system and conjugate gradients with a V-cycle in
-/// each iteration, with contact a second system from where the first leads, and the new state. GridCycle and MeshCycle
-/// define its levels and the kernel of each stage.
-/// Source  docs/solvers/multigrid.md.
+/// each iteration, with contact or by Newton's method others from where the one before leads, and the new state.
+/// GridCycle and MeshCycle define its levels and the kernel of each stage.
+/// Source  docs/solvers/multigrid.md, docs/solvers/fem.md.
 /// Reads   steps, motions; position and velocity of both parities, of which [1 - parity] are those of a step
 ///         before; rest_position.
 /// Writes  position[1 - parity] [m], predicted[parity] [m/s] of the cloth's vertices; statistics.
@@ -95,6 +99,9 @@ class Cycle {
   /// The last system, with so many iterations at most, and the new state; iterations behind the last that is needed do
   /// nothing.
   void record_last(gpu::ComputePass& pass, std::uint32_t iterations) const;
+  /// By Newton's method, after record_first: `steps` - 1 systems more with so many iterations each at most, what is
+  /// then left of the equation, and the new state.
+  void record_newton(gpu::ComputePass& pass, std::uint32_t steps, std::uint32_t iterations) const;
   /// After contact: where cloth has met cloth, the next substep begins anew.
   void record_anew(gpu::ComputePass& pass) const { begin_anew_.record(pass); }
   /// How many iterations of the last are recorded, and whether a frame whose system they do not solve is to be rolled
@@ -142,7 +149,7 @@ class Cycle {
   /// The buffer bound for sums over held pairs where there are none.
   const gpu::RawBuffer& pair_sums(const CycleInputs& inputs) const {
     return inputs.pairs != nullptr ? static_cast<const gpu::RawBuffer&>(inputs.pairs->pair_sums)
-                                   : no_presses_;
+                                   : no_pair_sums_;
   }
   /// What grids and meshes do alike: all but the matrix.
   Result<void> create_shared(const CycleInputs& inputs, const SharedKernels& kernels);
@@ -152,22 +159,22 @@ class Cycle {
   multigrid::Bottom bottom_;
   gpu::Buffer<ClothNodes> nodes_;
   gpu::RawBuffer tail_levels_, sweeps_;
-  gpu::Buffer<std::int32_t> no_presses_;
+  gpu::Buffer<std::int32_t> no_presses_, no_pair_sums_;
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<std::array<float, 2>> partials_;
   std::vector<gpu::Dispatch> elements_;    // what the gradient adds up, where it is not of springs
   gpu::Dispatch add_air_, add_air_again_;  // none: record nothing
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_, begin_anew_;
-  gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system
+  gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system, and those behind it
   gpu::Dispatch begin_solve_, search_, advance_;       // of conjugate gradients
   gpu::Dispatch first_norm_, square_, norm_, rho_;     // sums over the nodes
-  gpu::Dispatch first_norm_again_, last_norm_;
+  gpu::Dispatch first_norm_again_, last_norm_, measure_;
   gpu::SharedKernel pair_force_kernel_, pair_force_again_kernel_, pair_product_kernel_, pair_end_kernel_;
   gpu::Dispatch pair_force_, pair_force_again_, pair_product_, pair_end_,
       pair_finish_;  // none: record nothing
   ClothNodes own_nodes_;
   std::uint32_t cloths_ = 1;
-  bool corrects_ = false;  // a substep has a second system
+  bool corrects_ = false;  // a substep has more than one system
 
  private:
   Result<gpu::Dispatch> create_air(const CycleInputs& inputs, const gpu::SharedKernel& kernel) const;
@@ -175,6 +182,8 @@ class Cycle {
   void begin_guess(gpu::ComputePass& pass) const;
   void record_cycle(gpu::ComputePass& pass) const;
   void record_step(gpu::ComputePass& pass, const gpu::Dispatch& norm) const;
+  void record_solve_again(gpu::ComputePass& pass, std::uint32_t iterations) const;
+  void record_last_iterations(gpu::ComputePass& pass, std::uint32_t iterations) const;
 };
 
 template <class Shape>
@@ -184,7 +193,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   const std::uint32_t nodes = cloths.first.vertex_count;
   const std::size_t all_nodes = std::size_t{cloths.count} * nodes;
   cloths_ = cloths.count;
-  corrects_ = inputs.presses != nullptr;
+  corrects_ = !leads(inputs);
   while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > most_of_tail) ++tail_;
   std::size_t vectors = 0;
   for (std::size_t l = 0; l < shapes.size(); ++l) {
@@ -214,6 +223,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   const std::size_t count = inputs.presses != nullptr ? 3 * all_nodes : 1;
   WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, count, "multigrid holds"));
   WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
+  WEFT_SET(no_pair_sums_, gpu::Buffer<std::int32_t>::create(device, 1, "no sums of pairs"));
   WEFT_SET(vectors_, gpu::Buffer<Vec4f>::create(device, cloths_ * (vectors + multigrid::kSolveWords),
                                                 "multigrid vectors"));
   return {};

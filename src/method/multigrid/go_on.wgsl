@@ -1,5 +1,5 @@
-// How far the first system takes each node: where the second is linearised, and the velocity that leads there, for
-// contact. Clears the count of the node's held pairs. One invocation per node.
+// How far a system takes each node: where the next is linearised, and the velocity that leads there, for contact.
+// Clears the count of the node's held pairs. One invocation per node.
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
 #include "state/pair_sums.wgsl"
@@ -12,6 +12,7 @@
 @group(0) @binding(4) var<storage, read_write> predicted   : array<vec4f>;     // vertex_count    m/s
 @group(0) @binding(5) var<storage, read_write> pair_sums   : array<u32>;       // state/pair_holds.wgsl
 override kPairs : bool = false;
+override kHolds : bool = false;  // whether contact reads where nodes are led
 
 @compute @workgroup_size(kWorkgroupSize)
 fn go_on(@builtin(global_invocation_id) id : vec3u) {
@@ -24,6 +25,6 @@ fn go_on(@builtin(global_invocation_id) id : vec3u) {
   if (place[among_all].w != 0.0) {
     vectors[way_at] += vec4f(vectors[first + kSolution * nodes.count].xyz, 1.0);
   }
-  predicted[node] = vec4f(vectors[way_at].xyz / step.time.dt, 0.0);
+  if (kHolds) { predicted[node] = vec4f(vectors[way_at].xyz / step.time.dt, 0.0); }
   if (kPairs) { pair_sums[kSumWords * node] = 0u; }
 }

@@ -46,8 +46,8 @@ std::uint32_t tail_workgroup_size(const gpu::Device& device, std::uint32_t nodes
 /// Whether contact may hold nodes at obstacles, for the kernels that read the holds.
 gpu::Constant holds(const CycleInputs& inputs) { return {"kHolds", inputs.presses != nullptr ? 1.0 : 0.0}; }
 
-/// Whether elements are taken ahead of their nodes, since no second system follows.
-gpu::Constant leads(const CycleInputs& inputs) { return {"kLeads", inputs.presses == nullptr ? 1.0 : 0.0}; }
+/// Whether elements are taken ahead of their nodes.
+gpu::Constant lead(const CycleInputs& inputs) { return {"kLeads", leads(inputs) ? 1.0 : 0.0}; }
 
 /// Whether the air pushes, for the kernels whose matrix has it.
 gpu::Constant air(const CycleInputs& inputs) { return {"kAirPushes", inputs.corners != nullptr ? 1.0 : 0.0}; }
@@ -94,13 +94,14 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::predict, "predict", size},
       {&K::finish, "finish", size, {holds(inputs)}},
       {&K::begin_solve, "begin_solve", size, {pairs(inputs)}},
-      {&K::go_on, "go_on", size, {pairs(inputs)}},
-      {&K::predict_again, "predict_again", size, {pairs(inputs)}},
+      {&K::go_on, "go_on", size, {pairs(inputs), holds(inputs)}},
+      {&K::predict_again, "predict_again", size, {pairs(inputs), holds(inputs)}},
       {&K::begin_again, "begin_solve", size, {pairs(inputs), again()}},
       {&K::advance, "advance", size},
       {&K::first_norm, "add_up", lone, {sum(0)}},
       {&K::square, "add_up", lone, {sum(1)}},
       {&K::first_norm_again, "add_up", lone, {sum(0), again(), last()}},
+      {&K::measure, "add_up", lone, {sum(0), again(), last(), {"kMeasures", 1}}},
       {&K::norm, "add_up", lone, {sum(2)}},
       {&K::last_norm, "add_up", lone, {sum(2), last()}},
       {&K::rho, "add_up", lone, {sum(3)}},
@@ -128,7 +129,7 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
       {&K::gradient,
        "gradient",
        size,
-       {holds(inputs), air(inputs), bend(inputs), limits(inputs), leads(inputs)}},
+       {holds(inputs), air(inputs), bend(inputs), limits(inputs), lead(inputs)}},
       {&K::galerkin_fine, "galerkin_fine", size, of_springs},
       {&K::galerkin, "galerkin", size},
       {&K::smooth_fine, "smooth_fine", size, of_springs},
@@ -175,17 +176,17 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, Blocks blocks
   K made;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
   const Row<K> of_springs[] = {
-      {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs), leads(inputs)}}};
+      {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs), lead(inputs)}}};
   const Row<K> of_elements[] = {
       {&K::gradient, "fabric_gradient", size, {holds(inputs), air(inputs), general, part}}};
   WEFT_CHECK(create_all<K>(inputs.device, of_fabric ? of_elements : of_springs, made));
   using F = FabricKernels;
-  const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size, {leads(inputs)}},
+  const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size, {lead(inputs)}},
                            {&F::hinges, "hinge_terms", size},
                            {&F::forces, "hinge_forces", size},
                            {&F::blocks, "fabric_blocks", size, {general}}};
   if (of_fabric) WEFT_CHECK(create_all<F>(inputs.device, fabric, made.fabric));
-  const Row<F> of_limits[] = {{&F::limits, "limit_terms", size, {leads(inputs)}}};
+  const Row<F> of_limits[] = {{&F::limits, "limit_terms", size, {lead(inputs)}}};
   if (of_fabric && any_strain_limit(inputs)) WEFT_CHECK(create_all<F>(inputs.device, of_limits, made.fabric));
   WEFT_SET(made.shared, SharedKernels::create(inputs));
   return made;

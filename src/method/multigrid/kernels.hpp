@@ -12,9 +12,9 @@ bool any_bend_springs(const Model& model);
 struct SharedKernels {
   gpu::SharedKernel predict, finish, begin_anew;
   gpu::SharedKernel begin_solve, advance;
-  gpu::SharedKernel go_on, predict_again, begin_again;  // the second Newton step
+  gpu::SharedKernel go_on, predict_again, begin_again;  // systems behind the first
   gpu::SharedKernel first_norm, square, norm, rho;      // add_up.wgsl for each sum
-  gpu::SharedKernel first_norm_again, last_norm;
+  gpu::SharedKernel first_norm_again, last_norm, measure;
   gpu::SharedKernel pair_force, pair_product, pair_end, pair_finish;  // of pairs that are held apart
   gpu::SharedKernel pair_force_again;
   gpu::SharedKernel add_air, add_air_again;  // none without air

@@ -3,16 +3,6 @@
 #include <array>
 
 namespace weft {
-namespace {
-
-StepLimit step_limit(const scene::Scene& scene, const Model&) {
-  StepLimit limit;  // implicit steps are stable at any length
-  limit.longest_auto_step =
-      solves_with_contact(scene, multigrid_method()) ? kImplicitContactStep : kImplicitStep;
-  return limit;
-}
-
-}  // namespace
 
 Method multigrid_method() {
   static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane,
@@ -22,7 +12,9 @@ Method multigrid_method() {
   Method row{};
   row.kind = scene::SolverKind::Multigrid;
   row.takes = kTakes;
-  row.step_limit = step_limit;
+  row.step_limit = [](const scene::Scene& scene, const Model&) {
+    return implicit_limit(solves_with_contact(scene, multigrid_method()));
+  };
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {
     return long_substeps(scene, limit, 2);

@@ -1,5 +1,5 @@
-// Where the second system is linearised, and what inertia, air and gravity leave of the equation there. What a pair
-// or an obstacle holds now has no history. One invocation per node of a cloth; see predict.wgsl.
+// Where a system behind the first is linearised, and what inertia, air and gravity leave of the equation there. What a
+// pair or an obstacle holds now has no history. One invocation per node of a cloth; see predict.wgsl.
 // Source: docs/solvers/multigrid.md, equations 1 to 4.
 #include "gpu/index.wgsl"
 #include "state/pair_sums.wgsl"
@@ -18,6 +18,7 @@
 @group(0) @binding(8) var<storage, read_write> pair_sums       : array<u32>;     // state/pair_holds.wgsl
 @group(0) @binding(9) var<storage, read>       presses         : array<i32>;     // press_sums.wgsl
 override kPairs : bool = false;
+override kHolds : bool = false;  // whether obstacles may hold nodes
 
 fn has_presses(vertex : u32) -> bool {
   let weight = press_words(vertex) + kPressWeight;
@@ -40,7 +41,7 @@ fn predict_again(@builtin(global_invocation_id) id : vec3u) {
   }
   let now = NodeState(position_in[node], velocity_in[node]);
   var history = max(now.velocity.w, 0.0);
-  if ((kPairs && is_held_by_pairs(node)) || has_presses(node)) {
+  if ((kPairs && is_held_by_pairs(node)) || (kHolds && has_presses(node))) {
     history = 0.0;
     velocity_in[node].w = 0.0;
   }

@@ -7,7 +7,8 @@ namespace weft::multigrid {
 
 /// Of the wanted residual: so much of what the guess leaves is enough.
 inline constexpr double kGuessPart = 10;
-/// With contact, of the first of two systems: it needs no smaller residual, and takes no more iterations.
+/// Of the first of several systems, with contact or by Newton's method: it needs no smaller residual, and takes no more
+/// iterations.
 inline constexpr double kFirstPart = 0.1;
 inline constexpr std::uint32_t kFirstIterations = 2;
 /// The last system of a substep takes no more.

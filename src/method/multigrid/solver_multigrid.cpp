@@ -23,8 +23,12 @@ void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& cont
   for (const GridCycle& cycle : grids_) cycle.record_first(pass);
   for (const MeshCycle& cycle : meshes_) cycle.record_first(pass);
   contact.press_again(pass);
-  for (const GridCycle& cycle : grids_) cycle.record_last(pass, iterations_);
-  for (const MeshCycle& cycle : meshes_) cycle.record_last(pass, iterations_);
+  const auto record_rest = [&](const Cycle& cycle) {
+    if (inputs_->newton_steps > 0) return cycle.record_newton(pass, inputs_->newton_steps, iterations_);
+    cycle.record_last(pass, iterations_);
+  };
+  for (const GridCycle& cycle : grids_) record_rest(cycle);
+  for (const MeshCycle& cycle : meshes_) record_rest(cycle);
   contact.search(pass);
   contact.measure(pass);
   contact.answer(pass);
@@ -86,12 +90,14 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   return {};
 }
 
-Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs, double residual) {
+Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs, double residual,
+                                                        std::uint32_t newton_steps) {
   auto made = std::make_unique<SolverMultigrid>();
   if (inputs.air) WEFT_SET(made->corners_, air_corners(inputs.device, inputs.model));
   made->inputs_.emplace(CycleInputs{inputs.device, inputs.model, inputs.state, inputs.step,
                                     inputs.predicted(), inputs.presses(), inputs.pairs(), residual,
-                                    inputs.workgroup_size, inputs.air ? &made->corners_ : nullptr});
+                                    inputs.workgroup_size, inputs.air ? &made->corners_ : nullptr,
+                                    inputs.presses() == nullptr ? newton_steps : 0});
   WEFT_CHECK(made->create_cycles(*made->inputs_));
   return std::unique_ptr<Solver>(std::move(made));
 }

@@ -9,13 +9,15 @@
 
 namespace weft {
 
-/// Cloth by BDF2, linearised once a substep and solved by conjugate gradients with V-cycles, to a residual. Iterations
-/// are recorded ahead, a few more than the last frames took; where that was too little, the frame is repeated with
-/// more. Source: docs/solvers/multigrid.md.
+/// Cloth by BDF2, linearised once a substep and solved by conjugate gradients with V-cycles, to a residual; or by
+/// Newton's method, to one of the equation itself. Iterations are recorded ahead, a few more than the last frames took;
+/// where that was too little, the frame is repeated with more. Source: docs/solvers/multigrid.md, docs/solvers/fem.md.
 class SolverMultigrid : public Solver {
  public:
-  /// Errors  Shader, Limit, OutOfMemory.
-  static Result<std::unique_ptr<Solver>> create(const SolverInputs& inputs, double residual);
+  /// `newton_steps`: of a substep at most, where obstacles are not in the matrix; 0: it is linearised once, with them
+  /// twice. Errors  Shader, Limit, OutOfMemory.
+  static Result<std::unique_ptr<Solver>> create(const SolverInputs& inputs, double residual,
+                                                std::uint32_t newton_steps = 0);
 
   void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
   bool adapt(gpu::Device& device, const Statistics& report) override;

@@ -94,8 +94,9 @@ StepFormula step_formula(double dt, double ratio) {
   return {dt * (1 + ratio) / (1 + 2 * ratio), ratio * ratio / (1 + 2 * ratio)};
 }
 
-ImplicitStepper::ImplicitStepper(const Model& model, double step, double residual)
+ImplicitStepper::ImplicitStepper(const Model& model, double step, double residual, std::uint32_t newton_steps)
     : wanted_residual(residual),
+      newton_steps_(newton_steps),
       position_before_(model.vertex_count()),
       velocity_before_(model.vertex_count()) {
   std::size_t springs = 0, fabrics = 0;
@@ -222,7 +223,7 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
                                          std::span<const Press> presses, std::span<const Vec3d> ways) const {
   const Cloth& cloth = cloths_[c];
   MeshStep step{begin(system, places, dt, ratio, cloth, ways), {cloth.levels, {}}};
-  step.leads = presses.empty();
+  step.leads = presses.empty() && newton_steps_ == 0;
   std::vector<Sym3>& blocks = step.matrix.blocks;
   blocks.resize(cloth.levels[0].block_count);
   for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
@@ -249,7 +250,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
   const Cloth& cloth = cloths_[c];
   const std::size_t count = cloth.count;
   LinearStep step{begin(system, places, dt, ratio, cloth, ways), {}, {}};
-  step.leads = presses.empty();
+  step.leads = presses.empty() && newton_steps_ == 0;
   step.matrix.nx = cloth.nx;
   step.matrix.ny = cloth.ny;
   step.matrix.rows.resize(count);
@@ -441,12 +442,40 @@ std::vector<ImplicitStepper::Solved> ImplicitStepper::correct(const Substep& sub
   return found;
 }
 
+std::vector<ImplicitStepper::Solved> ImplicitStepper::newton(const Substep& substep) {
+  std::vector<Vec3d> ways(substep.system.position.size());
+  std::vector<Solved> found;
+  newton_steps_taken_ = 0;
+  for (std::size_t c = 0; c < cloths_.size(); ++c) {
+    Solved step = solved(substep, {}, c, {}, multigrid::kFirstIterations, [&](const Solution& begun) {
+      return enough_of(begun, std::max(wanted_residual, multigrid::kFirstPart));
+    });
+    const Solution first = step.solution;
+    std::uint32_t iterations = 0, taken = 0;
+    do {
+      iterations += step.solution.iterations;
+      ++taken;
+      for (std::size_t a = 0; a < step.solution.x.size(); ++a)
+        ways[cloths_[c].first + a] = step.step.way[a] + step.step.start[a] + step.solution.x[a];
+      step = solved(substep, {}, c, ways, taken < newton_steps_ ? multigrid::kMostIterations : 0,
+                    [&](const Solution&) { return enough_of(first, wanted_residual); });
+    } while (step.solution.iterations > 0);
+    step.solution.iterations = iterations;
+    step.solution.first = first.first;
+    newton_steps_taken_ = std::max(newton_steps_taken_, taken);
+    found.push_back(std::move(step));
+  }
+  return found;
+}
+
 void ImplicitStepper::advance(const Substep& substep) {
   MassSpringSystem& system = substep.system;
   std::vector<Solved> found;
   pair_forces_.clear();
   if (substep.pressed) {
     found = correct(substep);
+  } else if (newton_steps_ > 0) {
+    found = newton(substep);
   } else {
     for (std::size_t c = 0; c < cloths_.size(); ++c)
       found.push_back(solved(substep, {}, c, {}, multigrid::kMostIterations,

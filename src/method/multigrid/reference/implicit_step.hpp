@@ -56,7 +56,10 @@ class ImplicitStepper : public Stepper {
  public:
   /// `step`: the length of a substep, where frames are not cut [s]. `residual`: what a substep may leave of its linear
   /// system's.
-  ImplicitStepper(const Model& model, double step, double residual = scene::Solver{}.residual);
+  /// `newton_steps`: so many at most where no contact is in the matrix, until the equation itself has no more than
+  /// `residual` left, which is measured; 0: one system a substep, with contact two.
+  ImplicitStepper(const Model& model, double step, double residual = scene::Solver{}.residual,
+                  std::uint32_t newton_steps = 0);
 
   void advance(const Substep& substep) override;
   /// The state a step before the one that is advanced next.
@@ -93,6 +96,9 @@ class ImplicitStepper : public Stepper {
   std::uint32_t iterations() const { return iterations_; }
   double residual() const { return residual_; }
 
+  /// Of the last substep: the Newton steps that a cloth took, the most of any.
+  std::uint32_t newton_steps_taken() const { return newton_steps_taken_; }
+
   double wanted_residual;
 
  private:
@@ -124,12 +130,15 @@ class ImplicitStepper : public Stepper {
                 std::uint32_t most_iterations, const Enough& enough) const;
   /// The second systems, after the first.
   std::vector<Solved> correct(const Substep& substep);
+  /// By Newton's method: the last systems, which are not solved, with what is left of the equation.
+  std::vector<Solved> newton(const Substep& substep);
   /// No history of nodes in these pairs: both sides take the force in the same formula.
   void forget(const std::vector<NearPair>& pairs);
   /// The new state of cloth c, in the place of the old one; adds the nodes that contact has stopped.
   void finish(const Substep& substep, const Solved& found, std::size_t c, std::vector<Vec3d>& position,
               std::vector<Vec3d>& velocity, std::vector<std::size_t>& stopped);
 
+  std::uint32_t newton_steps_, newton_steps_taken_ = 0;
   std::vector<Cloth> cloths_;
   std::vector<Vec3d> position_before_, velocity_before_;
   std::vector<bool> known_;  // whether they are those of the step before
