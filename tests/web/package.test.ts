@@ -34,7 +34,7 @@ describe("the README's example", () => {
     expect(harness.complaints).toEqual([]);
   });
 
-  it("draws every frame of a step where that is asked for, or else the last", async () => {
+  it("draws every frame of a step where that is asked for, or else the last, or none before a redraw", async () => {
     const pictures = await harness.page.evaluate(async () => {
       const { world } = window as unknown as { world: World };
       world.pause();
@@ -46,16 +46,17 @@ describe("the README's example", () => {
         count += 1;
         return texture();
       };
-      const drawn = async (draw: boolean, due: number) => {
+      const drawn = async (draw: boolean | null, due: number, redraw = false) => {
         count = 0;
         await world.step(8, { draw });
+        if (redraw) world.redraw();
         while (count < due) await new Promise((done) => setTimeout(done, 20));
         await new Promise((done) => setTimeout(done, 1500)); // for pictures too many: some ticks of the page
         return count;
       };
-      return [await drawn(true, 8), await drawn(false, 1)];
+      return [await drawn(true, 8), await drawn(false, 1), await drawn(null, 0), await drawn(null, 1, true)];
     });
-    expect(pictures).toEqual([8, 1]);
+    expect(pictures).toEqual([8, 1, 0, 1]);
     expect(harness.complaints).toEqual([]);
   });
 });
@@ -146,6 +147,16 @@ describe("a world", () => {
     expect(world.statistics.frames).toBe(0);
     await world.step(5);
     expect((await world.snapshot()).hash).toBe(moved);
+  });
+
+  it("tells the inverse masses of its nodes: 0 at pins, and elsewhere the sheet's density by area", async () => {
+    const world = await open({ set: { "cloths.0.grid": [5, 9] } }); // 2 m by 2 m, 0.2 kg/m², held at two corners
+    const { inverseMasses } = await world.snapshot();
+    const area = (2 / 4) * (2 / 8); // of a cell [m²]
+    const held = [...inverseMasses.keys()].filter((node) => inverseMasses[node] === 0);
+    expect(held).toEqual([0, 4]);
+    const inner = inverseMasses[2 * 5 + 2]!; // a node with the area of a cell
+    expect(1 / inner).toBeCloseTo(0.2 * area, 6);
   });
 
   it("carries out what is asked at once one after the other, each with its own answer", async () => {

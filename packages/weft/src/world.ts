@@ -140,7 +140,7 @@ export class World {
     if (this.current) this.later("finish");
   }
 
-  /** Simulates this many frames and waits for them. Draws each of them, or else the last. */
+  /** Simulates this many frames and waits for them. Draws each of them, or else the last, or none. */
   async step(frames = 1, { draw = false }: StepOptions = {}): Promise<Statistics> {
     for (let i = 0; i < frames;) {
       const went = await this.core.turn(() => {
@@ -153,7 +153,7 @@ export class World {
       else await this.core.takeReport();
     }
     const totals = await this.core.sleep("finish", [], () => ({ ...this.totals }));
-    if (!draw) this.changed();
+    if (draw === false) this.changed();
     return totals;
   }
 
@@ -267,14 +267,18 @@ export class World {
     return this.core.sleep("snapshot", [], () => {
       const hash = this.core.text();
       const { nodes } = this.info;
-      const packed = (name: string) => {
+      const fourEach = (name: string) => {
         const at = this.core.call(name) >>> 2;
-        const all = this.core.module.HEAPF32.subarray(at, at + 4 * nodes);
+        return this.core.module.HEAPF32.subarray(at, at + 4 * nodes);
+      };
+      const packed = (all: Float32Array) => {
         const out = new Float32Array(3 * nodes);
         for (let node = 0; node < nodes; node++) out.set(all.subarray(4 * node, 4 * node + 3), 3 * node);
         return out;
       };
-      return { positions: packed("positions"), velocities: packed("velocities"), hash };
+      const places = fourEach("positions");
+      const inverseMasses = Float32Array.from({ length: nodes }, (_, node) => places[4 * node + 3]!);
+      return { positions: packed(places), velocities: packed(fourEach("velocities")), inverseMasses, hash };
     });
   }
 

@@ -27,8 +27,11 @@ export interface WorldOptions extends SceneOptions {
 }
 
 export interface StepOptions {
-  /** Whether to draw every frame; without a canvas, nothing is drawn. */
-  draw?: boolean;
+  /**
+   * Whether to draw every frame; false: what the last has left, in the next tick; null: nothing before `redraw`, so
+   * that no picture is drawn while something else is timed. Without a canvas, nothing is drawn.
+   */
+  draw?: boolean | null;
 }
 
 /** What was loaded. */
@@ -84,6 +87,8 @@ export interface Snapshot {
   /** x, y, z of every node in model order [m], then [m/s]. */
   positions: Float32Array;
   velocities: Float32Array;
+  /** One a node [1/kg]; 0: pinned, or moved by the scene. */
+  inverseMasses: Float32Array;
   /** XXH3-64 of the bits of the state: equal on every host with the same adapter. */
   hash: string;
 }
