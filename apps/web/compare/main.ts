@@ -1,10 +1,11 @@
 import { button, element } from "../src/elements.js";
+import { mark, plot, type Series } from "../src/plot.js";
 import { CATALOG, type PathName } from "./catalog.js";
+import { chartOf } from "./charts.js";
 import { showAbout, showHardware } from "./facts.js";
 import { hardware, type Hardware } from "./hardware.js";
 import { OptionError, optionsOf, type Options } from "./options.js";
 import type { Path } from "./paths/path.js";
-import { mark, plot, type Series } from "./plot.js";
 import { csvOf, jsonOf, reportOf, textOf, type Report } from "./report.js";
 import { freshCanvas, openPath, Runner, type Cell } from "./runner.js";
 import { fetchScene } from "./sheet.js";
@@ -104,7 +105,6 @@ function report(): Report {
 function showResults({ options: { paths } }: Known): void {
   const series = (which: "frame" | "step") =>
     paths.map((path): Series => ({
-      name: path,
       order: CATALOG.findIndex(({ name }) => name === path),
       points: last.flatMap((
         cell,
@@ -114,11 +114,11 @@ function showResults({ options: { paths } }: Known): void {
     ...(last.length === 0 ? [] : paths.map((path) => item(verdict(path, last)))),
   );
   element("legend", HTMLUListElement).replaceChildren(
-    ...series("frame").map((one, i) => item(mark(one), titleOf(paths[i]!))),
+    ...series("frame").map(({ order }, i) => item(mark(order), titleOf(paths[i]!))),
   );
   for (const which of ["frame", "step"] as const) {
     const place = element(`${which}-plot`, HTMLDivElement);
-    place.replaceChildren(plot(`a ${which}`, series(which), Math.max(280, place.clientWidth), 320));
+    place.replaceChildren(plot(chartOf(which), series(which), Math.max(280, place.clientWidth), 320));
   }
 }
 

@@ -1,4 +1,5 @@
 // The result as JSON, as CSV and as text.
+import { short } from "../src/digits.js";
 import { CATALOG, type PathName } from "./catalog.js";
 import { adapterName, type Hardware } from "./hardware.js";
 import type { Timing } from "./measure.js";
@@ -72,10 +73,6 @@ export function csvOf({ rows }: Report): string {
   );
   return `${[head, ...lines].join("\r\n")}\r\n`;
 }
-
-/** A number with three digits that count. */
-export const short = (value: number): string =>
-  value >= 100 ? Math.round(value).toLocaleString("en") : value.toFixed(value >= 10 ? 1 : value >= 1 ? 2 : 3);
 
 /** A table for people: ms a step, ms a frame, frames a second. */
 export function textOf(report: Report): string {

@@ -1,7 +1,7 @@
 // The table on the page: a row a size, a column a path.
+import { short } from "../src/digits.js";
 import { CATALOG, type PathName } from "./catalog.js";
 import type { Options } from "./options.js";
-import { short } from "./report.js";
 import { framesASecond, type Cell } from "./runner.js";
 
 export class Table {

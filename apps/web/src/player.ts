@@ -1,9 +1,11 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
 import { createWorld, WeftError, type Camera, type Catalog, type Statistics, type View, type World,
   type WorldInfo } from "weft-cloth";
+import { fitCamera, idle } from "./fit_camera.js";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
+import { sentence } from "./sentence.js";
 import { equal, withKey, type PageState, type Value } from "./state/page_state.js";
 import { isLive } from "./state/parameters.js";
 
@@ -33,14 +35,6 @@ interface LiveChange {
 
 const LOSSES = { most: 3, within: 60_000 }; // a device that is lost more often than this [ms] will be lost again
 const LOSS_SHOWS_WITHIN = 250; // [ms]
-const SCENE_ASPECT = 16 / 9; // of the picture that the scenes' cameras are made for
-const FULL = 0.86; // of half the picture's width, for the cloth at rest: there has to be room to move
-const LOOKS = 1024; // nodes that are looked at to see how far the cloth reaches, more or less
-
-export function sentence(reason: unknown): string {
-  const text = reason instanceof Error ? reason.message : String(reason);
-  return /[.!?]$/.test(text) ? text : `${text}.`;
-}
 
 export class Player {
   private open_: World | null = null;
@@ -130,8 +124,9 @@ export class Player {
   /** The world holds this scene now. */
   private async settle(scene: LoadedScene, asked: PageState): Promise<void> {
     const world = this.open_!;
-    await this.fitCamera(world);
-    this.home = await this.cameraOf(world);
+    await this.fit(world);
+    await idle(world);
+    this.home = world.camera;
     if (asked.camera) world.camera = asked.camera;
     const state = { ...asked, view: world.view === asked.view ? asked.view : await this.viewFor(world, asked.view) };
     this.scene = scene;
@@ -244,28 +239,15 @@ export class Player {
     return this.state_;
   }
 
-  private async cameraOf(world: World): Promise<Camera> {
-    while (world.busy) await new Promise((wake) => setTimeout(wake));
-    return world.camera;
-  }
-
   async resetCamera(): Promise<void> {
     await this.ask((world) => {
       world.resetCamera();
-      return this.fitCamera(world);
+      return this.fit(world);
     });
   }
 
-  /** In a picture narrower than the scene's, moves the camera back until the cloth is in it from left to right. */
-  private async fitCamera(world: World): Promise<void> {
-    if (this.canvas.width / this.canvas.height >= SCENE_ASPECT) return;
-    const positions = await world.positions();
-    while (world.busy) await new Promise((wake) => setTimeout(wake));
-    const stride = 3 * Math.ceil(positions.length / 3 / LOOKS);
-    let widest = 0;
-    for (let i = 0; i + 2 < positions.length; i += stride)
-      widest = Math.max(widest, Math.abs(world.project([positions[i]!, positions[i + 1]!, positions[i + 2]!])[0]));
-    if (widest > FULL) world.zoom(FULL / widest);
+  private fit(world: World): Promise<void> {
+    return fitCamera(world, this.canvas.width / this.canvas.height);
   }
 
   async resize(width: number, height: number): Promise<void> {

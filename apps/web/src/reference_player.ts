@@ -2,14 +2,12 @@
 import { catalog, createReference, VIEWS, type Reference } from "weft-cloth";
 import { followSize, setFirstSize } from "./canvas_size.js";
 import { ClothSketch, type Look } from "./cloth_sketch.js";
-import { ARROWS } from "./controls/arrows.js";
 import { fetchScene, type Grid } from "./scenes.js";
 import { plain } from "./state/page_state.js";
+import { turnBy } from "./turning.js";
 
 /** Always in motion. 24 × 18 nodes take a fifth of a frame with drawing (docs/reference.md), for slower machines. */
 const SHOWN = { ...plain("breeze", VIEWS[0]), nodes: 24 };
-const HALF_TURN = Math.PI; // of the camera, for a drag over the canvas's height [rad]
-const KEY_TURN = 0.1; // of the camera, for an arrow key [rad]
 
 export interface ReferencePlayerEvents {
   playing(on: boolean): void;
@@ -96,18 +94,7 @@ export class ReferencePlayer {
 
   private listen(): void {
     document.addEventListener("visibilitychange", () => this.schedule());
-    this.canvas.addEventListener("pointerdown", (event) => this.canvas.setPointerCapture(event.pointerId));
-    this.canvas.addEventListener("pointermove", (event) => {
-      if (!this.canvas.hasPointerCapture(event.pointerId)) return;
-      const turn = HALF_TURN / this.canvas.clientHeight;
-      this.orbit(-turn * event.movementX, turn * event.movementY); // what is grabbed is the picture
-    });
-    this.canvas.addEventListener("keydown", (event) => {
-      const arrow = ARROWS[event.key];
-      if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
-      this.orbit(KEY_TURN * arrow[0], KEY_TURN * arrow[1]);
-      event.preventDefault();
-    });
+    turnBy(this.canvas, (dx, dy) => this.orbit(dx, dy));
   }
 
   private orbit(dx: number, dy: number): void {

@@ -1,8 +1,9 @@
 // The panel's section of files: opening, saving, recording.
 import { button, element, input } from "../elements.js";
 import type { Notice } from "../notice.js";
-import { sentence, type Player } from "../player.js";
+import type { Player } from "../player.js";
 import type { LoadedScene } from "../scenes.js";
+import { sentence } from "../sentence.js";
 import type { PageState } from "../state/page_state.js";
 import type { World } from "weft-cloth";
 import { acceptDrops } from "./drop.js";

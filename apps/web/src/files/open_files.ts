@@ -2,7 +2,8 @@
 import { meshNames } from "weft-cloth";
 import { select } from "../elements.js";
 import type { Notice } from "../notice.js";
-import { sentence, type Player } from "../player.js";
+import type { Player } from "../player.js";
+import { sentence } from "../sentence.js";
 import { fetchModel, keepOwnScene, OWN, ownScene, type OwnScene } from "../scenes.js";
 import { plain, type PageState } from "../state/page_state.js";
 import { checkLimit, MOST_BYTES, MOST_CLOTH_NODES, MOST_OBSTACLE_TRIANGLES, MOST_SCENE_BYTES,

@@ -32,7 +32,11 @@ export function rangeOf(schema: Schema): { least: number; most: number; whole: b
 /** A text as a value of this key; a sentence's end that says what it must be where it is none. */
 export function parsed(root: Schema, key: string, text: string): { value: Value } | { must: string } {
   const schema = schemaOf(root, key);
-  if (!schema) return { must: "be a key of scenes" };
+  return schema ? parsedBy(schema, text) : { must: "be a key of scenes" };
+}
+
+/** The same, where the key's schema is known. */
+export function parsedBy(schema: Schema, text: string): { value: Value } | { must: string } {
   const [choices, range, unit] = [choicesOf(schema), rangeOf(schema), unitOf(schema)];
   if (choices.includes(text)) return { value: text };
   const words = choices.length > 0 ? [choices.map((word) => `“${word}”`).join(", ")] : [];

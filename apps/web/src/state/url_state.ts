@@ -4,6 +4,7 @@ import { VIEWS, type Camera, type Schema, type View } from "weft-cloth";
 import { parsed } from "./limits.js";
 import { plain, type PageState, type Value } from "./page_state.js";
 import { KEYS } from "./parameters.js";
+import { Refusals } from "./refusals.js";
 
 const VERSION = "1";
 const DIGITS = 4; // of a camera's coordinates, in metres
@@ -25,15 +26,14 @@ export interface Asked {
 
 export function read(address: string, { schema, scenes, view, mostNodes }: Offer): Asked {
   const asked = new URL(address).searchParams;
-  const faults: string[] = [];
-  const refuse = (name: string, must: string) =>
-    faults.push(`${name} is ${shown(asked.get(name) ?? "")}, but must ${must}`);
+  const refusals = new Refusals("what the scene has");
+  const refuse = (name: string, must: string) => refusals.add(name, asked.get(name) ?? "", must);
   let state = plain(scenes[0] ?? "", view);
 
   const version = asked.get("v");
   if (version !== null && version !== VERSION) {
     refuse("v", `be ${VERSION}`);
-    return { state, refused: said(faults) };
+    return { state, refused: refusals.sentence };
   }
   const scene = asked.get("scene");
   if (scene !== null && scenes.includes(scene)) state = { ...state, scene };
@@ -55,7 +55,7 @@ export function read(address: string, { schema, scenes, view, mostNodes }: Offer
   const shownView = VIEWS.find((one) => one === asked.get("view"));
   if (asked.has("view") && !shownView) refuse("view", `be one of ${VIEWS.join(", ")}`);
   return { state: { ...state, set, view: shownView ?? view, camera: cameraOf(asked, schema, refuse) },
-    refused: said(faults) };
+    refused: refusals.sentence };
 }
 
 function cameraOf(asked: URLSearchParams, schema: Schema, refuse: (name: string, must: string) => void): Camera | null {
@@ -73,22 +73,6 @@ function cameraOf(asked: URLSearchParams, schema: Schema, refuse: (name: string,
     return null;
   }
   return { eye, target, fov } as Camera;
-}
-
-/** A value of an address, short enough for a sentence. */
-function shown(text: string): string {
-  return `“${text.length > 24 ? `${text.slice(0, 24)}…` : text}”`;
-}
-
-function said(faults: readonly string[]): string | null {
-  const [first, ...more] = faults;
-  if (first === undefined) return null;
-  const others = more.length === 0 ?
-    "" :
-    more.length === 1 ?
-    ", and one more value is refused" :
-    `, and ${more.length} more values are refused`;
-  return `In the page's address ${first}${others}; what the scene has is used instead.`;
 }
 
 const point = (values: readonly number[]): string => values.map((value) => Number(value.toFixed(DIGITS))).join();
