@@ -27,7 +27,8 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 700, // kB: three.js, which only /compare loads
     rollupOptions: {
-      input: { main: `${import.meta.dirname}/index.html`, compare: `${import.meta.dirname}/compare/index.html` },
+      input: { main: `${import.meta.dirname}/index.html`, compare: `${import.meta.dirname}/compare/index.html`,
+        methods: `${import.meta.dirname}/methods/index.html` },
     },
   },
   worker: { format: "es" }, // as the page: the core finds its file beside the module
