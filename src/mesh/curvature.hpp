@@ -24,8 +24,9 @@ struct Curvature {
 
 /// At each vertex what the edges at it turn, half of each, over the vertex's part of the area. Creases and edges that
 /// have not two triangles turn nothing. Where a crease parts a flat side from a curved one, as at the rim of a tube's
-/// cap, all three are of the curved side alone. Source: Cohen-Steiner and Morvan 2003, Restricted Delaunay Triangulations
-/// and Normal Cycle (the tensor); Meyer et al. 2003, Discrete Differential-Geometry Operators (the area).
+/// cap, all three are of the curved side alone.
+/// Source: Cohen-Steiner and Morvan 2003, Restricted Delaunay Triangulations and Normal Cycle (the tensor); Meyer et
+/// al. 2003, Discrete Differential-Geometry Operators (the area).
 std::vector<Curvature> vertex_curvatures(std::span<const Vec3d> positions,
                                          std::span<const Triangle> triangles);
 

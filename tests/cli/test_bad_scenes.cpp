@@ -63,11 +63,11 @@ std::vector<BadScene> bad_scenes() {
       {R"({"format": "weft-scene/1", "solver": {"kind": "xpbd"}, "cloths": [{"grid": [4, 4], "size": [1, 1],
            "density": 0.2, "stiffness": {"bending": 1e-4}}]})",
        "cloths[0] has bending of grids (stiffness.bending), which solver.kind \"xpbd\" does not take; "
-       "\"multigrid\" or "
-       "\"mass_spring\" does."},
+       "\"multigrid\", \"mass_spring\" or \"fem\" does."},
       {R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"}, "cloths": [{"grid": [4, 4], "size": [1, 1],
            "density": 0.2, "strain_limit": 0.1}]})",
-       "cloths[0].strain_limit is 0.1, and solver.kind \"mass_spring\" keeps none; \"multigrid\" does."},
+       "cloths[0].strain_limit is 0.1, and solver.kind \"mass_spring\" keeps none; \"multigrid\" or \"fem\" "
+       "does."},
       {R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "cloths": [{
            "grid": [4, 4], "size": [1, 1], "density": 0.2, "fabric": {"warp": 9, "shear": 3, "bending_warp": 0}}]})",
        "cloths[0].fabric has no springs; solver.forces \"spring_centric\" has springs only"},

@@ -9,8 +9,8 @@
 #include "hanging_strips.hpp"
 #include "mesh/irregular_meshes.hpp"
 #include "method/method.hpp"
+#include "method/projection/sag.hpp"
 #include "method/stepper.hpp"
-#include "method/xpbd/plan.hpp"
 #include "solver_rig.hpp"
 
 using namespace weft;

@@ -97,8 +97,9 @@ fn add_up(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index)
   if (kSum == kFirstNorm && kAgain) {
     let had = solve_state();
     let turn = max(had.turn, 1u);
-    let done = sum.x <= had.enough || !is_finite(vec3f(sum.x));
-    state = Solve(had.first, sum.x, had.enough, 0.0, 0.0, 1.0, turn, done, turn);
+    let enough = select(had.enough, min(had.enough, nodes.residual * sum.y), sum.y > 0.0);
+    let done = sum.x <= enough || !is_finite(vec3f(sum.x));
+    state = Solve(had.first, sum.x, enough, 0.0, 0.0, 1.0, turn, done, turn);
   }
   if (kSum != kFirstNorm) { state = after(solve_state(), sum); }
   let is_last = state.done || (kSum == kNorm && state.turn >= state.begun + nodes.iterations);

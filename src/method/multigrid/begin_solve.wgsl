@@ -1,13 +1,23 @@
 // The start of conjugate gradients: the residual's norm, and its product with the guess, which `predict` has left as
-// p. A second system has no guess, and gets the first smoothing sweep of its first cycle. One invocation per node.
-// Source: docs/solvers/multigrid.md, equation 13.
+// p. A system behind the first has no guess, and gets the first smoothing sweep of its first cycle; with contact it has
+// the norm of what weight pulls with. One invocation per node.
+// Source: docs/solvers/multigrid.md, equations 13 and 15a.
 #include "method/multigrid/fine_vectors.wgsl"
 #include "state/pair_sums.wgsl"
+#include "state/step.wgsl"
 //                                                                                 elements
 @group(0) @binding(3) var<storage, read>       place     : array<vec4f>;        // count  w: N/m, 0: fixed
 @group(0) @binding(4) var<storage, read_write> pair_sums : array<u32>;          // state/pair_holds.wgsl
+@group(0) @binding(5) var<uniform>             step      : StepBlock;
 override kAgain : bool = false;  // true: of the second system
+override kHolds : bool = false;  // true: obstacles may hold nodes
 override kPairs : bool = false;  // true: pairs may be held apart, and the residual gets their forces
+
+// w·D⁻¹w, w: what weight pulls at a node with, by its inertia, N/m.
+fn weight_norm(level : Level, node : u32, inertia : f32) -> f32 {
+  let pull = inertia * step.time.dt * step.time.dt * step.air.acceleration.xyz;
+  return dot(pull, times(inverse_at(level, node), pull));
+}
 
 @compute @workgroup_size(kWorkgroupSize)
 fn begin_solve(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocation_index) local : u32) {
@@ -26,6 +36,7 @@ fn begin_solve(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocat
     part.x = dot(r, d);
     if (kAgain) {
       vectors[vector_at(level, kDirection, node)] = vec4f(kBegin * d, 0.0);
+      if (kHolds) { part.y = weight_norm(level, node, place[cloth * nodes.count + node].w); }
     } else {
       part.y = dot(r, vectors[vector_at(level, kSearch, node)].xyz);
     }

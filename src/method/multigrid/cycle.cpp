@@ -151,8 +151,9 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      place_,
                      vectors_};
            }));
-  WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes,
-                                          {nodes_, vectors_, partials_, place_, pair_sums(inputs)}));
+  WEFT_SET(begin_solve_,
+           Dispatch::create(kernels.begin_solve, nodes,
+                            {nodes_, vectors_, partials_, place_, pair_sums(inputs), state.steps}));
   WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, parts));
   WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, lone, sums));
   WEFT_SET(square_, Dispatch::create(kernels.square, lone, sums));
@@ -200,8 +201,9 @@ Result<void> Cycle::create_second(const CycleInputs& inputs, const SharedKernels
   WEFT_SET(go_on_, Dispatch::create_by_parity(kernels.go_on, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {state.steps, nodes_, place_, vectors_, *inputs.predicted[p], pair_sums(inputs)};
            }));
-  WEFT_SET(begin_again_, Dispatch::create(kernels.begin_again, nodes,
-                                          {nodes_, vectors_, partials_, place_, pair_sums(inputs)}));
+  WEFT_SET(begin_again_,
+           Dispatch::create(kernels.begin_again, nodes,
+                            {nodes_, vectors_, partials_, place_, pair_sums(inputs), state.steps}));
   WEFT_SET(predict_again_,
            Dispatch::create_by_parity(kernels.predict_again, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {

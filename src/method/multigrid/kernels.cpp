@@ -96,7 +96,7 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::begin_solve, "begin_solve", size, {pairs(inputs)}},
       {&K::go_on, "go_on", size, {pairs(inputs), holds(inputs)}},
       {&K::predict_again, "predict_again", size, {pairs(inputs), holds(inputs)}},
-      {&K::begin_again, "begin_solve", size, {pairs(inputs), again()}},
+      {&K::begin_again, "begin_solve", size, {pairs(inputs), holds(inputs), again()}},
       {&K::advance, "advance", size},
       {&K::first_norm, "add_up", lone, {sum(0)}},
       {&K::square, "add_up", lone, {sum(1)}},

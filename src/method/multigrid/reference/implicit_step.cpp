@@ -88,6 +88,16 @@ void hold_at_obstacles(StepStart& step, std::span<const Press> presses, std::spa
   }
 }
 
+/// Of what pulls all nodes alike: the norm in which a system's residual is measured. `way`: that in a substep [m].
+double weight_norm(const StepStart& step, const std::vector<Sym3>& inverse, const Vec3d& way) {
+  double square = 0;
+  for (std::size_t a = 0; a < inverse.size(); ++a) {
+    const Vec3d pull = step.inertia[a] * way;
+    if (!step.fixed[a]) square += dot(pull, inverse[a] * pull);
+  }
+  return std::sqrt(square);
+}
+
 }  // namespace
 
 StepFormula step_formula(double dt, double ratio) {
@@ -355,8 +365,16 @@ ImplicitStepper::Solved ImplicitStepper::solved(const Substep& substep, const Pr
     step.pairs = held_apart(step, substep.system, pressed.pairs, substep.dt, cloths_[c],
                             ways.empty() ? std::vector<Sym3>{} : hierarchy.inverse_diagonals()[0]);
     for (const PairHold& hold : step.pairs) hold.add_force(step.residual, step.fixed);
+    const double weight = pressed.presses.empty() || ways.empty()
+                              ? 0
+                              : weight_norm(step, hierarchy.inverse_diagonals()[0],
+                                            substep.dt * substep.dt * substep.system.acceleration);
     Solution solution =
-        solve(hierarchy, step.residual, step.guess, most_iterations, {step.pairs, &step.fixed}, enough);
+        solve(hierarchy, step.residual, step.guess, most_iterations, {step.pairs, &step.fixed},
+              [&](const Solution& begun) {
+                const double most = enough(begun);
+                return weight > 0 ? std::min(most, multigrid::kHeldPart * wanted_residual * weight) : most;
+              });
     return {std::move(step), std::move(solution)};
   };
   if (cloths_[c].levels.empty()) {
