@@ -8,7 +8,7 @@ set(WEFT_COSTS
   "lavapipe.contact: contact_hard=300"
   "lavapipe.contact: contact=290"
   "lavapipe.contact: contact_patches=280"
-  "lavapipe.every_method: every_method=270"
+  "lavapipe.every_method: every_method=420"
   "lavapipe.contact_laws: contact_laws=220"
   "lavapipe.multigrid: strain_limit=160"
   "lavapipe.fabric: fabric_limit=160"
@@ -44,6 +44,7 @@ set(WEFT_COSTS
 # Dear files whose subject other files of the daily run meet too: they take turns, as those on SwiftShader.
 set(WEFT_TURNS
   "lavapipe.contact: contact_patches"
+  "lavapipe.every_method: every_method"
   "lavapipe.multigrid: multigrid_pairs"
   "lavapipe.multigrid: strain_limit"
   "lavapipe.fabric: fabric_limit")

@@ -33,7 +33,12 @@ Matrix explicit_matrix(const Sheet& sheet, const StepStart& step, double he, boo
   const auto spring = [&](std::size_t a, std::size_t b, double l0, double k, double c) {
     const Eigen::Vector3d span = eigen(led_span(step, a, b));
     const Eigen::Vector3d n = span.normalized();
-    const double stretched = std::max(0.0, 1 - l0 / span.norm());
+    // With contact what presses resists across as what pulls does, by its force in the residual: equation (6a).
+    const double length = span.norm(), now = length - l0,
+                 then = now + n.dot(eigen(step.start[b] - step.start[a]));
+    const bool presses = !step.leads && (now < 0 || then < 0);
+    const double stretched =
+        presses ? std::min(1.0, std::abs(then) / length) : std::max(0.0, 1 - l0 / length);
     add_line({{a, -1.0}, {b, 1.0}}, (k * (1 - stretched) + c / he) * n * n.transpose() +
                                         k * stretched * Eigen::Matrix3d::Identity());
   };

@@ -255,7 +255,9 @@ TEST_CASE("in double, sheets of any densities on each other hold on a slope, and
     const double lower = 4 * (end[0] - begin[0]), upper = 4 * (end[1] - begin[1]);
     MESSAGE("the lower gains ", lower / exact, " of the acceleration, the upper ", upper / exact);
     const double light = 0.05 * 0.4 / (0.05 * 0.4 + 5 * 0.35);  // part of the mass
-    CHECK(light * lower + (1 - light) * upper == doctest::Approx(exact).epsilon(0.02).scale(0));
+    // What friction takes, within a quarter of the 2 % that it is promised to.
+    const double friction = 0.5 * 9.81 * std::cos(slope);
+    CHECK(std::abs(light * lower + (1 - light) * upper - exact) < 0.005 * friction);
   }
 }
 

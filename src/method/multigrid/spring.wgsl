@@ -33,7 +33,7 @@ fn law_at(law : SpringLaw, len : f32) -> LawAtLength {
 // How a spring lies: all that its matrix depends on besides its law.
 struct SpringPose {
   direction : vec3f,  // n; 0: too short to have one
-  stretch : f32,      // b = max(0, 1 - l0 / l)
+  stretch : f32,      // b = max(0, 1 - l0 / l); with contact (6a)
   is_long : bool,     // whether it is longer than it should be: equation (5a)
 }
 // `most`: the length that decides whether it is long.
@@ -56,6 +56,14 @@ fn spring_block(pose : SpringPose, law : SpringLaw, damping : f32) -> SpringBloc
 }
 fn block_times(hessian : SpringBlock, v : vec3f) -> vec3f {
   return hessian.along * dot(hessian.direction, v) * hessian.direction + hessian.across * v;
+}
+
+// b of the matrix with contact, equation (6a): what presses here, or where the unknown starts, resists across by the
+// force that it has in the residual. `longer`: what the start of the unknown adds to its length, m.
+fn held_across(pose : SpringPose, len : f32, rest_length : f32, longer : f32) -> SpringPose {
+  let pressed = rest_length - len;  // m
+  if (len < kMinLength || max(pressed, pressed - longer) <= 0.0) { return pose; }
+  return SpringPose(pose.direction, min(1.0, abs(pressed - longer) / len), pose.is_long);
 }
 
 // A spring's terms at a node.
@@ -81,5 +89,7 @@ fn pull_of(span : vec3f, span_step : vec3f, rate_of_span : vec3f, law : SpringLa
     let square = max(dot(later, later), kMinLength * kMinLength);
     force += (damping * dot(later, rate_of_span) / square) * later;
   }
-  return Pull(force, pose, SpringBlock(hessian.direction, hessian.along + damping * rate, hessian.across));
+  if (kLeads) { return Pull(force, pose, spring_block(pose, law, damping * rate)); }
+  let held = held_across(pose, length(at), now.rest_length, dot(pose.direction, span_step));
+  return Pull(force, held, spring_block(held, law, damping * rate));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "element/spring/law.hpp"
 #include "method/multigrid/lead.hpp"
@@ -12,7 +13,7 @@ namespace weft::reference {
 struct SpringTerms {
   Vec3d force;                        // on the first node, at place + start [N]
   Vec3d direction;                    // n, in which it is linearised
-  double stretch = 0;                 // β
+  double stretch = 0;                 // β of the matrix
   double stiffness = 0, damping = 0;  // with what a strain limit adds; by the step [N/m]
 
   /// Its part of the matrix; or that of another spring of Hooke's law that lies as this one does, and damps.
@@ -21,6 +22,14 @@ struct SpringTerms {
     return Sym3::outer(direction, other * (1 - stretch) + other_damping) + Sym3::identity(other * stretch);
   }
 };
+
+/// β of the matrix with contact, equation (6a): what presses here, or where the unknown starts, resists across by the
+/// force that it has in the residual. `longer`: what the start of the unknown adds to its length [m].
+inline double held_across(double stretch, double length, double rest_length, double longer) {
+  const double pressed = rest_length - length;  // [m]
+  if (std::max(pressed, pressed - longer) <= 0) return stretch;
+  return std::min(1.0, std::abs(pressed - longer) / length);
+}
 
 /// Between nodes a and b of the cloth. `rate`: of velocities by places [1/s].
 inline SpringTerms spring_terms(const spring::Law& all, double damped, const StepStart& step, std::size_t a,
@@ -38,6 +47,8 @@ inline SpringTerms spring_terms(const spring::Law& all, double damped, const Ste
   const Vec3d damping = Sym3::outer(later / std::max(length(later), spring::kMinLength), damped) *
                         (step.start_velocity[b] - step.start_velocity[a]);
   terms.force = tension * n + damping + terms.as_stiff(terms.stiffness, 0) * ((1 - lead) * step_of_span);
+  if (!step.leads)
+    terms.stretch = held_across(terms.stretch, length(at), law.rest_length, dot(n, step_of_span));
   return terms;
 }
 
