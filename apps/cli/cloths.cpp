@@ -87,19 +87,20 @@ std::string cloths_text(const scene::Scene& scene, const Model& model) {
   return text;
 }
 
-std::string stiffening_text(const scene::Scene& scene, const Model& model, const MethodChoice& choice) {
+std::string stiffening_text(const scene::Scene& scene, const Model& model, const Method& method,
+                            std::uint32_t substeps) {
   std::string text;
-  if (choice.method->stiffening == nullptr) return text;
+  if (method.stiffening == nullptr) return text;
   for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
     const scene::Cloth& cloth = scene.cloths[c];
     if (cloth.copy > 0) continue;
     const StiffeningRange times =
-        choice.method->stiffening(scene.solver, model, model.bodies[c], scene.time.frame / choice.substeps);
+        method.stiffening(scene.solver, model, model.bodies[c], scene.time.frame / substeps);
     if (times.most == 0) continue;  // nothing resists
     add(text,
         "  By \"%s\" in %u substeps of %u sweep%s, an element of %s that nothing else pulls at resists with "
         "%.3g to %.3g times its stiffness.\n",
-        scene::name_of(choice.method->kind), choice.substeps, scene.solver.iterations,
+        scene::name_of(method.kind), substeps, scene.solver.iterations,
         scene.solver.iterations == 1 ? "" : "s", path_of_index("cloths", cloth.entry).c_str(), times.least,
         times.most);
   }

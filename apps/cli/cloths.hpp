@@ -14,8 +14,10 @@ namespace weft::cli {
 /// as long as a few hundred products with the matrix of a cloth.
 std::string cloths_text(const scene::Scene& scene, const Model& model);
 
-/// Where the method cannot represent a stiffness: by how many times that of the cloth's elements it resists. Else "".
-std::string stiffening_text(const scene::Scene& scene, const Model& model, const MethodChoice& choice);
+/// Where the method cannot represent a stiffness: by how many times that of the cloth's elements it resists in so many
+/// substeps of a frame. Else "".
+std::string stiffening_text(const scene::Scene& scene, const Model& model, const Method& method,
+                            std::uint32_t substeps);
 
 /// A list of the entries' moduli, density and friction; docs/cli.md lists the members.
 nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model);

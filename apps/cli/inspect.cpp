@@ -17,7 +17,7 @@ Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(assets, load_assets(scene, models_folder()));
   WEFT_CHECK(check_host_memory(scene, assets));
   WEFT_TRY(model, build_model(scene, assets.cloths));
-  WEFT_CHECK(sim::FramePlan::create(scene, model, assets));
+  WEFT_TRY(plan, sim::FramePlan::create(scene, model, assets));
   std::size_t object_triangles = 0;
   for (const mesh::TriangleMesh& object : assets.objects) object_triangles += object.triangles.size();
   std::printf(
@@ -27,8 +27,7 @@ Result<void> check_scene(const SceneOptions& options) {
       model.triangles.size(), scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s",
       object_triangles);
   std::fputs(cloths_text(scene, model).c_str(), stdout);
-  WEFT_TRY(choice, choose_method(scene, model));
-  std::fputs(stiffening_text(scene, model, choice).c_str(), stdout);
+  std::fputs(stiffening_text(scene, model, plan.method(), plan.substeps()).c_str(), stdout);
   if (assets.dropped_triangles > 0)
     say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
   return {};

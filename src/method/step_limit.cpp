@@ -19,12 +19,6 @@ double largest_stable_step(double stiffness, double damping) {
   return sum > 0 ? 4 / sum : 0;
 }
 
-StepLimit implicit_limit(bool corrects) {
-  StepLimit limit;
-  limit.longest_auto_step = corrects ? kImplicitContactStep : kImplicitStep;
-  return limit;
-}
-
 std::string unstable_step(const StepLimit& limit, double frame, std::uint32_t substeps) {
   const double step = frame / substeps;
   if (limit.largest_step <= 0 || step <= limit.largest_step) return {};

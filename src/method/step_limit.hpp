@@ -52,10 +52,6 @@ inline constexpr double kImplicitStep = 1.0 / 480;
 /// steps err by less [s]. Source: docs/solvers/multigrid.md, Contact.
 inline constexpr double kImplicitContactStep = 1.0 / 360;
 
-/// Of implicit steps of second order, which are stable at any length. `corrects`: contact gives a substep a second
-/// system.
-StepLimit implicit_limit(bool corrects);
-
 /// By how much longer than the one before it a step of the implicit solver may be (BDF2 is stable up to 1 +
 /// √2); beyond it starts without history.
 inline constexpr double kMostStepRatio = 2;

@@ -12,6 +12,7 @@
 #include "gpu/readback.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "method/solver.hpp"
+#include "method/stepper.hpp"
 #include "scene/load.hpp"
 
 namespace weft {
@@ -180,6 +181,17 @@ inline mesh::TriangleMesh sheet_mesh(std::uint32_t nx, std::uint32_t ny, double 
     }
   mesh.triangles = mesh::grid_triangles(grid);
   return mesh;
+}
+
+/// So many substeps in double from where the rig stands.
+inline reference::MassSpringSystem exact_after(SolverRig& rig, const scene::Scene& scene, int steps) {
+  reference::MassSpringSystem system = rig.reference();
+  const auto stepper = reference::make_stepper(scene.solver, rig.model().host, rig.dt());
+  for (int step = 0; step < steps; ++step) {
+    const std::vector<Vec3d> places = system.position;  // pinned nodes stay
+    stepper->advance({system, places, rig.dt()});
+  }
+  return system;
 }
 
 }  // namespace weft

@@ -5,7 +5,6 @@
 
 #include "gpu/gpu_fixture.hpp"
 #include "mesh/primitives.hpp"
-#include "method/stepper.hpp"
 #include "solver_rig.hpp"
 
 using namespace weft;
@@ -26,15 +25,6 @@ const std::string kBall = R"({"mesh": "a.obj", "pins": [{"nodes": [0]}], )";
 
 std::vector<mesh::TriangleMesh> meshes_of(const std::string& shape) {
   return {shape == kBall ? mesh::make_sphere(12, 9) : mesh::TriangleMesh{}};
-}
-
-/// The same cloths by one substep in double.
-reference::MassSpringSystem advanced(SolverRig& rig, const scene::Scene& scene) {
-  reference::MassSpringSystem exact = rig.reference();
-  const auto stepper = reference::make_stepper(scene.solver, rig.model().host, rig.dt());
-  const std::vector<Vec3d> places = exact.position;  // pinned nodes stay
-  stepper->advance({exact, places, rig.dt()});
-  return exact;
 }
 
 /// What backward Euler lacks at the end of a substep, m (v' - v)/h - m g - f(x', v') of a node, by the largest f.
@@ -65,7 +55,7 @@ TEST_CASE(
         const auto scene = scene_of(fem(steps, 1e-3) + R"("cloths": [)" + shape + cloth + "}]");
         SolverRig rig(fixture.device(), scene, 2e-3, meshes_of(shape));
         rig.perturb(5, 0.004, 1.0);
-        const reference::MassSpringSystem before = rig.reference(), exact = advanced(rig, scene);
+        const reference::MassSpringSystem before = rig.reference(), exact = exact_after(rig, scene, 1);
         rig.advance(1);
         const auto position = rig.positions();
         double way = 0, worst = 0;

@@ -67,20 +67,18 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("one sweep of pbd is one of xpbd, whose multipliers begin at 0: the same bits") {
+TEST_CASE("one sweep of pbd over springs is one of xpbd, whose multipliers begin at 0: the same bits") {
   GpuFixture fixture;
-  for (const std::string& cloth : {kLoose}) {
-    std::vector<std::vector<Vec4f>> ends;
-    for (const char* kind : {"pbd", "xpbd"}) {
-      SolverRig rig(fixture.device(),
-                    scene_of(solved_by(kind, 1) + kGusts + R"("cloths": [)" + sheet("[13, 9]", cloth) + "]"),
-                    2e-3);
-      rig.perturb(5, 0.008, 1.0);
-      rig.advance(20);
-      ends.push_back(rig.positions());
-    }
-    CHECK(std::memcmp(ends[0].data(), ends[1].data(), ends[0].size() * sizeof(Vec4f)) == 0);
+  std::vector<std::vector<Vec4f>> ends;
+  for (const char* kind : {"pbd", "xpbd"}) {
+    SolverRig rig(fixture.device(),
+                  scene_of(solved_by(kind, 1) + kGusts + R"("cloths": [)" + sheet("[13, 9]", kLoose) + "]"),
+                  2e-3);
+    rig.perturb(5, 0.008, 1.0);
+    rig.advance(20);
+    ends.push_back(rig.positions());
   }
+  CHECK(std::memcmp(ends[0].data(), ends[1].data(), ends[0].size() * sizeof(Vec4f)) == 0);
 }
 
 TEST_CASE("a pbd node hangs by g h² / ((1 + h² k/m)^n - 1): stiffer with each sweep, and as steps grow") {

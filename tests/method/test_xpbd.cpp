@@ -27,17 +27,6 @@ std::string grid(const std::string& nodes, const std::string& size, const std::s
   return R"("cloths": [{"grid": )" + nodes + R"(, "size": )" + size + ", " + more + "}]";
 }
 
-/// The same substeps in double from where the rig stands.
-reference::MassSpringSystem exact_after(SolverRig& rig, const scene::Scene& scene, int steps) {
-  reference::MassSpringSystem system = rig.reference();
-  const auto stepper = reference::make_stepper(scene.solver, rig.model().host, rig.dt());
-  for (int step = 0; step < steps; ++step) {
-    const std::vector<Vec3d> places = system.position;  // pinned nodes stay
-    stepper->advance({system, places, rig.dt()});
-  }
-  return system;
-}
-
 /// One substep against double.
 void check_substep(SolverRig& rig, const scene::Scene& scene) {
   // Projecting a spring rounds its span (6 roundings of its length), the tension's difference (2), quotient and

@@ -1,11 +1,10 @@
 #include "method/pbd/plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "element/membrane/build.hpp"
-#include "method/projection/sag.hpp"
+#include "method/projection/row.hpp"
 #include "model/fabric.hpp"
 
 namespace weft {
@@ -25,10 +24,11 @@ StiffeningRange pbd_stiffening(const scene::Solver& settings, const Model& model
   };
   for (const Spring& spring : model.springs(body))
     add(spring.stiffness, model.inverse_mass(spring.node_a) + model.inverse_mass(spring.node_b));
+  if (!body.fabric) return range;
+  const Stiffness stiffness = membrane_law(*body.fabric).stiffness;
   const ElementTable& membranes = model.elements(ElementKind::Membrane, body);
   for (std::size_t t = 0; t < membranes.size(); ++t) {
     const membrane::Rest rest = membrane::rest_of(membranes, t);
-    const Stiffness stiffness = membrane_law(*body.fabric).stiffness;
     double warp = 0, weft = 0;  // Σ w |∇ε|² at rest
     for (std::size_t i = 0; i < 3; ++i) {
       const double w = model.inverse_mass(membranes.nodes_of(t)[i]);
@@ -44,23 +44,9 @@ StiffeningRange pbd_stiffening(const scene::Solver& settings, const Model& model
 }  // namespace
 
 Method pbd_method() {
-  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge};
-  Method row{};
-  row.kind = scene::SolverKind::Pbd;
-  row.takes = kTakes;
-  row.step_limit = sag_limit;
-  row.with_drag = [](const StepLimit& limit, double) { return limit; };
-  row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {
-    return long_substeps(scene, limit, 4);
-  };
-  row.cost = nullptr;
+  Method row = projection_row(scene::SolverKind::Pbd);
   row.memory = [](const scene::Solver&) { return SolverMemory{72, 72}; };  // 12 bytes a spring, six a node
-  row.settings_word = [](const scene::Solver&) { return ""; };
   row.stiffening = pbd_stiffening;
-  row.search_interval = 1;
-  row.holds_obstacles = false;
-  row.sweeps = true;
-  row.history = 0;
   return row;
 }
 

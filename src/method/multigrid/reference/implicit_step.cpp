@@ -442,7 +442,7 @@ std::vector<ImplicitStepper::Solved> ImplicitStepper::correct(const Substep& sub
     });
     for (std::size_t a = 0; a < one.solution.x.size(); ++a) {
       const std::size_t node = cloths_[c].first + a;
-      ways[node] = one.step.way[a] + one.step.start[a] + one.solution.x[a];
+      ways[node] = one.way(a);
       velocities[node] = ways[node] / substep.dt;
       if (!one.step.holds[a]) hold_forces_[node] = {};
     }
@@ -463,7 +463,6 @@ std::vector<ImplicitStepper::Solved> ImplicitStepper::correct(const Substep& sub
 std::vector<ImplicitStepper::Solved> ImplicitStepper::newton(const Substep& substep) {
   std::vector<Vec3d> ways(substep.system.position.size());
   std::vector<Solved> found;
-  newton_steps_taken_ = 0;
   for (std::size_t c = 0; c < cloths_.size(); ++c) {
     Solved step = solved(substep, {}, c, {}, multigrid::kFirstIterations, [&](const Solution& begun) {
       return enough_of(begun, std::max(wanted_residual, multigrid::kFirstPart));
@@ -473,14 +472,12 @@ std::vector<ImplicitStepper::Solved> ImplicitStepper::newton(const Substep& subs
     do {
       iterations += step.solution.iterations;
       ++taken;
-      for (std::size_t a = 0; a < step.solution.x.size(); ++a)
-        ways[cloths_[c].first + a] = step.step.way[a] + step.step.start[a] + step.solution.x[a];
+      for (std::size_t a = 0; a < step.solution.x.size(); ++a) ways[cloths_[c].first + a] = step.way(a);
       step = solved(substep, {}, c, ways, taken < newton_steps_ ? multigrid::kMostIterations : 0,
                     [&](const Solution&) { return enough_of(first, wanted_residual); });
     } while (step.solution.iterations > 0);
     step.solution.iterations = iterations;
     step.solution.first = first.first;
-    newton_steps_taken_ = std::max(newton_steps_taken_, taken);
     found.push_back(std::move(step));
   }
   return found;

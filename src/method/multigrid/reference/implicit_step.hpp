@@ -96,9 +96,6 @@ class ImplicitStepper : public Stepper {
   std::uint32_t iterations() const { return iterations_; }
   double residual() const { return residual_; }
 
-  /// Of the last substep: the Newton steps that a cloth took, the most of any.
-  std::uint32_t newton_steps_taken() const { return newton_steps_taken_; }
-
   double wanted_residual;
 
  private:
@@ -117,6 +114,8 @@ class ImplicitStepper : public Stepper {
   struct Solved {
     StepStart step;
     Solution solution;
+    /// How far the system leads a node from where the substep begins [m].
+    Vec3d way(std::size_t a) const { return step.way[a] + step.start[a] + solution.x[a]; }
   };
 
   StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
@@ -138,7 +137,7 @@ class ImplicitStepper : public Stepper {
   void finish(const Substep& substep, const Solved& found, std::size_t c, std::vector<Vec3d>& position,
               std::vector<Vec3d>& velocity, std::vector<std::size_t>& stopped);
 
-  std::uint32_t newton_steps_, newton_steps_taken_ = 0;
+  std::uint32_t newton_steps_;
   std::vector<Cloth> cloths_;
   std::vector<Vec3d> position_before_, velocity_before_;
   std::vector<bool> known_;  // whether they are those of the step before
