@@ -46,6 +46,7 @@ Result<void> check_selection(const BenchOptions& options) {
                          : options.name == "multigrid" ? bench::multigrid_variants()
                          : options.name == "methods"   ? bench::method_names()
                                                        : bench::hanging_variants()));
+  if (options.name == "methods") return check_names("--scenes", selection.objects, bench::method_scenes());
   return check_names("--objects", selection.objects, bench::pull_objects());
 }
 

@@ -64,8 +64,9 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
   CLI::App* multigrid =
       add_experiment(*bench, options, "multigrid", "multigrid --sides 64,256 --only multigrid,explicit",
                      "Measure time and error of the implicit solver beside explicit steps and null lines.");
-  CLI::App* methods = add_experiment(*bench, options, "methods", "methods --sides 64 --json methods.json",
-                                     "Measure time and error of every method over its substeps and sweeps.");
+  CLI::App* methods =
+      add_experiment(*bench, options, "methods", "methods --sides 64 --json methods.json",
+                     "Measure time and error of every method over its substeps and sweeps, scene by scene.");
   CLI::App* copy = add_experiment(*bench, options, "copy", "copy --json results.json",
                                   "Measure what a copy and a dispatch take at best.");
   CLI::App* largest = add_experiment(*bench, options, "largest", "largest --only grid",
@@ -76,7 +77,15 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
   add_names(*pull, "--only", options.selection.only, "none, bvh, proximity, proximity_self, paper");
   add_names(*multigrid, "--only", options.selection.only,
             "multigrid, multigrid4, multigrid16, explicit, null, fabric, drape");
-  add_names(*methods, "--only", options.selection.only, "words of methods, as solver.kind has them");
+  add_names(*methods, "--only", options.selection.only,
+            "words of methods, as solver.kind has them, and null");
+  add_names(*methods, "--scenes", options.selection.objects,
+            "sheet, strip, cantilever, ball, armadillo, twist");
+  methods
+      ->add_option("--most-ms", options.selection.most_ms,
+                   "Leave out what takes longer for a frame, in the median of eight and more")
+      ->type_name("MS")
+      ->check(CLI::PositiveNumber);
   add_names(*pull, "--objects", options.selection.objects, "sphere, armadillo, dragon");
   for (CLI::App* sized : {hanging, pull, multigrid, methods}) add_sides(*sized, options);
   largest

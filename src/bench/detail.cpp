@@ -75,7 +75,7 @@ double stretch_of(std::span<const Chain> chains, std::span<const Vec3d> x, std::
     now += length_of(chain, x);
     at_rest += length_of(chain, rest);
   }
-  return now / at_rest - 1;
+  return at_rest > 0 ? now / at_rest - 1 : 0;
 }
 
 double kinetic_energy(std::span<const double> mass, std::span<const Vec4f> velocity) {

@@ -30,7 +30,7 @@ using Chain = std::vector<std::uint32_t>;
 /// corner; from the top corner where none is pinned.
 std::vector<Chain> free_sides(const Model& model, const Body& body);
 
-/// What chains have in length, over the same at rest, less 1.
+/// What chains have in length, over the same at rest, less 1; 0 where they have none.
 double stretch_of(std::span<const Chain> chains, std::span<const Vec3d> x, std::span<const Vec3d> rest);
 
 /// Σ ½ m |v|² [J] of masses [kg] and velocities [m/s].

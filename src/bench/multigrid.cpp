@@ -90,12 +90,12 @@ class SheetBench {
   Result<SheetRow> measure_implicit(SheetRow row, const Result<SheetRun>& reference,
                                     const std::string& substeps) {
     if (!reference) return reference.error();
-    WEFT_TRY(made, runs_.run(solved_by(row.side, kImplicit, substeps)));
+    WEFT_TRY(made, runs_.run(runs_.sheet().solved_by(row.side, kImplicit, substeps)));
     return filled(std::move(row), *reference, made, made.shapes);
   }
 
   Result<SheetRow> measure_alone(SheetRow row, const std::string& substeps) {
-    WEFT_TRY(made, runs_.run(solved_by(row.side, kImplicit, substeps)));
+    WEFT_TRY(made, runs_.run(runs_.sheet().solved_by(row.side, kImplicit, substeps)));
     return timed(std::move(row), made);
   }
 
@@ -124,14 +124,13 @@ Result<SheetRow> measure_drape(gpu::Device& device, const Selection& selection, 
                                const Assets& assets, SheetRow row) {
   WEFT_CHECK(sim::check_node_count(row.nodes, device));
   const char* solver = row.variant == "explicit" ? "mass_spring" : kImplicit;
-  WEFT_TRY(scene, scene::load_scene(drape_of(folders, row.object), solved_by(row.side, solver, "\"auto\"")));
+  WEFT_TRY(scene, scene::load_scene(drape_of(folders, row.object),
+                                    SheetOfRuns().solved_by(row.side, solver, "\"auto\"")));
   const std::uint32_t frames = selection.quick ? stops_of(selection).back() : scene.time.frames;
   WEFT_TRY(run, run_timed(device, scene, assets, std::vector{frames}));
   row.run = std::move(run);
   row.state_hash = row.run.states.back().hash();
-  const sim::Totals& totals = row.run.totals;
-  row.contact = {totals.contacts, totals.crossings, totals.crossings_left,
-                 static_cast<double>(totals.max_stretch), totals.repeated_frames};
+  row.contact = outcome_of(row.run.totals);
   return row;
 }
 
@@ -167,7 +166,7 @@ Result<void> run_multigrid(gpu::Device& device, const Selection& selection, cons
       });
   for (const SheetScene& scene : {kSheet, kFabric}) {
     if (scene.asked_by != nullptr ? !asked(selection, scene.asked_by, !selection.quick) : !hangs) continue;
-    WEFT_TRY(runs, SheetRuns::create(device, selection, folders, scene.name));
+    WEFT_TRY(runs, SheetRuns::create(device, folders, {scene.name, {}, stops_of(selection)}));
     SheetBench sheets(selection, scene, std::move(runs), done);
     for (const std::uint32_t side : sides) WEFT_CHECK(sheets.run(side));
   }

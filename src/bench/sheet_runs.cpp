@@ -14,12 +14,22 @@ std::vector<std::uint32_t> stops_of(const Selection& selection) {
   return selection.quick ? std::vector<std::uint32_t>{15} : std::vector<std::uint32_t>{15, 30, 60};
 }
 
-std::vector<scene::Override> solved_by(std::uint32_t side, const std::string& kind,
-                                       const std::string& substeps) {
-  const std::string count = std::to_string(side);
-  return {{"cloths.0.grid", "[" + count + "," + count + "]"},
+std::array<std::uint32_t, 2> SheetOfRuns::grid(std::uint32_t side) const {
+  if (aspect == 1) return {side, side};
+  return {2 * side, side / 2};
+}
+
+std::vector<scene::Override> SheetOfRuns::solved_by(std::uint32_t side, const std::string& kind,
+                                                    const std::string& substeps) const {
+  const auto [nx, ny] = grid(side);
+  return {{"cloths.0.grid", "[" + std::to_string(nx) + "," + std::to_string(ny) + "]"},
           scene::override_solver(kind),
           {"time.substeps", substeps}};
+}
+
+ContactOutcome outcome_of(const sim::Totals& totals) {
+  return {totals.contacts, totals.crossings, totals.crossings_left, static_cast<double>(totals.max_stretch),
+          totals.repeated_frames};
 }
 
 SheetRow begin_row(const std::string& object, const std::string& variant, std::uint32_t side) {
@@ -41,6 +51,7 @@ Result<void> report(Result<SheetRow> measured, SheetRow begun, const SheetRowDon
 SheetRow timed(SheetRow row, const SheetRun& made) {
   row.run = made.run;
   row.state_hash = made.state_hash;
+  row.contact = made.contact;
   return row;
 }
 
@@ -52,48 +63,49 @@ SheetRow filled(SheetRow row, const SheetRun& reference, const SheetRun& made,
   return row;
 }
 
-Result<SheetRuns> SheetRuns::create(gpu::Device& device, const Selection& selection, const Folders& folders,
-                                    const std::string& name, std::vector<scene::Override> own) {
-  SheetRuns runs(device, folders.scenes + "/" + name + ".json", std::move(own), stops_of(selection));
-  WEFT_TRY(scene, scene::load_scene(runs.path_));  // a missing file is no skipped row
-  return runs;
+Result<SheetRuns> SheetRuns::create(gpu::Device& device, const Folders& folders, SheetOfRuns sheet) {
+  std::string path = folders.scenes + "/" + sheet.file + ".json";
+  WEFT_TRY(scene, scene::load_scene(path));  // a missing file is no skipped row
+  WEFT_TRY(assets, load_assets(scene, folders.models));
+  return SheetRuns(device, std::move(path), std::move(sheet), std::move(assets));
 }
 
 Result<scene::Scene> SheetRuns::load(std::vector<scene::Override> changes) const {
-  changes.insert(changes.begin(), own_.begin(), own_.end());
+  changes.insert(changes.begin(), sheet_.own.begin(), sheet_.own.end());
   return scene::load_scene(path_, changes);
 }
 
 Result<StepLimit> SheetRuns::step_limit(const std::vector<scene::Override>& changes) const {
   WEFT_TRY(scene, load(changes));
-  WEFT_TRY(model, build_model(scene, {{}}));
+  WEFT_TRY(model, build_model(scene, assets_.cloths));
   return method_of(scene.solver.kind).step_limit(scene, model);
 }
 
-Result<SheetRun> SheetRuns::run(const std::vector<scene::Override>& changes) const {
+Result<SheetRun> SheetRuns::run(const std::vector<scene::Override>& changes,
+                                const Measuring& measuring) const {
   WEFT_TRY(scene, load(changes));
-  const Assets assets{{{}}};  // a grid comes from no file
   SheetRun made;
-  WEFT_TRY(model, build_model(scene, assets.cloths));
+  WEFT_TRY(model, build_model(scene, assets_.cloths));
   made.model = std::move(model);
-  WEFT_TRY(run, run_timed(*device_, scene, assets, stops_));
+  WEFT_TRY(run, run_timed(*device_, scene, assets_, sheet_.stops, measuring));
   made.run = std::move(run);
-  for (std::size_t k = 0; k < stops_.size(); ++k)
-    made.shapes.push_back(shape_of(made.model, made.run.states[k], stops_[k] * scene.time.frame));
+  if (scene.contact.method != scene::ContactMethod::None) made.contact = outcome_of(made.run.totals);
+  for (std::size_t k = 0; k < sheet_.stops.size(); ++k)
+    made.shapes.push_back(shape_of(made.model, made.run.states[k], sheet_.stops[k] * scene.time.frame));
   made.state_hash = made.run.states.back().hash();
   made.run.states.clear();  // the shapes have what is needed of them
   return made;
 }
 
-Result<SheetRun> SheetRuns::run_explicit(std::uint32_t side) const {
-  return run(solved_by(side, kExplicit, "\"auto\""));
+Result<SheetRun> SheetRuns::run_explicit(std::uint32_t side, const Measuring& measuring) const {
+  return run(sheet_.solved_by(side, kExplicit, "\"auto\""), measuring);
 }
 
 Result<SheetRun> SheetRuns::run_reference(std::uint32_t side) const {
   WEFT_CHECK(sim::check_node_count(static_cast<std::uint64_t>(side) * side, *device_));
-  WEFT_TRY(scene, load(solved_by(side, kExplicit, "\"auto\"")));
-  WEFT_TRY(substeps, count_substeps(scene, {{{}}}));
-  return run(solved_by(side, kExplicit, std::to_string(2 * substeps)));
+  WEFT_TRY(scene, load(sheet_.solved_by(side, kExplicit, "\"auto\"")));
+  WEFT_TRY(substeps, count_substeps(scene, assets_));
+  return run(sheet_.solved_by(side, kExplicit, std::to_string(2 * substeps)), {.kernels = false});
 }
 
 }  // namespace weft::bench

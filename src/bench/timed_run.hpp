@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,12 +19,19 @@ struct TimedRun {
   std::vector<sim::Snapshot> states;     // at the stops
   sim::Totals totals;                    // of the timed frames
   std::uint64_t gpu_bytes = 0;           // that its world holds
-  std::vector<sim::KernelTime> kernels;  // empty: the adapter has no timestamps
+  std::vector<sim::KernelTime> kernels;  // empty: not asked for, or the adapter has no timestamps
+};
+
+/// What a run is measured by.
+struct Measuring {
+  bool kernels = true;            // the time of each kernel, after all else
+  std::optional<double> most_ms;  // a run whose frames take longer in the median ends after a few of them
 };
 
 /// Runs up to the last of `stops` (numbers of frames, rising). A few frames before the first, then undone,
-/// see to it that kernels are compiled. Errors  as sim::World::create and advance_frame.
+/// see to it that kernels are compiled.
+/// Errors  as sim::World::create and advance_frame. Limit: frames take longer than `most_ms`.
 Result<TimedRun> run_timed(gpu::Device& device, const scene::Scene& scene, const Assets& assets,
-                           std::span<const std::uint32_t> stops);
+                           std::span<const std::uint32_t> stops, const Measuring& measuring = {});
 
 }  // namespace weft::bench

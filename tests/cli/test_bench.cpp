@@ -252,6 +252,49 @@ TEST_CASE("bench methods runs every method on one sheet, to the bits of a run wi
   CHECK(nearest == explicit_error);
 }
 
+TEST_CASE("bench methods runs other scenes, says what a method refuses, and leaves out what takes too long") {
+  const auto run = [](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"methods", "--quick", "--only", "mass_spring,vbd,null"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return bench_rows(arguments);
+  };
+  const nlohmann::json rows = run({"--scenes", "strip,cantilever,twist", "--sides", "10"});
+  std::string names;
+  for (const auto& row : rows) {
+    const std::string scene = row.at("object"), variant = row.at("variant");
+    CAPTURE(scene + ", " + variant);
+    names += scene + " " + variant + "; ";
+    CHECK(row.at("nodes") == 100);
+    CHECK(row.contains("skipped") == (scene == "cantilever" && variant == "vbd 8 x 4"));
+    CHECK(row.contains("crossings") == (scene == "twist"));
+    if (row.contains("skipped")) {
+      CHECK(row.at("skipped").get<std::string>().find("which solver.kind \"vbd\" does not take") !=
+            std::string::npos);
+      continue;
+    }
+    const nlohmann::json& error = row.at("error").at(0);
+    CHECK(error.at("t") == doctest::Approx(scene == "twist" ? 0.5 : 0.25));
+    if (variant == "mass_spring") CHECK(error.at("position") < 0.01);
+    // The sides of what is wrung are moved.
+    CHECK((error.at("edge_stretch_reference") == 0) == (scene == "twist"));
+  }
+  CHECK(
+      names ==
+      "strip mass_spring; strip vbd 8 x 4; cantilever mass_spring; cantilever vbd 8 x 4; twist mass_spring; "
+      "twist vbd 8 x 4; ");
+  const nlohmann::json nulls = run({"--sides", "36", "--most-ms", "1e9"});
+  REQUIRE(nulls.size() == 3);
+  CHECK(nulls[2].at("variant") == "null 32");
+  CHECK(nulls[2].at("nodes") == 36 * 36);
+  CHECK(nulls[2].at("simulated_nodes") == 32 * 32);
+  CHECK(nulls[2].at("error")[0].at("position") > nulls[0].at("error")[0].at("position"));
+  CHECK(nulls[2].at("error")[0].at("position") < 0.05);
+  for (const auto& row : run({"--sides", "12", "--most-ms", "1e-9"})) {
+    CHECK(row.at("skipped").get<std::string>().starts_with("Frames take "));
+    CHECK(row.at("skipped").get<std::string>().ends_with(" ms, more than the 1e-09 asked for."));
+  }
+}
+
 TEST_CASE("what is too large for the adapter is a skipped row with the limit, before anything is built") {
   for (const auto& [name, variants] : {std::pair{"hanging", "mesh"},
                                        {"pull", "bvh"},

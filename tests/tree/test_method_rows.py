@@ -11,8 +11,8 @@ class MethodRows(unittest.TestCase):
         run = page.stored()
         text = page.PAGE.read_text("utf-8")
         self.assertEqual(text, page.made(text, run), "run scripts/make_methods.py")
-        for side in page.sides(run):
-            self.assertEqual(page.image(side).read_text("utf-8"), page.plot(run, side), "run scripts/make_methods.py")
+        for one in page.drawn(run):
+            self.assertEqual(page.image(*one).read_text("utf-8"), page.plot(run, *one), "run scripts/make_methods.py")
 
     def test_a_front_has_only_rows_that_nothing_beats(self):
         rows = [row for row in page.stored()["rows"] if page.is_number(row)]
@@ -32,9 +32,43 @@ class MethodRows(unittest.TestCase):
         }
         for error in run["rows"][1]["error"]:
             error.update(position=None, normal_degrees=None)
-        text = page.table(run)
+        text = page.table(run, "sheet")
         self.assertIn("| why |", text)
         self.assertIn("| none / none / none |", text)
+
+    def test_grades_are_of_numbers(self):
+        def row(scene, side, variant, ms, error, **more):
+            errors = [{"position": part * error / 100} for part in (3, 1, 2)]
+            return {
+                "object": scene,
+                "side": side,
+                "variant": variant,
+                "ms_per_frame": {"median": ms},
+                "error": errors,
+            } | more
+
+        rows = [
+            row("sheet", 100, "a 4", 5, 3.0, substeps=4),
+            row("sheet", 100, "a 8", 16, 1.0, substeps=8),
+            row("sheet", 100, "a 16", 17, 0.1, substeps=16),  # more than a frame
+            row("sheet", 317, "a 4", 10, 4.0),
+            row("sheet", 800, "a 4", 16, 6.0),  # farther than it may be
+            row("ball", 100, "a 4", 10, 12.0, crossings=0, max_stretch=1.5),
+            row("ball", 100, "a 8", 30, 2.0, crossings=3, max_stretch=9.0),
+            row("twist", 100, "a 8", 10, 2.5, crossings=0, max_stretch=1.25),
+            row("sheet", 100, "b", 2, 20.0, substeps=100),
+        ]
+        run = {"rows": rows}
+        self.assertEqual(page.largest(run, "a"), 317 * 317)
+        self.assertEqual(page.median_error(list(page.graded(run, "a").values())), 2.5)
+        self.assertEqual(page.accuracy_of(2.5), "Medium")
+        self.assertEqual([page.accuracy_of(error) for error in (2, 10, 10.1)], ["High", "Medium", "Low"])
+        self.assertEqual(
+            [page.grade_of(n, page.REAL_TIME) for n in (99_999, 100_000, 9_999)], ["Medium", "High", "Low"]
+        )
+        line_a, line_b = page.grades(run).split("\n")[2:]
+        self.assertEqual(line_a, "| `a` | 100,489 | 1 %, 2.5 % | 4 % | any | 3 | 1.50 | High | Medium |")
+        self.assertEqual(line_b, "| `b` | none | 20 %, none | none | 167 µs | 0 | none | Low | Low |")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ interface ErrorAt {
 }
 
 export interface StoredRow {
+  /** The scene. */
+  readonly object: string;
   readonly variant: string;
   readonly side: number;
   /** Missing where the row was not run. */
@@ -29,6 +31,10 @@ export interface StoredRun {
 
 export const FRAME = 1000 / 60; // ms
 const TIME = 0.5; // of the errors that are plotted and graded [s]
+
+/** Of a stored run what every method did with the sheet: without other scenes, and without null lines. */
+export const ofSheet = (run: StoredRun): StoredRun => ({ ...run,
+  rows: run.rows.filter((row) => row.object === "sheet" && methodOf(row) !== "null") });
 
 /** The word of its method. */
 export const methodOf = ({ variant }: StoredRow): string => variant.split(" ")[0]!;

@@ -5,14 +5,14 @@ import { createReference, type Snapshot } from "weft-cloth";
 import { expect, test } from "vitest";
 import stored from "../../../bench/methods_h100.json";
 import type { MethodsHandle } from "../../../apps/web/methods/main.js";
-import { front, kindsOf, sidesOf, type StoredRun } from "../../../apps/web/methods/stored_run.ts";
+import { front, kindsOf, ofSheet, sidesOf, type StoredRun } from "../../../apps/web/methods/stored_run.ts";
 import { launch, ROOT } from "../chromium.ts";
 import { expectClean, opened, until, visit, type Visit } from "../page/browser.ts";
 
 declare const window: { readonly methods: MethodsHandle }; // in the functions that the page runs
 
 const here = opened();
-const run: StoredRun = stored;
+const run: StoredRun = ofSheet(stored);
 
 async function methods(query: string, options: BrowserContextOptions = {}): Promise<Visit> {
   const seen = await visit(here.browser, `${here.site.address}methods/${query}`, {
