@@ -11,6 +11,7 @@ class MethodRows(unittest.TestCase):
         run = page.stored()
         text = page.PAGE.read_text("utf-8")
         self.assertEqual(text, page.made(text, run), "run scripts/make_methods.py")
+        self.assertEqual(page.OF_PAGE.read_text("utf-8"), page.of_page(run), "run scripts/make_methods.py")
         for one in page.drawn(run):
             self.assertEqual(page.image(*one).read_text("utf-8"), page.plot(run, *one), "run scripts/make_methods.py")
 

@@ -1,5 +1,5 @@
-// A stored run of `weft bench methods` (docs/cli.md), and what docs/methods.md says of it: the same rows by the same
-// rules as scripts/make_methods.py.
+// What a stored run of `weft bench methods` (docs/cli.md) has of the sheet, and what docs/methods.md says of it: the
+// same rows by the same rules as scripts/make_methods.py.
 import { significant } from "../src/digits.js";
 
 interface ErrorAt {
@@ -11,8 +11,6 @@ interface ErrorAt {
 }
 
 export interface StoredRow {
-  /** The scene. */
-  readonly object: string;
   readonly variant: string;
   readonly side: number;
   /** Missing where the row was not run. */
@@ -31,10 +29,6 @@ export interface StoredRun {
 
 export const FRAME = 1000 / 60; // ms
 const TIME = 0.5; // of the errors that are plotted and graded [s]
-
-/** Of a stored run what every method did with the sheet: without other scenes, and without null lines. */
-export const ofSheet = (run: StoredRun): StoredRun => ({ ...run,
-  rows: run.rows.filter((row) => row.object === "sheet" && methodOf(row) !== "null") });
 
 /** The word of its method. */
 export const methodOf = ({ variant }: StoredRow): string => variant.split(" ")[0]!;

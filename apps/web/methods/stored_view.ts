@@ -2,11 +2,11 @@
 import { significant } from "../src/digits.js";
 import { element } from "../src/elements.js";
 import { mark, plot, type Chart } from "../src/plot.js";
-import stored from "../../../bench/methods_h100.json";
-import { FRAME, front, methodOf, milliseconds, ofSheet, overTime, position, sidesOf, summaries, type StoredRow,
+import stored from "./sheet_run.json";
+import { FRAME, front, methodOf, milliseconds, overTime, position, sidesOf, summaries, type StoredRow,
   type StoredRun } from "./stored_run.js";
 
-export const STORED: StoredRun = ofSheet(stored);
+export const STORED: StoredRun = stored;
 
 const CHART: Chart = {
   title: "error over the time of a frame",

@@ -3,16 +3,16 @@ import { join } from "node:path";
 import type { BrowserContextOptions, Page } from "playwright-core";
 import { createReference, type Snapshot } from "weft-cloth";
 import { expect, test } from "vitest";
-import stored from "../../../bench/methods_h100.json";
+import stored from "../../../apps/web/methods/sheet_run.json";
 import type { MethodsHandle } from "../../../apps/web/methods/main.js";
-import { front, kindsOf, ofSheet, sidesOf, type StoredRun } from "../../../apps/web/methods/stored_run.ts";
+import { front, kindsOf, sidesOf, type StoredRun } from "../../../apps/web/methods/stored_run.ts";
 import { launch, ROOT } from "../chromium.ts";
 import { expectClean, opened, until, visit, type Visit } from "../page/browser.ts";
 
 declare const window: { readonly methods: MethodsHandle }; // in the functions that the page runs
 
 const here = opened();
-const run: StoredRun = ofSheet(stored);
+const run: StoredRun = stored;
 
 async function methods(query: string, options: BrowserContextOptions = {}): Promise<Visit> {
   const seen = await visit(here.browser, `${here.site.address}methods/${query}`, {
