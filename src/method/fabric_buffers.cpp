@@ -8,17 +8,6 @@
 namespace weft {
 namespace {
 
-/// Each node's triangles, hinges and limited edges, as entries of the forces: rows, then their entries.
-std::vector<std::uint32_t> gathers_of(const ElementTable& membranes, const ElementTable& hinges,
-                                      std::span<const LimitSpring> limits, const Body& body) {
-  std::vector<std::uint32_t> nodes = membranes.nodes;  // of the forces, in their order
-  nodes.insert(nodes.end(), hinges.nodes.begin(), hinges.nodes.end());
-  for (const LimitSpring& limit : limits)
-    nodes.insert(nodes.end(), {body.first_vertex + limit.a, body.first_vertex + limit.b});
-  const mesh::Adjacency forces = places_in(nodes, body.first_vertex, body.vertex_count);
-  return rows_then_entries(forces.offsets, forces.entries);
-}
-
 /// The rows of moments by bends, then their entries: a hinge, and the bits of N·m.
 std::vector<std::array<std::uint32_t, 2>> couplings_of(const hinge::Plate& plate) {
   const std::vector<hinge::Coupling> couplings = hinge::couplings(plate);
@@ -46,6 +35,18 @@ std::vector<std::uint32_t> rows_then_entries(std::span<const std::uint32_t> star
   for (std::uint32_t& row : words) row += static_cast<std::uint32_t>(starts.size());
   words.insert(words.end(), entries.begin(), entries.end());
   return words;
+}
+
+std::vector<std::uint32_t> gathers_of(const Model& model, const Body& body,
+                                      std::span<const LimitSpring> limits) {
+  std::vector<std::uint32_t> nodes =
+      model.elements(ElementKind::Membrane, body).nodes;  // of the forces, in their order
+  const ElementTable& hinges = model.elements(ElementKind::Hinge, body);
+  nodes.insert(nodes.end(), hinges.nodes.begin(), hinges.nodes.end());
+  for (const LimitSpring& limit : limits)
+    nodes.insert(nodes.end(), {body.first_vertex + limit.a, body.first_vertex + limit.b});
+  const mesh::Adjacency forces = places_in(nodes, body.first_vertex, body.vertex_count);
+  return rows_then_entries(forces.offsets, forces.entries);
 }
 
 Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& model, const Body& body) {
@@ -84,8 +85,8 @@ Result<void> FabricBuffers::create_forces(gpu::Device& device, const Model& mode
   const ElementTable &membranes = model.elements(ElementKind::Membrane, body),
                      &hinges_at = model.elements(ElementKind::Hinge, body);
   const std::vector<LimitSpring> limits_at = limit_springs(model, body);
-  WEFT_SET(gathers, gpu::Buffer<std::uint32_t>::create_from(
-                        device, gathers_of(membranes, hinges_at, limits_at, body), "forces of nodes"));
+  WEFT_SET(gathers, gpu::Buffer<std::uint32_t>::create_from(device, gathers_of(model, body, limits_at),
+                                                            "forces of nodes"));
   WEFT_SET(forces, gpu::Buffer<Vec4f>::create(
                        device, 3 * membranes.size() + 4 * hinges_at.size() + 2 * limits_at.size(),
                        "forces of fabric"));

@@ -34,6 +34,11 @@ static_assert(sizeof(FabricParams) == 48 && offsetof(FabricParams, law) == 16);
 std::vector<std::uint32_t> rows_then_entries(std::span<const std::uint32_t> starts,
                                              std::span<const std::uint32_t> entries);
 
+/// Each node's triangles, hinges and limited edges, as places of its forces (FabricBuffers::forces): rows of nodes,
+/// then their entries.
+std::vector<std::uint32_t> gathers_of(const Model& model, const Body& body,
+                                      std::span<const LimitSpring> limits);
+
 struct FabricBuffers {
   using Two = std::array<std::uint32_t, 2>;
   using Four = std::array<std::uint32_t, 4>;

@@ -10,6 +10,11 @@ fn identity(s : f32) -> Symmetric { return Symmetric(vec3f(s), vec3f(0.0)); }
 fn outer(n : vec3f, s : f32) -> Symmetric { return Symmetric(s * n * n, s * n.yxx * n.zzy); }
 fn sum_of(a : Symmetric, b : Symmetric) -> Symmetric { return Symmetric(a.diagonal + b.diagonal, a.mixed + b.mixed); }
 fn scaled(s : f32, a : Symmetric) -> Symmetric { return Symmetric(s * a.diagonal, s * a.mixed); }
+// (M + Mᵀ) / 2
+fn symmetric_of(m : mat3x3f) -> Symmetric {
+  return Symmetric(vec3f(m[0].x, m[1].y, m[2].z),
+                   0.5 * vec3f(m[1].z + m[2].y, m[0].z + m[2].x, m[0].y + m[1].x));
+}
 fn times(a : Symmetric, v : vec3f) -> vec3f {
   return a.diagonal * v + a.mixed.zzy * v.yxx + a.mixed.yxx * v.zzy;
 }

@@ -254,7 +254,8 @@ TEST_CASE("bench methods runs every method on one sheet, to the bits of a run wi
 
 TEST_CASE("bench methods runs other scenes, says what a method refuses, and leaves out what takes too long") {
   const auto run = [](std::vector<std::string> more) {
-    std::vector<std::string> arguments = {"methods", "--quick", "--only", "mass_spring,vbd,null"};
+    std::vector<std::string> arguments = {"methods", "--quick", "--only",
+                                          "mass_spring,projective_dynamics,null"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return bench_rows(arguments);
   };
@@ -265,11 +266,11 @@ TEST_CASE("bench methods runs other scenes, says what a method refuses, and leav
     CAPTURE(scene + ", " + variant);
     names += scene + " " + variant + "; ";
     CHECK(row.at("nodes") == 100);
-    CHECK(row.contains("skipped") == (scene == "cantilever" && variant == "vbd 8 x 4"));
+    CHECK(row.contains("skipped") == (scene == "cantilever" && variant == "projective_dynamics 8 x 4"));
     CHECK(row.contains("crossings") == (scene == "twist"));
     if (row.contains("skipped")) {
-      CHECK(row.at("skipped").get<std::string>().find("which solver.kind \"vbd\" does not take") !=
-            std::string::npos);
+      CHECK(row.at("skipped").get<std::string>().find(
+                "which solver.kind \"projective_dynamics\" does not take") != std::string::npos);
       continue;
     }
     const nlohmann::json& error = row.at("error").at(0);
@@ -278,10 +279,10 @@ TEST_CASE("bench methods runs other scenes, says what a method refuses, and leav
     // The sides of what is wrung are moved.
     CHECK((error.at("edge_stretch_reference") == 0) == (scene == "twist"));
   }
-  CHECK(
-      names ==
-      "strip mass_spring; strip vbd 8 x 4; cantilever mass_spring; cantilever vbd 8 x 4; twist mass_spring; "
-      "twist vbd 8 x 4; ");
+  CHECK(names ==
+        "strip mass_spring; strip projective_dynamics 8 x 4; cantilever mass_spring; cantilever "
+        "projective_dynamics 8 x 4; twist mass_spring; "
+        "twist projective_dynamics 8 x 4; ");
   const nlohmann::json nulls = run({"--sides", "36", "--most-ms", "1e9"});
   REQUIRE(nulls.size() == 3);
   CHECK(nulls[2].at("variant") == "null 32");

@@ -214,6 +214,11 @@ Json nodes_of_color() {
   return row("NodesOfColor", "method/vbd/descend.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(first_node), M(kinds)});
 }
+Json fabric_nodes_of_color() {
+  using T = FabricNodesOfColor;
+  return row("FabricNodesOfColor", "method/vbd/descend_fabric.wgsl", sizeof(T), kUniform,
+             {M(first), M(count), M(first_node), M(rows)});
+}
 Json relaxed_nodes() {
   using T = RelaxedNodes;
   return row("RelaxedNodes", "method/projective_dynamics/relaxed_nodes.wgsl", sizeof(T), kUniform,
@@ -358,18 +363,29 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),     step_time(),       step_nodes(),      step_contact(),
-                      step_air(),       step_hands(),      step_method(),     spring(),
-                      spring_kind(),    limited_edge(),    limit_spring(),    spring_block(),
-                      block_spring(),   neighbour(),       mesh_params(),     membrane_law(),
-                      fabric_params(),  surface_params(),  object_triangle(), spring_grid_row(),
-                      level_of_grid(),  tree_node(),       pair_range(),      analytic_collider(),
-                      listed_pair(),    contact_of_pair(), pair_hold(),       search_params(),
-                      patch_place(),    contact_round(),   tree_params(),     colliders(),
-                      collider_place(), frame(),           weave(),           plane(),
-                      fine_grid(),      cloth_nodes(),     bottom_sweeps(),   elements_of_color(),
-                      nodes_of_color(), relaxed_nodes(),   iteration(),       level_of_mesh(),
-                      share()});
+  return Json::array({step_block(),      step_time(),
+                      step_nodes(),      step_contact(),
+                      step_air(),        step_hands(),
+                      step_method(),     spring(),
+                      spring_kind(),     limited_edge(),
+                      limit_spring(),    spring_block(),
+                      block_spring(),    neighbour(),
+                      mesh_params(),     membrane_law(),
+                      fabric_params(),   surface_params(),
+                      object_triangle(), spring_grid_row(),
+                      level_of_grid(),   tree_node(),
+                      pair_range(),      analytic_collider(),
+                      listed_pair(),     contact_of_pair(),
+                      pair_hold(),       search_params(),
+                      patch_place(),     contact_round(),
+                      tree_params(),     colliders(),
+                      collider_place(),  frame(),
+                      weave(),           plane(),
+                      fine_grid(),       cloth_nodes(),
+                      bottom_sweeps(),   elements_of_color(),
+                      nodes_of_color(),  fabric_nodes_of_color(),
+                      relaxed_nodes(),   iteration(),
+                      level_of_mesh(),   share()});
 }
 
 Json shared_constants() {

@@ -1,147 +1,19 @@
 // XPBD over fabric: kernels beside the same substep in double, and both beside laws that neither was written from.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
-#include "element/reference/equilibrium.hpp"
-#include "gpu/gpu_fixture.hpp"
+#include "fabric_rig.hpp"
 #include "hanging_strips.hpp"
-#include "mesh/irregular_meshes.hpp"
-#include "method/method.hpp"
 #include "method/projection/sag.hpp"
-#include "method/stepper.hpp"
-#include "solver_rig.hpp"
 
 using namespace weft;
 
 namespace {
 
-std::string fabric_cloth(const std::string& shape, const std::string& fabric, const std::string& more = "") {
-  return "{" + shape + R"(, "density": 0.2, "fabric": {)" + fabric + "}" + more + "}";
-}
-
 scene::Scene xpbd_scene(const std::string& cloths, int iterations = 1,
                         const std::string& world = R"("gravity": [0, 0, 0])") {
   return scene_of(world + R"(, "solver": {"kind": "xpbd", "iterations": )" + std::to_string(iterations) +
                   R"(}, "cloths": [)" + cloths + "]");
-}
-
-const std::string kMesh = R"("mesh": "m")";
-const std::string kGrid = R"("grid": [17, 12], "size": [0.32, 0.22])";
-const std::string kWoven =
-    R"("warp": 900, "weft": 300, "shear": 60, "poisson": 0.25, "bending_warp": 4e-4, "bending_weft": 1e-4,
-      "damping": )";
-const std::string kIsotropic =
-    R"("energy": "neo_hookean", "warp": 500, "shear": 200, "poisson": 0.25, "bending_warp": 3e-4, "damping": )";
-
-std::array<std::string, 3> fabrics(const std::string& damping) {
-  return {kWoven + damping, kWoven + damping + R"(, "energy": "green")", kIsotropic + damping};
-}
-
-/// A mesh that is no plane at rest.
-mesh::TriangleMesh curved_sheet() {
-  mesh::TriangleMesh mesh = jittered_sheet(14, 11, 0.26, 0.2);
-  for (Vec3f& p : mesh.positions) p.y = 1.5F * p.x * p.x - 0.8F * p.x * p.z;
-  return mesh;
-}
-
-/// A scene's cloths by the substeps in double, without a GPU.
-class Exact {
- public:
-  Exact(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& meshes) : scene_(scene) {
-    auto model = build_model(scene, meshes);
-    REQUIRE_OK(model);
-    model_ = std::make_unique<Model>(std::move(*model));
-    for (std::size_t v = 0; v < model_->vertex_count(); ++v)
-      system.inverse_mass.push_back(model_->inverse_mass(v));
-    system.position = model_->start_position;
-    system.velocity.resize(model_->vertex_count());
-    system.fabrics = reference::fabric_cloths(*model_);
-    system.acceleration = scene.gravity + scene.external_force;
-    system.drag = scene.drag;
-  }
-
-  void advance(double dt, int steps) {
-    const auto stepper = reference::make_stepper(scene_.solver, *model_, dt);
-    for (int step = 0; step < steps; ++step) {
-      const std::vector<Vec3d> places = system.position;  // held nodes stay
-      stepper->advance({system, places, dt});
-    }
-  }
-  void perturb(std::uint64_t seed, double amount, double speed) {
-    Random random(seed);
-    const auto draw = [&](double size) {
-      const double x = random.uniform(-size, size), y = random.uniform(-size, size);
-      return Vec3d{x, y, random.uniform(-size, size)};
-    };
-    for (std::size_t v = 0; v < system.position.size(); ++v) {
-      const Vec3d move = draw(amount), push = draw(speed);
-      if (system.inverse_mass[v] == 0) continue;
-      system.position[v] += move;
-      system.velocity[v] += push;
-    }
-  }
-  Vec3d momentum() const {
-    Vec3d sum;
-    for (std::size_t v = 0; v < system.position.size(); ++v)
-      sum += system.velocity[v] / system.inverse_mass[v];
-    return sum;
-  }
-  Vec3d spin() const {
-    Vec3d sum;
-    for (std::size_t v = 0; v < system.position.size(); ++v)
-      sum += cross(system.position[v], system.velocity[v]) / system.inverse_mass[v];
-    return sum;
-  }
-  const Model& model() const { return *model_; }
-
-  reference::MassSpringSystem system;
-
- private:
-  scene::Scene scene_;
-  std::unique_ptr<Model> model_;
-};
-
-/// Of a substep, what is left of the forces at its end, by their size: m (u - u₀) - h² f(x + u, u/h) by h² f, where u₀
-/// is the way without elements. Backward Euler leaves nothing.
-double left_of_backward_euler(Exact& cloth, double h) {
-  const std::vector<Vec3d> start = cloth.system.position, speed = cloth.system.velocity;
-  cloth.advance(h, 1);
-  const auto& end = cloth.system;
-  std::vector<Vec3d> force(start.size());
-  end.fabrics[0].add_forces(end.position, end.velocity, force);
-  double left = 0, size = 0;
-  for (std::size_t v = 0; v < start.size(); ++v) {
-    if (end.inverse_mass[v] == 0) continue;
-    const Vec3d impulse = (end.velocity[v] - speed[v]) / (h * end.inverse_mass[v]);
-    left += dot(impulse - force[v], impulse - force[v]);
-    size += dot(force[v], force[v]);
-  }
-  return std::sqrt(left / size);
-}
-
-/// One substep from where the rig stands, in double.
-reference::MassSpringSystem exact_after(SolverRig& rig, const scene::Scene& scene) {
-  reference::MassSpringSystem system = rig.reference();
-  const auto stepper = reference::make_stepper(scene.solver, rig.model().host, rig.dt());
-  const std::vector<Vec3d> places = system.position;  // pinned nodes stay
-  stepper->advance({system, places, rig.dt()});
-  return system;
-}
-
-/// How far a substep is from the one in double, by the farthest that elements have moved a node.
-double error_of_substep(SolverRig& rig, const scene::Scene& scene) {
-  const reference::MassSpringSystem before = rig.reference(), exact = exact_after(rig, scene);
-  rig.advance(1);
-  const std::vector<Vec4f> found = rig.velocities();
-  double most = 0, change = 0;
-  for (std::size_t n = 0; n < found.size(); ++n) {
-    most = std::max(most, length(found[n].xyz().to<double>() - exact.velocity[n]));
-    change = std::max(change, length(exact.velocity[n] - before.velocity[n]));
-  }
-  REQUIRE(change > 0);
-  return most / change;
 }
 
 }  // namespace
@@ -238,25 +110,13 @@ TEST_CASE("fabric by xpbd hangs where Newton's method has it at rest, the nearer
       const scene::Scene scene = xpbd_scene(fabric_cloth(kMesh, fabric, R"(, "pins": [{"nodes": [0, 7]}])"),
                                             sweeps, R"("gravity": [0, -9.81, 0], "drag": 30)");
       Exact cloth(scene, {mesh});
-      reference::Sheet sheet;
-      sheet.rest = cloth.model().rest_position;
-      sheet.triangles = mesh.triangles;
-      sheet.held.assign(sheet.rest.size(), 0);
-      sheet.held[0] = sheet.held[7] = 1;
-      sheet.membrane = cloth.system.fabrics[0].membranes.law;
-      const scene::Fabric& woven = *scene.cloths[0].fabric;
-      sheet.bending = {woven.bending_warp, 0, woven.bending_weft, woven.bending_twist};
-      sheet.density = 0.2;
-      sheet.gravity = scene.gravity;
-      const auto rest = reference::equilibrium(reference::SheetEnergy(sheet), sheet.rest);
-      REQUIRE_OK(rest);
-      CHECK(rest->stable);
-      cloth.system.position = rest->position;
+      const std::vector<Vec3d> rest = rest_of(cloth, scene, mesh, std::array<std::uint32_t, 2>{0, 7});
+      cloth.system.position = rest;
       cloth.advance(1e-3, 400);  // drag takes e⁻⁶ of what swings
       double apart = 0, way = 0;
-      for (std::size_t v = 0; v < rest->position.size(); ++v) {
-        apart = std::max(apart, length(cloth.system.position[v] - rest->position[v]));
-        way = std::max(way, length(rest->position[v] - sheet.rest[v]));
+      for (std::size_t v = 0; v < rest.size(); ++v) {
+        apart = std::max(apart, length(cloth.system.position[v] - rest[v]));
+        way = std::max(way, length(rest[v] - cloth.model().rest_position[v]));
       }
       MESSAGE(sweeps << " sweeps: " << apart << " m apart, after a way of " << way << " m");
       CHECK(apart < 0.5 * before);

@@ -40,6 +40,8 @@ const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "a
     set: { "cloths.0.grid": [60, 43], solver: { kind: "pbd", iterations: 3 } } },
   { name: "hanging, vbd", scene: "hanging", frames: 3,
     set: { "cloths.0.grid": [60, 43], solver: { kind: "vbd", iterations: 2 } } },
+  { name: "fabric, vbd", scene: "fabric", frames: 2,
+    set: { "cloths.0.grid": [24, 17], "time.substeps": 8, solver: { kind: "vbd", iterations: 2 } } },
   { name: "hanging, projective dynamics", scene: "hanging", frames: 3,
     set: { "cloths.0.grid": [60, 43], solver: { kind: "projective_dynamics", iterations: 7 } } },
   { name: "sheet, fem", scene: "sheet", frames: 2, set: { "cloths.0.grid": [33, 24], solver: { kind: "fem" } } },

@@ -3,11 +3,6 @@
 #include "method/multigrid/block.wgsl"
 const kTermWords = 6u;  // mirror: src/method/multigrid/fabric_system.cpp
 
-// (M + Mᵀ) / 2
-fn symmetric_of(m : mat3x3f) -> Symmetric {
-  return Symmetric(vec3f(m[0].x, m[1].y, m[2].z),
-                   0.5 * vec3f(m[1].z + m[2].y, m[0].z + m[2].x, m[0].y + m[1].x));
-}
 // s of (M - Mᵀ) / 2, v -> s x v
 fn skew_of(m : mat3x3f) -> vec3f { return 0.5 * vec3f(m[1].z - m[2].y, m[2].x - m[0].z, m[0].y - m[1].x); }
 

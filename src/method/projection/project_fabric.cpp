@@ -62,7 +62,8 @@ Result<void> ProjectFabric::create_hinges(const SolverInputs& inputs, const Body
   WEFT_SET(hinges_, ordered(inputs, inputs.model.host.elements(ElementKind::Hinge, body), resistance,
                             resistance.size()));
   WEFT_SET(bends_, gpu::Buffer<Bend>::create(inputs.device, resistance.size(), "bends"));
-  WEFT_TRY(bend, kernel_of(inputs, "bend_hinges", {}));
+  WEFT_TRY(bend,
+           gpu::create_shared_kernel(inputs.device, "method/bend_hinges.wgsl", {}, inputs.workgroup_size));
   WEFT_SET(bend_, gpu::Dispatch::create_by_parity(
                       bend, bend->workgroups_of(fabric_.layout.hinges),
                       [&](std::size_t p) -> gpu::Dispatch::Bindings {

@@ -4,7 +4,7 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "method/fabric_params.wgsl"
-#include "method/projection/bent_hinge.wgsl"
+#include "method/bent_hinge.wgsl"
 #include "method/projection/color.wgsl"
 override kFirst : bool = true;  // every multiplier is 0
 override kKeeps : bool = true;  // whether the next sweep has them
@@ -20,13 +20,6 @@ override kKeeps : bool = true;  // whether the next sweep has them
 @group(0) @binding(8)  var<storage, read>       position_in : array<vec4f>;    // vertex_count   m
 @group(0) @binding(9)  var<storage, read_write> multiplier  : array<f32>;      // hinges         kg·m²
 @group(0) @binding(10) var<storage, read_write> way         : array<vec4f>;    // vertex_count   m (w: 1/kg)
-
-// A difference of two angles: what is folded flat goes on beyond pi.
-fn short_way(difference : f32) -> f32 {
-  if (difference > 3.14159265359) { return difference - 6.28318530718; }
-  if (difference < -3.14159265359) { return difference + 6.28318530718; }
-  return difference;
-}
 
 @compute @workgroup_size(kWorkgroupSize)
 fn project_hinges(@builtin(global_invocation_id) id : vec3u) {

@@ -5,19 +5,18 @@
 namespace weft {
 
 NodeColors color_nodes(const Model& model, const Body& cloth) {
-  const Springs springs = model.springs(cloth);
-  const mesh::Adjacency& incidence = model.incidence(ElementKind::Spring, cloth);
   constexpr std::uint32_t kNone = ~0U;
   std::vector<std::uint32_t> color(cloth.vertex_count, kNone);
   std::vector<std::vector<std::uint32_t>> of_color;
   std::vector<bool> taken;
   for (std::uint32_t node = 0; node < cloth.vertex_count; ++node) {
     taken.assign(of_color.size() + 1, false);
-    for (const std::uint32_t at : incidence.row(node)) {
-      const Spring spring = springs[at];
-      const bool first = spring.node_a == cloth.first_vertex + node;
-      const std::uint32_t other = (first ? spring.node_b : spring.node_a) - cloth.first_vertex;
-      if (color[other] != kNone) taken[color[other]] = true;
+    for (const ElementKind kind : {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge}) {
+      const ElementTable& elements = model.elements(kind, cloth);
+      if (elements.size() == 0) continue;
+      for (const std::uint32_t at : model.incidence(kind, cloth).row(node))
+        for (const std::uint32_t other : elements.nodes_of(at))
+          if (color[other - cloth.first_vertex] != kNone) taken[color[other - cloth.first_vertex]] = true;
     }
     color[node] = static_cast<std::uint32_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
     if (color[node] == of_color.size()) of_color.emplace_back();

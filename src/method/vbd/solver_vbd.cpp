@@ -7,8 +7,10 @@ namespace weft {
 
 void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   start_way_.record(pass);
-  for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep)
+  for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep_) color.record(pass);
+    for (const DescendFabric& fabric : fabrics_) fabric.record(pass);
+  }
   end_way_.record(pass);
   contact.search(pass);
   contact.measure(pass);
@@ -29,7 +31,7 @@ Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
   return {};
 }
 
-Result<void> SolverVbd::create_cloth(const SolverInputs& inputs, const Body& body) {
+Result<void> SolverVbd::create_springs(const SolverInputs& inputs, const Body& body) {
   gpu::Device& device = inputs.device;
   const State& state = inputs.state;
   const Model& model = inputs.model.host;
@@ -66,7 +68,14 @@ Result<std::unique_ptr<Solver>> SolverVbd::create(const scene::Solver& settings,
   auto made = std::make_unique<SolverVbd>();
   made->iterations_ = settings.iterations;
   WEFT_CHECK(made->create_nodes(inputs));
-  for (const Body& body : inputs.model.host.bodies) WEFT_CHECK(made->create_cloth(inputs, body));
+  for (const Body& body : inputs.model.host.bodies) {
+    if (!body.fabric) {
+      WEFT_CHECK(made->create_springs(inputs, body));
+      continue;
+    }
+    WEFT_TRY(fabric, DescendFabric::create(inputs, body, made->aim_));
+    made->fabrics_.push_back(std::move(fabric));
+  }
   return std::unique_ptr<Solver>(std::move(made));
 }
 

@@ -6,6 +6,7 @@
 #include "element/spring/neighbours.hpp"
 #include "gpu/dispatch.hpp"
 #include "method/solver.hpp"
+#include "method/vbd/descend_fabric.hpp"
 
 namespace weft {
 
@@ -27,22 +28,23 @@ class SolverVbd : public Solver {
   void record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t count) const override;
 
  private:
-  /// What a cloth's nodes descend by.
+  /// What the nodes of a cloth of springs descend by.
   struct Cloth {
     gpu::Buffer<std::uint32_t> order, slices;
     gpu::Buffer<Neighbour> neighbours;
     std::vector<gpu::Buffer<NodesOfColor>> colors;
   };
   Result<void> create_nodes(const SolverInputs& inputs);
-  Result<void> create_cloth(const SolverInputs& inputs, const Body& body);
+  Result<void> create_springs(const SolverInputs& inputs, const Body& body);
 
-  std::vector<Cloth> cloths_;
+  std::vector<Cloth> cloths_;  // of springs
+  std::vector<DescendFabric> fabrics_;
   gpu::Buffer<Vec4f> aim_;              // the way of each node without springs [m]
   gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
 
   // While nodes descend, position[1 - parity] holds ways from position[parity], not places.
   gpu::Dispatch start_way_, end_way_;
-  std::vector<gpu::Dispatch> sweep_;  // a dispatch a colour of each cloth
+  std::vector<gpu::Dispatch> sweep_;  // a dispatch a colour of each cloth of springs
   std::uint32_t iterations_ = 1;
 };
 

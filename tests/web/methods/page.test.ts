@@ -145,11 +145,13 @@ test("methods step in lock step, and what is read of them is what their states s
 
 test("a method that refuses the scene says so in the core's words, and takes part in another", async () => {
   const scene = readFileSync(join(ROOT, "scenes/fabric.json"), "utf8");
-  const refusal = await createReference({ scene, set: { solver: { kind: "vbd" } } })
+  const refusal = await createReference({ scene, set: { solver: { kind: "projective_dynamics" } } })
     .then(() => "none", (reason: Error) => reason.message);
-  expect(refusal).toContain("vbd");
-  const seen = await methods("?scene=fabric&nodes=8&methods=vbd,cuda", { viewport: { width: 400, height: 800 },
-    colorScheme: "light" });
+  expect(refusal).toContain("projective_dynamics");
+  const seen = await methods("?scene=fabric&nodes=8&methods=projective_dynamics,cuda", {
+    viewport: { width: 400, height: 800 },
+    colorScheme: "light",
+  });
   const { page } = seen;
   expect(await page.locator("#error").textContent()).toContain("a method is “cuda”, but must be one of");
   expect(await page.locator(".pane-over").allTextContents()).toEqual([refusal]);

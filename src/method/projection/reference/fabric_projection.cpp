@@ -1,15 +1,13 @@
 #include "method/projection/reference/fabric_projection.hpp"
 
 #include <array>
-#include <cmath>
 
 #include "element/membrane/form.hpp"
+#include "method/reference_hinges.hpp"
 #include "method/sym3.hpp"
 
 namespace weft::reference {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 using membrane::Axes;
 using membrane::Strain;
@@ -63,23 +61,6 @@ void project(Ways& ways, const Block& block, std::uint32_t first, Vec3d& multipl
   }
 }
 
-hinge::Corners corners_of(const hinge::Hinge& hinge, const Ways& ways, std::uint32_t first) {
-  hinge::Corners corners;
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = ways.place(first + hinge.nodes[i]);
-  return corners;
-}
-
-struct Bend {
-  double angle = 0, delayed = 0;  // from its rest, and τ times its rate [rad]
-};
-Bend bend_of(const hinge::Hinge& hinge, const Ways& ways, std::uint32_t first, double delay, double dt) {
-  const hinge::Corners corners = corners_of(hinge, ways, first);
-  const hinge::Corners slope = hinge::angle_slope(corners);
-  double turned = 0;
-  for (std::size_t i = 0; i < 4; ++i) turned += dot(slope[i], ways.way[first + hinge.nodes[i]]);
-  return {hinge::angle(corners) - hinge.rest_angle, delay / dt * turned};
-}
-
 }  // namespace
 
 FabricProjection::FabricProjection(const Model& model, const Body& body, Multipliers multipliers)
@@ -114,7 +95,7 @@ void FabricProjection::project_hinges(Ways& ways, const FabricCloth& cloth,
     for (std::size_t i = 0; i < 4; ++i)
       weight += ways.inverse_mass[cloth.first + hinge.nodes[i]] * dot(slope[i], slope[i]);
     const Bend now = bend_of(hinge, ways, cloth.first, delay, dt);
-    const double turned = std::remainder(now.angle - before[number].angle, 2 * kPi);  // the short way round
+    const double turned = short_way(now.angle - before[number].angle);
     const double moment =
         moments[number] + resistance_[number] * (turned + now.delayed - before[number].delayed);
     const double change =

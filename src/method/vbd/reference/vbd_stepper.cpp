@@ -7,13 +7,10 @@
 namespace weft::reference {
 namespace {
 
-/// Equations (3) and (4): the way of a node at which its own part of what is minimised is least, its neighbours where
-/// they are. `aim` is its way without springs.
-Vec3d descended(const MassSpringSystem& system, std::span<const std::uint32_t> springs, const Ways& ways,
-                std::uint32_t node, const Vec3d& aim, double dt) {
-  const double mobility = dt * dt * ways.inverse_mass[node];
-  Vec3d slope = aim - ways.way[node];
-  Sym3 hessian = Sym3::identity(1);
+/// Of the springs at a node.
+NodePull pull_of_springs(const MassSpringSystem& system, std::span<const std::uint32_t> springs,
+                         const Ways& ways, std::uint32_t node, double dt) {
+  NodePull sum;
   for (const std::uint32_t at : springs) {
     const SpringLink& s = system.springs[at];
     const std::uint32_t other = s.node_a == node ? s.node_b : s.node_a;
@@ -21,11 +18,19 @@ Vec3d descended(const MassSpringSystem& system, std::span<const std::uint32_t> s
     const Vec3d span = ways.start[other] - ways.start[node] + turn;
     const spring::Pull pull = spring::pull(span, turn / dt, s.law(), s.damping);
     const spring::Block block = spring::block(span, s.law());
-    slope += mobility * pull.tension * pull.direction;
-    hessian += Sym3::identity(mobility * block.across);
-    hessian += Sym3::outer(block.direction, mobility * (block.along + s.damping / dt));
+    sum.force += pull.tension * pull.direction;
+    sum.hessian += Sym3::identity(block.across);
+    sum.hessian += Sym3::outer(block.direction, block.along + s.damping / dt);
   }
-  return ways.way[node] + inverse(hessian) * slope;
+  return sum;
+}
+
+/// Equations (3) and (4): the way of a node at which its own part of what is minimised is least, its neighbours where
+/// they are. `aim` is its way without springs.
+Vec3d descended(const NodePull& pull, const Ways& ways, std::uint32_t node, const Vec3d& aim, double dt) {
+  const double mobility = dt * dt * ways.inverse_mass[node];
+  const Vec3d slope = aim - ways.way[node] + mobility * pull.force;
+  return ways.way[node] + inverse(Sym3::identity(1) + mobility * pull.hessian) * slope;
 }
 
 }  // namespace
@@ -34,19 +39,32 @@ VbdStepper::VbdStepper(const Model& model, std::uint32_t iterations)
     : iterations_(iterations),
       springs_of_(incidence(model.elements(ElementKind::Spring), 0, model.rest_position.size())),
       look_back_(model.rest_position.size()) {
-  for (const Body& cloth : model.bodies) {
-    const NodeColors colors = color_nodes(model, cloth);
-    order_.insert(order_.end(), colors.nodes.begin(), colors.nodes.end());
+  for (const Body& body : model.bodies) {
+    Cloth cloth{color_nodes(model, body).nodes, std::nullopt};
+    if (body.fabric) cloth.fabric.emplace(model, body);
+    cloths_.push_back(std::move(cloth));
+  }
+}
+
+void VbdStepper::sweep(const Substep& substep, const std::vector<Vec3d>& aim, Ways& ways) {
+  std::size_t fabrics = 0;
+  for (Cloth& cloth : cloths_) {
+    const FabricCloth* own = cloth.fabric ? &substep.system.fabrics[fabrics++] : nullptr;
+    if (own != nullptr) cloth.fabric->begin_sweep(ways, *own, substep.dt);
+    for (const std::uint32_t node : cloth.order) {
+      if (ways.inverse_mass[node] == 0) continue;
+      const NodePull pull =
+          own != nullptr ? cloth.fabric->pull(ways, *own, node - own->first, substep.dt)
+                         : pull_of_springs(substep.system, springs_of_.row(node), ways, node, substep.dt);
+      ways.way[node] = descended(pull, ways, node, aim[node], substep.dt);
+    }
   }
 }
 
 void VbdStepper::advance(const Substep& substep) {
   std::vector<Vec3d> aim;
   Ways ways = look_back_.begin(substep, aim);
-  for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep)
-    for (const std::uint32_t node : order_)
-      if (ways.inverse_mass[node] > 0)
-        ways.way[node] = descended(substep.system, springs_of_.row(node), ways, node, aim[node], substep.dt);
+  for (std::uint32_t k = 0; k < iterations_; ++k) sweep(substep, aim, ways);
   ways.end(substep);
 }
 

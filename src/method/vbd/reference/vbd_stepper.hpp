@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "element/incidence.hpp"
 #include "method/reference_ways.hpp"
 #include "method/vbd/node_colors.hpp"
+#include "method/vbd/reference/fabric_descent.hpp"
 
 namespace weft::reference {
 
@@ -15,9 +18,16 @@ class VbdStepper : public Stepper {
   void forget(std::size_t node) override { look_back_.forget(node); }
 
  private:
+  /// A cloth's nodes in the order of a sweep, and where it is of fabric, what they descend by.
+  struct Cloth {
+    std::vector<std::uint32_t> order;
+    std::optional<FabricDescent> fabric;
+  };
+  void sweep(const Substep& substep, const std::vector<Vec3d>& aim, Ways& ways);
+
   std::uint32_t iterations_;
-  std::vector<std::uint32_t> order_;  // of all nodes, in a sweep
-  mesh::Adjacency springs_of_;        // node -> its springs
+  std::vector<Cloth> cloths_;
+  mesh::Adjacency springs_of_;  // node -> its springs
   LookBack look_back_;
 };
 

@@ -1,9 +1,9 @@
-// How far each hinge of a cloth is bent from its rest at the ways so far, and τ times how fast, before a sweep. One
-// invocation per hinge. Source: docs/solvers/xpbd.md, equation 10.
+// How far each hinge of a cloth is bent from its rest at the ways so far, and τ times how fast, before a sweep of a
+// method that moves ways. One invocation per hinge. Source: docs/solvers/xpbd.md, equation 10.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "method/fabric_params.wgsl"
-#include "method/projection/bent_hinge.wgsl"
+#include "method/bent_hinge.wgsl"
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
 @group(0) @binding(1) var<uniform>             fabric      : FabricParams;

@@ -15,3 +15,10 @@ fn bent_hinge(nodes : vec4u, a : vec3f, b : vec3f, c : vec3f, d : vec3f) -> Bent
   let slope = hinge_slope(wing);
   return BentHinge(slope, hinge_angle(wing), hinge_change(slope, a, b, c, d));
 }
+
+// A difference of two angles: what is folded flat goes on beyond pi.
+fn short_way(difference : f32) -> f32 {
+  if (difference > 3.14159265359) { return difference - 6.28318530718; }
+  if (difference < -3.14159265359) { return difference + 6.28318530718; }
+  return difference;
+}

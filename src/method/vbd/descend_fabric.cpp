@@ -1,0 +1,86 @@
+#include "method/vbd/descend_fabric.hpp"
+
+#include <algorithm>
+
+#include "method/vbd/node_colors.hpp"
+
+namespace weft {
+
+Result<DescendFabric> DescendFabric::create(const SolverInputs& inputs, const Body& body,
+                                            const gpu::Buffer<Vec4f>& aim) {
+  DescendFabric made;
+  WEFT_SET(made.fabric_, FabricBuffers::create(inputs.device, inputs.model.host, body));
+  WEFT_CHECK(made.create_moments(inputs, body));
+  WEFT_CHECK(made.create_colors(inputs, body, aim));
+  return made;
+}
+
+Result<void> DescendFabric::create_moments(const SolverInputs& inputs, const Body& body) {
+  gpu::Device& device = inputs.device;
+  const State& state = inputs.state;
+  const std::vector<double> resistance = hinge::stiffness_bounds(inputs.model.host.plate(body));
+  resists_ = std::any_of(resistance.begin(), resistance.end(), [](double k) { return k > 0; });
+  WEFT_SET(moments_, gpu::Buffer<Vec4f>::create(device, resists_ ? resistance.size() : 1, "moments"));
+  if (!resists_) {
+    WEFT_SET(no_hinges_, gpu::Buffer<FabricBuffers::Four>::create(device, 1, "no hinges"));
+    return {};
+  }
+  WEFT_SET(bends_, (gpu::Buffer<std::array<float, 2>>::create(device, resistance.size(), "bends")));
+  const std::uint32_t hinges = fabric_.layout.hinges;
+  WEFT_TRY(bend, gpu::create_shared_kernel(device, "method/bend_hinges.wgsl", {}, inputs.workgroup_size));
+  WEFT_SET(bend_, gpu::Dispatch::create_by_parity(
+                      bend, bend->workgroups_of(hinges), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                        return {state.steps,       fabric_.params,        fabric_.hinges, fabric_.rest_angles,
+                                state.position[p], state.position[1 - p], bends_};
+                      }));
+  WEFT_TRY(weigh,
+           gpu::create_shared_kernel(device, "method/vbd/weigh_hinges.wgsl", {}, inputs.workgroup_size));
+  WEFT_SET(weigh_,
+           gpu::Dispatch::create(weigh, weigh->workgroups_of(hinges),
+                                 {fabric_.params, fabric_.rest_angles, fabric_.couplings, bends_, moments_}));
+  return {};
+}
+
+Result<void> DescendFabric::create_colors(const SolverInputs& inputs, const Body& body,
+                                          const gpu::Buffer<Vec4f>& aim) {
+  gpu::Device& device = inputs.device;
+  const State& state = inputs.state;
+  const NodeColors colors = color_nodes(inputs.model.host, body);
+  const std::vector<std::uint32_t> gathers = gathers_of(inputs.model.host, body, {});
+  std::vector<std::uint32_t> lists = colors.nodes;
+  lists.insert(lists.end(), gathers.begin(), gathers.end());
+  WEFT_SET(lists_,
+           gpu::Buffer<std::uint32_t>::create_from(device, lists, "nodes by color and their elements"));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend_fabric.wgsl",
+                                             {{"kHinges", resists_ ? 1.0 : 0.0}}, inputs.workgroup_size));
+  for (std::uint32_t color = 0; color < colors.count(); ++color) {
+    const FabricNodesOfColor params{colors.starts[color], colors.starts[color + 1] - colors.starts[color],
+                                    body.first_vertex, static_cast<std::uint32_t>(colors.nodes.size())};
+    WEFT_TRY(uniform, gpu::create_uniform(device, params, "nodes of color"));
+    WEFT_TRY(dispatch, gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(params.count),
+                                                       [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                                                         return {state.steps,
+                                                                 uniform,
+                                                                 fabric_.params,
+                                                                 lists_,
+                                                                 fabric_.corners,
+                                                                 fabric_.slopes,
+                                                                 resists_ ? fabric_.hinges : no_hinges_,
+                                                                 moments_,
+                                                                 state.position[p],
+                                                                 aim,
+                                                                 state.position[1 - p]};
+                                                       }));
+    params_.push_back(std::move(uniform));
+    colors_.push_back(std::move(dispatch));
+  }
+  return {};
+}
+
+void DescendFabric::record(gpu::ComputePass& pass) const {
+  bend_.record(pass);
+  weigh_.record(pass);
+  for (const gpu::Dispatch& color : colors_) color.record(pass);
+}
+
+}  // namespace weft

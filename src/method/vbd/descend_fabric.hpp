@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gpu/dispatch.hpp"
+#include "method/fabric_buffers.hpp"
+#include "method/solver.hpp"
+
+namespace weft {
+
+/// Mirror: src/method/vbd/descend_fabric.wgsl.
+struct FabricNodesOfColor {
+  std::uint32_t first = 0, count = 0;
+  std::uint32_t first_node = 0, rows = 0;
+};
+static_assert(sizeof(FabricNodesOfColor) == 16);
+
+/// A sweep over a cloth of fabric: the moments of its hinges, then its nodes, colour after colour.
+/// Source  docs/solvers/vbd.md, Fabric.
+/// Reads   steps, position[parity] and `aim` [m].
+/// Writes  the ways of its nodes in position[1 - parity] [m].
+/// Errors  Shader, Limit, OutOfMemory.
+class DescendFabric {
+ public:
+  static Result<DescendFabric> create(const SolverInputs& inputs, const Body& body,
+                                      const gpu::Buffer<Vec4f>& aim);
+  void record(gpu::ComputePass& pass) const;
+
+ private:
+  Result<void> create_moments(const SolverInputs& inputs, const Body& body);
+  Result<void> create_colors(const SolverInputs& inputs, const Body& body, const gpu::Buffer<Vec4f>& aim);
+
+  FabricBuffers fabric_;
+  bool resists_ = false;  // whether any hinge does
+  gpu::Buffer<std::array<float, 2>> bends_;
+  // As a sweep begins: src/method/vbd/weigh_hinges.wgsl. One element that is not read where no hinge resists.
+  gpu::Buffer<Vec4f> moments_;
+  gpu::Buffer<FabricBuffers::Four> no_hinges_;
+  gpu::Buffer<std::uint32_t>
+      lists_;  // nodes, colour after colour; then rows of nodes and their places in elements
+  std::vector<gpu::Buffer<FabricNodesOfColor>> params_;
+  gpu::Dispatch bend_, weigh_;
+  std::vector<gpu::Dispatch> colors_;
+};
+
+}  // namespace weft

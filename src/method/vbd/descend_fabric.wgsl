@@ -1,0 +1,100 @@
+// Moves every node of one colour of a cloth of fabric to where its own part of what the substep minimises is least by
+// Newton's method, its neighbours where they are. No two nodes of a colour are of one triangle or hinge. One invocation
+// per node. Source: docs/solvers/vbd.md, equations 3, 4 and 6.
+#include "gpu/index.wgsl"
+#include "state/step.wgsl"
+#include "element/membrane/hessian.wgsl"
+#include "method/bent_hinge.wgsl"
+#include "method/fabric_params.wgsl"
+#include "method/symmetric.wgsl"
+override kHinges : bool = true;  // whether any hinge resists
+
+struct FabricNodesOfColor {  // mirror: src/method/vbd/descend_fabric.hpp
+  first : u32,       // in `lists`
+  count : u32,
+  first_node : u32,  // of the cloth
+  rows : u32,        // where in `lists` its nodes' rows begin, and with that their entries
+}
+//                                                                              elements       unit
+@group(0) @binding(0)  var<uniform>             step        : StepBlock;
+@group(0) @binding(1)  var<uniform>             color       : FabricNodesOfColor;
+@group(0) @binding(2)  var<uniform>             fabric      : FabricParams;
+@group(0) @binding(3)  var<storage, read>       lists       : array<u32>;      // nodes by colours; rows, entries
+@group(0) @binding(4)  var<storage, read>       corners     : array<u32>;      // 3 * triangles
+@group(0) @binding(5)  var<storage, read>       slopes      : array<vec4f>;    // triangles     1/m
+@group(0) @binding(6)  var<storage, read>       hinges      : array<vec4u>;    // hinges        a, b, c, d
+@group(0) @binding(7)  var<storage, read>       moments     : array<vec4f>;    // hinges        weigh_hinges.wgsl
+@group(0) @binding(8)  var<storage, read>       position_in : array<vec4f>;    // vertex_count  m
+@group(0) @binding(9)  var<storage, read>       aim         : array<vec4f>;    // vertex_count  m
+@group(0) @binding(10) var<storage, read_write> way         : array<vec4f>;    // vertex_count  m (w: 1/kg)
+
+// The pull of an element at one of its nodes, and how fast it grows against the node's way.
+struct Pull {
+  force : vec3f,        // N
+  hessian : Symmetric,  // N/m
+}
+
+// Of a corner's shape function along warp and weft, 1/m.
+fn corner_slope(slope : vec4f, corner : u32) -> vec2f {
+  if (corner == 0u) { return -(slope.xy + slope.zw); }
+  return select(slope.zw, slope.xy, corner == 1u);
+}
+
+fn pull_of_membrane(triangle : u32, corner : u32) -> Pull {
+  let a = corners[3u * triangle];
+  let b = corners[3u * triangle + 1u];
+  let c = corners[3u * triangle + 2u];
+  let start = position_in[a].xyz;
+  let second = way[b].xyz - way[a].xyz;
+  let third = way[c].xyz - way[a].xyz;
+  let slope = slopes[triangle];
+  // Ways are short: their differences keep digits that those of places have lost.
+  let f = deformation(slope, (position_in[b].xyz - start) + second, (position_in[c].xyz - start) + third);
+  let rate = 1.0 / step.time.dt;
+  let stress = membrane_stress(fabric.law, f, deformation(slope, rate * second, rate * third));
+  let h = hessian_sum(membrane_hessian(fabric.law, f), hessian_scaled(rate, damping_hessian(fabric.law, f)));
+  let n = corner_slope(slope, corner);
+  let straight = sum_of(scaled(n.x * n.x, symmetric_of(h.warp)), scaled(n.y * n.y, symmetric_of(h.weft)));
+  let area = area_of(slope);
+  return Pull(-area * (n.x * stress.warp + n.y * stress.weft),
+              scaled(area, sum_of(straight, scaled(2.0 * n.x * n.y, symmetric_of(h.mixed)))));
+}
+
+fn pull_of_hinge(hinge : u32, corner : u32) -> Pull {
+  let nodes = hinges[hinge];
+  let bent = bent_hinge(nodes, way[nodes.x].xyz, way[nodes.y].xyz, way[nodes.z].xyz, way[nodes.w].xyz);
+  let begun = moments[hinge];
+  let delays = fabric.law.delay / step.time.dt;
+  let bends_by = short_way(bent.angle - begun.z) + (delays * bent.turned - begun.w);
+  var slope = -(bent.slope.b + bent.slope.c + bent.slope.d);
+  if (corner == 1u) { slope = bent.slope.b; }
+  if (corner == 2u) { slope = bent.slope.c; }
+  if (corner == 3u) { slope = bent.slope.d; }
+  return Pull(-(begun.x + begun.y * bends_by) * slope, outer(slope, (1.0 + delays) * begun.y));
+}
+
+@compute @workgroup_size(kWorkgroupSize)
+fn descend_fabric(@builtin(global_invocation_id) id : vec3u) {
+  let index = flat_index(id);
+  if (index >= color.count) { return; }
+  let node = lists[color.first + index];
+  let own = way[node];
+  if (own.w == 0.0) { return; }
+  let mobility = step.time.dt * step.time.dt * own.w;  // m/N
+  var slope = aim[node].xyz - own.xyz;
+  var hessian = identity(1.0);
+  let row = color.rows + node - color.first_node;
+  for (var at = lists[row]; at < lists[row + 1u]; at++) {
+    let entry = lists[color.rows + at];
+    var pull = Pull(vec3f(0.0), zero_matrix());
+    if (entry < 3u * fabric.triangles) {
+      pull = pull_of_membrane(entry / 3u, entry % 3u);
+    } else if (kHinges) {
+      let place = entry - 3u * fabric.triangles;
+      pull = pull_of_hinge(place / 4u, place % 4u);
+    }
+    slope += mobility * pull.force;
+    hessian = sum_of(hessian, scaled(mobility, pull.hessian));
+  }
+  way[node] = vec4f(own.xyz + times(inverse(hessian), slope), own.w);
+}
