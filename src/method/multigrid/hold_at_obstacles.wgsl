@@ -58,8 +58,9 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   let part = select(1.0, min(1.0, kHoldRate * step.time.dt / kHoldPart), bears);
   let restored = min(part * gap, kHoldSpeed * step.time.dt);
   let lack = wanted - (gap - restored);
-  let pressed = inertia * lack - select(dot(residual, n), 0.0, start.w == 1.0);
-  if (!bears && pressed <= 0.0) { return none; }
+  // What bears has its load in the force that it bore: its residual reads its neighbours' speeds.
+  let pull = select(dot(residual, n), 0.0, start.w == 1.0);
+  if (inertia * lack + select(-pull, kept.normal, bears) <= 0.0) { return none; }
   keep_hold_force(vertex, kept);
   let soft = min(weight, 1.0) * inertia;
   let stiffness = kHoldStiffness * soft;

@@ -59,7 +59,9 @@ fn completed(given : PairHold) -> PairHold {
   let wanted = room - (gap - restored);
   let lack = wanted - dot(n, start);
   hold.normal.w = 0.0;
-  if (compliance == 0.0 || (normal == 0.0 && lack - dot(n, pull) <= 0.0)) { return hold; }
+  // What bears has its load in the force that it bore.
+  let closer = select(-dot(n, pull), compliance * normal, normal > 0.0);
+  if (compliance == 0.0 || lack + closer <= 0.0) { return hold; }
   let thickness = given.start.w;
   let gap_before = thickness - missing;
   let closes = gap_before + dot(n, start) < kCloses * min(gap_before, thickness);

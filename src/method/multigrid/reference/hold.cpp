@@ -16,8 +16,9 @@ std::optional<Hold> Hold::of(const Press& press, const HoldForce& kept, const Ho
   const double part = bears ? std::min(1.0, kHoldRate * node.dt / kHoldPart) : 1.0;
   hold.restored_ = std::min(part * gap, kHoldSpeed * node.dt);
   hold.lack_ = press.lack / press.weight - (gap - hold.restored_);
-  const double pressed = node.inertia * hold.lack_ - dot(node.load, hold.normal_);
-  if (!bears && !(pressed > 0)) return {};
+  // What bears has its load in the force that it bore: its residual reads its neighbours' speeds.
+  const double load = bears ? kept.normal : -dot(node.load, hold.normal_);
+  if (!(node.inertia * hold.lack_ + load > 0)) return {};
   const Vec3d turned = hold.across(kept.along);  // with the obstacle's surface
   hold.kept_ = {kept.normal, length(turned) > 0 ? length(kept.along) / length(turned) * turned : Vec3d{},
                 kept.under_cloth};

@@ -22,7 +22,9 @@ std::optional<PairHold> PairHold::of(const NearPair& pair, const Sides& sides, d
   const double wanted = room - (gap - hold.restored_);
   hold.lack_ = wanted - dot(n, sides.start);
   hold.blow_ = wanted - dot(n, sides.ahead);
-  if (!(sides.compliance > 0) || (!bears && !(hold.lack_ - dot(n, sides.pull) > 0))) return {};
+  // What bears has its load in the force that it bore.
+  const double closer = bears ? sides.compliance * hold.kept_normal_ : -dot(n, sides.pull);
+  if (!(sides.compliance > 0) || !(hold.lack_ + closer > 0)) return {};
   const bool closes = pair.distance + dot(n, sides.start) < kCloses * std::min(pair.distance, pair.thickness);
   // The compliance of what hangs together lies between that of its masses and that with all neighbours fixed.
   const bool stiff = sides.local > 0 && closes;
