@@ -287,7 +287,8 @@ inline Scenery scenery_of(const SearchRun& run) {
   auto next = static_cast<std::uint32_t>(kColliderPoint | positions.size());
   scenery.object = reference::features_of(std::move(positions), std::move(triangles));
   const auto rounded = [](const Vec3d& p) { return p.to<float>().to<double>(); };
-  for (const scene::Collider& shape : setup.shapes) {  // each point is followed by its spin
+  for (const scene::Collider& shape :
+       setup.shapes) {  // each point is followed by its spin; of a plane the normal is between
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&shape)) {
       scenery.object.add_sphere(rounded(sphere->center), sphere->radius);
       scenery.ids.push_back(next);
@@ -297,7 +298,7 @@ inline Scenery scenery_of(const SearchRun& run) {
       scenery.ids.push_back(next += 2);
     } else if (const auto* plane = std::get_if<scene::ColliderPlane>(&shape)) {
       scenery.planes.push_back({rounded(plane->point), rounded(plane->normal)});
-      scenery.plane_ids.push_back(next);
+      scenery.plane_ids.push_back(next++);  // and that by its normal
     }
     next += 2;
   }

@@ -55,6 +55,65 @@ void check_too_near(gpu::Device& device, const std::string& solver, const Under&
 
 }  // namespace
 
+TEST_CASE("cloth that an obstacle leaves behind falls as a stone, and flies on where it stops") {
+  GpuFixture fixture;
+  const std::string down = R"([0.1, [0, 0, 0]], [0.4, [0, -1.5, 0]])";  // at 5 m/s from 0.1 s on
+  const std::string up = R"([0, [0, 0, 0]], [0.25, [0, 0.25, 0]], [1, [0, 0.25, 0]])";
+  const double falls = kGravity * 0.1 * 0.1 / 2;
+  for (const std::string solver : kSolvers)
+    for (const std::string floor : {R"("kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0])",
+                                    R"("kind": "box", "center": [0, -0.1, 0], "size": [1, 0.2, 1])",
+                                    R"("kind": "mesh", "mesh": "floor.obj")"})
+      for (const bool sinks : {true, false}) {
+        Setting setting{.solver = solver, .substeps = 24, .cloths = lying_cloth(6, "[0, 0.01, 0]")};
+        setting.colliders =
+            "{" + floor + R"(, "motion": {"kind": "path", "points": [)" + (sinks ? down : up) + "]}}";
+        auto world = world_on(fixture.device(), setting);
+        advance(*world, sinks ? 12 : 21);
+        const double end = mean_height(Moment(*world), 0, 36), law = kThickness + (sinks ? 0 : 0.35) - falls;
+        MESSAGE(solver << " on " << floor << (sinks ? ", which sinks: " : ", which stops: ") << end << " of "
+                       << law);
+        CHECK(std::abs(end - law) < 0.03 * falls);
+      }
+}
+
+TEST_CASE("a plane that turns carries cloth and lifts it, wherever its point is, as a box does") {
+  GpuFixture fixture;
+  const auto turned = [](const std::string& axis, double speed, double angle, double ramp) {
+    return R"(, "motion": {"kind": "rotation", "axis": )" + axis + R"(, "center": [0, 0, 0], "speed": )" +
+           text_of(speed) + R"(, "angle": )" + text_of(angle) + R"(, "ramp": )" + text_of(ramp) + "}}";
+  };
+  for (const std::string solver : kSolvers)
+    for (const std::string under :
+         {R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "friction": 0.5)",
+          R"({"kind": "plane", "point": [2, 0, 1], "normal": [0, 1, 0], "friction": 0.5)",
+          R"({"kind": "box", "center": [0, -0.1, 0], "size": [2.4, 0.2, 2.4], "friction": 0.5)"}) {
+      CAPTURE(solver);
+      CAPTURE(under);
+      // About its normal: 2 rad/s after a ramp of 0.3 s. It holds a sheet at r = 0.3 m, since r w^2 < 0.5 g.
+      Setting table{.solver = solver, .cloths = lying_cloth(4, "[0.3, 0.01, 0]")};
+      table.colliders = under + turned("[0, 1, 0]", 2, 10, 0.3);
+      auto world = world_on(fixture.device(), table);
+      advance(*world, 60);
+      Vec3d middle;
+      for (const Vec3d& p : Moment(*world).position) middle += p / 16;
+      MESSAGE(solver << ": carried by " << std::atan2(-middle.z, middle.x)
+                     << " of 1.7 rad, to r = " << std::hypot(middle.x, middle.z));
+      CHECK(std::atan2(-middle.z, middle.x) == doctest::Approx(1.7).epsilon(0.01));
+      CHECK(std::hypot(middle.x, middle.z) == doctest::Approx(0.3).epsilon(0.02));
+      // About a line in it, 1 m from the sheet: by 0.3 rad at 2 rad/s.
+      Setting lid{.solver = solver, .cloths = lying_cloth(4, "[0.9, 0.01, 0]")};
+      lid.colliders = under + turned("[0, 0, 1]", 2, 0.3, 0);
+      auto lifted = world_on(fixture.device(), lid);
+      advance(*lifted, 9);
+      double lowest = HUGE_VAL;
+      for (const Vec3d& p : Moment(*lifted).position)
+        lowest = std::min(lowest, p.y * std::cos(0.3) - p.x * std::sin(0.3));
+      MESSAGE(solver << ": lifted to at least " << lowest << " m over it");
+      CHECK(lowest > 0);
+    }
+}
+
 TEST_CASE("a sheet that starts at a fifth of its thickness comes away from anything, and gains no speed") {
   GpuFixture fixture;
   for (const Under& under : kUnders)

@@ -74,6 +74,7 @@ class ColliderSetBuilder {
     } else if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) {
       add_point(c, plane->point, 0);
       add_point(c, plane->normal / length(plane->normal), 0, kDirection);
+      add_point(c, {}, 0, kSpin);
       set_.list.push_back({static_cast<std::uint32_t>(ColliderKind::Plane), first, 0, number});
     } else {
       return add_mesh(c, first);

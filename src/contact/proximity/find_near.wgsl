@@ -57,6 +57,7 @@ fn travel_of(ids : vec4u) -> f32 {
   for (var role = 0u; role < role_count(ids); role++) {
     if (is_collider(ids[role])) { travel = max(travel, distance(start_of(ids[role]).xyz, end_of(ids[role]).xyz)); }
   }
+  if (is_plane_pair(ids)) { travel += step.time.dt * length(turn_of_plane(ids)); }
   return travel;
 }
 

@@ -20,6 +20,15 @@ fn start_of(id : u32) -> vec4f {
 }
 fn end_of(id : u32) -> vec4f { return points[step.contact.point_count + (id & kIdBits)]; }
 
+// How a plane that turns moves below the vertex of a pair, beside what its point does, m/s. Its spin is the point after
+// its normal.
+fn turn_of_plane(ids : vec4u) -> vec3f {
+  let plane = ids.y & kIdBits;
+  let n = points[plane + 1u].xyz;
+  let arm = start_of(ids.x).xyz - points[plane].xyz;
+  return cross(points[plane + 2u].xyz, arm - dot(n, arm) * n);
+}
+
 // Of a pair that is no crossing.
 fn measure(ids : vec4u) -> Measured {
   let p0 = start_of(ids.x);

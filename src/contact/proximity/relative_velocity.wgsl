@@ -17,6 +17,7 @@ fn relative_velocity(ids : vec4u, w : vec4f, measured : Measured) -> Relative {
       r.velocity += w[role] * velocity_of(id & kIdBits);
     }
   }
+  if (is_plane_pair(ids)) { r.surface += w.y * turn_of_plane(ids); }
   if (measured.radius > 0.0) {  // the surface of a ball that turns: its spin is the point after its centre
     let on_a = is_collider(ids.x);
     let id = select(ids.z, ids.x, on_a) & kIdBits;

@@ -10,6 +10,7 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
     var place : vec3f;
     if (is_collider(id)) {
       place = end_of(id).xyz;
+      if (is_plane_pair(ids)) { place += step.time.dt * turn_of_plane(ids); }
     } else {
       place = end_of_way(id & kIdBits);
     }
