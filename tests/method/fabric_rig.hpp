@@ -159,4 +159,31 @@ inline double error_of_substep(SolverRig& rig, const scene::Scene& scene) {
   return most / change;
 }
 
+/// The energy of a sheet of fabric with so many times its moduli that begins as a heap (its nodes put off by half a
+/// cell) or squeezed to a twentieth, in steps of 1/120 s [J].
+struct Settled {
+  double start = 0, most = 0, end = 0;
+};
+inline Settled settled(gpu::Device& device, scene::Scene scene, int scale, bool squeezed) {
+  scene::Fabric& woven = *scene.cloths[0].fabric;
+  for (double* modulus : {&woven.warp, &woven.weft, &woven.shear, &woven.bending_warp, &woven.bending_weft,
+                          &woven.bending_twist})
+    *modulus *= scale;
+  SolverRig rig(device, scene, 1.0 / 120, {curved_sheet()});
+  rig.perturb(9, squeezed ? 1e-3 : 0.01, 0);
+  std::vector<Vec4f> position = rig.positions();
+  if (squeezed)
+    for (Vec4f& x : position) x = {0.05F * x.x, x.y, 0.05F * x.z, x.w};
+  rig.set(position, std::vector<Vec4f>(position.size()));
+  Settled energy{reference::energy(rig.reference())};
+  for (int turn = 0; turn < 25; ++turn) {
+    rig.advance(turn < 20 ? 1 : 96);
+    energy.end = reference::energy(rig.reference());
+    energy.most = std::max(energy.most, energy.end);
+  }
+  MESSAGE(std::string(squeezed ? "squeezed: " : "a heap: ")
+          << energy.start << " J, at most " << energy.most << ", at the end " << energy.end);
+  return energy;
+}
+
 }  // namespace weft
