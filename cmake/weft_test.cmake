@@ -1,7 +1,7 @@
 # weft_test(NAME SOURCES ... [APART ...] IMPORTS rooms... LIBRARIES others... [GPU [DRIVERS lavapipe]])
 #
-# Sources are compiled six at a time, in half the time of one by one. Those APART are not, since they have file-local
-# names that others of the program have too.
+# Sources are compiled six at a time: most of the time goes into headers that they share. Those APART are not, since
+# they have file-local names that others of the program have too.
 #
 # One doctest program for a room; the cases of a file become a ctest test. A GPU program is registered twice, once for
 # each software Vulkan driver that ./dev installs: "lavapipe.NAME: FILE" and "swiftshader.NAME: FILE".

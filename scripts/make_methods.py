@@ -280,9 +280,7 @@ def made(page: str, run: dict) -> str:
     """The page with what the run says between its marks."""
     before, rest = page.split(MARKS[0], 1)
     after = rest.split(MARKS[1], 1)[1]
-    parts = [f"{run['adapter']}, {run['driver']}:"]
-    if GRADED_SIDE in sides(run, "sheet"):
-        parts += [grades(run)]
+    parts = [f"{run['adapter']}, {run['driver']}:", grades(run)]
     for scene in scenes(run):
         parts += [f"### {scene.capitalize()}: {SCENES[scene]}", summary(run, scene), pictures(run, scene)]
     parts += ["### All rows of the sheet", table(run, "sheet")]

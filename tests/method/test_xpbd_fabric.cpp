@@ -20,40 +20,17 @@ scene::Scene xpbd_scene(const std::string& cloths, int iterations = 1,
 
 TEST_CASE("an xpbd substep of fabric equals the reference, on grids and meshes, with one sweep or three") {
   GpuFixture fixture;
-  std::vector<std::string> all = {
-      R"("warp": 900, "shear": 60, "bending_warp": 0)"};  // its hinges hold nothing
-  for (const std::string damping : {"0", "0.002"})
-    for (const std::string& fabric : fabrics(damping)) all.push_back(fabric);
-  for (const std::string& fabric : all)
-    for (const int iterations : {1, 3})
-      for (const bool is_mesh : {false, true}) {
-        CAPTURE(fabric);
-        CAPTURE(iterations);
-        CAPTURE(is_mesh);
-        const std::string pins = is_mesh ? R"(, "pins": [{"nodes": [0, 1, 14]}])" : R"(, "pins": ["top"])";
-        const scene::Scene scene =
-            xpbd_scene(fabric_cloth(is_mesh ? kMesh : kGrid, fabric, pins), iterations);
-        SolverRig rig(fixture.device(), scene, 1e-3, {is_mesh ? curved_sheet() : mesh::TriangleMesh{}});
-        rig.perturb(5, 2e-3, 0.5);
-        const double error = error_of_substep(rig, scene);
-        MESSAGE(error);
-        // Places of f32 err by 1e-8 m and are a tenth of a cell from rest, so that strains err by 1e-5 of themselves.
-        CHECK(error < 2e-5);
-      }
+  check_substeps(
+      fixture.device(), [](const std::string& cloth, int sweeps) { return xpbd_scene(cloth, sweeps); },
+      [](const SolverRig&, int) { return 0.0; });
 }
 
 TEST_CASE("fabric by xpbd has the same bits for every workgroup, and on every run") {
   GpuFixture fixture;
-  std::vector<Vec4f> first;
-  for (const std::uint32_t size : {64U, 64U, 256U}) {
-    const scene::Scene scene = xpbd_scene(
-        fabric_cloth(kGrid, kWoven + "0.001") + ", " + fabric_cloth(kMesh, kIsotropic + "0.001"), 2);
-    SolverRig rig(fixture.device(), scene, 1e-3, {{}, curved_sheet()}, size);
-    rig.perturb(3, 2e-3, 0.5);
-    rig.advance(40);
-    if (first.empty()) first = rig.positions();
-    CHECK(same_bits(rig.positions(), first));
-  }
+  check_bits(
+      fixture.device(),
+      xpbd_scene(fabric_cloth(kGrid, kWoven + "0.001") + ", " + fabric_cloth(kMesh, kIsotropic + "0.001"), 2),
+      {{}, curved_sheet()});
 }
 
 TEST_CASE("many xpbd sweeps over fabric are backward Euler, but for what slopes turn in a step") {

@@ -55,9 +55,9 @@ fn needs_record(pair : u32, tangled : bool) -> bool {
 fn travel_of(ids : vec4u) -> f32 {
   var travel = 0.0;
   for (var role = 0u; role < role_count(ids); role++) {
-    if (is_collider(ids[role])) { travel = max(travel, distance(start_of(ids[role]).xyz, end_of(ids[role]).xyz)); }
+    let id = ids[role];
+    if (is_collider(id)) { travel = max(travel, distance(start_of(id).xyz, end_in_pair(ids, id))); }
   }
-  if (is_plane_pair(ids)) { travel += step.time.dt * length(turn_of_plane(ids)); }
   return travel;
 }
 

@@ -29,6 +29,13 @@ fn turn_of_plane(ids : vec4u) -> vec3f {
   return cross(points[plane + 2u].xyz, arm - dot(n, arm) * n);
 }
 
+// Where a collider's point of a pair comes; of a plane, with what lies below the vertex.
+fn end_in_pair(ids : vec4u, id : u32) -> vec3f {
+  let end = end_of(id).xyz;
+  if (!is_plane_pair(ids)) { return end; }
+  return end + step.time.dt * turn_of_plane(ids);
+}
+
 // Of a pair that is no crossing.
 fn measure(ids : vec4u) -> Measured {
   let p0 = start_of(ids.x);

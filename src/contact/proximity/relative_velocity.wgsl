@@ -12,12 +12,11 @@ fn relative_velocity(ids : vec4u, w : vec4f, measured : Measured) -> Relative {
   for (var role = 0u; role < role_count(ids); role++) {
     let id = ids[role];
     if (is_collider(id)) {
-      r.surface += w[role] * ((end_of(id).xyz - start_of(id).xyz) / step.time.dt);
+      r.surface += w[role] * ((end_in_pair(ids, id) - start_of(id).xyz) / step.time.dt);
     } else {
       r.velocity += w[role] * velocity_of(id & kIdBits);
     }
   }
-  if (is_plane_pair(ids)) { r.surface += w.y * turn_of_plane(ids); }
   if (measured.radius > 0.0) {  // the surface of a ball that turns: its spin is the point after its centre
     let on_a = is_collider(ids.x);
     let id = select(ids.z, ids.x, on_a) & kIdBits;

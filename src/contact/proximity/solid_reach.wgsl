@@ -9,8 +9,7 @@ fn reach_of(ids : vec4u, first : u32, end : u32, sign : f32, n : vec3f, radius :
     let id = ids[role];
     var place : vec3f;
     if (is_collider(id)) {
-      place = end_of(id).xyz;
-      if (is_plane_pair(ids)) { place += step.time.dt * turn_of_plane(ids); }
+      place = end_in_pair(ids, id);
     } else {
       place = end_of_way(id & kIdBits);
     }

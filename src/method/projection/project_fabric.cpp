@@ -1,6 +1,5 @@
 #include "method/projection/project_fabric.hpp"
 
-#include <algorithm>
 #include <string>
 
 #include "element/membrane/law.hpp"
@@ -57,28 +56,19 @@ Result<void> ProjectFabric::create_membranes(const SolverInputs& inputs, const B
 
 Result<void> ProjectFabric::create_hinges(const SolverInputs& inputs, const Body& body) {
   const State& state = inputs.state;
-  const std::vector<double> resistance = hinge::stiffness_bounds(inputs.model.host.plate(body));
-  if (std::all_of(resistance.begin(), resistance.end(), [](double k) { return k == 0; })) return {};
-  WEFT_SET(hinges_, ordered(inputs, inputs.model.host.elements(ElementKind::Hinge, body), resistance,
-                            resistance.size()));
-  WEFT_SET(bends_, gpu::Buffer<Bend>::create(inputs.device, resistance.size(), "bends"));
-  WEFT_TRY(bend,
-           gpu::create_shared_kernel(inputs.device, "method/bend_hinges.wgsl", {}, inputs.workgroup_size));
-  WEFT_SET(bend_, gpu::Dispatch::create_by_parity(
-                      bend, bend->workgroups_of(fabric_.layout.hinges),
-                      [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                        return {state.steps,       fabric_.params,        fabric_.hinges, fabric_.rest_angles,
-                                state.position[p], state.position[1 - p], bends_};
-                      }));
+  WEFT_SET(bent_, BentHinges::create(inputs, body, fabric_));
+  if (!bent_.resist) return {};
+  WEFT_SET(hinges_, ordered(inputs, inputs.model.host.elements(ElementKind::Hinge, body), bent_.resistance,
+                            bent_.resistance.size()));
   for (const bool first : {true, false}) {
     WEFT_TRY(kernel, kernel_of(inputs, "project_hinges", sweep_constants(multipliers_, !first)));
     WEFT_SET((first ? hinges_.first : hinges_.later),
              hinges_.colors.dispatches(
                  kernel, [&](std::size_t p, const gpu::RawBuffer& color) -> gpu::Dispatch::Bindings {
-                   return {
-                       state.steps,          fabric_.params,    color,  hinges_.order,     fabric_.hinges,
-                       fabric_.rest_angles,  fabric_.couplings, bends_, state.position[p], hinges_.multiplier,
-                       state.position[1 - p]};
+                   return {state.steps,        fabric_.params,       color,
+                           hinges_.order,      fabric_.hinges,       fabric_.rest_angles,
+                           fabric_.couplings,  bent_.bends,          state.position[p],
+                           hinges_.multiplier, state.position[1 - p]};
                  }));
   }
   return {};
@@ -95,11 +85,11 @@ Result<ProjectFabric> ProjectFabric::create(const SolverInputs& inputs, const Bo
 }
 
 void ProjectFabric::record(gpu::ComputePass& pass, bool first) const {
-  bend_.record(pass);
+  bent_.bend.record(pass);
   for (const Ordered* elements : {&hinges_, &membranes_})
     for (const gpu::Dispatch& color : first ? elements->first : elements->later) color.record(pass);
   for (auto color = membranes_.later.rbegin(); color != membranes_.later.rend(); ++color) color->record(pass);
-  bend_.record(pass);
+  bent_.bend.record(pass);
   for (auto color = hinges_.later.rbegin(); color != hinges_.later.rend(); ++color) color->record(pass);
 }
 

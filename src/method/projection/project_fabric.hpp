@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "method/bent_hinges.hpp"
 #include "method/fabric_buffers.hpp"
 #include "method/projection/color.hpp"
 #include "method/projection/multipliers.hpp"
@@ -23,8 +24,6 @@ class ProjectFabric {
   void record(gpu::ComputePass& pass, bool first) const;
 
  private:
-  using Bend = std::array<float, 2>;
-
   /// Elements of a kind, colour after colour.
   struct Ordered {
     gpu::Buffer<std::uint32_t> order;
@@ -41,9 +40,7 @@ class ProjectFabric {
   Multipliers multipliers_ = Multipliers::Kept;
   FabricBuffers fabric_;
   Ordered membranes_, hinges_;
-  gpu::Buffer<std::array<float, 2>>
-      bends_;  // of hinges, as a sweep begins: angle, and τ times its rate [rad]
-  gpu::Dispatch bend_;
+  BentHinges bent_;  // as a sweep begins
 };
 
 }  // namespace weft

@@ -4,6 +4,7 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "method/fabric_params.wgsl"
+#include "method/begun_hinge.wgsl"
 #include "method/bent_hinge.wgsl"
 #include "method/projection/color.wgsl"
 override kFirst : bool = true;  // every multiplier is 0
@@ -26,15 +27,7 @@ fn project_hinges(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
   if (index >= color.count) { return; }
   let hinge = order[color.first + index];
-  let row = couplings[hinge];  // the first entry, and the one behind the last
-  var moment = 0.0;
-  var resistance = 0.0;
-  for (var entry = row.x; entry < row.y; entry++) {
-    let coupling = couplings[entry];  // a hinge, and N·m as the bits of f32
-    let other = bends[coupling.x];
-    moment += bitcast<f32>(coupling.y) * (other.x + other.y);
-    resistance += abs(bitcast<f32>(coupling.y));
-  }
+  let before_sweep = begun_hinge(hinge);
   let nodes = hinges[hinge];
   let a = way[nodes.x];
   let b = way[nodes.y];
@@ -43,7 +36,9 @@ fn project_hinges(@builtin(global_invocation_id) id : vec3u) {
   let bent = bent_hinge(nodes, a.xyz, b.xyz, c.xyz, d.xyz);
   let begun = bends[hinge];
   let delayed_by = fabric.law.delay / step.time.dt * bent.turned;
-  moment += resistance * (short_way((bent.angle - rest_angles[hinge]) - begun.x) + (delayed_by - begun.y));
+  let resistance = before_sweep.resistance;
+  let moment = before_sweep.moment +
+               resistance * (short_way((bent.angle - rest_angles[hinge]) - begun.x) + (delayed_by - begun.y));
   let at_a = -(bent.slope.b + bent.slope.c + bent.slope.d);
   let weight = dot(vec4f(a.w, b.w, c.w, d.w), vec4f(dot(at_a, at_a), dot(bent.slope.b, bent.slope.b),
                                                    dot(bent.slope.c, bent.slope.c), dot(bent.slope.d, bent.slope.d)));

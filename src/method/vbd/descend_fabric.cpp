@@ -1,7 +1,5 @@
 #include "method/vbd/descend_fabric.hpp"
 
-#include <algorithm>
-
 #include "method/vbd/node_colors.hpp"
 
 namespace weft {
@@ -17,27 +15,18 @@ Result<DescendFabric> DescendFabric::create(const SolverInputs& inputs, const Bo
 
 Result<void> DescendFabric::create_moments(const SolverInputs& inputs, const Body& body) {
   gpu::Device& device = inputs.device;
-  const State& state = inputs.state;
-  const std::vector<double> resistance = hinge::stiffness_bounds(inputs.model.host.plate(body));
-  resists_ = std::any_of(resistance.begin(), resistance.end(), [](double k) { return k > 0; });
-  WEFT_SET(moments_, gpu::Buffer<Vec4f>::create(device, resists_ ? resistance.size() : 1, "moments"));
-  if (!resists_) {
+  WEFT_SET(bent_, BentHinges::create(inputs, body, fabric_));
+  WEFT_SET(moments_,
+           gpu::Buffer<Vec4f>::create(device, bent_.resist ? bent_.resistance.size() : 1, "moments"));
+  if (!bent_.resist) {
     WEFT_SET(no_hinges_, gpu::Buffer<FabricBuffers::Four>::create(device, 1, "no hinges"));
     return {};
   }
-  WEFT_SET(bends_, (gpu::Buffer<std::array<float, 2>>::create(device, resistance.size(), "bends")));
-  const std::uint32_t hinges = fabric_.layout.hinges;
-  WEFT_TRY(bend, gpu::create_shared_kernel(device, "method/bend_hinges.wgsl", {}, inputs.workgroup_size));
-  WEFT_SET(bend_, gpu::Dispatch::create_by_parity(
-                      bend, bend->workgroups_of(hinges), [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                        return {state.steps,       fabric_.params,        fabric_.hinges, fabric_.rest_angles,
-                                state.position[p], state.position[1 - p], bends_};
-                      }));
   WEFT_TRY(weigh,
            gpu::create_shared_kernel(device, "method/vbd/weigh_hinges.wgsl", {}, inputs.workgroup_size));
-  WEFT_SET(weigh_,
-           gpu::Dispatch::create(weigh, weigh->workgroups_of(hinges),
-                                 {fabric_.params, fabric_.rest_angles, fabric_.couplings, bends_, moments_}));
+  WEFT_SET(weigh_, gpu::Dispatch::create(
+                       weigh, weigh->workgroups_of(fabric_.layout.hinges),
+                       {fabric_.params, fabric_.rest_angles, fabric_.couplings, bent_.bends, moments_}));
   return {};
 }
 
@@ -52,7 +41,7 @@ Result<void> DescendFabric::create_colors(const SolverInputs& inputs, const Body
   WEFT_SET(lists_,
            gpu::Buffer<std::uint32_t>::create_from(device, lists, "nodes by color and their elements"));
   WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend_fabric.wgsl",
-                                             {{"kHinges", resists_ ? 1.0 : 0.0}}, inputs.workgroup_size));
+                                             {{"kHinges", bent_.resist ? 1.0 : 0.0}}, inputs.workgroup_size));
   for (std::uint32_t color = 0; color < colors.count(); ++color) {
     const FabricNodesOfColor params{colors.starts[color], colors.starts[color + 1] - colors.starts[color],
                                     body.first_vertex, static_cast<std::uint32_t>(colors.nodes.size())};
@@ -65,7 +54,7 @@ Result<void> DescendFabric::create_colors(const SolverInputs& inputs, const Body
                                                                  lists_,
                                                                  fabric_.corners,
                                                                  fabric_.slopes,
-                                                                 resists_ ? fabric_.hinges : no_hinges_,
+                                                                 bent_.resist ? fabric_.hinges : no_hinges_,
                                                                  moments_,
                                                                  state.position[p],
                                                                  aim,
@@ -78,7 +67,7 @@ Result<void> DescendFabric::create_colors(const SolverInputs& inputs, const Body
 }
 
 void DescendFabric::record(gpu::ComputePass& pass) const {
-  bend_.record(pass);
+  bent_.bend.record(pass);
   weigh_.record(pass);
   for (const gpu::Dispatch& color : colors_) color.record(pass);
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "gpu/dispatch.hpp"
+#include "method/bent_hinges.hpp"
 #include "method/fabric_buffers.hpp"
 #include "method/solver.hpp"
 
@@ -33,15 +33,14 @@ class DescendFabric {
   Result<void> create_colors(const SolverInputs& inputs, const Body& body, const gpu::Buffer<Vec4f>& aim);
 
   FabricBuffers fabric_;
-  bool resists_ = false;  // whether any hinge does
-  gpu::Buffer<std::array<float, 2>> bends_;
+  BentHinges bent_;
   // As a sweep begins: src/method/vbd/weigh_hinges.wgsl. One element that is not read where no hinge resists.
   gpu::Buffer<Vec4f> moments_;
   gpu::Buffer<FabricBuffers::Four> no_hinges_;
   gpu::Buffer<std::uint32_t>
       lists_;  // nodes, colour after colour; then rows of nodes and their places in elements
   std::vector<gpu::Buffer<FabricNodesOfColor>> params_;
-  gpu::Dispatch bend_, weigh_;
+  gpu::Dispatch weigh_;
   std::vector<gpu::Dispatch> colors_;
 };
 

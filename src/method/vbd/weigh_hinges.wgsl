@@ -1,6 +1,7 @@
 // The moment at each hinge of a cloth before a sweep, by all bends that have a part in it, and what it resists further
 // bending with. One invocation per hinge. Source: docs/solvers/vbd.md, equation 6.
 #include "gpu/index.wgsl"
+#include "method/begun_hinge.wgsl"
 #include "method/fabric_params.wgsl"
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             fabric      : FabricParams;
@@ -13,15 +14,7 @@
 fn weigh_hinges(@builtin(global_invocation_id) id : vec3u) {
   let hinge = flat_index(id);
   if (hinge >= fabric.hinges) { return; }
-  let row = couplings[hinge];  // the first entry, and the one behind the last
-  var moment = 0.0;
-  var resistance = 0.0;
-  for (var entry = row.x; entry < row.y; entry++) {
-    let coupling = couplings[entry];  // a hinge, and N·m as the bits of f32
-    let other = bends[coupling.x];
-    moment += bitcast<f32>(coupling.y) * (other.x + other.y);
-    resistance += abs(bitcast<f32>(coupling.y));
-  }
-  let begun = bends[hinge];
-  moments[hinge] = vec4f(moment, resistance, begun.x + rest_angles[hinge], begun.y);
+  let begun = begun_hinge(hinge);
+  let bend = bends[hinge];
+  moments[hinge] = vec4f(begun.moment, begun.resistance, bend.x + rest_angles[hinge], bend.y);
 }
