@@ -246,10 +246,14 @@ class ImplicitRig {
     run([&](gpu::ComputePass& pass) { cycle_.record_first(pass); });
     if (!pressed_sums_.empty())
       press_sums_.write(device_, pressed_sums_, kHoldWords * std::size_t{model_.vertex_count()});
+  }
+  /// In the reference, whose whole step does this itself: what its first system does not hold bears nothing in the
+  /// second.
+  void let_go_after_first() {
     std::vector<reference::HoldForce> forces = stepper_->hold_forces();
     const auto first = linearise();
     for (std::size_t n = 0; n < forces.size(); ++n)
-      if (!first.holds[n]) forces[n] = {};  // let go
+      if (!first.holds[n]) forces[n] = {};
     stepper_->set_hold_forces(std::move(forces));
   }
   void run_substep() {

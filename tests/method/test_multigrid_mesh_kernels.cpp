@@ -209,6 +209,7 @@ TEST_CASE("what obstacles hold is in a mesh's matrix, and a pressed node begins 
 
     rig.press(every, every);
     rig.run_first();
+    rig.let_go_after_first();
     rig.set_history_of_pressed(1);
     rig.run([&](gpu::ComputePass& pass) { rig.cycle().record_system_again(pass); });
     const auto second = rig.linearise(field(rig.vector(0, kWay)));
