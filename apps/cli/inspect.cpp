@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
+#include "assets.hpp"
 #include "cloths.hpp"
 #include "memory.hpp"
-#include "model/assets.hpp"
 #include "model/model.hpp"
 #include "sim/plan/frame_plan.hpp"
 #include "weft/weft.hpp"
@@ -14,8 +14,7 @@ namespace {
 
 Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(scene, load(options));
-  WEFT_TRY(assets, load_assets(scene, models_folder()));
-  WEFT_CHECK(check_host_memory(scene, assets));
+  WEFT_TRY(assets, load_checked_assets(scene));
   WEFT_TRY(model, build_model(scene, assets.cloths));
   WEFT_TRY(plan, sim::FramePlan::create(scene, model, assets));
   std::size_t object_triangles = 0;
@@ -28,8 +27,6 @@ Result<void> check_scene(const SceneOptions& options) {
       object_triangles);
   std::fputs(cloths_text(scene, model).c_str(), stdout);
   std::fputs(stiffening_text(scene, model, plan.method(), plan.substeps()).c_str(), stdout);
-  if (assets.dropped_triangles > 0)
-    say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
   return {};
 }
 

@@ -126,10 +126,7 @@ void say_if_long(const sim::World& world) {
 Result<void> run_scene(const RunOptions& options) {
   interrupted();
   WEFT_TRY(scene, load(options.scene));
-  WEFT_TRY(assets, load_assets(scene, models_folder()));
-  WEFT_CHECK(check_host_memory(scene, assets));
-  if (assets.dropped_triangles > 0)
-    say("%zu triangles of the colliders have no area and are left out.", assets.dropped_triangles);
+  WEFT_TRY(assets, load_checked_assets(scene));
   gpu::DeviceOptions device_options;
   device_options.adapter = options.adapter;
   WEFT_TRY(device, gpu::Device::create(device_options));

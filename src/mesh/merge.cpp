@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <numeric>
+#include <vector>
 
 namespace weft::mesh {
 namespace {
 
 using Key = std::array<std::uint32_t, 3>;  // the bits of a vertex
-
-struct Entry {
-  Key key;
-  std::uint32_t index;
-};
 
 Key key_of(const Vec3f& p) {
   const Vec3f plain{p.x + 0.0F, p.y + 0.0F, p.z + 0.0F};  // -0 becomes 0
@@ -21,31 +18,59 @@ Key key_of(const Vec3f& p) {
   return key;
 }
 
+// The vertices of a mesh and of its shapes, in order of their bits.
+class Places {
+ public:
+  Places(const TriangleMesh& mesh, std::span<const TriangleMesh> shapes) : mesh_(mesh), shapes_(shapes) {}
+
+  bool before(std::uint32_t a, std::uint32_t b) const {
+    const int order = compared(mesh_, a, b);
+    if (order != 0) return order < 0;
+    for (const TriangleMesh& shape : shapes_)
+      if (const int other = compared(shape, a, b); other != 0) return other < 0;
+    return false;
+  }
+
+ private:
+  static int compared(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
+    const Key one = key_of(mesh.positions[a]), other = key_of(mesh.positions[b]);
+    return one < other ? -1 : other < one ? 1 : 0;
+  }
+
+  const TriangleMesh& mesh_;
+  std::span<const TriangleMesh> shapes_;
+};
+
 }  // namespace
 
 // Sorted and not hashed: a file made to collide would cost a hash table quadratic time.
-void merge_vertices(TriangleMesh& mesh) {
-  std::vector<Entry> entries(mesh.positions.size());
-  for (std::uint32_t i = 0; i < entries.size(); ++i) entries[i] = {key_of(mesh.positions[i]), i};
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.key != b.key ? a.key < b.key : a.index < b.index;
+std::size_t merge_vertices(TriangleMesh& mesh, std::span<TriangleMesh> shapes) {
+  const std::size_t before = mesh.positions.size();
+  const Places places(mesh, shapes);
+  std::vector<std::uint32_t> order(before);
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (places.before(a, b)) return true;
+    return !places.before(b, a) && a < b;
   });
-  std::vector<std::uint32_t> vertex(entries.size());  // before -> the first with the same bits, before
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    vertex[entries[i].index] =
-        i > 0 && entries[i].key == entries[i - 1].key ? vertex[entries[i - 1].index] : entries[i].index;
+  std::vector<std::uint32_t> vertex(before);  // before -> the first at the same place, before
+  for (std::size_t i = 0; i < before; ++i)
+    vertex[order[i]] = i > 0 && !places.before(order[i - 1], order[i]) ? vertex[order[i - 1]] : order[i];
   std::uint32_t count = 0;
-  for (std::uint32_t i = 0; i < vertex.size(); ++i) {  // now to where that stands afterwards
+  for (std::uint32_t i = 0; i < before; ++i) {  // now to where that stands afterwards
     if (vertex[i] != i) {
       vertex[i] = vertex[vertex[i]];
       continue;
     }
     mesh.positions[count] = mesh.positions[i];
+    for (TriangleMesh& shape : shapes) shape.positions[count] = shape.positions[i];
     vertex[i] = count++;
   }
   mesh.positions.resize(count);
+  for (TriangleMesh& shape : shapes) shape.positions.resize(count);
   for (Triangle& triangle : mesh.triangles)
     for (std::uint32_t& corner : triangle) corner = vertex[corner];
+  return before - count;
 }
 
 std::size_t drop_unused_vertices(TriangleMesh& mesh) {

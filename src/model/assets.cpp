@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/json.hpp"
+#include "mesh/merge.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/read_mesh.hpp"
 #include "scene/load.hpp"
@@ -81,6 +82,8 @@ Result<void> add_object(Assets& assets, std::size_t collider, mesh::TriangleMesh
                         std::vector<mesh::TriangleMesh> keyframes, const std::string& name) {
   assets.dropped_triangles += mesh::drop_degenerate_triangles(object);
   if (object.triangles.empty()) return input_error("%s has no triangle with an area.", name.c_str());
+  // Between triangles that only lie side by side are rims, on which cloth catches.
+  assets.merged_vertices += mesh::merge_vertices(object, keyframes);
   // A triangle that only a keyframe makes flat stays: all have the same triangles.
   for (mesh::TriangleMesh& keyframe : keyframes) keyframe.triangles = object.triangles;
   assets.objects.push_back(std::move(object));

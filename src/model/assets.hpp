@@ -18,6 +18,7 @@ struct Assets {
   /// For each object the shapes of its keyframes, placed as it is: its triangles, other positions.
   std::vector<std::vector<mesh::TriangleMesh>> keyframes;
   std::size_t dropped_triangles = 0;  // of zero area, left out of the objects
+  std::size_t merged_vertices = 0;    // of the objects, that were where another one of the same mesh is
 };
 
 /// Nodes of all cloths, known before any of them is built.

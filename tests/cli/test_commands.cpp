@@ -173,6 +173,24 @@ TEST_CASE("check says how many triangles of a collider have no area, and goes on
   CHECK(ended.out.find("1 collider with 12 triangles") != std::string::npos);
 }
 
+TEST_CASE("check says how many vertices of a collider are where others are") {
+  const TemporaryFolder folder;
+  mesh::TriangleMesh apart;
+  const mesh::TriangleMesh cube = mesh::cube();
+  for (const mesh::Triangle& t : cube.triangles) {
+    const auto first = static_cast<std::uint32_t>(apart.positions.size());
+    for (const std::uint32_t vertex : t) apart.positions.push_back(cube.positions[vertex]);
+    apart.triangles.push_back({first, first + 1, first + 2});
+  }
+  put(folder, "apart.obj", mesh::write_obj(apart));
+  put(folder, "a.json", tiny_scene(R"("colliders": [{"kind": "mesh", "mesh": "apart.obj"}], )"));
+  const Ended ended = run_without_driver({"check", "a.json"}, {{}, folder.path(""), false});
+  CHECK(ended.code == 0);
+  CHECK(ended.err ==
+        "weft: 28 vertices of the colliders are where others of the same mesh are, and are one with "
+        "them.\n");
+}
+
 TEST_CASE("meshes lie beside their scene and models beside the program, wherever weft is run from") {
   const TemporaryFolder folder;
   for (const char* name : {"bin", "models", "scenes", "elsewhere", "others"})

@@ -24,6 +24,11 @@ Result<mesh::TriangleMesh> read(const std::string& name) {
   if (name == "more.obj") mesh.positions.push_back({5, 5, 5});
   if (name == "turned.obj") std::swap(mesh.triangles[4][1], mesh.triangles[4][2]);
   if (name == "fewer.obj") mesh.triangles.pop_back();
+  if (name == "apart.obj" ||
+      name == "opened.obj") {  // another vertex at the first, which only the last triangle names
+    mesh.positions.push_back({0, 0, name == "opened.obj" ? -1.0F : 0});
+    mesh.triangles[4][0] = 5;
+  }
   if (name == "line.obj")
     for (Vec3f& p : mesh.positions) p = {p.x, 0, 0};
   return mesh;
@@ -116,6 +121,25 @@ TEST_CASE("a keyframe of other vertices or other triangles is refused by its pat
   for (const std::string name : {"turned.obj", "fewer.obj"})
     CHECK(refusal(name) == "a.json: colliders[0].keyframes[1]: mesh " + name +
                                " has other triangles than a.obj; a keyframe moves the same ones.");
+}
+
+TEST_CASE("vertices of a collider at one place are one, unless a keyframe parts them") {
+  const auto whole = assets_of(R"({"kind": "mesh", "mesh": "a.obj"})");
+  const auto still =
+      assets_of(R"({"kind": "mesh", "mesh": "apart.obj", "keyframes": [{"time": 1, "mesh": "apart.obj"}]})");
+  REQUIRE((whole && still));
+  CHECK(whole->merged_vertices == 0);
+  CHECK(still->merged_vertices == 1);
+  CHECK(still->objects[0].positions == whole->objects[0].positions);
+  CHECK(still->objects[0].triangles == whole->objects[0].triangles);
+  CHECK(still->keyframes[0][0].positions == whole->objects[0].positions);
+  CHECK(still->keyframes[0][0].triangles == whole->objects[0].triangles);
+  const auto opens =
+      assets_of(R"({"kind": "mesh", "mesh": "apart.obj", "keyframes": [{"time": 1, "mesh": "opened.obj"}]})");
+  REQUIRE(opens);
+  CHECK(opens->merged_vertices == 0);
+  CHECK(opens->objects[0].positions.size() == 6);
+  CHECK(opens->keyframes[0][0].positions[5] == Vec3f{0, 0, -1});
 }
 
 TEST_CASE("a collider with no area is refused, a mesh by its name and a box by its path") {
