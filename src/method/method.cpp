@@ -10,11 +10,23 @@
 #include <utility>
 #include <vector>
 
+#include "scene/names.hpp"
+
 namespace weft {
 namespace {
 
 bool takes(const Method& method, ElementKind kind) {
   return std::find(method.takes.begin(), method.takes.end(), kind) != method.takes.end();
+}
+
+constexpr double kFlat = 0.01;  // an angle that positions in f32 make of small triangles in a plane [rad]
+
+/// The largest angle at rest of a body of fabric [rad].
+double bent_at_rest(const Model& model, const Body& body) {
+  double most = 0;
+  for (const hinge::Hinge& hinge : model.plate(body).hinges)
+    most = std::max(most, std::abs(hinge.rest_angle));
+  return most;
 }
 
 /// "a", "a" or "b", "a", "b" or "c".
@@ -39,6 +51,35 @@ const Method& method_of(scene::SolverKind kind) {
   return *row;
 }
 
+bool takes_energy(const Method& method, scene::FabricEnergy energy) {
+  return takes(method, ElementKind::Membrane) &&
+         (method.energies.empty() ||
+          std::find(method.energies.begin(), method.energies.end(), energy) != method.energies.end());
+}
+
+namespace {
+
+Result<void> check_fabric(const scene::Cloth& cloth, const Model& model, const Body& body,
+                          const Method& method) {
+  const scene::FabricEnergy energy = body.fabric->energy;
+  if (!takes_energy(method, energy))
+    return input_error(
+        "%s.fabric.energy is \"%s\", which solver.kind \"%s\" does not take; %s does.", cloth.where.c_str(),
+        scene::kFabricEnergyNames[static_cast<std::size_t>(energy)], scene::name_of(method.kind),
+        words_of_methods([&](const Method& other) { return takes_energy(other, energy); }).c_str());
+  if (!method.flat_fabric) return {};
+  const double bent = bent_at_rest(model, body);
+  if (bent > kFlat)
+    return input_error(
+        "%s.fabric is bent by up to %.3g rad at rest, more than the %g that solver.kind \"%s\" takes; %s "
+        "does.",
+        cloth.where.c_str(), bent, kFlat, scene::name_of(method.kind),
+        words_of_methods([&](const Method& other) {
+          return takes_energy(other, energy) && !other.flat_fabric;
+        }).c_str());
+  return {};
+}
+
 Result<void> check_elements(const scene::Scene& scene, const Model& model, const Method& method) {
   for (std::size_t c = 0; c < model.bodies.size(); ++c) {
     for (std::size_t k = 0; k < kElementKinds; ++k) {
@@ -48,6 +89,7 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
                          scene.cloths[c].where.c_str(), kElementNames[k], scene::name_of(method.kind),
                          words_of_methods([&](const Method& other) { return takes(other, kind); }).c_str());
     }
+    if (model.bodies[c].fabric) WEFT_CHECK(check_fabric(scene.cloths[c], model, model.bodies[c], method));
     if (scene.cloths[c].strain_limit && !method.limits_strain)
       return input_error("%s.strain_limit is %g, and solver.kind \"%s\" keeps none; %s does.",
                          scene.cloths[c].where.c_str(), *scene.cloths[c].strain_limit,
@@ -56,8 +98,6 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
   }
   return {};
 }
-
-namespace {
 
 /// Bodies that are dispatched together count once: grids of one size, one behind the other, as copies of a cloth are.
 bool is_copy(const Model& model, std::size_t body) {

@@ -35,8 +35,10 @@ struct StiffeningRange {
 };
 
 struct Method {
-  scene::SolverKind kind;              // its word: scene::name_of(kind)
-  std::span<const ElementKind> takes;  // elements of other kinds are refused: check_elements
+  scene::SolverKind kind;                              // its word: scene::name_of(kind)
+  std::span<const ElementKind> takes;                  // elements of other kinds are refused: check_elements
+  std::span<const scene::FabricEnergy> energies = {};  // of fabric; others are refused; none: it takes all
+  bool flat_fabric = false;                            // whether fabric that is bent at rest is refused
 
   /// The largest stable step of a model; nothing in it where any step is stable.
   StepLimit (*step_limit)(const scene::Scene& scene, const Model& model);
@@ -67,6 +69,8 @@ struct Method {
 
 /// All methods.
 std::span<const Method> methods();
+/// Whether a method takes fabric of this energy.
+bool takes_energy(const Method& method, scene::FabricEnergy energy);
 /// The row of a kind that is not Auto.
 const Method& method_of(scene::SolverKind kind);
 

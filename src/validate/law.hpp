@@ -35,6 +35,8 @@ struct Rig {
 
   /// Whether cloth is of fabric; else of springs, for a solver that takes no other.
   bool takes_fabric() const;
+  /// Whether fabric may have this energy.
+  bool takes(scene::FabricEnergy energy) const;
 };
 
 struct Law {

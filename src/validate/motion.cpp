@@ -100,12 +100,14 @@ std::vector<ThrownSheet> thrown_sheets(const Rig& rig) {
       {"springs, grid", grid_of(13, 10, 0.025) + R"(, "density": 0.2, )" + kThreads, {}},
       {"springs, mesh", kMesh + R"(, "density": 0.2, )" + kThreads, irregular_sheet()}};
   if (!rig.takes_fabric()) return sheets;
-  for (const std::string energy : {"yarn", "green"})
-    sheets.push_back({energy, woven + kWoven + R"(, "energy": ")" + energy + "\"}", irregular_sheet()});
-  sheets.push_back({"neo_hookean",
-                    woven + R"("warp": 500, "shear": 200, "poisson": 0.25, "bending_warp": 3e-4,
-                               "energy": "neo_hookean"})",
-                    irregular_sheet()});
+  sheets.push_back({"yarn", woven + kWoven + "}", irregular_sheet()});
+  if (rig.takes(scene::FabricEnergy::Green))
+    sheets.push_back({"green", woven + kWoven + R"(, "energy": "green"})", irregular_sheet()});
+  if (rig.takes(scene::FabricEnergy::NeoHookean))
+    sheets.push_back({"neo_hookean",
+                      woven + R"("warp": 500, "shear": 200, "poisson": 0.25, "bending_warp": 3e-4,
+                                 "energy": "neo_hookean"})",
+                      irregular_sheet()});
   return sheets;
 }
 

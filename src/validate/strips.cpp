@@ -54,6 +54,7 @@ Result<std::vector<Measure>> measure_stretch(const Rig& rig) {
     bool along_warp;
     double young, poisson;
     Pattern pattern = Pattern::Irregular;
+    scene::FabricEnergy energy = scene::FabricEnergy::Yarn;
   };
   const std::string woven = R"("warp": 120, "weft": 60, "shear": 20, "poisson": 0.6)";
   const std::string green = woven + R"(, "energy": "green")";
@@ -64,10 +65,11 @@ Result<std::vector<Measure>> measure_stretch(const Rig& rig) {
        {Strip{"along the weft", woven.c_str(), false, 60, 0.3},
         {"along the warp", woven.c_str(), true, 120, 0.6},
         {"along the weft, equilateral triangles", woven.c_str(), false, 60, 0.3, Pattern::Equilateral},
-        {"by Green's strain", green.c_str(), false, 60, 0.3},
-        {"neo-Hookean", solid.c_str(), true, 50, 0.25},
+        {"by Green's strain", green.c_str(), false, 60, 0.3, Pattern::Irregular, scene::FabricEnergy::Green},
+        {"neo-Hookean", solid.c_str(), true, 50, 0.25, Pattern::Irregular, scene::FabricEnergy::NeoHookean},
         {"E1 = 100 E2, along the warp", uneven.c_str(), true, 2000, 0.2},
         {"E1 = 100 E2, along the weft", uneven.c_str(), false, 20, 0.002}}) {
+    if (!rig.takes(strip.energy)) continue;
     WEFT_TRY(found, hung(rig, strip.pattern,
                          std::string(R"("fabric": {)") + strip.fabric +
                              R"(, "bending_warp": 1e-5, "warp_direction": )" +

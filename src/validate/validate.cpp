@@ -27,6 +27,8 @@ bool Rig::takes_fabric() const {
   return std::find(takes.begin(), takes.end(), ElementKind::Membrane) != takes.end();
 }
 
+bool Rig::takes(scene::FabricEnergy energy) const { return takes_energy(method_of(solver), energy); }
+
 std::span<const Law> laws() {
   static constexpr std::array kLaws = {
       Law{"stretch", "A strip that hangs stretches by w L²/2E, and narrows by Poisson's ratio", true,

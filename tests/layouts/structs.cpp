@@ -222,11 +222,20 @@ Json fabric_nodes_of_color() {
 Json relaxed_nodes() {
   using T = RelaxedNodes;
   return row("RelaxedNodes", "method/projective_dynamics/relaxed_nodes.wgsl", sizeof(T), kUniform,
-             {M(first_node), M(count), M(stiffness_rate), M(damping_rate), M(radius), M(kinds)});
+             {M(first_node), M(count), M(stiffness_rate), M(damping_rate), M(radius)});
+}
+Json spring_kinds() {
+  using T = SpringKindsBlock;
+  return row("SpringKinds", "element/spring/neighbour.wgsl", sizeof(T), kUniform, {M(kinds)});
+}
+Json fabric_pair() {
+  using T = FabricPair;
+  return row("FabricPair", "method/projective_dynamics/fabric_pair.wgsl", sizeof(T), kExact,
+             {M(other), M(pull), M(bending)});
 }
 Json iteration() {
   using T = Iteration;
-  return row("Iteration", "method/projective_dynamics/relax_nodes.wgsl", sizeof(T), kUniform, {M(weight)});
+  return row("Iteration", "method/projective_dynamics/relax.wgsl", sizeof(T), kUniform, {M(weight)});
 }
 Json surface_params() {
   using T = SurfaceParams;
@@ -384,7 +393,8 @@ Json struct_layouts() {
                       fine_grid(),       cloth_nodes(),
                       bottom_sweeps(),   elements_of_color(),
                       nodes_of_color(),  fabric_nodes_of_color(),
-                      relaxed_nodes(),   iteration(),
+                      relaxed_nodes(),   spring_kinds(),
+                      fabric_pair(),     iteration(),
                       level_of_mesh(),   share()});
 }
 

@@ -159,15 +159,22 @@ inline double error_of_substep(SolverRig& rig, const scene::Scene& scene) {
   return most / change;
 }
 
-/// A substep of cloths of fabric, of one sweep or three, beside that in double: grids and meshes, all energies, damped
-/// or not, and one whose hinges hold nothing. `scene_with` makes a method's scene of a cloth and sweeps; `room` is the
-/// error that a rig's substep may have beside that of places.
-template <class SceneWith, class Room>
-void check_substeps(gpu::Device& device, const SceneWith& scene_with, const Room& room) {
+/// All energies, damped or not, and one whose hinges hold nothing.
+inline std::vector<std::string> varied_fabrics() {
   std::vector<std::string> all = {R"("warp": 900, "shear": 60, "bending_warp": 0)"};
   for (const std::string damping : {"0", "0.002"})
     for (const std::string& fabric : fabrics(damping)) all.push_back(fabric);
-  for (const std::string& fabric : all)
+  return all;
+}
+
+/// A substep of cloths of fabric, of one sweep or three, beside that in double: a grid, and a mesh of 14 x 11 nodes.
+/// `scene_with` makes a method's scene of a cloth and sweeps; `room` is the error that a rig's substep may have beside
+/// that of places.
+template <class SceneWith, class Room>
+void check_substeps(gpu::Device& device, const SceneWith& scene_with, const Room& room,
+                    const std::vector<std::string>& fabrics = varied_fabrics(),
+                    const mesh::TriangleMesh& mesh = curved_sheet()) {
+  for (const std::string& fabric : fabrics)
     for (const int iterations : {1, 3})
       for (const bool is_mesh : {false, true}) {
         CAPTURE(fabric);
@@ -176,7 +183,7 @@ void check_substeps(gpu::Device& device, const SceneWith& scene_with, const Room
         const std::string pins = is_mesh ? R"(, "pins": [{"nodes": [0, 1, 14]}])" : R"(, "pins": ["top"])";
         const scene::Scene scene =
             scene_with(fabric_cloth(is_mesh ? kMesh : kGrid, fabric, pins), iterations);
-        SolverRig rig(device, scene, 1e-3, {is_mesh ? curved_sheet() : mesh::TriangleMesh{}});
+        SolverRig rig(device, scene, 1e-3, {is_mesh ? mesh : mesh::TriangleMesh{}});
         rig.perturb(5, 2e-3, 0.5);
         // Places of f32 err by 1e-8 m and are a tenth of a cell from rest, so that strains err by 1e-5 of themselves.
         const double most = 2e-5 + room(rig, iterations);
@@ -204,12 +211,13 @@ inline void check_bits(gpu::Device& device, const scene::Scene& scene,
 struct Settled {
   double start = 0, most = 0, end = 0;
 };
-inline Settled settled(gpu::Device& device, scene::Scene scene, int scale, bool squeezed) {
+inline Settled settled(gpu::Device& device, scene::Scene scene, int scale, bool squeezed,
+                       const mesh::TriangleMesh& mesh = curved_sheet()) {
   scene::Fabric& woven = *scene.cloths[0].fabric;
   for (double* modulus : {&woven.warp, &woven.weft, &woven.shear, &woven.bending_warp, &woven.bending_weft,
                           &woven.bending_twist})
     *modulus *= scale;
-  SolverRig rig(device, scene, 1.0 / 120, {curved_sheet()});
+  SolverRig rig(device, scene, 1.0 / 120, {mesh});
   rig.perturb(9, squeezed ? 1e-3 : 0.01, 0);
   std::vector<Vec4f> position = rig.positions();
   if (squeezed)

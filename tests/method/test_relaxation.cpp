@@ -40,7 +40,7 @@ TEST_CASE(
                                   "}, " + cloth + "}]");
       auto model = build_model(scene, {mesh::make_sphere(9, 6)});
       REQUIRE_OK(model);
-      const double exact = exact_rate(*model), rate = spring_rates(*model, model->bodies[0]).stiffness;
+      const double exact = exact_rate(*model), rate = cloth_rates(*model, model->bodies[0]).stiffness;
       MESSAGE("bound over eigenvalue: " << rate / exact);
       CHECK(rate > exact * (1 - 1e-12));
       // Gershgorin's bound, with which it begins, is twice the largest entry of the diagonal, and the largest

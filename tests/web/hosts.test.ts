@@ -44,6 +44,8 @@ const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "a
     set: { "cloths.0.grid": [24, 17], "time.substeps": 8, solver: { kind: "vbd", iterations: 2 } } },
   { name: "hanging, projective dynamics", scene: "hanging", frames: 3,
     set: { "cloths.0.grid": [60, 43], solver: { kind: "projective_dynamics", iterations: 7 } } },
+  { name: "fabric, projective dynamics", scene: "fabric", frames: 2,
+    set: { "cloths.0.grid": [24, 17], "time.substeps": 8, solver: { kind: "projective_dynamics", iterations: 11 } } },
   { name: "sheet, fem", scene: "sheet", frames: 2, set: { "cloths.0.grid": [33, 24], solver: { kind: "fem" } } },
   { name: "hanging with its own choice of substeps", scene: "hanging", frames: 1, set: { "cloths.0.grid": [24, 24] } },
 ];

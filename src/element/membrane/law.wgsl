@@ -97,6 +97,12 @@ fn deformation(slopes : vec4f, second : vec3f, third : vec3f) -> Axes {
   return Axes(slopes.x * second + slopes.z * third, slopes.y * second + slopes.w * third);
 }
 
+// Of a corner's shape function along warp and weft, 1/m.
+fn corner_slope(slope : vec4f, corner : u32) -> vec2f {
+  if (corner == 0u) { return -(slope.xy + slope.zw); }
+  return select(slope.zw, slope.xy, corner == 1u);
+}
+
 struct MembraneForces {
   second : vec3f,  // N
   third : vec3f,

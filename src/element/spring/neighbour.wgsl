@@ -8,3 +8,7 @@ const kNeighbourNodeBits = 28u;
 // The entries of this many consecutive nodes are interleaved: adjacent invocations read words beside
 // each other.
 const kSlice = 32u;
+
+struct SpringKinds {  // mirror: src/method/projective_dynamics/relaxed_springs.hpp
+  kinds : array<vec4f, kNeighbourKinds>,  // N/m, N·s/m: stiffness and damping
+}

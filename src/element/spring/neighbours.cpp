@@ -4,21 +4,21 @@
 #include <cassert>
 
 namespace weft {
-namespace {
-
-/// Where each slice begins: its nodes have as many entries each as the one with the most springs.
-std::vector<std::uint64_t> slice_starts(const mesh::Adjacency& incidence) {
-  std::vector<std::uint64_t> starts = {0};
-  for (std::size_t first = 0; first < incidence.row_count(); first += kSlice) {
-    const std::size_t end = std::min<std::size_t>(first + kSlice, incidence.row_count());
+Result<std::vector<std::uint32_t>> slice_starts(const mesh::Adjacency& rows) {
+  std::vector<std::uint32_t> starts = {0};
+  std::uint64_t next = 0;
+  for (std::size_t first = 0; first < rows.row_count(); first += kSlice) {
+    const std::size_t end = std::min<std::size_t>(first + kSlice, rows.row_count());
     std::size_t most = 0;
-    for (std::size_t node = first; node < end; ++node) most = std::max(most, incidence.row(node).size());
-    starts.push_back(starts.back() + static_cast<std::uint64_t>(most) * kSlice);
+    for (std::size_t node = first; node < end; ++node) most = std::max(most, rows.row(node).size());
+    next += static_cast<std::uint64_t>(most) * kSlice;
+    starts.push_back(static_cast<std::uint32_t>(next));
   }
+  if (next > 0xffffffffU)
+    return make_error(ErrorKind::Limit, "The lists of the nodes' springs have %llu entries, more than %u.",
+                      static_cast<unsigned long long>(next), 0xffffffffU);
   return starts;
 }
-
-}  // namespace
 
 Result<Neighbours> build_neighbours(const Springs& springs, const mesh::Adjacency& incidence,
                                     std::uint32_t first) {
@@ -26,15 +26,11 @@ Result<Neighbours> build_neighbours(const Springs& springs, const mesh::Adjacenc
   if (static_cast<std::uint64_t>(first) + count > 1U << kNeighbourNodeBits)
     return make_error(ErrorKind::Limit, "Cloths of any shape number at most %u nodes in a scene, not %u.",
                       1U << kNeighbourNodeBits, first + count);
-  const std::vector<std::uint64_t> starts = slice_starts(incidence);
-  if (starts.back() > 0xffffffffU)
-    return make_error(ErrorKind::Limit, "The lists of the nodes' springs have %llu entries, more than %u.",
-                      static_cast<unsigned long long>(starts.back()), 0xffffffffU);
   Neighbours built;
-  built.slices.assign(starts.begin(), starts.end());
+  WEFT_SET(built.slices, slice_starts(incidence));
   SpringKinds kinds;
   const std::uint32_t nothing = kinds.number_of(SpringKind{});
-  built.entries.resize(static_cast<std::size_t>(starts.back()));
+  built.entries.resize(built.slices.back());
   for (std::uint32_t slice = 0; slice + 1 < built.slices.size(); ++slice)
     for (std::uint32_t entry = built.slices[slice]; entry < built.slices[slice + 1]; ++entry)
       built.entries[entry].node_and_kind =

@@ -20,6 +20,10 @@ struct Neighbour {
 };
 static_assert(sizeof(Neighbour) == 8);
 
+/// Where each slice of kSlice rows begins, if its rows have as many entries each as the longest, and where the last one
+/// ends. Errors  Limit: more than 2^32 entries.
+Result<std::vector<std::uint32_t>> slice_starts(const mesh::Adjacency& rows);
+
 /// The springs of nodes first … first + count - 1 in slices of kSlice nodes: entry k of node first + i is
 /// entries[slices[i / kSlice] + k * kSlice + i % kSlice], in the order of the springs. Nodes with fewer
 /// springs than the slice's most have a spring to themselves of length 0, which pulls nowhere.

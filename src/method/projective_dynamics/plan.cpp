@@ -14,17 +14,21 @@ StepLimit projective_dynamics_step_limit(const scene::Scene& scene, const Model&
   StepLimit limit;
   limit.longest_auto_step = kImplicitStep;
   for (const Body& cloth : model.bodies)
-    limit.longest_auto_step = std::min(limit.longest_auto_step, spring_rates(model, cloth).step_of(rate));
+    limit.longest_auto_step = std::min(limit.longest_auto_step, cloth_rates(model, cloth).step_of(rate));
   return limit;
 }
 
 }  // namespace
 
 Method projective_dynamics_method() {
-  static constexpr std::array kTakes = {ElementKind::Spring};
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge};
+  static constexpr std::array kEnergies = {scene::FabricEnergy::Yarn};
   Method row{};
   row.kind = scene::SolverKind::ProjectiveDynamics;
   row.takes = kTakes;
+  // Its matrix never changes: it holds the energy of yarns, and that of bending out of a plane.
+  row.energies = kEnergies;
+  row.flat_fabric = true;
   row.step_limit = projective_dynamics_step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {

@@ -7,18 +7,18 @@
 
 namespace weft {
 
-/// What M⁻¹ L of a cloth cannot exceed, whatever its springs' directions. Source:
-/// docs/solvers/projective_dynamics.md, equation 6.
-struct SpringRates {
+/// What M⁻¹ L of a cloth cannot exceed, however its elements lie. Source: docs/solvers/projective_dynamics.md,
+/// equation 6.
+struct ClothRates {
   double stiffness = 0;  // [1/s²]
   double damping = 0;    // [1/s]
 
   /// κ of a step [s].
   double at(double step) const { return step * (step * stiffness + damping); }
-  /// The step of a κ [s]; infinite without springs.
+  /// The step of a κ [s]; infinite without elements.
   double step_of(double rate) const;
 };
-SpringRates spring_rates(const Model& model, const Body& cloth);
+ClothRates cloth_rates(const Model& model, const Body& cloth);
 
 /// The largest κ at which each cycle of a substep leaves at most a tenth of every error.
 double reached_rate(std::uint32_t iterations);

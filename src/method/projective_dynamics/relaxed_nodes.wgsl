@@ -1,14 +1,11 @@
 // The nodes of one cloth, and what their global system is relaxed by. The including kernel binds `step` and `cloth`.
 // Source: docs/solvers/projective_dynamics.md, equations 4 and 6.
-#include "element/spring/neighbour.wgsl"
-
-struct RelaxedNodes {  // mirror: src/method/projective_dynamics/solver_projective_dynamics.hpp
+struct RelaxedNodes {  // mirror: src/method/projective_dynamics/relaxed_cloth.hpp
   first_node : u32,
   count : u32,
   stiffness_rate : f32,  // 1/s²
   damping_rate : f32,    // 1/s
   radius : f32,
-  kinds : array<vec4f, kNeighbourKinds>,  // N/m, N·s/m: stiffness and damping
 }
 
 /// How much of what is left a Jacobi step takes.

@@ -34,12 +34,6 @@ struct Pull {
   hessian : Symmetric,  // N/m
 }
 
-// Of a corner's shape function along warp and weft, 1/m.
-fn corner_slope(slope : vec4f, corner : u32) -> vec2f {
-  if (corner == 0u) { return -(slope.xy + slope.zw); }
-  return select(slope.zw, slope.xy, corner == 1u);
-}
-
 fn pull_of_membrane(triangle : u32, corner : u32) -> Pull {
   let a = corners[3u * triangle];
   let b = corners[3u * triangle + 1u];

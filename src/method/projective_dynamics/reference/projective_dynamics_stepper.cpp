@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "element/spring/law.hpp"
+#include "method/projective_dynamics/bounded_yarns.hpp"
 
 namespace weft::reference {
 namespace {
 
-/// What every spring pulls its nodes with: tensions at the ways so far [N].
-std::vector<Vec3d> pulls(const MassSpringSystem& system, const Ways& ways, double dt) {
-  std::vector<Vec3d> pulls(ways.way.size());
+void add_springs(const MassSpringSystem& system, const Ways& ways, double dt, std::vector<Vec3d>& pulls) {
   for (const SpringLink& s : system.springs) {
     const Vec3d turn = ways.way[s.node_b] - ways.way[s.node_a];
     const Vec3d span = ways.start[s.node_b] - ways.start[s.node_a] + turn;
@@ -17,31 +16,70 @@ std::vector<Vec3d> pulls(const MassSpringSystem& system, const Ways& ways, doubl
     pulls[s.node_a] += pull.tension * pull.direction;
     pulls[s.node_b] -= pull.tension * pull.direction;
   }
-  return pulls;
 }
 
-/// By how much those of projected springs grow with a change of the ways, -L change [N].
-std::vector<Vec3d> pulls_of_change(const MassSpringSystem& system, const std::vector<Vec3d>& change,
-                                   double dt) {
-  std::vector<Vec3d> pulls(change.size());
-  for (const SpringLink& s : system.springs) {
-    const Vec3d pull = (s.stiffness + s.damping / dt) * (change[s.node_b] - change[s.node_a]);
-    pulls[s.node_a] += pull;
-    pulls[s.node_b] -= pull;
+void add_membranes(const FabricCloth& cloth, const Ways& ways, double dt, std::vector<Vec3d>& pulls) {
+  const membrane::Membranes& membranes = cloth.membranes;
+  for (std::size_t t = 0; t < membranes.triangles.size(); ++t) {
+    membrane::Corners places, rates;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t node = cloth.first + membranes.triangles[t][i];
+      places[i] = ways.place(node);
+      rates[i] = 1 / dt * ways.way[node];
+    }
+    const membrane::Rest& rest = membranes.rests[t];
+    const membrane::Corners forces =
+        membrane::forces(rest, bounded_yarns::stress(membranes.law, membrane::deformation(rest, places),
+                                                     membrane::deformation(rest, rates)));
+    for (std::size_t i = 0; i < 3; ++i) pulls[cloth.first + membranes.triangles[t][i]] += forces[i];
+  }
+}
+
+}  // namespace
+
+std::vector<Vec3d> ProjectiveDynamicsStepper::pulls(const MassSpringSystem& system, const Ways& ways,
+                                                    double dt) const {
+  std::vector<Vec3d> pulls(ways.way.size());
+  add_springs(system, ways, dt, pulls);
+  for (std::size_t f = 0; f < fabrics_.size(); ++f) {
+    add_membranes(system.fabrics[f], ways, dt, pulls);
+    const Fabric& cloth = fabrics_[f];
+    for (const NodePair& pair : cloth.pairs) {
+      const std::size_t a = cloth.first + pair.a, b = cloth.first + pair.b;
+      const Vec3d span = ways.start[b] - ways.start[a] + (1 + cloth.delay / dt) * (ways.way[b] - ways.way[a]);
+      pulls[a] += pair.bending * span;
+      pulls[b] -= pair.bending * span;
+    }
   }
   return pulls;
 }
 
-}  // namespace
+std::vector<Vec3d> ProjectiveDynamicsStepper::pulls_of_change(const MassSpringSystem& system,
+                                                              const std::vector<Vec3d>& change,
+                                                              double dt) const {
+  std::vector<Vec3d> pulls(change.size());
+  const auto add = [&](std::size_t a, std::size_t b, double weight) {
+    const Vec3d pull = weight * (change[b] - change[a]);
+    pulls[a] += pull;
+    pulls[b] -= pull;
+  };
+  for (const SpringLink& s : system.springs) add(s.node_a, s.node_b, s.stiffness + s.damping / dt);
+  for (const Fabric& cloth : fabrics_)
+    for (const NodePair& pair : cloth.pairs)
+      add(cloth.first + pair.a, cloth.first + pair.b, (1 + cloth.delay / dt) * pair.pull);
+  return pulls;
+}
 
 ProjectiveDynamicsStepper::ProjectiveDynamicsStepper(const Model& model, double step,
                                                      std::uint32_t iterations)
     : look_back_(model.rest_position.size()) {
   double most = 0;
   for (const Body& cloth : model.bodies) {
-    const SpringRates rates = spring_rates(model, cloth);
+    const ClothRates rates = cloth_rates(model, cloth);
     rates_of_.insert(rates_of_.end(), cloth.vertex_count, rates);
     most = std::max(most, rates.at(step));
+    if (cloth.fabric)
+      fabrics_.push_back({cloth.first_vertex, cloth.fabric->damping, fabric_node_pairs(model, cloth)});
   }
   relaxation_ = make_relaxation(most, iterations);
 }

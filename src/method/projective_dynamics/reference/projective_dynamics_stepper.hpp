@@ -1,5 +1,6 @@
 #pragma once
 
+#include "method/projective_dynamics/node_pairs.hpp"
 #include "method/projective_dynamics/relaxation.hpp"
 #include "method/reference_ways.hpp"
 
@@ -14,7 +15,20 @@ class ProjectiveDynamicsStepper : public Stepper {
   void forget(std::size_t node) override { look_back_.forget(node); }
 
  private:
-  std::vector<SpringRates> rates_of_;  // of each node: its cloth's
+  /// A cloth of fabric.
+  struct Fabric {
+    std::uint32_t first = 0;  // of its nodes
+    double delay = 0;         // of its damping [s]
+    std::vector<NodePair> pairs;
+  };
+  /// What elements pull the nodes with at the ways so far [N].
+  std::vector<Vec3d> pulls(const MassSpringSystem& system, const Ways& ways, double dt) const;
+  /// By how much those of projected elements grow with a change of the ways, -L change [N].
+  std::vector<Vec3d> pulls_of_change(const MassSpringSystem& system, const std::vector<Vec3d>& change,
+                                     double dt) const;
+
+  std::vector<ClothRates> rates_of_;  // of each node: its cloth's
+  std::vector<Fabric> fabrics_;       // in the order of the system's
   Relaxation relaxation_;
   LookBack look_back_;
 };
