@@ -19,13 +19,21 @@ bool takes(const Method& method, ElementKind kind) {
   return std::find(method.takes.begin(), method.takes.end(), kind) != method.takes.end();
 }
 
-constexpr double kFlat = 0.01;  // an angle that positions in f32 make of small triangles in a plane [rad]
+constexpr double kFlat = 0.01;  // what positions in f32 make of small triangles in a plane [rad]
 
-/// The largest angle at rest of a body of fabric [rad].
-double bent_at_rest(const Model& model, const Body& body) {
+/// The largest angle between the plane of a triangle and that of the largest one, of a body of fabric at rest [rad].
+double curved_at_rest(const Model& model, const Body& body) {
+  std::vector<Vec3d> areas;
+  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t) {
+    const auto& [a, b, c] = model.triangles[t];
+    const Vec3d& at = model.rest_position[a];
+    areas.push_back(cross(model.rest_position[b] - at, model.rest_position[c] - at));
+  }
+  const Vec3d plane = *std::max_element(areas.begin(), areas.end(),
+                                        [](const Vec3d& x, const Vec3d& y) { return dot(x, x) < dot(y, y); });
   double most = 0;
-  for (const hinge::Hinge& hinge : model.plate(body).hinges)
-    most = std::max(most, std::abs(hinge.rest_angle));
+  for (const Vec3d& area : areas)  // whichever way round it goes
+    most = std::max(most, std::atan2(length(cross(area, plane)), std::abs(dot(area, plane))));
   return most;
 }
 
@@ -67,13 +75,15 @@ Result<void> check_fabric(const scene::Cloth& cloth, const Model& model, const B
         "%s.fabric.energy is \"%s\", which solver.kind \"%s\" does not take; %s does.", cloth.where.c_str(),
         scene::kFabricEnergyNames[static_cast<std::size_t>(energy)], scene::name_of(method.kind),
         words_of_methods([&](const Method& other) { return takes_energy(other, energy); }).c_str());
-  if (!method.flat_fabric) return {};
-  const double bent = bent_at_rest(model, body);
-  if (bent > kFlat)
+  const scene::Fabric& fabric = *body.fabric;
+  const bool bends = fabric.bending_warp > 0 || fabric.bending_weft > 0 || fabric.bending_twist > 0;
+  if (!method.flat_fabric || !bends) return {};
+  const double curved = curved_at_rest(model, body);
+  if (curved > kFlat)
     return input_error(
-        "%s.fabric is bent by up to %.3g rad at rest, more than the %g that solver.kind \"%s\" takes; %s "
+        "%s.fabric is curved by up to %.3g rad at rest, more than the %g that solver.kind \"%s\" takes; %s "
         "does.",
-        cloth.where.c_str(), bent, kFlat, scene::name_of(method.kind),
+        cloth.where.c_str(), curved, kFlat, scene::name_of(method.kind),
         words_of_methods([&](const Method& other) {
           return takes_energy(other, energy) && !other.flat_fabric;
         }).c_str());

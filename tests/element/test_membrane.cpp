@@ -299,6 +299,47 @@ TEST_CASE("damping of membranes takes energy from every motion but a rigid one, 
 }
 
 TEST_CASE(
+    "a step is damped by how its strain has changed: not where it only turns, by rates where it is short") {
+  Random random(6);
+  for (const Energy kind : kEnergies) {
+    const Law law = law_of(kind);
+    double worst = 0;
+    for (int sample = 0; sample < 2000; ++sample) {
+      const State start(random, 0.5), end(random, 2);
+      const Axes f = end.deformation();
+      const auto apart = [](const Axes& a, const Axes& b) {
+        return length(a.warp - b.warp) + length(a.weft - b.weft);
+      };
+      const Corners turned = [&] {
+        const Eigen::Quaterniond turn = Eigen::Quaterniond::UnitRandom();
+        Corners all = end.place;
+        for (Vec3d& x : all) {
+          const Eigen::Vector3d y = turn * Eigen::Vector3d(x.x, x.y, x.z);
+          x = {y.x(), y.y(), y.z()};
+        }
+        return all;
+      }();
+      const Axes there = deformation(end.rest, turned);
+      CHECK(apart(step_stress(law, there, f, 1e3).stress, stress(law, there)) <
+            1e-9 * (length(stress(law, there).warp) + law.stiffness.warp));
+      constexpr double kShort = 1e-7;
+      Corners later = end.place;
+      for (std::size_t i = 0; i < 3; ++i) later[i] += kShort * end.velocity[i];
+      const Axes after = deformation(end.rest, later), rate = deformation(end.rest, end.velocity);
+      const Axes both = step_stress(law, after, f, 1 / kShort).stress, elastic = stress(law, after),
+                 damping = damping_stress(law, after, rate);
+      CHECK(apart({both.warp - elastic.warp, both.weft - elastic.weft}, damping) <
+            1e-3 * (length(damping.warp) + length(damping.weft)) + 1e-6 * law.stiffness.warp);
+      const Matrix9 k = dense(blocks(end.rest, step_stress(law, f, start.deformation(), 1e3).hessian));
+      worst =
+          std::min(worst, Eigen::SelfAdjointEigenSolver<Matrix9>(k, Eigen::EigenvaluesOnly).eigenvalues()(0) /
+                              k.trace());
+    }
+    CHECK(worst > -1e-12);
+  }
+}
+
+TEST_CASE(
     "small strains meet the moduli as given: uniaxial, biaxial, shear, Poisson's ratio, anisotropy of 100") {
   const double e = 1e-7;  // strain; the laws differ from each other by e, roundings are 1e-9 of it
   for (const Energy kind : kEnergies) {

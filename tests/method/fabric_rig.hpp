@@ -119,13 +119,16 @@ inline std::vector<Vec3d> rest_of(const Exact& cloth, const scene::Scene& scene,
 }
 
 /// Of a substep, what is left of the forces at its end, by their size: m (u - u₀) - h² f(x + u, u/h) by h² f, where u₀
-/// is the way without elements. Backward Euler leaves nothing.
-inline double left_of_backward_euler(Exact& cloth, double h) {
+/// is the way without elements. Backward Euler leaves nothing. `more` adds what the forces have beside those of
+/// elements.md by the places where the substep began.
+template <class More>
+double left_of_backward_euler(Exact& cloth, double h, const More& more) {
   const std::vector<Vec3d> start = cloth.system.position, speed = cloth.system.velocity;
   cloth.advance(h, 1);
   const auto& end = cloth.system;
   std::vector<Vec3d> force(start.size());
   end.fabrics[0].add_forces(end.position, end.velocity, force);
+  more(end, start, force);
   double left = 0, size = 0;
   for (std::size_t v = 0; v < start.size(); ++v) {
     if (end.inverse_mass[v] == 0) continue;
@@ -134,6 +137,10 @@ inline double left_of_backward_euler(Exact& cloth, double h) {
     size += dot(force[v], force[v]);
   }
   return std::sqrt(left / size);
+}
+
+inline double left_of_backward_euler(Exact& cloth, double h) {
+  return left_of_backward_euler(cloth, h, [](const auto&, const auto&, const auto&) {});
 }
 
 /// One substep from where the rig stands, in double.

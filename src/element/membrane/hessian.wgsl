@@ -71,6 +71,34 @@ fn neo_hookean_hessian(c : vec4f, f : Axes) -> MembraneHessian {
   return hessian_sum(hessian_sum(by_size, in_plane), kronecker(out, dyad(normal, normal)));
 }
 
+// At the end of a step that began with `start` and is 1/rate s long: the stress, damped by how much the strain has
+// changed, and how it changes with F, N/m.
+struct StepStress {
+  stress : Axes,
+  hessian : MembraneHessian,
+}
+fn step_stress(law : MembraneLaw, f : Axes, start : Axes, rate : f32) -> StepStress {
+  let c = law.stiffness;
+  let e = strain_of(law.energy, f);
+  let delays = law.delay * rate;
+  let damping = delays * stress_of_strain(c, e.value - strain_of(law.energy, start).value);
+  let by_strain = hessian_scaled(delays, material_part(c, e));
+  if (law.energy == kNeoHookean) {
+    let elastic = neo_hookean_stress(c, f);
+    let damped = along(damping, e);
+    let geometry = kronecker(positive_part(vec3f(damping.x, damping.z, damping.y)), unit_matrix());
+    return StepStress(Axes(elastic.warp + damped.warp, elastic.weft + damped.weft),
+                      hessian_sum(hessian_sum(neo_hookean_hessian(c, f), by_strain), geometry));
+  }
+  let s = stress_of_strain(c, e.value) + damping;
+  if (law.energy == kYarn) {
+    return StepStress(along(s, e), hessian_sum(hessian_sum(material_part(c, e), by_strain), yarn_geometry(f, s)));
+  }
+  let geometry = kronecker(positive_part(vec3f(s.x, s.z, s.y)), unit_matrix());
+  return StepStress(along(s, e),
+                    hessian_sum(hessian_sum(material_part(c, green_strain(unpressed(f))), by_strain), geometry));
+}
+
 fn membrane_hessian(law : MembraneLaw, f : Axes) -> MembraneHessian {
   if (law.energy == kNeoHookean) { return neo_hookean_hessian(law.stiffness, f); }
   let e = strain_of(law.energy, f);

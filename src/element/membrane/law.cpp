@@ -196,6 +196,26 @@ Axes damping_stress(const Law& law, const Axes& f, const Axes& rate) {
   return along({law.delay * s.warp, law.delay * s.weft, law.delay * s.shear}, e);
 }
 
+StepStress step_stress(const Law& law, const Axes& f, const Axes& start, double rate) {
+  const Strain e = strain_of(law.energy, f);
+  const Triple before = strain_of(law.energy, start).value;
+  const double delays = law.delay * rate;
+  const Triple damping =
+      law.stiffness * Triple{delays * (e.value.warp - before.warp), delays * (e.value.weft - before.weft),
+                             delays * (e.value.shear - before.shear)};
+  const Axes elastic = stress(law, f), damped = along(damping, e);
+  const Axes both{elastic.warp + damped.warp, elastic.weft + damped.weft};
+  const Hessian by_strain = delays * material_part(law.stiffness, e);
+  if (law.energy == Energy::NeoHookean)
+    return {both, positive_hessian(law, f) + by_strain + green_geometry(damping, true)};
+  const Triple own = law.stiffness * e.value;
+  const Triple all{own.warp + damping.warp, own.weft + damping.weft, own.shear + damping.shear};
+  if (law.energy == Energy::Yarn)
+    return {both, material_part(law.stiffness, e) + by_strain + yarn_geometry(f, all, true)};
+  return {both,
+          material_part(law.stiffness, green_strain(unpressed(f))) + by_strain + green_geometry(all, true)};
+}
+
 Hessian damping_hessian(const Law& law, const Axes& f) {
   return law.delay * material_part(law.stiffness, strain_of(law.energy, f));
 }

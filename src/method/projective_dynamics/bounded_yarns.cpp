@@ -10,9 +10,9 @@ namespace {
 constexpr double kCouplesTo = 1.5;  // the stretch from which on a yarn pulls less and less at the other one
 constexpr double kCouples = 0.5;    // by how much more stretch, until no more
 
-/// Of the second derivative, in units of |C12| and C33: docs/solvers/projective_dynamics.md, equation 13.
-constexpr double kMostCoupled = 1.3, kMostCoupledAuxetic = 2;
-constexpr double kMostSheared = 2.48832;
+/// Of the second derivatives, in units of |C12| and C33: docs/solvers/projective_dynamics.md, equation 13.
+constexpr double kMostCoupled = 2.5, kMostCoupledAuxetic = 3;
+constexpr double kMostSheared = 2.81;
 
 /// A yarn's direction, and what of it counts where both yarns act together. Equations 11 and 12.
 struct Yarn {
@@ -51,19 +51,20 @@ double energy(const Stiffness& c, const membrane::Axes& f) {
          c.coupled * warp.coupling * weft.coupling;
 }
 
-membrane::Axes stress(const membrane::Law& law, const membrane::Axes& f, const membrane::Axes& rate) {
+membrane::Axes stress(const membrane::Law& law, const membrane::Axes& f, const membrane::Axes& start,
+                      double rate) {
   const Stiffness& c = law.stiffness;
-  const Yarn warp(f.warp), weft(f.weft);
-  const Vec3d at_warp = warp.turned(weft.arrow), at_weft = weft.turned(warp.arrow);
-  const double warp_rate = law.delay * dot(warp.direction, rate.warp),
-               weft_rate = law.delay * dot(weft.direction, rate.weft);
-  const double sheared = c.shear * (dot(warp.arrow, weft.arrow) +
-                                    law.delay * (dot(at_warp, rate.warp) + dot(at_weft, rate.weft)));
-  const double along_warp =
-      c.warp * (warp.stretch - 1 + warp_rate) + c.coupled * (weft.coupling * warp.coupling_slope + weft_rate);
-  const double along_weft =
-      c.weft * (weft.stretch - 1 + weft_rate) + c.coupled * (warp.coupling * weft.coupling_slope + warp_rate);
-  return {along_warp * warp.direction + sheared * at_warp, along_weft * weft.direction + sheared * at_weft};
+  const Yarn warp(f.warp), weft(f.weft), warp_before(start.warp), weft_before(start.weft);
+  const double delays = law.delay * rate;
+  const auto delayed = [&](double now, double before) { return now + delays * (now - before); };
+  const double cosine = dot(warp.arrow, weft.arrow);
+  const double sheared = c.shear * delayed(cosine, dot(warp_before.arrow, weft_before.arrow));
+  const double along_warp = c.warp * delayed(warp.stretch - 1, warp_before.stretch - 1) +
+                            c.coupled * delayed(weft.coupling, weft_before.coupling) * warp.coupling_slope;
+  const double along_weft = c.weft * delayed(weft.stretch - 1, weft_before.stretch - 1) +
+                            c.coupled * delayed(warp.coupling, warp_before.coupling) * weft.coupling_slope;
+  return {along_warp * warp.direction + sheared * warp.turned(weft.arrow),
+          along_weft * weft.direction + sheared * weft.turned(warp.arrow)};
 }
 
 Bound bound(const Stiffness& c) {

@@ -8,11 +8,13 @@ namespace weft::bounded_yarns {
 
 /// Of one square metre at rest [J/m²].
 double energy(const Stiffness& stiffness, const membrane::Axes& f);
-/// By F, with the damping of what changes at `rate` [1/s]: the first Piola-Kirchhoff stress [N/m].
-membrane::Axes stress(const membrane::Law& law, const membrane::Axes& f, const membrane::Axes& rate);
+/// By F, at the end of a step that began with `start` and is 1/`rate` [s] long, damping included: the first
+/// Piola-Kirchhoff stress [N/m]. Equation 14.
+membrane::Axes stress(const membrane::Law& law, const membrane::Axes& f, const membrane::Axes& start,
+                      double rate);
 
 /// Of changes of each column of F [N/m]: whatever F is, the second derivative of the energy is nowhere above
-/// diag(warp I, weft I). Equation 13.
+/// diag(warp I, weft I), nor is that of damping above so much times the delay by the step. Equation 13.
 struct Bound {
   double warp = 0, weft = 0;
 };

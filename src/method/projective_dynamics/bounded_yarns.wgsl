@@ -36,20 +36,22 @@ fn turned_arrow(yarn : BoundedYarn, other : vec3f) -> vec3f {
   return yarn.across * other - (yarn.along * dot(yarn.direction, other)) * yarn.direction;
 }
 
-// The first Piola-Kirchhoff stress, N/m, of what is stretched to f and changes at `rate`, 1/s.
-fn bounded_stress(law : MembraneLaw, f : Axes, rate : Axes) -> Axes {
+fn delayed_by(delays : f32, now : f32, before : f32) -> f32 { return now + delays * (now - before); }
+
+// The first Piola-Kirchhoff stress, N/m, at the end of a step that began with `start` and is 1/rate s long.
+fn bounded_stress(law : MembraneLaw, f : Axes, start : Axes, rate : f32) -> Axes {
   let c = law.stiffness;
   let warp = bounded_yarn(f.warp);
   let weft = bounded_yarn(f.weft);
-  let at_warp = turned_arrow(warp, weft.arrow);
-  let at_weft = turned_arrow(weft, warp.arrow);
-  let warp_rate = law.delay * dot(warp.direction, rate.warp);
-  let weft_rate = law.delay * dot(weft.direction, rate.weft);
+  let warp_before = bounded_yarn(start.warp);
+  let weft_before = bounded_yarn(start.weft);
+  let delays = law.delay * rate;
   let sheared =
-      c.w * (dot(warp.arrow, weft.arrow) + law.delay * (dot(at_warp, rate.warp) + dot(at_weft, rate.weft)));
-  let along_warp =
-      c.x * (warp.stretch - 1.0 + warp_rate) + c.y * (weft.coupling * warp.coupling_slope + weft_rate);
-  let along_weft =
-      c.z * (weft.stretch - 1.0 + weft_rate) + c.y * (warp.coupling * weft.coupling_slope + warp_rate);
-  return Axes(along_warp * warp.direction + sheared * at_warp, along_weft * weft.direction + sheared * at_weft);
+      c.w * delayed_by(delays, dot(warp.arrow, weft.arrow), dot(warp_before.arrow, weft_before.arrow));
+  let along_warp = c.x * delayed_by(delays, warp.stretch - 1.0, warp_before.stretch - 1.0) +
+                   c.y * delayed_by(delays, weft.coupling, weft_before.coupling) * warp.coupling_slope;
+  let along_weft = c.z * delayed_by(delays, weft.stretch - 1.0, weft_before.stretch - 1.0) +
+                   c.y * delayed_by(delays, warp.coupling, warp_before.coupling) * weft.coupling_slope;
+  return Axes(along_warp * warp.direction + sheared * turned_arrow(warp, weft.arrow),
+              along_weft * weft.direction + sheared * turned_arrow(weft, warp.arrow));
 }

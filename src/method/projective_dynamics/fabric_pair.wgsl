@@ -2,6 +2,6 @@
 // Mirror: src/method/projective_dynamics/relaxed_fabric.hpp.
 struct FabricPair {
   other : u32,
-  pull : f32,     // N/m
-  bending : f32,  // N/m: the part of it that is bending's
+  stretching : f32,  // N/m: of membranes
+  bending : f32,     // N/m
 }

@@ -11,8 +11,8 @@ namespace weft {
 
 std::vector<NodePair> fabric_node_pairs(const Model& model, const Body& cloth) {
   std::vector<NodePair> all;
-  const auto add = [&](std::uint32_t a, std::uint32_t b, double pull, double bending) {
-    if (pull != 0) all.push_back({std::min(a, b), std::max(a, b), pull, bending});
+  const auto add = [&](std::uint32_t a, std::uint32_t b, double stretching, double bending) {
+    if (stretching != 0 || bending != 0) all.push_back({std::min(a, b), std::max(a, b), stretching, bending});
   };
   const FabricSheet sheet = fabric_sheet(model, cloth);
   const auto membranes = membrane::Membranes::of(sheet.rest(), membrane_law(*cloth.fabric));
@@ -27,7 +27,7 @@ std::vector<NodePair> fabric_node_pairs(const Model& model, const Body& cloth) {
     }
   }
   for (const hinge::Coupling& c : hinge::isometric_matrix(model.plate(cloth), sheet.position))
-    if (c.row < c.column) add(c.row, c.column, -c.entry, -c.entry);
+    if (c.row < c.column) add(c.row, c.column, 0, -c.entry);
   std::stable_sort(all.begin(), all.end(), [](const NodePair& one, const NodePair& other) {
     return std::tie(one.a, one.b) < std::tie(other.a, other.b);
   });
@@ -37,7 +37,7 @@ std::vector<NodePair> fabric_node_pairs(const Model& model, const Body& cloth) {
       pairs.push_back(part);
       continue;
     }
-    pairs.back().pull += part.pull;
+    pairs.back().stretching += part.stretching;
     pairs.back().bending += part.bending;
   }
   return pairs;

@@ -25,9 +25,10 @@ fn pull_of_membrane(triangle : u32, corner : u32) -> vec3f {
   let third = way[c].xyz - way[a].xyz;
   let slope = slopes[triangle];
   // Ways are short: their differences keep digits that those of places have lost.
-  let f = deformation(slope, (position_in[b].xyz - start) + second, (position_in[c].xyz - start) + third);
-  let rate = 1.0 / step.time.dt;
-  let stress = bounded_stress(fabric.law, f, deformation(slope, rate * second, rate * third));
+  let before = deformation(slope, position_in[b].xyz - start, position_in[c].xyz - start);
+  let change = deformation(slope, second, third);
+  let f = Axes(before.warp + change.warp, before.weft + change.weft);
+  let stress = bounded_stress(fabric.law, f, before, 1.0 / step.time.dt);
   let n = corner_slope(slope, corner);
   return -area_of(slope) * (n.x * stress.warp + n.y * stress.weft);
 }

@@ -1,5 +1,5 @@
 // One more iteration of a cycle over every node of a cloth of fabric: relax_springs.wgsl, by its pairs of nodes. One
-// invocation per node. Source: docs/solvers/projective_dynamics.md, equations 4 and 14.
+// invocation per node. Source: docs/solvers/projective_dynamics.md, equations 4 and 15.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "element/spring/neighbour.wgsl"
@@ -26,12 +26,13 @@ fn relax_fabric(@builtin(global_invocation_id) id : vec3u) {
   let own = change[node].xyz;
   let dt = step.time.dt;
   let before = left[node];
-  let mobility = dt * dt * before.w * (1.0 + fabric.law.delay / dt);  // m/N; 0: neither it nor what is left changes
+  let mobility = dt * dt * before.w;  // m/N; 0: neither it nor what is left changes
+  let delays = fabric.law.delay / dt;
   var rest = before.xyz - own;
   let end = slices[row / kSlice + 1u];
   for (var entry = slices[row / kSlice] + row % kSlice; entry < end; entry += kSlice) {
     let pair = pairs[entry];
-    rest += (mobility * pair.pull) * (change[pair.other].xyz - own);
+    rest += (mobility * (pair.bending + (1.0 + delays) * pair.stretching)) * (change[pair.other].xyz - own);
   }
   relax(node, own, rest, before.w);
 }

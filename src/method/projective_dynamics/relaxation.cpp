@@ -18,17 +18,21 @@ constexpr std::uint32_t kCycle = 10;
 constexpr int kRounds = 16;
 
 /// Not less than the largest eigenvalue of M⁻¹ L, with L the matrix of a cloth's pairs: for every y > 0 that is at most
-/// max (M⁻¹ |L| y)_i / y_i (Collatz 1942), which falls as y becomes the eigenvector of M⁻¹ |L|.
-double largest_rate(const Model& model, const Body& cloth, const std::vector<NodePair>& pairs) {
+/// max (M⁻¹ |L| y)_i / y_i (Collatz 1942), which falls as y becomes the eigenvector of M⁻¹ |L|. `pull_of` says what
+/// of a pair counts.
+template <class PullOf>
+double largest_rate(const Model& model, const Body& cloth, const std::vector<NodePair>& pairs,
+                    const PullOf& pull_of) {
   std::vector<double> mobility(cloth.vertex_count), y(cloth.vertex_count, 1.0), product;
   for (std::uint32_t i = 0; i < cloth.vertex_count; ++i)
     mobility[i] = model.inverse_mass(cloth.first_vertex + i);
   double bound = HUGE_VAL;
   for (int round = 0; round < kRounds; ++round) {
     product.assign(y.size(), 0.0);
-    for (const auto& [a, b, pull, bending] : pairs) {
+    for (const NodePair& pair : pairs) {
       // Both have the pull on their diagonals, and its absolute value beside.
-      const double size = std::abs(pull);
+      const double pull = pull_of(pair), size = std::abs(pull);
+      const auto [a, b] = std::pair(pair.a, pair.b);
       product[a] += (pull > 0 ? size * (y[a] + y[b]) : size * (y[b] - y[a])) * mobility[a];
       product[b] += (pull > 0 ? size * (y[a] + y[b]) : size * (y[a] - y[b])) * mobility[b];
     }
@@ -85,9 +89,12 @@ double ClothRates::step_of(double rate) const {
 double reached_rate(std::uint32_t iterations) { return 2 / (tuned_to(Cycles(iterations).shortest) - 1); }
 
 ClothRates cloth_rates(const Model& model, const Body& cloth) {
+  const auto stretching = [](const NodePair& pair) { return pair.stretching; };
   if (cloth.fabric) {
-    const double stiffness = largest_rate(model, cloth, fabric_node_pairs(model, cloth));
-    return {stiffness, cloth.fabric->damping * stiffness};
+    const std::vector<NodePair> pairs = fabric_node_pairs(model, cloth);
+    return {largest_rate(model, cloth, pairs,
+                         [](const NodePair& pair) { return pair.stretching + pair.bending; }),
+            cloth.fabric->damping * largest_rate(model, cloth, pairs, stretching)};
   }
   std::vector<NodePair> stiffness, damping;
   for (const Spring spring : model.springs(cloth)) {
@@ -95,7 +102,7 @@ ClothRates cloth_rates(const Model& model, const Body& cloth) {
     stiffness.push_back({a, b, static_cast<double>(spring.stiffness)});
     damping.push_back({a, b, static_cast<double>(spring.damping)});
   }
-  return {largest_rate(model, cloth, stiffness), largest_rate(model, cloth, damping)};
+  return {largest_rate(model, cloth, stiffness, stretching), largest_rate(model, cloth, damping, stretching)};
 }
 
 Relaxation make_relaxation(double most_rate, std::uint32_t iterations) {

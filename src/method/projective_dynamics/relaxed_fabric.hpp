@@ -11,7 +11,7 @@ namespace weft {
 /// A pair of nodes as one of them sees it. Mirror: src/method/projective_dynamics/fabric_pair.wgsl.
 struct FabricPair {
   std::uint32_t other = 0;
-  float pull = 0, bending = 0;  // [N/m]
+  float stretching = 0, bending = 0;  // [N/m]
 };
 static_assert(sizeof(FabricPair) == 12);
 

@@ -42,11 +42,12 @@ fn pull_of_membrane(triangle : u32, corner : u32) -> Pull {
   let second = way[b].xyz - way[a].xyz;
   let third = way[c].xyz - way[a].xyz;
   let slope = slopes[triangle];
-  // Ways are short: their differences keep digits that those of places have lost.
-  let f = deformation(slope, (position_in[b].xyz - start) + second, (position_in[c].xyz - start) + third);
-  let rate = 1.0 / step.time.dt;
-  let stress = membrane_stress(fabric.law, f, deformation(slope, rate * second, rate * third));
-  let h = hessian_sum(membrane_hessian(fabric.law, f), hessian_scaled(rate, damping_hessian(fabric.law, f)));
+  let before = deformation(slope, position_in[b].xyz - start, position_in[c].xyz - start);
+  let change = deformation(slope, second, third);
+  let f = Axes(before.warp + change.warp, before.weft + change.weft);
+  let at_end = step_stress(fabric.law, f, before, 1.0 / step.time.dt);
+  let stress = at_end.stress;
+  let h = at_end.hessian;
   let n = corner_slope(slope, corner);
   let straight = sum_of(scaled(n.x * n.x, symmetric_of(h.warp)), scaled(n.y * n.y, symmetric_of(h.weft)));
   let area = area_of(slope);

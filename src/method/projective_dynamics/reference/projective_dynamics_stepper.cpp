@@ -21,16 +21,16 @@ void add_springs(const MassSpringSystem& system, const Ways& ways, double dt, st
 void add_membranes(const FabricCloth& cloth, const Ways& ways, double dt, std::vector<Vec3d>& pulls) {
   const membrane::Membranes& membranes = cloth.membranes;
   for (std::size_t t = 0; t < membranes.triangles.size(); ++t) {
-    membrane::Corners places, rates;
+    membrane::Corners places, starts;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t node = cloth.first + membranes.triangles[t][i];
       places[i] = ways.place(node);
-      rates[i] = 1 / dt * ways.way[node];
+      starts[i] = ways.start[node];
     }
     const membrane::Rest& rest = membranes.rests[t];
     const membrane::Corners forces =
         membrane::forces(rest, bounded_yarns::stress(membranes.law, membrane::deformation(rest, places),
-                                                     membrane::deformation(rest, rates)));
+                                                     membrane::deformation(rest, starts), 1 / dt));
     for (std::size_t i = 0; i < 3; ++i) pulls[cloth.first + membranes.triangles[t][i]] += forces[i];
   }
 }
@@ -46,7 +46,7 @@ std::vector<Vec3d> ProjectiveDynamicsStepper::pulls(const MassSpringSystem& syst
     const Fabric& cloth = fabrics_[f];
     for (const NodePair& pair : cloth.pairs) {
       const std::size_t a = cloth.first + pair.a, b = cloth.first + pair.b;
-      const Vec3d span = ways.start[b] - ways.start[a] + (1 + cloth.delay / dt) * (ways.way[b] - ways.way[a]);
+      const Vec3d span = ways.place(b) - ways.place(a);
       pulls[a] += pair.bending * span;
       pulls[b] -= pair.bending * span;
     }
@@ -66,7 +66,8 @@ std::vector<Vec3d> ProjectiveDynamicsStepper::pulls_of_change(const MassSpringSy
   for (const SpringLink& s : system.springs) add(s.node_a, s.node_b, s.stiffness + s.damping / dt);
   for (const Fabric& cloth : fabrics_)
     for (const NodePair& pair : cloth.pairs)
-      add(cloth.first + pair.a, cloth.first + pair.b, (1 + cloth.delay / dt) * pair.pull);
+      add(cloth.first + pair.a, cloth.first + pair.b,
+          pair.bending + (1 + cloth.delay / dt) * pair.stretching);
   return pulls;
 }
 

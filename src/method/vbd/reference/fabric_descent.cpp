@@ -9,19 +9,15 @@ namespace {
 
 NodePull membrane_pull(const membrane::Law& law, const membrane::Rest& rest, const mesh::Triangle& nodes,
                        const Ways& ways, std::uint32_t first, std::size_t corner, double dt) {
-  membrane::Corners places, rates;
+  membrane::Corners places, starts;
   for (std::size_t i = 0; i < 3; ++i) {
     places[i] = ways.place(first + nodes[i]);
-    rates[i] = 1 / dt * ways.way[first + nodes[i]];
+    starts[i] = ways.start[first + nodes[i]];
   }
-  const membrane::Axes f = membrane::deformation(rest, places), rate = membrane::deformation(rest, rates);
-  const membrane::Axes elastic = membrane::stress(law, f), damping = membrane::damping_stress(law, f, rate);
-  const membrane::Axes stress{elastic.warp + damping.warp, elastic.weft + damping.weft};
-  const auto block = [&](const membrane::Hessian& hessian) {
-    return Sym3::symmetric_part(membrane::blocks(rest, hessian)[corner][corner]);
-  };
-  return {membrane::forces(rest, stress)[corner],
-          block(membrane::positive_hessian(law, f)) + 1 / dt * block(membrane::damping_hessian(law, f))};
+  const membrane::StepStress end = membrane::step_stress(law, membrane::deformation(rest, places),
+                                                         membrane::deformation(rest, starts), 1 / dt);
+  return {membrane::forces(rest, end.stress)[corner],
+          Sym3::symmetric_part(membrane::blocks(rest, end.hessian)[corner][corner])};
 }
 
 }  // namespace
