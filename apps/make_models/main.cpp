@@ -1,8 +1,12 @@
 // make_models RAW_FOLDER MODELS_FOLDER: the meshes that scenes name, as binary PLY. Run by ./dev build.
+#include <algorithm>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "base/file.hpp"
+#include "mannequin.hpp"
+#include "mesh/glb.hpp"
 #include "mesh/gzip.hpp"
 #include "mesh/ply.hpp"
 #include "mesh/primitives.hpp"
@@ -30,9 +34,12 @@ Result<TriangleMesh> make_dragon(const std::string& raw) {
   return simplify(mesh, kDragonTriangles);
 }
 
+Result<TriangleMesh> make_the_skirt(const std::string&) { return make_skirt(); }
+
 struct Recipe {
   const char* name;
   Result<TriangleMesh> (*make)(const std::string& raw_folder);
+  bool closed = true;
 };
 
 // Written into the file itself, so that model and stamp are there together or not at all.
@@ -55,7 +62,7 @@ Result<void> make_model(const Recipe& recipe, const std::string& raw_folder,
   const std::size_t dropped = drop_degenerate_triangles(mesh);
   WEFT_CHECK(check_mesh(mesh));
   const double volume = signed_volume(mesh);
-  if (!(volume > 0.0))
+  if (recipe.closed && !(volume > 0.0))
     return input_error("Model %s has the volume %g m³, so it faces inward.", recipe.name, volume);
   WEFT_CHECK(write_file(path, write_ply(mesh, stamp(recipe))));
   const auto [low, high] = bounds(mesh);
@@ -68,14 +75,37 @@ Result<void> make_model(const Recipe& recipe, const std::string& raw_folder,
   return {};
 }
 
+/// The one model that moves, as GLB.
+Result<void> make_the_mannequin(const std::string& models_folder) {
+  const std::string path = models_folder + "/mannequin.glb";
+  const std::string generator = "weft model mannequin, version " + std::to_string(kVersion);
+  if (const auto bytes = read_file(path, kMaxMeshBytes);
+      bytes && std::string_view(reinterpret_cast<const char*>(bytes->data()),
+                                std::min<std::size_t>(bytes->size(), 200))
+                       .find(generator) != std::string_view::npos)
+    return {};
+  const std::vector<std::byte> file = make_mannequin(generator);
+  WEFT_TRY(mesh, read_glb(file));
+  WEFT_CHECK(write_file(path, file));
+  const auto [low, high] = bounds(mesh);
+  std::fprintf(stderr,
+               "weft: made %s: %zu vertices, %zu triangles, from (%g, %g, %g) to (%g, %g, %g), volume %g\n",
+               path.c_str(), mesh.positions.size(), mesh.triangles.size(), static_cast<double>(low.x),
+               static_cast<double>(low.y), static_cast<double>(low.z), static_cast<double>(high.x),
+               static_cast<double>(high.y), static_cast<double>(high.z), signed_volume(mesh));
+  return {};
+}
+
 Result<void> make_models(const std::string& raw_folder, const std::string& models_folder) {
-  static constexpr Recipe kRecipes[] = {
-      {"sphere", make_unit_sphere}, {"armadillo", make_armadillo}, {"dragon", make_dragon}};
+  static constexpr Recipe kRecipes[] = {{"sphere", make_unit_sphere},
+                                        {"armadillo", make_armadillo},
+                                        {"dragon", make_dragon},
+                                        {"skirt", make_the_skirt, false}};
   WEFT_CHECK(make_folder(models_folder));
   for (const Recipe& recipe : kRecipes)
     if (auto made = make_model(recipe, raw_folder, models_folder); !made)
       return made.error().while_doing(std::string("making model ") + recipe.name);
-  return {};
+  return make_the_mannequin(models_folder);
 }
 
 }  // namespace

@@ -16,7 +16,12 @@ Result<Inputs> Scene::Content::read(const SceneText& changed) const {
     WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
     return mesh::read_mesh(path);
   };
-  WEFT_TRY(assets, load_assets(scene, find_mesh));
+  const auto find_animated = [&](const std::string& name) -> Result<mesh::AnimatedMesh> {
+    if (meshes.find(name) != meshes.end()) return no_animation(name);
+    WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
+    return mesh::read_animated_mesh(path);
+  };
+  WEFT_TRY(assets, load_assets(scene, find_mesh, find_animated));
   return Inputs{std::move(scene), std::move(assets)};
 }
 

@@ -68,7 +68,7 @@ Result<void> SceneContact::create_proximity(gpu::Device& device, const GpuModel&
   contacts_ = std::move(contacts);
   WEFT_TRY(proximity,
            Proximity::create(device, model, state, *contacts_->pairs, scene,
-                             {assets.objects, assets.object_colliders, assets.keyframes},
+                             {assets.objects, assets.object_colliders, assets.deformations},
                              {setup.most_substeps, setup.interval, setup.step, setup.workgroup_size}));
   proximity_ = std::make_unique<Proximity>(std::move(proximity));
   WEFT_TRY(counts, gpu::Buffer<float>::create(device, model.vertex_count(), "contact counts"));

@@ -15,7 +15,8 @@ constexpr std::uint64_t kMaxGlbGrowth = 100;
 
 /// The triangles of all meshes of a GLB file's default scene, where its nodes put them [m]: lists, strips and
 /// fans of float positions. glTF splits a vertex where normals or texture coordinates differ, so vertices
-/// with equal bits become one (merge.hpp). Materials, skins, morph targets and animations are passed over.
+/// with equal bits become one (merge.hpp). Materials, skins, morph targets and animations are passed over;
+/// animated_mesh.hpp reads skins and animations.
 /// Errors  Input: what is wrong, with its place in the JSON; other files (URIs), Draco, meshopt, quantized or
 /// sparse data, points and lines are not read. Source  Khronos, glTF 2.0 Specification.
 Result<TriangleMesh> read_glb(std::span<const std::byte> bytes);

@@ -1,5 +1,7 @@
 #include "mesh/gltf_accessor.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "mesh/gltf_values.hpp"
@@ -8,7 +10,9 @@ namespace weft::mesh {
 namespace {
 
 constexpr std::uint64_t kMostElements = 0xFFFFFFFF;  // more than the 4 GiB of a file can hold
-constexpr std::uint64_t kUint8 = 5121, kUint16 = 5123, kUint32 = 5125, kFloat = 5126;  // componentType
+// componentType
+constexpr std::uint64_t kInt8 = 5120, kUint8 = 5121, kInt16 = 5122, kUint16 = 5123, kUint32 = 5125,
+                        kFloat = 5126;
 constexpr std::uint64_t kMaxStride = 252;
 
 /// The bytes of a buffer view, with its stride, or 0 where it has none.
@@ -47,16 +51,56 @@ Result<void> expect_type(const Json& accessor, const std::string& path, const ch
                      type != nullptr ? describe(*type).c_str() : "missing", expected);
 }
 
-Result<unsigned> component_size(const Json& accessor, const std::string& path, GltfKind kind) {
+/// What the specification has for a kind.
+struct Shape {
+  const char* type;
+  unsigned components;
+  std::array<std::uint64_t, 5> component_types;  // 0: none
+  const char* words;                             // of the component types
+};
+Shape shape_of(GltfKind kind) {
+  switch (kind) {
+    case GltfKind::Positions:
+      return {"VEC3", 3, {kFloat}, "positions are read from floats (5126)"};
+    case GltfKind::Indices:
+      return {"SCALAR",
+              1,
+              {kUint8, kUint16, kUint32},
+              "indices are read from bytes (5121), shorts (5123) and integers (5125), unsigned"};
+    case GltfKind::Joints:
+      return {"VEC4", 4, {kUint8, kUint16}, "joints are read from bytes (5121) and shorts (5123), unsigned"};
+    case GltfKind::Weights:
+      return {"VEC4",
+              4,
+              {kFloat, kUint8, kUint16},
+              "weights are read from floats (5126), and from bytes (5121) and shorts (5123), unsigned"};
+    case GltfKind::Matrices:
+      return {"MAT4", 16, {kFloat}, "matrices are read from floats (5126)"};
+    case GltfKind::Times:
+      return {"SCALAR", 1, {kFloat}, "times are read from floats (5126)"};
+    case GltfKind::Vectors:
+      return {"VEC3", 3, {kFloat}, "translations and scales are read from floats (5126)"};
+    case GltfKind::Rotations:
+      break;
+  }
+  return {"VEC4",
+          4,
+          {kFloat, kInt8, kUint8, kInt16, kUint16},
+          "rotations are read from floats (5126), bytes (5120, 5121) and shorts (5122, 5123)"};
+}
+
+unsigned size_of(std::uint64_t component_type) {
+  if (component_type == kInt8 || component_type == kUint8) return 1;
+  return component_type == kInt16 || component_type == kUint16 ? 2 : 4;
+}
+
+Result<std::uint64_t> component_type_of(const Json& accessor, const std::string& path, const Shape& shape) {
   WEFT_TRY(type, whole_number(accessor, path, "componentType", kMostElements));
-  if (kind == GltfKind::Positions && type == kFloat) return 4U;
-  if (kind == GltfKind::Indices && type == kUint8) return 1U;
-  if (kind == GltfKind::Indices && type == kUint16) return 2U;
-  if (kind == GltfKind::Indices && type == kUint32) return 4U;
+  if (std::find(shape.component_types.begin(), shape.component_types.end(), type) !=
+      shape.component_types.end())
+    return type;
   return input_error("%s.componentType is %llu; %s.", path.c_str(), static_cast<unsigned long long>(type),
-                     kind == GltfKind::Positions
-                         ? "positions are read from floats (5126)"
-                         : "indices are read from bytes (5121), shorts (5123) and integers (5125), unsigned");
+                     shape.words);
 }
 
 }  // namespace
@@ -67,9 +111,10 @@ Result<GltfAccessor> GltfAccessor::find(const GlbChunks& glb, std::uint64_t inde
   const std::string path = path_of_index("accessors", static_cast<std::size_t>(index));
   if (accessor->find("sparse") != nullptr)
     return input_error("%s.sparse: sparse accessors are not read.", path.c_str());
-  WEFT_CHECK(expect_type(*accessor, path, kind == GltfKind::Positions ? "VEC3" : "SCALAR"));
-  WEFT_TRY(component, component_size(*accessor, path, kind));
-  const std::uint64_t size = kind == GltfKind::Positions ? 3 * component : component;  // bytes of an element
+  const Shape shape = shape_of(kind);
+  WEFT_CHECK(expect_type(*accessor, path, shape.type));
+  WEFT_TRY(type, component_type_of(*accessor, path, shape));
+  const std::uint64_t size = std::uint64_t{shape.components} * size_of(type);  // bytes of an element
   WEFT_TRY(number, whole_number(*accessor, path, "bufferView", kMostElements));
   WEFT_TRY(view, find_view(glb, number, path + ".bufferView"));
   WEFT_TRY(offset, whole_number(*accessor, path, "byteOffset", view.bytes.size(), 0));
@@ -80,7 +125,8 @@ Result<GltfAccessor> GltfAccessor::find(const GlbChunks& glb, std::uint64_t inde
                        static_cast<unsigned long long>(size), path.c_str());
   const std::uint64_t room = view.bytes.size() - offset;
   WEFT_TRY(count, whole_number(*accessor, path, "count", room < size ? 0 : 1 + (room - size) / stride));
-  return GltfAccessor(view.bytes.subspan(static_cast<std::size_t>(offset)), count, stride, component);
+  return GltfAccessor(view.bytes.subspan(static_cast<std::size_t>(offset)), count, stride, type,
+                      size_of(type));
 }
 
 // Little-endian, and aligned to nothing: a wrong offset is no reason to fail.
@@ -100,6 +146,29 @@ Vec3f GltfAccessor::position(std::uint64_t i) const {
   return result;
 }
 
-std::uint32_t GltfAccessor::index(std::uint64_t i) const { return load(i * stride_); }
+std::uint32_t GltfAccessor::index(std::uint64_t i, std::uint32_t component) const {
+  return load(i * stride_ + std::uint64_t{component} * size_);
+}
+
+double GltfAccessor::value(std::uint64_t i, std::uint32_t component) const {
+  const std::uint32_t bits = index(i, component);
+  switch (component_type_) {
+    case kFloat: {
+      float value = 0;
+      std::memcpy(&value, &bits, sizeof value);
+      return static_cast<double>(value);
+    }
+    case kInt8:
+      return std::max(static_cast<double>(static_cast<std::int8_t>(bits)) / 127, -1.0);
+    case kInt16:
+      return std::max(static_cast<double>(static_cast<std::int16_t>(bits)) / 32767, -1.0);
+    case kUint8:
+      return bits / 255.0;
+    case kUint16:
+      return bits / 65535.0;
+    default:
+      return bits;
+  }
+}
 
 }  // namespace weft::mesh

@@ -1,7 +1,8 @@
-// Which meshes of a glTF scene are where.
+// The nodes of a glTF scene, and where they are.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/json.hpp"
@@ -20,15 +21,30 @@ struct Affine {
   bool operator==(const Affine&) const = default;
 };
 
-struct PlacedMesh {
-  std::uint64_t node;
-  std::uint64_t mesh;
-  Affine placement;
+Affine composed(const Affine& outer, const Affine& inner);
+
+/// A node's own transform in parts; what is empty was not given.
+struct NodeParts {
+  std::vector<double> translation, rotation, scale;  // 3, 4 (x, y, z, w, of any length but 0), 3
+};
+/// Translation times rotation times scale.
+Affine transform_of(const NodeParts& parts);
+
+/// A node of the default scene.
+struct SceneNode {
+  std::uint64_t number = 0;           // in the document
+  std::optional<std::size_t> parent;  // its place in the list, before its own
+  NodeParts parts;
+  std::optional<Affine> matrix;  // instead of parts
+  std::optional<std::uint64_t> mesh, skin;
 };
 
-/// The meshes of the default scene in the order in which its trees name them, parents before children.
+/// The nodes of the default scene in the order in which its trees name them, parents before children.
 /// Errors  Input: no scene, a node that is not there, one that is reached twice (scenes are trees), a
 ///         transform that is none.
-Result<std::vector<PlacedMesh>> placed_meshes(const Json& document);
+Result<std::vector<SceneNode>> scene_nodes(const Json& document);
+
+/// Where each node is, in the scene's coordinates; `parts` are those of the nodes, or others.
+std::vector<Affine> placements(const std::vector<SceneNode>& nodes, const std::vector<NodeParts>& parts);
 
 }  // namespace weft::mesh

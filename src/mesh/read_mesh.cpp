@@ -39,7 +39,19 @@ Result<TriangleMesh> read(const std::string& path) {
   return read(bytes, path);
 }
 
-Result<TriangleMesh> named(Result<TriangleMesh> mesh, const std::string& name) {
+Result<AnimatedMesh> read_animated(std::span<const std::byte> bytes, const std::string& name) {
+  if (find_reader(name) != read_glb) return input_error("Only GLB files have animations.");
+  return AnimatedMesh::read(bytes);
+}
+
+Result<AnimatedMesh> read_animated(const std::string& path) {
+  if (find_reader(path) != read_glb) return read_animated({}, path);
+  WEFT_TRY(bytes, read_file(path, kMaxMeshBytes));
+  return read_animated(bytes, path);
+}
+
+template <class Mesh>
+Result<Mesh> named(Result<Mesh> mesh, const std::string& name) {
   if (!mesh) return mesh.error().while_doing("reading mesh " + name);
   return mesh;
 }
@@ -50,6 +62,12 @@ Result<TriangleMesh> read_mesh(const std::string& path) { return named(read(path
 
 Result<TriangleMesh> read_mesh(std::span<const std::byte> bytes, const std::string& name) {
   return named(read(bytes, name), name);
+}
+
+Result<AnimatedMesh> read_animated_mesh(const std::string& path) { return named(read_animated(path), path); }
+
+Result<AnimatedMesh> read_animated_mesh(std::span<const std::byte> bytes, const std::string& name) {
+  return named(read_animated(bytes, name), name);
 }
 
 }  // namespace weft::mesh

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/result.hpp"
+#include "mesh/animated_mesh.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace weft::mesh {
@@ -17,5 +18,10 @@ Result<TriangleMesh> read_mesh(const std::string& path);
 
 /// The same from a file's bytes; `name` only says which format they are in.
 Result<TriangleMesh> read_mesh(std::span<const std::byte> bytes, const std::string& name);
+
+/// What a file animates (animated_mesh.hpp). Errors  Input: "While reading mesh PATH: ...", also for a file that is no
+/// GLB.
+Result<AnimatedMesh> read_animated_mesh(const std::string& path);
+Result<AnimatedMesh> read_animated_mesh(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace weft::mesh

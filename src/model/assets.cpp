@@ -1,5 +1,7 @@
 #include "model/assets.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -12,6 +14,11 @@
 namespace weft {
 namespace {
 
+/// How far the end of an animation that loops may be from its beginning, by the size of its mesh.
+constexpr double kLoopsWithin = 1e-3;
+constexpr double kMostShapeVertices =
+    1U << 24U;  // that contact can number: src/contact/proximity/collider_set.cpp
+
 /// The meshes that a scene names. One that several cloths, colliders or keyframes name is read once, and kept
 /// until the last of them.
 class NamedMeshes {
@@ -20,7 +27,7 @@ class NamedMeshes {
     for (const scene::Cloth& cloth : scene.cloths)
       if (!cloth.grid) ++meshes_[cloth.mesh].uses;
     for (const scene::Collider& collider : scene.colliders)
-      if (const auto* object = std::get_if<scene::ColliderMesh>(&collider)) {
+      if (const auto* object = std::get_if<scene::ColliderMesh>(&collider); object && !object->animation) {
         ++meshes_[object->mesh].uses;
         for (const scene::ColliderKeyframe& keyframe : object->keyframes) ++meshes_[keyframe.mesh].uses;
       }
@@ -60,6 +67,77 @@ Result<mesh::TriangleMesh> load_placed(NamedMeshes& meshes, const std::string& n
   return placed;
 }
 
+/// The file's vertices, placed.
+Result<mesh::TriangleMesh> posed(const mesh::AnimatedMesh& file, const mesh::GltfAnimation& animation,
+                                 double time, const scene::ColliderMesh& collider) {
+  auto pose = file.posed(animation, time);
+  if (!pose) return pose.error().while_doing("posing " + collider.where);
+  const scene::Transform& transform = collider.transform;
+  mesh::TriangleMesh placed =
+      mesh::transformed(*pose, transform.scale, transform.rotate, transform.translate);
+  if (auto checked = mesh::check_mesh(placed); !checked)
+    return checked.error().while_doing("placing " + collider.where);
+  return placed;
+}
+
+/// An object as it is at time 0, and the shapes of its animation.
+struct AnimatedObject {
+  mesh::TriangleMesh object;
+  mesh::Deformation deformation;
+};
+
+/// Refuses an animation that loops and does not end as it begins.
+Result<void> check_loop(const mesh::AnimatedMesh& file, const mesh::GltfAnimation& animation,
+                        const scene::ColliderMesh& collider) {
+  WEFT_TRY(begin, posed(file, animation, 0, collider));
+  WEFT_TRY(end, posed(file, animation, animation.duration, collider));
+  const mesh::Bounds box = mesh::bounds(begin);
+  double most = 0;
+  for (std::size_t v = 0; v < begin.positions.size(); ++v)
+    most = std::max(most, static_cast<double>(length(end.positions[v] - begin.positions[v])));
+  if (most <= kLoopsWithin * static_cast<double>(length(box.high - box.low))) return {};
+  return input_error(
+      "%s.animation ends with a vertex %.3g m from where it begins; it can be run with \"loop\": false.",
+      collider.where.c_str(), most);
+}
+
+Result<AnimatedObject> load_animated(const AnimationReader& read, const scene::ColliderMesh& collider) {
+  const scene::ColliderAnimation& wanted = *collider.animation;
+  const auto doing = "loading " + collider.where;
+  const auto file = read(collider.mesh);
+  if (!file) return file.error().while_doing(doing);
+  const auto found = file->animation(wanted.name);
+  if (!found) return found.error().while_doing(doing);
+  const mesh::GltfAnimation& animation = **found;
+  if (wanted.start > animation.duration)
+    return input_error("%s.animation.start is %g s, after the animation's end at %g s.",
+                       collider.where.c_str(), wanted.start, animation.duration);
+  AnimatedObject made;
+  WEFT_SET(made.object, posed(*file, animation, wanted.start, collider));
+  const bool loops = wanted.loop && animation.duration > 0;
+  if (loops) WEFT_CHECK(check_loop(*file, animation, collider));
+  const double lasts = (loops ? animation.duration : animation.duration - wanted.start) / wanted.speed;
+  // Times of a file are rounded to f32.
+  const double count = std::ceil(lasts * wanted.rate - 1e-5),
+               vertices = static_cast<double>(made.object.positions.size());
+  if (count * vertices > kMostShapeVertices)
+    return make_error(ErrorKind::Limit,
+                      "%s.animation takes %.0f shapes of %.0f vertices, more than %.0f vertices in all.",
+                      collider.where.c_str(), count, vertices, kMostShapeVertices);
+  made.deformation.times.loops = loops;
+  for (double k = 1; k <= count; ++k) {
+    const double time = lasts * k / count, at = wanted.start + wanted.speed * time;
+    made.deformation.times.times.push_back(time);
+    if (loops && k == count) {  // to the bit where it began
+      made.deformation.shapes.push_back(made.object);
+      continue;
+    }
+    WEFT_TRY(shape, posed(*file, animation, loops ? std::fmod(at, animation.duration) : at, collider));
+    made.deformation.shapes.push_back(std::move(shape));
+  }
+  return made;
+}
+
 /// A keyframe of an object that has all its triangles still.
 Result<mesh::TriangleMesh> load_keyframe(NamedMeshes& meshes, const scene::ColliderMesh& collider,
                                          std::size_t number, const mesh::TriangleMesh& object) {
@@ -76,32 +154,42 @@ Result<mesh::TriangleMesh> load_keyframe(NamedMeshes& meshes, const scene::Colli
   return placed;
 }
 
-/// Adds an object that has all its triangles still, and its keyframes.
+/// Adds an object that has all its triangles still, and how it deforms.
 /// Errors  Input: no triangle has an area.
 Result<void> add_object(Assets& assets, std::size_t collider, mesh::TriangleMesh object,
-                        std::vector<mesh::TriangleMesh> keyframes, const std::string& name) {
+                        mesh::Deformation deformation, const std::string& name) {
   assets.dropped_triangles += mesh::drop_degenerate_triangles(object);
   if (object.triangles.empty()) return input_error("%s has no triangle with an area.", name.c_str());
   // Between triangles that only lie side by side are rims, on which cloth catches.
-  assets.merged_vertices += mesh::merge_vertices(object, keyframes);
-  // A triangle that only a keyframe makes flat stays: all have the same triangles.
-  for (mesh::TriangleMesh& keyframe : keyframes) keyframe.triangles = object.triangles;
+  assets.merged_vertices += mesh::merge_vertices(object, deformation.shapes);
+  // A triangle that only another shape makes flat stays: all have the same triangles.
+  for (mesh::TriangleMesh& shape : deformation.shapes) shape.triangles = object.triangles;
   assets.objects.push_back(std::move(object));
   assets.object_colliders.push_back(collider);
-  assets.keyframes.push_back(std::move(keyframes));
+  assets.deformations.push_back(std::move(deformation));
   return {};
 }
 
 }  // namespace
 
-Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder) {
-  return load_assets(scene, [&](const std::string& name) -> Result<mesh::TriangleMesh> {
-    WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
-    return mesh::read_mesh(path);
-  });
+Result<mesh::AnimatedMesh> no_animation(const std::string& name) {
+  return input_error("Mesh %s has no animation.", name.c_str());
 }
 
-Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read) {
+Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder) {
+  const auto read = [&](const std::string& name) -> Result<mesh::TriangleMesh> {
+    WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
+    return mesh::read_mesh(path);
+  };
+  const auto read_animated = [&](const std::string& name) -> Result<mesh::AnimatedMesh> {
+    WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
+    return mesh::read_animated_mesh(path);
+  };
+  return load_assets(scene, read, read_animated);
+}
+
+Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
+                           const AnimationReader& read_animated) {
   Assets assets;
   NamedMeshes meshes(scene, read);
   for (const scene::Cloth& cloth : scene.cloths) {
@@ -113,14 +201,20 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read) {
     assets.cloths.push_back(std::move(placed));
   }
   for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
-    if (const auto* object = std::get_if<scene::ColliderMesh>(&scene.colliders[c])) {
+    const auto* object = std::get_if<scene::ColliderMesh>(&scene.colliders[c]);
+    if (object != nullptr && object->animation) {
+      WEFT_TRY(animated, load_animated(read_animated, *object));
+      WEFT_CHECK(add_object(assets, c, std::move(animated.object), std::move(animated.deformation),
+                            object->where + ": mesh " + object->mesh));
+    } else if (object != nullptr) {
       WEFT_TRY(placed, load_placed(meshes, object->mesh, object->transform, object->where));
-      std::vector<mesh::TriangleMesh> keyframes;
+      mesh::Deformation deformation;
       for (std::size_t k = 0; k < object->keyframes.size(); ++k) {
         WEFT_TRY(keyframe, load_keyframe(meshes, *object, k, placed));
-        keyframes.push_back(std::move(keyframe));
+        deformation.times.times.push_back(object->keyframes[k].time);
+        deformation.shapes.push_back(std::move(keyframe));
       }
-      WEFT_CHECK(add_object(assets, c, std::move(placed), std::move(keyframes),
+      WEFT_CHECK(add_object(assets, c, std::move(placed), std::move(deformation),
                             object->where + ": mesh " + object->mesh));
     } else if (const auto* box = std::get_if<scene::ColliderBox>(&scene.colliders[c])) {
       WEFT_CHECK(add_object(assets, c,

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/animated_mesh.hpp"
+#include "mesh/deformation.hpp"
 #include "scene/scene.hpp"
 
 namespace weft {
@@ -15,10 +16,9 @@ struct Assets {
   std::vector<mesh::TriangleMesh> cloths;     // one for each cloth of the scene; empty for a grid
   std::vector<mesh::TriangleMesh> objects;    // one for each mesh and each box among the colliders, in order
   std::vector<std::size_t> object_colliders;  // for each object its number among the scene's colliders
-  /// For each object the shapes of its keyframes, placed as it is: its triangles, other positions.
-  std::vector<std::vector<mesh::TriangleMesh>> keyframes;
-  std::size_t dropped_triangles = 0;  // of zero area, left out of the objects
-  std::size_t merged_vertices = 0;    // of the objects, that were where another one of the same mesh is
+  std::vector<mesh::Deformation> deformations;  // of each object, placed as it is
+  std::size_t dropped_triangles = 0;            // of zero area, left out of the objects
+  std::size_t merged_vertices = 0;  // of the objects, that were where another one of the same mesh is
 };
 
 /// Nodes of all cloths, known before any of them is built.
@@ -37,11 +37,17 @@ Result<void> check_memory(const scene::Scene& scene, const Assets& assets, std::
                           std::uint64_t limit, const char* whose);
 
 /// Errors  Input: a mesh is missing or malformed, its transform makes it too large for f32, or a keyframe has
-///         not the vertices and triangles of its collider's mesh.
+///         not the vertices and triangles of its collider's mesh; a file has no such animation, or one that loops does
+///         not end as it begins. Limit: the shapes of an animation have more vertices than contact can number.
 Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder);
 
 /// The same where meshes do not come from files: `read` gives the one that the scene calls by a name.
 using MeshReader = std::function<Result<mesh::TriangleMesh>(const std::string& name)>;
-Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read);
+/// Likewise of colliders with an animation.
+using AnimationReader = std::function<Result<mesh::AnimatedMesh>(const std::string& name)>;
+/// Errors  Input: an animation is asked for.
+Result<mesh::AnimatedMesh> no_animation(const std::string& name);
+Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
+                           const AnimationReader& read_animated = no_animation);
 
 }  // namespace weft

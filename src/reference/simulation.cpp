@@ -66,7 +66,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   if (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh)
     WEFT_CHECK(made.add_colliders(assets.objects));
   if (method == scene::ContactMethod::Proximity)
-    made.proximity_.emplace(scene, *made.model_, assets.objects, assets.keyframes, made.step());
+    made.proximity_.emplace(scene, *made.model_, assets.objects, assets.deformations, made.step());
   made.reset();
   return made;
 }

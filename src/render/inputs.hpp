@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "gpu/buffer.hpp"
+#include "mesh/deformation.hpp"
 #include "mesh/grid.hpp"
-#include "mesh/triangle_mesh.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::render {
@@ -39,15 +39,10 @@ struct ClothDraw {
   std::vector<ClothRange> ranges;
 };
 
-/// Where the vertices of an obstacle that deforms are at a time, before its motion.
-struct ObjectKeyframe {
-  double time = 0;               // [s]
-  std::vector<Vec3f> positions;  // [m]
-};
 /// An obstacle of triangles, in the world where the scene puts it [m].
 struct ObjectDraw {
   mesh::TriangleMesh mesh;
-  std::vector<ObjectKeyframe> keyframes{};  // times rise from above 0; `mesh` is the shape at 0
+  mesh::Deformation deformation{};  // before its motion
   std::optional<scene::ColliderMotion> motion{};
 };
 

@@ -9,12 +9,9 @@ namespace weft::render {
 MovingObjects::MovingObjects(std::vector<MovingObject> objects) {
   std::size_t most = 0;  // vertices of one that deforms
   for (MovingObject& object : objects) {
-    std::vector<ObjectKeyframe>& keyframes = object.draw.keyframes;
-    if (!keyframes.empty()) {
-      most = std::max(most, object.draw.mesh.positions.size());
-      keyframes.insert(keyframes.begin(), {0, object.draw.mesh.positions});
-    }
-    objects_.push_back({std::move(object), 0});
+    if (!object.draw.deformation.empty()) most = std::max(most, object.draw.mesh.positions.size());
+    std::vector<Vec3f> first_shape = object.draw.mesh.positions;
+    objects_.push_back({std::move(object), std::move(first_shape), {}});
   }
   rows_.resize(3 * objects_.size());
   positions_.reserve(most);
@@ -42,26 +39,26 @@ void MovingObjects::write(gpu::Device& device, const ObjectBuffers& buffers, dou
 void MovingObjects::deform(gpu::Device& device, const ObjectBuffers& buffers, std::size_t number,
                            double time) {
   Moving& moving = objects_[number];
-  const std::vector<ObjectKeyframe>& keyframes = moving.object.draw.keyframes;
-  if (keyframes.empty()) return;
-  time = std::clamp(time, 0.0, keyframes.back().time);
-  if (time == moving.written_shape) return;
-  const auto next = std::find_if(keyframes.begin() + 1, keyframes.end() - 1,
-                                 [&](const ObjectKeyframe& one) { return one.time > time; });
-  const ObjectKeyframe &from = *(next - 1), &to = *next;
-  const double part = (time - from.time) / (to.time - from.time);
+  const mesh::Deformation& deformation = moving.object.draw.deformation;
+  if (deformation.empty()) return;
+  const mesh::ShapeTimes::Moment moment = deformation.times.at(time);
+  if (moment == moving.written) return;
+  const auto shape_at = [&](std::size_t number_of_shape) -> const std::vector<Vec3f>& {
+    return number_of_shape == 0 ? moving.first_shape : deformation.shapes[number_of_shape - 1].positions;
+  };
+  const std::vector<Vec3f>&from = shape_at(moment.from), &to = shape_at(moment.to);
   mesh::TriangleMesh& shape = moving.object.draw.mesh;
   positions_.resize(shape.positions.size());
   normals_.resize(shape.positions.size());
   for (std::size_t i = 0; i < shape.positions.size(); ++i) {
     shape.positions[i] =
-        (from.positions[i].to<double>() * (1 - part) + to.positions[i].to<double>() * part).to<float>();
+        (from[i].to<double>() * (1 - moment.part) + to[i].to<double>() * moment.part).to<float>();
     positions_[i] = Vec4f::from(shape.positions[i], static_cast<float>(number));
   }
   write_vertex_normals(shape, sums_, normals_);
   buffers.position.write(device, positions_, moving.object.first_vertex);
   buffers.normal.write(device, normals_, moving.object.first_vertex);
-  moving.written_shape = time;
+  moving.written = moment;
 }
 
 }  // namespace weft::render

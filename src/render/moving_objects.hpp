@@ -19,8 +19,9 @@ class MovingObjects {
 
  private:
   struct Moving {
-    MovingObject object;       // its mesh is the shape as it was written last
-    double written_shape = 0;  // the time that shape is of [s]
+    MovingObject object;             // its mesh is the shape as it was written last
+    std::vector<Vec3f> first_shape;  // at time 0 [m]
+    mesh::ShapeTimes::Moment written;
   };
   void deform(gpu::Device& device, const ObjectBuffers& buffers, std::size_t number, double time);
 

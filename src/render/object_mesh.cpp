@@ -13,7 +13,7 @@ constexpr int kColumns = 96, kRows = 48;  // of a sphere; a capsule's ends are i
 struct Part {
   ObjectDraw draw;
   bool closed = false;
-  bool moves = draw.motion.has_value() || !draw.keyframes.empty();
+  bool moves = draw.motion.has_value() || !draw.deformation.empty();
 };
 
 mesh::TriangleMesh placed(mesh::TriangleMesh mesh, const scene::ColliderSphere& sphere) {
@@ -48,12 +48,9 @@ mesh::TriangleMesh mesh_of(const scene::ColliderBox& box) {
 
 /// In all of its shapes.
 bool stays_closed(const ObjectDraw& object) {
-  mesh::TriangleMesh shape = object.mesh;
-  bool closed = is_closed(shape);
-  for (const ObjectKeyframe& keyframe : object.keyframes) {
-    shape.positions = keyframe.positions;
+  bool closed = is_closed(object.mesh);
+  for (const mesh::TriangleMesh& shape : object.deformation.shapes)
     closed = closed && mesh::signed_volume(shape) > 0;
-  }
   return closed;
 }
 

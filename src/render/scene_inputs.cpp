@@ -13,20 +13,11 @@ void include(mesh::Bounds& bounds, const Vec3f& point) {
   bounds.high = max(bounds.high, point);
 }
 
-ObjectDraw object_of(const scene::ColliderMesh& collider, const mesh::TriangleMesh& mesh,
-                     const std::vector<mesh::TriangleMesh>& keyframes) {
-  assert(keyframes.empty() || keyframes.size() == collider.keyframes.size());
-  ObjectDraw object{mesh, {}, collider.motion};
-  for (std::size_t k = 0; k < keyframes.size(); ++k)
-    object.keyframes.push_back({collider.keyframes[k].time, keyframes[k].positions});
-  return object;
-}
-
 }  // namespace
 
 Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers& buffers,
                  const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& objects,
-                 const std::vector<std::vector<mesh::TriangleMesh>>& keyframes) {
+                 const std::vector<mesh::Deformation>& deformations) {
   Inputs inputs;
   inputs.cloth.position = {&state.position[0], &state.position[1]};
   inputs.cloth.velocity = {&state.velocity[0], &state.velocity[1]};
@@ -49,8 +40,8 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
   for (const scene::Collider& collider : scene.colliders) {
     if (const auto* mesh = std::get_if<scene::ColliderMesh>(&collider)) {
       assert(object < objects.size());
-      inputs.objects.push_back(object_of(
-          *mesh, objects[object], keyframes.empty() ? std::vector<mesh::TriangleMesh>() : keyframes[object]));
+      inputs.objects.push_back(
+          {objects[object], deformations.empty() ? mesh::Deformation{} : deformations[object], mesh->motion});
       ++object;
     }
     if (const auto* box = std::get_if<scene::ColliderBox>(&collider)) {  // drawn with sharp edges

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "mesh/deformation.hpp"
 #include "model/model.hpp"
 #include "render/inputs.hpp"
 #include "state/gpu_model.hpp"
@@ -18,11 +19,11 @@ struct VertexBuffers {
 };
 
 /// The inputs of a picture of a running scene.
-/// Reads   objects: in the world [m], one for each mesh and box collider in order, and of each the shapes of
-///         its keyframes (or none at all). The model, the state and the buffers must outlive the renderer.
+/// Reads   objects: in the world [m], one for each mesh and box collider in order, and how each deforms (or
+///         nothing at all). The model, the state and the buffers must outlive the renderer.
 Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers& buffers,
                  const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& objects,
-                 const std::vector<std::vector<mesh::TriangleMesh>>& keyframes = {});
+                 const std::vector<mesh::Deformation>& deformations = {});
 
 /// The box around all that a run is likely to show: objects, the cloth at rest, hanging down by its own
 /// length, and where motions take it; obstacles as they are at time 0 [m].

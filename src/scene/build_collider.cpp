@@ -33,7 +33,15 @@ Result<void> check_method(const Json& json, ContactMethod method, const std::str
   if (json.find("motion")) return refused(".motion");
   const Json* keyframes = json.find("keyframes");
   if (keyframes && !keyframes->values.empty()) return refused(".keyframes");
+  if (json.find("animation")) return refused(".animation");
   return {};
+}
+
+std::optional<ColliderAnimation> build_animation(const Json& json) {
+  const Json* given = json.find("animation");
+  if (given == nullptr) return {};
+  return ColliderAnimation{text(*given, "name"), number(*given, "start"), number(*given, "speed"),
+                           at(*given, "loop").boolean, number(*given, "rate")};
 }
 
 }  // namespace
@@ -50,8 +58,12 @@ Result<Collider> build_collider(const Json& json, ContactMethod method, const st
   const std::string& kind = at(json, "kind").text;
   if (kind == "mesh") {
     WEFT_TRY(keyframes, build_keyframes(at(json, "keyframes"), file, path + ".keyframes"));
+    std::optional<ColliderAnimation> animation = build_animation(json);
+    if (animation && !keyframes.empty())
+      return input_error("%s: %s has keyframes and an animation; it deforms by one of them.", file.c_str(),
+                         path.c_str());
     return Collider(ColliderMesh{file + ": " + path, text(json, "mesh"), transform_of(at(json, "transform")),
-                                 std::move(keyframes), friction, std::move(motion)});
+                                 std::move(keyframes), std::move(animation), friction, std::move(motion)});
   }
   if (kind == "sphere")
     return Collider(

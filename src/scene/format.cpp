@@ -337,12 +337,24 @@ constexpr Key kKeyframeKeys[] = {
 constexpr Type kKeyframe{.kind = Kind::Object, .name = "keyframe", .keys = kKeyframeKeys};
 constexpr const Type* kKeyframeItem[] = {&kKeyframe};
 constexpr Type kKeyframes{.kind = Kind::List, .count_most = 1000, .types = kKeyframeItem};
+constexpr Type kAnimationStart{.kind = Kind::Number, .least = 0, .most = kLate, .unit = "s"};
+constexpr Type kAnimationSpeed{.kind = Kind::Number, .least = 0.001, .most = 1000};
+constexpr Type kAnimationRate{.kind = Kind::Number, .least = 1, .most = 10000, .unit = "1/s"};
+constexpr Key kAnimationKeys[] = {
+    {"name", &kShortText, "Which of the file's animations; without it the first"},
+    {"start", &kAnimationStart, "Where in it time 0 is", "0"},
+    {"speed", &kAnimationSpeed, "Its seconds in a second", "1"},
+    {"loop", &kTruth, "Whether it begins anew at its end; else it stays there", "true"},
+    {"rate", &kAnimationRate, "Shapes a second that it is taken as; straight between", "60"},
+};
+constexpr Type kAnimation{.kind = Kind::Object, .name = "animation", .keys = kAnimationKeys};
 constexpr Key kMeshColliderKeys[] = {
     {"mesh", &kMeshName, "Name of a model, or path of an OBJ or PLY file relative to the scene", nullptr,
      true},
     {"transform", &kTransform, "From the mesh to the world", "{}"},
     {"keyframes", &kKeyframes, "Shapes that it comes to, times rising; straight between; needs proximity",
      "[]"},
+    {"animation", &kAnimation, "An animation of its GLB file, with the file's skins; needs proximity"},
 };
 constexpr Key kSphereKeys[] = {
     {"center", &kPoint, "Centre", nullptr, true},

@@ -35,7 +35,9 @@ Result<std::string> mesh_path(const Scene& scene, const std::string& mesh, const
   if (!std::all_of(mesh.begin(), mesh.end(), plain))
     return (std::filesystem::path(scene.file).parent_path() / mesh).string();
   const std::string path = (std::filesystem::path(models_folder) / (mesh + ".ply")).string();
+  const std::string animated = (std::filesystem::path(models_folder) / (mesh + ".glb")).string();
   std::error_code ignored;
+  if (std::filesystem::exists(animated, ignored)) return animated;
   if (!std::filesystem::exists(path, ignored))
     return input_error("%s: model %s is not at %s; ./dev build makes the models.", scene.file.c_str(),
                        in_quotes(mesh).c_str(), path.c_str());

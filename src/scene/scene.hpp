@@ -167,17 +167,28 @@ struct ColliderKeyframe {
   bool operator==(const ColliderKeyframe&) const = default;
 };
 
+/// How a mesh collider moves by an animation of its own file.
+struct ColliderAnimation {
+  std::string name;  // "": the first
+  double start = 0;  // where in it time 0 is [s]
+  double speed = 1;  // seconds of it in a second
+  bool loop = true;  // else it stays at its end
+  double rate = 60;  // shapes a second that it is taken as; straight between [1/s]
+  bool operator==(const ColliderAnimation&) const = default;
+};
+
 // Each has its friction (none: the cloth's) and its motion (none: it stays).
 struct ColliderMesh {
   std::string where;  // file and JSON path
   std::string mesh;   // the name of a model or a path; see mesh_path
   Transform transform;
-  std::vector<ColliderKeyframe> keyframes{};  // times rise; straight between, from `mesh` at time 0
+  std::vector<ColliderKeyframe> keyframes{};     // times rise; straight between, from `mesh` at time 0
+  std::optional<ColliderAnimation> animation{};  // instead of keyframes
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
   bool operator==(const ColliderMesh& other) const {
     return mesh == other.mesh && transform == other.transform && keyframes == other.keyframes &&
-           friction == other.friction && motion == other.motion;
+           animation == other.animation && friction == other.friction && motion == other.motion;
   }
 };
 struct ColliderSphere {

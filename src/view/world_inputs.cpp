@@ -19,7 +19,7 @@ render::Settings settings_of(const sim::World& world) {
 render::Inputs inputs_of(const sim::World& world) {
   return render::inputs_of(world.model(), world.state(),
                            {world.surface().normal(), world.surface().stretch(), world.contact_counts()},
-                           world.scene(), world.assets().objects, world.assets().keyframes);
+                           world.scene(), world.assets().objects, world.assets().deformations);
 }
 
 }  // namespace weft::view

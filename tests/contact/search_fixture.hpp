@@ -213,17 +213,17 @@ class SearchRun {
     scene::Scene scene;
     scene.cloths.resize(model_.host.bodies.size());
     std::vector<std::size_t> colliders;
-    std::vector<std::vector<mesh::TriangleMesh>> keyframes(setup_.objects.size());
+    std::vector<mesh::Deformation> deformations(setup_.objects.size());
     for (std::size_t o = 0; o < setup_.objects.size(); ++o) {
       colliders.push_back(o);
       scene.colliders.push_back(scene::ColliderMesh{});
-      if (o < setup_.deforming.size() && setup_.deforming[o]) keyframes[o] = {setup_.objects[o]};
+      if (o < setup_.deforming.size() && setup_.deforming[o]) deformations[o] = {{{1}}, {setup_.objects[o]}};
     }
     for (const scene::Collider& shape : setup_.shapes) scene.colliders.push_back(shape);
     contact::SearchSetup search_setup{setup_.thickness, setup_.self_thickness, workgroup_size};
     search_setup.most_slack.assign(model_.vertex_count(), setup_.most());
     auto search = contact::PairSearch::create(device_, model_, state_, pairs_, scene,
-                                              {setup_.objects, colliders, keyframes}, search_setup);
+                                              {setup_.objects, colliders, deformations}, search_setup);
     REQUIRE_MESSAGE(search, search.error().message);
     search_ = std::move(*search);
     auto near = contact::NearPairs::create(device_, false, workgroup_size);

@@ -86,8 +86,8 @@ TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they rea
   mesh::TriangleMesh a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, b = a, c = a;
   b.positions[2] = {0, 3, 0};
   c.positions[2] = {0, 4, 0};
-  const std::vector<mesh::TriangleMesh> frames[] = {{b, c}};
-  const std::vector<ContactMover> movers = contact_movers(*scene, *model, {&a, 1}, frames);
+  mesh::Deformation deformation{{{0.5, 1}}, {b, c}};
+  const std::vector<ContactMover> movers = contact_movers(*scene, *model, {&a, 1}, {&deformation, 1});
   REQUIRE(movers.size() == 3);
   CHECK(largest_speed(movers[0], 0, 1) == doctest::Approx(3 * 1));  // the top's ends are 1 m from the axis
   const double reach = largest_speed(movers[1], 0, 1);
@@ -96,6 +96,17 @@ TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they rea
   CHECK(largest_speed(movers[2], 0.1, 0.2) == 4);
   CHECK(largest_speed(movers[2], 0.6, 0.9) == 2);
   CHECK(largest_speed(movers[2], 1.1, 2) == 0);
+  deformation.times.loops = true;
+  deformation.shapes[1] = a;  // from 3 back to 1
+  const ContactMover looping = contact_movers(*scene, *model, {&a, 1}, {&deformation, 1}).back();
+  CHECK(largest_speed(looping, 0.1, 0.2) == 4);
+  deformation.shapes[0].positions[2] = {0, 2, 0};
+  deformation.times.times = {0.5, 1.5};
+  const ContactMover uneven = contact_movers(*scene, *model, {&a, 1}, {&deformation, 1}).back();
+  CHECK(largest_speed(uneven, 0.6, 1.4) == 1);
+  CHECK(largest_speed(uneven, 3.6, 4.4) == 1);
+  CHECK(largest_speed(uneven, 3.1, 3.2) == 2);
+  CHECK(largest_speed(uneven, 4.4, 4.6) == 2);  // into the next round
 }
 
 TEST_CASE("cloth keeps from cloth no more than half the median altitude of its triangles") {

@@ -58,7 +58,7 @@ void check_slide(const Slide& slide) {
   REQUIRE_OK(scene);
   auto made = reference::Simulation::create(
       *scene,
-      {.cloths = {{}}, .objects = {rod(slide.radius, 32)}, .object_colliders = {0}, .keyframes = {{}}});
+      {.cloths = {{}}, .objects = {rod(slide.radius, 32)}, .object_colliders = {0}, .deformations = {{}}});
   REQUIRE_OK(made);
   const std::vector<Vec3d> start = made->positions();
   advance(*made, slide.frames);

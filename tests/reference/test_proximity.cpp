@@ -266,7 +266,8 @@ TEST_CASE("a mesh that keyframes lift does to a sheet what the same mesh does on
   for (Vec3f& p : box.positions) p.y -= 0.25F;
   mesh::TriangleMesh up = box;
   for (Vec3f& p : up.positions) p.y += 0.125F;
-  auto a = reference::Simulation::create(*deforming, {.cloths = {{}}, .objects = {box}, .keyframes = {{up}}});
+  auto a = reference::Simulation::create(
+      *deforming, {.cloths = {{}}, .objects = {box}, .deformations = {{{{0.5}}, {up}}}});
   auto b = reference::Simulation::create(*moving, {.cloths = {{}}, .objects = {box}});
   REQUIRE_OK(a);
   REQUIRE_OK(b);

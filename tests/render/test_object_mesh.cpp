@@ -88,13 +88,13 @@ TEST_CASE("what moves or deforms comes last, and its vertices have its number") 
   mesh::TriangleMesh bent = mesh::make_sphere(5, 4);
   Inputs inputs;
   inputs.spheres = {{{1, 2, 3}, 0.5, {}, line}};
-  inputs.objects = {{bent, {{1, bent.positions}}}, {mesh::make_sphere(8, 6)}};
+  inputs.objects = {{bent, {{{1}}, {bent}}}, {mesh::make_sphere(8, 6)}};
   const ObjectMesh all = join_objects(inputs);
   CHECK(all.groups[0].index_count == 3 * 2 * 8 * 5);
   CHECK(all.groups[1].index_count == 0);
   REQUIRE(all.moving.size() == 2);
   CHECK(all.moving[0].draw.motion == scene::ColliderMotion(line));
-  CHECK(all.moving[1].draw.keyframes.size() == 1);
+  CHECK(all.moving[1].draw.deformation.shapes.size() == 1);
   CHECK(all.moving[0].first_vertex == mesh::make_sphere(8, 6).positions.size());
   for (std::size_t m = 0; m < 2; ++m)
     for (std::size_t i = 0; i < all.moving[m].draw.mesh.positions.size(); ++i)
@@ -108,7 +108,7 @@ TEST_CASE("a mesh that turns inside out as it deforms is drawn from both sides")
   mesh::TriangleMesh body = mesh::make_sphere(5, 4), mirrored = body;
   for (Vec3f& p : mirrored.positions) p.x = -p.x;
   Inputs inputs;
-  inputs.objects = {{body, {{1, body.positions}}}, {body, {{1, mirrored.positions}}}};
+  inputs.objects = {{body, {{{1}}, {body}}}, {body, {{{1}}, {mirrored}}}};
   const ObjectMesh all = join_objects(inputs);
   CHECK(all.groups[2].index_count == 3 * body.triangles.size());
   CHECK(all.groups[3].index_count == 3 * body.triangles.size());

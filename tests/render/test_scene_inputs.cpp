@@ -65,7 +65,7 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   const scene::ColliderMotion line = scene::MotionLine{{1, 0, 0}, 2};
   scene.colliders = {scene::ColliderBox{{0, 0, 0}, {1, 2, 3}}, scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}},
                      scene::ColliderSphere{{-5, 0, 0}, 0.5, {}, line},
-                     scene::ColliderMesh{"", "a.obj", {}, {{0.5, "b.obj"}}, {}, line},
+                     scene::ColliderMesh{"", "a.obj", {}, {{0.5, "b.obj"}}, {}, {}, line},
                      scene::ColliderCapsule{{0, 0, 0}, {1, 0, 0}, 0.5}};
   const GpuModel model = value_of(GpuModel::create(fixture.device(), two_triangles()));
   const State state = value_of(State::create(fixture.device(), model.host, 1));
@@ -74,7 +74,7 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   const mesh::TriangleMesh object{{{0, 7, 0}, {0, 8, 0}, {0, 8, 4}}, {{0, 1, 2}}};
   const mesh::TriangleMesh bent{{{0, 7, 0}, {0, 9, 0}, {0, 8, 4}}, {{0, 1, 2}}};
   const Inputs inputs =
-      inputs_of(model, state, {model.rest_position, stretch}, scene, {box, object}, {{}, {bent}});
+      inputs_of(model, state, {model.rest_position, stretch}, scene, {box, object}, {{}, {{{0.5}}, {bent}}});
   CHECK(inputs.cloth.position[1] == &state.position[1]);
   CHECK(inputs.cloth.normal == &model.rest_position);
   CHECK(inputs.cloth.stretch == &stretch);
@@ -86,9 +86,9 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   CHECK(inputs.cloth.ranges[1].sheet_size == 1.5);
   REQUIRE(inputs.objects.size() == 1);  // the box is drawn from its size
   CHECK(inputs.objects[0].mesh.positions == object.positions);
-  REQUIRE(inputs.objects[0].keyframes.size() == 1);
-  CHECK(inputs.objects[0].keyframes[0].time == 0.5);
-  CHECK(inputs.objects[0].keyframes[0].positions == bent.positions);
+  REQUIRE(inputs.objects[0].deformation.shapes.size() == 1);
+  CHECK(inputs.objects[0].deformation.times.at(0.25).part == 0.5);
+  CHECK(inputs.objects[0].deformation.shapes[0].positions == bent.positions);
   CHECK(inputs.objects[0].motion == line);
   CHECK(inputs.boxes.size() == 1);
   CHECK(inputs.capsules.size() == 1);

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "animated_box.hpp"
 #include "mesh/primitives.hpp"
 #include "model/assets.hpp"
 #include "scene/load.hpp"
@@ -64,8 +65,8 @@ TEST_CASE("meshes and boxes become objects in the order of the colliders, which 
   REQUIRE(assets);
   REQUIRE(assets->objects.size() == 2);
   CHECK(assets->object_colliders == std::vector<std::size_t>{1, 3});
-  REQUIRE(assets->keyframes.size() == 2);
-  CHECK((assets->keyframes[0].empty() && assets->keyframes[1].empty()));
+  REQUIRE(assets->deformations.size() == 2);
+  CHECK((assets->deformations[0].empty() && assets->deformations[1].empty()));
   const mesh::Bounds box = mesh::bounds(assets->objects[0]);  // a quarter turn about z: 4 along x, 2 along y
   CHECK(length(box.low - Vec3f{8, -1, -3}) < 1e-5F);
   CHECK(length(box.high - Vec3f{12, 1, 3}) < 1e-5F);
@@ -95,9 +96,9 @@ TEST_CASE("a mesh is read once, however many colliders and keyframes name it") {
   CHECK(reads == std::map<std::string, int>{{"a.obj", 1}, {"b.obj", 1}, {"bent.obj", 1}});
   CHECK(assets->cloths[1].positions == tetrahedron().positions);
   CHECK(assets->objects[0].positions == tetrahedron().positions);
-  REQUIRE(assets->keyframes[1].size() == 3);
-  CHECK(assets->keyframes[1][1].positions == assets->objects[1].positions);
-  CHECK(assets->keyframes[1][2].positions == assets->keyframes[1][0].positions);
+  REQUIRE(assets->deformations[1].shapes.size() == 3);
+  CHECK(assets->deformations[1].shapes[1].positions == assets->objects[1].positions);
+  CHECK(assets->deformations[1].shapes[2].positions == assets->deformations[1].shapes[0].positions);
 }
 
 TEST_CASE(
@@ -106,12 +107,12 @@ TEST_CASE(
       R"({"kind": "mesh", "mesh": "a.obj", "transform": {"scale": 2, "translate": [0, 1, 0]},
           "keyframes": [{"time": 1, "mesh": "bent.obj"}, {"time": 2, "mesh": "flat.obj"}]})");
   REQUIRE(assets);
-  REQUIRE(assets->keyframes.at(0).size() == 2);
+  REQUIRE(assets->deformations.at(0).shapes.size() == 2);
   CHECK(assets->dropped_triangles == 1);  // of the mesh, not of its keyframes
-  for (const mesh::TriangleMesh& keyframe : assets->keyframes[0])
+  for (const mesh::TriangleMesh& keyframe : assets->deformations[0].shapes)
     CHECK(keyframe.triangles == assets->objects[0].triangles);
-  CHECK(assets->keyframes[0][0].positions[4] == Vec3f{4, -1, 0});
-  CHECK(assets->keyframes[0][1].positions[3] == Vec3f{0.5F, 1.5F, 0});
+  CHECK(assets->deformations[0].shapes[0].positions[4] == Vec3f{4, -1, 0});
+  CHECK(assets->deformations[0].shapes[1].positions[3] == Vec3f{0.5F, 1.5F, 0});
 }
 
 TEST_CASE("a keyframe of other vertices or other triangles is refused by its path and both meshes") {
@@ -132,14 +133,84 @@ TEST_CASE("vertices of a collider at one place are one, unless a keyframe parts 
   CHECK(still->merged_vertices == 1);
   CHECK(still->objects[0].positions == whole->objects[0].positions);
   CHECK(still->objects[0].triangles == whole->objects[0].triangles);
-  CHECK(still->keyframes[0][0].positions == whole->objects[0].positions);
-  CHECK(still->keyframes[0][0].triangles == whole->objects[0].triangles);
+  CHECK(still->deformations[0].shapes[0].positions == whole->objects[0].positions);
+  CHECK(still->deformations[0].shapes[0].triangles == whole->objects[0].triangles);
   const auto opens =
       assets_of(R"({"kind": "mesh", "mesh": "apart.obj", "keyframes": [{"time": 1, "mesh": "opened.obj"}]})");
   REQUIRE(opens);
   CHECK(opens->merged_vertices == 0);
   CHECK(opens->objects[0].positions.size() == 6);
-  CHECK(opens->keyframes[0][0].positions[5] == Vec3f{0, 0, -1});
+  CHECK(opens->deformations[0].shapes[0].positions[5] == Vec3f{0, 0, -1});
+}
+
+namespace {
+
+/// A box that rises by 1 m in 0.5 s, and sinks again in 0.5 s more.
+Result<Assets> animated(const std::string& animation, std::vector<float> heights = {0, 1, 0},
+                        const std::string& more = "") {
+  const auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "cloths": [{"grid": [4, 3], "size": [3, 2], "density": 0.2}],
+          "colliders": [{"kind": "mesh", "mesh": "box.glb", "animation": )" +
+          animation + more + "}]}",
+      "a.json");
+  if (!scene) return scene.error();
+  return load_assets(*scene, read, [&](const std::string& name) {
+    CHECK(name == "box.glb");
+    return mesh::AnimatedMesh::read(animated_box({2, 2, 2}, {0, 0.5, 1}, heights));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("an animation is taken as shapes, from where it starts, as fast as it is run, and begins anew") {
+  const auto assets = animated(R"({"rate": 8})");
+  REQUIRE_MESSAGE(assets, assets.error().message);
+  const mesh::Deformation& round = assets->deformations.at(0);
+  CHECK(round.times.loops);
+  CHECK(round.times.times == std::vector<double>{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1});
+  const double bottom = static_cast<double>(mesh::bounds(assets->objects[0]).low.y);
+  const auto height = [&](const Assets& of, std::size_t shape) {
+    return static_cast<double>(mesh::bounds(of.deformations[0].shapes[shape]).low.y) - bottom;
+  };
+  CHECK(height(*assets, 1) == doctest::Approx(0.5));
+  CHECK(height(*assets, 3) == doctest::Approx(1));
+  CHECK(height(*assets, 6) == doctest::Approx(0.25));
+  CHECK(round.shapes.back().positions == assets->objects[0].positions);
+
+  const auto late = animated(R"({"name": "lift", "start": 0.25, "speed": 2, "rate": 8})");
+  REQUIRE(late);
+  CHECK(late->deformations[0].times.times == std::vector<double>{0.125, 0.25, 0.375, 0.5});
+  CHECK(static_cast<double>(mesh::bounds(late->objects[0]).low.y) - bottom == doctest::Approx(0.5));
+  CHECK(height(*late, 0) == doctest::Approx(1));
+  CHECK(height(*late, 2) == doctest::Approx(0));
+
+  const auto once = animated(R"({"start": 0.25, "loop": false, "rate": 4})", {0, 1, 3});
+  REQUIRE(once);
+  CHECK_FALSE(once->deformations[0].times.loops);
+  CHECK(once->deformations[0].times.times == std::vector<double>{0.25, 0.5, 0.75});
+  CHECK(height(*once, 2) == doctest::Approx(3));
+}
+
+TEST_CASE("an animation that cannot be run is refused with what is wrong") {
+  const auto refused = [](const Result<Assets>& assets) {
+    return assets ? "is loaded" : assets.error().message;
+  };
+  CHECK(refused(animated("{}", {0, 1, 3})) ==
+        "a.json: colliders[0].animation ends with a vertex 3 m from where it begins; it can be run with "
+        "\"loop\": "
+        "false.");
+  CHECK(refused(animated(R"({"start": 1.5})")) ==
+        "a.json: colliders[0].animation.start is 1.5 s, after the animation's end at 1 s.");
+  CHECK(
+      refused(animated(R"({"name": "jump"})")).find(R"(The file has no animation "jump"; it has "lift".)") !=
+      std::string::npos);
+  CHECK(refused(animated(R"({"speed": 0.001, "rate": 10000})")) ==
+        "a.json: colliders[0].animation takes 10000000 shapes of 8 vertices, more than 16777216 vertices in "
+        "all.");
+  CHECK(refused(animated("{}", {0, 1, 0}, R"(, "keyframes": [{"time": 1, "mesh": "a.obj"}])")) ==
+        "a.json: colliders[0] has keyframes and an animation; it deforms by one of them.");
+  CHECK(refused(assets_of(R"({"kind": "mesh", "mesh": "a.obj", "animation": {}})"))
+            .find("Mesh a.obj has no animation.") != std::string::npos);
 }
 
 TEST_CASE("a collider with no area is refused, a mesh by its name and a box by its path") {

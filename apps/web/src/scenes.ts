@@ -6,8 +6,10 @@ import type { PageState } from "./state/page_state.js";
 
 const SCENE_FILES = import.meta.glob<string>("../../../scenes/*.json", { query: "?url", import: "default",
   eager: true });
-const MODEL_FILES = import.meta.glob<string>("../../../models/{sphere,armadillo,dragon}.ply", { query: "?url",
-  import: "default", eager: true });
+const MODEL_FILES = import.meta.glob<string>(
+  ["../../../models/{sphere,armadillo,dragon,skirt}.ply", "../../../models/mannequin.glb"],
+  { query: "?url", import: "default", eager: true },
+);
 
 export interface SceneEntry {
   readonly name: string;
@@ -43,6 +45,7 @@ export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: r
     { name: "funnel", title: "Into a funnel", nodes: 64 },
     { name: "shot", title: "A ball flies in", nodes: 64 },
     { name: "incline", title: "On a slope" },
+    { name: "walk", title: "A skirt that walks" },
   ] },
 ].map(({ title, scenes }) => ({ title, scenes: scenes.filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined) }));
 
@@ -113,6 +116,7 @@ interface SceneFile {
   readonly title?: string;
   readonly description?: string;
   readonly cloths?: readonly { readonly grid?: Grid; readonly copies?: { readonly count: number } }[];
+  readonly colliders?: readonly { readonly mesh?: string }[];
 }
 
 export async function fetchScene(state: PageState, { schema, methods }: Catalog): Promise<LoadedScene> {
@@ -135,7 +139,7 @@ export async function fetchScene(state: PageState, { schema, methods }: Catalog)
     title: brought?.title ?? entry?.title ?? state.scene,
     description: file.description ?? "",
     meshes,
-    obstacleTriangles: Object.values(meshes).reduce((sum, mesh) => sum + trianglesOf(mesh), 0),
+    obstacleTriangles: (file.colliders ?? []).reduce((sum, { mesh }) => sum + trianglesOf(meshes[mesh ?? ""]), 0),
     copies: file.cloths?.[0]?.copies?.count ?? 1,
     mostSubsteps: brought ? MOST_SUBSTEPS : Infinity,
   }, state);
@@ -155,9 +159,22 @@ export function gridOf(own: Grid, nodes: number): Grid {
 }
 
 /** What a PLY file's header says of its faces. */
-function trianglesOf(mesh: Bytes): number {
-  const header = new TextDecoder("latin1").decode(mesh.slice(0, 1024));
-  return Number(/^element face (\d+)/m.exec(header)?.[1] ?? 0);
+/** As its file's beginning says: a PLY's, or a GLB's, of which each mesh counts once. */
+function trianglesOf(mesh: Bytes | undefined): number {
+  if (mesh === undefined) return 0;
+  const bytes = mesh instanceof Uint8Array ? mesh : new Uint8Array(mesh);
+  const beginning = new TextDecoder("latin1").decode(bytes.slice(0, 1024));
+  if (!beginning.startsWith("glTF")) return Number(/^element face (\d+)/m.exec(beginning)?.[1] ?? 0);
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+  const file = JSON.parse(new TextDecoder().decode(bytes.slice(20, 20 + length))) as GltfFile;
+  const corners = (file.meshes ?? []).flatMap(({ primitives }) => primitives)
+    .map(({ indices }) => (indices === undefined ? 0 : file.accessors[indices]?.count ?? 0));
+  return corners.reduce((sum, count) => sum + Math.floor(count / 3), 0);
+}
+
+interface GltfFile {
+  readonly meshes?: readonly { readonly primitives: readonly { readonly indices?: number }[] }[];
+  readonly accessors: readonly { readonly count: number }[];
 }
 
 function valueAt(file: unknown, key: string): unknown {

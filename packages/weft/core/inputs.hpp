@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "mesh/animated_mesh.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "scene/override.hpp"
 #include "scene/scene.hpp"
@@ -25,10 +26,13 @@ class Meshes {
   Result<void> add(const std::string& name, std::span<const std::byte> bytes);
   /// Errors  Input: no such mesh was handed over.
   Result<mesh::TriangleMesh> find(const std::string& name) const;
-  void clear() { meshes_.clear(); }
+  /// What it animates. Errors  Input: no such mesh was handed over, or it is no GLB file.
+  Result<mesh::AnimatedMesh> find_animated(const std::string& name) const;
+  void clear();
 
  private:
   std::map<std::string, mesh::TriangleMesh> meshes_;
+  std::map<std::string, Result<mesh::AnimatedMesh>> animated_;  // of those from GLB files
 };
 
 /// Those of this module.

@@ -14,8 +14,9 @@
 namespace weft::contact {
 namespace {
 
-constexpr double kNormalUnits = 127;               // as in curved.wgsl
-constexpr float kDirection = 0.25F, kSpin = 0.5F;  // of a shape's w, as in move_points.wgsl
+constexpr double kNormalUnits = 127;                             // as in curved.wgsl
+constexpr std::size_t kMostShapePoints = std::size_t{1} << 24U;  // f32 has whole numbers up to there
+constexpr float kDirection = 0.25F, kSpin = 0.5F;                // of a shape's w, as in move_points.wgsl
 
 std::uint32_t bits(float value) {
   std::uint32_t word = 0;
@@ -36,11 +37,21 @@ class ColliderSetBuilder {
                         scene_.colliders.size(), kMostColliders);
     for (std::size_t c = 0; c < scene_.colliders.size(); ++c) WEFT_CHECK(add(c));
     set_.point_count = static_cast<std::uint32_t>(set_.shapes.size());
-    for (std::size_t o = 0; o < meshes_.objects.size(); ++o)
-      for (const mesh::TriangleMesh& shape : meshes_.keyframes[o]) {
+    for (DeformingCollider& one : set_.deforming) {
+      const auto found =
+          std::find(meshes_.object_colliders.begin(), meshes_.object_colliders.end(), one.collider);
+      one.first_shape = static_cast<std::uint32_t>(set_.shapes.size());
+      for (const mesh::TriangleMesh& shape :
+           meshes_.deformations[static_cast<std::size_t>(found - meshes_.object_colliders.begin())].shapes)
         for (const Vec3f& p : shape.positions) set_.shapes.push_back(Vec4f::from(p, 0));
-        set_.moves = true;
-      }
+      set_.moves = true;
+    }
+    if (set_.shapes.size() > kMostShapePoints)
+      return make_error(
+          ErrorKind::Limit,
+          "The shapes of the colliders have %zu vertices in all, more than the %zu that contact can "
+          "number.",
+          set_.shapes.size(), kMostShapePoints);
     for (const Vec4f& end : ends_) set_.points.push_back(end);
     shapes_.resize(2 * ends_.size());
     for (const Vec4f& word : shapes_) set_.points.push_back(word);
@@ -95,7 +106,11 @@ class ColliderSetBuilder {
     set_.rims.resize(first_point, 0);
     for (const double rim : rim_distances(places, mesh.triangles))
       set_.rims.push_back(static_cast<float>(rim));
-    if (!meshes_.keyframes[o].empty()) return add_deforming(mesh, first_point);
+    if (!meshes_.deformations[o].empty()) {
+      set_.deforming.push_back({c, first_point, static_cast<std::uint32_t>(mesh.positions.size()), 0,
+                                meshes_.deformations[o].times});
+      return add_deforming(mesh, first_point);
+    }
     shapes_.resize(2 * std::size_t{first_point});
     for (const mesh::Curvature& at : mesh::vertex_curvatures(places, mesh.triangles)) add_curvature(c, at);
     return add_rigid(c, mesh, first_point);
@@ -185,8 +200,6 @@ Result<ColliderSet> ColliderSet::create(const scene::Scene& scene, const Collide
 
 void place_colliders(const scene::Scene& scene, const ColliderSet& set, double time, double step,
                      std::span<ColliderPlace> places) {
-  auto shape = static_cast<float>(set.point_count);  // of the next keyframe
-  std::uint32_t first_point = 0;
   for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
     ColliderPlace& place = places[c];
     scene::RigidTransform now, then;
@@ -202,28 +215,18 @@ void place_colliders(const scene::Scene& scene, const ColliderSet& set, double t
     }
     place.spin = Vec4f::from(scene::spin_between(now, then, step).to<float>(), 0);
     place.shape = {};
-    const auto* mesh = std::get_if<scene::ColliderMesh>(&scene.colliders[c]);
-    if (mesh == nullptr || mesh->keyframes.empty()) continue;
-    // Shapes of this collider: its points themselves, then a block for each keyframe.
-    while (first_point < set.point_count && set.shapes[first_point].w < static_cast<float>(c)) ++first_point;
-    std::uint32_t end = first_point;
-    while (end < set.point_count && set.shapes[end].w < static_cast<float>(c + 1)) ++end;
-    const auto count = static_cast<float>(end - first_point);
-    // The kernel adds the point's own number, so blocks are addressed by the place of point 0.
-    const auto block = [&](std::size_t k) {
-      return k == 0 ? 0.0F : shape + static_cast<float>(k - 1) * count - static_cast<float>(first_point);
+  }
+  for (const DeformingCollider& one : set.deforming) {
+    // The kernel adds the point's own number, so shapes are addressed by the place of point 0.
+    const auto first_of = [&](std::size_t shape) {
+      return shape == 0 ? 0.0F
+                        : static_cast<float>(one.first_shape) +
+                              static_cast<float>(shape - 1) * static_cast<float>(one.point_count) -
+                              static_cast<float>(one.first_point);
     };
-    const auto& frames = mesh->keyframes;
-    std::size_t next = 0;
-    while (next < frames.size() && frames[next].time <= time) ++next;
-    if (next == frames.size()) {
-      place.shape = {block(next), block(next), 0, 0};
-    } else {
-      const double before = next == 0 ? 0 : frames[next - 1].time;
-      place.shape = {block(next), block(next + 1),
-                     static_cast<float>((time - before) / (frames[next].time - before)), 0};
-    }
-    shape += count * static_cast<float>(frames.size());
+    const mesh::ShapeTimes::Moment moment = one.times.at(time);
+    places[one.collider].shape = {first_of(moment.from), first_of(moment.to), static_cast<float>(moment.part),
+                                  0};
   }
 }
 

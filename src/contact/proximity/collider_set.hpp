@@ -9,7 +9,7 @@
 #include "base/result.hpp"
 #include "base/vec.hpp"
 #include "contact/proximity/implicit_tree.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/deformation.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::contact {
@@ -21,7 +21,7 @@ inline constexpr std::uint32_t kMostColliders = 1024;
 /// Mirror of ColliderPlace in src/contact/proximity/move_points.wgsl: where a collider is at one time.
 struct ColliderPlace {
   std::array<Vec4f, 3> rows;  // x, y, z of R·p + t
-  Vec4f shape;                // first point of the keyframe before and of the one after, how far between
+  Vec4f shape;                // first point of the shape before and of the one after, how far between
   Vec4f spin;                 // [rad/s]
 };
 static_assert(sizeof(ColliderPlace) == 80);
@@ -29,8 +29,16 @@ static_assert(sizeof(ColliderPlace) == 80);
 /// A mesh or box of the scene, placed as at time 0.
 struct ColliderMeshes {
   std::span<const mesh::TriangleMesh> objects;
-  std::span<const std::size_t> object_colliders;               // of the scene, for each object
-  std::span<const std::vector<mesh::TriangleMesh>> keyframes;  // for each object
+  std::span<const std::size_t> object_colliders;    // of the scene, for each object
+  std::span<const mesh::Deformation> deformations;  // of each object
+};
+
+/// A mesh that deforms, as a part of the shapes.
+struct DeformingCollider {
+  std::size_t collider = 0;  // of the scene
+  std::uint32_t first_point = 0, point_count = 0;
+  std::uint32_t first_shape = 0;  // its points at its first time
+  mesh::ShapeTimes times;
 };
 
 struct ColliderSet {
@@ -39,12 +47,13 @@ struct ColliderSet {
   /// mesh is curved (curved.wgsl): xx, yy, zz of dn/dx and the normal; xy, xz, yz and its collider; then 4 rows a
   /// collider.
   std::vector<Vec4f> points;
-  std::vector<mesh::Triangle> faces;   // of all meshes, by points
-  std::vector<float> rims;             // of each point of a mesh: how far it lies from the mesh's rim [m]
-  std::vector<Vec4f> shapes;           // points, then those of keyframes; w: collider + kind of point
-  std::vector<TreeWord> trees;         // behind the cloths' tree
-  std::vector<TreeWord> triangles;     // of deforming meshes, behind the cloths'
-  std::vector<ImplicitTree> implicit;  // their trees
+  std::vector<mesh::Triangle> faces;  // of all meshes, by points
+  std::vector<float> rims;            // of each point of a mesh: how far it lies from the mesh's rim [m]
+  std::vector<Vec4f> shapes;          // points, then those of other shapes; w: collider + kind of point
+  std::vector<DeformingCollider> deforming;
+  std::vector<TreeWord> trees;                                // behind the cloths' tree
+  std::vector<TreeWord> triangles;                            // of deforming meshes, behind the cloths'
+  std::vector<ImplicitTree> implicit;                         // their trees
   std::vector<std::uint32_t> implicit_first, implicit_count;  // and which triangles they are of
   std::uint32_t point_count = 0;
   bool moves = false;

@@ -78,7 +78,7 @@ double fastest(const mesh::TriangleMesh& from, const mesh::TriangleMesh& to, dou
 
 std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model& model,
                                          std::span<const mesh::TriangleMesh> objects,
-                                         std::span<const std::vector<mesh::TriangleMesh>> keyframes) {
+                                         std::span<const mesh::Deformation> deformations) {
   std::vector<ContactMover> movers;
   std::vector<Extent> moved(model.motions.size());
   Extent cloths;
@@ -90,7 +90,8 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model&
     movers.push_back({model.motions[m].shape, moved[m].lever(model.motions[m].shape), {}});
   std::size_t object = 0;
   for (const scene::Collider& collider : scene.colliders) {
-    ContactMover mover{scene::motion_of(collider), 0, {}};
+    ContactMover mover;
+    mover.motion = scene::motion_of(collider);
     Extent extent;
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) {
       extent.add_ball(sphere->center, sphere->radius);
@@ -103,13 +104,13 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model&
     } else {
       const mesh::TriangleMesh* before = &objects[object];
       for (const Vec3f& p : before->positions) extent.add(p.to<double>());
-      const auto* deforming = std::get_if<scene::ColliderMesh>(&collider);
       double time = 0;
-      for (std::size_t k = 0; deforming && object < keyframes.size() && k < keyframes[object].size(); ++k) {
-        const mesh::TriangleMesh& shape = keyframes[object][k];
+      for (std::size_t k = 0; object < deformations.size() && k < deformations[object].shapes.size(); ++k) {
+        const mesh::TriangleMesh& shape = deformations[object].shapes[k];
         for (const Vec3f& p : shape.positions) extent.add(p.to<double>());
-        const double next = deforming->keyframes[k].time;
+        const double next = deformations[object].times.times[k];
         mover.changes.push_back({next, fastest(*before, shape, next - time)});
+        mover.loops = deformations[object].times.loops;
         before = &shape;
         time = next;
       }
@@ -120,6 +121,25 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model&
   }
   return movers;
 }
+
+namespace {
+
+double largest_change(const ContactMover& mover, double begin, double end) {
+  if (mover.changes.empty()) return 0;
+  const double round = mover.changes.back().time, duration = end - begin;
+  if (mover.loops) begin -= round * std::floor(begin / round);
+  end = begin + duration;
+  double most = 0, from = 0;
+  for (const ContactMover::Change& one : mover.changes) {
+    const bool now = from <= end && one.time >= begin;
+    const bool next_round = mover.loops && from + round <= end;
+    if (now || next_round) most = std::max(most, one.speed);
+    from = one.time;
+  }
+  return most;
+}
+
+}  // namespace
 
 double largest_speed(const ContactMover& mover, double begin, double end) {
   double speed = 0;
@@ -133,12 +153,7 @@ double largest_speed(const ContactMover& mover, double begin, double end) {
               profile_speed(begin - turn->start, end - turn->start, turn->speed, turn->ramp, turn->angle);
     }
   }
-  double change = 0, from = 0;
-  for (const ContactMover::Change& one : mover.changes) {
-    if (from <= end && one.time >= begin) change = std::max(change, one.speed);
-    from = one.time;
-  }
-  return speed + change;
+  return speed + largest_change(mover, begin, end);
 }
 
 double largest_speed(std::span<const ContactMover> movers, double begin, double end) {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/deformation.hpp"
 #include "model/model.hpp"
 #include "scene/scene.hpp"
 
@@ -17,20 +17,21 @@ namespace weft {
 struct ContactMover {
   std::optional<scene::MotionShape> motion;
   double lever = 0;  // of its farthest point from the axis that it turns about [m]
-  /// Of a mesh with keyframes: up to each time, how fast its fastest vertex goes from the shape before.
+  /// Of a mesh that deforms: up to each time, how fast its fastest vertex goes from the shape before.
   struct Change {
     double time = 0;   // [s]
     double speed = 0;  // [m/s]
   };
   std::vector<Change> changes;
+  bool loops = false;  // after the last change the first follows
 };
 
 /// All that the scene moves. `objects` has the mesh of each mesh and box among the colliders, placed as at
-/// time 0, in their order, and `keyframes` those of each object, or nothing. A plane that turns is as long as
+/// time 0, in their order, and `deformations` how each deforms, or nothing. A plane that turns is as long as
 /// the cloths at rest are far from its axis.
 std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model& model,
                                          std::span<const mesh::TriangleMesh> objects,
-                                         std::span<const std::vector<mesh::TriangleMesh>> keyframes);
+                                         std::span<const mesh::Deformation> deformations);
 
 /// The most that any point of the mover may do between two times [m/s]: a bound, by the largest speed of its
 /// motion in that time.

@@ -13,7 +13,7 @@ Result<FramePlan> FramePlan::create(const scene::Scene& scene, const Model& mode
   plan.frame_time_ = scene.time.frame;
   plan.thickness_ = scene.contact.thickness;
   if (scene.contact.method == scene::ContactMethod::Proximity)
-    plan.movers_ = contact_movers(scene, model, assets.objects, assets.keyframes);
+    plan.movers_ = contact_movers(scene, model, assets.objects, assets.deformations);
   plan.most_substeps_ = plan.substeps_at(largest_speed(plan.movers_, 0, kEver));
   return plan;
 }

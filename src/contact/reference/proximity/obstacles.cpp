@@ -14,7 +14,7 @@ Vec3d turned(const scene::RigidTransform& transform, const Vec3d& direction) {
 }  // namespace
 
 Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMesh> objects,
-                     std::span<const std::vector<mesh::TriangleMesh>> keyframes) {
+                     std::span<const mesh::Deformation> deformations) {
   // Meshes first: the edges of features are those of triangles, then capsules.
   std::vector<Vec3d> positions;
   std::vector<mesh::Triangle> triangles;
@@ -24,8 +24,9 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
     frictions_.push_back(scene::friction_of(collider));
     motions_.push_back(scene::motion_of(collider));
     if (motions_.back()) still_ = false;
-    const auto* deforming = std::get_if<scene::ColliderMesh>(&collider);
-    if (!deforming && !std::holds_alternative<scene::ColliderBox>(collider)) continue;
+    if (!std::holds_alternative<scene::ColliderMesh>(collider) &&
+        !std::holds_alternative<scene::ColliderBox>(collider))
+      continue;
     const mesh::TriangleMesh& mesh = objects[object];
     const auto first = static_cast<std::uint32_t>(positions.size());
     for (const Vec3d& p : widened(mesh.positions)) positions.push_back(p);
@@ -35,13 +36,11 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
     }
     collider_of_vertex_.resize(positions.size(), c);
     curvatures_.resize(positions.size());
-    if (deforming && object < keyframes.size() && !keyframes[object].empty()) {
-      Keyframes frames{first, {}, {}};
-      for (std::size_t k = 0; k < keyframes[object].size(); ++k) {
-        frames.times.push_back(deforming->keyframes[k].time);
-        frames.shapes.push_back(widened(keyframes[object][k].positions));
-      }
-      keyframes_.push_back(std::move(frames));
+    if (object < deformations.size() && !deformations[object].empty()) {
+      Deforming one{first, deformations[object].times, {widened(mesh.positions)}};
+      for (const mesh::TriangleMesh& shape : deformations[object].shapes)
+        one.shapes.push_back(widened(shape.positions));
+      deforming_.push_back(std::move(one));
       still_ = false;
     } else {
       const std::vector<mesh::Curvature> own =
@@ -65,23 +64,16 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
   }
 }
 
-void Obstacles::deform(const Keyframes& keyframes, double time, std::vector<Vec3d>& positions) const {
-  const auto next = static_cast<std::size_t>(
-      std::upper_bound(keyframes.times.begin(), keyframes.times.end(), time) - keyframes.times.begin());
-  const bool last = next == keyframes.times.size();
-  const double from = next == 0 ? 0 : keyframes.times[next - 1];
-  const double part = last ? 0 : std::max(0.0, (time - from) / (keyframes.times[next] - from));
-  const std::size_t count = keyframes.shapes[0].size();
-  for (std::size_t v = 0; v < count; ++v) {
-    Vec3d& p = positions[keyframes.first + v];
-    if (next > 0) p = keyframes.shapes[next - 1][v];
-    if (!last) p += part * (keyframes.shapes[next][v] - p);
-  }
+void Obstacles::deform(const Deforming& deforming, double time, std::vector<Vec3d>& positions) const {
+  const mesh::ShapeTimes::Moment moment = deforming.times.at(time);
+  const std::vector<Vec3d>&from = deforming.shapes[moment.from], &to = deforming.shapes[moment.to];
+  for (std::size_t v = 0; v < from.size(); ++v)
+    positions[deforming.first + v] = from[v] + moment.part * (to[v] - from[v]);
 }
 
 Obstacles::Placed Obstacles::at(double time) const {
   Placed placed{{}, features_.positions, planes_};
-  for (const Keyframes& keyframes : keyframes_) deform(keyframes, time, placed.positions);
+  for (const Deforming& one : deforming_) deform(one, time, placed.positions);
   for (const auto& motion : motions_)
     placed.transforms.push_back(motion ? scene::motion_at(*motion, time) : scene::RigidTransform{});
   for (std::size_t v = 0; v < placed.positions.size(); ++v)

@@ -8,6 +8,7 @@
 
 #include "contact/reference/proximity/pairs.hpp"
 #include "mesh/curvature.hpp"
+#include "mesh/deformation.hpp"
 #include "scene/motion.hpp"
 #include "scene/scene.hpp"
 
@@ -24,9 +25,9 @@ class Obstacles {
 
   Obstacles() = default;
   /// `objects` holds the mesh of each mesh and box among the colliders, placed as at time 0, in their order;
-  /// `keyframes` those of each object, or nothing.
+  /// `deformations` how each deforms, or nothing.
   Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMesh> objects,
-            std::span<const std::vector<mesh::TriangleMesh>> keyframes);
+            std::span<const mesh::Deformation> deformations);
 
   bool empty() const { return features_.vertices.empty() && planes_.empty(); }
   /// Whether none ever moves.
@@ -42,13 +43,13 @@ class Obstacles {
   const std::optional<double>& friction(std::uint32_t collider) const { return frictions_[collider]; }
 
  private:
-  /// Other shapes of the vertices from `first` on.
-  struct Keyframes {
+  /// Shapes of the vertices from `first` on.
+  struct Deforming {
     std::uint32_t first = 0;
-    std::vector<double> times;               // rising [s]
-    std::vector<std::vector<Vec3d>> shapes;  // one for each time, before any motion [m]
+    mesh::ShapeTimes times;
+    std::vector<std::vector<Vec3d>> shapes;  // at time 0, then one for each time, before any motion [m]
   };
-  void deform(const Keyframes& keyframes, double time, std::vector<Vec3d>& positions) const;
+  void deform(const Deforming& deforming, double time, std::vector<Vec3d>& positions) const;
 
   Features features_;
   std::vector<mesh::Curvature> curvatures_;
@@ -56,7 +57,7 @@ class Obstacles {
   std::vector<scene::ColliderPlane> planes_;
   std::vector<std::optional<double>> frictions_;
   std::vector<std::optional<scene::ColliderMotion>> motions_;
-  std::vector<Keyframes> keyframes_;
+  std::vector<Deforming> deforming_;
   bool still_ = true;
 };
 

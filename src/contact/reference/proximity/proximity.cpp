@@ -22,7 +22,7 @@ double margin_of(double distance, double thickness) {
 
 Proximity::Proximity(const scene::Scene& scene, const Model& model,
                      std::span<const mesh::TriangleMesh> objects,
-                     std::span<const std::vector<mesh::TriangleMesh>> keyframes, double step)
+                     std::span<const mesh::Deformation> deformations, double step)
     : thickness_(scene.contact.thickness),
       restitution_(scene.contact.restitution),
       load_(scene.gravity + scene.external_force),
@@ -31,7 +31,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
       limited_edges_(limited_edges(model)),
       cloth_(features_of(model.rest_position, model.triangles)),
       rest_(cloth_),
-      obstacles_(scene, objects, keyframes),
+      obstacles_(scene, objects, deformations),
       object_(obstacles_.features()),
       cloth_facts_{rim_distances(model.rest_position, model.triangles),
                    std::vector(model.vertex_count(), SurfaceKind::Cloth), opposite_corners(model.triangles)} {

@@ -19,9 +19,9 @@ namespace weft::reference {
 
 class Proximity {
  public:
-  /// `objects` and `keyframes` as for Obstacles; `step`: the length of a substep, where frames are not cut [s].
+  /// `objects` and `deformations` as for Obstacles; `step`: the length of a substep, where frames are not cut [s].
   Proximity(const scene::Scene& scene, const Model& model, std::span<const mesh::TriangleMesh> objects,
-            std::span<const std::vector<mesh::TriangleMesh>> keyframes, double step);
+            std::span<const mesh::Deformation> deformations, double step);
 
   /// The state of the nodes in a substep: the solver's prediction from `previous`, and moved nodes
   /// where their motions end. All finite.
