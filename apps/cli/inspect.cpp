@@ -5,7 +5,7 @@
 #include "assets.hpp"
 #include "cloths.hpp"
 #include "memory.hpp"
-#include "model/model.hpp"
+#include "model/attachments.hpp"
 #include "sim/plan/frame_plan.hpp"
 #include "weft/weft.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(scene, load(options));
   WEFT_TRY(assets, load_checked_assets(scene));
-  WEFT_TRY(model, build_model(scene, assets.cloths));
+  WEFT_TRY(model, build_model(scene, assets));
   WEFT_TRY(plan, sim::FramePlan::create(scene, model, assets));
   std::size_t object_triangles = 0;
   for (const mesh::TriangleMesh& object : assets.objects) object_triangles += object.triangles.size();

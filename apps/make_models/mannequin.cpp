@@ -238,8 +238,10 @@ Quaternion4 walking(Joint joint, double phase) {
                     joint == kLeftForearm;
   const double own = left ? phase : phase + std::numbers::pi;
   switch (joint) {
+    case kHips:
+      return about(kY, -0.05 * std::sin(phase));
     case kSpine:
-      return about(kY, 0.06 * std::sin(phase));
+      return about(kY, 0.08 * std::sin(phase));
     case kChest:
       return about(kY, 0.06 * std::sin(phase));
     case kLeftThigh:
@@ -260,6 +262,11 @@ Quaternion4 walking(Joint joint, double phase) {
     default:
       return {0, 0, 0, 1};
   }
+}
+
+/// Where the hips are at a phase of the walk [m]: down and up twice a cycle, to either side once; at rest at its start.
+Vec3d hips_at(double phase) {
+  return kBones[kHips].place + Vec3d{0.012 * std::sin(phase), 0.012 * (std::cos(2 * phase) - 1), 0};
 }
 
 /// The binary chunk of a GLB file, and the JSON of its views and accessors.
@@ -345,6 +352,16 @@ std::string animation_text(Binary& binary, const char* name, double duration, bo
     samplers.push_back(R"({"input":)" + std::to_string(input) + R"(,"output":)" + std::to_string(output) +
                        "}");
   }
+  std::vector<float> hips;
+  for (std::size_t key = 0; key < kKeys; ++key) {
+    const double phase = 2 * std::numbers::pi * static_cast<double>(key % (kKeys - 1)) / (kKeys - 1);
+    const Vec3d at = walks ? hips_at(phase) : kBones[kHips].place;
+    for (int axis = 0; axis < 3; ++axis) hips.push_back(static_cast<float>(at[axis]));
+  }
+  const std::size_t output = binary.add(hips, kFloat, "VEC3", kKeys);
+  channels.push_back(R"({"sampler":)" + std::to_string(samplers.size()) + R"(,"target":{"node":)" +
+                     std::to_string(kHips + 1) + R"(,"path":"translation"}})");
+  samplers.push_back(R"({"input":)" + std::to_string(input) + R"(,"output":)" + std::to_string(output) + "}");
   return R"({"name":")" + std::string(name) + R"(","channels":)" + list(channels) + R"(,"samplers":)" +
          list(samplers) + "}";
 }

@@ -7,6 +7,7 @@
 #include "bench/row.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "contact/rules/contact_steps.hpp"
+#include "model/attachments.hpp"
 #include "scene/load.hpp"
 
 namespace weft::bench {
@@ -33,7 +34,7 @@ Result<Setting> make_setting(gpu::Device& device, scene::Scene scene, Assets ass
   Setting made{std::move(scene), std::move(assets)};
   WEFT_TRY(substeps, fix_step(made.scene, made.assets, effort.steps));
   made.substeps = substeps;
-  WEFT_TRY(model, build_model(made.scene, made.assets.cloths));
+  WEFT_TRY(model, build_model(made.scene, made.assets));
   made.model = std::move(model);
   scene::Scene free = made.scene;
   free.contact.method = scene::ContactMethod::None;

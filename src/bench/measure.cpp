@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "model/attachments.hpp"
 #include "sim/plan/frame_plan.hpp"
 
 namespace weft::bench {
@@ -65,7 +66,7 @@ Result<Timing> time_steps(sim::World& world, double budget_ms, std::uint32_t lea
 }
 
 Result<std::uint32_t> count_substeps(const scene::Scene& scene, const Assets& assets) {
-  WEFT_TRY(model, build_model(scene, assets.cloths));
+  WEFT_TRY(model, build_model(scene, assets));
   WEFT_TRY(plan, sim::FramePlan::create(scene, model, assets));
   return plan.substeps();
 }

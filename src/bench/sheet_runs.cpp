@@ -1,6 +1,7 @@
 #include "bench/sheet_runs.hpp"
 
 #include "method/method.hpp"
+#include "model/attachments.hpp"
 #include "scene/load.hpp"
 
 namespace weft::bench {
@@ -77,7 +78,7 @@ Result<scene::Scene> SheetRuns::load(std::vector<scene::Override> changes) const
 
 Result<StepLimit> SheetRuns::step_limit(const std::vector<scene::Override>& changes) const {
   WEFT_TRY(scene, load(changes));
-  WEFT_TRY(model, build_model(scene, assets_.cloths));
+  WEFT_TRY(model, build_model(scene, assets_));
   return method_of(scene.solver.kind).step_limit(scene, model);
 }
 
@@ -85,7 +86,7 @@ Result<SheetRun> SheetRuns::run(const std::vector<scene::Override>& changes,
                                 const Measuring& measuring) const {
   WEFT_TRY(scene, load(changes));
   SheetRun made;
-  WEFT_TRY(model, build_model(scene, assets_.cloths));
+  WEFT_TRY(model, build_model(scene, assets_));
   made.model = std::move(model);
   WEFT_TRY(run, run_timed(*device_, scene, assets_, sheet_.stops, measuring));
   made.run = std::move(run);

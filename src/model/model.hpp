@@ -90,6 +90,7 @@ struct Model {
 /// Places the scene's cloths in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for a
 /// grid). Errors  Input: a cloth vertex has no area, a selector selects nothing, a node is both pinned and
 /// moved, a grab does not mean one free node or shares it with another.
+/// Without attachments, for which colliders are needed: attachments.hpp.
 Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes);
 
 /// The triangles of a cloth, whose nodes count from 0.

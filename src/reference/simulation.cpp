@@ -9,6 +9,7 @@
 #include "contact/reference/pushes/response.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "contact/rules/max_push.hpp"
+#include "model/attachments.hpp"
 #include "model/grab_speed.hpp"
 #include "model/limited_edges.hpp"
 #include "scene/motion.hpp"
@@ -41,7 +42,7 @@ std::vector<SpringLink> spring_links(const Model& model) {
 }
 
 Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& assets) {
-  WEFT_TRY(model, build_model(scene, assets.cloths));
+  WEFT_TRY(model, build_model(scene, assets));
   Simulation made(scene, std::move(model));
   WEFT_TRY(plan, sim::FramePlan::create(scene, *made.model_, assets));
   made.plan_ = std::move(plan);

@@ -144,6 +144,10 @@ class Builder {
       WEFT_TRY(built, motion(one, path_of_index(path + ".motions", cloth.motions.size()), cloth));
       cloth.motions.push_back(std::move(built));
     }
+    for (const Json& one : at(json, "attachments").values) {
+      WEFT_TRY(built, attachment(one, path_of_index(path + ".attachments", cloth.attachments.size()), cloth));
+      cloth.attachments.push_back(std::move(built));
+    }
     for (const Json& one : at(json, "grabs").values) {
       WEFT_TRY(built, grab(one, path_of_index(path + ".grabs", cloth.grabs.size()), cloth));
       cloth.grabs.push_back(std::move(built));
@@ -237,6 +241,15 @@ class Builder {
     WEFT_TRY(shape, build_motion(json, file_, path));
     motion.shape = std::move(shape);
     return motion;
+  }
+
+  Result<Attachment> attachment(const Json& json, const std::string& path, const Cloth& cloth) const {
+    Attachment attachment;
+    attachment.where = where(path);
+    WEFT_SET(attachment.nodes, selectors(at(json, "nodes"), path + ".nodes", cloth));
+    attachment.collider = whole(at(json, "collider"));
+    attachment.reach = number(json, "reach");
+    return attachment;
   }
 
   Result<Grab> grab(const Json& json, const std::string& path, const Cloth& cloth) const {

@@ -49,6 +49,7 @@ Result<Copies> copies_of(const Json& json, const std::string& file, const std::s
 Cloth shifted(Cloth cloth, const Vec3d& shift) {
   cloth.transform.translate = cloth.transform.translate + shift;
   shift_places(cloth.pins, shift);
+  for (Attachment& attachment : cloth.attachments) shift_places(attachment.nodes, shift);
   for (Motion& motion : cloth.motions) {
     shift_places(motion.nodes, shift);
     if (auto* turn = std::get_if<MotionRotation>(&motion.shape)) turn->center = turn->center + shift;

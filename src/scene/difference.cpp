@@ -26,6 +26,7 @@ const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (a.strain_limit != b.strain_limit) return "strain_limit";
   if (!(a.pins == b.pins)) return "pins";
   if (!(a.motions == b.motions)) return "motions";
+  if (!(a.attachments == b.attachments)) return "attachments";
   if (!(a.grabs == b.grabs)) return "grabs";
   return a.color == b.color ? nullptr : "color";
 }

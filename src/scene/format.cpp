@@ -214,6 +214,17 @@ constexpr Type kMotion{
 constexpr const Type* kMotionItem[] = {&kMotion};
 constexpr Type kMotions{.kind = Kind::List, .count_most = 1000, .types = kMotionItem};
 
+// attachments
+constexpr Type kColliderNumber{.kind = Kind::Number, .least = 0, .most = 999, .whole = true};
+constexpr Key kAttachmentKeys[] = {
+    {"nodes", &kSelectors, "The nodes that go with it: a selector or a list of them", nullptr, true},
+    {"collider", &kColliderNumber, "Its place in colliders, from 0", nullptr, true},
+    {"reach", &kLength, "How far from its surface a node may be at time 0", "0.05"},
+};
+constexpr Type kAttachment{.kind = Kind::Object, .name = "attachment", .keys = kAttachmentKeys};
+constexpr const Type* kAttachmentItem[] = {&kAttachment};
+constexpr Type kAttachments{.kind = Kind::List, .count_most = 1000, .types = kAttachmentItem};
+
 // grabs
 constexpr Key kGrabPointKeys[] = {
     {"time", &kInstant, "When", nullptr, true},
@@ -308,6 +319,7 @@ constexpr Key kClothKeys[] = {
      "How far edges are stretched before they are stiffer, of their length; only multigrid"},
     {"pins", &kPinList, "Nodes that stay where they are", "[]"},
     {"motions", &kMotions, "Nodes that follow a given motion", "[]"},
+    {"attachments", &kAttachments, "Nodes that go where a collider's surface goes", "[]"},
     {"grabs", &kGrabs, "Nodes that are pulled to a point for a while", "[]"},
     {"color", &kColor, "Red, green and blue"},
     {"copies", &kCopies, "The same cloth again and again, each some way further; not with grabs"},

@@ -17,8 +17,9 @@ RigidTransform shift(const Vec3d& offset) {
 Vec3d path_offset(const MotionPath& path, double time) {
   const std::vector<PathPoint>& points = path.points;
   if (points.empty() || !(time > 0)) return points.empty() || points[0].time > 0 ? Vec3d{} : points[0].offset;
-  const auto next =
-      std::find_if(points.begin(), points.end(), [&](const PathPoint& p) { return p.time > time; });
+  if (path.loops && time >= points.back().time) time = std::fmod(time, points.back().time);
+  const auto next = std::upper_bound(points.begin(), points.end(), time,
+                                     [](double now, const PathPoint& p) { return now < p.time; });
   if (next == points.end()) return points.back().offset;
   const PathPoint from =
       next == points.begin() ? PathPoint{} : *(next - 1);  // at rest at time 0, unless given

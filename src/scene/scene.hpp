@@ -64,6 +64,7 @@ struct PathPoint {
 /// A translation along straight pieces between points at rising times.
 struct MotionPath {
   std::vector<PathPoint> points;
+  bool loops = false;  // after the last point, where it is as at time 0, it begins anew
   bool operator==(const MotionPath&) const = default;
 };
 /// A rotation about an axis through `center`, right-handed.
@@ -82,6 +83,17 @@ struct Motion {
   std::vector<Selector> nodes;
   MotionShape shape;
   bool operator==(const Motion& other) const { return nodes == other.nodes && shape == other.shape; }
+};
+
+/// Nodes that go where a collider's surface takes them: each with the point that is nearest at time 0.
+struct Attachment {
+  std::string where;  // file and JSON path
+  std::vector<Selector> nodes;
+  std::size_t collider = 0;  // of the scene's
+  double reach = 0;          // how far a node may be from it [m]
+  bool operator==(const Attachment& other) const {
+    return nodes == other.nodes && collider == other.collider && reach == other.reach;
+  }
 };
 
 struct GrabPoint {
@@ -151,6 +163,7 @@ struct Cloth {
   std::optional<double> strain_limit;  // how far edges are stretched at most, of their length
   std::vector<Selector> pins;
   std::vector<Motion> motions;
+  std::vector<Attachment> attachments;
   std::vector<Grab> grabs;
   std::optional<Vec3d> color;  // red, green, blue in [0, 1]
   std::size_t entry = 0;       // in the scene's list of cloths

@@ -1,5 +1,6 @@
 // How a world is made: buffers, contact, solver, reports.
 #include "contact/rules/contact_law.hpp"
+#include "model/attachments.hpp"
 #include "sim/world.hpp"
 
 namespace weft::sim {
@@ -17,7 +18,7 @@ Result<void> check_node_count(std::uint64_t nodes, const gpu::Device& device) {
 Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_CHECK(check_node_count(node_count(scene_, assets), device_));
   assets_ = assets;
-  WEFT_TRY(host, build_model(scene_, assets.cloths));
+  WEFT_TRY(host, build_model(scene_, assets));
   for (std::size_t kind = 0; kind < kElementKinds; ++kind)
     element_counts_[kind] = host.count(static_cast<ElementKind>(kind));
   slivers_ = host.sliver_count();

@@ -33,9 +33,13 @@ double profile_speed(double from, double to, double speed, double ramp, const st
 
 double path_speed(const scene::MotionPath& path, double begin, double end) {
   double most = 0;
+  const double round = path.loops ? path.points.back().time : 0, duration = end - begin;
+  if (path.loops) begin -= round * std::floor(begin / round);
+  end = begin + duration;
   scene::PathPoint from;  // at rest at time 0, unless given
   for (const scene::PathPoint& to : path.points) {
-    if (to.time > from.time && from.time <= end && to.time >= begin)
+    const bool now = from.time <= end && to.time >= begin;
+    if (to.time > from.time && (now || (path.loops && from.time + round <= end)))
       most = std::max(most, length(to.offset - from.offset) / (to.time - from.time));
     from = to;
   }
