@@ -201,7 +201,14 @@ struct Binding {
   std::array<float, 4> weights{};
 };
 
+/// From 0 at one height to 1 at the other, without a kink.
+double rising(double from, double to, double height) {
+  const double part = std::clamp((height - from) / (to - from), 0.0, 1.0);
+  return part * part * (3 - 2 * part);
+}
+
 /// The joints whose limbs are nearest, by the inverse sixth power of the distance; none of the other leg's or arm's.
+/// The trunk is shared out by height alone: a belt around it keeps its length.
 Binding binding_of(const Body& body, const Vec3d& p) {
   std::array<double, kJoints> weights{};
   for (const Limb& limb : body.all()) {
@@ -210,6 +217,11 @@ Binding binding_of(const Body& body, const Vec3d& p) {
     const double d = 0.02 + std::max(0.0, distance_to(limb, p));
     weights[limb.joint] = std::max(weights[limb.joint], std::pow(0.02 / d, 6));
   }
+  const double trunk = std::max({weights[kHips], weights[kSpine], weights[kChest]});
+  const double above_hips = rising(1.06, 1.16, p.y), above_spine = rising(1.18, 1.3, p.y);
+  weights[kHips] = trunk * (1 - above_hips);
+  weights[kSpine] = trunk * (above_hips - above_spine);
+  weights[kChest] = trunk * above_spine;
   Binding binding;
   double sum = 0;
   std::array<double, 4> best{};

@@ -231,7 +231,7 @@ Json spring_kinds() {
 Json fabric_pair() {
   using T = FabricPair;
   return row("FabricPair", "method/projective_dynamics/fabric_pair.wgsl", sizeof(T), kExact,
-             {M(other), M(stretching), M(bending)});
+             {M(other), M(pull), M(damping), M(bending)});
 }
 Json iteration() {
   using T = Iteration;

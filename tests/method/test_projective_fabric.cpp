@@ -126,7 +126,7 @@ TEST_CASE("no second derivative of bounded yarns or their damping is above their
   for (const double delays : {0.0, 1e9})
     for (const Stiffness& c : kStiffnesses) {
       const membrane::Law law{membrane::Energy::Yarn, c, delays};
-      const auto bound = bounded_yarns::bound(c);
+      const auto bound = delays > 0 ? bounded_yarns::damping_bound(c) : bounded_yarns::bound(c);
       const Vector6 scale = (Vector6() << Eigen::Vector3d::Constant(1 / std::sqrt(bound.warp * (1 + delays))),
                              Eigen::Vector3d::Constant(1 / std::sqrt(bound.weft * (1 + delays))))
                                 .finished();
@@ -162,7 +162,7 @@ TEST_CASE("projective_dynamics relaxes fabric by no less than the largest eigenv
       Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
       for (const NodePair& pair : fabric_node_pairs(model, model.bodies[0])) {
         const double a = std::sqrt(model.inverse_mass(pair.a)), b = std::sqrt(model.inverse_mass(pair.b));
-        const double pull = pair.stretching + pair.bending;
+        const double pull = pair.pull;
         matrix(pair.a, pair.a) += pull * a * a;
         matrix(pair.b, pair.b) += pull * b * b;
         matrix(pair.a, pair.b) -= pull * a * b;

@@ -3,6 +3,9 @@
 
 #include "animated_box.hpp"
 #include "contact/reference/proximity/audit.hpp"
+#include "mesh/adjacency.hpp"
+#include "model/attachments.hpp"
+#include "scene/motion.hpp"
 #include "world_rig.hpp"
 
 using namespace weft;
@@ -125,4 +128,29 @@ TEST_CASE("the mannequin is a closed body in every shape of its walk, and ends a
   }
   CHECK(assets->deformations[0].times.loops);
   CHECK(assets->deformations[0].times.times.back() == doctest::Approx(1.2));
+}
+
+TEST_CASE("the skirt's waist keeps its length as the mannequin walks") {
+  const scene::Scene scene = shipped_scene("walk");
+  const auto assets = load_assets(scene, kModels);
+  REQUIRE_OK(assets);
+  const auto model = build_model(scene, *assets);
+  REQUIRE_OK(model);
+  double least = 1, most = 1;
+  for (int frame = 0; frame <= 72; ++frame) {
+    const auto place = [&](std::uint32_t node) {
+      return scene::motion_at(model->motions[model->motion[node] - 2],
+                              frame / 60.0)(model->rest_position[node]);
+    };
+    for (const mesh::Edge& edge : mesh::mesh_edges(model->triangles)) {
+      if (!model->kinematic(edge[0]) || !model->kinematic(edge[1])) continue;
+      const double stretch = length(place(edge[0]) - place(edge[1])) /
+                             length(model->rest_position[edge[0]] - model->rest_position[edge[1]]);
+      least = std::min(least, stretch);
+      most = std::max(most, stretch);
+    }
+  }
+  MESSAGE("between " << least << " and " << most << " of it");
+  CHECK(least > 0.9);
+  CHECK(most < 1.1);
 }

@@ -85,7 +85,7 @@ TEST_CASE("long: laws hold by xpbd but those that docs/validation.md names") {
 TEST_CASE("long: laws hold by pbd but those that docs/validation.md names") {
   check_laws(scene::SolverKind::Pbd,
              {"stretch", "bias", "catenary", "fall", "chain", "pendulum", "wave", "throw", "order", "slope",
-              "landing"},
+              "landing", "capstan"},
              {"bias", "stretch", "throw", "wave"});
 }
 TEST_CASE("long: laws hold by vbd but those that docs/validation.md names") {
@@ -96,8 +96,9 @@ TEST_CASE("long: laws hold by projective_dynamics but those that docs/validation
   check_laws(scene::SolverKind::ProjectiveDynamics, kAll, {"capstan", "throw"});
 }
 TEST_CASE("long: laws hold by fem") {
-  check_laws(
-      scene::SolverKind::Fem,
-      {"bias", "catenary", "cantilever", "fall", "chain", "wave", "throw", "order", "slope", "landing"}, {});
+  check_laws(scene::SolverKind::Fem,
+             {"stretch", "bias", "catenary", "cantilever", "standing", "twist", "fall", "chain", "pendulum",
+              "wave", "throw", "order", "slope", "landing", "capstan"},
+             {});
 }
 TEST_CASE("every method is held to the laws by a case of its own") { CHECK(methods().size() == 7); }

@@ -65,9 +65,9 @@ Hessian positive_hessian(const Law& law, const Axes& f);
 Axes damping_stress(const Law& law, const Axes& f, const Axes& rate);
 Hessian damping_hessian(const Law& law, const Axes& f);
 
-/// At the end of a step that began with `start` and is 1/`rate` [s] long: the stress, damped by how much the strain has
-/// changed, and how it changes with F [N/m], without what could make that indefinite. A step that only turns the sheet
-/// is not damped.
+/// At the end of a step that began with `start`, of which `rate` go into a second: the stress, damped by how much the
+/// strain has changed, and how it changes with F [N/m], without what could make that indefinite. A step that only turns
+/// the sheet is not damped.
 struct StepStress {
   Axes stress;
   Hessian hessian;

@@ -10,9 +10,16 @@ namespace {
 constexpr double kCouplesTo = 1.5;  // the stretch from which on a yarn pulls less and less at the other one
 constexpr double kCouples = 0.5;    // by how much more stretch, until no more
 
-/// Of the second derivatives, in units of |C12| and C33: docs/solvers/projective_dynamics.md, equation 13.
-constexpr double kMostCoupled = 2.5, kMostCoupledAuxetic = 3;
-constexpr double kMostSheared = 2.81;
+/// Of a second derivative, in units of |C12|, where that is below 0, and of C33.
+struct Most {
+  double coupled, auxetic, sheared;
+};
+constexpr Most kMostOfEnergy = {1.3, 2, 2.48832}, kMostOfDamping = {2.5, 3, 2.81};
+
+Bound bound_by(const Most& most, const Stiffness& c) {
+  const double both = (c.coupled > 0 ? most.coupled : -most.auxetic) * c.coupled + most.sheared * c.shear;
+  return {c.warp + both, c.weft + both};
+}
 
 /// A yarn's direction, and what of it counts where both yarns act together. Equations 11 and 12.
 struct Yarn {
@@ -67,10 +74,7 @@ membrane::Axes stress(const membrane::Law& law, const membrane::Axes& f, const m
           along_weft * weft.direction + sheared * weft.turned(warp.arrow)};
 }
 
-Bound bound(const Stiffness& c) {
-  const double both =
-      (c.coupled > 0 ? kMostCoupled : -kMostCoupledAuxetic) * c.coupled + kMostSheared * c.shear;
-  return {c.warp + both, c.weft + both};
-}
+Bound bound(const Stiffness& c) { return bound_by(kMostOfEnergy, c); }
+Bound damping_bound(const Stiffness& c) { return bound_by(kMostOfDamping, c); }
 
 }  // namespace weft::bounded_yarns

@@ -8,16 +8,18 @@ namespace weft::bounded_yarns {
 
 /// Of one square metre at rest [J/m²].
 double energy(const Stiffness& stiffness, const membrane::Axes& f);
-/// By F, at the end of a step that began with `start` and is 1/`rate` [s] long, damping included: the first
+/// By F, at the end of a step that began with `start`, of which `rate` go into a second, damping included: the first
 /// Piola-Kirchhoff stress [N/m]. Equation 14.
 membrane::Axes stress(const membrane::Law& law, const membrane::Axes& f, const membrane::Axes& start,
                       double rate);
 
-/// Of changes of each column of F [N/m]: whatever F is, the second derivative of the energy is nowhere above
-/// diag(warp I, weft I), nor is that of damping above so much times the delay by the step. Equation 13.
+/// Of changes of each column of F [N/m]: whatever F is, a second derivative is nowhere above diag(warp I, weft I).
 struct Bound {
   double warp = 0, weft = 0;
 };
+/// Of the energy. Equation 13.
 Bound bound(const Stiffness& stiffness);
+/// Of damping's, by the delay over the step, wherever the step began. Equation 14.
+Bound damping_bound(const Stiffness& stiffness);
 
 }  // namespace weft::bounded_yarns

@@ -2,6 +2,7 @@
 // Mirror: src/method/projective_dynamics/relaxed_fabric.hpp.
 struct FabricPair {
   other : u32,
-  stretching : f32,  // N/m: of membranes
-  bending : f32,     // N/m
+  pull : f32,     // N/m
+  damping : f32,  // N·s/m
+  bending : f32,  // N/m: the part of the pull that is bending's
 }

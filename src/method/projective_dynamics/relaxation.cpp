@@ -89,20 +89,13 @@ double ClothRates::step_of(double rate) const {
 double reached_rate(std::uint32_t iterations) { return 2 / (tuned_to(Cycles(iterations).shortest) - 1); }
 
 ClothRates cloth_rates(const Model& model, const Body& cloth) {
-  const auto stretching = [](const NodePair& pair) { return pair.stretching; };
-  if (cloth.fabric) {
-    const std::vector<NodePair> pairs = fabric_node_pairs(model, cloth);
-    return {largest_rate(model, cloth, pairs,
-                         [](const NodePair& pair) { return pair.stretching + pair.bending; }),
-            cloth.fabric->damping * largest_rate(model, cloth, pairs, stretching)};
-  }
-  std::vector<NodePair> stiffness, damping;
-  for (const Spring spring : model.springs(cloth)) {
-    const std::uint32_t a = spring.node_a - cloth.first_vertex, b = spring.node_b - cloth.first_vertex;
-    stiffness.push_back({a, b, static_cast<double>(spring.stiffness)});
-    damping.push_back({a, b, static_cast<double>(spring.damping)});
-  }
-  return {largest_rate(model, cloth, stiffness, stretching), largest_rate(model, cloth, damping, stretching)};
+  std::vector<NodePair> pairs;
+  if (cloth.fabric) pairs = fabric_node_pairs(model, cloth);
+  for (const Spring spring : model.springs(cloth))
+    pairs.push_back({spring.node_a - cloth.first_vertex, spring.node_b - cloth.first_vertex,
+                     static_cast<double>(spring.stiffness), static_cast<double>(spring.damping), 0});
+  return {largest_rate(model, cloth, pairs, [](const NodePair& pair) { return pair.pull; }),
+          largest_rate(model, cloth, pairs, [](const NodePair& pair) { return pair.damping; })};
 }
 
 Relaxation make_relaxation(double most_rate, std::uint32_t iterations) {

@@ -28,7 +28,8 @@ Result<SlicedPairs> sliced(const std::vector<NodePair>& pairs, const Body& body)
     for (const std::uint32_t place : at.row(node)) {
       const NodePair& pair = pairs[place / 2];
       made.entries[entry] = {body.first_vertex + (pair.a == node ? pair.b : pair.a),
-                             static_cast<float>(pair.stretching), static_cast<float>(pair.bending)};
+                             static_cast<float>(pair.pull), static_cast<float>(pair.damping),
+                             static_cast<float>(pair.bending)};
       entry += kSlice;
     }
   }
@@ -89,7 +90,6 @@ Result<RelaxedFabric> RelaxedFabric::create(const SolverInputs& inputs, const Bo
                            return {state.steps,
                                    made.nodes_,
                                    relaxed.weights[cycle][iteration],
-                                   made.fabric_.params,
                                    made.slices_,
                                    made.pairs_,
                                    relaxed.change[iteration % 2],

@@ -11,9 +11,9 @@ namespace weft {
 /// A pair of nodes as one of them sees it. Mirror: src/method/projective_dynamics/fabric_pair.wgsl.
 struct FabricPair {
   std::uint32_t other = 0;
-  float stretching = 0, bending = 0;  // [N/m]
+  float pull = 0, damping = 0, bending = 0;  // [N/m], [N·s/m], [N/m]
 };
-static_assert(sizeof(FabricPair) == 12);
+static_assert(sizeof(FabricPair) == 16);
 
 /// The cycles of a cloth of fabric that is flat at rest: each finds what its membranes and its bending pull by, and
 /// relaxes its nodes. Source: docs/solvers/projective_dynamics.md, Fabric.

@@ -66,8 +66,7 @@ std::vector<Vec3d> ProjectiveDynamicsStepper::pulls_of_change(const MassSpringSy
   for (const SpringLink& s : system.springs) add(s.node_a, s.node_b, s.stiffness + s.damping / dt);
   for (const Fabric& cloth : fabrics_)
     for (const NodePair& pair : cloth.pairs)
-      add(cloth.first + pair.a, cloth.first + pair.b,
-          pair.bending + (1 + cloth.delay / dt) * pair.stretching);
+      add(cloth.first + pair.a, cloth.first + pair.b, pair.pull + pair.damping / dt);
   return pulls;
 }
 
@@ -79,8 +78,7 @@ ProjectiveDynamicsStepper::ProjectiveDynamicsStepper(const Model& model, double 
     const ClothRates rates = cloth_rates(model, cloth);
     rates_of_.insert(rates_of_.end(), cloth.vertex_count, rates);
     most = std::max(most, rates.at(step));
-    if (cloth.fabric)
-      fabrics_.push_back({cloth.first_vertex, cloth.fabric->damping, fabric_node_pairs(model, cloth)});
+    if (cloth.fabric) fabrics_.push_back({cloth.first_vertex, fabric_node_pairs(model, cloth)});
   }
   relaxation_ = make_relaxation(most, iterations);
 }

@@ -18,7 +18,6 @@ class ProjectiveDynamicsStepper : public Stepper {
   /// A cloth of fabric.
   struct Fabric {
     std::uint32_t first = 0;  // of its nodes
-    double delay = 0;         // of its damping [s]
     std::vector<NodePair> pairs;
   };
   /// What elements pull the nodes with at the ways so far [N].
