@@ -3,6 +3,7 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "method/fabric_params.wgsl"
+#include "method/moved_membrane.wgsl"
 #include "method/projective_dynamics/bounded_yarns.wgsl"
 //                                                                             elements      unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
@@ -17,20 +18,10 @@
 
 // N
 fn pull_of_membrane(triangle : u32, corner : u32) -> vec3f {
-  let a = corners[3u * triangle];
-  let b = corners[3u * triangle + 1u];
-  let c = corners[3u * triangle + 2u];
-  let start = position_in[a].xyz;
-  let second = way[b].xyz - way[a].xyz;
-  let third = way[c].xyz - way[a].xyz;
-  let slope = slopes[triangle];
-  // Ways are short: their differences keep digits that those of places have lost.
-  let before = deformation(slope, position_in[b].xyz - start, position_in[c].xyz - start);
-  let change = deformation(slope, second, third);
-  let f = Axes(before.warp + change.warp, before.weft + change.weft);
-  let stress = bounded_stress(fabric.law, f, before, 1.0 / step.time.dt);
-  let n = corner_slope(slope, corner);
-  return -area_of(slope) * (n.x * stress.warp + n.y * stress.weft);
+  let moved = moved_membrane(triangle);
+  let stress = bounded_stress(fabric.law, moved.f, moved.start, 1.0 / step.time.dt);
+  let n = corner_slope(moved.slopes, corner);
+  return -area_of(moved.slopes) * (n.x * stress.warp + n.y * stress.weft);
 }
 
 @compute @workgroup_size(kWorkgroupSize)

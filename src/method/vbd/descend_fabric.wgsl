@@ -6,6 +6,7 @@
 #include "element/membrane/hessian.wgsl"
 #include "method/bent_hinge.wgsl"
 #include "method/fabric_params.wgsl"
+#include "method/moved_membrane.wgsl"
 #include "method/symmetric.wgsl"
 override kHinges : bool = true;  // whether any hinge resists
 
@@ -35,22 +36,13 @@ struct Pull {
 }
 
 fn pull_of_membrane(triangle : u32, corner : u32) -> Pull {
-  let a = corners[3u * triangle];
-  let b = corners[3u * triangle + 1u];
-  let c = corners[3u * triangle + 2u];
-  let start = position_in[a].xyz;
-  let second = way[b].xyz - way[a].xyz;
-  let third = way[c].xyz - way[a].xyz;
-  let slope = slopes[triangle];
-  let before = deformation(slope, position_in[b].xyz - start, position_in[c].xyz - start);
-  let change = deformation(slope, second, third);
-  let f = Axes(before.warp + change.warp, before.weft + change.weft);
-  let at_end = step_stress(fabric.law, f, before, 1.0 / step.time.dt);
+  let moved = moved_membrane(triangle);
+  let at_end = step_stress(fabric.law, moved.f, moved.start, 1.0 / step.time.dt);
   let stress = at_end.stress;
   let h = at_end.hessian;
-  let n = corner_slope(slope, corner);
+  let n = corner_slope(moved.slopes, corner);
   let straight = sum_of(scaled(n.x * n.x, symmetric_of(h.warp)), scaled(n.y * n.y, symmetric_of(h.weft)));
-  let area = area_of(slope);
+  let area = area_of(moved.slopes);
   return Pull(-area * (n.x * stress.warp + n.y * stress.weft),
               scaled(area, sum_of(straight, scaled(2.0 * n.x * n.y, symmetric_of(h.mixed)))));
 }
