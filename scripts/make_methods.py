@@ -27,6 +27,9 @@ SCENES = {
     "ball": "a sheet falls on a ball of triangles and the floor, self-contact included",
     "armadillo": "the same over the armadillo",
     "twist": "a sheet is wrung into a rope",
+    "pull-sphere": "a sheet is pulled over a sphere, as in the paper",
+    "pull-armadillo": "the same over the armadillo",
+    "pull-dragon": "the same over the dragon",
 }
 NULL = "null"
 

@@ -80,7 +80,8 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
   add_names(*methods, "--only", options.selection.only,
             "words of methods, as solver.kind has them, and null");
   add_names(*methods, "--scenes", options.selection.objects,
-            "sheet, strip, cantilever, ball, armadillo, twist");
+            "sheet, strip, cantilever, ball, armadillo, twist, "
+            "pull-sphere, pull-armadillo, pull-dragon");
   methods
       ->add_option("--most-ms", options.selection.most_ms,
                    "Leave out what takes longer for a frame, in the median of eight and more")

@@ -50,6 +50,10 @@ std::vector<MethodScene> scenes_of(const Selection& selection) {
       {"ball", {"drape-sphere", {}, stops}, {100, 256}, true},
       {"armadillo", {"drape-armadillo", {}, stops}, {100, 256}, true},
       {"twist", {"twist", {}, late}, {100, 256}, true},
+      // The paper's second experiment; the pull begins after a quarter of a second.
+      {"pull-sphere", {"pull-sphere", {}, late}, {100}, true},
+      {"pull-armadillo", {"pull-armadillo", {}, late}, {100}, true},
+      {"pull-dragon", {"pull-dragon", {}, late}, {100}, true},
   };
 }
 

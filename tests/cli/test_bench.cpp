@@ -259,7 +259,7 @@ TEST_CASE("bench methods runs other scenes, and leaves out what takes too long")
     arguments.insert(arguments.end(), more.begin(), more.end());
     return bench_rows(arguments);
   };
-  const nlohmann::json rows = run({"--scenes", "strip,cantilever,twist", "--sides", "10"});
+  const nlohmann::json rows = run({"--scenes", "strip,cantilever,twist,pull-sphere", "--sides", "10"});
   std::string names;
   for (const auto& row : rows) {
     const std::string scene = row.at("object"), variant = row.at("variant");
@@ -267,17 +267,19 @@ TEST_CASE("bench methods runs other scenes, and leaves out what takes too long")
     names += scene + " " + variant + "; ";
     CHECK(row.at("nodes") == 100);
     CHECK(!row.contains("skipped"));
-    CHECK(row.contains("crossings") == (scene == "twist"));
+    const bool late = scene == "twist" || scene == "pull-sphere";
+    CHECK(row.contains("crossings") == late);
     const nlohmann::json& error = row.at("error").at(0);
-    CHECK(error.at("t") == doctest::Approx(scene == "twist" ? 0.5 : 0.25));
-    if (variant == "mass_spring") CHECK(error.at("position") < 0.01);
+    CHECK(error.at("t") == doctest::Approx(late ? 0.5 : 0.25));
+    // Its own steps, finer; over an obstacle nodes of a coarse sheet are held a substep sooner or later.
+    if (variant == "mass_spring") CHECK(error.at("position") < (late ? 0.05 : 0.01));
     // The sides of what is wrung are moved.
     CHECK((error.at("edge_stretch_reference") == 0) == (scene == "twist"));
   }
   CHECK(names ==
         "strip mass_spring; strip projective_dynamics 8 x 4; cantilever mass_spring; cantilever "
         "projective_dynamics 8 x 4; twist mass_spring; "
-        "twist projective_dynamics 8 x 4; ");
+        "twist projective_dynamics 8 x 4; pull-sphere mass_spring; pull-sphere projective_dynamics 8 x 4; ");
   const nlohmann::json nulls = run({"--sides", "36", "--most-ms", "1e9"});
   REQUIRE(nulls.size() == 3);
   CHECK(nulls[2].at("variant") == "null 32");
