@@ -74,7 +74,8 @@ Result<void> AnimatedMesh::read_skin(const GlbChunks& glb, std::uint64_t number,
   std::vector<Joint>& made = skins_[static_cast<std::size_t>(number)];
   for (std::size_t j = 0; j < joints->size(); ++j) {
     const Json& index = (*joints)[j];
-    const auto place = index.kind == Json::Kind::Number && index.number >= 0 && index.number <= kMostIndex
+    const auto place = index.kind == Json::Kind::Number && index.number >= 0 && index.number <= kMostIndex &&
+                               index.number == std::floor(index.number)
                            ? places.find(static_cast<std::uint64_t>(index.number))
                            : places.end();
     if (place == places.end())
@@ -113,20 +114,36 @@ Result<const GltfAnimation*> AnimatedMesh::animation(const std::string& name) co
   return input_error("The file has no animation \"%s\"; it has %s.", quoted(name).c_str(), names.c_str());
 }
 
-Result<TriangleMesh> AnimatedMesh::posed(const GltfAnimation& animation, double time) const {
+std::size_t AnimatedMesh::size() const {
+  std::size_t joints = 0;
+  for (const GlbRange& range : parts_.ranges)
+    if (range.first_binding)
+      joints += skins_[static_cast<std::size_t>(*parts_.nodes[range.node].skin)].size();
+  return parts_.positions.size() + parts_.nodes.size() + joints;
+}
+
+std::vector<Affine> AnimatedMesh::nodes_at(const GltfAnimation& animation, double time) const {
   std::vector<NodeParts> parts;
+  parts.reserve(parts_.nodes.size());
   for (const SceneNode& node : parts_.nodes) parts.push_back(node.parts);
   animation.move(time, parts);
-  const std::vector<Affine> places = placements(parts_.nodes, parts);
-  TriangleMesh mesh{parts_.positions, parts_.triangles};
+  return placements(parts_.nodes, parts);
+}
+
+std::vector<Affine> AnimatedMesh::joints_at(const GlbRange& range, const std::vector<Affine>& nodes) const {
+  std::vector<Affine> joints;
+  if (range.first_binding)
+    for (const Joint& joint : skins_[static_cast<std::size_t>(*parts_.nodes[range.node].skin)])
+      joints.push_back(composed(nodes[joint.node], joint.inverse_bind));
+  return joints;
+}
+
+Result<std::vector<Vec3f>> AnimatedMesh::placed(const std::vector<Affine>& nodes) const {
+  std::vector<Vec3f> positions = parts_.positions;
   for (const GlbRange& range : parts_.ranges) {
-    const SceneNode& node = parts_.nodes[range.node];
-    std::vector<Affine> joints;  // from the mesh to the scene
-    if (range.first_binding)
-      for (const Joint& joint : skins_[static_cast<std::size_t>(*node.skin)])
-        joints.push_back(composed(places[joint.node], joint.inverse_bind));
+    const std::vector<Affine> joints = joints_at(range, nodes);
     for (std::size_t v = 0; v < range.count; ++v) {
-      Vec3f& position = mesh.positions[range.first + v];
+      Vec3f& position = positions[range.first + v];
       const Vec3d own = position.to<double>();
       Vec3d there;
       if (range.first_binding) {
@@ -134,12 +151,32 @@ Result<TriangleMesh> AnimatedMesh::posed(const GltfAnimation& animation, double 
         for (std::size_t k = 0; k < 4; ++k)
           there += static_cast<double>(binding.weights[k]) * joints[binding.joints[k]].point(own);
       } else {
-        there = places[range.node].point(own);
+        there = nodes[range.node].point(own);
       }
-      WEFT_CHECK(check_coordinates(there, range, v, node));
+      WEFT_CHECK(check_coordinates(there, range, v, parts_.nodes[range.node]));
       position = there.to<float>();
     }
   }
+  return positions;
+}
+
+Result<std::vector<Vec3f>> AnimatedMesh::places(const GltfAnimation& animation, double time) const {
+  return placed(nodes_at(animation, time));
+}
+
+Result<TriangleMesh> AnimatedMesh::posed(const GltfAnimation& animation, double time) const {
+  const std::vector<Affine> nodes = nodes_at(animation, time);
+  WEFT_TRY(positions, placed(nodes));
+  TriangleMesh mesh{std::move(positions), parts_.triangles};
+  // Of a skin, by the joint that counts most at its first vertex: its own node places nothing.
+  const auto mirrored = [&](const GlbRange& range) {
+    if (!range.first_binding || range.count == 0) return nodes[range.node].determinant() < 0;
+    const Binding& binding = parts_.bindings[*range.first_binding];
+    const auto most =
+        std::max_element(binding.weights.begin(), binding.weights.end()) - binding.weights.begin();
+    return joints_at(range, nodes)[binding.joints[static_cast<std::size_t>(most)]].determinant() < 0;
+  };
+  parts_.turn_where(mirrored, mesh.triangles);
   return mesh;
 }
 

@@ -22,8 +22,13 @@ class AnimatedMesh {
   /// The animation of a name; of "" the first. Errors  Input: the file has none, or which it has.
   Result<const GltfAnimation*> animation(const std::string& name) const;
   /// At a time of an animation of this mesh [s]: each vertex where its node, or the joints of its skin, take it
-  /// (glTF 2.0, section 3.7.3.1). Errors  Input: a coordinate is not finite.
+  /// (glTF 2.0, section 3.7.3.1), and triangles with their outside where that is. Errors  Input: a coordinate is not
+  /// finite.
   Result<TriangleMesh> posed(const GltfAnimation& animation, double time) const;
+  /// Its vertices alone.
+  Result<std::vector<Vec3f>> places(const GltfAnimation& animation, double time) const;
+  /// How many vertices, nodes and joints a pose goes through.
+  std::size_t size() const;
 
  private:
   /// A joint of a skin: its place among the nodes, and where its mesh is in it at rest.
@@ -34,6 +39,10 @@ class AnimatedMesh {
   Result<void> read_skins(const GlbChunks& glb);
   Result<void> read_skin(const GlbChunks& glb, std::uint64_t number, const std::string& who);
   Result<void> check_joints() const;
+  /// Where nodes are; of a range of vertices, its joints from the mesh to the scene.
+  std::vector<Affine> nodes_at(const GltfAnimation& animation, double time) const;
+  std::vector<Affine> joints_at(const GlbRange& range, const std::vector<Affine>& nodes) const;
+  Result<std::vector<Vec3f>> placed(const std::vector<Affine>& nodes) const;
 
   GlbParts parts_;
   std::vector<GltfAnimation> animations_;

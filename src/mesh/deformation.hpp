@@ -29,7 +29,7 @@ struct ShapeTimes {
 /// How a mesh deforms: other positions of its vertices.
 struct Deformation {
   ShapeTimes times;
-  std::vector<TriangleMesh> shapes;  // one for each time: the mesh's triangles
+  std::vector<std::vector<Vec3f>> shapes;  // one for each time [m]
 
   bool empty() const { return shapes.empty(); }
 };

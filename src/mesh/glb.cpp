@@ -24,6 +24,8 @@ Result<TriangleMesh> read_glb(std::span<const std::byte> bytes) {
       position = there.to<float>();
     }
   }
+  parts.turn_where([&](const GlbRange& range) { return places[range.node].determinant() < 0.0; },
+                   parts.triangles);
   TriangleMesh result{std::move(parts.positions), std::move(parts.triangles)};
   WEFT_CHECK(check_mesh(result));
   merge_vertices(result);

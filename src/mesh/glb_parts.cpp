@@ -53,30 +53,29 @@ class Assembly {
 
   Result<GlbParts> run() {
     WEFT_SET(parts_.nodes, scene_nodes(glb_.json));
-    std::vector<NodeParts> own;
-    for (const SceneNode& node : parts_.nodes) own.push_back(node.parts);
-    const std::vector<Affine> places = placements(parts_.nodes, own);
     for (std::size_t n = 0; n < parts_.nodes.size(); ++n)
-      if (parts_.nodes[n].mesh) WEFT_CHECK(add(n, places[n].determinant() < 0.0));
+      if (parts_.nodes[n].mesh) WEFT_CHECK(add(n));
     return std::move(parts_);
   }
 
  private:
-  Result<void> add(std::size_t place, bool mirrored) {
+  Result<void> add(std::size_t place) {
     const SceneNode& node = parts_.nodes[place];
     WEFT_TRY(mesh, entry(glb_.json, "meshes", *node.mesh, path_of_node(node) + ".mesh"));
     const std::string path = path_of_index("meshes", static_cast<std::size_t>(*node.mesh));
     WEFT_TRY(primitives, entries(*mesh, path, "primitives"));
     ranges_.clear();
     for (std::size_t i = 0; i < primitives->size(); ++i)
-      WEFT_CHECK(add_primitive((*primitives)[i], path_of_index(path + ".primitives", i), place, mirrored));
+      WEFT_CHECK(add_primitive((*primitives)[i], path_of_index(path + ".primitives", i), place));
     return {};
   }
 
   Result<void> check_room(std::uint64_t vertices, std::uint64_t triangles) {
     const std::uint64_t vertex_bytes = sizeof(Vec3f) + (skins_ ? sizeof(Binding) : 0);
     const std::uint64_t bytes = vertex_bytes * (parts_.positions.size() + vertices) +
-                                sizeof(Triangle) * (parts_.triangles.size() + triangles);
+                                sizeof(Triangle) * (parts_.triangles.size() + triangles) +
+                                sizeof(GlbTriangles) * parts_.primitives.size() +
+                                sizeof(GlbRange) * parts_.ranges.size();
     if (bytes <= limit_) return {};
     return input_error(
         "The scene repeats its meshes until they take over %llu bytes, the limit for a file of %zu.",
@@ -100,7 +99,11 @@ class Assembly {
     if (const auto known = ranges_.find(accessors); known != ranges_.end()) return known->second;
     WEFT_TRY(positions, GltfAccessor::find(glb_, index, who + ".POSITION", GltfKind::Positions));
     WEFT_CHECK(check_room(positions.count(), 0));
-    const GlbRange range{index, place, parts_.positions.size(), static_cast<std::size_t>(positions.count()),
+    const GlbRange range{parts_.ranges.size(),
+                         index,
+                         place,
+                         parts_.positions.size(),
+                         static_cast<std::size_t>(positions.count()),
                          skinned ? std::optional(parts_.bindings.size()) : std::nullopt};
     for (std::uint64_t i = 0; i < positions.count(); ++i) parts_.positions.push_back(positions.position(i));
     if (skinned) WEFT_CHECK(add_bindings(accessors, who, positions.count()));
@@ -140,8 +143,7 @@ class Assembly {
     return {};
   }
 
-  Result<void> add_primitive(const Json& primitive, const std::string& path, std::size_t place,
-                             bool mirrored) {
+  Result<void> add_primitive(const Json& primitive, const std::string& path, std::size_t place) {
     WEFT_TRY(mode, whole_number(primitive, path, "mode", kFan, kTriangles));
     if (mode < kTriangles)
       return input_error("%s.mode is %llu, points or lines; triangles (4), strips (5) and fans (6) are read.",
@@ -165,20 +167,24 @@ class Assembly {
     const auto corner = [&](std::uint64_t i) {
       return static_cast<std::uint32_t>(vertices.first + (indices ? indices->index(i) : i));
     };
-    add_triangles(mode, count, corner, mirrored);
+    const std::size_t first = parts_.triangles.size();
+    add_triangles(mode, count, corner);
+    const std::size_t added = parts_.triangles.size() - first;
+    if (!parts_.primitives.empty() && parts_.primitives.back().range == vertices.number)
+      parts_.primitives.back().count += added;
+    else
+      parts_.primitives.push_back({vertices.number, first, added});
     return {};
   }
 
-  // A placement that mirrors turns the triangles, so that their outside stays outside. Strips run on through
-  // triangles that name a vertex twice; those are only a way to get elsewhere.
+  // Strips run on through triangles that name a vertex twice; those are only a way to get elsewhere.
   template <class Corner>
-  void add_triangles(std::uint64_t mode, std::uint64_t count, Corner corner, bool mirrored) {
+  void add_triangles(std::uint64_t mode, std::uint64_t count, Corner corner) {
     const std::uint64_t step = mode == kTriangles ? 3 : 1;
     for (std::uint64_t i = 0; i + 2 < count; i += step) {
       const std::uint64_t odd = mode == kStrip ? i % 2 : 0;
       Triangle t{corner(mode == kFan ? 0 : i), corner(i + 1 + odd), corner(i + 2 - odd)};
       if (mode == kStrip && (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])) continue;
-      if (mirrored) std::swap(t[1], t[2]);
       parts_.triangles.push_back(t);
     }
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/glb_chunks.hpp"
@@ -21,10 +22,17 @@ struct Binding {
 
 /// Vertices of one accessor, as a node of the scene has them.
 struct GlbRange {
+  std::size_t number = 0;  // its own place among GlbParts::ranges
   std::uint64_t accessor = 0;
   std::size_t node = 0;  // its place among GlbParts::nodes
   std::size_t first = 0, count = 0;
   std::optional<std::size_t> first_binding;  // of vertices that a skin moves
+};
+
+/// Triangles of one primitive, or of several one after the other with the same vertices.
+struct GlbTriangles {
+  std::size_t range = 0;  // of their vertices
+  std::size_t first = 0, count = 0;
 };
 
 struct GlbParts {
@@ -32,7 +40,18 @@ struct GlbParts {
   std::vector<Vec3f> positions;  // as their accessors have them
   std::vector<GlbRange> ranges;  // of the positions, in their order
   std::vector<Binding> bindings;
-  std::vector<Triangle> triangles;  // turned where its node mirrors them
+  std::vector<Triangle> triangles;  // as their primitives have them
+  std::vector<GlbTriangles> primitives;
+
+  /// Turns the triangles of ranges that a placement mirrors, so that their outside stays outside.
+  template <class Mirrored>
+  void turn_where(const Mirrored& mirrored, std::vector<Triangle>& all) const {
+    for (const GlbTriangles& primitive : primitives) {
+      if (!mirrored(ranges[primitive.range])) continue;
+      for (std::size_t t = 0; t < primitive.count; ++t)
+        std::swap(all[primitive.first + t][1], all[primitive.first + t][2]);
+    }
+  }
 };
 
 /// The meshes of the default scene. `skins`: with the bindings of those that skins move.

@@ -21,32 +21,33 @@ Key key_of(const Vec3f& p) {
 // The vertices of a mesh and of its shapes, in order of their bits.
 class Places {
  public:
-  Places(const TriangleMesh& mesh, std::span<const TriangleMesh> shapes) : mesh_(mesh), shapes_(shapes) {}
+  Places(const std::vector<Vec3f>& positions, std::span<const std::vector<Vec3f>> shapes)
+      : positions_(positions), shapes_(shapes) {}
 
   bool before(std::uint32_t a, std::uint32_t b) const {
-    const int order = compared(mesh_, a, b);
+    const int order = compared(positions_, a, b);
     if (order != 0) return order < 0;
-    for (const TriangleMesh& shape : shapes_)
+    for (const std::vector<Vec3f>& shape : shapes_)
       if (const int other = compared(shape, a, b); other != 0) return other < 0;
     return false;
   }
 
  private:
-  static int compared(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
-    const Key one = key_of(mesh.positions[a]), other = key_of(mesh.positions[b]);
+  static int compared(const std::vector<Vec3f>& positions, std::uint32_t a, std::uint32_t b) {
+    const Key one = key_of(positions[a]), other = key_of(positions[b]);
     return one < other ? -1 : other < one ? 1 : 0;
   }
 
-  const TriangleMesh& mesh_;
-  std::span<const TriangleMesh> shapes_;
+  const std::vector<Vec3f>& positions_;
+  std::span<const std::vector<Vec3f>> shapes_;
 };
 
 }  // namespace
 
 // Sorted and not hashed: a file made to collide would cost a hash table quadratic time.
-std::size_t merge_vertices(TriangleMesh& mesh, std::span<TriangleMesh> shapes) {
+std::size_t merge_vertices(TriangleMesh& mesh, std::span<std::vector<Vec3f>> shapes) {
   const std::size_t before = mesh.positions.size();
-  const Places places(mesh, shapes);
+  const Places places(mesh.positions, shapes);
   std::vector<std::uint32_t> order(before);
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -63,11 +64,11 @@ std::size_t merge_vertices(TriangleMesh& mesh, std::span<TriangleMesh> shapes) {
       continue;
     }
     mesh.positions[count] = mesh.positions[i];
-    for (TriangleMesh& shape : shapes) shape.positions[count] = shape.positions[i];
+    for (std::vector<Vec3f>& shape : shapes) shape[count] = shape[i];
     vertex[i] = count++;
   }
   mesh.positions.resize(count);
-  for (TriangleMesh& shape : shapes) shape.positions.resize(count);
+  for (std::vector<Vec3f>& shape : shapes) shape.resize(count);
   for (Triangle& triangle : mesh.triangles)
     for (std::uint32_t& corner : triangle) corner = vertex[corner];
   return before - count;

@@ -12,10 +12,16 @@ Vec3d corner(const TriangleMesh& mesh, const Triangle& triangle, int index) {
   return mesh.positions[triangle[static_cast<std::size_t>(index)]].to<double>();
 }
 
-bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {
+bool has_area(const std::vector<Vec3f>& positions, const Triangle& t) {
+  const Vec3d a = positions[t[0]].to<double>();
+  return !(cross(positions[t[1]].to<double>() - a, positions[t[2]].to<double>() - a) == Vec3d{});
+}
+
+bool is_degenerate(const TriangleMesh& mesh, std::span<const std::vector<Vec3f>> shapes, const Triangle& t) {
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
-  const Vec3d a = corner(mesh, t, 0);
-  return cross(corner(mesh, t, 1) - a, corner(mesh, t, 2) - a) == Vec3d{};
+  return !has_area(mesh.positions, t) &&
+         std::none_of(shapes.begin(), shapes.end(),
+                      [&](const std::vector<Vec3f>& shape) { return has_area(shape, t); });
 }
 
 // A double beyond float's range is undefined to convert, so it is infinite by hand.
@@ -63,10 +69,10 @@ Result<void> check_mesh(const TriangleMesh& mesh) {
   return {};
 }
 
-std::size_t drop_degenerate_triangles(TriangleMesh& mesh) {
+std::size_t drop_degenerate_triangles(TriangleMesh& mesh, std::span<const std::vector<Vec3f>> shapes) {
   const std::size_t before = mesh.triangles.size();
   const auto end = std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
-                                  [&mesh](const Triangle& t) { return is_degenerate(mesh, t); });
+                                  [&](const Triangle& t) { return is_degenerate(mesh, shapes, t); });
   mesh.triangles.erase(end, mesh.triangles.end());
   return before - mesh.triangles.size();
 }

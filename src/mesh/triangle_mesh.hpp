@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/result.hpp"
@@ -33,8 +34,9 @@ double signed_volume(const TriangleMesh& mesh);
 Result<void> check_mesh(const TriangleMesh& mesh);
 
 /// Removes the triangles that name a vertex twice or whose corners lie on a line, and returns their number.
-/// The cross product is taken in double, where it is zero only if its two products round to the same.
-std::size_t drop_degenerate_triangles(TriangleMesh& mesh);
+/// The cross product is taken in double, where it is zero only if its two products round to the same. `shapes` are the
+/// mesh's vertices in other places: a triangle that has an area in one of them stays.
+std::size_t drop_degenerate_triangles(TriangleMesh& mesh, std::span<const std::vector<Vec3f>> shapes = {});
 
 /// A rotation as (x, y, z, w); need not be of unit length, must not be zero.
 using Quaternion = std::array<double, 4>;

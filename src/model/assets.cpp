@@ -67,75 +67,108 @@ Result<mesh::TriangleMesh> load_placed(NamedMeshes& meshes, const std::string& n
   return placed;
 }
 
-/// The file's vertices, placed.
-Result<mesh::TriangleMesh> posed(const mesh::AnimatedMesh& file, const mesh::GltfAnimation& animation,
-                                 double time, const scene::ColliderMesh& collider) {
-  auto pose = file.posed(animation, time);
-  if (!pose) return pose.error().while_doing("posing " + collider.where);
-  const scene::Transform& transform = collider.transform;
-  mesh::TriangleMesh placed =
-      mesh::transformed(*pose, transform.scale, transform.rotate, transform.translate);
-  if (auto checked = mesh::check_mesh(placed); !checked)
-    return checked.error().while_doing("placing " + collider.where);
-  return placed;
-}
-
 /// An object as it is at time 0, and the shapes of its animation.
 struct AnimatedObject {
   mesh::TriangleMesh object;
   mesh::Deformation deformation;
 };
 
-/// Refuses an animation that loops and does not end as it begins.
-Result<void> check_loop(const mesh::AnimatedMesh& file, const mesh::GltfAnimation& animation,
-                        const scene::ColliderMesh& collider) {
-  WEFT_TRY(begin, posed(file, animation, 0, collider));
-  WEFT_TRY(end, posed(file, animation, animation.duration, collider));
-  const mesh::Bounds box = mesh::bounds(begin);
-  double most = 0;
-  for (std::size_t v = 0; v < begin.positions.size(); ++v)
-    most = std::max(most, static_cast<double>(length(end.positions[v] - begin.positions[v])));
-  if (most <= kLoopsWithin * static_cast<double>(length(box.high - box.low))) return {};
-  return input_error(
-      "%s.animation ends with a vertex %.3g m from where it begins; it can be run with \"loop\": false.",
-      collider.where.c_str(), most);
-}
+/// Takes an animation of a collider's file as shapes.
+class Animating {
+ public:
+  Animating(const scene::ColliderMesh& collider, const mesh::AnimatedMesh& file,
+            const mesh::GltfAnimation& animation)
+      : collider_(collider), wanted_(*collider.animation), file_(file), animation_(animation) {}
 
-Result<AnimatedObject> load_animated(const AnimationReader& read, const scene::ColliderMesh& collider) {
-  const scene::ColliderAnimation& wanted = *collider.animation;
+  /// `vertices` has how many all animations of the scene have so far, with their nodes and joints.
+  Result<AnimatedObject> run(std::size_t& vertices) const {
+    const double end = animation_.duration;
+    // Times of a file are rounded to f32.
+    if (wanted_.start > end * (1 + kRoundedTime))
+      return input_error("%s.animation.start is %g s, after the animation's end at %g s.",
+                         collider_.where.c_str(), wanted_.start, end);
+    const double start = std::min(wanted_.start, end);
+    const bool loops = wanted_.loop && end > 0;
+    if (loops) WEFT_CHECK(check_loop());
+    const double lasts = (loops ? end : end - start) / wanted_.speed;
+    const double count = lasts > 0 ? std::max(1.0, std::ceil(lasts * wanted_.rate * (1 - kRoundedTime))) : 0;
+    WEFT_CHECK(check_size(count, vertices));
+    AnimatedObject made;
+    WEFT_TRY(first, file_.posed(animation_, start));
+    first.positions = placed(std::move(first.positions));
+    WEFT_CHECK(check_placed(first));
+    made.object = std::move(first);
+    made.deformation.times.loops = loops;
+    for (double k = 1; k <= count; ++k) {
+      const double time = lasts * k / count, at = start + wanted_.speed * time;
+      made.deformation.times.times.push_back(time);
+      if (loops && k == count) {  // to the bit where it began
+        made.deformation.shapes.push_back(made.object.positions);
+        continue;
+      }
+      WEFT_TRY(shape, file_.places(animation_, k == count ? end : loops ? std::fmod(at, end) : at));
+      made.deformation.shapes.push_back(placed(std::move(shape)));
+      WEFT_CHECK(check_placed({made.deformation.shapes.back(), made.object.triangles}));
+    }
+    return made;
+  }
+
+ private:
+  static constexpr double kRoundedTime = 1e-6;
+
+  std::vector<Vec3f> placed(std::vector<Vec3f> positions) const {
+    const scene::Transform& transform = collider_.transform;
+    return mesh::transformed({std::move(positions), {}}, transform.scale, transform.rotate,
+                             transform.translate)
+        .positions;
+  }
+  Result<void> check_placed(const mesh::TriangleMesh& mesh) const {
+    if (auto checked = mesh::check_mesh(mesh); !checked)
+      return checked.error().while_doing("placing " + collider_.where);
+    return {};
+  }
+
+  /// Refuses an animation that does not end as it begins.
+  Result<void> check_loop() const {
+    WEFT_TRY(from, file_.places(animation_, 0));
+    WEFT_TRY(to, file_.places(animation_, animation_.duration));
+    const std::vector<Vec3f> begin = placed(std::move(from)), end = placed(std::move(to));
+    const mesh::Bounds box = mesh::bounds({begin, {}});
+    double most = 0;
+    for (std::size_t v = 0; v < begin.size(); ++v)
+      most = std::max(most, static_cast<double>(length(end[v] - begin[v])));
+    if (most <= kLoopsWithin * static_cast<double>(length(box.high - box.low))) return {};
+    return input_error(
+        "%s.animation ends with a vertex %.3g m from where it begins; it can be run with \"loop\": false.",
+        collider_.where.c_str(), most);
+  }
+
+  Result<void> check_size(double count, std::size_t& vertices) const {
+    const double all = static_cast<double>(vertices) + count * static_cast<double>(file_.size());
+    if (all > kMostShapeVertices)
+      return make_error(
+          ErrorKind::Limit,
+          "%s.animation takes %.0f shapes, which brings those of the scene to %.0f vertices, nodes and "
+          "joints, more than %.0f; a lower rate takes fewer.",
+          collider_.where.c_str(), count, all, kMostShapeVertices);
+    vertices = static_cast<std::size_t>(all);
+    return {};
+  }
+
+  const scene::ColliderMesh& collider_;
+  const scene::ColliderAnimation& wanted_;
+  const mesh::AnimatedMesh& file_;
+  const mesh::GltfAnimation& animation_;
+};
+
+Result<AnimatedObject> load_animated(const AnimationReader& read, const scene::ColliderMesh& collider,
+                                     std::size_t& vertices) {
   const auto doing = "loading " + collider.where;
   const auto file = read(collider.mesh);
   if (!file) return file.error().while_doing(doing);
-  const auto found = file->animation(wanted.name);
-  if (!found) return found.error().while_doing(doing);
-  const mesh::GltfAnimation& animation = **found;
-  if (wanted.start > animation.duration)
-    return input_error("%s.animation.start is %g s, after the animation's end at %g s.",
-                       collider.where.c_str(), wanted.start, animation.duration);
-  AnimatedObject made;
-  WEFT_SET(made.object, posed(*file, animation, wanted.start, collider));
-  const bool loops = wanted.loop && animation.duration > 0;
-  if (loops) WEFT_CHECK(check_loop(*file, animation, collider));
-  const double lasts = (loops ? animation.duration : animation.duration - wanted.start) / wanted.speed;
-  // Times of a file are rounded to f32.
-  const double count = std::ceil(lasts * wanted.rate - 1e-5),
-               vertices = static_cast<double>(made.object.positions.size());
-  if (count * vertices > kMostShapeVertices)
-    return make_error(ErrorKind::Limit,
-                      "%s.animation takes %.0f shapes of %.0f vertices, more than %.0f vertices in all.",
-                      collider.where.c_str(), count, vertices, kMostShapeVertices);
-  made.deformation.times.loops = loops;
-  for (double k = 1; k <= count; ++k) {
-    const double time = lasts * k / count, at = wanted.start + wanted.speed * time;
-    made.deformation.times.times.push_back(time);
-    if (loops && k == count) {  // to the bit where it began
-      made.deformation.shapes.push_back(made.object);
-      continue;
-    }
-    WEFT_TRY(shape, posed(*file, animation, loops ? std::fmod(at, animation.duration) : at, collider));
-    made.deformation.shapes.push_back(std::move(shape));
-  }
-  return made;
+  const auto animation = file->animation(collider.animation->name);
+  if (!animation) return animation.error().while_doing(doing);
+  return Animating(collider, *file, **animation).run(vertices);
 }
 
 /// A keyframe of an object that has all its triangles still.
@@ -158,12 +191,10 @@ Result<mesh::TriangleMesh> load_keyframe(NamedMeshes& meshes, const scene::Colli
 /// Errors  Input: no triangle has an area.
 Result<void> add_object(Assets& assets, std::size_t collider, mesh::TriangleMesh object,
                         mesh::Deformation deformation, const std::string& name) {
-  assets.dropped_triangles += mesh::drop_degenerate_triangles(object);
+  assets.dropped_triangles += mesh::drop_degenerate_triangles(object, deformation.shapes);
   if (object.triangles.empty()) return input_error("%s has no triangle with an area.", name.c_str());
   // Between triangles that only lie side by side are rims, on which cloth catches.
   assets.merged_vertices += mesh::merge_vertices(object, deformation.shapes);
-  // A triangle that only another shape makes flat stays: all have the same triangles.
-  for (mesh::TriangleMesh& shape : deformation.shapes) shape.triangles = object.triangles;
   assets.objects.push_back(std::move(object));
   assets.object_colliders.push_back(collider);
   assets.deformations.push_back(std::move(deformation));
@@ -191,6 +222,7 @@ Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_
 Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
                            const AnimationReader& read_animated) {
   Assets assets;
+  std::size_t animated_vertices = 0;
   NamedMeshes meshes(scene, read);
   for (const scene::Cloth& cloth : scene.cloths) {
     mesh::TriangleMesh placed;
@@ -203,7 +235,7 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
   for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
     const auto* object = std::get_if<scene::ColliderMesh>(&scene.colliders[c]);
     if (object != nullptr && object->animation) {
-      WEFT_TRY(animated, load_animated(read_animated, *object));
+      WEFT_TRY(animated, load_animated(read_animated, *object, animated_vertices));
       WEFT_CHECK(add_object(assets, c, std::move(animated.object), std::move(animated.deformation),
                             object->where + ": mesh " + object->mesh));
     } else if (object != nullptr) {
@@ -212,7 +244,7 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
       for (std::size_t k = 0; k < object->keyframes.size(); ++k) {
         WEFT_TRY(keyframe, load_keyframe(meshes, *object, k, placed));
         deformation.times.times.push_back(object->keyframes[k].time);
-        deformation.shapes.push_back(std::move(keyframe));
+        deformation.shapes.push_back(std::move(keyframe.positions));
       }
       WEFT_CHECK(add_object(assets, c, std::move(placed), std::move(deformation),
                             object->where + ": mesh " + object->mesh));

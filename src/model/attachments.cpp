@@ -46,6 +46,10 @@ Nearest nearest(const mesh::TriangleMesh& mesh, const Vec3d& point) {
   Nearest best;
   for (const mesh::Triangle& triangle : mesh.triangles) {
     const std::array<Vec3d, 3> corners = corners_of(triangle, mesh.positions);
+    const Vec3d low = min(min(corners[0], corners[1]), corners[2]),
+                high = max(max(corners[0], corners[1]), corners[2]);
+    const Vec3d outside = max(max(low - point, point - high), Vec3d{});
+    if (dot(outside, outside) > best.distance * best.distance) continue;
     const mesh::ClosestOnTriangle on = mesh::closest_on_triangle(point, corners[0], corners[1], corners[2]);
     if (!(on.distance < best.distance)) continue;
     const std::array<Vec3d, 3> frame = frame_of(corners);
@@ -71,8 +75,7 @@ scene::MotionPath path_of(const Hold& hold, const mesh::Deformation& deformation
   scene::MotionPath path;
   path.loops = deformation.times.loops;
   for (std::size_t k = 0; k < deformation.shapes.size(); ++k)
-    path.points.push_back(
-        {deformation.times.times[k], place_of(hold, deformation.shapes[k].positions) - rest});
+    path.points.push_back({deformation.times.times[k], place_of(hold, deformation.shapes[k]) - rest});
   return path;
 }
 
@@ -117,7 +120,9 @@ class Tie {
     model_.start_position[node] = rest;
     return {};
   }
+  bool to_mesh() const { return mesh_ != nullptr; }
   bool deforms() const { return deformation_ != nullptr; }
+  std::size_t shapes() const { return deforms() ? deformation_->shapes.size() : 0; }
 
  private:
   void follow(std::uint32_t node, scene::MotionPath path) {
@@ -133,8 +138,13 @@ class Tie {
   std::uint32_t group_ = 0;  // of the collider's motion
 };
 
+/// How much all attachments take.
+struct Attached {
+  std::size_t nodes = 0, shapes = 0;
+};
+
 Result<void> attach(Model& model, const scene::Scene& scene, const Assets& assets, std::size_t cloth,
-                    std::size_t& attached) {
+                    Attached& attached) {
   const Body& body = model.bodies[cloth];
   const auto positions = std::span(model.rest_position).subspan(body.first_vertex, body.vertex_count);
   const scene::Selection selection{positions, body.grid ? body.grid->nx : 0, body.grid ? body.grid->ny : 0};
@@ -147,11 +157,16 @@ Result<void> attach(Model& model, const scene::Scene& scene, const Assets& asset
     if (tie.deforms() && scene::motion_of(scene.colliders[attachment.collider]))
       return input_error("%s.collider is %zu, which deforms and has a motion; a node follows one of them.",
                          attachment.where.c_str(), attachment.collider);
-    if (tie.deforms()) attached += nodes.size();
-    if (attached > kMostAttachedNodes)
+    if (tie.to_mesh()) attached.nodes += nodes.size();
+    attached.shapes += nodes.size() * tie.shapes();
+    if (attached.shapes > kMostAttachedShapes)
       return make_error(ErrorKind::Limit,
-                        "%s brings the nodes that are attached to deforming meshes to %zu, more than %zu.",
-                        attachment.where.c_str(), attached, kMostAttachedNodes);
+                        "%s brings the shapes that attached nodes go through to %zu, more than %zu.",
+                        attachment.where.c_str(), attached.shapes, kMostAttachedShapes);
+    if (attached.nodes > kMostAttachedNodes)
+      return make_error(ErrorKind::Limit,
+                        "%s brings the nodes that are attached to meshes to %zu, more than %zu.",
+                        attachment.where.c_str(), attached.nodes, kMostAttachedNodes);
     for (const std::uint32_t node : nodes) WEFT_CHECK(tie.add(body.first_vertex + node, node));
   }
   return {};
@@ -161,7 +176,7 @@ Result<void> attach(Model& model, const scene::Scene& scene, const Assets& asset
 
 Result<Model> build_model(const scene::Scene& scene, const Assets& assets) {
   WEFT_TRY(model, build_model(scene, assets.cloths));
-  std::size_t attached = 0;
+  Attached attached;
   for (std::size_t cloth = 0; cloth < scene.cloths.size(); ++cloth)
     WEFT_CHECK(attach(model, scene, assets, cloth, attached));
   return model;

@@ -44,7 +44,7 @@ void MovingObjects::deform(gpu::Device& device, const ObjectBuffers& buffers, st
   const mesh::ShapeTimes::Moment moment = deformation.times.at(time);
   if (moment == moving.written) return;
   const auto shape_at = [&](std::size_t number_of_shape) -> const std::vector<Vec3f>& {
-    return number_of_shape == 0 ? moving.first_shape : deformation.shapes[number_of_shape - 1].positions;
+    return number_of_shape == 0 ? moving.first_shape : deformation.shapes[number_of_shape - 1];
   };
   const std::vector<Vec3f>&from = shape_at(moment.from), &to = shape_at(moment.to);
   mesh::TriangleMesh& shape = moving.object.draw.mesh;

@@ -49,8 +49,8 @@ mesh::TriangleMesh mesh_of(const scene::ColliderBox& box) {
 /// In all of its shapes.
 bool stays_closed(const ObjectDraw& object) {
   bool closed = is_closed(object.mesh);
-  for (const mesh::TriangleMesh& shape : object.deformation.shapes)
-    closed = closed && mesh::signed_volume(shape) > 0;
+  for (const std::vector<Vec3f>& shape : object.deformation.shapes)
+    closed = closed && mesh::signed_volume({shape, object.mesh.triangles}) > 0;
   return closed;
 }
 

@@ -217,7 +217,8 @@ class SearchRun {
     for (std::size_t o = 0; o < setup_.objects.size(); ++o) {
       colliders.push_back(o);
       scene.colliders.push_back(scene::ColliderMesh{});
-      if (o < setup_.deforming.size() && setup_.deforming[o]) deformations[o] = {{{1}}, {setup_.objects[o]}};
+      if (o < setup_.deforming.size() && setup_.deforming[o])
+        deformations[o] = {{{1}}, {setup_.objects[o].positions}};
     }
     for (const scene::Collider& shape : setup_.shapes) scene.colliders.push_back(shape);
     contact::SearchSetup search_setup{setup_.thickness, setup_.self_thickness, workgroup_size};

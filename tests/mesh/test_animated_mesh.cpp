@@ -151,6 +151,31 @@ TEST_CASE("splines, steps, packed numbers and nodes without a skin move as the s
   check_at(posed("lift", 0.25)[5], {1, 5, 0.75});
 }
 
+TEST_CASE(
+    "a skin's triangles face as its joints turn them, whatever its own node does; a node's as it does") {
+  const auto facing = [](const std::string& from, const std::string& to) {
+    const std::string file = arm(from, to);
+    const auto mesh = AnimatedMesh::read(bytes_of(file));
+    if (!mesh) FAIL(mesh.error().message);
+    const auto pose = mesh->posed(**mesh->animation("bend"), 0);
+    if (!pose) FAIL(pose.error().message);
+    std::vector<float> along;  // z, of the normals of the skin's first triangle and of the node's
+    for (const std::size_t t : {0U, 2U}) {
+      const auto& [a, b, c] = pose->triangles[t];
+      const std::vector<Vec3f>& x = pose->positions;
+      along.push_back(cross(x[b] - x[a], x[c] - x[a]).z);
+    }
+    return along;
+  };
+  const std::vector<float> plain = facing("", "");
+  CHECK(plain[0] > 0);
+  CHECK(plain[1] > 0);
+  // Mirrored along x: triangles are turned, so that they face as before.
+  CHECK(facing(R"({"mesh":0,"skin":0})", R"({"mesh":0,"skin":0,"scale":[-1,1,1]})") == plain);
+  CHECK(facing(R"({"children":[2]})", R"({"children":[2],"scale":[-1,1,1]})")[0] > 0);
+  CHECK(facing(R"({"mesh":1,)", R"({"mesh":1,"scale":[-1,1,1],)")[1] > 0);
+}
+
 TEST_CASE("an animation is found by its name, and the first without one") {
   const std::string file = arm();
   const auto mesh = AnimatedMesh::read(bytes_of(file));
@@ -172,6 +197,8 @@ TEST_CASE("what is wrong with skins and animations is said with its place") {
         "skins[0].joints[1] is 4, which is no node of the scene.");
   CHECK(with(R"("joints":[1,2])", R"("joints":[1])") ==
         "Vertex 1 of accessors[0] names joint 1, but skins[0] has 1, from 0.");
+  CHECK(with(R"("joints":[1,2])", R"("joints":[1,1.7])") ==
+        "skins[0].joints[1] is 1.7, which is no node of the scene.");
   CHECK(with(R"("joints":[1,2])", R"("joints":[])") == "skins[0].joints is empty or missing.");
   CHECK(with(R"("skin":0)", R"("skin":7)") == "nodes[0].skin is 7, but the file has 1 skins.");
   CHECK(with(R"("JOINTS_0":1,)", "") == "meshes[0].primitives[0].attributes.JOINTS_0 is missing.");

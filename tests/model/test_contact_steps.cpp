@@ -86,7 +86,7 @@ TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they rea
   mesh::TriangleMesh a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, b = a, c = a;
   b.positions[2] = {0, 3, 0};
   c.positions[2] = {0, 4, 0};
-  mesh::Deformation deformation{{{0.5, 1}}, {b, c}};
+  mesh::Deformation deformation{{{0.5, 1}}, {b.positions, c.positions}};
   const std::vector<ContactMover> movers = contact_movers(*scene, *model, {&a, 1}, {&deformation, 1});
   REQUIRE(movers.size() == 3);
   CHECK(largest_speed(movers[0], 0, 1) == doctest::Approx(3 * 1));  // the top's ends are 1 m from the axis
@@ -97,10 +97,10 @@ TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they rea
   CHECK(largest_speed(movers[2], 0.6, 0.9) == 2);
   CHECK(largest_speed(movers[2], 1.1, 2) == 0);
   deformation.times.loops = true;
-  deformation.shapes[1] = a;  // from 3 back to 1
+  deformation.shapes[1] = a.positions;  // from 3 back to 1
   const ContactMover looping = contact_movers(*scene, *model, {&a, 1}, {&deformation, 1}).back();
   CHECK(largest_speed(looping, 0.1, 0.2) == 4);
-  deformation.shapes[0].positions[2] = {0, 2, 0};
+  deformation.shapes[0][2] = {0, 2, 0};
   deformation.times.times = {0.5, 1.5};
   const ContactMover uneven = contact_movers(*scene, *model, {&a, 1}, {&deformation, 1}).back();
   CHECK(largest_speed(uneven, 0.6, 1.4) == 1);

@@ -267,7 +267,7 @@ TEST_CASE("a mesh that keyframes lift does to a sheet what the same mesh does on
   mesh::TriangleMesh up = box;
   for (Vec3f& p : up.positions) p.y += 0.125F;
   auto a = reference::Simulation::create(
-      *deforming, {.cloths = {{}}, .objects = {box}, .deformations = {{{{0.5}}, {up}}}});
+      *deforming, {.cloths = {{}}, .objects = {box}, .deformations = {{{{0.5}}, {up.positions}}}});
   auto b = reference::Simulation::create(*moving, {.cloths = {{}}, .objects = {box}});
   REQUIRE_OK(a);
   REQUIRE_OK(b);

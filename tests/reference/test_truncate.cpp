@@ -369,7 +369,7 @@ TEST_CASE("obstacles are where motions and keyframes have taken them") {
   mesh::TriangleMesh wide = box, high = box;
   for (Vec3f& p : wide.positions) p.x *= 3;
   for (Vec3f& p : high.positions) p.y += 8;
-  const mesh::Deformation deformation{{{1, 3}}, {wide, high}};
+  const mesh::Deformation deformation{{{1, 3}}, {wide.positions, high.positions}};
   const Obstacles obstacles(*scene, {&box, 1}, {&deformation, 1});
   CHECK_FALSE(obstacles.still());
   CHECK(obstacles.features().vertices.size() == 8 + 1 + 2);

@@ -83,7 +83,7 @@ TEST_CASE("a mesh deforms straight between its keyframes and stays after the las
     return shape;
   };
   Inputs moving;
-  moving.objects = {{body, {{{0.5, 1.5}}, {shaped(2, 1), shaped(2, 3)}}, kLine}};
+  moving.objects = {{body, {{{0.5, 1.5}}, {shaped(2, 1).positions, shaped(2, 3).positions}}, kLine}};
   moving.spheres = {{{0.7, 0.5, 0}, 0.2}};  // still ones beside it keep their place
   Offscreen offscreen = drawn.offscreen(moving);
   for (const auto& [time, tall, wide] : {std::tuple{0.0, 1.0, 1.0},

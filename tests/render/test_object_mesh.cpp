@@ -88,7 +88,7 @@ TEST_CASE("what moves or deforms comes last, and its vertices have its number") 
   mesh::TriangleMesh bent = mesh::make_sphere(5, 4);
   Inputs inputs;
   inputs.spheres = {{{1, 2, 3}, 0.5, {}, line}};
-  inputs.objects = {{bent, {{{1}}, {bent}}}, {mesh::make_sphere(8, 6)}};
+  inputs.objects = {{bent, {{{1}}, {bent.positions}}}, {mesh::make_sphere(8, 6)}};
   const ObjectMesh all = join_objects(inputs);
   CHECK(all.groups[0].index_count == 3 * 2 * 8 * 5);
   CHECK(all.groups[1].index_count == 0);
@@ -108,7 +108,7 @@ TEST_CASE("a mesh that turns inside out as it deforms is drawn from both sides")
   mesh::TriangleMesh body = mesh::make_sphere(5, 4), mirrored = body;
   for (Vec3f& p : mirrored.positions) p.x = -p.x;
   Inputs inputs;
-  inputs.objects = {{body, {{{1}}, {body}}}, {body, {{{1}}, {mirrored}}}};
+  inputs.objects = {{body, {{{1}}, {body.positions}}}, {body, {{{1}}, {mirrored.positions}}}};
   const ObjectMesh all = join_objects(inputs);
   CHECK(all.groups[2].index_count == 3 * body.triangles.size());
   CHECK(all.groups[3].index_count == 3 * body.triangles.size());

@@ -73,8 +73,8 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   const mesh::TriangleMesh box = mesh::make_box({1, 2, 3});
   const mesh::TriangleMesh object{{{0, 7, 0}, {0, 8, 0}, {0, 8, 4}}, {{0, 1, 2}}};
   const mesh::TriangleMesh bent{{{0, 7, 0}, {0, 9, 0}, {0, 8, 4}}, {{0, 1, 2}}};
-  const Inputs inputs =
-      inputs_of(model, state, {model.rest_position, stretch}, scene, {box, object}, {{}, {{{0.5}}, {bent}}});
+  const Inputs inputs = inputs_of(model, state, {model.rest_position, stretch}, scene, {box, object},
+                                  {{}, {{{0.5}}, {bent.positions}}});
   CHECK(inputs.cloth.position[1] == &state.position[1]);
   CHECK(inputs.cloth.normal == &model.rest_position);
   CHECK(inputs.cloth.stretch == &stretch);
@@ -88,7 +88,7 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   CHECK(inputs.objects[0].mesh.positions == object.positions);
   REQUIRE(inputs.objects[0].deformation.shapes.size() == 1);
   CHECK(inputs.objects[0].deformation.times.at(0.25).part == 0.5);
-  CHECK(inputs.objects[0].deformation.shapes[0].positions == bent.positions);
+  CHECK(inputs.objects[0].deformation.shapes[0] == bent.positions);
   CHECK(inputs.objects[0].motion == line);
   CHECK(inputs.boxes.size() == 1);
   CHECK(inputs.capsules.size() == 1);

@@ -109,7 +109,8 @@ TEST_CASE("a mesh that deforms pushes a sheet up and does not come through") {
     const Moment now(*world);
     REQUIRE(now.finite());
     mesh::TriangleMesh object = world->assets().objects[0];
-    const mesh::TriangleMesh& last = world->assets().deformations[0].shapes[0];
+    const mesh::TriangleMesh last{world->assets().deformations[0].shapes[0],
+                                  world->assets().objects[0].triangles};
     const float part = std::min(1.0F, static_cast<float>(world->time() / 0.3));
     for (std::size_t i = 0; i < object.positions.size(); ++i)
       object.positions[i] = object.positions[i] + part * (last.positions[i] - object.positions[i]);

@@ -41,9 +41,9 @@ class ColliderSetBuilder {
       const auto found =
           std::find(meshes_.object_colliders.begin(), meshes_.object_colliders.end(), one.collider);
       one.first_shape = static_cast<std::uint32_t>(set_.shapes.size());
-      for (const mesh::TriangleMesh& shape :
+      for (const std::vector<Vec3f>& shape :
            meshes_.deformations[static_cast<std::size_t>(found - meshes_.object_colliders.begin())].shapes)
-        for (const Vec3f& p : shape.positions) set_.shapes.push_back(Vec4f::from(p, 0));
+        for (const Vec3f& p : shape) set_.shapes.push_back(Vec4f::from(p, 0));
       set_.moves = true;
     }
     if (set_.shapes.size() > kMostShapePoints)

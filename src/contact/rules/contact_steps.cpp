@@ -71,10 +71,10 @@ struct Extent {
   }
 };
 
-double fastest(const mesh::TriangleMesh& from, const mesh::TriangleMesh& to, double duration) {
+double fastest(const std::vector<Vec3f>& from, const std::vector<Vec3f>& to, double duration) {
   double most = 0;
-  for (std::size_t v = 0; v < from.positions.size(); ++v)
-    most = std::max(most, length(to.positions[v].to<double>() - from.positions[v].to<double>()));
+  for (std::size_t v = 0; v < from.size(); ++v)
+    most = std::max(most, length(to[v].to<double>() - from[v].to<double>()));
   return most / duration;
 }
 
@@ -106,12 +106,12 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model&
       extent = cloths;
       extent.add(plane->point);
     } else {
-      const mesh::TriangleMesh* before = &objects[object];
-      for (const Vec3f& p : before->positions) extent.add(p.to<double>());
+      const std::vector<Vec3f>* before = &objects[object].positions;
+      for (const Vec3f& p : *before) extent.add(p.to<double>());
       double time = 0;
       for (std::size_t k = 0; object < deformations.size() && k < deformations[object].shapes.size(); ++k) {
-        const mesh::TriangleMesh& shape = deformations[object].shapes[k];
-        for (const Vec3f& p : shape.positions) extent.add(p.to<double>());
+        const std::vector<Vec3f>& shape = deformations[object].shapes[k];
+        for (const Vec3f& p : shape) extent.add(p.to<double>());
         const double next = deformations[object].times.times[k];
         mover.changes.push_back({next, fastest(*before, shape, next - time)});
         mover.loops = deformations[object].times.loops;

@@ -38,8 +38,8 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
     curvatures_.resize(positions.size());
     if (object < deformations.size() && !deformations[object].empty()) {
       Deforming one{first, deformations[object].times, {widened(mesh.positions)}};
-      for (const mesh::TriangleMesh& shape : deformations[object].shapes)
-        one.shapes.push_back(widened(shape.positions));
+      for (const std::vector<Vec3f>& shape : deformations[object].shapes)
+        one.shapes.push_back(widened(shape));
       deforming_.push_back(std::move(one));
       still_ = false;
     } else {
