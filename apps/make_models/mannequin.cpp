@@ -450,7 +450,7 @@ std::vector<std::byte> make_mannequin(const std::string& generator) {
 }
 
 TriangleMesh make_skirt() {
-  constexpr std::uint32_t kAround = 96, kRings = 36;
+  constexpr std::uint32_t kAround = 72, kRings = 28;
   constexpr double kWaist = 1.03, kHem = 0.45, kWide = 0.36;  // heights, and the radius of the hem [m]
   const Body body;
   TriangleMesh mesh;

@@ -13,7 +13,7 @@ namespace weft::mesh {
 /// animations "walk" (a cycle of 1.2 s) and "stand" (still). `generator` is its asset.generator.
 std::vector<std::byte> make_mannequin(const std::string& generator);
 
-/// A skirt around her waist that stands off as a cone: 96 vertices around, its uppermost ring 12 mm off her waist.
+/// A skirt around her waist that stands off as a cone: 72 vertices around, its uppermost ring 12 mm off her waist.
 TriangleMesh make_skirt();
 
 }  // namespace weft::mesh
