@@ -4,7 +4,6 @@
 
 #include "assets.hpp"
 #include "cloths.hpp"
-#include "memory.hpp"
 #include "model/attachments.hpp"
 #include "sim/plan/frame_plan.hpp"
 #include "weft/weft.hpp"

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "assets.hpp"
 #include "base/file.hpp"
-#include "memory.hpp"
 #include "mesh/obj.hpp"
 #include "model/drawn_mesh.hpp"
 #include "pictures.hpp"

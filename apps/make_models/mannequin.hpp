@@ -9,7 +9,7 @@
 
 namespace weft::mesh {
 
-/// A GLB file: a closed surface of some 5,000 vertices, 1.7 m high, feet on y = 0, facing +z; a skin of 17 joints; the
+/// A GLB file: a closed surface of some 7,000 vertices, 1.7 m high, feet on y = 0, facing +z; a skin of 17 joints; the
 /// animations "walk" (a cycle of 1.2 s) and "stand" (still). `generator` is its asset.generator.
 std::vector<std::byte> make_mannequin(const std::string& generator);
 

@@ -5,13 +5,8 @@
 
 namespace weft::mesh {
 
-double ShapeTimes::within(double time) const {
-  if (!loops || times.empty() || time < times.back()) return time;
-  return std::fmod(time, times.back());
-}
-
 ShapeTimes::Moment ShapeTimes::at(double time) const {
-  time = within(time);
+  if (loops && !times.empty() && time >= times.back()) time = std::fmod(time, times.back());
   const auto next =
       static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), time) - times.begin());
   if (next == times.size()) return {next, next, 0};

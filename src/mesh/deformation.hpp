@@ -22,9 +22,10 @@ struct ShapeTimes {
     bool operator==(const Moment&) const = default;
   };
   Moment at(double time) const;
-  /// The same time within the first round, where it loops.
-  double within(double time) const;
 };
+
+/// Of all shapes of a scene together: kernels number their vertices in f32, which has whole numbers up to there.
+inline constexpr std::size_t kMostShapeVertices = std::size_t{1} << 24U;
 
 /// How a mesh deforms: other positions of its vertices.
 struct Deformation {

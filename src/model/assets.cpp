@@ -16,8 +16,6 @@ namespace {
 
 /// How far the end of an animation that loops may be from its beginning, by the size of its mesh.
 constexpr double kLoopsWithin = 1e-3;
-constexpr double kMostShapeVertices =
-    1U << 24U;  // that contact can number: src/contact/proximity/collider_set.cpp
 
 /// The meshes that a scene names. One that several cloths, colliders or keyframes name is read once, and kept
 /// until the last of them.
@@ -145,12 +143,13 @@ class Animating {
 
   Result<void> check_size(double count, std::size_t& vertices) const {
     const double all = static_cast<double>(vertices) + count * static_cast<double>(file_.size());
-    if (all > kMostShapeVertices)
+    const auto most = static_cast<double>(mesh::kMostShapeVertices);
+    if (all > most)
       return make_error(
           ErrorKind::Limit,
           "%s.animation takes %.0f shapes, which brings those of the scene to %.0f vertices, nodes and "
           "joints, more than %.0f; a lower rate takes fewer.",
-          collider_.where.c_str(), count, all, kMostShapeVertices);
+          collider_.where.c_str(), count, all, most);
     vertices = static_cast<std::size_t>(all);
     return {};
   }

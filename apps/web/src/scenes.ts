@@ -158,7 +158,6 @@ export function gridOf(own: Grid, nodes: number): Grid {
   return [along(own[0]), along(own[1])];
 }
 
-/** What a PLY file's header says of its faces. */
 /** As its file's beginning says: a PLY's, or a GLB's, of which each mesh counts once. */
 function trianglesOf(mesh: Bytes | undefined): number {
   if (mesh === undefined) return 0;

@@ -14,9 +14,8 @@
 namespace weft::contact {
 namespace {
 
-constexpr double kNormalUnits = 127;                             // as in curved.wgsl
-constexpr std::size_t kMostShapePoints = std::size_t{1} << 24U;  // f32 has whole numbers up to there
-constexpr float kDirection = 0.25F, kSpin = 0.5F;                // of a shape's w, as in move_points.wgsl
+constexpr double kNormalUnits = 127;               // as in curved.wgsl
+constexpr float kDirection = 0.25F, kSpin = 0.5F;  // of a shape's w, as in move_points.wgsl
 
 std::uint32_t bits(float value) {
   std::uint32_t word = 0;
@@ -46,12 +45,12 @@ class ColliderSetBuilder {
         for (const Vec3f& p : shape) set_.shapes.push_back(Vec4f::from(p, 0));
       set_.moves = true;
     }
-    if (set_.shapes.size() > kMostShapePoints)
+    if (set_.shapes.size() > mesh::kMostShapeVertices)
       return make_error(
           ErrorKind::Limit,
           "The shapes of the colliders have %zu vertices in all, more than the %zu that contact can "
           "number.",
-          set_.shapes.size(), kMostShapePoints);
+          set_.shapes.size(), mesh::kMostShapeVertices);
     for (const Vec4f& end : ends_) set_.points.push_back(end);
     shapes_.resize(2 * ends_.size());
     for (const Vec4f& word : shapes_) set_.points.push_back(word);

@@ -31,15 +31,30 @@ double profile_speed(double from, double to, double speed, double ramp, const st
   return part * speed;
 }
 
+/// A stretch of time, beside pieces of a first round; what does not begin anew has no round.
+struct Interval {
+  Interval(double from, double to, std::optional<double> round_time)
+      : begin(from), end(to), round(round_time) {
+    if (!round) return;
+    const double rounds = std::floor(begin / *round) * *round;
+    begin -= rounds;
+    end -= rounds;
+  }
+  /// Whether it meets a piece, in this round or in the next.
+  bool meets(double from, double to) const {
+    return (from <= end && to >= begin) || (round && from + *round <= end);
+  }
+
+  double begin, end;            // [s]
+  std::optional<double> round;  // [s]
+};
+
 double path_speed(const scene::MotionPath& path, double begin, double end) {
   double most = 0;
-  const double round = path.loops ? path.points.back().time : 0, duration = end - begin;
-  if (path.loops) begin -= round * std::floor(begin / round);
-  end = begin + duration;
+  const Interval interval(begin, end, path.loops ? std::optional(path.points.back().time) : std::nullopt);
   scene::PathPoint from;  // at rest at time 0, unless given
   for (const scene::PathPoint& to : path.points) {
-    const bool now = from.time <= end && to.time >= begin;
-    if (to.time > from.time && (now || (path.loops && from.time + round <= end)))
+    if (to.time > from.time && interval.meets(from.time, to.time))
       most = std::max(most, length(to.offset - from.offset) / (to.time - from.time));
     from = to;
   }
@@ -130,14 +145,10 @@ namespace {
 
 double largest_change(const ContactMover& mover, double begin, double end) {
   if (mover.changes.empty()) return 0;
-  const double round = mover.changes.back().time, duration = end - begin;
-  if (mover.loops) begin -= round * std::floor(begin / round);
-  end = begin + duration;
+  const Interval interval(begin, end, mover.loops ? std::optional(mover.changes.back().time) : std::nullopt);
   double most = 0, from = 0;
   for (const ContactMover::Change& one : mover.changes) {
-    const bool now = from <= end && one.time >= begin;
-    const bool next_round = mover.loops && from + round <= end;
-    if (now || next_round) most = std::max(most, one.speed);
+    if (interval.meets(from, one.time)) most = std::max(most, one.speed);
     from = one.time;
   }
   return most;
