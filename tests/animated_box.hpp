@@ -1,11 +1,11 @@
 // A GLB file of a box that an animation moves.
 #pragma once
 
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "mesh/animated_mesh.hpp"
+#include "mesh/glb_chunks.hpp"
 #include "mesh/primitives.hpp"
 
 namespace weft {
@@ -29,7 +29,7 @@ inline std::vector<std::byte> animated_box(const Vec3d& size, const std::vector<
   const std::size_t points = sizeof(Vec3f) * box.positions.size(),
                     corners = sizeof(mesh::Triangle) * box.triangles.size(),
                     keys = sizeof(float) * times.size();
-  std::string json =
+  const std::string json =
       R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
       R"("animations":[{"name":"lift","channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],)"
@@ -42,15 +42,8 @@ inline std::vector<std::byte> animated_box(const Vec3d& size, const std::vector<
       R"(},{"buffer":0,"byteOffset":)" + text(points + corners) + R"(,"byteLength":)" + text(keys) +
       R"(},{"buffer":0,"byteOffset":)" + text(points + corners + keys) + R"(,"byteLength":)" +
       text(3 * keys) + R"(}],"buffers":[{"byteLength":)" + text(binary.size()) + "}]}";
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const auto word = [](std::size_t value) {
-    const auto number = static_cast<std::uint32_t>(value);
-    return std::string(reinterpret_cast<const char*>(&number), sizeof number);
-  };
-  const std::string file = "glTF" + word(2) + word(28 + json.size() + binary.size()) + word(json.size()) +
-                           "JSON" + json + word(binary.size()) + std::string("BIN\0", 4) + binary;
-  std::vector<std::byte> bytes(file.size());
-  std::memcpy(bytes.data(), file.data(), file.size());
+  std::vector<std::byte> bytes = mesh::glb_before_binary(json, binary.size());
+  for (const char c : binary) bytes.push_back(static_cast<std::byte>(c));
   return bytes;
 }
 

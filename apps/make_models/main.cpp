@@ -1,5 +1,4 @@
 // make_models RAW_FOLDER MODELS_FOLDER: the meshes that scenes name, as binary PLY. Run by ./dev build.
-#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -17,7 +16,6 @@ namespace weft::mesh {
 namespace {
 
 constexpr int kVersion = 1;  // of the recipes below: raise it, and every folder makes its models again
-constexpr int kMannequinVersion = 1;               // likewise of hers
 constexpr std::size_t kDragonTriangles = 100'000;  // at most, as in Sung et al.
 
 Result<TriangleMesh> make_unit_sphere(const std::string&) { return make_sphere(20, 20); }
@@ -44,56 +42,53 @@ struct Recipe {
 };
 
 // Written into the file itself, so that model and stamp are there together or not at all.
-std::string stamp(const Recipe& recipe) {
-  return std::string("weft model ") + recipe.name + ", version " + std::to_string(kVersion);
+std::string stamp(const char* name) {
+  return std::string("weft model ") + name + ", version " + std::to_string(kVersion);
 }
 
-bool is_made(const std::string& path, const Recipe& recipe) {
+/// Whether a file has this text at its beginning, or so many bytes behind it at most.
+bool is_made(const std::string& path, const std::string& text, std::size_t behind = 0) {
   const auto bytes = read_file(path, kMaxMeshBytes);
-  const std::string begin = ply_begin(stamp(recipe));
-  if (!bytes || bytes->size() < begin.size()) return false;
-  return std::string(reinterpret_cast<const char*>(bytes->data()), begin.size()) == begin;
+  if (!bytes) return false;
+  const std::string_view all(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  return all.substr(0, behind + text.size()).find(text) != std::string_view::npos;
 }
 
-Result<void> make_model(const Recipe& recipe, const std::string& raw_folder,
-                        const std::string& models_folder) {
-  const std::string path = models_folder + "/" + recipe.name + ".ply";
-  if (is_made(path, recipe)) return {};
-  WEFT_TRY(mesh, recipe.make(raw_folder));
-  const std::size_t dropped = drop_degenerate_triangles(mesh);
-  WEFT_CHECK(check_mesh(mesh));
-  const double volume = signed_volume(mesh);
-  if (recipe.closed && !(volume > 0.0))
-    return input_error("Model %s has the volume %g m³, so it faces inward.", recipe.name, volume);
-  WEFT_CHECK(write_file(path, write_ply(mesh, stamp(recipe))));
+void say_made(const std::string& path, const TriangleMesh& mesh, std::size_t dropped) {
   const auto [low, high] = bounds(mesh);
   std::fprintf(stderr,
                "weft: made %s: %zu vertices, %zu triangles (%zu of no area dropped), from (%g, %g, %g) to "
                "(%g, %g, %g), volume %g\n",
                path.c_str(), mesh.positions.size(), mesh.triangles.size(), dropped,
                static_cast<double>(low.x), static_cast<double>(low.y), static_cast<double>(low.z),
-               static_cast<double>(high.x), static_cast<double>(high.y), static_cast<double>(high.z), volume);
+               static_cast<double>(high.x), static_cast<double>(high.y), static_cast<double>(high.z),
+               signed_volume(mesh));
+}
+
+Result<void> make_model(const Recipe& recipe, const std::string& raw_folder,
+                        const std::string& models_folder) {
+  const std::string path = models_folder + "/" + recipe.name + ".ply";
+  if (is_made(path, ply_begin(stamp(recipe.name)))) return {};
+  WEFT_TRY(mesh, recipe.make(raw_folder));
+  const std::size_t dropped = drop_degenerate_triangles(mesh);
+  WEFT_CHECK(check_mesh(mesh));
+  const double volume = signed_volume(mesh);
+  if (recipe.closed && !(volume > 0.0))
+    return input_error("Model %s has the volume %g m³, so it faces inward.", recipe.name, volume);
+  WEFT_CHECK(write_file(path, write_ply(mesh, stamp(recipe.name))));
+  say_made(path, mesh, dropped);
   return {};
 }
 
 /// The one model that moves, as GLB.
 Result<void> make_the_mannequin(const std::string& models_folder) {
   const std::string path = models_folder + "/mannequin.glb";
-  const std::string generator = "weft model mannequin, version " + std::to_string(kMannequinVersion);
-  if (const auto bytes = read_file(path, kMaxMeshBytes);
-      bytes && std::string_view(reinterpret_cast<const char*>(bytes->data()),
-                                std::min<std::size_t>(bytes->size(), 200))
-                       .find(generator) != std::string_view::npos)
-    return {};
-  const std::vector<std::byte> file = make_mannequin(generator);
+  constexpr std::size_t kBeforeGenerator = 100;  // bytes of a GLB file
+  if (is_made(path, stamp("mannequin"), kBeforeGenerator)) return {};
+  const std::vector<std::byte> file = make_mannequin(stamp("mannequin"));
   WEFT_TRY(mesh, read_glb(file));
   WEFT_CHECK(write_file(path, file));
-  const auto [low, high] = bounds(mesh);
-  std::fprintf(stderr,
-               "weft: made %s: %zu vertices, %zu triangles, from (%g, %g, %g) to (%g, %g, %g), volume %g\n",
-               path.c_str(), mesh.positions.size(), mesh.triangles.size(), static_cast<double>(low.x),
-               static_cast<double>(low.y), static_cast<double>(low.z), static_cast<double>(high.x),
-               static_cast<double>(high.y), static_cast<double>(high.z), signed_volume(mesh));
+  say_made(path, mesh, 0);
   return {};
 }
 

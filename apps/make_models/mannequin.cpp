@@ -378,21 +378,6 @@ std::string animation_text(Binary& binary, const char* name, double duration, bo
          list(samplers) + "}";
 }
 
-std::vector<std::byte> glb_of(std::string json, std::vector<std::byte> binary) {
-  while (json.size() % 4 != 0) json += ' ';
-  while (binary.size() % 4 != 0) binary.push_back(std::byte{0});
-  std::vector<std::byte> bytes;
-  const std::size_t size = kGlbHeaderSize + 2 * kGlbChunkHeaderSize + json.size() + binary.size();
-  for (const std::size_t word :
-       {std::size_t{kGlbMagic}, std::size_t{kGlbVersion}, size, json.size(), std::size_t{kGlbJsonChunk}})
-    append_little_endian(bytes, static_cast<std::uint32_t>(word));
-  for (const char c : json) bytes.push_back(static_cast<std::byte>(c));
-  append_little_endian(bytes, static_cast<std::uint32_t>(binary.size()));
-  append_little_endian(bytes, kGlbBinaryChunk);
-  bytes.insert(bytes.end(), binary.begin(), binary.end());
-  return bytes;
-}
-
 /// How far from the axis of the waist a direction meets the surface that lies `off` the body [m].
 double waist_radius(const Body& body, double height, double angle, double off) {
   double low = 0, high = 0.5;
@@ -446,7 +431,10 @@ std::vector<std::byte> make_mannequin(const std::string& generator) {
                            list(bones) + R"(}],"animations":)" + animations + R"(,"accessors":[)" +
                            binary.accessors + R"(],"bufferViews":[)" + binary.views +
                            R"(],"buffers":[{"byteLength":)" + std::to_string(binary.bytes.size()) + "}]}";
-  return glb_of(json, binary.bytes);
+  while (binary.bytes.size() % 4 != 0) binary.bytes.push_back(std::byte{0});
+  std::vector<std::byte> file = glb_before_binary(json, binary.bytes.size());
+  file.insert(file.end(), binary.bytes.begin(), binary.bytes.end());
+  return file;
 }
 
 TriangleMesh make_skirt() {

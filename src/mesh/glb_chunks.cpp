@@ -20,6 +20,24 @@ Error printable(Error error) {
 
 }  // namespace
 
+bool begins_as_glb(std::span<const std::byte> bytes) {
+  return bytes.size() >= 4 && word(bytes, 0) == kGlbMagic;
+}
+
+std::vector<std::byte> glb_before_binary(std::string json, std::size_t binary_size) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::size_t size = kGlbHeaderSize + 2 * kGlbChunkHeaderSize + json.size() + binary_size;
+  std::vector<std::byte> bytes;
+  bytes.reserve(size);
+  for (const std::size_t number :
+       {std::size_t{kGlbMagic}, std::size_t{kGlbVersion}, size, json.size(), std::size_t{kGlbJsonChunk}})
+    append_little_endian(bytes, static_cast<std::uint32_t>(number));
+  for (const char c : json) bytes.push_back(static_cast<std::byte>(c));
+  append_little_endian(bytes, static_cast<std::uint32_t>(binary_size));
+  append_little_endian(bytes, kGlbBinaryChunk);
+  return bytes;
+}
+
 Result<GlbChunks> split_glb(std::span<const std::byte> bytes) {
   if (bytes.size() < kGlbHeaderSize)
     return input_error("The file has %zu bytes, fewer than the %zu of a GLB header.", bytes.size(),

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "base/json.hpp"
 #include "base/result.hpp"
@@ -21,6 +23,12 @@ struct GlbChunks {
   Json json;
   std::span<const std::byte> binary;  // empty where there is none
 };
+
+/// Whether bytes begin as a GLB file does.
+bool begins_as_glb(std::span<const std::byte> bytes);
+
+/// A file up to its binary chunk, whose `binary_size` bytes, a multiple of 4, follow. The JSON is padded.
+std::vector<std::byte> glb_before_binary(std::string json, std::size_t binary_size);
 
 /// Splits a file and reads its JSON; chunks of other types are passed over.
 /// Errors  Input: what is wrong, with the byte, or the line and column of the JSON; the limits of json.hpp.

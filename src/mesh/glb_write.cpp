@@ -45,20 +45,17 @@ std::string document(const TriangleMesh& mesh) {
     return R"({"buffer":0,"byteOffset":)" + std::to_string(offset) + R"(,"byteLength":)" +
            std::to_string(size) + R"(,"target":)" + target + "}";
   };
-  std::string text =
-      R"({"asset":{"version":"2.0","generator":"weft"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
-      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2,"material":0}]}],)"
-      R"("materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0}}],"accessors":[)"
-      R"({"bufferView":0,"componentType":5126,"count":)" +
-      vertex_count + R"(,"type":"VEC3","min":)" + point_text(box.low) + R"(,"max":)" + point_text(box.high) +
-      R"(},{"bufferView":1,"componentType":5126,"count":)" + vertex_count +
-      R"(,"type":"VEC3"},{"bufferView":2,"componentType":5125,"count":)" +
-      std::to_string(3 * mesh.triangles.size()) + R"(,"type":"SCALAR"}],"bufferViews":[)" +
-      view(0, points, "34962") + "," + view(points, points, "34962") + "," +
-      view(2 * points, corners, "34963") + R"(],"buffers":[{"byteLength":)" +
-      std::to_string(2 * points + corners) + "}]}";
-  while (text.size() % 4 != 0) text += ' ';
-  return text;
+  return R"({"asset":{"version":"2.0","generator":"weft"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2,"material":0}]}],)"
+         R"("materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0}}],"accessors":[)"
+         R"({"bufferView":0,"componentType":5126,"count":)" +
+         vertex_count + R"(,"type":"VEC3","min":)" + point_text(box.low) + R"(,"max":)" +
+         point_text(box.high) + R"(},{"bufferView":1,"componentType":5126,"count":)" + vertex_count +
+         R"(,"type":"VEC3"},{"bufferView":2,"componentType":5125,"count":)" +
+         std::to_string(3 * mesh.triangles.size()) + R"(,"type":"SCALAR"}],"bufferViews":[)" +
+         view(0, points, "34962") + "," + view(points, points, "34962") + "," +
+         view(2 * points, corners, "34963") + R"(],"buffers":[{"byteLength":)" +
+         std::to_string(2 * points + corners) + "}]}";
 }
 
 void append(std::vector<std::byte>& bytes, const std::vector<Vec3f>& points) {
@@ -74,18 +71,8 @@ void append(std::vector<std::byte>& bytes, const std::vector<Vec3f>& points) {
 
 std::vector<std::byte> write_glb(const TriangleMesh& mesh) {
   assert(check_mesh(mesh));
-  const std::string json = document(mesh);
-  const std::size_t binary_size =
-      2 * sizeof(Vec3f) * mesh.positions.size() + sizeof(Triangle) * mesh.triangles.size();
-  const std::size_t size = kGlbHeaderSize + 2 * kGlbChunkHeaderSize + json.size() + binary_size;
-  std::vector<std::byte> bytes;
-  bytes.reserve(size);
-  for (const std::size_t word :
-       {std::size_t{kGlbMagic}, std::size_t{kGlbVersion}, size, json.size(), std::size_t{kGlbJsonChunk}})
-    append_little_endian(bytes, static_cast<std::uint32_t>(word));
-  for (const char c : json) bytes.push_back(static_cast<std::byte>(c));
-  append_little_endian(bytes, static_cast<std::uint32_t>(binary_size));
-  append_little_endian(bytes, kGlbBinaryChunk);
+  std::vector<std::byte> bytes = glb_before_binary(
+      document(mesh), 2 * sizeof(Vec3f) * mesh.positions.size() + sizeof(Triangle) * mesh.triangles.size());
   append(bytes, mesh.positions);
   append(bytes, vertex_normals(mesh));
   for (const Triangle& triangle : mesh.triangles)

@@ -2,45 +2,35 @@
 
 #include <emscripten/heap.h>
 
-#include <algorithm>
 #include <sstream>
-#include <string_view>
 
+#include "mesh/glb_chunks.hpp"
 #include "mesh/read_mesh.hpp"
 #include "scene/load.hpp"
 
 namespace weft::web {
-namespace {
-
-/// Of a GLB file.
-bool has_magic(std::span<const std::byte> bytes) {
-  constexpr std::string_view kMagic = "glTF";
-  return bytes.size() >= kMagic.size() &&
-         std::equal(kMagic.begin(), kMagic.end(), reinterpret_cast<const char*>(bytes.data()));
-}
-
-}  // namespace
 
 Result<void> Meshes::add(const std::string& name, std::span<const std::byte> bytes) {
   // A model's plain name is that of a GLB or PLY file, as on the command line.
-  const char* kind = has_magic(bytes) ? ".glb" : ".ply";
-  const std::string file = name.find('.') == std::string::npos ? name + kind : name;
-  WEFT_TRY(mesh, mesh::read_mesh(bytes, file));
+  const bool is_glb = mesh::begins_as_glb(bytes);
+  const bool is_plain = name.find('.') == std::string::npos;
+  WEFT_TRY(mesh, mesh::read_mesh(bytes, is_plain ? name + (is_glb ? ".glb" : ".ply") : name));
   meshes_[name] = std::move(mesh);
-  animated_.erase(name);
-  if (has_magic(bytes)) animated_.emplace(name, mesh::read_animated_mesh(bytes, file));
+  files_.erase(name);
+  if (is_glb) files_.emplace(name, std::vector(bytes.begin(), bytes.end()));
   return {};
 }
 
 Result<mesh::AnimatedMesh> Meshes::find_animated(const std::string& name) const {
-  if (const auto found = animated_.find(name); found != animated_.end()) return found->second;
+  if (const auto file = files_.find(name); file != files_.end())
+    return mesh::read_animated_mesh(file->second, name.find('.') == std::string::npos ? name + ".glb" : name);
   if (meshes_.find(name) != meshes_.end()) return no_animation(name);
   return input_error("Mesh %s was not handed over with the scene.", name.c_str());
 }
 
 void Meshes::clear() {
   meshes_.clear();
-  animated_.clear();
+  files_.clear();
 }
 
 Result<mesh::TriangleMesh> Meshes::find(const std::string& name) const {

@@ -32,7 +32,7 @@ class Meshes {
 
  private:
   std::map<std::string, mesh::TriangleMesh> meshes_;
-  std::map<std::string, Result<mesh::AnimatedMesh>> animated_;  // of those from GLB files
+  std::map<std::string, std::vector<std::byte>> files_;  // of those from GLB files, for their animations
 };
 
 /// Those of this module.
