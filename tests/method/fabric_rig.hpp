@@ -118,6 +118,27 @@ inline std::vector<Vec3d> rest_of(const Exact& cloth, const scene::Scene& scene,
   return rest->position;
 }
 
+/// How far a cloth is from `rest`, and how far that is from where the model begins, at its farthest node [m].
+struct FromRest {
+  double apart = 0, way = 0;
+};
+inline FromRest from_rest(const Exact& cloth, const std::vector<Vec3d>& rest) {
+  FromRest most;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    most.apart = std::max(most.apart, length(cloth.system.position[v] - rest[v]));
+    most.way = std::max(most.way, length(rest[v] - cloth.model().rest_position[v]));
+  }
+  return most;
+}
+
+/// Multiplies the moduli of a scene's first cloth.
+inline void stiffen(scene::Scene& scene, double scale) {
+  scene::Fabric& woven = *scene.cloths[0].fabric;
+  for (double* modulus : {&woven.warp, &woven.weft, &woven.shear, &woven.bending_warp, &woven.bending_weft,
+                          &woven.bending_twist})
+    *modulus *= scale;
+}
+
 /// Of a substep, what is left of the forces at its end, by their size: m (u - u₀) - h² f(x + u, u/h) by h² f, where u₀
 /// is the way without elements. Backward Euler leaves nothing. `more` adds what the forces have beside those of
 /// elements.md by the places where the substep began.
@@ -220,10 +241,7 @@ struct Settled {
 };
 inline Settled settled(gpu::Device& device, scene::Scene scene, int scale, bool squeezed,
                        const mesh::TriangleMesh& mesh = curved_sheet()) {
-  scene::Fabric& woven = *scene.cloths[0].fabric;
-  for (double* modulus : {&woven.warp, &woven.weft, &woven.shear, &woven.bending_warp, &woven.bending_weft,
-                          &woven.bending_twist})
-    *modulus *= scale;
+  stiffen(scene, scale);
   SolverRig rig(device, scene, 1.0 / 120, {mesh});
   rig.perturb(9, squeezed ? 1e-3 : 0.01, 0);
   std::vector<Vec4f> position = rig.positions();

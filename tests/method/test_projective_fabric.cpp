@@ -186,10 +186,7 @@ TEST_CASE(
       CAPTURE(h);
       scene::Scene scene =
           projective_scene(fabric_cloth(kMesh, kWoven + "0", R"(, "pins": [{"nodes": [0, 13]}])"));
-      scene::Fabric& woven = *scene.cloths[0].fabric;
-      for (double* modulus : {&woven.warp, &woven.weft, &woven.shear, &woven.bending_warp,
-                              &woven.bending_weft, &woven.bending_twist})
-        *modulus *= stiffer;
+      stiffen(scene, stiffer);
       Exact cloth(scene, {mesh});
       cloth.perturb(3, 0.02, 5);  // a cell
       const reference::MassSpringSystem start = cloth.system;
@@ -262,11 +259,7 @@ TEST_CASE("fabric by projective_dynamics stays where Newton's method has it at r
     const std::vector<Vec3d> rest = rest_of(cloth, scene, mesh, std::array<std::uint32_t, 2>{0, 7});
     cloth.system.position = rest;
     cloth.advance(h, 400);
-    double apart = 0, way = 0;
-    for (std::size_t v = 0; v < rest.size(); ++v) {
-      apart = std::max(apart, length(cloth.system.position[v] - rest[v]));
-      way = std::max(way, length(rest[v] - cloth.model().rest_position[v]));
-    }
+    const auto [apart, way] = from_rest(cloth, rest);
     MESSAGE(h << " s: " << apart << " m apart, after a way of " << way << " m");
     CHECK(apart < 0.01 * way);
   }

@@ -90,11 +90,7 @@ TEST_CASE("fabric by xpbd hangs where Newton's method has it at rest, the nearer
       const std::vector<Vec3d> rest = rest_of(cloth, scene, mesh, std::array<std::uint32_t, 2>{0, 7});
       cloth.system.position = rest;
       cloth.advance(1e-3, 400);  // drag takes e⁻⁶ of what swings
-      double apart = 0, way = 0;
-      for (std::size_t v = 0; v < rest.size(); ++v) {
-        apart = std::max(apart, length(cloth.system.position[v] - rest[v]));
-        way = std::max(way, length(rest[v] - cloth.model().rest_position[v]));
-      }
+      const auto [apart, way] = from_rest(cloth, rest);
       MESSAGE(sweeps << " sweeps: " << apart << " m apart, after a way of " << way << " m");
       CHECK(apart < 0.5 * before);
       before = apart;

@@ -155,12 +155,21 @@ Hessian neo_hookean_hessian(const Stiffness& c, const Axes& f, bool clamped) {
   return n.lambda * product(n.slope, n.slope) + plane + kronecker(out, Mat3::outer(n.normal, n.normal));
 }
 
+/// Of Green's or yarns' energy, what is left without stress; clamped it takes pressed axes for as long as at rest.
+Hessian stiff_part(const Law& law, const Axes& f, const Strain& e, bool clamped) {
+  const bool takes_unpressed = clamped && law.energy == Energy::Green;
+  return material_part(law.stiffness, takes_unpressed ? green_strain(unpressed(f)) : e);
+}
+
+/// What stresses by the strains of an energy make of it: those that damp neo-Hookean cloth are Green's.
+Hessian geometry_part(Energy energy, const Axes& f, const Triple& s, bool clamped) {
+  return energy == Energy::Yarn ? yarn_geometry(f, s, clamped) : green_geometry(s, clamped);
+}
+
 Hessian hessian_of(const Law& law, const Axes& f, bool clamped) {
   if (law.energy == Energy::NeoHookean) return neo_hookean_hessian(law.stiffness, f, clamped);
   const Strain e = strain_of(law.energy, f);
-  const Triple s = law.stiffness * e.value;
-  if (law.energy == Energy::Yarn) return material_part(law.stiffness, e) + yarn_geometry(f, s, clamped);
-  return material_part(law.stiffness, clamped ? green_strain(unpressed(f)) : e) + green_geometry(s, clamped);
+  return stiff_part(law, f, e, clamped) + geometry_part(law.energy, f, law.stiffness * e.value, clamped);
 }
 
 }  // namespace
@@ -207,13 +216,10 @@ StepStress step_stress(const Law& law, const Axes& f, const Axes& start, double 
   const Axes both{elastic.warp + damped.warp, elastic.weft + damped.weft};
   const Hessian by_strain = delays * material_part(law.stiffness, e);
   if (law.energy == Energy::NeoHookean)
-    return {both, positive_hessian(law, f) + by_strain + green_geometry(damping, true)};
+    return {both, positive_hessian(law, f) + by_strain + geometry_part(law.energy, f, damping, true)};
   const Triple own = law.stiffness * e.value;
   const Triple all{own.warp + damping.warp, own.weft + damping.weft, own.shear + damping.shear};
-  if (law.energy == Energy::Yarn)
-    return {both, material_part(law.stiffness, e) + by_strain + yarn_geometry(f, all, true)};
-  return {both,
-          material_part(law.stiffness, green_strain(unpressed(f))) + by_strain + green_geometry(all, true)};
+  return {both, stiff_part(law, f, e, true) + by_strain + geometry_part(law.energy, f, all, true)};
 }
 
 Hessian damping_hessian(const Law& law, const Axes& f) {

@@ -27,4 +27,17 @@ Result<RelaxedState> RelaxedState::create(const SolverInputs& inputs, const Rela
   return made;
 }
 
+Result<gpu::Dispatch> relax_dispatch(const SolverInputs& inputs, const Body& body,
+                                     const RelaxedState& relaxed, const ClothRelaxation& cloth,
+                                     std::size_t cycle, std::size_t iteration) {
+  return dispatch_over(inputs, cloth.shader, body, [&](std::size_t p) {
+    gpu::Dispatch::Bindings all = {inputs.state.steps, cloth.nodes, relaxed.weights[cycle][iteration]};
+    all.insert(all.end(), cloth.lists.begin(), cloth.lists.end());
+    const gpu::Dispatch::Bindings nodes = {relaxed.change[iteration % 2], relaxed.change[(iteration + 1) % 2],
+                                           relaxed.left, relaxed.ways_after(cycle + 1, inputs.state, p)};
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    return all;
+  });
+}
+
 }  // namespace weft

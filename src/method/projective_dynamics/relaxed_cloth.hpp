@@ -53,16 +53,28 @@ Result<gpu::Dispatch> dispatch_over(const SolverInputs& inputs, const char* shad
   return gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(body.vertex_count), bindings);
 }
 
-/// The dispatches of a cloth's cycles: for each what `begin` gives for it, then what `relax` gives for its other
-/// iterations. Errors  theirs.
-template <class Begin, class Relax>
-Result<std::vector<gpu::Dispatch>> dispatches_of_cycles(const RelaxedState& relaxed, const Begin& begin,
-                                                        const Relax& relax) {
+/// What relaxes a cloth: its shader, its nodes, and the lists that the shader reads of it.
+struct ClothRelaxation {
+  const char* shader;
+  gpu::Binding nodes;
+  gpu::Dispatch::Bindings lists;
+};
+/// A further iteration of a cycle. Errors  Shader, Limit, OutOfMemory.
+Result<gpu::Dispatch> relax_dispatch(const SolverInputs& inputs, const Body& body,
+                                     const RelaxedState& relaxed, const ClothRelaxation& cloth,
+                                     std::size_t cycle, std::size_t iteration);
+
+/// The dispatches of a cloth's cycles: for each what `begin` gives for it, then its other iterations.
+/// Errors  theirs.
+template <class Begin>
+Result<std::vector<gpu::Dispatch>> dispatches_of_cycles(const SolverInputs& inputs, const Body& body,
+                                                        const RelaxedState& relaxed, const Begin& begin,
+                                                        const ClothRelaxation& cloth) {
   std::vector<gpu::Dispatch> dispatches;
   for (std::size_t cycle = 0; cycle < relaxed.weights.size(); ++cycle) {
     WEFT_CHECK(begin(cycle, dispatches));
     for (std::size_t iteration = 0; iteration < relaxed.weights[cycle].size(); ++iteration) {
-      WEFT_TRY(dispatch, relax(cycle, iteration));
+      WEFT_TRY(dispatch, relax_dispatch(inputs, body, relaxed, cloth, cycle, iteration));
       dispatches.push_back(std::move(dispatch));
     }
   }

@@ -84,21 +84,10 @@ Result<RelaxedFabric> RelaxedFabric::create(const SolverInputs& inputs, const Bo
     dispatches.push_back(std::move(bend));
     return {};
   };
-  const auto relax = [&](std::size_t cycle, std::size_t iteration) {
-    return dispatch_over(inputs, "method/projective_dynamics/relax_fabric.wgsl", body,
-                         [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                           return {state.steps,
-                                   made.nodes_,
-                                   relaxed.weights[cycle][iteration],
-                                   made.slices_,
-                                   made.pairs_,
-                                   relaxed.change[iteration % 2],
-                                   relaxed.change[(iteration + 1) % 2],
-                                   relaxed.left,
-                                   relaxed.ways_after(cycle + 1, state, p)};
-                         });
-  };
-  WEFT_SET(made.dispatches_, dispatches_of_cycles(relaxed, project, relax));
+  WEFT_SET(made.dispatches_,
+           dispatches_of_cycles(
+               inputs, body, relaxed, project,
+               {"method/projective_dynamics/relax_fabric.wgsl", made.nodes_, {made.slices_, made.pairs_}}));
   return made;
 }
 

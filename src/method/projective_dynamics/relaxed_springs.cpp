@@ -36,22 +36,10 @@ Result<RelaxedSprings> RelaxedSprings::create(const SolverInputs& inputs, const 
     dispatches.push_back(std::move(dispatch));
     return {};
   };
-  const auto relax = [&](std::size_t cycle, std::size_t iteration) {
-    return dispatch_over(inputs, "method/projective_dynamics/relax_springs.wgsl", body,
-                         [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                           return {state.steps,
-                                   made.nodes_,
-                                   relaxed.weights[cycle][iteration],
-                                   made.kinds_,
-                                   made.slices_,
-                                   made.neighbours_,
-                                   relaxed.change[iteration % 2],
-                                   relaxed.change[(iteration + 1) % 2],
-                                   relaxed.left,
-                                   relaxed.ways_after(cycle + 1, state, p)};
-                         });
-  };
-  WEFT_SET(made.dispatches_, dispatches_of_cycles(relaxed, project, relax));
+  WEFT_SET(made.dispatches_, dispatches_of_cycles(inputs, body, relaxed, project,
+                                                  {"method/projective_dynamics/relax_springs.wgsl",
+                                                   made.nodes_,
+                                                   {made.kinds_, made.slices_, made.neighbours_}}));
   return made;
 }
 
