@@ -145,10 +145,10 @@ test("methods step in lock step, and what is read of them is what their states s
 
 test("a method that refuses the scene says so in the core's words, and takes part in another", async () => {
   const scene = readFileSync(join(ROOT, "scenes/fabric.json"), "utf8");
-  const refusal = await createReference({ scene, set: { solver: { kind: "projective_dynamics" } } })
+  const refusal = await createReference({ scene, set: { solver: { kind: "mass_spring", forces: "spring_centric" } } })
     .then(() => "none", (reason: Error) => reason.message);
-  expect(refusal).toContain("projective_dynamics");
-  const seen = await methods("?scene=fabric&nodes=8&methods=projective_dynamics,cuda", {
+  expect(refusal).toContain("has springs only");
+  const seen = await methods("?scene=fabric&nodes=8&methods=mass_spring:forces=spring_centric,cuda", {
     viewport: { width: 400, height: 800 },
     colorScheme: "light",
   });
