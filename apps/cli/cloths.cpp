@@ -25,10 +25,23 @@ constexpr double kMicro = 1e6, kMilli = 1e3;
 
 /// "cloths[0]", and what kind of sheet it is.
 std::string heading(const scene::Cloth& cloth) {
-  std::string text = "  " + path_of_index("cloths", cloth.entry);
+  std::string text = "  " + scene::path_of(cloth);
   if (!cloth.name.empty()) text += " " + in_quotes(cloth.name);
+  if (cloth.solid) return text;
   if (!cloth.fabric) return text + ", of springs";
   return text + (cloth.fabric->name.empty() ? ", of fabric" : ", of fabric " + cloth.fabric->name);
+}
+
+/// "1240 tetrahedra of 0.2 litres in all, neo-Hookean, Young's modulus 1e+05 Pa, ..."
+void add_solid(std::string& text, const scene::Cloth& cloth, const Model& model, const Body& body) {
+  double mass = 0;
+  for (std::uint32_t v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+    mass += model.mass[v];
+  add(text,
+      "%zu tetrahedra, %s, %.4g litres and %.4g kg; Young's modulus %.4g Pa, Poisson's ratio %.3g; friction "
+      "%.3g\n",
+      body.tets.size(), cloth.solid->energy == scene::SolidEnergy::Corotated ? "corotated" : "neo-Hookean",
+      1e3 * mass / *cloth.density, mass, cloth.solid->young, cloth.solid->poisson, cloth.friction);
 }
 
 /// "2017 N/m along i and 408 across, ..." Springs of a mesh have no axes.
@@ -81,7 +94,10 @@ std::string cloths_text(const scene::Scene& scene, const Model& model) {
     const scene::Cloth& cloth = scene.cloths[c];
     if (cloth.copy > 0) continue;
     text += heading(cloth) + ": ";
-    add_moduli(text, cloth, sheet_moduli(model, model.bodies[c]));
+    if (cloth.solid)
+      add_solid(text, cloth, model, model.bodies[c]);
+    else
+      add_moduli(text, cloth, sheet_moduli(model, model.bodies[c]));
     add_step(text, scene, model, model.bodies[c]);
   }
   return text;
@@ -101,8 +117,7 @@ std::string stiffening_text(const scene::Scene& scene, const Model& model, const
         "  By \"%s\" in %u substeps of %u sweep%s, an element of %s that nothing else pulls at resists with "
         "%.3g to %.3g times its stiffness.\n",
         scene::name_of(method.kind), substeps, scene.solver.iterations,
-        scene.solver.iterations == 1 ? "" : "s", path_of_index("cloths", cloth.entry).c_str(), times.least,
-        times.most);
+        scene.solver.iterations == 1 ? "" : "s", scene::path_of(cloth).c_str(), times.least, times.most);
   }
   return text;
 }
@@ -112,9 +127,19 @@ nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model
   for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
     const scene::Cloth& cloth = scene.cloths[c];
     if (cloth.copy > 0) continue;
-    const auto [stretch, bending] = sheet_moduli(model, model.bodies[c]);
     nlohmann::ordered_json one;
     if (!cloth.name.empty()) one["name"] = cloth.name;
+    if (cloth.solid) {
+      one["of"] = "tetrahedra";
+      one["tetrahedra"] = model.bodies[c].tets.size();
+      one["density"] = *cloth.density;
+      one["young"] = cloth.solid->young;
+      one["poisson"] = cloth.solid->poisson;
+      one["friction"] = cloth.friction;
+      list.push_back(std::move(one));
+      continue;
+    }
+    const auto [stretch, bending] = sheet_moduli(model, model.bodies[c]);
     if (cloth.fabric && !cloth.fabric->name.empty()) one["fabric"] = cloth.fabric->name;
     one["of"] = cloth.fabric ? "fabric" : "springs";
     if (cloth.density) one["density"] = *cloth.density;

@@ -1,6 +1,8 @@
 #include "inspect.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
 
 #include "assets.hpp"
 #include "cloths.hpp"
@@ -11,6 +13,19 @@
 namespace weft::cli {
 namespace {
 
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+std::string cloths_and_bodies(const scene::Scene& scene) {
+  const auto bodies = static_cast<std::size_t>(std::count_if(
+      scene.cloths.begin(), scene.cloths.end(), [](const scene::Cloth& c) { return c.solid.has_value(); }));
+  const std::size_t cloths = scene.cloths.size() - bodies;
+  if (bodies == 0) return counted(cloths, "cloth", "cloths");
+  return (cloths == 0 ? "" : counted(cloths, "cloth", "cloths") + " and ") +
+         counted(bodies, "body", "bodies");
+}
+
 Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(scene, load(options));
   WEFT_TRY(assets, load_checked_assets(scene));
@@ -19,11 +34,9 @@ Result<void> check_scene(const SceneOptions& options) {
   std::size_t object_triangles = 0;
   for (const mesh::TriangleMesh& object : assets.objects) object_triangles += object.triangles.size();
   std::printf(
-      "%s is a valid scene: %zu cloth%s with %zu nodes and %zu triangles, %zu collider%s with %zu "
-      "triangles.\n",
-      options.path.c_str(), scene.cloths.size(), scene.cloths.size() == 1 ? "" : "s", model.vertex_count(),
-      model.triangles.size(), scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s",
-      object_triangles);
+      "%s is a valid scene: %s with %zu nodes and %zu triangles, %zu collider%s with %zu triangles.\n",
+      options.path.c_str(), cloths_and_bodies(scene).c_str(), model.vertex_count(), model.triangles.size(),
+      scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s", object_triangles);
   std::fputs(cloths_text(scene, model).c_str(), stdout);
   std::fputs(stiffening_text(scene, model, plan.method(), plan.substeps()).c_str(), stdout);
   return {};

@@ -54,6 +54,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["membranes"] = about.membranes;
   json["slivers"] = about.slivers;
   json["hinges"] = about.hinges;
+  json["tetrahedra"] = about.tetrahedra;
   json["cloths"] = cloths_json(world.scene(), world.model().host);
   json["substeps"] = about.substeps;
   json["step_s"] = about.step_seconds;
@@ -80,6 +81,7 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
        about.springs);
   if (about.membranes > 0)
     line(text, "  fabric      %zu membranes, %zu hinges", about.membranes, about.hinges);
+  if (about.tetrahedra > 0) line(text, "  bodies      %zu tetrahedra", about.tetrahedra);
   if (about.slivers > 0)
     line(text, "  slivers     %zu membranes, far thinner than a neighbour, bend freely", about.slivers);
   line(text, "  solver      %s; %u substeps a frame", solver_name(about).c_str(), about.substeps);

@@ -8,9 +8,10 @@ namespace weft {
 
 /// What was loaded, and what was decided before the first frame.
 struct Description {
-  std::uint64_t nodes = 0, triangles = 0, springs = 0;  // of all cloths
+  std::uint64_t nodes = 0, triangles = 0, springs = 0;  // of all cloths and bodies
   std::uint64_t membranes = 0, hinges = 0;              // of those of fabric
-  std::uint64_t slivers = 0;  // of the membranes, those far thinner than a neighbour: they bend freely
+  std::uint64_t slivers = 0;     // of the membranes, those far thinner than a neighbour: they bend freely
+  std::uint64_t tetrahedra = 0;  // of bodies
   std::uint64_t dropped_triangles = 0;  // of colliders, since they have no area
   std::string solver;                   // solver.kind; of "auto" the one it chose
   std::string solver_reason;            // why "auto" chose it; empty where the scene did

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "mesh/read_mesh.hpp"
+#include "mesh/read_tet_mesh.hpp"
 #include "scene/load.hpp"
 #include "scene/schema.hpp"
 
@@ -21,7 +22,11 @@ Result<Inputs> Scene::Content::read(const SceneText& changed) const {
     WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
     return mesh::read_animated_mesh(path);
   };
-  WEFT_TRY(assets, load_assets(scene, find_mesh, find_animated));
+  const auto find_tets = [&](const std::string& name) -> Result<mesh::TetMesh> {
+    WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
+    return mesh::read_tet_mesh(path);
+  };
+  WEFT_TRY(assets, load_assets(scene, find_mesh, find_animated, find_tets));
   return Inputs{std::move(scene), std::move(assets)};
 }
 

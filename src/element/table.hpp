@@ -10,7 +10,7 @@
 namespace weft {
 
 /// Spring: along the line between two nodes. Triple: three nodes in a row of a grid that resist bending. Membrane:
-/// a triangle of fabric, Hinge: two that share an edge. Tet has a place in the layout; no body has any yet.
+/// a triangle of fabric, Hinge: two that share an edge. Tet: a tetrahedron of a body with volume.
 enum class ElementKind : std::uint8_t { Spring, Triple, Membrane, Hinge, Tet };
 inline constexpr std::size_t kElementKinds = 5;
 inline constexpr std::array<std::uint32_t, kElementKinds> kArity = {2, 3, 3, 4, 4};

@@ -10,7 +10,7 @@
 namespace weft::mesh {
 namespace {
 
-constexpr std::string_view kEle = ".ele";
+constexpr std::string_view kEle = ".ele", kMsh = ".msh", kVtk = ".vtk", kNode = ".node";
 
 bool has_end(std::string_view name, std::string_view end) {
   return name.size() > end.size() && same_word(name.substr(name.size() - end.size()), end);
@@ -18,15 +18,14 @@ bool has_end(std::string_view name, std::string_view end) {
 
 Result<TetMesh> read_tets_of(std::span<const std::byte> bytes, const std::string& name,
                              std::span<const std::byte> nodes) {
-  if (has_end(name, ".msh")) return read_msh(bytes);
-  if (has_end(name, ".vtk")) return read_vtk(bytes);
+  if (has_end(name, kMsh)) return read_msh(bytes);
+  if (has_end(name, kVtk)) return read_vtk(bytes);
   if (has_end(name, kEle)) return read_tetgen(bytes, nodes);
   return input_error("The name does not end in .msh, .vtk or .ele.");
 }
 
 Result<TetMesh> read_tets_of(const std::string& path) {
-  if (!has_end(path, ".msh") && !has_end(path, ".vtk") && !has_end(path, kEle))
-    return read_tets_of({}, path, {});
+  if (!has_end(path, kMsh) && !has_end(path, kVtk) && !has_end(path, kEle)) return read_tets_of({}, path, {});
   WEFT_TRY(bytes, read_file(path, kMaxMeshBytes));
   const std::string beside = nodes_beside(path);
   if (beside.empty()) return read_tets_of(bytes, path, {});
@@ -40,6 +39,12 @@ Result<TetMesh> with_name(Result<TetMesh> mesh, const std::string& name) {
 }
 
 }  // namespace
+
+bool names_tet_mesh(const std::string& name) {
+  for (const std::string_view end : {kMsh, kVtk, kEle, kNode})
+    if (has_end(name, end)) return true;
+  return false;
+}
 
 std::string nodes_beside(const std::string& name) {
   if (!has_end(name, kEle)) return {};

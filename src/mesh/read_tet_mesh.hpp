@@ -20,6 +20,9 @@ Result<TetMesh> read_tet_mesh(const std::string& path);
 Result<TetMesh> read_tet_mesh(std::span<const std::byte> bytes, const std::string& name,
                               std::span<const std::byte> nodes = {});
 
+/// Whether a name ends as that of a tetrahedral mesh, or of the nodes beside one.
+bool names_tet_mesh(const std::string& name);
+
 /// The name of the file that a mesh file needs beside it: for a.ele it is a.node, for other formats empty.
 std::string nodes_beside(const std::string& name);
 

@@ -112,14 +112,14 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
 /// Bodies that are dispatched together count once: grids of one size, one behind the other, as copies of a cloth are.
 bool is_copy(const Model& model, std::size_t body) {
   if (body == 0) return false;
-  if (model.bodies[body].fabric) return false;
+  if (model.bodies[body].fabric || model.bodies[body].solid) return false;
   const auto &grid = model.bodies[body].grid, &before = model.bodies[body - 1].grid;
   return grid && before && grid->nx == before->nx && grid->ny == before->ny;
 }
 
 /// A body's own, and what contact adds.
 std::array<StepCost, 2> costs_of(const MethodCost& all, const Body& body) {
-  if (body.fabric) return {all.fabric, all.fabric_contact};
+  if (body.fabric || body.solid) return {all.fabric, all.fabric_contact};  // of bodies nothing was measured
   if (body.grid) return {all.grid, all.grid_contact};
   return {all.mesh, all.mesh_contact};
 }

@@ -22,11 +22,13 @@ std::array<double, 3> shares_of(const mesh::Triangle& t, const Body& body) {
 std::vector<AirTriangle> air_triangles(const Model& model) {
   std::vector<AirTriangle> made;
   made.reserve(model.triangles.size());
-  for (const Body& body : model.bodies)
+  for (const Body& body : model.bodies) {
+    if (body.solid) continue;  // its triangles have one face, and their coefficients count both
     for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
       const mesh::Triangle& corners = model.triangles[body.first_triangle + t];
       made.push_back({corners, shares_of(corners, body)});
     }
+  }
   return made;
 }
 

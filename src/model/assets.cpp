@@ -6,9 +6,11 @@
 #include <optional>
 
 #include "base/json.hpp"
+#include "mesh/fill_surface.hpp"
 #include "mesh/merge.hpp"
 #include "mesh/primitives.hpp"
 #include "mesh/read_mesh.hpp"
+#include "mesh/read_tet_mesh.hpp"
 #include "scene/load.hpp"
 
 namespace weft {
@@ -22,8 +24,10 @@ constexpr double kLoopsWithin = 1e-3;
 class NamedMeshes {
  public:
   NamedMeshes(const scene::Scene& scene, const MeshReader& read) : read_(read) {
-    for (const scene::Cloth& cloth : scene.cloths)
-      if (!cloth.grid) ++meshes_[cloth.mesh].uses;
+    for (const scene::Cloth& cloth : scene.cloths) {
+      if (!cloth.grid && !cloth.solid) ++meshes_[cloth.mesh].uses;
+      if (cloth.solid && !cloth.solid->surface.empty()) ++meshes_[cloth.solid->surface].uses;
+    }
     for (const scene::Collider& collider : scene.colliders)
       if (const auto* object = std::get_if<scene::ColliderMesh>(&collider); object && !object->animation) {
         ++meshes_[object->mesh].uses;
@@ -64,6 +68,36 @@ Result<mesh::TriangleMesh> load_placed(NamedMeshes& meshes, const std::string& n
     return checked.error().while_doing("placing " + where);
   return placed;
 }
+
+/// The tetrahedra of a body that is no block, before its transform. Copies of a body are filled once.
+class NamedSolids {
+ public:
+  NamedSolids(NamedMeshes& meshes, const TetReader& read) : meshes_(meshes), read_(read) {}
+
+  Result<mesh::TetMesh> take(const scene::Cloth& body) {
+    const scene::Solid& solid = *body.solid;
+    if (body.copy > 0) {
+      if (!solid.surface.empty()) WEFT_CHECK(meshes_.take(solid.surface));  // one use less
+      return last_;
+    }
+    auto made = solid.surface.empty() ? read_(solid.tetrahedra) : filled(solid, body.transform.scale);
+    if (!made) return made.error().while_doing("loading " + body.where);
+    last_ = *made;
+    return made;
+  }
+
+ private:
+  Result<mesh::TetMesh> filled(const scene::Solid& solid, double scale) {
+    WEFT_TRY(surface, meshes_.take(solid.surface));
+    auto made = mesh::fill_surface(surface, solid.cell / scale);
+    if (!made) return made.error().while_doing("filling mesh " + solid.surface);
+    return made;
+  }
+
+  NamedMeshes& meshes_;
+  const TetReader& read_;
+  mesh::TetMesh last_;
+};
 
 /// An object as it is at time 0, and the shapes of its animation.
 struct AnimatedObject {
@@ -206,6 +240,10 @@ Result<mesh::AnimatedMesh> no_animation(const std::string& name) {
   return input_error("Mesh %s has no animation.", name.c_str());
 }
 
+Result<mesh::TetMesh> no_tetrahedra(const std::string& name) {
+  return input_error("Mesh %s has no tetrahedra.", name.c_str());
+}
+
 Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder) {
   const auto read = [&](const std::string& name) -> Result<mesh::TriangleMesh> {
     WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
@@ -215,17 +253,25 @@ Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_
     WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
     return mesh::read_animated_mesh(path);
   };
-  return load_assets(scene, read, read_animated);
+  const auto read_tets = [&](const std::string& name) -> Result<mesh::TetMesh> {
+    WEFT_TRY(path, scene::mesh_path(scene, name, models_folder));
+    return mesh::read_tet_mesh(path);
+  };
+  return load_assets(scene, read, read_animated, read_tets);
 }
 
 Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
-                           const AnimationReader& read_animated) {
+                           const AnimationReader& read_animated, const TetReader& read_tets) {
   Assets assets;
   std::size_t animated_vertices = 0;
   NamedMeshes meshes(scene, read);
+  NamedSolids solids(meshes, read_tets);
   for (const scene::Cloth& cloth : scene.cloths) {
+    mesh::TetMesh solid;
+    if (cloth.solid && !cloth.solid->block) WEFT_SET(solid, solids.take(cloth));
+    assets.solids.push_back(std::move(solid));
     mesh::TriangleMesh placed;
-    if (!cloth.grid) {
+    if (!cloth.grid && !cloth.solid) {
       WEFT_TRY(loaded, load_placed(meshes, cloth.mesh, cloth.transform, cloth.where));
       placed = std::move(loaded);
     }
@@ -258,8 +304,14 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
 
 namespace {
 
-/// Of one cloth. A scene of grids may come without a mesh for each.
+/// Of one cloth or body. A scene of grids and blocks may come without a mesh for each.
 std::uint64_t nodes_of(const scene::Scene& scene, const Assets& assets, std::size_t cloth) {
+  if (const auto& solid = scene.cloths[cloth].solid) {
+    if (!solid->block) return cloth < assets.solids.size() ? assets.solids[cloth].positions.size() : 0;
+    std::uint64_t nodes = 1;
+    for (const std::uint32_t cells : solid->block->cells) nodes *= std::uint64_t{cells} + 1;
+    return nodes;
+  }
   const auto& grid = scene.cloths[cloth].grid;
   if (grid) return std::uint64_t{grid->nx} * grid->ny;
   return cloth < assets.cloths.size() ? assets.cloths[cloth].positions.size() : 0;
@@ -277,6 +329,8 @@ Result<void> check_memory(const scene::Scene& scene, const Assets& assets, std::
                           std::uint64_t limit, const char* whose) {
   const std::uint64_t nodes = node_count(scene, assets);
   std::uint64_t bytes = nodes * bytes_per_node;
+  for (std::size_t c = 0; c < scene.cloths.size(); ++c)
+    if (scene.cloths[c].solid) bytes += nodes_of(scene, assets, c) * kSolidBytesPerNode;
   for (std::size_t c = 0; c < scene.cloths.size(); ++c)
     if (scene.cloths[c].fabric) bytes += nodes_of(scene, assets, c) * kFabricBytesPerNode;
   if (bytes <= limit) return {};

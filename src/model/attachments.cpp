@@ -175,7 +175,7 @@ Result<void> attach(Model& model, const scene::Scene& scene, const Assets& asset
 }  // namespace
 
 Result<Model> build_model(const scene::Scene& scene, const Assets& assets) {
-  WEFT_TRY(model, build_model(scene, assets.cloths));
+  WEFT_TRY(model, build_model(scene, assets.cloths, assets.solids));
   Attached attached;
   for (std::size_t cloth = 0; cloth < scene.cloths.size(); ++cloth)
     WEFT_CHECK(attach(model, scene, assets, cloth, attached));

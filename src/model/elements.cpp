@@ -7,12 +7,17 @@
 #include "element/triple/triple.hpp"
 #include "model/fabric.hpp"
 #include "model/model.hpp"
+#include "model/solid.hpp"
 
 namespace weft {
 namespace {
 
 ElementTable build(const Model& model, ElementKind kind, const Body& body) {
   const std::uint32_t first = body.first_vertex;
+  if (body.solid) {
+    if (kind == ElementKind::Tet) return tet::build_tets(body_tets(model, body), first);
+    return {kind, {}, {}, {}};
+  }
   if (body.fabric) {
     if (kind == ElementKind::Membrane)
       return membrane::build_membranes(fabric_sheet(model, body).rest(), membrane_law(*body.fabric), first);
@@ -36,6 +41,7 @@ std::size_t Model::number_of(const Body& body) const {
 }
 
 std::uint64_t Model::count(ElementKind kind, const Body& body) const {
+  if (body.solid) return kind == ElementKind::Tet ? body.tets.size() : 0;
   if (body.fabric) return elements(kind, body).size();
   if (kind == ElementKind::Spring && body.grid) return mesh::grid_spring_count(*body.grid);
   if (kind == ElementKind::Triple && body.grid) return triple_count(*body.grid, body.stiffness.bending);

@@ -8,7 +8,7 @@ namespace weft {
 namespace {
 
 /// A body before it is appended to the model. Where its mass comes from is its own matter: that of a cloth from its
-/// triangles, so that each of its vertices needs one; a node inside a solid would have it from its elements.
+/// triangles, so that each of its vertices needs one; that of a body with volume from its tetrahedra.
 struct PlacedBody {
   std::vector<Vec3d> positions, starts;  // [m]
   std::vector<mesh::Triangle> triangles;
@@ -68,6 +68,25 @@ PlacedBody place_mesh(const mesh::TriangleMesh& mesh) {
   return placed;
 }
 
+/// Its nodes are rounded to f32 once they are placed, so that on the GPU a body begins at rest.
+/// Errors  Input: a tetrahedron has no volume.
+Result<PlacedBody> place_solid(const scene::Cloth& cloth, const mesh::TetMesh& mesh) {
+  const auto& [scale, rotate, translate] = cloth.transform;
+  mesh::TriangleMesh surface{mesh.positions, mesh::boundary(mesh.tets)};
+  PlacedBody placed = place_mesh(mesh::transformed(surface, scale, rotate, translate));
+  placed.mass.assign(placed.positions.size(), 0);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto& [a, b, c, d] = mesh.tets[t];
+    const std::vector<Vec3d>& x = placed.positions;
+    const double volume = mesh::six_volumes({x[a], x[b], x[c], x[d]}) / 6;
+    if (!(volume > 0))
+      return input_error("%s: tetrahedron %zu has a volume of %g m³ where it is placed; it has no strain.",
+                         cloth.where.c_str(), t, volume);
+    for (const std::uint32_t node : mesh.tets[t]) placed.mass[node] += *cloth.density * volume / 4;
+  }
+  return placed;
+}
+
 void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, Body body) {
   body.first_vertex = static_cast<std::uint32_t>(model.vertex_count());
   body.vertex_count = static_cast<std::uint32_t>(placed.positions.size());
@@ -78,6 +97,7 @@ void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, B
   body.damping = cloth.damping;
   body.strain_limit = cloth.strain_limit;
   body.fabric = cloth.fabric;
+  body.solid = cloth.solid;
   if (cloth.fabric)
     body.warp = body.grid ? placed.positions[1] - placed.positions[0]
                           : scene::transformed(cloth.transform, cloth.fabric->warp_direction) -
@@ -92,7 +112,7 @@ void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, B
     for (std::uint32_t& vertex : triangle) vertex += body.first_vertex;
     model.triangles.push_back(triangle);
   }
-  model.bodies.push_back(body);
+  model.bodies.push_back(std::move(body));
 }
 
 /// Finds the one free node of each of the cloth's grabs.
@@ -118,14 +138,20 @@ Result<void> append_grabs(Model& model, const scene::Cloth& cloth, const scene::
 
 }  // namespace
 
-Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes) {
+Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes,
+                          std::span<const mesh::TetMesh> solids) {
   Model model;
   for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
     const scene::Cloth& cloth = scene.cloths[c];
     Body body;
     PlacedBody placed;
     scene::Selection selection;
-    if (cloth.grid) {
+    if (cloth.solid) {
+      const auto& block = cloth.solid->block;
+      const mesh::TetMesh mesh = block ? mesh::block(block->cells, block->size) : solids[c];
+      WEFT_SET(placed, place_solid(cloth, mesh));
+      body.tets = mesh.tets;
+    } else if (cloth.grid) {
       const double scale = cloth.transform.scale;
       body.grid =
           mesh::Grid{cloth.grid->nx, cloth.grid->ny, cloth.grid->width * scale, cloth.grid->height * scale};
@@ -135,9 +161,9 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
     } else {
       placed = place_mesh(cloth_meshes[c]);
     }
-    WEFT_TRY(masses, cloth_masses(cloth, body.grid ? mesh::vertex_areas(*body.grid)
-                                                   : mesh::vertex_areas(cloth_meshes[c])));
-    placed.mass = std::move(masses);
+    if (!cloth.solid)
+      WEFT_SET(placed.mass, cloth_masses(cloth, body.grid ? mesh::vertex_areas(*body.grid)
+                                                          : mesh::vertex_areas(cloth_meshes[c])));
     if (cloth.fabric) WEFT_CHECK(check_membranes(cloth, placed));
     selection.positions = placed.positions;
     WEFT_TRY(kinematic, scene::kinematic_nodes(cloth, selection));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,16 +14,17 @@
 #include "element/spring/build.hpp"
 #include "mesh/grid.hpp"
 #include "mesh/springs.hpp"
+#include "mesh/tet_mesh.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "model/elements.hpp"
 #include "scene/grab.hpp"
 
 namespace weft {
 
-/// What one cloth of the scene became: a range of the nodes, triangles and elements of a Model.
+/// What one cloth or body of the scene became: a range of the nodes, triangles and elements of a Model.
 struct Body {
   std::uint32_t first_vertex = 0, vertex_count = 0;
-  std::uint32_t first_triangle = 0, triangle_count = 0;
+  std::uint32_t first_triangle = 0, triangle_count = 0;  // of a body with volume its surface
   std::optional<mesh::Grid>
       grid;  // in the world's metres; a hint for fast paths. A cloth without one is a mesh
   mesh::BoundaryWeights weights = mesh::BoundaryWeights::Area;
@@ -30,6 +32,8 @@ struct Body {
   double damping = 0;                   // [N·s/m]
   std::optional<double> strain_limit;   // how far edges are stretched at most, of their length
   std::optional<scene::Fabric> fabric;  // then it has membranes and hinges, and no springs
+  std::optional<scene::Solid> solid;    // then it has tetrahedra alone
+  std::vector<mesh::Tet> tets;          // of its nodes, which count from 0
   Vec3d warp{1, 0, 0};                  // the direction of its warp at rest, in the world
   std::optional<Vec3d> color;
 
@@ -87,11 +91,13 @@ struct Model {
   ElementStore store_;
 };
 
-/// Places the scene's cloths in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for a
-/// grid). Errors  Input: a cloth vertex has no area, a selector selects nothing, a node is both pinned and
-/// moved, a grab does not mean one free node or shares it with another.
+/// Places the scene's cloths and bodies in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for
+/// a grid or body); `solids[c]` the tetrahedra of a body that is no block, before its transform (empty for others).
+/// Errors  Input: a cloth vertex has no area, a tetrahedron no volume, a selector selects nothing, a node is both
+/// pinned and moved, a grab does not mean one free node or shares it with another.
 /// Without attachments, for which colliders are needed: attachments.hpp.
-Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes);
+Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes,
+                          std::span<const mesh::TetMesh> solids = {});
 
 /// The triangles of a cloth, whose nodes count from 0.
 std::vector<mesh::Triangle> own_triangles(const Model& model, const Body& body);

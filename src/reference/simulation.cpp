@@ -55,6 +55,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   system.springs = spring_links(*made.model_);
   system.bending = bending_of(*made.model_);
   system.fabrics = fabric_cloths(*made.model_);
+  system.solids = solid_bodies(*made.model_);
   system.acceleration = scene.gravity + scene.external_force;
   system.drag = scene.drag;
   system.wind = scene::wind_field(scene.wind);

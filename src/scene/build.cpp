@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "scene/build_collider.hpp"
 #include "scene/build_motion.hpp"
@@ -35,17 +36,23 @@ class Builder {
     scene.solver = solver(at(json, "solver"));
     WEFT_TRY(contact, this->contact(at(json, "contact")));
     scene.contact = contact;
-    const std::vector<Json>& cloths = at(json, "cloths").values;
-    for (std::size_t entry = 0; entry < cloths.size(); ++entry) {
-      const std::string path = path_of_index("cloths", entry);
-      WEFT_TRY(copies, copies_of(cloths[entry], file_, path));
-      WEFT_TRY(first, cloth(cloths[entry], path, copies.count));
-      first.entry = entry;
-      for (std::uint32_t k = 0; k < copies.count; ++k) {
-        scene.cloths.push_back(shifted(first, copies.offset * k));
-        scene.cloths.back().copy = k;
+    for (const char* list : {"cloths", "bodies"}) {
+      const bool solid = list == std::string_view("bodies");
+      const std::vector<Json>& entries = at(json, list).values;
+      for (std::size_t entry = 0; entry < entries.size(); ++entry) {
+        const std::string path = path_of_index(list, entry);
+        WEFT_TRY(copies, copies_of(entries[entry], file_, path));
+        WEFT_TRY(first, solid ? body(entries[entry], path, copies.count)
+                              : cloth(entries[entry], path, copies.count));
+        first.entry = entry;
+        for (std::uint32_t k = 0; k < copies.count; ++k) {
+          scene.cloths.push_back(shifted(first, copies.offset * k));
+          scene.cloths.back().copy = k;
+        }
       }
     }
+    if (scene.cloths.empty())
+      return input_error("%s: the scene has neither cloths nor bodies; it needs one.", file_.c_str());
     WEFT_CHECK(check_grabs(scene.cloths));
     WEFT_CHECK(check_solver(scene));
     for (const Json& one : at(json, "colliders").values) {
@@ -67,8 +74,8 @@ class Builder {
       for (const Cloth& cloth : scene.cloths)
         if (!cloth.grid)
           return wrong("render.subdivide", "is " + std::to_string(scene.render.subdivide) + ", and " +
-                                               path_of_index("cloths", cloth.entry) +
-                                               " is a mesh; only grids are drawn finer");
+                                               path_of(cloth) + " is a " + (cloth.solid ? "body" : "mesh") +
+                                               "; only grids are drawn finer");
     return scene;
   }
 
@@ -121,10 +128,7 @@ class Builder {
                              size[1].number,
                              word<Plane>(at(json, "plane"), kPlaneNames),
                              number(json, "bump")};
-      grid_nodes_ += std::uint64_t{copies} * cloth.grid->nx * cloth.grid->ny;
-      if (grid_nodes_ > kMaxGridNodes)
-        return wrong(path + ".grid", "brings the grids to " + std::to_string(grid_nodes_) +
-                                         " nodes, more than the limit of " + std::to_string(kMaxGridNodes));
+      WEFT_CHECK(count_nodes(path + ".grid", std::uint64_t{copies} * cloth.grid->nx * cloth.grid->ny));
     }
     cloth.transform = transform_of(at(json, "transform"));
     cloth.density = maybe_number(json, "density");
@@ -138,6 +142,49 @@ class Builder {
     cloth.damping = number(json, "damping");
     cloth.friction = maybe_number(json, "friction").value_or(named ? named->friction.value : cloth.friction);
     cloth.strain_limit = maybe_number(json, "strain_limit");
+    WEFT_CHECK(add_nodes(cloth, json, path));
+    return cloth;
+  }
+
+  Result<Cloth> body(const Json& json, const std::string& path, std::uint32_t copies) {
+    Cloth body;
+    body.where = where(path);
+    body.name = text(json, "name");
+    Solid solid;
+    if (const Json* cells = json.find("block")) {
+      solid.block = BlockShape{{whole(cells->values[0]), whole(cells->values[1]), whole(cells->values[2])},
+                               vector(json, "size")};
+      std::uint64_t nodes = copies;
+      for (const std::uint32_t count : solid.block->cells) nodes *= count + 1;
+      WEFT_CHECK(count_nodes(path + ".block", nodes));
+    }
+    solid.tetrahedra = text(json, "tetrahedra");
+    solid.surface = text(json, "surface");
+    solid.cell = maybe_number(json, "cell").value_or(0);
+    const Json& material = at(json, "material");
+    solid.young = number(material, "young");
+    solid.poisson = number(material, "poisson");
+    solid.damping = number(material, "damping");
+    solid.energy = word<SolidEnergy>(at(material, "energy"), kSolidEnergyNames);
+    body.solid = std::move(solid);
+    body.transform = transform_of(at(json, "transform"));
+    body.density = number(json, "density");
+    body.friction = number(json, "friction");
+    WEFT_CHECK(add_nodes(body, json, path));
+    return body;
+  }
+
+  /// All grids and blocks together have a limit, known before anything is made of them.
+  Result<void> count_nodes(const std::string& path, std::uint64_t nodes) {
+    grid_nodes_ += nodes;
+    if (grid_nodes_ > kMaxGridNodes)
+      return wrong(path, "brings the grids and blocks to " + std::to_string(grid_nodes_) +
+                             " nodes, more than the limit of " + std::to_string(kMaxGridNodes));
+    return {};
+  }
+
+  /// What the scene does with its nodes, and its colour.
+  Result<void> add_nodes(Cloth& cloth, const Json& json, const std::string& path) const {
     WEFT_TRY(pins, selectors(at(json, "pins"), path + ".pins", cloth));
     cloth.pins = std::move(pins);
     for (const Json& one : at(json, "motions").values) {
@@ -153,7 +200,7 @@ class Builder {
       cloth.grabs.push_back(std::move(built));
     }
     if (const Json* color = json.find("color")) cloth.color = vector(*color);
-    return cloth;
+    return {};
   }
 
   Result<Fabric> fabric(const Json& json, const std::string& path) const {
@@ -276,7 +323,10 @@ class Builder {
   /// Bending needs the rows and columns of a grid; sums by springs have springs only.
   Result<void> check_solver(const Scene& scene) const {
     for (const Cloth& cloth : scene.cloths) {
-      const std::string path = path_of_index("cloths", cloth.entry);
+      const std::string path = path_of(cloth);
+      if (cloth.solid && scene.solver.forces != Forces::NodeCentric)
+        return wrong(path, "has no springs; solver.forces " + in_quotes(name_of(scene.solver.forces)) +
+                               " has springs only");
       if (cloth.fabric) WEFT_CHECK(check_fabric(scene, cloth, path));
       if (cloth.stiffness.bending == 0) continue;
       const std::string bending = "is " + number_text(cloth.stiffness.bending) + " N·m; ";

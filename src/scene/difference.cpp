@@ -13,7 +13,19 @@ const char* grid_difference(const std::optional<GridShape>& a, const std::option
   return a->bump == b->bump ? nullptr : "bump";
 }
 
+const char* solid_difference(const std::optional<Solid>& a, const std::optional<Solid>& b) {
+  if (!a && !b) return nullptr;
+  if (!a || !b || a->block.has_value() != b->block.has_value()) return "block";
+  if (a->block && a->block->cells != b->block->cells) return "block";
+  if (a->block && !(a->block->size == b->block->size)) return "size";
+  if (a->tetrahedra != b->tetrahedra) return "tetrahedra";
+  if (a->surface != b->surface) return "surface";
+  if (a->cell != b->cell) return "cell";
+  return *a == *b ? nullptr : "material";
+}
+
 const char* cloth_difference(const Cloth& a, const Cloth& b) {
+  if (const char* key = solid_difference(a.solid, b.solid)) return key;
   if (const char* key = grid_difference(a.grid, b.grid)) return key;
   if (a.mesh != b.mesh) return "mesh";
   if (!(a.transform == b.transform)) return b.copy > 0 ? "copies" : "transform";  // the first's are equal
@@ -48,7 +60,7 @@ std::optional<std::string> fixed_difference(const Scene& running, const Scene& w
   if (running.cloths.size() != wanted.cloths.size()) return "cloths";
   for (std::size_t c = 0; c < running.cloths.size(); ++c)
     if (const char* key = cloth_difference(running.cloths[c], wanted.cloths[c]))
-      return path_of_key(path_of_index("cloths", wanted.cloths[c].entry), key);
+      return path_of_key(path_of(wanted.cloths[c]), key);
   if (running.colliders.size() != wanted.colliders.size()) return "colliders";
   for (std::size_t c = 0; c < running.colliders.size(); ++c)
     if (!(running.colliders[c] == wanted.colliders[c])) return path_of_index("colliders", c);

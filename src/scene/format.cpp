@@ -258,7 +258,7 @@ constexpr Type kDamping{.kind = Kind::Number, .most = 1e9, .unit = "N·s/m"};
 constexpr Type kColor{.kind = Kind::Numbers, .most = 1, .count_least = 3};
 constexpr Type kCopyCount{.kind = Kind::Number, .least = 1, .most = 1000, .whole = true};
 constexpr Key kCopiesKeys[] = {
-    {"count", &kCopyCount, "How often the cloth stands, the first included", nullptr, true},
+    {"count", &kCopyCount, "How often it stands, the first included", nullptr, true},
     {"offset", &kPoint, "From each copy to the next", nullptr, true},
 };
 constexpr Type kCopies{.kind = Kind::Object, .keys = kCopiesKeys};
@@ -331,7 +331,53 @@ constexpr Needs kClothNeeds[] = {{"grid", "size"}, {"size", "grid"}, {"plane", "
 constexpr Type kCloth{
     .kind = Kind::Object, .name = "cloth", .keys = kClothKeys, .one_of = kClothOneOf, .needs = kClothNeeds};
 constexpr const Type* kClothItem[] = {&kCloth};
-constexpr Type kCloths{.kind = Kind::List, .count_least = 1, .count_most = 1000, .types = kClothItem};
+constexpr Type kCloths{.kind = Kind::List, .count_most = 1000, .types = kClothItem};
+
+// bodies
+constexpr Type kCells{.kind = Kind::Numbers, .least = 1, .most = 4096, .whole = true, .count_least = 3};
+constexpr Type kSides{.kind = Kind::Numbers, .least = kSmall, .most = kFar, .unit = "m", .count_least = 3};
+constexpr Type kMassDensity{.kind = Kind::Number, .least = 1e-3, .most = 1e6, .unit = "kg/m³"};
+constexpr Type kYoung{.kind = Kind::Number, .least = 1e-3, .most = 1e12, .unit = "Pa"};
+constexpr Type kSolidPoisson{.kind = Kind::Number, .least = -0.9, .most = 0.499};
+constexpr Type kSolidEnergy{.kind = Kind::Choice, .choices = kSolidEnergyNames};
+constexpr Key kMaterialKeys[] = {
+    {"young", &kYoung, "Young's modulus", nullptr, true},
+    {"poisson", &kSolidPoisson, "Poisson's ratio", "0.4"},
+    {"damping", &kDelay, "By the rate of a strain the body resists as by this time's worth of it", "0.001"},
+    {"energy", &kSolidEnergy, "Of a stable neo-Hookean solid, or linear in the frame of the nearest rotation",
+     "\"neo_hookean\""},
+};
+constexpr Type kMaterial{.kind = Kind::Object, .name = "material", .keys = kMaterialKeys};
+constexpr Key kBodyKeys[] = {
+    {"name", &kShortText, "For messages"},
+    {"block", &kCells,
+     "Cells along x, y and z, each of five tetrahedra; all blocks together have at most "
+     "67108864 nodes"},
+    {"size", &kSides, "Lengths of a block's edges"},
+    {"tetrahedra", &kMeshName,
+     "Path of a tetrahedral mesh relative to the scene: MSH, ELE beside NODE, or VTK"},
+    {"surface", &kMeshName, "Name of a model, or path of a closed mesh, whose inside is filled"},
+    {"cell", &kLength, "Of the lattice that fills a surface: the edge of its cubes, in the world"},
+    {"transform", &kTransform, "From the block centred on the origin, or the mesh, to the world", "{}"},
+    {"density", &kMassDensity, "Mass per rest volume", nullptr, true},
+    {"material", &kMaterial, "What the body resists with", nullptr, true},
+    {"friction", &kFriction,
+     "With cloth and bodies, and with colliders that give none; only proximity uses it", "0.3"},
+    {"pins", &kPinList, "Nodes that stay where they are", "[]"},
+    {"motions", &kMotions, "Nodes that follow a given motion", "[]"},
+    {"attachments", &kAttachments, "Nodes that go where a collider's surface goes", "[]"},
+    {"grabs", &kGrabs, "Nodes that are pulled to a point for a while", "[]"},
+    {"color", &kColor, "Red, green and blue"},
+    {"copies", &kCopies, "The same body again and again, each some way further; not with grabs"},
+};
+constexpr const char* kBodyWays[] = {"block", "tetrahedra", "surface"};
+constexpr OneOf kBodyOneOf[] = {{kBodyWays}};
+constexpr Needs kBodyNeeds[] = {
+    {"block", "size"}, {"size", "block"}, {"surface", "cell"}, {"cell", "surface"}};
+constexpr Type kBody{
+    .kind = Kind::Object, .name = "body", .keys = kBodyKeys, .one_of = kBodyOneOf, .needs = kBodyNeeds};
+constexpr const Type* kBodyItem[] = {&kBody};
+constexpr Type kBodies{.kind = Kind::List, .count_most = 1000, .types = kBodyItem};
 
 // colliders
 constexpr const char* kColliderKindNames[] = {"mesh", "sphere", "plane", "capsule", "box"};
@@ -381,7 +427,6 @@ constexpr Key kCapsuleKeys[] = {
     {"b", &kPoint, "The other end, not a itself", nullptr, true},
     {"radius", &kLength, "Greatest distance from the axis", nullptr, true},
 };
-constexpr Type kSides{.kind = Kind::Numbers, .least = kSmall, .most = kFar, .unit = "m", .count_least = 3};
 constexpr Key kBoxColliderKeys[] = {
     {"center", &kPoint, "Centre", nullptr, true},
     {"size", &kSides, "Lengths of the edges along x, y and z, before it is rotated", nullptr, true},
@@ -434,7 +479,8 @@ constexpr Key kSceneKeys[] = {
     {"time", &kTime, "Frames and steps", "{}"},
     {"solver", &kSolver, "How cloth moves", "{}"},
     {"contact", &kContact, "How cloth meets colliders", "{}"},
-    {"cloths", &kCloths, "The sheets", nullptr, true},
+    {"cloths", &kCloths, "The sheets; a scene has at least one, or a body", "[]"},
+    {"bodies", &kBodies, "Elastic bodies with volume", "[]"},
     {"colliders", &kColliders, "The obstacles", "[]"},
     {"camera", &kCamera, "Without it the whole scene is framed"},
     {"render", &kRender, "What a picture shows", "{}"},

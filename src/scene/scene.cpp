@@ -1,5 +1,6 @@
 #include "scene/scene.hpp"
 
+#include "base/json.hpp"
 #include "scene/names.hpp"
 
 namespace weft::scene {
@@ -50,6 +51,10 @@ const std::optional<ColliderMotion>& motion_of(const Collider& collider) {
 
 const char* name_of(GridPart part) { return kGridPartNames[static_cast<int>(part)]; }
 const char* name_of(Plane plane) { return kPlaneNames[static_cast<int>(plane)]; }
+std::string path_of(const Cloth& cloth) {
+  return path_of_index(cloth.solid ? "bodies" : "cloths", cloth.entry);
+}
+
 const char* name_of(SolverKind kind) { return kSolverKindNames[static_cast<int>(kind)]; }
 const char* name_of(Forces forces) { return kForcesNames[static_cast<int>(forces)]; }
 const char* name_of(ContactMethod method) { return kContactMethodNames[static_cast<int>(method)]; }

@@ -148,13 +148,37 @@ struct Fabric {
   bool operator==(const Fabric&) const = default;
 };
 
+/// A block of cells along x, y and z, centred on the origin, each cut into five tetrahedra.
+struct BlockShape {
+  std::array<std::uint32_t, 3> cells{};
+  Vec3d size;  // [m]
+  bool operator==(const BlockShape&) const = default;
+};
+
+/// Which energy tetrahedra have (docs/bodies.md).
+enum class SolidEnergy { NeoHookean, Corotated };
+
+/// A body with volume: its tetrahedra, and what they resist with.
+struct Solid {
+  std::optional<BlockShape> block;  // either this
+  std::string tetrahedra;           // or this: a path of a tetrahedral mesh; see mesh_path
+  std::string surface;              // or this, a closed mesh, filled
+  double cell = 0;                  // with tetrahedra from a lattice of such cubes, in the world [m]
+  double young = 0, poisson = 0;    // [Pa], 1
+  double damping = 0;               // delay of Kelvin and Voigt [s]
+  SolidEnergy energy = SolidEnergy::NeoHookean;
+  bool operator==(const Solid&) const = default;
+};
+
+/// A cloth, or with `solid` a body with volume, whose surface meets things as a cloth does.
 struct Cloth {
   std::string where;  // file and JSON path: "scenes/a.json: cloths[0]"
   std::string name;
-  std::optional<GridShape> grid;  // either this
+  std::optional<Solid> solid;     // either this
+  std::optional<GridShape> grid;  // or this
   std::string mesh;               // or this: the name of a model or a path; see mesh_path
   Transform transform;
-  std::optional<double> density;       // either this [kg/m²]
+  std::optional<double> density;       // either this [kg/m²]; of a body [kg/m³]
   std::optional<double> node_mass;     // or this [kg]
   std::optional<Fabric> fabric;        // instead of springs
   Stiffness stiffness;                 // of springs
@@ -166,7 +190,7 @@ struct Cloth {
   std::vector<Attachment> attachments;
   std::vector<Grab> grabs;
   std::optional<Vec3d> color;  // red, green, blue in [0, 1]
-  std::size_t entry = 0;       // in the scene's list of cloths
+  std::size_t entry = 0;       // in the scene's list of cloths, or of bodies
   std::uint32_t copy = 0;      // which of that entry's copies it is
 };
 
@@ -310,7 +334,7 @@ struct Scene {
   Time time;
   Solver solver;
   Contact contact;
-  std::vector<Cloth> cloths;  // each copy by itself
+  std::vector<Cloth> cloths;  // each copy by itself; behind them the bodies
   std::vector<Collider> colliders;
   std::optional<Camera> camera;  // none: the renderer frames the scene
   Render render;
@@ -324,6 +348,9 @@ std::vector<Vec3d> grid_positions(const GridShape& grid, const Transform& transf
 /// Where its free nodes are at the start: the same, but for its bump, a hill of 16 s² (1-s)² 16 t² (1-t)²
 /// times its height along the sheet's normal, s and t from 0 to 1 along the sides.
 std::vector<Vec3d> grid_start_positions(const GridShape& grid, const Transform& transform);
+
+/// "cloths[0]" or "bodies[0]": where a cloth or body is in its scene.
+std::string path_of(const Cloth& cloth);
 
 /// The JSON word for a value.
 const char* name_of(GridPart part);

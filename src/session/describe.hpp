@@ -20,6 +20,7 @@ Description describe(const Running& running, std::uint64_t nodes, std::uint64_t 
   made.membranes = running.element_count(ElementKind::Membrane);
   made.hinges = running.element_count(ElementKind::Hinge);
   made.slivers = running.sliver_count();
+  made.tetrahedra = running.element_count(ElementKind::Tet);
   made.dropped_triangles = dropped_triangles;
   made.solver = scene::name_of(method.kind);
   made.solver_reason = running.plan().reason();

@@ -17,9 +17,9 @@ const std::string kScene = R"({"format": "weft-scene/1", "cloths": [
     "colliders": [{"kind": "mesh", "mesh": "dragon"}, {"kind": "sphere", "center": [0, 0, 0], "radius": 1}],
     "contact": {"method": "proximity"}})";
 
-std::string difference(const std::string& key, const std::string& value) {
+std::string difference(const std::string& key, const std::string& value, const std::string& scene = kScene) {
   const Override change[] = {{key, value}};
-  const auto running = parse_scene(kScene, "a.json"), wanted = parse_scene(kScene, "b.json", change);
+  const auto running = parse_scene(scene, "a.json"), wanted = parse_scene(scene, "b.json", change);
   if (!running) FAIL(running.error().message);
   if (!wanted) FAIL(wanted.error().message);
   return fixed_difference(*running, *wanted).value_or("none");
@@ -96,4 +96,22 @@ TEST_CASE("a scene that is drawn coarser or finer is another: what it is drawn f
   REQUIRE(running);
   REQUIRE(wanted);
   CHECK(fixed_difference(*running, *wanted) == "render.subdivide");
+}
+
+TEST_CASE("a difference in a body is found and named by its key") {
+  const std::string bodies = R"({"format": "weft-scene/1", "bodies": [
+      {"block": [1, 1, 1], "size": [1, 1, 1], "density": 1, "material": {"young": 1}},
+      {"surface": "a.ply", "cell": 1, "density": 1, "material": {"young": 1}},
+      {"tetrahedra": "a.msh", "density": 1, "material": {"young": 1}}]})";
+  for (const auto& [key, value] : {std::pair{"bodies[0].block", "[1, 1, 2]"},
+                                   {"bodies[0].size", "[1, 1, 2]"},
+                                   {"bodies[0].density", "2"},
+                                   {"bodies[0].material", R"({"young": 2})"},
+                                   {"bodies[1].surface", "\"b.ply\""},
+                                   {"bodies[1].cell", "2"},
+                                   {"bodies[2].tetrahedra", "\"b.msh\""},
+                                   {"bodies[2].friction", "2"}}) {
+    CAPTURE(key);
+    CHECK(difference(key, value, bodies) == key);
+  }
 }

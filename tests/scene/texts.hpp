@@ -31,6 +31,12 @@ inline std::string motion_with(const std::string& members) {
   return cloth_with(R"("motions": [{"nodes": "corners", )" + members + "}]");
 }
 
+/// A scene of one body with these keys, and a density and material.
+inline std::string body_with(const std::string& members, const std::string& material = R"({"young": 1000})") {
+  return R"({"format": "weft-scene/1", "bodies": [{)" + members + R"(, "density": 1000, "material": )" +
+         material + "}]}";
+}
+
 inline std::string minimal_scene() { return cloth_of(R"("grid": [4, 3], "size": [3, 2], "density": 0.2)"); }
 
 }  // namespace weft::scene

@@ -128,6 +128,7 @@ inline reference::MassSpringSystem system_of(const sim::World& world, const Mome
   for (const double mass : now.mass) system.inverse_mass.push_back(mass > 0 ? 1 / mass : 0);
   system.springs = reference::spring_links(world.model().host);
   system.fabrics = reference::fabric_cloths(world.model().host);
+  system.solids = reference::solid_bodies(world.model().host);
   system.acceleration = world.scene().gravity;
   return system;
 }

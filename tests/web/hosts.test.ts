@@ -47,6 +47,12 @@ const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "a
   { name: "fabric, projective dynamics", scene: "fabric", frames: 2,
     set: { "cloths.0.grid": [24, 17], "time.substeps": 8, solver: { kind: "projective_dynamics", iterations: 11 } } },
   { name: "sheet, fem", scene: "sheet", frames: 2, set: { "cloths.0.grid": [33, 24], solver: { kind: "fem" } } },
+  { name: "bodies, vbd", scene: "jelly", frames: 2,
+    set: { "cloths.0.grid": [9, 9], "bodies.0.cell": 0.08, "contact.method": "none",
+      solver: { kind: "vbd", iterations: 2 } } },
+  { name: "bodies, explicit", scene: "jelly", frames: 2,
+    set: { "cloths.0.grid": [9, 9], "bodies.0.cell": 0.08, "contact.method": "none", "time.substeps": 64,
+      "bodies.0.material.energy": "corotated", solver: { kind: "mass_spring" } } },
   { name: "hanging with its own choice of substeps", scene: "hanging", frames: 1, set: { "cloths.0.grid": [24, 24] } },
 ];
 

@@ -46,6 +46,7 @@ export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: r
     { name: "shot", title: "A ball flies in", nodes: 64 },
     { name: "incline", title: "On a slope" },
     { name: "walk", title: "A skirt that walks" },
+    { name: "jelly", title: "Jelly in a net" },
   ] },
 ].map(({ title, scenes }) => ({ title, scenes: scenes.filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined) }));
 

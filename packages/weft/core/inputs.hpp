@@ -28,6 +28,8 @@ class Meshes {
   Result<mesh::TriangleMesh> find(const std::string& name) const;
   /// What it animates. Errors  Input: no such mesh was handed over, or it is no GLB file.
   Result<mesh::AnimatedMesh> find_animated(const std::string& name) const;
+  /// Of a file of tetrahedra, whose nodes may be in another.
+  Result<mesh::TetMesh> find_tets(const std::string& name) const;
   void clear();
 
  private:

@@ -4,18 +4,27 @@
 /** A scene as JSON text or as the object it stands for (docs/scene.md). */
 export type Scene = string | { format: string; [key: string]: unknown };
 
-/** The bytes of a mesh file: .ply, .obj, .stl, .off or .glb, packed with gzip or not. */
+/** The bytes of a mesh file: .ply, .obj, .stl, .off or .glb, of bodies .msh, .vtk, or .ele and .node; packed with gzip
+ * or not. */
 export type Bytes = ArrayBuffer | Uint8Array;
 
 /** The meshes that a scene names, each once: what `meshes` must hold. */
 export function meshNames(scene: Scene): string[] {
   const json = (typeof scene === "string" ? JSON.parse(scene) : scene) as Record<string, unknown>;
-  const entries = (list: unknown) =>
-    (Array.isArray(list) ? list : []) as ({ mesh?: unknown; keyframes?: unknown } | null)[];
+  const entries = (list: unknown) => (Array.isArray(list) ? list : []) as Partial<Record<string, unknown>>[];
   const parts = [...entries(json["cloths"]),
-    ...entries(json["colliders"]).flatMap((part) => [part, ...entries(part?.keyframes)])];
-  const names = parts.map((part) => part?.mesh);
+    ...entries(json["colliders"]).flatMap((part) => [part, ...entries(part?.["keyframes"])])];
+  const names = [...parts.map((part) => part?.["mesh"]), ...entries(json["bodies"]).flatMap((
+    part,
+  ) => [part?.["surface"], part?.["tetrahedra"], nodesBeside(part?.["tetrahedra"])])];
   return [...new Set(names.filter((name) => typeof name === "string"))];
+}
+
+/** The file that TetGen's .ele needs beside it. */
+function nodesBeside(name: unknown): string | null {
+  return typeof name === "string" && /\.ele$/i.test(name) ?
+    name.replace(/ele$/i, (end) => (end.endsWith("E") ? "NODE" : "node")) :
+    null;
 }
 
 export function sceneText(scene: Scene): string {

@@ -49,6 +49,8 @@ export interface WorldInfo {
   hinges: number;
   /** Of the membranes, those far thinner than a neighbour: they bend freely. */
   slivers: number;
+  /** Of bodies. */
+  tetrahedra: number;
   /** Steps a frame, and how long each is and may be [s]. */
   substeps: number;
   stepSeconds: number;

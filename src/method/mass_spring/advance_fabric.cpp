@@ -39,7 +39,7 @@ Result<AdvanceFabric> AdvanceFabric::create(const SolverInputs& inputs, const Bo
   WEFT_SET(made.fabric_, FabricBuffers::create(inputs.device, inputs.model.host, body));
   WEFT_CHECK(made.fabric_.create_forces(inputs.device, inputs.model.host, body));
   WEFT_CHECK(made.create_forces(inputs));
-  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/advance_fabric.wgsl", {},
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/advance_gathered.wgsl", {},
                                              inputs.workgroup_size));
   WEFT_SET(
       made.advance_,

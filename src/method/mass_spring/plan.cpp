@@ -4,6 +4,7 @@
 #include <array>
 
 #include "method/mass_spring/fabric_spectrum.hpp"
+#include "method/mass_spring/solid_spectrum.hpp"
 #include "method/mass_spring/spectrum.hpp"
 
 namespace weft {
@@ -11,10 +12,12 @@ namespace weft {
 namespace {
 
 NetworkSpectrum spectrum_of(const Model& model, const Body& body) {
+  if (body.solid) return find_solid_spectrum(model, body);
   return body.fabric ? find_fabric_spectrum(model, body) : find_spectrum(stiffest_part(model, body));
 }
 
 NetworkSpectrum spectrum_of(const Model& model, const Body& body, ElementKind kind) {
+  if (body.solid) return find_solid_spectrum(model, body);
   if (body.fabric) return find_fabric_spectrum(model, body, kind);
   SpringNetwork network = stiffest_part(model, body);
   ElementTable& left_out = kind == ElementKind::Spring ? network.triples : network.springs;
@@ -36,8 +39,8 @@ StepLimit mass_spring_step_limit(const Model& model, double drag) {
 
 StepCause step_cause(const Model& model, const Body& body, double drag) {
   StepCause cause{step_of(spectrum_of(model, body), drag), {}};
-  for (const ElementKind kind :
-       {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane, ElementKind::Hinge}) {
+  for (const ElementKind kind : {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane,
+                                 ElementKind::Hinge, ElementKind::Tet}) {
     if (model.count(kind, body) == 0) continue;
     if (const double step = step_of(spectrum_of(model, body, kind), drag); step > 0)
       cause.parts.push_back({kind, step});
@@ -49,7 +52,7 @@ StepCause step_cause(const Model& model, const Body& body, double drag) {
 
 Method mass_spring_method() {
   static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane,
-                                        ElementKind::Hinge};
+                                        ElementKind::Hinge, ElementKind::Tet};
   static constexpr MethodCost kCost = {{0.0045, 2.0e-8}, {0.0095, 6.7e-8}, {0.012, 1.0e-6},
                                        {0.14, 1.5e-6},   {0.09, 5.0e-7},   {0.09, 5.0e-7}};
   Method row{};

@@ -48,6 +48,7 @@ void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
   for (const AdvanceGrid& advance : grids_) advance.record(pass);
   for (const AdvanceMesh& advance : meshes_) advance.record(pass);
   for (const AdvanceFabric& advance : fabrics_) advance.record(pass);
+  for (const AdvanceSolid& advance : solids_) advance.record(pass);
   push_by_air_.record(pass);
 }
 
@@ -97,6 +98,12 @@ Result<void> SolverMassSpring::create_node_centric(const SolverInputs& inputs) {
   const std::size_t most = inputs.device.limits().max_workgroups_per_dimension;
   for (std::size_t b = 0; b < bodies.size();) {
     const Body& body = bodies[b];
+    if (body.solid) {
+      WEFT_TRY(advance, AdvanceSolid::create(inputs, body));
+      solids_.push_back(std::move(advance));
+      ++b;
+      continue;
+    }
     if (body.fabric) {
       WEFT_TRY(advance, AdvanceFabric::create(inputs, body));
       fabrics_.push_back(std::move(advance));

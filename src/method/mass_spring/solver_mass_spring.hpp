@@ -7,6 +7,7 @@
 #include "method/mass_spring/advance_grid.hpp"
 #include "method/mass_spring/advance_grid_twice.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
+#include "method/mass_spring/advance_solid.hpp"
 #include "method/mass_spring/fixed_point.hpp"
 #include "method/mass_spring/integrate_forces.hpp"
 #include "method/mass_spring/spring_block_forces.hpp"
@@ -48,6 +49,7 @@ class SolverMassSpring : public Solver {
   std::vector<AdvanceGridTwice> twice_;
   std::vector<AdvanceMesh> meshes_;
   std::vector<AdvanceFabric> fabrics_;
+  std::vector<AdvanceSolid> solids_;
   gpu::Buffer<std::uint32_t> corners_;
   gpu::Dispatch push_by_air_;  // without air it records nothing
 };

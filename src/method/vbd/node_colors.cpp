@@ -11,7 +11,8 @@ NodeColors color_nodes(const Model& model, const Body& cloth) {
   std::vector<bool> taken;
   for (std::uint32_t node = 0; node < cloth.vertex_count; ++node) {
     taken.assign(of_color.size() + 1, false);
-    for (const ElementKind kind : {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge}) {
+    for (const ElementKind kind :
+         {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge, ElementKind::Tet}) {
       const ElementTable& elements = model.elements(kind, cloth);
       if (elements.size() == 0) continue;
       for (const std::uint32_t at : model.incidence(kind, cloth).row(node))

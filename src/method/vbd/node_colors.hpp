@@ -7,7 +7,7 @@
 
 namespace weft {
 
-/// The nodes of a cloth by colours: no two of a colour are nodes of one spring, triangle or hinge, so all of a colour
+/// The nodes of a cloth by colours: no two of a colour are nodes of one element, so all of a colour
 /// may move at once. Greedy, in the order of the nodes: at most one colour more than a node has others at its elements.
 struct NodeColors {
   std::vector<std::uint32_t> starts = {0};  // one more than there are colours

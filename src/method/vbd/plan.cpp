@@ -16,7 +16,8 @@ StepLimit vbd_step_limit(const scene::Scene&, const Model&) {
 }  // namespace
 
 Method vbd_method() {
-  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge};
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge,
+                                        ElementKind::Tet};
   Method row{};
   row.kind = scene::SolverKind::Vbd;
   row.takes = kTakes;

@@ -10,6 +10,7 @@ void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, s
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep_) color.record(pass);
     for (const DescendFabric& fabric : fabrics_) fabric.record(pass);
+    for (const DescendSolid& solid : solids_) solid.record(pass);
   }
   end_way_.record(pass);
   contact.search(pass);
@@ -69,6 +70,11 @@ Result<std::unique_ptr<Solver>> SolverVbd::create(const scene::Solver& settings,
   made->iterations_ = settings.iterations;
   WEFT_CHECK(made->create_nodes(inputs));
   for (const Body& body : inputs.model.host.bodies) {
+    if (body.solid) {
+      WEFT_TRY(solid, DescendSolid::create(inputs, body, made->aim_));
+      made->solids_.push_back(std::move(solid));
+      continue;
+    }
     if (!body.fabric) {
       WEFT_CHECK(made->create_springs(inputs, body));
       continue;

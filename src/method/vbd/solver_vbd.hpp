@@ -7,6 +7,7 @@
 #include "gpu/dispatch.hpp"
 #include "method/solver.hpp"
 #include "method/vbd/descend_fabric.hpp"
+#include "method/vbd/descend_solid.hpp"
 
 namespace weft {
 
@@ -39,6 +40,7 @@ class SolverVbd : public Solver {
 
   std::vector<Cloth> cloths_;  // of springs
   std::vector<DescendFabric> fabrics_;
+  std::vector<DescendSolid> solids_;
   gpu::Buffer<Vec4f> aim_;              // the way of each node without springs [m]
   gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
 

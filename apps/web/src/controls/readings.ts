@@ -47,6 +47,7 @@ export class Readings {
         ["Triangles", whole.format(info.triangles)],
         ["Springs", whole.format(info.springs)],
         ["Membranes, hinges", `${whole.format(info.membranes)}, ${whole.format(info.hinges)}`],
+        ...(info.tetrahedra > 0 ? [["Tetrahedra", whole.format(info.tetrahedra)] as const] : []),
         ["Substeps per frame", whole.format(info.substeps)],
         ["Step", `${two.format(1000 * info.stepSeconds)} ms`],
         ["Largest stable step", `${two.format(1000 * info.stableStepSeconds)} ms`],

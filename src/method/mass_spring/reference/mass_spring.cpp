@@ -32,6 +32,7 @@ std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
     forces[triple.node_c] -= force;
   }
   for (const FabricCloth& cloth : system.fabrics) cloth.add_forces(system.position, system.velocity, forces);
+  for (const SolidBody& body : system.solids) body.add_forces(system.position, system.velocity, forces);
   return forces;
 }
 
@@ -106,6 +107,7 @@ double energy(const MassSpringSystem& system) {
     sum += 0.5 * triple.stiffness * dot(curvature, curvature);
   }
   for (const FabricCloth& cloth : system.fabrics) sum += cloth.energy(system.position);
+  for (const SolidBody& body : system.solids) sum += body.energy(system.position);
   return sum;
 }
 

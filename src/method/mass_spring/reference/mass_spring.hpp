@@ -8,6 +8,7 @@
 #include "base/vec.hpp"
 #include "element/spring/law.hpp"
 #include "method/mass_spring/reference/fabric.hpp"
+#include "method/mass_spring/reference/solid.hpp"
 #include "model/air_triangles.hpp"
 #include "scene/scene.hpp"
 #include "scene/wind.hpp"
@@ -43,6 +44,7 @@ struct MassSpringSystem {
   std::vector<SpringLink> springs;
   std::vector<BendLink> bending;
   std::vector<FabricCloth> fabrics;
+  std::vector<SolidBody> solids;
   Vec3d acceleration;  // gravity and external force [m/s²]
   double drag = 0;     // [1/s]
   scene::WindField wind;
@@ -54,7 +56,7 @@ struct MassSpringSystem {
   double grab_speed = 0;  // [m/s]
 };
 
-/// The force of every node's springs, of its resistance to bending, and of fabric [N].
+/// The force of every node's springs, of its resistance to bending, of fabric and of bodies with volume [N].
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
 
 /// The wind at a place and time [m/s].

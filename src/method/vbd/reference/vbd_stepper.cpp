@@ -40,22 +40,29 @@ VbdStepper::VbdStepper(const Model& model, std::uint32_t iterations)
       springs_of_(incidence(model.elements(ElementKind::Spring), 0, model.rest_position.size())),
       look_back_(model.rest_position.size()) {
   for (const Body& body : model.bodies) {
-    Cloth cloth{color_nodes(model, body).nodes, std::nullopt};
+    Cloth cloth{color_nodes(model, body).nodes, std::nullopt, std::nullopt};
     if (body.fabric) cloth.fabric.emplace(model, body);
+    if (body.solid) cloth.solid.emplace(model, body);
     cloths_.push_back(std::move(cloth));
   }
 }
 
 void VbdStepper::sweep(const Substep& substep, const std::vector<Vec3d>& aim, Ways& ways) {
-  std::size_t fabrics = 0;
+  const MassSpringSystem& system = substep.system;
+  std::size_t fabrics = 0, solids = 0;
   for (Cloth& cloth : cloths_) {
-    const FabricCloth* own = cloth.fabric ? &substep.system.fabrics[fabrics++] : nullptr;
-    if (own != nullptr) cloth.fabric->begin_sweep(ways, *own, substep.dt);
+    const FabricCloth* fabric = cloth.fabric ? &system.fabrics[fabrics++] : nullptr;
+    const SolidBody* solid = cloth.solid ? &system.solids[solids++] : nullptr;
+    if (fabric != nullptr) cloth.fabric->begin_sweep(ways, *fabric, substep.dt);
     for (const std::uint32_t node : cloth.order) {
       if (ways.inverse_mass[node] == 0) continue;
-      const NodePull pull =
-          own != nullptr ? cloth.fabric->pull(ways, *own, node - own->first, substep.dt)
-                         : pull_of_springs(substep.system, springs_of_.row(node), ways, node, substep.dt);
+      NodePull pull;
+      if (fabric != nullptr)
+        pull = cloth.fabric->pull(ways, *fabric, node - fabric->first, substep.dt);
+      else if (solid != nullptr)
+        pull = cloth.solid->pull(ways, *solid, node - solid->first, substep.dt);
+      else
+        pull = pull_of_springs(system, springs_of_.row(node), ways, node, substep.dt);
       ways.way[node] = descended(pull, ways, node, aim[node], substep.dt);
     }
   }

@@ -6,6 +6,7 @@
 #include "method/reference_ways.hpp"
 #include "method/vbd/node_colors.hpp"
 #include "method/vbd/reference/fabric_descent.hpp"
+#include "method/vbd/reference/solid_descent.hpp"
 
 namespace weft::reference {
 
@@ -18,10 +19,11 @@ class VbdStepper : public Stepper {
   void forget(std::size_t node) override { look_back_.forget(node); }
 
  private:
-  /// A cloth's nodes in the order of a sweep, and where it is of fabric, what they descend by.
+  /// A body's nodes in the order of a sweep, and where it has no springs, what they descend by.
   struct Cloth {
     std::vector<std::uint32_t> order;
     std::optional<FabricDescent> fabric;
+    std::optional<SolidDescent> solid;
   };
   void sweep(const Substep& substep, const std::vector<Vec3d>& aim, Ways& ways);
 

@@ -1,13 +1,16 @@
-// One substep of a cloth of fabric, prediction included: gathers the forces of a node's triangles and hinges, which are
-// computed before, and integrates it. One invocation per node. Source: docs/solvers/mass_spring.md, Fabric.
+// One substep of a cloth of fabric or a body with volume, prediction included: gathers the forces of a node's elements,
+// which are computed before, and integrates it. One invocation per node. Source: docs/solvers/mass_spring.md, Fabric.
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
-#include "method/fabric_params.wgsl"
+struct NodeRange {  // what FabricParams and SolidParams begin with
+  first : u32,
+  count : u32,
+}
 //                                                                               elements      unit
 @group(0) @binding(0) var<uniform>             step         : StepBlock;
-@group(0) @binding(1) var<uniform>             fabric       : FabricParams;
+@group(0) @binding(1) var<uniform>             nodes        : NodeRange;
 @group(0) @binding(2) var<storage, read>       gathers      : array<u32>;      // count + 1 rows, then entries of forces
-@group(0) @binding(3) var<storage, read>       forces       : array<vec4f>;    // 3 * triangles + 4 * hinges, N
+@group(0) @binding(3) var<storage, read>       forces       : array<vec4f>;    // of elements' corners, N
 @group(0) @binding(4) var<storage, read>       position_in  : array<vec4f>;    // vertex_count  m (w: 1/kg)
 @group(0) @binding(5) var<storage, read>       velocity_in  : array<vec4f>;    // vertex_count  m/s
 @group(0) @binding(6) var<storage, read>       rest         : array<vec4f>;    // vertex_count  m (w: motion)
@@ -16,10 +19,10 @@
 @group(0) @binding(9) var<storage, read_write> velocity_out : array<vec4f>;    // vertex_count  m/s
 
 @compute @workgroup_size(kWorkgroupSize)
-fn advance_fabric(@builtin(global_invocation_id) id : vec3u) {
+fn advance_gathered(@builtin(global_invocation_id) id : vec3u) {
   let index = flat_index(id);
-  if (index >= fabric.count) { return; }
-  let node = fabric.first + index;
+  if (index >= nodes.count) { return; }
+  let node = nodes.first + index;
   var force = vec3f(0.0);
   let end = gathers[index + 1u];
   for (var entry = gathers[index]; entry < end; entry++) { force += forces[gathers[entry]].xyz; }
