@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/json.hpp"
+#include "mesh/convex_hull.hpp"
 #include "mesh/fill_surface.hpp"
 #include "mesh/merge.hpp"
 #include "mesh/primitives.hpp"
@@ -32,6 +33,9 @@ class NamedMeshes {
       if (const auto* object = std::get_if<scene::ColliderMesh>(&collider); object && !object->animation) {
         ++meshes_[object->mesh].uses;
         for (const scene::ColliderKeyframe& keyframe : object->keyframes) ++meshes_[keyframe.mesh].uses;
+      } else if (const auto* convex = std::get_if<scene::ColliderConvex>(&collider);
+                 convex && convex->points.empty()) {
+        ++meshes_[convex->mesh].uses;
       }
   }
 
@@ -234,6 +238,20 @@ Result<void> add_object(Assets& assets, std::size_t collider, mesh::TriangleMesh
   return {};
 }
 
+/// The hull of what is placed in the world, so that it is convex there to the bit.
+Result<mesh::TriangleMesh> load_convex(NamedMeshes& meshes, const scene::ColliderConvex& collider) {
+  std::vector<Vec3f> points;
+  for (const Vec3d& point : collider.points)
+    points.push_back(scene::transformed(collider.transform, point).to<float>());
+  if (points.empty()) {
+    WEFT_TRY(placed, load_placed(meshes, collider.mesh, collider.transform, collider.where));
+    points = std::move(placed.positions);
+  }
+  auto hull = mesh::convex_hull(points);
+  if (!hull) return hull.error().while_doing("taking the hull of " + collider.where);
+  return hull;
+}
+
 }  // namespace
 
 Result<mesh::AnimatedMesh> no_animation(const std::string& name) {
@@ -297,6 +315,9 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
       WEFT_CHECK(add_object(assets, c,
                             mesh::transformed(mesh::make_box(box->size), 1, box->rotate, box->center), {},
                             scene.file + ": " + path_of_index("colliders", c) + ", a box,"));
+    } else if (const auto* convex = std::get_if<scene::ColliderConvex>(&scene.colliders[c])) {
+      WEFT_TRY(hull, load_convex(meshes, *convex));
+      WEFT_CHECK(add_object(assets, c, std::move(hull), {}, convex->where + ": the hull"));
     }
   }
   return assets;

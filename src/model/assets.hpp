@@ -14,10 +14,10 @@ namespace weft {
 
 /// The meshes that a scene names, read, checked and placed in the world.
 struct Assets {
-  std::vector<mesh::TriangleMesh> cloths;     // one for each cloth of the scene; empty for a grid or body
-  std::vector<mesh::TetMesh> solids;          // likewise of each body that is no block, before its transform
-  std::vector<mesh::TriangleMesh> objects;    // one for each mesh and each box among the colliders, in order
-  std::vector<std::size_t> object_colliders;  // for each object its number among the scene's colliders
+  std::vector<mesh::TriangleMesh> cloths;       // one for each cloth of the scene; empty for a grid or body
+  std::vector<mesh::TetMesh> solids;            // likewise of each body that is no block, before its transform
+  std::vector<mesh::TriangleMesh> objects;      // one for each mesh, box and convex hull among the colliders
+  std::vector<std::size_t> object_colliders;    // for each object its number among the scene's colliders
   std::vector<mesh::Deformation> deformations;  // of each object, placed as it is
   std::size_t dropped_triangles = 0;            // of zero area, left out of the objects
   std::size_t merged_vertices = 0;  // of the objects, that were where another one of the same mesh is
@@ -42,8 +42,8 @@ Result<void> check_memory(const scene::Scene& scene, const Assets& assets, std::
 
 /// Errors  Input: a mesh is missing or malformed, its transform makes it too large for f32, a surface cannot be filled
 ///         with tetrahedra, or a keyframe has not the vertices and triangles of its collider's mesh; a file has no
-///         such animation, or one that loops does not end as it begins. Limit: the shapes of an animation have more
-///         vertices than contact can number.
+///         such animation, or one that loops does not end as it begins; the points of a convex hull have no volume.
+///         Limit: the shapes of an animation have more vertices than contact can number, or a convex hull has too many.
 Result<Assets> load_assets(const scene::Scene& scene, const std::string& models_folder);
 
 /// The same where meshes do not come from files: each gives the one that the scene calls by a name.

@@ -53,6 +53,7 @@ struct Inputs {
   std::vector<scene::ColliderSphere> spheres;
   std::vector<scene::ColliderCapsule> capsules;
   std::vector<scene::ColliderBox> boxes;
+  std::vector<ObjectDraw> hulls;  // convex; drawn with sharp edges, as boxes are
   std::vector<scene::ColliderPlane> planes;
 };
 

@@ -35,8 +35,7 @@ mesh::TriangleMesh mesh_of(const scene::ColliderCapsule& capsule) {
 }
 
 /// No two triangles share a vertex, so that the edges are sharp.
-mesh::TriangleMesh mesh_of(const scene::ColliderBox& box) {
-  const mesh::TriangleMesh shared = mesh::transformed(mesh::make_box(box.size), 1, box.rotate, box.center);
+mesh::TriangleMesh sharp(const mesh::TriangleMesh& shared) {
   mesh::TriangleMesh mesh;
   for (const mesh::Triangle& triangle : shared.triangles) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -44,6 +43,10 @@ mesh::TriangleMesh mesh_of(const scene::ColliderBox& box) {
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   return mesh;
+}
+
+mesh::TriangleMesh mesh_of(const scene::ColliderBox& box) {
+  return sharp(mesh::transformed(mesh::make_box(box.size), 1, box.rotate, box.center));
 }
 
 /// In all of its shapes.
@@ -64,6 +67,7 @@ std::vector<Part> parts_of(const Inputs& inputs) {
   for (const scene::ColliderCapsule& capsule : inputs.capsules)
     parts.push_back({{mesh_of(capsule), {}, capsule.motion}, true});
   for (const scene::ColliderBox& box : inputs.boxes) parts.push_back({{mesh_of(box), {}, box.motion}, true});
+  for (const ObjectDraw& hull : inputs.hulls) parts.push_back({{sharp(hull.mesh), {}, hull.motion}, true});
   for (const ObjectDraw& object : inputs.objects) parts.push_back({object, stays_closed(object)});
   return parts;
 }

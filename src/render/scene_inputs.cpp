@@ -48,6 +48,11 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
       inputs.boxes.push_back(*box);
       ++object;
     }
+    if (const auto* convex = std::get_if<scene::ColliderConvex>(&collider)) {
+      assert(object < objects.size());
+      inputs.hulls.push_back({objects[object], {}, convex->motion});
+      ++object;
+    }
     if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&collider))
       inputs.capsules.push_back(*capsule);
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) inputs.spheres.push_back(*sphere);

@@ -30,6 +30,7 @@ Result<void> check_method(const Json& json, ContactMethod method, const std::str
                        path.c_str(), what, name_of(method));
   };
   if (at(json, "kind").text == "capsule") return refused(", a capsule,");
+  if (at(json, "kind").text == "convex") return refused(", a convex hull,");
   if (json.find("motion")) return refused(".motion");
   const Json* keyframes = json.find("keyframes");
   if (keyframes && !keyframes->values.empty()) return refused(".keyframes");
@@ -74,6 +75,13 @@ Result<Collider> build_collider(const Json& json, ContactMethod method, const st
   if (kind == "box")
     return Collider(ColliderBox{vector(json, "center"), vector(json, "size"),
                                 unit_quaternion(at(json, "rotate")), friction, std::move(motion)});
+  if (kind == "convex") {
+    ColliderConvex convex{file + ": " + path, text(json, "mesh"), {}, transform_of(at(json, "transform")),
+                          friction,           std::move(motion)};
+    if (const Json* points = json.find("points"))
+      for (const Json& point : points->values) convex.points.push_back(vector(point));
+    return Collider(std::move(convex));
+  }
   const Vec3d a = vector(json, "a"), b = vector(json, "b");
   if (a == b)
     return input_error("%s: %s.b is its a; a capsule without a length is a sphere.", file.c_str(),

@@ -145,6 +145,10 @@ class Checker {
     const std::vector<const Key*> keys = keys_of(type, json);
     for (const std::string& name : json.names) WEFT_CHECK(known(name, keys, path));
     for (const OneOf& rule : type.one_of) WEFT_CHECK(exactly_one(json, rule, path));
+    const Json* kind = json.find("kind");
+    for (const Variant& variant : type.variants)
+      if (kind && kind->kind == Json::Kind::Text && kind->text == variant.value)
+        for (const OneOf& rule : variant.one_of) WEFT_CHECK(exactly_one(json, rule, path));
     for (const Needs& rule : type.needs)
       if (json.find(rule.key) && !json.find(rule.needed))
         return wrong(path_of_key(path, rule.key), "needs " + in_quotes(rule.needed) + " beside it");

@@ -380,7 +380,7 @@ constexpr const Type* kBodyItem[] = {&kBody};
 constexpr Type kBodies{.kind = Kind::List, .count_most = 1000, .types = kBodyItem};
 
 // colliders
-constexpr const char* kColliderKindNames[] = {"mesh", "sphere", "plane", "capsule", "box"};
+constexpr const char* kColliderKindNames[] = {"mesh", "sphere", "plane", "capsule", "box", "convex"};
 constexpr Type kColliderKind{.kind = Kind::Choice, .choices = kColliderKindNames};
 constexpr Key kColliderKeys[] = {
     {"kind", &kColliderKind, "The shape", nullptr, true},
@@ -433,11 +433,18 @@ constexpr Key kBoxColliderKeys[] = {
     {"rotate", &kQuaternion, "Unit quaternion [x, y, z, w] (length within 0.001 of 1), about the centre",
      "[0, 0, 0, 1]"},
 };
-constexpr Variant kColliderVariants[] = {{"mesh", kMeshColliderKeys},
-                                         {"sphere", kSphereKeys},
-                                         {"plane", kPlaneKeys},
-                                         {"capsule", kCapsuleKeys},
-                                         {"box", kBoxColliderKeys}};
+constexpr const Type* kPointItem[] = {&kPoint};
+constexpr Type kHullPoints{.kind = Kind::List, .count_least = 4, .count_most = 100000, .types = kPointItem};
+constexpr Key kConvexKeys[] = {
+    {"mesh", &kMeshName, "Name of a model, or path of a mesh file: the hull is of its vertices"},
+    {"points", &kHullPoints, "Instead of a mesh, the points that the hull is of; not all in a plane"},
+    {"transform", &kTransform, "From the mesh or the points to the world", "{}"},
+};
+constexpr const char* kConvexWays[] = {"mesh", "points"};
+constexpr OneOf kConvexOneOf[] = {{kConvexWays}};
+constexpr Variant kColliderVariants[] = {{"mesh", kMeshColliderKeys}, {"sphere", kSphereKeys},
+                                         {"plane", kPlaneKeys},       {"capsule", kCapsuleKeys},
+                                         {"box", kBoxColliderKeys},   {"convex", kConvexKeys, kConvexOneOf}};
 constexpr Type kCollider{
     .kind = Kind::Object, .name = "collider", .keys = kColliderKeys, .variants = kColliderVariants};
 constexpr const Type* kColliderItem[] = {&kCollider};

@@ -21,16 +21,17 @@ struct Key {
   const char* named = nullptr;
 };
 
-/// The keys that an object has beside the common ones when its "kind" is `value`.
-struct Variant {
-  const char* value;
-  std::span<const Key> keys;
-};
-
 /// An object has exactly one of these keys.
 struct OneOf {
   std::span<const char* const> keys;
   const char* named = nullptr;  // as of a Key: where it names a fabric, the object may have none of them
+};
+
+/// The keys that an object has beside the common ones when its "kind" is `value`.
+struct Variant {
+  const char* value;
+  std::span<const Key> keys;
+  std::span<const OneOf> one_of = {};
 };
 
 /// An object that has `key` has `needed` too.

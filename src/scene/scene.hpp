@@ -258,7 +258,21 @@ struct ColliderBox {
   std::optional<ColliderMotion> motion{};
   bool operator==(const ColliderBox&) const = default;
 };
-using Collider = std::variant<ColliderMesh, ColliderSphere, ColliderPlane, ColliderCapsule, ColliderBox>;
+/// The convex hull of a mesh's vertices, or of points: one of them is given.
+struct ColliderConvex {
+  std::string where;          // file and JSON path
+  std::string mesh;           // as of ColliderMesh; empty where there are points
+  std::vector<Vec3d> points;  // before the transform [m]
+  Transform transform;
+  std::optional<double> friction{};
+  std::optional<ColliderMotion> motion{};
+  bool operator==(const ColliderConvex& other) const {
+    return mesh == other.mesh && points == other.points && transform == other.transform &&
+           friction == other.friction && motion == other.motion;
+  }
+};
+using Collider =
+    std::variant<ColliderMesh, ColliderSphere, ColliderPlane, ColliderCapsule, ColliderBox, ColliderConvex>;
 
 const std::optional<double>& friction_of(const Collider& collider);
 const std::optional<ColliderMotion>& motion_of(const Collider& collider);

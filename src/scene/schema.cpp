@@ -120,18 +120,22 @@ class Writer {
     if (named)
       schema["allOf"].push_back(
           {{"anyOf", Schema::array({{{"required", Schema::array({named})}}, {{"required", unnamed}}})}});
-    for (const OneOf& rule : type.one_of) {
-      Schema ways = Schema::array();
-      for (const char* key : rule.keys) ways.push_back({{"required", Schema::array({key})}});
-      if (rule.named) {  // "required" of what is in it does not touch a text
-        const Schema any = {{"anyOf", ways}}, inner = {{"required", Schema::array({"name"})}};
-        ways.push_back(
-            {{"required", Schema::array({rule.named})}, {"properties", {{rule.named, inner}}}, {"not", any}});
-      }
-      schema["allOf"].push_back({{"oneOf", std::move(ways)}});
-    }
+    for (const OneOf& rule : type.one_of) schema["allOf"].push_back(one_of(rule));
+    if (variant)
+      for (const OneOf& rule : variant->one_of) schema["allOf"].push_back(one_of(rule));
     for (const Needs& rule : type.needs) schema["dependentRequired"][rule.key].push_back(rule.needed);
     return schema;
+  }
+
+  static Schema one_of(const OneOf& rule) {
+    Schema ways = Schema::array();
+    for (const char* key : rule.keys) ways.push_back({{"required", Schema::array({key})}});
+    if (rule.named) {  // "required" of what is in it does not touch a text
+      const Schema any = {{"anyOf", ways}}, inner = {{"required", Schema::array({"name"})}};
+      ways.push_back(
+          {{"required", Schema::array({rule.named})}, {"properties", {{rule.named, inner}}}, {"not", any}});
+    }
+    return {{"oneOf", std::move(ways)}};
   }
 
   Schema property(const Key& key) {

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "contact/reference/proximity/closest.hpp"
-#include "contact/reference/proximity/orientation.hpp"
+#include "mesh/orientation.hpp"
 #include "mesh/primitives.hpp"
 #include "soup.hpp"
 
@@ -50,7 +50,7 @@ TEST_CASE("sides of planes are exact where rounding would turn them") {
     // In the plane of the others, or a unit beside it.
     Whole p{b.x + c.x - a.x, b.y + c.y - a.y, b.z + c.z - a.z};
     if (i % 4 > 0) p.y += i % 4 - 2;
-    const int side = orientation(a.point(), b.point(), c.point(), p.point());
+    const int side = mesh::orientation(a.point(), b.point(), c.point(), p.point());
     if (side != exact_side(a, b, c, p)) FAIL_CHECK("point ", i);
     zero += side == 0;
     const Vec3d u = b.point() - a.point(), v = c.point() - a.point(), w = p.point() - a.point();

@@ -57,6 +57,7 @@ TEST_CASE("six thousand mutated scenes are read or refused with one sentence, an
       proximity_with(R"({"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0], "radius": 1},
                         {"kind": "box", "center": [0, 0, 0], "size": [1, 1, 1], "friction": 0.5,
                          "motion": {"kind": "path", "points": [[1, [0, 0, 1]], [2, [0, 1, 0]]]}},
+                        {"kind": "convex", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]},
                         {"kind": "mesh", "mesh": "a",
                         "keyframes": [{"time": 1, "mesh": "b"}, {"time": 2, "mesh": "a"}]})")};
   for (const auto& entry : std::filesystem::directory_iterator(source_path("scenes")))

@@ -83,6 +83,10 @@ TEST_CASE("the schema accepts what the loader accepts") {
                                    "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 1}})")));
   CHECK(accepts(
       proximity_with(R"({"kind": "box", "center": [0, 0, 0], "size": [1, 2, 3], "rotate": [0, 0, 0, 1]})")));
+  CHECK(accepts(
+      proximity_with(R"({"kind": "convex", "mesh": "a", "transform": {"scale": 2}, "friction": 1})")));
+  CHECK(accepts(
+      proximity_with(R"({"kind": "convex", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]})")));
   CHECK(accepts(proximity_with(R"({"kind": "mesh", "mesh": "a", "keyframes": [{"time": 1, "mesh": "b"}]})")));
   for (const auto& entry : std::filesystem::directory_iterator(source_path("scenes"))) {
     const auto bytes = read_file(entry.path().string(), 1 << 20);

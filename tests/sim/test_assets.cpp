@@ -76,6 +76,31 @@ TEST_CASE("meshes and boxes become objects in the order of the colliders, which 
   CHECK(assets->dropped_triangles == 1);
 }
 
+TEST_CASE("a convex hull is an object: of a placed mesh's vertices or of points, once each") {
+  const auto assets = assets_of(R"({"kind": "box", "center": [0, 0, 0], "size": [1, 1, 1]},
+    {"kind": "convex", "mesh": "a.obj", "transform": {"scale": 2, "translate": [0, 1, 0]}},
+    {"kind": "convex", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.1, 0.1, 0.1], [0.5, 0.5, 0]],
+     "transform": {"scale": 3, "translate": [5, 0, 0]}})");
+  REQUIRE_MESSAGE(assets, assets.error().message);
+  REQUIRE(assets->objects.size() == 3);
+  CHECK(assets->object_colliders == std::vector<std::size_t>{0, 1, 2});
+  CHECK(assets->deformations.size() == 3);
+  const mesh::TriangleMesh placed = mesh::transformed(tetrahedron(), 2, {0, 0, 0, 1}, {0, 1, 0});
+  CHECK(mesh::bounds(assets->objects[1]).low == mesh::bounds(placed).low);
+  CHECK(mesh::bounds(assets->objects[1]).high == mesh::bounds(placed).high);
+  CHECK(assets->objects[2].positions == std::vector<Vec3f>{{5, 0, 0}, {8, 0, 0}, {5, 3, 0}, {5, 0, 3}});
+  CHECK(mesh::signed_volume(assets->objects[2]) == doctest::Approx(4.5));
+}
+
+TEST_CASE("points in a plane have no hull, and the message names the collider") {
+  const auto assets = assets_of(
+      R"({"kind": "convex", "points": [[0, 1, 0], [1, 1, 0], [0, 1, 1], [1, 1, 1], [0.3, 1, 0.2]]})");
+  REQUIRE_FALSE(assets);
+  CHECK(assets.error().kind == ErrorKind::Input);
+  CHECK(assets.error().message.find("a.json: colliders[0]") != std::string::npos);
+  CHECK(assets.error().message.find("The 5 points lie in a plane") != std::string::npos);
+}
+
 TEST_CASE("a mesh is read once, however many colliders and keyframes name it") {
   const auto scene = scene::parse_scene(
       R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},

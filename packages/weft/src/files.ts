@@ -33,7 +33,7 @@ export async function readMesh(name: string, bytes: Bytes, { cleaned = false } =
 export interface SceneSize {
   /** Of all cloths together. */
   nodes: number;
-  /** Of all meshes and boxes among the obstacles. */
+  /** Of all meshes, boxes and convex hulls among the obstacles. */
   obstacleTriangles: number;
 }
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "contact/reference/proximity/audit.hpp"
-#include "contact/reference/proximity/orientation.hpp"
+#include "mesh/orientation.hpp"
 
 namespace weft::reference {
 namespace {
@@ -64,10 +64,10 @@ std::vector<Crossing> all_by_brute_force(const Surfaces& a, const Surfaces& b, b
 }  // namespace
 
 bool segment_crosses(const Vec3d& p, const Vec3d& q, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const int side = orientation(a, b, c, p);
-  if (side == 0 || orientation(a, b, c, q) != -side) return false;
-  const int first = orientation(p, q, a, b);
-  return first != 0 && orientation(p, q, b, c) == first && orientation(p, q, c, a) == first;
+  const int side = mesh::orientation(a, b, c, p);
+  if (side == 0 || mesh::orientation(a, b, c, q) != -side) return false;
+  const int first = mesh::orientation(p, q, a, b);
+  return first != 0 && mesh::orientation(p, q, b, c) == first && mesh::orientation(p, q, c, a) == first;
 }
 
 std::vector<Crossing> crossings(const Surfaces& cloth, const Surfaces& object) {

@@ -25,7 +25,8 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
     motions_.push_back(scene::motion_of(collider));
     if (motions_.back()) still_ = false;
     if (!std::holds_alternative<scene::ColliderMesh>(collider) &&
-        !std::holds_alternative<scene::ColliderBox>(collider))
+        !std::holds_alternative<scene::ColliderBox>(collider) &&
+        !std::holds_alternative<scene::ColliderConvex>(collider))
       continue;
     const mesh::TriangleMesh& mesh = objects[object];
     const auto first = static_cast<std::uint32_t>(positions.size());

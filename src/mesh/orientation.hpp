@@ -3,7 +3,7 @@
 
 #include "base/vec.hpp"
 
-namespace weft::reference {
+namespace weft::mesh {
 
 /// The sign of (b - a) x (c - a) . (p - a): 1 above the triangle that is seen counter-clockwise, -1 below it,
 /// 0 in its plane. Exact for coordinates below 1e100 whose products do not underflow: where rounding could
@@ -11,4 +11,4 @@ namespace weft::reference {
 /// Floating-Point Arithmetic and Fast Robust Geometric Predicates.
 int orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p);
 
-}  // namespace weft::reference
+}  // namespace weft::mesh

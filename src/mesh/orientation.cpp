@@ -1,11 +1,11 @@
-#include "contact/reference/proximity/orientation.hpp"
+#include "mesh/orientation.hpp"
 
 #include <array>
 #include <cmath>
 
 #include "base/trig.hpp"
 
-namespace weft::reference {
+namespace weft::mesh {
 namespace {
 
 /// A sum without rounding: parts of rising size that do not overlap, so that the last decides the sign.
@@ -72,4 +72,4 @@ int orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) 
   return sum.sign();
 }
 
-}  // namespace weft::reference
+}  // namespace weft::mesh
