@@ -15,7 +15,11 @@ PushSetup push_setup(const scene::Scene& scene, const Assets& assets, std::uint3
   PushSetup setup;
   setup.method = scene.contact.method;
   setup.thickness = scene.contact.thickness;
-  setup.objects = assets.objects;
+  for (std::size_t o = 0; o < assets.objects.size(); ++o) {
+    const bool convex =
+        std::holds_alternative<scene::ColliderConvex>(scene.colliders[assets.object_colliders[o]]);
+    (convex ? setup.hulls : setup.objects).push_back(assets.objects[o]);
+  }
   setup.workgroup_size = workgroup_size;
   for (const scene::Collider& collider : scene.colliders) {
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) setup.spheres.push_back(*sphere);

@@ -66,15 +66,20 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   system.grab_rate = std::min(kGrabRate, 1 / made.step());
   const scene::ContactMethod method = scene.contact.method;
   if (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh)
-    WEFT_CHECK(made.add_colliders(assets.objects));
+    WEFT_CHECK(made.add_colliders(assets));
   if (method == scene::ContactMethod::Proximity)
     made.proximity_.emplace(scene, *made.model_, assets.objects, assets.deformations, made.step());
   made.reset();
   return made;
 }
 
-Result<void> Simulation::add_colliders(const std::vector<mesh::TriangleMesh>& objects) {
+Result<void> Simulation::add_colliders(const Assets& assets) {
+  const std::vector<mesh::TriangleMesh>& objects = assets.objects;
   for (std::size_t o = 0; o < objects.size(); ++o) {
+    if (std::holds_alternative<scene::ColliderConvex>(scene_.colliders[assets.object_colliders[o]])) {
+      convex_.emplace_back(objects[o]);
+      continue;
+    }
     const auto first = static_cast<std::uint32_t>(object_.positions.size());
     object_.positions.insert(object_.positions.end(), objects[o].positions.begin(),
                              objects[o].positions.end());
@@ -177,13 +182,15 @@ void Simulation::set_grabs(double time) {
 }
 
 void Simulation::answer_contacts(const std::vector<Vec3d>& previous) {
-  if (!object_triangles_ && spheres_.empty() && planes_.empty()) return;
+  if (!object_triangles_ && convex_.empty() && spheres_.empty() && planes_.empty()) return;
   std::vector<NodePush> pushes(previous.size());
   if (object_triangles_) {
     const std::vector<TrianglePair> pairs = object_triangles_->pairs(model_->triangles, system_.position);
     contacts_ += pairs.size();
     pushes = pushes_of(pairs, model_->triangles, previous, system_.inverse_mass, object_, push_limits_);
   }
+  contacts_ += add_convex_pushes(pushes, convex_, model_->triangles, previous, system_.position,
+                                 system_.inverse_mass, push_limits_);
   if (!spheres_.empty() || !planes_.empty()) {
     const std::vector<NodePush> more =
         analytic_pushes(previous, system_.position, system_.inverse_mass, spheres_, planes_, push_limits_);

@@ -10,6 +10,7 @@
 #include "base/result.hpp"
 #include "contact/reference/proximity/proximity.hpp"
 #include "contact/reference/pushes/contact_pairs.hpp"
+#include "contact/reference/pushes/convex_pushes.hpp"
 #include "contact/reference/pushes/pushes.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
 #include "method/stepper.hpp"
@@ -52,8 +53,8 @@ class Simulation {
   double step() const { return plan_.step(); }  // [s]; shorter in frames that are cut
   std::uint64_t element_count(ElementKind kind) const { return model_->count(kind); }
   std::uint64_t sliver_count() const { return model_->sliver_count(); }
-  /// In all substeps so far. Of cloth triangles with object triangles, and of nodes with spheres and planes;
-  /// by proximity, pairs of features that act.
+  /// In all substeps so far. Of cloth triangles with object triangles and convex bodies, of nodes with spheres and
+  /// planes; by proximity, pairs of features that act.
   std::uint64_t contacts() const { return contacts_; }
   /// What contact method proximity knows; null with the others.
   const Proximity* proximity() const { return proximity_ ? &*proximity_ : nullptr; }
@@ -61,7 +62,7 @@ class Simulation {
  private:
   Simulation(const scene::Scene& scene, Model model)
       : scene_(scene), model_(std::make_unique<Model>(std::move(model))) {}
-  Result<void> add_colliders(const std::vector<mesh::TriangleMesh>& objects);
+  Result<void> add_colliders(const Assets& assets);
 
   /// One of `count` of this frame.
   void substep(std::uint32_t number, const sim::FramePlan::Frame& frame);
@@ -79,8 +80,10 @@ class Simulation {
   std::unique_ptr<Stepper> stepper_;
   std::uint32_t frame_ = 0;
 
-  mesh::TriangleMesh object_;  // all objects as one, in their order: what a pair's numbers mean
+  mesh::TriangleMesh
+      object_;  // all objects but convex hulls as one, in their order: what a pair's numbers mean
   std::optional<ObjectTriangles> object_triangles_;
+  std::vector<ConvexBody> convex_;
   std::vector<scene::ColliderSphere> spheres_;
   std::vector<scene::ColliderPlane> planes_;
   PushLimits push_limits_;

@@ -30,7 +30,6 @@ Result<void> check_method(const Json& json, ContactMethod method, const std::str
                        path.c_str(), what, name_of(method));
   };
   if (at(json, "kind").text == "capsule") return refused(", a capsule,");
-  if (at(json, "kind").text == "convex") return refused(", a convex hull,");
   if (json.find("motion")) return refused(".motion");
   const Json* keyframes = json.find("keyframes");
   if (keyframes && !keyframes->values.empty()) return refused(".keyframes");

@@ -23,6 +23,7 @@ TEST_CASE("the scale is the largest power of two for which the greatest sum stay
 TEST_CASE("without colliders or pushes the scale is one, and extreme sizes stay numbers of f32") {
   CHECK(push_scale({8, 0, 0}, 1) == 1);
   CHECK(push_scale({8, 100, 0}, 0) == 1);
+  CHECK(push_scale({8, 10, 2, 5}, 0.1) == push_scale({8, 15, 2}, 0.1));  // a convex body is as one triangle
   CHECK(push_scale({1, 1, 0}, 1e-300) == std::ldexp(1.0F, 126));
   CHECK(push_scale({1, 1, 0}, 1e300) == std::ldexp(1.0F, -126));
 }

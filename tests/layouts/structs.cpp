@@ -13,6 +13,7 @@
 #include "contact/proximity/round_kernel.hpp"
 #include "contact/proximity/tree_refit.hpp"
 #include "contact/pushes/colliders_analytic.hpp"
+#include "contact/pushes/colliders_convex.hpp"
 #include "contact/pushes/object_triangles.hpp"
 #include "contact/pushes/pairs_paper.hpp"
 #include "contact/rules/contact_law.hpp"
@@ -269,6 +270,12 @@ Json analytic_collider() {
   using T = contact::AnalyticCollider;
   return row("AnalyticCollider", "contact/pushes/analytic.wgsl", sizeof(T), kExact, {M(point), M(normal)});
 }
+Json convex_body() {
+  using T = contact::ConvexBody;
+  return row("ConvexBody", "contact/pushes/gjk.wgsl", sizeof(T), kExact,
+             {M(low), M(high), M(first_point), M(points), M(first_face), M(faces), M(first_edge), M(edges),
+              M(first_ring), M(first_corner)});
+}
 Json limited_edge() {
   using T = LimitedEdge;
   return row("LimitedEdge", "contact/proximity/limit_edges.wgsl", sizeof(T), kExact,
@@ -395,7 +402,8 @@ Json struct_layouts() {
                       nodes_of_color(),  fabric_nodes_of_color(),
                       relaxed_nodes(),   spring_kinds(),
                       fabric_pair(),     iteration(),
-                      level_of_mesh(),   share()});
+                      level_of_mesh(),   share(),
+                      convex_body()});
 }
 
 Json shared_constants() {
@@ -404,6 +412,8 @@ Json shared_constants() {
       constant("kGroupsPerRow", "gpu/index.wgsl", gpu::kGroupsPerRow),
       constant("kWorkgroupSize", "gpu/index.wgsl", gpu::kDefaultWorkgroupSize),
       constant("kAnalyticId", "contact/pushes/analytic.wgsl", contact::kAnalyticId),
+      constant("kConvexId", "contact/pushes/convex.wgsl", contact::kConvexId),
+      constant("kEdgeWords", "contact/pushes/gjk.wgsl", contact::kEdgeWords),
       constant("kStackSize", "contact/pushes/bvh.wgsl", contact::kStackSize),
       constant("kWireframe", "render/frame.wgsl", static_cast<double>(scene::View::Wireframe)),
       constant("kResidual", "method/multigrid/cloth.wgsl", multigrid::kResidual),

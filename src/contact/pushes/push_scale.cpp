@@ -13,9 +13,9 @@ std::uint64_t triangles_at_vertex(const Model& model) {
 }
 
 float push_scale(const PushBound& bound, double max_push) {
-  const double pushes =
-      static_cast<double>(bound.triangles_at_vertex) * static_cast<double>(bound.object_triangles) +
-      static_cast<double>(bound.analytic_colliders);
+  const double pushes = static_cast<double>(bound.triangles_at_vertex) *
+                            static_cast<double>(bound.object_triangles + bound.convex_bodies) +
+                        static_cast<double>(bound.analytic_colliders);
   if (pushes == 0 || max_push <= 0) return 1;
   constexpr double kLimit = 2147483648.0;  // 2^31
   constexpr double kRounding = 1 + 1.0 / (1U << 21U);

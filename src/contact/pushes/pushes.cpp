@@ -12,9 +12,9 @@ Result<Pushes> Pushes::create(gpu::Device& device, const GpuModel& model, const 
   WEFT_TRY(triangles, object_triangles(setup.objects));
   const double longest = weft::max_push(model.host, setup.thickness);
   made.max_push_ = static_cast<float>(longest);
-  made.push_scale_ = contact::push_scale(
-      {triangles_at_vertex(model.host), triangles.size(), setup.spheres.size() + setup.planes.size()},
-      longest);
+  made.push_scale_ = contact::push_scale({triangles_at_vertex(model.host), triangles.size(),
+                                          setup.spheres.size() + setup.planes.size(), setup.hulls.size()},
+                                         longest);
   if (!triangles.empty() && setup.method == scene::ContactMethod::Paper) {
     WEFT_TRY(paper, PairsPaper::create(device, model, state, contacts, triangles, setup.max_pairs,
                                        setup.workgroup_size));
@@ -30,6 +30,11 @@ Result<Pushes> Pushes::create(gpu::Device& device, const GpuModel& model, const 
                                                  setup.workgroup_size));
     made.analytic_ = std::move(analytic);
   }
+  if (!setup.hulls.empty()) {
+    WEFT_TRY(convex,
+             CollidersConvex::create(device, model, state, contacts, setup.hulls, setup.workgroup_size));
+    made.convex_ = std::move(convex);
+  }
   WEFT_TRY(response, ContactResponse::create(device, state, contacts, setup.workgroup_size));
   made.response_ = std::move(response);
   return made;
@@ -39,6 +44,7 @@ void Pushes::measure(gpu::ComputePass& pass) const {
   if (paper_) paper_->record(pass);
   if (bvh_) bvh_->record(pass);
   if (analytic_) analytic_->record(pass);
+  if (convex_) convex_->record(pass);
 }
 
 void Pushes::hold_back(gpu::ComputePass& pass) const { response_->record(pass); }

@@ -7,6 +7,7 @@
 
 #include "base/result.hpp"
 #include "contact/pushes/colliders_analytic.hpp"
+#include "contact/pushes/colliders_convex.hpp"
 #include "contact/pushes/contact_response.hpp"
 #include "contact/pushes/pairs_bvh.hpp"
 #include "contact/pushes/pairs_paper.hpp"
@@ -22,6 +23,7 @@ struct PushSetup {
   scene::ContactMethod method = scene::ContactMethod::Bvh;  // or Paper
   double thickness = 0.005;                                 // [m]
   std::vector<mesh::TriangleMesh> objects;  // in the world [m], closed and facing outward, without zero areas
+  std::vector<mesh::TriangleMesh> hulls;    // in the world [m], as mesh::convex_hull makes them
   std::vector<scene::ColliderSphere> spheres;
   std::vector<scene::ColliderPlane> planes;
   std::uint64_t max_pairs = 1ULL << 28U;  // of a dispatch of method paper: 13 ms at 20 G pairs/s
@@ -29,9 +31,9 @@ struct PushSetup {
   std::uint32_t triangles_each = 0;  // an invocation of method bvh, 1 or 2; 0: the faster one here
 };
 
-/// Contact methods paper and bvh. `measure` adds up the pushes of the pairs that intersect at the predicted
-/// positions; `hold_back` moves each vertex to its previous position plus their mean (Algorithm 2). There are no
-/// pairs to answer between.
+/// Contact methods paper and bvh. `measure` adds up the pushes of the pairs that intersect at the predicted positions,
+/// or are nearer than the thickness to a sphere, a plane or a convex body; `hold_back` moves each vertex to its
+/// previous position plus their mean (Algorithm 2). There are no pairs to answer between.
 /// Reads   state.steps: thickness, max_push [m], push_scale (of this class); state.position [m].
 /// Writes  contacts.pushes [m * push_scale; count]; state.position, state.velocity of vertices with contacts;
 ///         state.statistics: hits, hit_hash, contact_overflow.
@@ -53,6 +55,7 @@ class Pushes : public Stages {
   std::optional<PairsPaper> paper_;
   std::optional<PairsBvh> bvh_;
   std::optional<CollidersAnalytic> analytic_;
+  std::optional<CollidersConvex> convex_;
   std::optional<ContactResponse> response_;
   float push_scale_ = 1, max_push_ = 0;
 };
