@@ -66,6 +66,7 @@ void run(std::size_t each, std::size_t most_points, std::size_t pairs) {
     CAPTURE(sort);
     CHECK(tally.wrong == 0);
     CHECK(tally.loose == 0);
+    CHECK(tally.most < 64);  // so no search was given up
     CHECK(tally.by_features <= tally.pairs / 10);
     MESSAGE(sort << ": " << tally.pairs << " pairs, " << tally.overlapping << " overlap, error "
                  << tally.worst << ", iterations "

@@ -110,6 +110,7 @@ TEST_CASE("the kernel's distance of triangles and convex bodies is that of brute
     CAPTURE(sort);
     CHECK(wrong == 0);
     CHECK(loose == 0);
+    CHECK(most < 64);  // so no search was given up
     CHECK(by_features <= kEach / 50.0);
     MESSAGE(sort << ": error " << worst << ", iterations " << iterations / kEach << " (most " << most
                  << "), by features " << by_features);

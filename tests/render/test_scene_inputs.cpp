@@ -63,7 +63,9 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   GpuFixture fixture;
   scene::Scene scene = one_second();
   const scene::ColliderMotion line = scene::MotionLine{{1, 0, 0}, 2};
-  scene.colliders = {scene::ColliderBox{{0, 0, 0}, {1, 2, 3}}, scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}},
+  scene.colliders = {scene::ColliderBox{{0, 0, 0}, {1, 2, 3}},
+                     scene::ColliderPlane{{0, -9, 0}, {0, 1, 0}},
+                     scene::ColliderConvex{"", "c.obj", {}, {}, {}, line},
                      scene::ColliderSphere{{-5, 0, 0}, 0.5, {}, line},
                      scene::ColliderMesh{"", "a.obj", {}, {{0.5, "b.obj"}}, {}, {}, line},
                      scene::ColliderCapsule{{0, 0, 0}, {1, 0, 0}, 0.5}};
@@ -72,9 +74,11 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   const auto stretch = value_of(gpu::Buffer<float>::create(fixture.device(), 6, "stretch"));
   const mesh::TriangleMesh box = mesh::make_box({1, 2, 3});
   const mesh::TriangleMesh object{{{0, 7, 0}, {0, 8, 0}, {0, 8, 4}}, {{0, 1, 2}}};
+  const mesh::TriangleMesh hull{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}},
+                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   const mesh::TriangleMesh bent{{{0, 7, 0}, {0, 9, 0}, {0, 8, 4}}, {{0, 1, 2}}};
-  const Inputs inputs = inputs_of(model, state, {model.rest_position, stretch}, scene, {box, object},
-                                  {{}, {{{0.5}}, {bent.positions}}});
+  const Inputs inputs = inputs_of(model, state, {model.rest_position, stretch}, scene, {box, hull, object},
+                                  {{}, {}, {{{0.5}}, {bent.positions}}});
   CHECK(inputs.cloth.position[1] == &state.position[1]);
   CHECK(inputs.cloth.normal == &model.rest_position);
   CHECK(inputs.cloth.stretch == &stretch);
@@ -91,6 +95,9 @@ TEST_CASE("a picture of a scene is drawn from the buffers of its state, cloth by
   CHECK(inputs.objects[0].deformation.shapes[0] == bent.positions);
   CHECK(inputs.objects[0].motion == line);
   CHECK(inputs.boxes.size() == 1);
+  REQUIRE(inputs.hulls.size() == 1);
+  CHECK(inputs.hulls[0].mesh.positions == hull.positions);
+  CHECK(inputs.hulls[0].motion == line);
   CHECK(inputs.capsules.size() == 1);
   REQUIRE(inputs.spheres.size() == 1);
   CHECK(inputs.spheres[0].motion == line);

@@ -264,7 +264,9 @@ TEST_CASE("a collider gives no friction of its own, stays and has one shape unle
   CHECK(std::get<ColliderBox>(scene.colliders[4]).rotate == std::array<double, 4>{0, 0, 0, 1});
 }
 
-TEST_CASE("what moves, deforms or is a capsule is read where nothing meets it, and a box by every method") {
+TEST_CASE(
+    "what moves, deforms or is a capsule is read where nothing meets it, and a box or a hull by every "
+    "method") {
   for (const char* collider : {R"({"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0], "radius": 1})",
                                R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1,
                                    "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 1}})",
@@ -276,9 +278,20 @@ TEST_CASE("what moves, deforms or is a capsule is read where nothing meets it, a
   for (const char* method : {"none", "paper", "bvh", "proximity"}) {
     const Scene scene = parsed(scene_with(
         R"("colliders": [{"kind": "box", "center": [0, 0, 0], "size": [1, 2, 3]},
-                         {"kind": "mesh", "mesh": "a", "keyframes": []}], "contact": {"method": ")" +
+                         {"kind": "mesh", "mesh": "a", "keyframes": []},
+                         {"kind": "convex", "mesh": "b", "transform": {"scale": 2}, "friction": 0.5},
+                         {"kind": "convex", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}],
+           "contact": {"method": ")" +
         std::string(method) + "\"}"));
     CHECK(std::get<ColliderBox>(scene.colliders[0]).size == Vec3d{1, 2, 3});
+    const auto& of_mesh = std::get<ColliderConvex>(scene.colliders[2]);
+    CHECK(of_mesh.where == "a.json: colliders[2]");
+    CHECK((of_mesh.mesh == "b" && of_mesh.points.empty() && of_mesh.transform.scale == 2));
+    CHECK(of_mesh.friction == 0.5);
+    const auto& of_points = std::get<ColliderConvex>(scene.colliders[3]);
+    CHECK((of_points.mesh.empty() && of_points.points.size() == 4));
+    CHECK(of_points.points[2] == Vec3d{0, 1, 0});
+    CHECK_FALSE(of_points == of_mesh);
   }
 }
 

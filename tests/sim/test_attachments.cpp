@@ -92,6 +92,19 @@ TEST_CASE("nodes on a rigid collider have its motion, and stay with one that sta
   CHECK(still->motion[4] == 0);
 }
 
+TEST_CASE("nodes on a convex hull have its motion, from where its nearest face is") {
+  const std::string hull = R"({"kind": "convex", "points": [[0, 0, -1], [1, 0, -1], [0, 1, -1], [1, 1, -1],
+      [0, 0, 0.01], [1, 0, 0.01], [0, 1, 0.01], [1, 1, 0.01], [0.4, 0.5, 0]],
+      "motion": {"kind": "line", "direction": [0, 1, 0], "speed": 3}})";
+  const auto moved = built(kAll, hull);
+  if (!moved) FAIL(moved.error().message);
+  CHECK(length(place(*moved, 0, 0.5) - moved->rest_position[0] - Vec3d{0, 1.5, 0}) < 1e-12);
+  const auto far = built(R"({"nodes": "top", "collider": 0, "reach": 0.02})", hull);
+  REQUIRE_FALSE(far);
+  CHECK(far.error().message.find("is 0.03 m from the collider, more than the reach of 0.02 m") !=
+        std::string::npos);
+}
+
 TEST_CASE("an attachment that cannot hold is refused with what is wrong") {
   const std::string plane = R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 0, 1]})";
   CHECK(refusal(built(R"({"nodes": "top", "collider": 2})", plane)) ==

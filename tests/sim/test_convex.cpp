@@ -1,6 +1,7 @@
 // Scenes with convex hulls as obstacles.
 #include <cmath>
 
+#include "contact/reference/pushes/gjk.hpp"
 #include "contact_rig.hpp"
 #include "reference/simulation.hpp"
 
@@ -126,6 +127,26 @@ TEST_CASE("paper and bvh have the same bits over convex bodies, and double has t
   double most = 0;
   for (std::size_t v = 0; v < exact->positions().size(); ++v)
     most = std::max(most, length(snapshot->position[v].xyz().to<double>() - exact->positions()[v]));
+  // Counts of GJK where the sheet ends: of the pairs whose boxes are near.
+  const reference::ConvexBody body(assets->objects.at(0));
+  std::size_t near = 0, iterations = 0, most_iterations = 0;
+  for (const mesh::Triangle& nodes : exact->triangles()) {
+    const auto& at = exact->positions();
+    const reference::TrianglePoints triangle{at[nodes[0]], at[nodes[1]], at[nodes[2]]};
+    const Vec3d low = min(min(triangle.a, triangle.b), triangle.c),
+                high = max(max(triangle.a, triangle.b), triangle.c);
+    const Vec3d between = max(low - body.high, body.low - high);
+    if (std::max({between.x, between.y, between.z}) > 0.01) continue;
+    const std::size_t taken = reference::contact_by_gjk(triangle, body).iterations;
+    ++near;
+    iterations += taken;
+    most_iterations = std::max(most_iterations, taken);
+  }
+  MESSAGE(near << " of " << exact->triangles().size() << " pairs near, "
+               << static_cast<double>(iterations) / static_cast<double>(near)
+               << " iterations in the mean, most " << most_iterations);
+  CHECK(near > 10);
+  CHECK(most_iterations < 64);
   // The reference finds contacts by all pairs of features, and not by GJK. Where two points of a triangle are as near,
   // either may be taken, so the sheets part slowly.
   const auto contacts = static_cast<double>(first->totals().contacts);
