@@ -39,12 +39,12 @@ fn convex(@builtin(global_invocation_id) id : vec3u) {
   let between = max(low - body.high.xyz, body.low.xyz - high);
   if (max(max(between.x, between.y), between.z) > 1.00001 * thickness) { return; }
   let contact = convex_contact(corners, body, thickness);
-  if (contact.distance >= thickness) { return; }
+  if (!(contact.distance < thickness)) { return; }
 
   var weights = contact.weights;
   for (var k = 0u; k < 3u; k++) { weights[k] = select(0.0, weights[k], weights[k] >= kLeastWeight); }
   var distance = 0.0;  // of the same point of the triangle at the previous positions, along the normal
-  var finite = true;
+  var finite = is_finite(contact.normal);
   for (var k = 0u; k < 3u; k++) {
     let offset = previous[nodes[k]].xyz - contact.point;
     finite = finite && is_finite(offset);

@@ -247,39 +247,59 @@ fn add_vertex(s : ptr<function, Simplex>, corners : array<vec3f, 3>, body : Conv
   (*s).count = count + 1u;
 }
 
-// Of a pair that is apart: the nearest of all corners and faces, points and the triangle, edges and edges. Linear in
-// the body's size, for the few pairs that GJK in f32 leaves in doubt: those that all but touch beside a face.
-fn nearest_features(corners : array<vec3f, 3>, body : ConvexBody) -> Simplex {
-  var best : Simplex;
-  best.nearest = vec3f(1.0e18);
+// The simplex of two that is nearer to 0.
+fn nearer(best : Simplex, given : Simplex) -> Simplex {
+  let found = reduced(given);
+  if (dot_fused(found.nearest, found.nearest) < dot_fused(best.nearest, best.nearest)) { return found; }
+  return best;
+}
+
+// Of a pair that is apart: the nearest of all corners and faces, points and the triangle, edges and edges, given one
+// that may be further. Linear in the body's size, for the few pairs that GJK in f32 leaves in doubt: those that all but
+// touch. Most features are further away by their boxes.
+fn nearest_features(corners : array<vec3f, 3>, body : ConvexBody, given : Simplex) -> Simplex {
+  var best = given;
+  let cloth = box_of(TrianglePoints(corners[0], corners[1], corners[2]));
   for (var e = 0u; e < body.edges; e++) {
     let word = body.first_edge + kEdgeWords * e;
+    let a = place(body, words[word]);
+    let b = place(body, words[word + 1u]);
+    if (further(cloth, min(a, b), max(a, b), best)) { continue; }
     for (var k = 0u; k < 3u; k++) {
       var pair = Simplex();  // anew in each round
       for (var end = 0u; end < 2u; end++) {
         add_vertex(&pair, corners, body, k, words[word + end]);
         add_vertex(&pair, corners, body, (k + 1u) % 3u, words[word + end]);
       }
-      let found = reduced(pair);
-      if (dot_fused(found.nearest, found.nearest) < dot_fused(best.nearest, best.nearest)) { best = found; }
+      best = nearer(best, pair);
     }
   }
   for (var f = 0u; f < body.faces; f++) {
     let word = body.first_corner + 3u * f;
+    let a = place(body, words[word]);
+    let b = place(body, words[word + 1u]);
+    let c = place(body, words[word + 2u]);
+    if (further(cloth, min(min(a, b), c), max(max(a, b), c), best)) { continue; }
     for (var k = 0u; k < 3u; k++) {
-      var pair = Simplex();  // anew in each round
+      var pair = Simplex();
       for (var corner = 0u; corner < 3u; corner++) { add_vertex(&pair, corners, body, k, words[word + corner]); }
-      let found = reduced(pair);
-      if (dot_fused(found.nearest, found.nearest) < dot_fused(best.nearest, best.nearest)) { best = found; }
+      best = nearer(best, pair);
     }
   }
   for (var p = 0u; p < body.points; p++) {
+    let a = place(body, p);
+    if (further(cloth, a, a, best)) { continue; }
     var pair = Simplex();
     for (var k = 0u; k < 3u; k++) { add_vertex(&pair, corners, body, k, p); }
-    let found = reduced(pair);
-    if (dot_fused(found.nearest, found.nearest) < dot_fused(best.nearest, best.nearest)) { best = found; }
+    best = nearer(best, pair);
   }
   return best;
+}
+
+// Whether a box is further from another than the nearest point of a simplex is from 0.
+fn further(cloth : Box, low : vec3f, high : vec3f, best : Simplex) -> bool {
+  let between = max(max(low - cloth.high, cloth.low - high), vec3f(0.0));
+  return dot_fused(between, between) > dot_fused(best.nearest, best.nearest);
 }
 
 // How far a body reaches along a unit axis from `base`: most and least.
@@ -335,7 +355,8 @@ fn separation(corners : array<vec3f, 3>, body : ConvexBody) -> vec4f {
       let gap = min(min(dot_fused(axis, c[0] - a), dot_fused(axis, c[1] - a)), dot_fused(axis, c[2] - a));
       if (gap <= best.w) { continue; }
       // Were the axis not between the normals, for rounding, the edge would not be highest.
-      let whole = gap - extent(body, axis, a).x;
+      let top = place(body, highest_point(body, axis, words[word]));
+      let whole = gap - max(dot_fused(axis, top - a), 0.0);
       if (whole > best.w) { best = vec4f(axis, whole); }
     }
   }
@@ -367,7 +388,7 @@ fn convex_contact(corners : array<vec3f, 3>, body : ConvexBody, reach : f32) -> 
     let overlap = found.inside || apart.w <= 0.0;
     if (!overlap && contact.distance - apart.w > kDoubt * size) {
       contact.by_features = true;
-      found.simplex = nearest_features(corners, body);
+      found.simplex = nearest_features(corners, body, found.simplex);
       contact.distance = length_of(found.simplex.nearest);
     }
     if (overlap) { contact.distance = apart.w; }
