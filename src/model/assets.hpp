@@ -14,10 +14,10 @@ namespace weft {
 
 /// The meshes that a scene names, read, checked and placed in the world.
 struct Assets {
-  std::vector<mesh::TriangleMesh> cloths;       // one for each cloth of the scene; empty for a grid or body
-  std::vector<mesh::TetMesh> solids;            // likewise of each body that is no block, before its transform
-  std::vector<mesh::TriangleMesh> objects;      // one for each mesh, box and convex hull among the colliders
-  std::vector<std::size_t> object_colliders;    // for each object its number among the scene's colliders
+  std::vector<mesh::TriangleMesh> cloths;     // one for each cloth of the scene; empty for a grid or body
+  std::vector<mesh::TetMesh> solids;          // likewise of each body that is no block, before its transform
+  std::vector<mesh::TriangleMesh> objects;    // one for each mesh, box and convex hull among the colliders
+  std::vector<std::size_t> object_colliders;  // for each object its number among the scene's colliders
   std::vector<mesh::Deformation> deformations;  // of each object, placed as it is
   std::size_t dropped_triangles = 0;            // of zero area, left out of the objects
   std::size_t merged_vertices = 0;  // of the objects, that were where another one of the same mesh is
