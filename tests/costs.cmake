@@ -20,6 +20,8 @@ set(WEFT_COSTS
   "swiftshader.api: scene=95"
   "cli: bench=90"
   "swiftshader.sim: world=80"
+  "lavapipe.solids: solids=95"
+  "lavapipe.method_sweeps: bodies=90"
   "lavapipe.fabric: fabric=79"
   "reference: capstan=78"
   "swiftshader.sim: two_steps=76"

@@ -28,8 +28,10 @@
 #include "method/multigrid/cycle.hpp"
 #include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/mesh_lists.hpp"
+#include "method/node_range.hpp"
 #include "method/projection/color.hpp"
 #include "method/projective_dynamics/solver_projective_dynamics.hpp"
+#include "method/solid_buffers.hpp"
 #include "method/vbd/solver_vbd.hpp"
 #include "model/limited_edges.hpp"
 #include "model/model.hpp"
@@ -78,6 +80,11 @@ PART(Method, "StepMethod")
 template <>
 struct Scalar<MembraneLawBlock> {
   static constexpr const char* kName = "MembraneLaw";
+};
+
+template <>
+struct Scalar<SolidLawBlock> {
+  static constexpr const char* kName = "SolidLaw";
 };
 
 template <class T>
@@ -174,6 +181,21 @@ Json fabric_params() {
   return row("FabricParams", "method/fabric_params.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(triangles), M(hinges), M(law)});
 }
+Json node_range() {
+  using T = NodeRange;
+  return row("NodeRange", "method/mass_spring/advance_gathered.wgsl", sizeof(T), kExact,
+             {M(first), M(count)});
+}
+Json solid_law() {
+  using T = SolidLawBlock;
+  return row("SolidLaw", "element/tet/law.wgsl", sizeof(T), kUniform,
+             {M(mu), M(lambda), M(delay), M(energy)});
+}
+Json solid_params() {
+  using T = SolidParams;
+  return row("SolidParams", "method/solid_params.wgsl", sizeof(T), kUniform,
+             {M(first), M(count), M(tets), M(padding), M(law)});
+}
 Json spring_grid_row() {
   using T = SpringGrid;
   return row("SpringGrid", "element/spring/spring_grid.wgsl", sizeof(T), kUniform,
@@ -215,9 +237,9 @@ Json nodes_of_color() {
   return row("NodesOfColor", "method/vbd/descend.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(first_node), M(kinds)});
 }
-Json fabric_nodes_of_color() {
-  using T = FabricNodesOfColor;
-  return row("FabricNodesOfColor", "method/vbd/descend_fabric.wgsl", sizeof(T), kUniform,
+Json gathered_color() {
+  using T = GatheredColor;
+  return row("GatheredColor", "method/vbd/gathered_color.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(first_node), M(rows)});
 }
 Json relaxed_nodes() {
@@ -379,30 +401,57 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),      step_time(),
-                      step_nodes(),      step_contact(),
-                      step_air(),        step_hands(),
-                      step_method(),     spring(),
-                      spring_kind(),     limited_edge(),
-                      limit_spring(),    spring_block(),
-                      block_spring(),    neighbour(),
-                      mesh_params(),     membrane_law(),
-                      fabric_params(),   surface_params(),
-                      object_triangle(), spring_grid_row(),
-                      level_of_grid(),   tree_node(),
-                      pair_range(),      analytic_collider(),
-                      listed_pair(),     contact_of_pair(),
-                      pair_hold(),       search_params(),
-                      patch_place(),     contact_round(),
-                      tree_params(),     colliders(),
-                      collider_place(),  frame(),
-                      weave(),           plane(),
-                      fine_grid(),       cloth_nodes(),
-                      bottom_sweeps(),   elements_of_color(),
-                      nodes_of_color(),  fabric_nodes_of_color(),
-                      relaxed_nodes(),   spring_kinds(),
-                      fabric_pair(),     iteration(),
-                      level_of_mesh(),   share(),
+  return Json::array({step_block(),
+                      step_time(),
+                      step_nodes(),
+                      step_contact(),
+                      step_air(),
+                      step_hands(),
+                      step_method(),
+                      spring(),
+                      spring_kind(),
+                      limited_edge(),
+                      limit_spring(),
+                      spring_block(),
+                      block_spring(),
+                      neighbour(),
+                      mesh_params(),
+                      membrane_law(),
+                      fabric_params(),
+                      node_range(),
+                      solid_law(),
+                      solid_params(),
+                      surface_params(),
+                      object_triangle(),
+                      spring_grid_row(),
+                      level_of_grid(),
+                      tree_node(),
+                      pair_range(),
+                      analytic_collider(),
+                      listed_pair(),
+                      contact_of_pair(),
+                      pair_hold(),
+                      search_params(),
+                      patch_place(),
+                      contact_round(),
+                      tree_params(),
+                      colliders(),
+                      collider_place(),
+                      frame(),
+                      weave(),
+                      plane(),
+                      fine_grid(),
+                      cloth_nodes(),
+                      bottom_sweeps(),
+                      elements_of_color(),
+                      nodes_of_color(),
+                      gathered_color(),
+                      relaxed_nodes(),
+                      spring_kinds(),
+                      fabric_pair(),
+                      iteration(),
+                      level_of_mesh(),
+                      share(),
                       convex_body()});
 }
 

@@ -225,4 +225,35 @@ std::string elaborate_ply(PlyFormat format, const TriangleMesh& mesh, std::uint3
   return header + "end_header\n" + data;
 }
 
+std::string changed(std::string bytes, std::span<const std::string_view> tokens, Random& random) {
+  for (std::uint32_t count = 1 + random.below(4); count > 0 && !bytes.empty(); --count) {
+    const auto at = random.below(static_cast<std::uint32_t>(bytes.size()));
+    const std::size_t size = 1 + random.below(random.below(4) == 0 ? 200 : 4);
+    switch (random.below(7)) {
+      case 0:
+        bytes[at] = static_cast<char>(random.next());
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
+        break;
+      case 2:
+        bytes.erase(at, size);
+        break;
+      case 3:
+        bytes.insert(at, bytes.substr(random.below(static_cast<std::uint32_t>(bytes.size())), size));
+        break;
+      case 4:
+        bytes.insert(at, tokens[random.below(static_cast<std::uint32_t>(tokens.size()))]);
+        break;
+      case 5:
+        bytes.replace(at, std::min(size, bytes.size() - at),
+                      tokens[random.below(static_cast<std::uint32_t>(tokens.size()))]);
+        break;
+      default:
+        if (random.below(8) == 0) bytes.resize(at);
+    }
+  }
+  return bytes;
+}
+
 }  // namespace weft::mesh

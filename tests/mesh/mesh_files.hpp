@@ -39,4 +39,8 @@ std::string elaborate_glb();
 /// A PLY file with elements and properties that no mesh needs, in a random order.
 std::string elaborate_ply(PlyFormat format, const TriangleMesh& mesh, std::uint32_t seed);
 
+/// Flips, removes, repeats and replaces until some bytes differ, by these tokens too; whatever comes out, nothing may
+/// break.
+std::string changed(std::string bytes, std::span<const std::string_view> tokens, Random& random);
+
 }  // namespace weft::mesh

@@ -379,38 +379,11 @@ void check_all(const std::vector<Hostile>& table, std::size_t least_count) {
   }
 }
 
-// Flips, removes, repeats and replaces until some bytes differ; whatever comes out, nothing may break.
 std::string mutated(std::string bytes, Random& random) {
   static constexpr std::string_view kTokens[] = {
       "-1",   "1e999", "nan", "4294967295", "0",         "9223372036854775807", "#",    "\n",
       "\\\n", "/",     " ",   "f",          "v 1 1 1\n", "\xff\xff\xff\xff",    "list", "3"};
-  for (std::uint32_t count = 1 + random.below(4); count > 0 && !bytes.empty(); --count) {
-    const auto at = random.below(static_cast<std::uint32_t>(bytes.size()));
-    const std::size_t size = 1 + random.below(random.below(4) == 0 ? 200 : 4);
-    switch (random.below(7)) {
-      case 0:
-        bytes[at] = static_cast<char>(random.next());
-        break;
-      case 1:
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
-        break;
-      case 2:
-        bytes.erase(at, size);
-        break;
-      case 3:
-        bytes.insert(at, bytes.substr(random.below(static_cast<std::uint32_t>(bytes.size())), size));
-        break;
-      case 4:
-        bytes.insert(at, kTokens[random.below(std::size(kTokens))]);
-        break;
-      case 5:
-        bytes.replace(at, std::min(size, bytes.size() - at), kTokens[random.below(std::size(kTokens))]);
-        break;
-      default:
-        if (random.below(8) == 0) bytes.resize(at);
-    }
-  }
-  return bytes;
+  return changed(std::move(bytes), kTokens, random);
 }
 
 // The fault in the answer to arbitrary bytes; empty if none.

@@ -154,7 +154,7 @@ TEST_CASE("a free body that spins and swings keeps its momentum, and explicit st
       }
       rig.set(x, v);
       const Momenta before = momenta(model, doubles(x), doubles(v));
-      constexpr int kSteps = 300;
+      constexpr int kSteps = 150;
       rig.advance(kSteps);
       const Momenta after = momenta(model, doubles(rig.positions()), doubles(rig.velocities()));
       const double total = std::accumulate(model.mass.begin(), model.mass.end(), 0.0);
@@ -212,7 +212,7 @@ TEST_CASE(
       CHECK(4 * inside_out(tets, doubles(x)) > tets.tets.size());
       std::vector<Vec3d> end;
       if (how == "mirrored") {
-        rig.advance(240);
+        rig.advance(160);
         end = doubles(rig.positions());
       } else {  // the same in double, which is quicker than so many dispatches
         end = exact_after(rig, scene, how == "anywhere" ? 720 : 240).position;

@@ -48,7 +48,7 @@ fn convex(@builtin(global_invocation_id) id : vec3u) {
   for (var k = 0u; k < 3u; k++) {
     let offset = previous[nodes[k]].xyz - contact.point;
     finite = finite && is_finite(offset);
-    distance = fma(contact.weights[k], dot_fused(contact.normal, offset), distance);
+    distance += contact.weights[k] * dot_fused(contact.normal, offset);
   }
   let push = clamp(thickness - distance, 0.0, step.contact.max_push);
   let shared_push = push / dot_fused(weights, weights);

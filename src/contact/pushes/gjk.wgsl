@@ -1,7 +1,7 @@
 // The distance of a triangle and a convex body by GJK (Gilbert, Johnson and Keerthi 1988; van den Bergen 1999), and the
 // least depth where they overlap. docs/collision.md has the equations and the bound of the error;
 // src/contact/reference/pushes/gjk.cpp has the same steps in double. The including kernel binds bodies, places and
-// words (src/contact/pushes/convex_bodies.hpp). Products are added by fma(), as in triangle_pair.wgsl.
+// words (src/contact/pushes/convex_bodies.hpp). Its one kernel serves both methods.
 #include "contact/pushes/triangle_pair.wgsl"  // dot_fused, cross_fused, largest
 
 // Mirror: ConvexBody in src/contact/pushes/convex_bodies.hpp.
@@ -118,12 +118,12 @@ fn reduced(given : Simplex) -> Simplex {
       let square = dot_fused(e1, e1);
       if (square > 0.0) {
         var t = -dot_fused(a, e1) / square;
-        t -= dot_fused(fma(vec3f(t), e1, a), e1) / square;
+        t -= dot_fused(t * e1 + a, e1) / square;
         if (t > 0.0 && t < 1.0) {
           weight = vec4f(0.0);
           weight[i] = 1.0 - t;
           weight[j] = t;
-          take(&best, fma(vec3f(t), e1, a), weight);
+          take(&best, t * e1 + a, weight);
         }
       }
       for (var k = j + 1u; k < s.count; k++) {
@@ -134,7 +134,7 @@ fn reduced(given : Simplex) -> Simplex {
         var u = 0.0;
         var v = 0.0;
         for (var round = 0u; round < 2u; round++) {
-          let foot = fma(vec3f(v), e2, fma(vec3f(u), e1, a));
+          let foot = v * e2 + (u * e1 + a);
           u -= dot_fused(n, cross_fused(foot, e2)) / area;
           v -= dot_fused(n, cross_fused(e1, foot)) / area;
         }
@@ -143,7 +143,7 @@ fn reduced(given : Simplex) -> Simplex {
           weight[i] = 1.0 - u - v;
           weight[j] = u;
           weight[k] = v;
-          take(&best, fma(vec3f(v), e2, fma(vec3f(u), e1, a)), weight);
+          take(&best, v * e2 + (u * e1 + a), weight);
         }
       }
     }
@@ -211,7 +211,7 @@ fn search(s : ptr<function, Search>, corners : array<vec3f, 3>, body : ConvexBod
     (*s).highest = point;
     let at = c[corner] - place(body, point);
     // No point of the difference is lower along the way.
-    if (fma(-4.0 * kGap, size, dot_fused(way, at)) > reach) {
+    if (dot_fused(way, at) - 4.0 * kGap * size > reach) {
       (*s).apart = true;
       return;
     }
@@ -397,9 +397,9 @@ fn convex_contact(corners : array<vec3f, 3>, body : ConvexBody, reach : f32) -> 
     } else {
       // The points are those of the triangle moved out along the direction that tells the pair apart best.
       contact.normal = apart.xyz;
-      let out = fma(0.25, size, -apart.w);
+      let out = 0.25 * size - apart.w;
       var moved = corners;
-      for (var k = 0u; k < 3u; k++) { moved[k] = fma(vec3f(out), apart.xyz, moved[k]); }
+      for (var k = 0u; k < 3u; k++) { moved[k] += out * apart.xyz; }
       search(&found, moved, body, size, kNowhere);
       contact.iterations = found.iterations;
     }
@@ -407,7 +407,7 @@ fn convex_contact(corners : array<vec3f, 3>, body : ConvexBody, reach : f32) -> 
   for (var k = 0u; k < found.simplex.count; k++) {
     let weight = found.simplex.weight[k];
     contact.weights[found.simplex.corner[k]] += weight;
-    contact.point = fma(vec3f(weight), place(body, found.simplex.point[k]), contact.point);
+    contact.point += weight * place(body, found.simplex.point[k]);
   }
   return contact;
 }

@@ -2,7 +2,7 @@
 // which are computed before, and integrates it. One invocation per node. Source: docs/solvers/mass_spring.md, Fabric.
 #include "gpu/index.wgsl"
 #include "state/integrate.wgsl"
-struct NodeRange {  // what FabricParams and SolidParams begin with
+struct NodeRange {  // mirror: src/method/node_range.hpp
   first : u32,
   count : u32,
 }

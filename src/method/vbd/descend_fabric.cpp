@@ -43,8 +43,8 @@ Result<void> DescendFabric::create_colors(const SolverInputs& inputs, const Body
   WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend_fabric.wgsl",
                                              {{"kHinges", bent_.resist ? 1.0 : 0.0}}, inputs.workgroup_size));
   for (std::uint32_t color = 0; color < colors.count(); ++color) {
-    const FabricNodesOfColor params{colors.starts[color], colors.starts[color + 1] - colors.starts[color],
-                                    body.first_vertex, static_cast<std::uint32_t>(colors.nodes.size())};
+    const GatheredColor params{colors.starts[color], colors.starts[color + 1] - colors.starts[color],
+                               body.first_vertex, static_cast<std::uint32_t>(colors.nodes.size())};
     WEFT_TRY(uniform, gpu::create_uniform(device, params, "nodes of color"));
     WEFT_TRY(dispatch, gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(params.count),
                                                        [&](std::size_t p) -> gpu::Dispatch::Bindings {

@@ -7,15 +7,9 @@
 #include "method/bent_hinges.hpp"
 #include "method/fabric_buffers.hpp"
 #include "method/solver.hpp"
+#include "method/vbd/gathered_color.hpp"
 
 namespace weft {
-
-/// Mirror: src/method/vbd/descend_fabric.wgsl.
-struct FabricNodesOfColor {
-  std::uint32_t first = 0, count = 0;
-  std::uint32_t first_node = 0, rows = 0;
-};
-static_assert(sizeof(FabricNodesOfColor) == 16);
 
 /// A sweep over a cloth of fabric: the moments of its hinges, then its nodes, colour after colour.
 /// Source  docs/solvers/vbd.md, Fabric.
@@ -39,7 +33,7 @@ class DescendFabric {
   gpu::Buffer<FabricBuffers::Four> no_hinges_;
   gpu::Buffer<std::uint32_t>
       lists_;  // nodes, colour after colour; then rows of nodes and their places in elements
-  std::vector<gpu::Buffer<FabricNodesOfColor>> params_;
+  std::vector<gpu::Buffer<GatheredColor>> params_;
   gpu::Dispatch weigh_;
   std::vector<gpu::Dispatch> colors_;
 };

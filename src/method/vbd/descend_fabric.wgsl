@@ -8,17 +8,12 @@
 #include "method/fabric_params.wgsl"
 #include "method/moved_membrane.wgsl"
 #include "method/symmetric.wgsl"
+#include "method/vbd/gathered_color.wgsl"
 override kHinges : bool = true;  // whether any hinge resists
 
-struct FabricNodesOfColor {  // mirror: src/method/vbd/descend_fabric.hpp
-  first : u32,       // in `lists`
-  count : u32,
-  first_node : u32,  // of the cloth
-  rows : u32,        // where in `lists` its nodes' rows begin, and with that their entries
-}
 //                                                                              elements       unit
 @group(0) @binding(0)  var<uniform>             step        : StepBlock;
-@group(0) @binding(1)  var<uniform>             color       : FabricNodesOfColor;
+@group(0) @binding(1)  var<uniform>             color       : GatheredColor;
 @group(0) @binding(2)  var<uniform>             fabric      : FabricParams;
 @group(0) @binding(3)  var<storage, read>       lists       : array<u32>;      // nodes by colours; rows, entries
 @group(0) @binding(4)  var<storage, read>       corners     : array<u32>;      // 3 * triangles

@@ -19,8 +19,8 @@ Result<DescendSolid> DescendSolid::create(const SolverInputs& inputs, const Body
   WEFT_TRY(kernel,
            gpu::create_shared_kernel(device, "method/vbd/descend_solid.wgsl", {}, inputs.workgroup_size));
   for (std::uint32_t color = 0; color < colors.count(); ++color) {
-    const SolidNodesOfColor params{colors.starts[color], colors.starts[color + 1] - colors.starts[color],
-                                   body.first_vertex, static_cast<std::uint32_t>(colors.nodes.size())};
+    const GatheredColor params{colors.starts[color], colors.starts[color + 1] - colors.starts[color],
+                               body.first_vertex, static_cast<std::uint32_t>(colors.nodes.size())};
     WEFT_TRY(uniform, gpu::create_uniform(device, params, "nodes of color"));
     WEFT_TRY(dispatch,
              gpu::Dispatch::create_by_parity(

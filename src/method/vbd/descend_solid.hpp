@@ -6,15 +6,9 @@
 #include "gpu/dispatch.hpp"
 #include "method/solid_buffers.hpp"
 #include "method/solver.hpp"
+#include "method/vbd/gathered_color.hpp"
 
 namespace weft {
-
-/// Mirror: src/method/vbd/descend_solid.wgsl.
-struct SolidNodesOfColor {
-  std::uint32_t first = 0, count = 0;
-  std::uint32_t first_node = 0, rows = 0;
-};
-static_assert(sizeof(SolidNodesOfColor) == 16);
 
 /// A sweep over a body with volume: its nodes, colour after colour. Source: docs/bodies.md, Node by node.
 /// Reads   steps, position[parity] and `aim` [m].
@@ -30,7 +24,7 @@ class DescendSolid {
   SolidBuffers solid_;
   gpu::Buffer<std::uint32_t>
       lists_;  // nodes, colour after colour; then rows of nodes and their places in tetrahedra
-  std::vector<gpu::Buffer<SolidNodesOfColor>> params_;
+  std::vector<gpu::Buffer<GatheredColor>> params_;
   std::vector<gpu::Dispatch> colors_;
 };
 

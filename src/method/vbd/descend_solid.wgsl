@@ -5,16 +5,11 @@
 #include "state/step.wgsl"
 #include "method/solid_params.wgsl"
 #include "method/symmetric.wgsl"
+#include "method/vbd/gathered_color.wgsl"
 
-struct SolidNodesOfColor {  // mirror: src/method/vbd/descend_solid.hpp
-  first : u32,       // in `lists`
-  count : u32,
-  first_node : u32,  // of the body
-  rows : u32,        // where in `lists` its nodes' rows begin, and with that their entries
-}
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
-@group(0) @binding(1) var<uniform>             color       : SolidNodesOfColor;
+@group(0) @binding(1) var<uniform>             color       : GatheredColor;
 @group(0) @binding(2) var<uniform>             solid       : SolidParams;
 @group(0) @binding(3) var<storage, read>       lists       : array<u32>;      // nodes by colours; rows, entries
 @group(0) @binding(4) var<storage, read>       corners     : array<vec4u>;    // tets
