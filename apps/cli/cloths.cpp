@@ -38,9 +38,10 @@ void add_solid(std::string& text, const scene::Cloth& cloth, const Model& model,
   for (std::uint32_t v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
     mass += model.mass[v];
   add(text,
-      "%zu tetrahedra, %s, %.4g litres and %.4g kg; Young's modulus %.4g Pa, Poisson's ratio %.3g; friction "
+      "%zu tetrahedr%s, %s, %.4g litres and %.4g kg; Young's modulus %.4g Pa, Poisson's ratio %.3g; friction "
       "%.3g\n",
-      body.tets.size(), cloth.solid->energy == scene::SolidEnergy::Corotated ? "corotated" : "neo-Hookean",
+      body.tets.size(), body.tets.size() == 1 ? "on" : "a",
+      cloth.solid->energy == scene::SolidEnergy::Corotated ? "corotated" : "neo-Hookean",
       1e3 * mass / *cloth.density, mass, cloth.solid->young, cloth.solid->poisson, cloth.friction);
 }
 

@@ -49,6 +49,11 @@ class Altered {
       say("Obstacles have come past cloth %llu times, since the cloth behind it did not give way.",
           static_cast<unsigned long long>(world.totals().driven));
     const sim::Totals& totals = world.totals();
+    if (totals.flattened > 0)
+      say("Up to %u of %llu tetrahedra had less than a twentieth of their volume, or were inside out: the "
+          "body is "
+          "pressed harder than its material bears, or the steps are too long.",
+          totals.flattened, static_cast<unsigned long long>(world.model().host.count(ElementKind::Tet)));
     if (totals.slowed > 0)
       say("Cloth was slowed down in %llu substeps, by %.3g ms in all, since it would have "
           "passed through cloth: more substeps help.",

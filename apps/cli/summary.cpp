@@ -102,6 +102,7 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   if (totals.iterations > 0)
     line(text, "  residual    at most %.2g of a linear system's, after at most %u iteration%s",
          static_cast<double>(totals.residual), totals.iterations, totals.iterations == 1 ? "" : "s");
+  if (totals.flattened > 0) line(text, "  flattened   %u tetrahedra at most in a frame", totals.flattened);
   line(text, "  stretch     at most %.4f of the rest length", static_cast<double>(totals.max_stretch));
   line(text, "  memory      %.1f MiB on the GPU",
        static_cast<double>(world.device().allocated_bytes()) / 1048576);

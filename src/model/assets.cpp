@@ -84,6 +84,9 @@ class NamedSolids {
       if (!solid.surface.empty()) WEFT_CHECK(meshes_.take(solid.surface));  // one use less
       return last_;
     }
+    if (solid.surface.empty() && !mesh::names_tet_mesh(solid.tetrahedra))
+      return input_error("%s.tetrahedra is \"%s\", whose name does not end in .msh, .vtk or .ele.",
+                         body.where.c_str(), solid.tetrahedra.c_str());
     auto made = solid.surface.empty() ? read_(solid.tetrahedra) : filled(solid, body.transform.scale);
     if (!made) return made.error().while_doing("loading " + body.where);
     last_ = *made;

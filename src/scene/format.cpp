@@ -342,7 +342,7 @@ constexpr Type kSolidPoisson{.kind = Kind::Number, .least = -0.9, .most = 0.499}
 constexpr Type kSolidEnergy{.kind = Kind::Choice, .choices = kSolidEnergyNames};
 constexpr Key kMaterialKeys[] = {
     {"young", &kYoung, "Young's modulus", nullptr, true},
-    {"poisson", &kSolidPoisson, "Poisson's ratio", "0.4"},
+    {"poisson", &kSolidPoisson, "Poisson's ratio; of energy \"neo_hookean\" at least 0.4", "0.45"},
     {"damping", &kDelay, "By the rate of a strain the body resists as by this time's worth of it", "0.001"},
     {"energy", &kSolidEnergy, "Of a stable neo-Hookean solid, or linear in the frame of the nearest rotation",
      "\"neo_hookean\""},

@@ -18,6 +18,8 @@ struct Statistics {
   std::uint32_t contact_hash = 0;
   /// The largest length of a triangle's edge over its rest length, at the end of a frame.
   float max_stretch = 0;
+  /// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end.
+  std::uint32_t flattened = 0;
   /// Contacts that a list had no room for; anything but 0 means that contact is incomplete.
   std::uint32_t contact_overflow = 0;
   /// Searches for pairs of features (proximity).
@@ -73,7 +75,7 @@ struct Statistics {
   /// How far one may have gone since this search [m].
   float travel = 0;
 };
-static_assert(sizeof(Statistics) == 30 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 31 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -83,6 +85,7 @@ inline void add(Totals& totals, const Statistics& frame) {
   totals.contacts += frame.contacts;
   totals.contact_hash += frame.contact_hash;
   totals.max_stretch = std::max(totals.max_stretch, frame.max_stretch);
+  totals.flattened = std::max(totals.flattened, frame.flattened);
   totals.contact_overflow += frame.contact_overflow;
   totals.detections += frame.detections;
   totals.crossings = std::max(totals.crossings, frame.crossings);
@@ -106,6 +109,7 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("contacts", statistics.contacts);
   visit("contact_hash", statistics.contact_hash);
   visit("max_stretch", statistics.max_stretch);
+  visit("flattened", statistics.flattened);
   visit("contact_overflow", statistics.contact_overflow);
   visit("detections", statistics.detections);
   visit("crossings", statistics.crossings);

@@ -6,57 +6,59 @@ const kStatContacts = 0u;
 const kStatContactHash = 1u;
 // The largest length of a triangle's edge over its rest length, at the end of a frame, as the bits of a positive f32.
 const kStatMaxStretch = 2u;
+// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end.
+const kStatFlattened = 3u;
 // Contacts that a list had no room for; anything but 0 means that contact is incomplete.
-const kStatContactOverflow = 3u;
+const kStatContactOverflow = 4u;
 // Searches for pairs of features (proximity).
-const kStatDetections = 4u;
+const kStatDetections = 5u;
 // Edges through triangles that they do not touch at rest, the most of a search (proximity).
-const kStatCrossings = 5u;
+const kStatCrossings = 6u;
 // Vertices truncated by contact, summed over substeps (proximity).
-const kStatTruncated = 6u;
+const kStatTruncated = 7u;
 // Of these, vertices that an obstacle has passed since cloth behind them did not give way.
-const kStatDriven = 7u;
+const kStatDriven = 8u;
 // Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity).
-const kStatSlowed = 8u;
+const kStatSlowed = 9u;
 // The time that these were short of.
-const kStatDelayUs = 9u;
+const kStatDelayUs = 10u;
 // Pairs of features that are listed at the end of a frame (proximity).
-const kStatPairs = 10u;
+const kStatPairs = 11u;
 // Pairs of triangles that the last search of a frame has listed (proximity).
-const kStatCandidates = 11u;
+const kStatCandidates = 12u;
 // Of the pairs, those near enough to have a record, at the end of a frame (proximity).
-const kStatNear = 12u;
+const kStatNear = 13u;
 // Iterations that the linear systems of a substep took, the most (implicit solver).
-const kStatIterations = 13u;
+const kStatIterations = 14u;
 // Iterations of the last linear system of a substep, the most (implicit solver).
-const kStatCorrections = 14u;
+const kStatCorrections = 15u;
 // The largest part of its residual that a linear system kept (implicit solver), as the bits of a positive f32.
-const kStatResidual = 15u;
+const kStatResidual = 16u;
 // Linear systems that were left with a larger residual than wanted (implicit solver).
-const kStatUnsolved = 16u;
+const kStatUnsolved = 17u;
 // Nodes that are not finite; 0 but where a run diverged.
-const kStatNonfinite = 17u;
+const kStatNonfinite = 18u;
 // 1 once the state is frozen at the last good frame.
-const kStatFrozen = 18u;
+const kStatFrozen = 19u;
 // 1 once a list was too short: the state is as before the frame until the list is longer.
-const kStatRolledBack = 19u;
+const kStatRolledBack = 20u;
 // 1: a vertex is about to leave its reach.
-const kStatDetect = 20u;
+const kStatDetect = 21u;
 // 1: a search is under way.
-const kStatDue = 21u;
+const kStatDue = 22u;
 // Edges through triangles that they do not touch at rest, of the last search (proximity).
-const kStatCrossingsLeft = 22u;
+const kStatCrossingsLeft = 23u;
 // Near pairs before the search that is under way.
-const kStatNearBefore = 23u;
+const kStatNearBefore = 24u;
 // 1: some vertex goes farther than to the obstacles that have records (proximity).
-const kStatFarWays = 24u;
+const kStatFarWays = 25u;
 // The last round of a substep in which cloth could meet other cloth on its way; 0: none.
-const kStatMeeting = 25u;
+const kStatMeeting = 26u;
 // That time in the frame's substeps before this one, in microseconds.
-const kStatDelayBefore = 26u;
+const kStatDelayBefore = 27u;
 // The bits, inverted, of the part that all cloth may go of its ways; 0: all.
-const kStatSlowPart = 27u;
+const kStatSlowPart = 28u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
-const kStatReach = 28u;
+const kStatReach = 29u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
-const kStatTravel = 29u;
+const kStatTravel = 30u;

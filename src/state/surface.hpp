@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gpu/dispatch.hpp"
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
 
@@ -14,11 +15,12 @@ struct SurfaceParams {
   std::uint32_t padding = 0;  // to a multiple of 16 bytes
 };
 
-/// The normal and the stretch of every vertex, once a frame: for drawing and for the summary.
+/// The normal and the stretch of every vertex, and how many tetrahedra are flattened, once a frame: for drawing and for
+/// the summary.
 /// Reads   position[parity], rest_position [m]; triangles.
 /// Writes  normal: vertex_count x Vec4f, unit; stretch: vertex_count x f32, length / rest length of the most
 /// stretched
-///         edge at the vertex; statistics.max_stretch.
+///         edge at the vertex; statistics.max_stretch, flattened.
 /// Errors  Shader, Limit, OutOfMemory.
 class Surface {
  public:
@@ -29,6 +31,8 @@ class Surface {
   const gpu::Buffer<float>& stretch() const { return stretch_; }
 
  private:
+  Result<void> create_flattened(gpu::Device& device, const GpuModel& model, const State& state);
+
   struct ClothPart {
     gpu::RawBuffer params;
     std::array<gpu::BindGroup, 2> groups;  // by the parity of the buffer that holds the state
@@ -39,6 +43,9 @@ class Surface {
   gpu::Buffer<float> stretch_;
   gpu::Buffer<std::uint32_t> offsets_, around_;
   std::vector<ClothPart> parts_;
+  // Of all bodies; nothing where there is none.
+  gpu::Buffer<std::array<std::uint32_t, 4>> tets_;
+  gpu::Dispatch flattened_;
 };
 
 }  // namespace weft

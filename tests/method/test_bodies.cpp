@@ -110,7 +110,8 @@ TEST_CASE(
   GpuFixture fixture;
   // ν = 0: the bar is a line. Its end falls freely until the wave from its clamp comes; the rest is its mirror image.
   constexpr double kLong = 1, kSpeed = 10, kGravity = 0.5;  // c² = E/ρ
-  for (const std::string& energy : kEnergies) {
+  {
+    const std::string energy = "corotated";  // ν is 0
     const auto scene = scene_of(
         R"("gravity": [0, -0.5, 0], "solver": {"kind": "mass_spring"}, "bodies": [{"block": [1, 40, 1],
            "size": [0.025, 1, 0.025], "density": 1000,

@@ -392,6 +392,8 @@ std::vector<Hostile> hostile_scenes() {
       {body_with(R"("tetrahedra": "b.msh")", R"({"poisson": 0.3})"), "bodies[0].material.young is missing"},
       {body_with(R"("tetrahedra": "b.msh")", R"({"young": 1, "poisson": 0.5})"),
        "bodies[0].material.poisson is 0.5; it must be from -0.9 to 0.499"},
+      {body_with(R"("tetrahedra": "b.msh")", R"({"young": 1, "poisson": 0.3})"),
+       R"(bodies[0].material.poisson is 0.3; energy "neo_hookean" needs at least 0.4)", false},
       {body_with(R"("tetrahedra": "b.msh")", R"({"young": 1, "energy": "linear"})"),
        R"(bodies[0].material.energy is "linear", not one of "neo_hookean", "corotated")"},
       {R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring", "forces": "spring_centric"}, "bodies": [

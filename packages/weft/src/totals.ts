@@ -11,6 +11,8 @@ export interface Totals {
   contactHash: number;
   /** The largest length of a triangle's edge over its rest length, at the end of a frame, the most of any. */
   maxStretch: number;
+  /** Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end, the most of any. */
+  flattened: number;
   /** Contacts that a list had no room for; anything but 0 means that contact is incomplete. */
   contactOverflow: number;
   /** Searches for pairs of features (proximity). */
@@ -50,6 +52,7 @@ export const TOTALS = [
   "contacts",
   "contactHash",
   "maxStretch",
+  "flattened",
   "contactOverflow",
   "detections",
   "crossings",
@@ -75,6 +78,7 @@ export function noTotals(): Totals {
     contacts: 0,
     contactHash: 0,
     maxStretch: 0,
+    flattened: 0,
     contactOverflow: 0,
     detections: 0,
     crossings: 0,

@@ -46,6 +46,34 @@ fn jacobi(pp : f32, qq : f32, pq : f32) -> vec3f {
   return vec3f(t * c, c, t);
 }
 
+// Sets the entry pq of a symmetric matrix to zero, and turns the columns of v with it. Called with literals, so that
+// drivers keep the matrices in registers.
+fn set_to_zero(a : ptr<function, array<vec4f, 4>>, v : ptr<function, array<vec4f, 4>>, p : i32, q : i32) {
+  let turn = jacobi((*a)[p][p], (*a)[q][q], (*a)[p][q]);
+  let s = turn.x;
+  let c = turn.y;
+  let kp = vec4f((*a)[0][p], (*a)[1][p], (*a)[2][p], (*a)[3][p]);
+  let kq = vec4f((*a)[0][q], (*a)[1][q], (*a)[2][q], (*a)[3][q]);
+  let new_p = c * kp - s * kq;
+  let new_q = s * kp + c * kq;
+  (*a)[0][p] = new_p.x;
+  (*a)[1][p] = new_p.y;
+  (*a)[2][p] = new_p.z;
+  (*a)[3][p] = new_p.w;
+  (*a)[0][q] = new_q.x;
+  (*a)[1][q] = new_q.y;
+  (*a)[2][q] = new_q.z;
+  (*a)[3][q] = new_q.w;
+  let row_p = (*a)[p];
+  let row_q = (*a)[q];
+  (*a)[p] = c * row_p - s * row_q;
+  (*a)[q] = s * row_p + c * row_q;
+  let column_p = (*v)[p];
+  let column_q = (*v)[q];
+  (*v)[p] = c * column_p - s * column_q;
+  (*v)[q] = s * column_p + c * column_q;
+}
+
 // The rotation that is nearest to F: Horn 1987.
 fn nearest_rotation(f : mat3x3f) -> mat3x3f {
   let size = max(max(length(f[0]), length(f[1])), length(f[2]));
@@ -62,27 +90,12 @@ fn nearest_rotation(f : mat3x3f) -> mat3x3f {
   v[2] = vec4f(0.0, 0.0, 1.0, 0.0);
   v[3] = vec4f(0.0, 0.0, 0.0, 1.0);
   for (var sweep = 0; sweep < kSweeps; sweep++) {
-    for (var p = 0; p < 3; p++) {
-      for (var q = p + 1; q < 4; q++) {
-        let turn = jacobi(a[p][p], a[q][q], a[p][q]);
-        let s = turn.x;
-        let c = turn.y;
-        for (var k = 0; k < 4; k++) {
-          let kp = a[k][p];
-          let kq = a[k][q];
-          a[k][p] = c * kp - s * kq;
-          a[k][q] = s * kp + c * kq;
-        }
-        let row_p = a[p];
-        let row_q = a[q];
-        a[p] = c * row_p - s * row_q;
-        a[q] = s * row_p + c * row_q;
-        let column_p = v[p];
-        let column_q = v[q];
-        v[p] = c * column_p - s * column_q;
-        v[q] = s * column_p + c * column_q;
-      }
-    }
+    set_to_zero(&a, &v, 0, 1);
+    set_to_zero(&a, &v, 0, 2);
+    set_to_zero(&a, &v, 0, 3);
+    set_to_zero(&a, &v, 1, 2);
+    set_to_zero(&a, &v, 1, 3);
+    set_to_zero(&a, &v, 2, 3);
   }
   var best = v[0];
   var largest = a[0][0];
