@@ -17,8 +17,6 @@ struct Totals {
   std::uint32_t contact_hash = 0;
   /// The largest length of a triangle's edge over its rest length, at the end of a frame, the most of any.
   float max_stretch = 0;
-  /// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end, the most of any.
-  std::uint32_t flattened = 0;
   /// Contacts that a list had no room for; anything but 0 means that contact is incomplete.
   std::uint64_t contact_overflow = 0;
   /// Searches for pairs of features (proximity).
@@ -45,6 +43,8 @@ struct Totals {
   float residual = 0;
   /// Linear systems that were left with a larger residual than wanted (implicit solver).
   std::uint64_t unsolved = 0;
+  /// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end, the most of any.
+  std::uint32_t flattened = 0;
   /// Nodes that are not finite; 0 but where a run diverged.
   std::uint32_t nonfinite = 0;
   /// Edges through triangles that they do not touch at rest, of the last search (proximity).
@@ -59,7 +59,6 @@ void for_each(const Totals& totals, Visit&& visit) {
   visit("contacts", totals.contacts);
   visit("contact_hash", totals.contact_hash);
   visit("max_stretch", totals.max_stretch);
-  visit("flattened", totals.flattened);
   visit("contact_overflow", totals.contact_overflow);
   visit("detections", totals.detections);
   visit("crossings", totals.crossings);
@@ -73,6 +72,7 @@ void for_each(const Totals& totals, Visit&& visit) {
   visit("iterations", totals.iterations);
   visit("residual", totals.residual);
   visit("unsolved", totals.unsolved);
+  visit("flattened", totals.flattened);
   visit("nonfinite", totals.nonfinite);
   visit("crossings_left", totals.crossings_left);
 }

@@ -50,8 +50,9 @@ Result<std::uint32_t> stable_substeps(const scene::Scene& scene, const StepLimit
   if (!(substeps <= kMostSubsteps))
     return make_error(
         ErrorKind::Limit,
-        "The cloth needs %.0f substeps a frame (largest stable step %.3g s), more than the limit "
-        "of %.0f: lower the stiffness or the resolution, or raise the density.",
+        "Explicit steps need %.0f substeps a frame (largest stable step %.3g s), more than the limit of "
+        "%.0f: "
+        "lower stiffness, damping or resolution, raise the density, or name another solver.kind.",
         substeps, limit.largest_step, kMostSubsteps);
   return static_cast<std::uint32_t>(substeps);
 }

@@ -76,8 +76,8 @@ Result<void> mark_nodes(const Selector& selector, const Selection& from, Marks& 
   } else if (const auto* list = std::get_if<SelectorNodes>(&selector.what)) {
     for (const std::uint32_t index : list->indices) {
       if (index >= count)
-        return input_error("%s names node %u; the cloth has %zu nodes, counted from 0.",
-                           selector.where.c_str(), index, count);
+        return input_error("%s names node %u; there are %zu nodes, counted from 0.", selector.where.c_str(),
+                           index, count);
       any = marked[index] = true;
     }
   }

@@ -18,8 +18,6 @@ struct Statistics {
   std::uint32_t contact_hash = 0;
   /// The largest length of a triangle's edge over its rest length, at the end of a frame.
   float max_stretch = 0;
-  /// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end.
-  std::uint32_t flattened = 0;
   /// Contacts that a list had no room for; anything but 0 means that contact is incomplete.
   std::uint32_t contact_overflow = 0;
   /// Searches for pairs of features (proximity).
@@ -48,6 +46,8 @@ struct Statistics {
   float residual = 0;
   /// Linear systems that were left with a larger residual than wanted (implicit solver).
   std::uint32_t unsolved = 0;
+  /// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end.
+  std::uint32_t flattened = 0;
   /// Nodes that are not finite; 0 but where a run diverged.
   std::uint32_t nonfinite = 0;
   /// 1 once the state is frozen at the last good frame.
@@ -85,7 +85,6 @@ inline void add(Totals& totals, const Statistics& frame) {
   totals.contacts += frame.contacts;
   totals.contact_hash += frame.contact_hash;
   totals.max_stretch = std::max(totals.max_stretch, frame.max_stretch);
-  totals.flattened = std::max(totals.flattened, frame.flattened);
   totals.contact_overflow += frame.contact_overflow;
   totals.detections += frame.detections;
   totals.crossings = std::max(totals.crossings, frame.crossings);
@@ -99,6 +98,7 @@ inline void add(Totals& totals, const Statistics& frame) {
   totals.iterations = std::max(totals.iterations, frame.iterations);
   totals.residual = std::max(totals.residual, frame.residual);
   totals.unsolved += frame.unsolved;
+  totals.flattened = std::max(totals.flattened, frame.flattened);
   totals.nonfinite = frame.nonfinite;
   totals.crossings_left = frame.crossings_left;
 }
@@ -109,7 +109,6 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("contacts", statistics.contacts);
   visit("contact_hash", statistics.contact_hash);
   visit("max_stretch", statistics.max_stretch);
-  visit("flattened", statistics.flattened);
   visit("contact_overflow", statistics.contact_overflow);
   visit("detections", statistics.detections);
   visit("crossings", statistics.crossings);
@@ -124,6 +123,7 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("corrections", statistics.corrections);
   visit("residual", statistics.residual);
   visit("unsolved", statistics.unsolved);
+  visit("flattened", statistics.flattened);
   visit("nonfinite", statistics.nonfinite);
   visit("frozen", statistics.frozen);
   visit("rolled_back", statistics.rolled_back);

@@ -6,36 +6,36 @@ const kStatContacts = 0u;
 const kStatContactHash = 1u;
 // The largest length of a triangle's edge over its rest length, at the end of a frame, as the bits of a positive f32.
 const kStatMaxStretch = 2u;
-// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end.
-const kStatFlattened = 3u;
 // Contacts that a list had no room for; anything but 0 means that contact is incomplete.
-const kStatContactOverflow = 4u;
+const kStatContactOverflow = 3u;
 // Searches for pairs of features (proximity).
-const kStatDetections = 5u;
+const kStatDetections = 4u;
 // Edges through triangles that they do not touch at rest, the most of a search (proximity).
-const kStatCrossings = 6u;
+const kStatCrossings = 5u;
 // Vertices truncated by contact, summed over substeps (proximity).
-const kStatTruncated = 7u;
+const kStatTruncated = 6u;
 // Of these, vertices that an obstacle has passed since cloth behind them did not give way.
-const kStatDriven = 8u;
+const kStatDriven = 7u;
 // Substeps that ended before their time for all cloth, so that nothing passes through cloth (proximity).
-const kStatSlowed = 9u;
+const kStatSlowed = 8u;
 // The time that these were short of.
-const kStatDelayUs = 10u;
+const kStatDelayUs = 9u;
 // Pairs of features that are listed at the end of a frame (proximity).
-const kStatPairs = 11u;
+const kStatPairs = 10u;
 // Pairs of triangles that the last search of a frame has listed (proximity).
-const kStatCandidates = 12u;
+const kStatCandidates = 11u;
 // Of the pairs, those near enough to have a record, at the end of a frame (proximity).
-const kStatNear = 13u;
+const kStatNear = 12u;
 // Iterations that the linear systems of a substep took, the most (implicit solver).
-const kStatIterations = 14u;
+const kStatIterations = 13u;
 // Iterations of the last linear system of a substep, the most (implicit solver).
-const kStatCorrections = 15u;
+const kStatCorrections = 14u;
 // The largest part of its residual that a linear system kept (implicit solver), as the bits of a positive f32.
-const kStatResidual = 16u;
+const kStatResidual = 15u;
 // Linear systems that were left with a larger residual than wanted (implicit solver).
-const kStatUnsolved = 17u;
+const kStatUnsolved = 16u;
+// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end.
+const kStatFlattened = 17u;
 // Nodes that are not finite; 0 but where a run diverged.
 const kStatNonfinite = 18u;
 // 1 once the state is frozen at the last good frame.

@@ -107,7 +107,7 @@ std::vector<BadScene> bad_scenes() {
                   R"("motions": [{"nodes": "top", )" + line + R"(}, {"nodes": "right", )" + line + "}], "),
        "node 0"},
       {tiny_scene("", R"("motions": [{"nodes": [{"nodes": [30]}], )" + line + "}], "),
-       "names node 30; the cloth has 30 nodes"},
+       "names node 30; there are 30 nodes"},
       {tiny_scene("", R"("motions": [{"nodes": "topp", )" + line + "}], "), "did you mean \"top\"?"},
       // Colliders.
       {tiny_scene(R"("colliders": [{"kind": "spere", "center": [0, 0, 0], "radius": 1}], )"),

@@ -120,7 +120,7 @@ TEST_CASE("damping that no step is short enough for is refused, however strong")
     CAPTURE(damping);
     CHECK(ended.code == 4);
     CHECK(check_message(ended.err) == "");
-    CHECK(ended.err.find("The cloth needs ") != std::string::npos);
+    CHECK(ended.err.find("Explicit steps need ") != std::string::npos);
     CHECK(ended.err.find("more than the limit of 65536") != std::string::npos);
   }
 }

@@ -180,13 +180,15 @@ TEST_CASE("a frame that ends with nodes that are not finite is taken back and na
 TEST_CASE("an object's triangle without area is refused") {
   auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "solver": {"kind": "mass_spring"},
       "contact": {"method": "bvh"},
-    "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 0.1}]})",
+    "cloths": [{"grid": [4, 4], "size": [1, 1], "density": 0.1}],
+    "colliders": [{"kind": "mesh", "mesh": "flat.obj"}]})",
                                   "test.json");
   REQUIRE_OK(scene);
   mesh::TriangleMesh flat;
   flat.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   flat.triangles = {{0, 1, 2}};
-  const auto refused = reference::Simulation::create(*scene, {.cloths = {{}}, .objects = {flat}});
+  const auto refused = reference::Simulation::create(
+      *scene, {.cloths = {{}}, .objects = {flat}, .object_colliders = {0}, .deformations = {{}}});
   REQUIRE_FALSE(refused);
   CHECK(refused.error().kind == ErrorKind::Input);
 }

@@ -241,7 +241,7 @@ std::vector<Hostile> hostile_scenes() {
        false},
       {cloth_with(R"("copies": {"count": 2, "offset": [0, 0, 1]}, "grabs": [{"node": "top_left",
                      "path": [{"time": 0, "point": [0, 0, 0]}]}])"),
-       R"(cloths[0] has both "copies" and "grabs"; a cloth that is grabbed stands once.)", false},
+       R"(cloths[0] has both "copies" and "grabs"; what is grabbed stands once.)", false},
       {R"({"format": "weft-scene/1", "cloths": [{"grid": [2, 2], "size": [1, 1], "density": 0.2}, {"grid": [1024, 1024],
           "size": [3, 2], "density": 0.2, "copies": {"count": 64, "offset": [0, 0, 1]}}]})",
        "cloths[1].grid brings the grids and blocks to 67108868 nodes, more than the limit of 67108864",

@@ -107,7 +107,7 @@ TEST_CASE("a selector that selects nothing, or past the end, is named with its p
   CHECK(failure(R"("pins": ["top", {"near": {"point": [9, 9, 9], "radius": 1}}])") ==
         "a.json: cloths[0].pins[1] selects none of the cloth's 12 nodes.");
   CHECK(failure(R"("pins": [{"nodes": [3, 12]}])") ==
-        "a.json: cloths[0].pins[0] names node 12; the cloth has 12 nodes, counted from 0.");
+        "a.json: cloths[0].pins[0] names node 12; there are 12 nodes, counted from 0.");
   const Selector part{"a.json: cloths[0].pins[0]", GridPart::Top};
   const std::vector<Vec3d> positions(5);
   CHECK(select_nodes(part, {positions}).error().message ==

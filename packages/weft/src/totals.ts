@@ -11,8 +11,6 @@ export interface Totals {
   contactHash: number;
   /** The largest length of a triangle's edge over its rest length, at the end of a frame, the most of any. */
   maxStretch: number;
-  /** Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end, the most of any. */
-  flattened: number;
   /** Contacts that a list had no room for; anything but 0 means that contact is incomplete. */
   contactOverflow: number;
   /** Searches for pairs of features (proximity). */
@@ -39,6 +37,8 @@ export interface Totals {
   residual: number;
   /** Linear systems that were left with a larger residual than wanted (implicit solver). */
   unsolved: number;
+  /** Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end, the most of any. */
+  flattened: number;
   /** Nodes that are not finite; 0 but where a run diverged. */
   nonfinite: number;
   /** Edges through triangles that they do not touch at rest, of the last search (proximity). */
@@ -52,7 +52,6 @@ export const TOTALS = [
   "contacts",
   "contactHash",
   "maxStretch",
-  "flattened",
   "contactOverflow",
   "detections",
   "crossings",
@@ -66,6 +65,7 @@ export const TOTALS = [
   "iterations",
   "residual",
   "unsolved",
+  "flattened",
   "nonfinite",
   "crossingsLeft",
 ] as const satisfies readonly (keyof Totals)[];
@@ -78,7 +78,6 @@ export function noTotals(): Totals {
     contacts: 0,
     contactHash: 0,
     maxStretch: 0,
-    flattened: 0,
     contactOverflow: 0,
     detections: 0,
     crossings: 0,
@@ -92,6 +91,7 @@ export function noTotals(): Totals {
     iterations: 0,
     residual: 0,
     unsolved: 0,
+    flattened: 0,
     nonfinite: 0,
     crossingsLeft: 0,
   };
