@@ -21,6 +21,8 @@ function(weft_room NAME)
   target_include_directories(weft_${NAME} PUBLIC ${include})
   if(NOT EMSCRIPTEN)
     set_target_properties(weft_${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  elseif(NOT NAME MATCHES "reference|^base$|^element$")
+    target_compile_options(weft_${NAME} PRIVATE -Os)  # a page loads it: only what steps on the CPU is worth its bytes
   endif()
   list(TRANSFORM ROOM_IMPORTS PREPEND weft_)
   target_link_libraries(weft_${NAME} PUBLIC ${ROOM_IMPORTS} PRIVATE ${ROOM_LIBRARIES})
