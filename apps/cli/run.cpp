@@ -51,8 +51,8 @@ class Altered {
     const sim::Totals& totals = world.totals();
     if (totals.flattened > 0)
       say("Up to %u of %llu tetrahedra had less than a twentieth of their volume, or were inside out: the "
-          "body is "
-          "pressed harder than its material bears, or the steps are too long.",
+          "body "
+          "is pressed harder than its material bears, or the steps are too long.",
           totals.flattened, static_cast<unsigned long long>(world.model().host.count(ElementKind::Tet)));
     if (totals.slowed > 0)
       say("Cloth was slowed down in %llu substeps, by %.3g ms in all, since it would have "

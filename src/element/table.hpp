@@ -31,4 +31,15 @@ struct ElementTable {
   }
 };
 
+/// The nodes of all elements of a table of four each, as kernels bind them.
+inline std::vector<std::array<std::uint32_t, 4>> nodes_by_four(const ElementTable& table) {
+  std::vector<std::array<std::uint32_t, 4>> all;
+  all.reserve(table.size());
+  for (std::size_t e = 0; e < table.size(); ++e) {
+    const auto nodes = table.nodes_of(e);
+    all.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
+  }
+  return all;
+}
+
 }  // namespace weft

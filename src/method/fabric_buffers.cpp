@@ -69,12 +69,7 @@ Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& mo
                       membranes.rest[4 * t + 3]});
   WEFT_SET(made.slopes, gpu::Buffer<Vec4f>::create_from(device, slopes, "membranes at rest"));
   if (hinges.size() == 0) return made;
-  std::vector<Four> nodes;
-  for (std::size_t h = 0; h < hinges.size(); ++h) {
-    const auto four = hinges.nodes_of(h);
-    nodes.push_back({four[0], four[1], four[2], four[3]});
-  }
-  WEFT_SET(made.hinges, gpu::Buffer<Four>::create_from(device, nodes, "hinges"));
+  WEFT_SET(made.hinges, gpu::Buffer<Four>::create_from(device, nodes_by_four(hinges), "hinges"));
   WEFT_SET(made.rest_angles, gpu::Buffer<float>::create_from(device, hinges.rest, "angles at rest"));
   WEFT_SET(made.couplings,
            gpu::Buffer<Two>::create_from(device, couplings_of(model.plate(body)), "moments by bends"));

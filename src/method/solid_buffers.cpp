@@ -24,16 +24,13 @@ Result<SolidBuffers> SolidBuffers::create(gpu::Device& device, const Model& mode
                  {static_cast<float>(law.mu), static_cast<float>(law.lambda), static_cast<float>(law.delay),
                   static_cast<std::uint32_t>(law.energy)}};
   WEFT_SET(made.params, gpu::create_uniform(device, made.layout, "solid"));
-  std::vector<Four> corners;
   std::vector<Vec4f> rests;
   for (std::size_t t = 0; t < tets.size(); ++t) {
-    const auto nodes = tets.nodes_of(t);
-    corners.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
     const float* row = &tets.rest[10 * t];
     for (std::size_t k = 0; k < 3; ++k)
       rests.push_back({row[3 * k], row[3 * k + 1], row[3 * k + 2], k == 0 ? row[9] : 0});
   }
-  WEFT_SET(made.corners, gpu::Buffer<Four>::create_from(device, corners, "tetrahedra"));
+  WEFT_SET(made.corners, gpu::Buffer<Four>::create_from(device, nodes_by_four(tets), "tetrahedra"));
   WEFT_SET(made.rests, gpu::Buffer<Vec4f>::create_from(device, rests, "tetrahedra at rest"));
   return made;
 }

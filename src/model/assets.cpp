@@ -27,7 +27,8 @@ class NamedMeshes {
   NamedMeshes(const scene::Scene& scene, const MeshReader& read) : read_(read) {
     for (const scene::Cloth& cloth : scene.cloths) {
       if (!cloth.grid && !cloth.solid) ++meshes_[cloth.mesh].uses;
-      if (cloth.solid && !cloth.solid->surface.empty()) ++meshes_[cloth.solid->surface].uses;
+      if (cloth.solid && cloth.copy == 0 && !cloth.solid->surface.empty())
+        ++meshes_[cloth.solid->surface].uses;
     }
     for (const scene::Collider& collider : scene.colliders)
       if (const auto* object = std::get_if<scene::ColliderMesh>(&collider); object && !object->animation) {
@@ -73,38 +74,24 @@ Result<mesh::TriangleMesh> load_placed(NamedMeshes& meshes, const std::string& n
   return placed;
 }
 
-/// The tetrahedra of a body that is no block, before its transform. Copies of a body are filled once.
-class NamedSolids {
- public:
-  NamedSolids(NamedMeshes& meshes, const TetReader& read) : meshes_(meshes), read_(read) {}
-
-  Result<mesh::TetMesh> take(const scene::Cloth& body) {
-    const scene::Solid& solid = *body.solid;
-    if (body.copy > 0) {
-      if (!solid.surface.empty()) WEFT_CHECK(meshes_.take(solid.surface));  // one use less
-      return last_;
-    }
-    if (solid.surface.empty() && !mesh::names_tet_mesh(solid.tetrahedra))
+/// The tetrahedra of a body that is no block, before its transform.
+Result<mesh::TetMesh> load_solid(const scene::Cloth& body, NamedMeshes& meshes, const TetReader& read) {
+  const scene::Solid& solid = *body.solid;
+  if (solid.surface.empty()) {
+    if (!mesh::names_tet_mesh(solid.tetrahedra))
       return input_error("%s.tetrahedra is \"%s\", whose name does not end in .msh, .vtk or .ele.",
                          body.where.c_str(), solid.tetrahedra.c_str());
-    auto made = solid.surface.empty() ? read_(solid.tetrahedra) : filled(solid, body.transform.scale);
-    if (!made) return made.error().while_doing("loading " + body.where);
-    last_ = *made;
-    return made;
+    auto tets = read(solid.tetrahedra);
+    if (!tets) return tets.error().while_doing("loading " + body.where);
+    return tets;
   }
-
- private:
-  Result<mesh::TetMesh> filled(const scene::Solid& solid, double scale) {
-    WEFT_TRY(surface, meshes_.take(solid.surface));
-    auto made = mesh::fill_surface(surface, solid.cell / scale);
-    if (!made) return made.error().while_doing("filling mesh " + solid.surface);
-    return made;
-  }
-
-  NamedMeshes& meshes_;
-  const TetReader& read_;
-  mesh::TetMesh last_;
-};
+  auto surface = meshes.take(solid.surface);
+  if (!surface) return surface.error().while_doing("loading " + body.where);
+  auto tets = mesh::fill_surface(*surface, solid.cell / body.transform.scale);
+  if (!tets)
+    return tets.error().while_doing("filling mesh " + solid.surface).while_doing("loading " + body.where);
+  return tets;
+}
 
 /// An object as it is at time 0, and the shapes of its animation.
 struct AnimatedObject {
@@ -286,11 +273,15 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
   Assets assets;
   std::size_t animated_vertices = 0;
   NamedMeshes meshes(scene, read);
-  NamedSolids solids(meshes, read_tets);
   for (const scene::Cloth& cloth : scene.cloths) {
-    mesh::TetMesh solid;
-    if (cloth.solid && !cloth.solid->block) WEFT_SET(solid, solids.take(cloth));
-    assets.solids.push_back(std::move(solid));
+    if (cloth.solid && cloth.copy > 0) {
+      assets.solids.push_back(mesh::TetMesh(assets.solids.back()));  // a copy is as the one before it
+    } else if (cloth.solid && !cloth.solid->block) {
+      WEFT_TRY(solid, load_solid(cloth, meshes, read_tets));
+      assets.solids.push_back(std::move(solid));
+    } else {
+      assets.solids.emplace_back();
+    }
     mesh::TriangleMesh placed;
     if (!cloth.grid && !cloth.solid) {
       WEFT_TRY(loaded, load_placed(meshes, cloth.mesh, cloth.transform, cloth.where));

@@ -147,8 +147,9 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
     PlacedBody placed;
     scene::Selection selection;
     if (cloth.solid) {
-      const auto& block = cloth.solid->block;
-      const mesh::TetMesh mesh = block ? mesh::block(block->cells, block->size) : solids[c];
+      mesh::TetMesh block;
+      if (cloth.solid->block) block = mesh::block(cloth.solid->block->cells, cloth.solid->block->size);
+      const mesh::TetMesh& mesh = cloth.solid->block ? block : solids[c];
       WEFT_SET(placed, place_solid(cloth, mesh));
       body.tets = mesh.tets;
     } else if (cloth.grid) {

@@ -38,16 +38,12 @@ Result<Surface> Surface::create(gpu::Device& device, const GpuModel& model, cons
 Result<void> Surface::create_flattened(gpu::Device& device, const GpuModel& model, const State& state) {
   const ElementTable& tets = model.host.elements(ElementKind::Tet);
   if (tets.size() == 0) return {};
-  std::vector<std::array<std::uint32_t, 4>> corners;
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    const auto nodes = tets.nodes_of(t);
-    corners.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
-  }
-  WEFT_SET(tets_, (gpu::Buffer<std::array<std::uint32_t, 4>>::create_from(device, corners, "tetrahedra")));
+  WEFT_SET(tets_, (gpu::Buffer<std::array<std::uint32_t, 4>>::create_from(device, nodes_by_four(tets),
+                                                                          "tetrahedra")));
   WEFT_TRY(kernel, gpu::create_shared_kernel(device, "state/flattened.wgsl", {}, gpu::kDefaultWorkgroupSize));
   WEFT_SET(flattened_,
            gpu::Dispatch::create_by_parity(
-               kernel, kernel->workgroups_of(corners.size()), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+               kernel, kernel->workgroups_of(tets.size()), [&](std::size_t p) -> gpu::Dispatch::Bindings {
                  return {state.position[p], model.rest_position, tets_, state.statistics};
                }));
   return {};

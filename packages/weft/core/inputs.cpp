@@ -12,10 +12,8 @@
 namespace weft::web {
 
 Result<void> Meshes::add(const std::string& name, std::span<const std::byte> bytes) {
-  meshes_.erase(name);
-  files_.erase(name);
   if (mesh::names_tet_mesh(name)) {  // read where a scene asks for it: nodes may lie in another file
-    files_.emplace(name, std::vector(bytes.begin(), bytes.end()));
+    files_[name] = std::vector(bytes.begin(), bytes.end());
     return {};
   }
   // A model's plain name is that of a GLB or PLY file, as on the command line.
@@ -23,6 +21,7 @@ Result<void> Meshes::add(const std::string& name, std::span<const std::byte> byt
   const bool is_plain = name.find('.') == std::string::npos;
   WEFT_TRY(mesh, mesh::read_mesh(bytes, is_plain ? name + (is_glb ? ".glb" : ".ply") : name));
   meshes_[name] = std::move(mesh);
+  files_.erase(name);
   if (is_glb) files_.emplace(name, std::vector(bytes.begin(), bytes.end()));
   return {};
 }

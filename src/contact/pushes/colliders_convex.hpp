@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 
 #include "base/result.hpp"
 #include "contact/pushes/convex_bodies.hpp"
-#include "gpu/kernel.hpp"
+#include "gpu/dispatch.hpp"
 #include "state/state.hpp"
 
 namespace weft::contact {
@@ -26,15 +25,13 @@ class CollidersConvex {
   static Result<CollidersConvex> create(gpu::Device& device, const GpuModel& model, const State& state,
                                         const Contacts& contacts, std::span<const mesh::TriangleMesh> hulls,
                                         std::uint32_t workgroup_size);
-  void record(gpu::ComputePass& pass) const;
+  void record(gpu::ComputePass& pass) const { dispatch_.record(pass); }
 
  private:
-  gpu::Kernel kernel_;
   gpu::Buffer<ConvexBody> bodies_;
   gpu::Buffer<Vec4f> places_;
   gpu::Buffer<std::uint32_t> words_;
-  std::array<gpu::BindGroup, 2> groups_;  // by parity
-  std::uint64_t pairs_ = 0;
+  gpu::Dispatch dispatch_;
 };
 
 }  // namespace weft::contact

@@ -1,5 +1,7 @@
 #include "method/mass_spring/advance_fabric.hpp"
 
+#include "method/mass_spring/advance_gathered.hpp"
+
 namespace weft {
 
 Result<void> AdvanceFabric::create_forces(const SolverInputs& inputs) {
@@ -34,22 +36,13 @@ Result<void> AdvanceFabric::create_forces(const SolverInputs& inputs) {
 }
 
 Result<AdvanceFabric> AdvanceFabric::create(const SolverInputs& inputs, const Body& body) {
-  const State& state = inputs.state;
   AdvanceFabric made;
-  WEFT_SET(made.fabric_, FabricBuffers::create(inputs.device, inputs.model.host, body));
-  WEFT_CHECK(made.fabric_.create_forces(inputs.device, inputs.model.host, body));
+  FabricBuffers& fabric = made.fabric_;
+  WEFT_SET(fabric, FabricBuffers::create(inputs.device, inputs.model.host, body));
+  WEFT_CHECK(fabric.create_forces(inputs.device, inputs.model.host, body));
   WEFT_CHECK(made.create_forces(inputs));
-  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/advance_gathered.wgsl", {},
-                                             inputs.workgroup_size));
-  WEFT_SET(
-      made.advance_,
-      gpu::Dispatch::create_by_parity(
-          kernel, kernel->workgroups_of(body.vertex_count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
-            return {
-                state.steps,           made.fabric_.params,   made.fabric_.gathers,       made.fabric_.forces,
-                state.position[p],     state.velocity[p],     inputs.model.rest_position, state.motions,
-                state.position[1 - p], *inputs.predicted()[p]};
-          }));
+  WEFT_SET(made.advance_,
+           create_advance_gathered(inputs, fabric.params, body.vertex_count, fabric.gathers, fabric.forces));
   return made;
 }
 

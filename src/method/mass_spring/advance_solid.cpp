@@ -1,5 +1,7 @@
 #include "method/mass_spring/advance_solid.hpp"
 
+#include "method/mass_spring/advance_gathered.hpp"
+
 namespace weft {
 
 Result<AdvanceSolid> AdvanceSolid::create(const SolverInputs& inputs, const Body& body) {
@@ -11,31 +13,16 @@ Result<AdvanceSolid> AdvanceSolid::create(const SolverInputs& inputs, const Body
                               device, tet_corners_of_nodes(inputs.model.host, body), "forces of nodes"));
   WEFT_SET(made.forces_, gpu::Buffer<Vec4f>::create(device, std::size_t{4} * made.solid_.layout.tets,
                                                     "forces of tetrahedra"));
-  const auto kernel_of = [&](const std::string& name) {
-    return gpu::create_shared_kernel(device, "method/mass_spring/" + name + ".wgsl", {},
-                                     inputs.workgroup_size);
-  };
-  WEFT_TRY(tets, kernel_of("solid_forces"));
+  WEFT_TRY(tets, gpu::create_shared_kernel(device, "method/mass_spring/solid_forces.wgsl", {},
+                                           inputs.workgroup_size));
   WEFT_SET(made.tets_, gpu::Dispatch::create_by_parity(tets, tets->workgroups_of(made.solid_.layout.tets),
                                                        [&](std::size_t p) -> gpu::Dispatch::Bindings {
                                                          return {made.solid_.params, made.solid_.corners,
                                                                  made.solid_.rests,  state.position[p],
                                                                  state.velocity[p],  made.forces_};
                                                        }));
-  WEFT_TRY(advance, kernel_of("advance_gathered"));
-  WEFT_SET(made.advance_, gpu::Dispatch::create_by_parity(advance, advance->workgroups_of(body.vertex_count),
-                                                          [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                                                            return {state.steps,
-                                                                    made.solid_.params,
-                                                                    made.gathers_,
-                                                                    made.forces_,
-                                                                    state.position[p],
-                                                                    state.velocity[p],
-                                                                    inputs.model.rest_position,
-                                                                    state.motions,
-                                                                    state.position[1 - p],
-                                                                    *inputs.predicted()[p]};
-                                                          }));
+  WEFT_SET(made.advance_, create_advance_gathered(inputs, made.solid_.params, body.vertex_count,
+                                                  made.gathers_, made.forces_));
   return made;
 }
 

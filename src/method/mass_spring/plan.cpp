@@ -17,7 +17,6 @@ NetworkSpectrum spectrum_of(const Model& model, const Body& body) {
 }
 
 NetworkSpectrum spectrum_of(const Model& model, const Body& body, ElementKind kind) {
-  if (body.solid) return find_solid_spectrum(model, body);
   if (body.fabric) return find_fabric_spectrum(model, body, kind);
   SpringNetwork network = stiffest_part(model, body);
   ElementTable& left_out = kind == ElementKind::Spring ? network.triples : network.springs;
@@ -39,11 +38,13 @@ StepLimit mass_spring_step_limit(const Model& model, double drag) {
 
 StepCause step_cause(const Model& model, const Body& body, double drag) {
   StepCause cause{step_of(spectrum_of(model, body), drag), {}};
-  for (const ElementKind kind : {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane,
-                                 ElementKind::Hinge, ElementKind::Tet}) {
-    if (model.count(kind, body) == 0) continue;
-    if (const double step = step_of(spectrum_of(model, body, kind), drag); step > 0)
-      cause.parts.push_back({kind, step});
+  std::vector<ElementKind> kinds;
+  for (std::size_t k = 0; k < kElementKinds; ++k)
+    if (model.count(static_cast<ElementKind>(k), body) > 0) kinds.push_back(static_cast<ElementKind>(k));
+  for (const ElementKind kind : kinds) {  // a kind that is alone is the cause of all
+    const double step =
+        kinds.size() == 1 ? cause.largest_step : step_of(spectrum_of(model, body, kind), drag);
+    if (step > 0) cause.parts.push_back({kind, step});
   }
   std::stable_sort(cause.parts.begin(), cause.parts.end(),
                    [](const auto& a, const auto& b) { return a.largest_step < b.largest_step; });

@@ -7,7 +7,6 @@
 #include "method/bent_hinge.wgsl"
 #include "method/fabric_params.wgsl"
 #include "method/moved_membrane.wgsl"
-#include "method/symmetric.wgsl"
 #include "method/vbd/gathered_color.wgsl"
 override kHinges : bool = true;  // whether any hinge resists
 
@@ -23,12 +22,6 @@ override kHinges : bool = true;  // whether any hinge resists
 @group(0) @binding(8)  var<storage, read>       position_in : array<vec4f>;    // vertex_count  m
 @group(0) @binding(9)  var<storage, read>       aim         : array<vec4f>;    // vertex_count  m
 @group(0) @binding(10) var<storage, read_write> way         : array<vec4f>;    // vertex_count  m (w: 1/kg)
-
-// The pull of an element at one of its nodes, and how fast it grows against the node's way.
-struct Pull {
-  force : vec3f,        // N
-  hessian : Symmetric,  // N/m
-}
 
 fn pull_of_membrane(triangle : u32, corner : u32) -> Pull {
   let moved = moved_membrane(triangle);
@@ -55,28 +48,12 @@ fn pull_of_hinge(hinge : u32, corner : u32) -> Pull {
   return Pull(-(begun.x + begun.y * bends_by) * slope, outer(slope, (1.0 + delays) * begun.y));
 }
 
-@compute @workgroup_size(kWorkgroupSize)
-fn descend_fabric(@builtin(global_invocation_id) id : vec3u) {
-  let index = flat_index(id);
-  if (index >= color.count) { return; }
-  let node = lists[color.first + index];
-  let own = way[node];
-  if (own.w == 0.0) { return; }
-  let mobility = step.time.dt * step.time.dt * own.w;  // m/N
-  var slope = aim[node].xyz - own.xyz;
-  var hessian = identity(1.0);
-  let row = color.rows + node - color.first_node;
-  for (var at = lists[row]; at < lists[row + 1u]; at++) {
-    let entry = lists[color.rows + at];
-    var pull = Pull(vec3f(0.0), zero_matrix());
-    if (entry < 3u * fabric.triangles) {
-      pull = pull_of_membrane(entry / 3u, entry % 3u);
-    } else if (kHinges) {
-      let place = entry - 3u * fabric.triangles;
-      pull = pull_of_hinge(place / 4u, place % 4u);
-    }
-    slope += mobility * pull.force;
-    hessian = sum_of(hessian, scaled(mobility, pull.hessian));
-  }
-  way[node] = vec4f(own.xyz + times(inverse(hessian), slope), own.w);
+fn pull_of(entry : u32) -> Pull {
+  if (entry < 3u * fabric.triangles) { return pull_of_membrane(entry / 3u, entry % 3u); }
+  if (!kHinges) { return Pull(vec3f(0.0), zero_matrix()); }
+  let place = entry - 3u * fabric.triangles;
+  return pull_of_hinge(place / 4u, place % 4u);
 }
+
+@compute @workgroup_size(kWorkgroupSize)
+fn descend_fabric(@builtin(global_invocation_id) id : vec3u) { descend(flat_index(id)); }

@@ -4,7 +4,6 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "method/solid_params.wgsl"
-#include "method/symmetric.wgsl"
 #include "method/vbd/gathered_color.wgsl"
 
 //                                                                              elements       unit
@@ -18,12 +17,7 @@
 @group(0) @binding(7) var<storage, read>       aim         : array<vec4f>;    // vertex_count  m
 @group(0) @binding(8) var<storage, read_write> way         : array<vec4f>;    // vertex_count  m (w: 1/kg)
 
-// The pull of a tetrahedron at one of its corners, and how fast it grows against the corner's way: tet::corner_pull.
-struct Pull {
-  force : vec3f,        // N
-  hessian : Symmetric,  // N/m
-}
-
+// tet::corner_pull.
 fn pull_of_tet(tet : u32, corner : u32) -> Pull {
   let at = corners[tet];
   let rest = rest_of_tet(tet);
@@ -54,22 +48,7 @@ fn pull_of_tet(tet : u32, corner : u32) -> Pull {
   return Pull(-rest.volume * (stress * n), scaled(rest.volume, hessian));
 }
 
+fn pull_of(entry : u32) -> Pull { return pull_of_tet(entry / 4u, entry % 4u); }
+
 @compute @workgroup_size(kWorkgroupSize)
-fn descend_solid(@builtin(global_invocation_id) id : vec3u) {
-  let index = flat_index(id);
-  if (index >= color.count) { return; }
-  let node = lists[color.first + index];
-  let own = way[node];
-  if (own.w == 0.0) { return; }
-  let mobility = step.time.dt * step.time.dt * own.w;  // m/N
-  var slope = aim[node].xyz - own.xyz;
-  var hessian = identity(1.0);
-  let row = color.rows + node - color.first_node;
-  for (var at = lists[row]; at < lists[row + 1u]; at++) {
-    let entry = lists[color.rows + at];
-    let pull = pull_of_tet(entry / 4u, entry % 4u);
-    slope += mobility * pull.force;
-    hessian = sum_of(hessian, scaled(mobility, pull.hessian));
-  }
-  way[node] = vec4f(own.xyz + times(inverse(hessian), slope), own.w);
-}
+fn descend_solid(@builtin(global_invocation_id) id : vec3u) { descend(flat_index(id)); }
