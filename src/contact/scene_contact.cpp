@@ -67,13 +67,12 @@ Result<void> SceneContact::create_proximity(gpu::Device& device, const GpuModel&
                                             const scene::Scene& scene, const Assets& assets,
                                             const SceneContactSetup& setup) {
   const ContactRoom room = setup.room ? *setup.room : first_room(model);
-  WEFT_TRY(contacts, Contacts::create_pairs(device, model.host, room,
-                                            {setup.presses, setup.presses && scene.contact.self}));
+  WEFT_TRY(contacts, Contacts::create_pairs(device, model.host, room, setup.solved));
   contacts_ = std::move(contacts);
-  WEFT_TRY(proximity,
-           Proximity::create(device, model, state, *contacts_->pairs, scene,
-                             {assets.objects, assets.object_colliders, assets.deformations},
-                             {setup.most_substeps, setup.interval, setup.step, setup.workgroup_size}));
+  WEFT_TRY(proximity, Proximity::create(device, model, state, *contacts_->pairs, scene,
+                                        {assets.objects, assets.object_colliders, assets.deformations},
+                                        {setup.most_substeps, setup.interval, setup.step,
+                                         setup.solved.without_history, setup.workgroup_size}));
   proximity_ = std::make_unique<Proximity>(std::move(proximity));
   WEFT_TRY(counts, gpu::Buffer<float>::create(device, model.vertex_count(), "contact counts"));
   counts_ = std::move(counts);

@@ -23,7 +23,7 @@ struct SceneContactSetup {
   std::uint32_t most_substeps = 1;  // of any frame
   std::uint32_t interval = 4;       // substeps from one that may search to the next
   double step = 0;                  // length of a substep, where frames are not cut [s]
-  bool presses = false;             // whether the solver solves with contact
+  SolvedContact solved = {};
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 

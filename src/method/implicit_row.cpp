@@ -9,7 +9,7 @@ namespace {
 StepLimit step_limit(const scene::Scene& scene, const Model&) {
   StepLimit limit;
   limit.longest_auto_step =
-      solves_with_contact(scene, implicit_row(scene.solver.kind)) ? kImplicitContactStep : kImplicitStep;
+      solved_contact(scene, implicit_row(scene.solver.kind)).obstacles ? kImplicitContactStep : kImplicitStep;
   return limit;
 }
 
@@ -31,6 +31,7 @@ Method implicit_row(scene::SolverKind kind) {
   row.settings_word = [](const scene::Solver&) { return ""; };
   row.search_interval = 1;
   row.holds_obstacles = true;
+  row.holds_pairs = true;
   row.limits_strain = true;
   row.history = 1;  // BDF2
   row.order = 2;

@@ -185,9 +185,10 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
   return std::move(*best);
 }
 
-bool solves_with_contact(const scene::Scene& scene, const Method& method) {
-  return method.holds_obstacles && scene.contact.method == scene::ContactMethod::Proximity &&
-         (!scene.colliders.empty() || scene.contact.self) && scene.contact.restitution == 0;
+SolvedContact solved_contact(const scene::Scene& scene, const Method& method) {
+  const bool solves = method.holds_obstacles && scene.contact.method == scene::ContactMethod::Proximity &&
+                      (!scene.colliders.empty() || scene.contact.self) && scene.contact.restitution == 0;
+  return {solves, solves && method.holds_pairs && scene.contact.self, method.order > 1};
 }
 
 }  // namespace weft

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/result.hpp"
+#include "contact/rules/solved_contact.hpp"
 #include "method/step_limit.hpp"
 #include "model/model.hpp"
 #include "scene/scene.hpp"
@@ -58,8 +59,8 @@ struct Method {
   /// One in this many substeps may search for pairs. Long steps need a search each: fast vertices move further in four
   /// of them than it may go unseen.
   std::uint32_t search_interval;
-  /// Whether its matrix includes obstacles (Stages::press).
-  bool holds_obstacles;
+  bool holds_obstacles;        // whether it answers obstacles itself (Stages::press)
+  bool holds_pairs = false;    // and pairs of one cloth
   bool limits_strain = false;  // whether edges beyond a strain limit are stiffer
   /// How many states before the current one it reads, for nodes whose velocity's w is 1.
   std::uint32_t history;
@@ -91,6 +92,6 @@ double predicted_frame(const scene::Scene& scene, const Model& model, const Meth
                        std::uint32_t substeps);
 
 /// Whether the method's matrix includes contact in this scene. Restitution is left to impulses.
-bool solves_with_contact(const scene::Scene& scene, const Method& method);
+SolvedContact solved_contact(const scene::Scene& scene, const Method& method);
 
 }  // namespace weft

@@ -6,7 +6,7 @@
 //                                                                                  elements       unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: 1/kg)
-@group(0) @binding(2) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: history)
+@group(0) @binding(2) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: or 0)
 @group(0) @binding(3) var<storage, read>       velocity_before : array<vec4f>;   // vertex_count   m/s
 @group(0) @binding(4) var<storage, read>       rest            : array<vec4f>;   // vertex_count   m (w: motion)
 @group(0) @binding(5) var<storage, read>       motions         : array<vec4f>;   // 3 * motions * substeps
@@ -24,7 +24,7 @@ fn start_way(@builtin(global_invocation_id) id : vec3u) {
   aim[node] = vec4f(step.time.dt * velocity, 0.0);
   let change = velocity - before.velocity.xyz;
   let square = dot(change, change);
-  if (!driven && before.velocity.w == 1.0 && step.time.step_ratio > 0.0 && square > 0.0) {
+  if (!driven && before.velocity.w != 0.0 && step.time.step_ratio > 0.0 && square > 0.0) {
     let felt = step.time.step_ratio * (before.velocity.xyz - velocity_before[node].xyz);
     velocity = before.velocity.xyz + saturate(dot(felt, change) / square) * change;
   }

@@ -137,7 +137,7 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
   // As sim::FrameSteps counts time, to the bit: it decides which substep is the first of a grab.
   set_grabs(time() + number * dt + dt);
   std::function<Pressed(std::span<const Vec3d>)> pressed;
-  if (solves_with_contact(scene_, plan_.method()) && finite())
+  if (solved_contact(scene_, plan_.method()).obstacles && finite())
     pressed = [&](std::span<const Vec3d> velocity) -> Pressed {
       std::vector<Press> presses = proximity_->presses(previous, velocity, before * dt, dt);
       return {proximity_->pressed_pairs(), std::move(presses)};

@@ -32,7 +32,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_TRY(contact, contact::SceneContact::create(
                         device_, model_, state_, scene_, assets_,
                         {options.contact_room, plan_.most_substeps(), method.search_interval, plan_.step(),
-                         solves_with_contact(scene_, method), options.workgroup_size}));
+                         solved_contact(scene_, method), options.workgroup_size}));
   contact_ = std::move(contact);
   scene::Solver settings = scene_.solver;
   settings.kind = method.kind;

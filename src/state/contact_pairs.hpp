@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "contact/rules/solved_contact.hpp"
 #include "gpu/buffer.hpp"
 #include "model/model.hpp"
 
@@ -68,12 +69,6 @@ struct ContactRoom {
 /// Room for lists that were too short: half as much again as was wanted, since the next frames may need more,
 /// but no more than a binding of `most_bytes` may have where what is wanted fits in it.
 ContactRoom grown(const ContactRoom& room, const ContactRoom& wanted, std::uint64_t most_bytes);
-
-/// What of contact a solver's matrix includes.
-struct SolvedContact {
-  bool obstacles = false;  // ContactPairs::presses
-  bool pairs = false;      // of one cloth: ContactPairs::pair_holds, pair_sums
-};
 
 /// A pair is listed once; while it is near, it has a record, and each of its cloth vertices has a link to that. Neither
 /// pairs nor records have an order that lasts from run to run, so sums over them are of integers.

@@ -96,8 +96,7 @@ TEST_CASE("every method's row says what its solver allocates for a grid, within 
     REQUIRE_OK(model);
     auto state = State::create(device, model->host, 1);
     REQUIRE_OK(state);
-    const auto contacts =
-        Contacts::create_pairs(device, model->host, {1000, 1000}, {method.holds_obstacles, false});
+    const auto contacts = Contacts::create_pairs(device, model->host, {1000, 1000}, {method.holds_obstacles});
     REQUIRE_OK(contacts);
     const std::uint64_t before = device.allocated_bytes();
     device.take_largest_buffer();

@@ -21,7 +21,7 @@ struct Net : Moved {
   void fly(const Vec3d& from, const Vec3d& speed, double inverse) {
     add(from, inverse > 0 ? from + speed : from, inverse);
   }
-  Ways ways(std::uint32_t rounds) { return {start, inverse_mass, end, velocity, 1, rounds, edges}; }
+  SubstepWays ways(std::uint32_t rounds) { return {start, inverse_mass, end, velocity, 1, rounds, edges}; }
   double length_of(const LimitedEdge& edge) const { return length(end[edge.b] - end[edge.a]); }
   /// The most by which an edge is longer than its limit and its start, as a part of that.
   double excess() const {

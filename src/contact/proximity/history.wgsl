@@ -4,4 +4,7 @@ fn velocity_of(vertex : u32) -> vec3f {
   return bitcast<vec3f>(vec3u(atomicLoad(&velocity[4u * vertex]), atomicLoad(&velocity[4u * vertex + 1u]),
                               atomicLoad(&velocity[4u * vertex + 2u])));
 }
-fn forget_history(vertex : u32) { atomicStore(&velocity[4u * vertex + 3u], 0u); }
+override kForgets : bool = true;  // false: the solver's formula is the same for what is pressed
+fn forget_history(vertex : u32) {
+  if (kForgets) { atomicStore(&velocity[4u * vertex + 3u], 0u); }
+}

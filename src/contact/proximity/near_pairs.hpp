@@ -20,7 +20,7 @@ class NearPairs {
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(const State& state, const ContactPairs& pairs, const gpu::Buffer<Vec4f>& points);
   void record(gpu::ComputePass& pass) const;
-  /// Before a solver has predicted: pairs of cloth with cloth alone, by the velocities.
+  /// Before a solver has predicted, by the velocities: pairs of cloth with cloth alone, but in a frame's first substep.
   void record_early(gpu::ComputePass& pass) const;
   /// The same by the velocities that lead to where it has come.
   void record_again(gpu::ComputePass& pass) const;

@@ -7,6 +7,7 @@
 #include "contact/proximity/cones.wgsl"
 #include "contact/proximity/curved.wgsl"
 #include "contact/proximity/history.wgsl"
+#include "contact/proximity/hold_rule.wgsl"
 #include "contact/proximity/press_sums.wgsl"
 //                                                                                  elements      unit
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
@@ -18,7 +19,6 @@
 @group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>;  // press_sums.wgsl
 @group(0) @binding(7) var<storage, read>       rings      : array<u32>;          // feature_rings.hpp
 
-const kHoldPart = 0.15;  // of a missing gap, the part that a hold restores in a substep, if that is not too fast
 const kRoundCosine = 0.8;  // from which on a round obstacle presses along the pair's direction alone
 const kRoundFade = 0.1;  // how much more of it until that is along the vertex's own
 

@@ -43,6 +43,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   Proximity made;
   made.interval_ = wanted.interval;
   made.presses_ = pairs.presses.size() > 0;
+  made.holds_pairs_ = pairs.pair_sums.size() > 0;
   made.substeps_ = wanted.substeps;
   WEFT_TRY(lengths, proximity_lengths(model.host, scene.contact));
   made.lengths_ = lengths;
@@ -64,7 +65,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
                                                                  colliders.point_count, colliders.faces),
                                                    "feature rings"));
   made.rings_ = std::move(rings);
-  WEFT_CHECK(made.create_kernels(device, state, wanted.workgroup_size));
+  WEFT_CHECK(made.create_kernels(device, state, wanted));
   WEFT_SET(made.near_, NearPairs::create(device, made.presses_, wanted.workgroup_size));
   const std::vector<LimitedEdge> edges = limited_edges(model.host);
   WEFT_TRY(respond,
@@ -95,7 +96,7 @@ Result<void> Proximity::bind_own(gpu::Device& device, const State& state, const 
     };
     WEFT_SET(press_groups_[parity], bind_press(state.velocity[parity]));
     WEFT_SET(press_again_groups_[parity], bind_press(pairs.predicted));
-    if (pairs.pair_sums.size() == 0) continue;
+    if (!holds_pairs_) continue;
     const auto bind_pairs = [&](const gpu::Buffer<Vec4f>& velocity) {
       return press_pairs_.bind({state.steps, state.position[parity], velocity, search_.points(),
                                 pairs.contacts, state.statistics, rings_, pairs.pair_holds, pairs.pair_sums});
@@ -107,15 +108,15 @@ Result<void> Proximity::bind_own(gpu::Device& device, const State& state, const 
   return respond_.bind(device, state, pairs, search_.points());
 }
 
-Result<void> Proximity::create_kernels(gpu::Device& device, const State& state,
-                                       std::uint32_t workgroup_size) {
+Result<void> Proximity::create_kernels(gpu::Device& device, const State& state, const ProximitySetup& setup) {
+  const std::uint32_t workgroup_size = setup.workgroup_size;
   WEFT_TRY(evaluate, gpu::Kernel::create(device, "contact/proximity/evaluate.wgsl", {}, workgroup_size));
   evaluate_ = std::move(evaluate);
   if (presses_) {
-    WEFT_TRY(press, gpu::Kernel::create(device, "contact/proximity/press.wgsl", {}, workgroup_size));
-    press_ = std::move(press);
+    const gpu::Constant forgets{"kForgets", setup.without_history ? 1.0 : 0.0};
+    WEFT_SET(press_, gpu::Kernel::create(device, "contact/proximity/press.wgsl", {forgets}, workgroup_size));
     WEFT_SET(press_pairs_,
-             gpu::Kernel::create(device, "contact/proximity/press_pairs.wgsl", {}, workgroup_size));
+             gpu::Kernel::create(device, "contact/proximity/press_pairs.wgsl", {forgets}, workgroup_size));
   }
   const ColliderSet& colliders = search_.colliders();
   if (!colliders.moves) return {};
@@ -157,15 +158,15 @@ void Proximity::press(gpu::ComputePass& pass) const {
     pass.begin_phase("step");
   }
   press_.dispatch_strided(pass, press_groups_[pass.parity()], pair_room_);
-  if (lengths_.self_thickness == 0) return;
-  near_.record_early(pass);
+  if (pass.step() == 0 || holds_pairs_) near_.record_early(pass);
+  if (!holds_pairs_) return;
   press_pairs_.dispatch_strided(pass, press_pair_groups_[pass.parity()], near_room_);
 }
 
 void Proximity::press_again(gpu::ComputePass& pass) const {
   if (!presses_) return;
   press_.dispatch_strided(pass, press_again_groups_[pass.parity()], pair_room_);
-  if (lengths_.self_thickness == 0) return;
+  if (!holds_pairs_) return;
   near_.record_again(pass);
   press_pairs_.dispatch_strided(pass, press_pair_again_groups_[pass.parity()], near_room_);
 }

@@ -22,9 +22,10 @@ struct ProximityLengths {
 Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Contact& contact);
 
 struct ProximitySetup {
-  std::uint32_t substeps = 1;  // the most of any frame
-  std::uint32_t interval = 4;  // of them from one that may search to the next
-  double step = 0;             // length of a substep, where frames are not cut [s]
+  std::uint32_t substeps = 1;    // the most of any frame
+  std::uint32_t interval = 4;    // of them from one that may search to the next
+  double step = 0;               // length of a substep, where frames are not cut [s]
+  bool without_history = false;  // SolvedContact
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 
@@ -58,7 +59,7 @@ class Proximity : public Stages {
   const PairSearch& pair_search() const { return search_; }
 
  private:
-  Result<void> create_kernels(gpu::Device& device, const State& state, std::uint32_t workgroup_size);
+  Result<void> create_kernels(gpu::Device& device, const State& state, const ProximitySetup& setup);
   void move_colliders(gpu::ComputePass& pass) const;
   Result<void> bind_own(gpu::Device& device, const State& state, const ContactPairs& pairs);
 
@@ -76,7 +77,7 @@ class Proximity : public Stages {
   gpu::Buffer<std::uint32_t> rings_;
   std::vector<ColliderPlace> rows_;  // of one frame; kept so that a frame allocates nothing
   std::uint32_t pair_room_ = 0, near_room_ = 0, substeps_ = 1, interval_ = 4;
-  bool presses_ = false;
+  bool presses_ = false, holds_pairs_ = false;  // a solver answers obstacles, and pairs of one cloth
 };
 
 }  // namespace weft::contact

@@ -34,6 +34,9 @@ inline constexpr double kConeSlack = 1e-3;
 /// node that it has borne before, no more than so much a second [1/s], and as much slower. The node does not keep that
 /// speed. Faster, the edges of a strip that bends over a capsule are moved about, and stretched three times as much.
 inline constexpr double kHoldPart = 0.15, kHoldRate = 10, kHoldSpeed = 0.05;
+/// Of the normals of a vertex's pairs: with less agreement there is no one direction to hold it along, and from kAlike
+/// on its pairs are the hold's.
+inline constexpr double kAgree = 0.3, kAlike = 0.9;
 /// What a hold has answered is pushed only where it lacks more than this part of the thickness: so deep the pushes of
 /// layers bring it, which are faster than the hold, while those of edges that bend over a body make it creep.
 inline constexpr double kHeldLack = 0.2;

@@ -1,13 +1,11 @@
 // The numbers of equations 11 and 16 of docs/solvers/multigrid.md. Mirror: contact/rules/contact_law.hpp,
 // method/multigrid/reference/hold.hpp and pair_hold.hpp.
+#include "contact/proximity/hold_rule.wgsl"
 const kHoldStiffness = 30.0;  // along the normal, of the inertia of what an obstacle holds; across it: 1
 const kPairStiffness = 2.0;   // the same of a pair of one cloth
 // What the first system leaves of such a pair's gap, or thickness: with less, the second holds it by the stiffness of
 // its cloth.
 const kCloses = 0.5;
-const kHoldPart = 0.15;       // of a missing gap, the part that is restored in a substep: contact/proximity/press.wgsl
-const kHoldRate = 10.0;       // 1/s: of what has borne before, no more than so much a second
-const kHoldSpeed = 0.05;      // m/s: and no faster
 // What the spring stops alone, where nothing else holds a node, is a blow, and over, beyond what the node has borne:
 // kept as a load it would throw the node up again. The least part that is kept, so that the next substep knows that the
 // node bears.

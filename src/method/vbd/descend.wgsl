@@ -5,7 +5,7 @@
 #include "state/step.wgsl"
 #include "element/spring/law.wgsl"
 #include "element/spring/neighbour.wgsl"
-#include "method/symmetric.wgsl"
+#include "method/vbd/descended.wgsl"
 
 struct NodesOfColor {  // mirror: src/method/vbd/solver_vbd.hpp
   first : u32,       // in `order`
@@ -20,7 +20,7 @@ struct NodesOfColor {  // mirror: src/method/vbd/solver_vbd.hpp
 @group(0) @binding(3) var<storage, read>       slices      : array<u32>;        // slices + 1: each one's first entry
 @group(0) @binding(4) var<storage, read>       neighbours  : array<Neighbour>;  // 2 * springs, and fillers
 @group(0) @binding(5) var<storage, read>       position_in : array<vec4f>;      // vertex_count           m
-@group(0) @binding(6) var<storage, read>       aim         : array<vec4f>;      // vertex_count           m
+@group(0) @binding(6) var<storage, read_write> aim         : array<vec4f>;      // vertex_count           m
 @group(0) @binding(7) var<storage, read_write> way         : array<vec4f>;      // vertex_count           m (w: 1/kg)
 
 @compute @workgroup_size(kWorkgroupSize)
@@ -51,5 +51,5 @@ fn descend(@builtin(global_invocation_id) id : vec3u) {
     hessian = sum_of(hessian, identity(select(across, 0.0, spring.per_length == 0.0)));
     hessian = sum_of(hessian, outer(spring.per_length * span, along));
   }
-  way[node] = vec4f(own.xyz + times(inverse(hessian), slope), own.w);
+  way[node] = vec4f(descended(node, own.xyz, hessian, slope), own.w);
 }

@@ -40,8 +40,10 @@ Result<void> DescendFabric::create_colors(const SolverInputs& inputs, const Body
   lists.insert(lists.end(), gathers.begin(), gathers.end());
   WEFT_SET(lists_,
            gpu::Buffer<std::uint32_t>::create_from(device, lists, "nodes by color and their elements"));
-  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend_fabric.wgsl",
-                                             {{"kHinges", bent_.resist ? 1.0 : 0.0}}, inputs.workgroup_size));
+  std::vector<gpu::Constant> constants = holds_constant(inputs);
+  constants.push_back({"kHinges", bent_.resist ? 1.0 : 0.0});
+  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend_fabric.wgsl", constants,
+                                             inputs.workgroup_size));
   for (std::uint32_t color = 0; color < colors.count(); ++color) {
     const GatheredColor params{colors.starts[color], colors.starts[color + 1] - colors.starts[color],
                                body.first_vertex, static_cast<std::uint32_t>(colors.nodes.size())};

@@ -20,7 +20,7 @@ override kHinges : bool = true;  // whether any hinge resists
 @group(0) @binding(6)  var<storage, read>       hinges      : array<vec4u>;    // hinges        a, b, c, d
 @group(0) @binding(7)  var<storage, read>       moments     : array<vec4f>;    // hinges        weigh_hinges.wgsl
 @group(0) @binding(8)  var<storage, read>       position_in : array<vec4f>;    // vertex_count  m
-@group(0) @binding(9)  var<storage, read>       aim         : array<vec4f>;    // vertex_count  m
+@group(0) @binding(9)  var<storage, read_write> aim         : array<vec4f>;    // vertex_count  m
 @group(0) @binding(10) var<storage, read_write> way         : array<vec4f>;    // vertex_count  m (w: 1/kg)
 
 fn pull_of_membrane(triangle : u32, corner : u32) -> Pull {

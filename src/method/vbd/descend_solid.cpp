@@ -16,8 +16,8 @@ Result<DescendSolid> DescendSolid::create(const SolverInputs& inputs, const Body
   lists.insert(lists.end(), places.begin(), places.end());
   WEFT_SET(made.lists_,
            gpu::Buffer<std::uint32_t>::create_from(device, lists, "nodes by color and their tetrahedra"));
-  WEFT_TRY(kernel,
-           gpu::create_shared_kernel(device, "method/vbd/descend_solid.wgsl", {}, inputs.workgroup_size));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend_solid.wgsl", holds_constant(inputs),
+                                             inputs.workgroup_size));
   for (std::uint32_t color = 0; color < colors.count(); ++color) {
     const GatheredColor params{colors.starts[color], colors.starts[color + 1] - colors.starts[color],
                                body.first_vertex, static_cast<std::uint32_t>(colors.nodes.size())};

@@ -14,7 +14,7 @@
 @group(0) @binding(4) var<storage, read>       corners     : array<vec4u>;    // tets
 @group(0) @binding(5) var<storage, read>       rests       : array<vec4f>;    // 3 * tets      1/m, m³
 @group(0) @binding(6) var<storage, read>       position_in : array<vec4f>;    // vertex_count  m
-@group(0) @binding(7) var<storage, read>       aim         : array<vec4f>;    // vertex_count  m
+@group(0) @binding(7) var<storage, read_write> aim         : array<vec4f>;    // vertex_count  m
 @group(0) @binding(8) var<storage, read_write> way         : array<vec4f>;    // vertex_count  m (w: 1/kg)
 
 // tet::corner_pull.

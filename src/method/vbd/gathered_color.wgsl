@@ -1,7 +1,7 @@
 // The nodes of one colour, and their elements, in `lists`: nodes by colours, then rows of nodes and their entries. How
 // a node of it descends: the including kernel binds color, lists, aim and way, includes step.wgsl, and has
 // pull_of(entry). Source: docs/solvers/vbd.md, equations 3 and 4.
-#include "method/symmetric.wgsl"
+#include "method/vbd/descended.wgsl"
 
 struct GatheredColor {  // mirror: src/method/vbd/gathered_color.hpp
   first : u32,       // in `lists`
@@ -30,5 +30,5 @@ fn descend(index : u32) {
     slope += mobility * pull.force;
     hessian = sum_of(hessian, scaled(mobility, pull.hessian));
   }
-  way[node] = vec4f(own.xyz + times(inverse(hessian), slope), own.w);
+  way[node] = vec4f(descended(node, own.xyz, hessian, slope), own.w);
 }

@@ -6,7 +6,9 @@
 namespace weft {
 
 void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
+  contact.press(pass);
   start_way_.record(pass);
+  if (begin_holds_) begin_holds_->record(pass);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep_) color.record(pass);
     for (const DescendFabric& fabric : fabrics_) fabric.record(pass);
@@ -22,13 +24,35 @@ void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, s
 Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
   const State& state = inputs.state;
   const std::uint32_t count = inputs.model.vertex_count();
-  WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, count, "aims"));
+  const std::size_t words = inputs.presses() != nullptr ? 4 : 1;
+  WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, words * count, "aims"));
   WEFT_SET(corners_, corners_in_air(inputs));
   WEFT_SET(start_way_,
            create_start_way(inputs, corners_, aim_, [&](std::size_t p) -> const gpu::Buffer<Vec4f>& {
              return state.position[1 - p];
            }));
+  if (words > 1) return create_holds(inputs);
   WEFT_SET(end_way_, create_end_way(inputs, true));
+  return {};
+}
+
+Result<void> SolverVbd::create_holds(const SolverInputs& inputs) {
+  const State& state = inputs.state;
+  const std::uint32_t count = inputs.model.vertex_count();
+  WEFT_TRY(begin, gpu::create_shared_kernel(inputs.device, "method/vbd/begin_holds.wgsl", {},
+                                            inputs.workgroup_size));
+  WEFT_SET(begin_holds_,
+           gpu::Dispatch::create_by_parity(begin, begin->workgroups_of(count),
+                                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                                             return {state.steps, state.velocity[p], *inputs.presses(), aim_};
+                                           }));
+  WEFT_TRY(end, gpu::create_shared_kernel(inputs.device, "method/vbd/end_held_way.wgsl", {},
+                                          inputs.workgroup_size));
+  WEFT_SET(end_way_,
+           gpu::Dispatch::create_by_parity(
+               end, end->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                 return {state.steps, state.position[p], state.position[1 - p], *inputs.predicted()[p], aim_};
+               }));
   return {};
 }
 
@@ -43,7 +67,8 @@ Result<void> SolverVbd::create_springs(const SolverInputs& inputs, const Body& b
   WEFT_SET(cloth.order, gpu::Buffer<std::uint32_t>::create_from(device, colors.nodes, "nodes by color"));
   WEFT_SET(cloth.slices, gpu::Buffer<std::uint32_t>::create_from(device, built.slices, "neighbour slices"));
   WEFT_SET(cloth.neighbours, gpu::Buffer<Neighbour>::create_from(device, built.entries, "neighbours"));
-  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend.wgsl", {}, inputs.workgroup_size));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(device, "method/vbd/descend.wgsl", holds_constant(inputs),
+                                             inputs.workgroup_size));
   NodesOfColor params;
   params.first_node = body.first_vertex;
   for (std::size_t kind = 0; kind < built.kinds.size(); ++kind)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "element/spring/neighbours.hpp"
@@ -36,17 +37,19 @@ class SolverVbd : public Solver {
     std::vector<gpu::Buffer<NodesOfColor>> colors;
   };
   Result<void> create_nodes(const SolverInputs& inputs);
+  Result<void> create_holds(const SolverInputs& inputs);
   Result<void> create_springs(const SolverInputs& inputs, const Body& body);
 
   std::vector<Cloth> cloths_;  // of springs
   std::vector<DescendFabric> fabrics_;
   std::vector<DescendSolid> solids_;
-  gpu::Buffer<Vec4f> aim_;              // the way of each node without springs [m]
+  gpu::Buffer<Vec4f> aim_;              // the way of each node without springs [m]; node_holds.wgsl
   gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
 
   // While nodes descend, position[1 - parity] holds ways from position[parity], not places.
   gpu::Dispatch start_way_, end_way_;
-  std::vector<gpu::Dispatch> sweep_;  // a dispatch a colour of each cloth of springs
+  std::optional<gpu::Dispatch> begin_holds_;  // where it answers obstacles
+  std::vector<gpu::Dispatch> sweep_;          // a dispatch a colour of each cloth of springs
   std::uint32_t iterations_ = 1;
 };
 

@@ -24,7 +24,7 @@ double part_before(double at_start, double at_end) {
 
 class Truncation {
  public:
-  Truncation(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, const Ways& ways)
+  Truncation(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, const SubstepWays& ways)
       : planes_(planes),
         pairs_(pairs),
         ways_(ways),
@@ -224,7 +224,7 @@ class Truncation {
 
   std::span<const SolidPlane> planes_;
   std::span<const ClothPair> pairs_;
-  const Ways& ways_;
+  const SubstepWays& ways_;
   std::vector<bool> changed_, held_, shortened_by_cloth_;
   double part_ = 1;          // of the substep: until then no pair found in this round may have met
   std::uint64_t delay_ = 0;  // [µs]
@@ -236,12 +236,12 @@ class Truncation {
 }  // namespace
 
 bool separate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
-              const Ways& ways) {
+              const SubstepWays& ways) {
   return Truncation(planes, pairs, ways).separate_meeting(reach);
 }
 
 Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
-                   const Ways& ways) {
+                   const SubstepWays& ways) {
   Truncation truncation(planes, pairs, ways);
   truncation.before_solids(reach);
   for (std::uint32_t round = 0; round < ways.separations; ++round)

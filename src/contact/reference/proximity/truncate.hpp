@@ -34,7 +34,7 @@ struct ClothPair {
 };
 
 /// The motion of the vertices in a substep.
-struct Ways {
+struct SubstepWays {
   std::span<const Vec3d> start;          // [m]
   std::span<const double> inverse_mass;  // 0: it stays
   std::span<Vec3d> end, velocity;        // [m], [m/s]
@@ -55,12 +55,12 @@ struct Truncated {
 
 /// One round of separation: equation (6d). Whether there was anything that may meet.
 bool separate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
-              const Ways& ways);
+              const SubstepWays& ways);
 
 /// Ends each way before the planes of obstacles, and no further than `reach` [m]; an obstacle that has come past a
 /// vertex takes it along. Then separates pairs of cloth that may meet, equation (6d), and shortens ways until none can
 /// have met, equations (6) and (6h).
 Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
-                   const Ways& ways);
+                   const SubstepWays& ways);
 
 }  // namespace weft::reference

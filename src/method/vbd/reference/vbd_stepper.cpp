@@ -25,12 +25,13 @@ NodePull pull_of_springs(const MassSpringSystem& system, std::span<const std::ui
   return sum;
 }
 
-/// Equations (3) and (4): the way of a node at which its own part of what is minimised is least, its neighbours where
-/// they are. `aim` is its way without springs.
-Vec3d descended(const NodePull& pull, const Ways& ways, std::uint32_t node, const Vec3d& aim, double dt) {
+/// Equations (3) and (4): where a node's own part of what is minimised is least, its neighbours where they are. `aim`
+/// is its way without springs.
+NodeDescent descent(const NodePull& pull, const Ways& ways, std::uint32_t node, const Vec3d& aim, double dt) {
   const double mobility = dt * dt * ways.inverse_mass[node];
   const Vec3d slope = aim - ways.way[node] + mobility * pull.force;
-  return ways.way[node] + inverse(Sym3::identity(1) + mobility * pull.hessian) * slope;
+  const Sym3 hessian = Sym3::identity(1) + mobility * pull.hessian;
+  return {ways.way[node] + inverse(hessian) * slope, hessian};
 }
 
 }  // namespace
@@ -63,16 +64,38 @@ void VbdStepper::sweep(const Substep& substep, const std::vector<Vec3d>& aim, Wa
         pull = cloth.solid->pull(ways, *solid, node - solid->first, substep.dt);
       else
         pull = pull_of_springs(system, springs_of_.row(node), ways, node, substep.dt);
-      ways.way[node] = descended(pull, ways, node, aim[node], substep.dt);
+      const NodeDescent own = descent(pull, ways, node, aim[node], substep.dt);
+      ways.way[node] = holds_[node] ? holds_[node]->descend(own) : own.free;
     }
   }
 }
 
 void VbdStepper::advance(const Substep& substep) {
+  hold_nodes(substep);
   std::vector<Vec3d> aim;
   Ways ways = look_back_.begin(substep, aim);
   for (std::uint32_t k = 0; k < iterations_; ++k) sweep(substep, aim, ways);
   ways.end(substep);
+  for (std::size_t node = 0; node < holds_.size(); ++node)
+    if (holds_[node]) substep.system.velocity[node] = holds_[node]->moved(ways.way[node]) / substep.dt;
+}
+
+void VbdStepper::hold_nodes(const Substep& substep) {
+  const std::vector<Vec3d>& velocity = substep.system.velocity;
+  holds_.assign(velocity.size(), {});
+  answers_ = static_cast<bool>(substep.pressed);
+  if (!answers_) return;
+  const std::vector<Press> presses = substep.pressed(velocity).presses;
+  for (std::size_t node = 0; node < holds_.size(); ++node)
+    if (substep.system.inverse_mass[node] > 0)
+      holds_[node] = NodeHold::of(presses[node], substep.dt * velocity[node], substep.dt);
+}
+
+std::vector<bool> VbdStepper::held() const {
+  if (!answers_) return {};
+  std::vector<bool> held;
+  for (const std::optional<NodeHold>& hold : holds_) held.push_back(hold && hold->bears() && hold->alike());
+  return held;
 }
 
 }  // namespace weft::reference

@@ -6,6 +6,7 @@
 #include "method/reference_ways.hpp"
 #include "method/vbd/node_colors.hpp"
 #include "method/vbd/reference/fabric_descent.hpp"
+#include "method/vbd/reference/node_hold.hpp"
 #include "method/vbd/reference/solid_descent.hpp"
 
 namespace weft::reference {
@@ -17,6 +18,7 @@ class VbdStepper : public Stepper {
   void advance(const Substep& substep) override;
   void forget() override { look_back_.forget(); }
   void forget(std::size_t node) override { look_back_.forget(node); }
+  std::vector<bool> held() const override;
 
  private:
   /// A body's nodes in the order of a sweep, and where it has no springs, what they descend by.
@@ -25,12 +27,16 @@ class VbdStepper : public Stepper {
     std::optional<FabricDescent> fabric;
     std::optional<SolidDescent> solid;
   };
+  /// Of the nodes that obstacles press in the substep.
+  void hold_nodes(const Substep& substep);
   void sweep(const Substep& substep, const std::vector<Vec3d>& aim, Ways& ways);
 
   std::uint32_t iterations_;
   std::vector<Cloth> cloths_;
   mesh::Adjacency springs_of_;  // node -> its springs
   LookBack look_back_;
+  std::vector<std::optional<NodeHold>> holds_;
+  bool answers_ = false;  // contact with obstacles, in the last substep
 };
 
 }  // namespace weft::reference

@@ -1,0 +1,30 @@
+// Takes what obstacles press the nodes with in the substep, and clears the sums. One invocation per node.
+// Source: docs/solvers/vbd.md, Obstacles.
+#include "gpu/index.wgsl"
+#include "contact/proximity/pressed_vertex.wgsl"
+#include "method/vbd/node_holds.wgsl"
+//                                                                               elements            unit
+@group(0) @binding(0) var<uniform>             step        : StepBlock;
+@group(0) @binding(1) var<storage, read>       velocity_in : array<vec4f>;    // vertex_count       m/s
+@group(0) @binding(2) var<storage, read_write> presses     : array<i32>;      // press_sums.wgsl
+@group(0) @binding(3) var<storage, read_write> aim         : array<vec4f>;    // 4 * vertex_count   m
+
+@compute @workgroup_size(kWorkgroupSize)
+fn begin_holds(@builtin(global_invocation_id) id : vec3u) {
+  let node = flat_index(id);
+  if (node >= step.nodes.count) { return; }
+  let at = hold_at(node);
+  aim[at + 2u] = vec4f(0.0, kFree, 0.0, 0.0);
+  let pressed = pressed_vertex(node);
+  if (pressed.weight == 0.0) { return; }
+  clear_presses(node);
+  let size = length(pressed.normal);
+  if (size < kAgree * pressed.weight) { return; }
+  let n = pressed.normal / size;
+  let part = min(1.0, kHoldRate * step.time.dt / kHoldPart);
+  let restored = min(part * pressed.gap, kHoldSpeed * step.time.dt);
+  let ahead = step.time.dt * dot(n, velocity_in[node].xyz);
+  aim[at] = vec4f(n, ahead + pressed.lack - (pressed.gap - restored));
+  aim[at + 1u] = vec4f(step.time.dt * pressed.surface, pressed.friction);
+  aim[at + 2u] = vec4f(restored, kPressed, select(0.0, 1.0, size >= kAlike * pressed.weight), 0.0);
+}
