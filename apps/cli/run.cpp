@@ -6,8 +6,7 @@
 
 #include "assets.hpp"
 #include "base/file.hpp"
-#include "mesh/obj.hpp"
-#include "model/drawn_mesh.hpp"
+#include "model/mesh_file.hpp"
 #include "pictures.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
@@ -101,9 +100,10 @@ Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& o
 
 Result<void> write_results(sim::World& world, const sim::Snapshot& snapshot, const Summary& summary,
                            const std::string& folder) {
-  const mesh::TriangleMesh final_mesh =
-      drawn_mesh(world.model().host, snapshot.position, world.scene().render.subdivide);
-  WEFT_CHECK(write_file(folder + "/final.obj", mesh::write_obj(final_mesh)));
+  WEFT_TRY(
+      final_mesh,
+      mesh_file(drawn_mesh(world.model().host, snapshot.position, world.scene().render.subdivide), "obj"));
+  WEFT_CHECK(write_file(folder + "/final.obj", final_mesh));
   return write_file(folder + "/summary.json", summary_json(summary, world));
 }
 

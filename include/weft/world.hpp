@@ -116,7 +116,7 @@ class World {
   /// XXH3-64 of the bits of all positions and velocities, as 16 hexadecimal digits: the same for the same scene,
   /// GPU, driver and version. Errors  DeviceLost, OutOfMemory.
   Result<std::string> state_hash();
-  /// The present shape as a file of the format "obj", "ply" or "glb".
+  /// The present shape as a file of the format "obj", "ply" or "glb", with normals and texture coordinates.
   /// Errors  Input: another format. DeviceLost, OutOfMemory.
   Result<std::vector<std::byte>> mesh_file(const std::string& format);
 

@@ -7,6 +7,7 @@
 
 #include "base/result.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "mesh/vertex_attributes.hpp"
 
 namespace weft::mesh {
 
@@ -21,8 +22,8 @@ constexpr std::uint64_t kMaxGlbGrowth = 100;
 /// sparse data, points and lines are not read. Source  Khronos, glTF 2.0 Specification.
 Result<TriangleMesh> read_glb(std::span<const std::byte> bytes);
 
-/// A GLB file of one mesh, seen from both sides, with normals that are weighted by area, so that it is drawn
-/// smooth. Reads back to the same positions, but for vertices that coincide. The mesh passes check_mesh.
-std::vector<std::byte> write_glb(const TriangleMesh& mesh);
+/// A GLB file of one mesh, seen from both sides, with what attributes there are. Reads back to the same positions, but
+/// for vertices that coincide. The mesh passes check_mesh.
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const VertexAttributes& attributes);
 
 }  // namespace weft::mesh

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "mesh/glb.hpp"
 #include "mesh/glb_chunks.hpp"
@@ -10,24 +11,6 @@
 namespace weft::mesh {
 namespace {
 
-/// Unit normals, each the sum over its triangles by area; up where there is none, since glTF asks for unit
-/// length.
-std::vector<Vec3f> vertex_normals(const TriangleMesh& mesh) {
-  std::vector<Vec3d> sums(mesh.positions.size());
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3d a = mesh.positions[t[0]].to<double>();
-    const Vec3d normal = cross(mesh.positions[t[1]].to<double>() - a, mesh.positions[t[2]].to<double>() - a);
-    for (const std::uint32_t vertex : t) sums[vertex] += normal;
-  }
-  std::vector<Vec3f> normals;
-  normals.reserve(sums.size());
-  for (const Vec3d& sum : sums) {
-    const double size = length(sum);
-    normals.push_back(size > 0.0 ? (sum / size).to<float>() : Vec3f{0, 1, 0});
-  }
-  return normals;
-}
-
 std::string point_text(const Vec3f& p) {
   char text[64];
   std::snprintf(text, sizeof text, "[%.9g,%.9g,%.9g]", static_cast<double>(p.x), static_cast<double>(p.y),
@@ -35,46 +18,82 @@ std::string point_text(const Vec3f& p) {
   return text;
 }
 
-// Positions, normals and indices, one after the other.
-std::string document(const TriangleMesh& mesh) {
-  const std::size_t points = sizeof(Vec3f) * mesh.positions.size();
-  const std::size_t corners = sizeof(Triangle) * mesh.triangles.size();
+/// The arrays of the file, one after the other: an accessor and a view for each, in one pass.
+class Layout {
+ public:
+  /// `members` are those of the accessor beside its number of elements. Returns the accessor's number.
+  std::size_t add(std::size_t bytes, std::size_t elements, const char* target, const std::string& members) {
+    const std::string number = std::to_string(count_);
+    accessors_ += (count_ > 0 ? "," : "") + (R"({"bufferView":)" + number) + R"(,"count":)" +
+                  std::to_string(elements) + members + "}";
+    views_ += (count_ > 0 ? "," : "") + (R"({"buffer":0,"byteOffset":)" + std::to_string(bytes_)) +
+              R"(,"byteLength":)" + std::to_string(bytes) + R"(,"target":)" + target + "}";
+    bytes_ += bytes;
+    return count_++;
+  }
+  std::size_t bytes() const { return bytes_; }
+  std::string text() const {
+    return R"("accessors":[)" + accessors_ + R"(],"bufferViews":[)" + views_ +
+           R"(],"buffers":[{"byteLength":)" + std::to_string(bytes_) + "}]";
+  }
+
+ private:
+  std::string accessors_, views_;
+  std::size_t count_ = 0, bytes_ = 0;
+};
+
+constexpr const char *kVertexData = "34962", *kIndexData = "34963";
+
+/// The document, and how many bytes its arrays have: positions, what attributes there are, indices.
+std::pair<std::string, std::size_t> document(const TriangleMesh& mesh, const VertexAttributes& attributes) {
+  const std::size_t vertices = mesh.positions.size(), corners = 3 * mesh.triangles.size();
   const Bounds box = bounds(mesh);
-  const std::string vertex_count = std::to_string(mesh.positions.size());
-  const auto view = [](std::size_t offset, std::size_t size, const char* target) {
-    return R"({"buffer":0,"byteOffset":)" + std::to_string(offset) + R"(,"byteLength":)" +
-           std::to_string(size) + R"(,"target":)" + target + "}";
-  };
-  return R"({"asset":{"version":"2.0","generator":"weft"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
-         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2,"material":0}]}],)"
-         R"("materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0}}],"accessors":[)"
-         R"({"bufferView":0,"componentType":5126,"count":)" +
-         vertex_count + R"(,"type":"VEC3","min":)" + point_text(box.low) + R"(,"max":)" +
-         point_text(box.high) + R"(},{"bufferView":1,"componentType":5126,"count":)" + vertex_count +
-         R"(,"type":"VEC3"},{"bufferView":2,"componentType":5125,"count":)" +
-         std::to_string(3 * mesh.triangles.size()) + R"(,"type":"SCALAR"}],"bufferViews":[)" +
-         view(0, points, "34962") + "," + view(points, points, "34962") + "," +
-         view(2 * points, corners, "34963") + R"(],"buffers":[{"byteLength":)" +
-         std::to_string(2 * points + corners) + "}]}";
+  Layout layout;
+  std::string named = R"("POSITION":)" + std::to_string(layout.add(
+                                             sizeof(Vec3f) * vertices, vertices, kVertexData,
+                                             R"(,"componentType":5126,"type":"VEC3","min":)" +
+                                                 point_text(box.low) + R"(,"max":)" + point_text(box.high)));
+  if (!attributes.normals.empty())
+    named += R"(,"NORMAL":)" + std::to_string(layout.add(sizeof(Vec3f) * vertices, vertices, kVertexData,
+                                                         R"(,"componentType":5126,"type":"VEC3")"));
+  if (!attributes.texture.empty())
+    named +=
+        R"(,"TEXCOORD_0":)" + std::to_string(layout.add(2 * sizeof(float) * vertices, vertices, kVertexData,
+                                                        R"(,"componentType":5126,"type":"VEC2")"));
+  const std::size_t indices = layout.add(sizeof(std::uint32_t) * corners, corners, kIndexData,
+                                         R"(,"componentType":5125,"type":"SCALAR")");
+  return {
+      R"({"asset":{"version":"2.0","generator":"weft"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+      R"("meshes":[{"primitives":[{"attributes":{)" +
+          named + R"(},"indices":)" + std::to_string(indices) +
+          R"(,"material":0}]}],"materials":[{"doubleSided":true,"pbrMetallicRoughness":{"metallicFactor":0}}],)" +
+          layout.text() + "}",
+      layout.bytes()};
+}
+
+void append(std::vector<std::byte>& bytes, float value) {
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  append_little_endian(bytes, bits);
 }
 
 void append(std::vector<std::byte>& bytes, const std::vector<Vec3f>& points) {
   for (const Vec3f& p : points)
-    for (int axis = 0; axis < 3; ++axis) {
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, &p[axis], sizeof bits);
-      append_little_endian(bytes, bits);
-    }
+    for (int axis = 0; axis < 3; ++axis) append(bytes, p[axis]);
 }
 
 }  // namespace
 
-std::vector<std::byte> write_glb(const TriangleMesh& mesh) {
+std::vector<std::byte> write_glb(const TriangleMesh& mesh, const VertexAttributes& attributes) {
   assert(check_mesh(mesh));
-  std::vector<std::byte> bytes = glb_before_binary(
-      document(mesh), 2 * sizeof(Vec3f) * mesh.positions.size() + sizeof(Triangle) * mesh.triangles.size());
+  const auto [text, size] = document(mesh, attributes);
+  std::vector<std::byte> bytes = glb_before_binary(text, size);
   append(bytes, mesh.positions);
-  append(bytes, vertex_normals(mesh));
+  append(bytes, attributes.normals);
+  for (const auto& [u, v] : attributes.texture) {
+    append(bytes, u);
+    append(bytes, 1 - v);  // glTF counts from the upper edge of a picture
+  }
   for (const Triangle& triangle : mesh.triangles)
     for (const std::uint32_t vertex : triangle) append_little_endian(bytes, vertex);
   return bytes;

@@ -1,6 +1,7 @@
 #include "mesh/obj.hpp"
 
 #include <cassert>
+#include <initializer_list>
 
 #include "mesh/number.hpp"
 #include "mesh/polygon.hpp"
@@ -68,6 +69,25 @@ Result<void> read_face(TextCursor& cursor, std::size_t vertex_count, TriangleMes
   return {};
 }
 
+void append_line(std::string& text, const char* keyword, std::initializer_list<float> values) {
+  text += keyword;
+  for (const float value : values) {
+    text += ' ';
+    append_float(text, value);
+  }
+  text += '\n';
+}
+
+/// "7", "7/7", "7//7" or "7/7/7": a vertex has the same number in all lists.
+void append_corner(std::string& text, std::uint64_t number, const VertexAttributes& attributes) {
+  append_integer(text, number);
+  if (!attributes.texture.empty() || !attributes.normals.empty()) text += '/';
+  if (!attributes.texture.empty()) append_integer(text, number);
+  if (attributes.normals.empty()) return;
+  text += '/';
+  append_integer(text, number);
+}
+
 }  // namespace
 
 Result<TriangleMesh> read_obj(std::span<const std::byte> bytes) {
@@ -89,23 +109,18 @@ Result<TriangleMesh> read_obj(std::span<const std::byte> bytes) {
   return mesh;
 }
 
-std::string write_obj(const TriangleMesh& mesh) {
+std::string write_obj(const TriangleMesh& mesh, const VertexAttributes& attributes) {
   assert(check_mesh(mesh));
   std::string text;
-  text.reserve(32 * (mesh.positions.size() + mesh.triangles.size()));
-  for (const Vec3f& p : mesh.positions) {
-    text += 'v';
-    for (int axis = 0; axis < 3; ++axis) {
-      text += ' ';
-      append_float(text, p[axis]);
-    }
-    text += '\n';
-  }
+  text.reserve((attributes.normals.empty() ? 32 : 96) * (mesh.positions.size() + mesh.triangles.size()));
+  for (const Vec3f& p : mesh.positions) append_line(text, "v", {p.x, p.y, p.z});
+  for (const auto& [u, v] : attributes.texture) append_line(text, "vt", {u, v});
+  for (const Vec3f& n : attributes.normals) append_line(text, "vn", {n.x, n.y, n.z});
   for (const Triangle& triangle : mesh.triangles) {
     text += 'f';
     for (const std::uint32_t vertex : triangle) {
       text += ' ';
-      append_integer(text, std::uint64_t{vertex} + 1);
+      append_corner(text, std::uint64_t{vertex} + 1, attributes);
     }
     text += '\n';
   }

@@ -7,6 +7,7 @@
 
 #include "base/result.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "mesh/vertex_attributes.hpp"
 
 namespace weft::mesh {
 
@@ -16,7 +17,8 @@ namespace weft::mesh {
 /// appendix B1.
 Result<TriangleMesh> read_obj(std::span<const std::byte> bytes);
 
-/// An OBJ text of "v" and "f" lines that reads back to the same bits. The mesh passes check_mesh.
-std::string write_obj(const TriangleMesh& mesh);
+/// An OBJ text of "v" and "f" lines, with "vt" and "vn" where there are such attributes, that reads back to the same
+/// bits. The mesh passes check_mesh.
+std::string write_obj(const TriangleMesh& mesh, const VertexAttributes& attributes = {});
 
 }  // namespace weft::mesh

@@ -214,21 +214,30 @@ std::string ply_begin(const std::string& comment) {
   return "ply\nformat binary_little_endian 1.0\n" + (comment.empty() ? "" : "comment " + comment + "\n");
 }
 
-std::vector<std::byte> write_ply(const TriangleMesh& mesh, const std::string& comment) {
+std::vector<std::byte> write_ply(const TriangleMesh& mesh, const std::string& comment,
+                                 const VertexAttributes& attributes) {
   assert(check_mesh(mesh));
-  const std::string header = ply_begin(comment) + "element vertex " + std::to_string(mesh.positions.size()) +
-                             "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-                             std::to_string(mesh.triangles.size()) +
-                             "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string header = ply_begin(comment) + "element vertex " + std::to_string(mesh.positions.size()) +
+                       "\nproperty float x\nproperty float y\nproperty float z\n";
+  if (!attributes.normals.empty()) header += "property float nx\nproperty float ny\nproperty float nz\n";
+  if (!attributes.texture.empty()) header += "property float s\nproperty float t\n";
+  header += "element face " + std::to_string(mesh.triangles.size()) +
+            "\nproperty list uchar int vertex_indices\nend_header\n";
   std::vector<std::byte> bytes;
-  bytes.reserve(header.size() + 12 * mesh.positions.size() + 13 * mesh.triangles.size());
+  bytes.reserve(header.size() + 32 * mesh.positions.size() + 13 * mesh.triangles.size());
   for (const char c : header) bytes.push_back(static_cast<std::byte>(c));
-  for (const Vec3f& p : mesh.positions)
-    for (int axis = 0; axis < 3; ++axis) {
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, &p[axis], sizeof bits);
-      append_little_endian(bytes, bits);
-    }
+  const auto append = [&](float value) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    append_little_endian(bytes, bits);
+  };
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    for (int axis = 0; axis < 3; ++axis) append(mesh.positions[v][axis]);
+    if (!attributes.normals.empty())
+      for (int axis = 0; axis < 3; ++axis) append(attributes.normals[v][axis]);
+    if (!attributes.texture.empty())
+      for (const float coordinate : attributes.texture[v]) append(coordinate);
+  }
   for (const Triangle& triangle : mesh.triangles) {
     bytes.push_back(std::byte{3});
     for (const std::uint32_t vertex : triangle) append_little_endian(bytes, vertex);

@@ -8,6 +8,7 @@
 
 #include "base/result.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "mesh/vertex_attributes.hpp"
 
 namespace weft::mesh {
 
@@ -17,9 +18,10 @@ namespace weft::mesh {
 /// File Format, 1994.
 Result<TriangleMesh> read_ply(std::span<const std::byte> bytes);
 
-/// A binary little-endian PLY file that reads back to the same bits. The mesh passes check_mesh; the comment,
-/// if any, is one line.
-std::vector<std::byte> write_ply(const TriangleMesh& mesh, const std::string& comment = {});
+/// A binary little-endian PLY file that reads back to the same bits; nx, ny, nz and s, t follow a vertex's place where
+/// there are such attributes. The mesh passes check_mesh; the comment, if any, is one line.
+std::vector<std::byte> write_ply(const TriangleMesh& mesh, const std::string& comment = {},
+                                 const VertexAttributes& attributes = {});
 
 /// How a file of write_ply with this comment begins.
 std::string ply_begin(const std::string& comment);

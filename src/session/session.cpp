@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "mesh/glb.hpp"
-#include "mesh/obj.hpp"
-#include "mesh/ply.hpp"
-#include "model/drawn_mesh.hpp"
+#include "model/mesh_file.hpp"
 #include "scene/load.hpp"
 
 namespace weft {
@@ -122,19 +119,9 @@ Result<void> Session::take_snapshot() {
 
 Result<void> Session::export_mesh(const std::string& format) {
   WEFT_CHECK(take_snapshot());
-  const mesh::TriangleMesh shape =
+  const DrawnMesh drawn =
       drawn_mesh(world_->model().host, snapshot_.position, world_->scene().render.subdivide);
-  if (format == "ply") {
-    exported_ = mesh::write_ply(shape);
-  } else if (format == "glb") {
-    exported_ = mesh::write_glb(shape);
-  } else if (format == "obj") {
-    const std::string text = mesh::write_obj(shape);
-    const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
-    exported_.assign(bytes.begin(), bytes.end());
-  } else {
-    return input_error("The format %s is not known; there are obj, ply and glb.", format.c_str());
-  }
+  WEFT_SET(exported_, mesh_file(drawn, format));
   return {};
 }
 

@@ -105,11 +105,14 @@ std::vector<BadMesh> bad_meshes() {
       {"header.ply.gz", "\x1f\x8b", "The gzip data end at byte 2"},
       {"many.ply.gz", repeated(gzip(""), 10'000), "not with ply"},
       // GLB.
-      {"half.glb", half(text_of(write_glb(cube()))), "bytes, but the file has"},
+      {"half.glb", half(text_of(write_glb(cube(), {smooth_normals(cube()), {}}))), "bytes, but the file has"},
       {"noise.glb", repeated("\xff\x00\x7f\n", 5000), "not with the 0x46546c67 of a GLB file"},
-      {"past.glb", replaced(text_of(write_glb(cube())), "\"count\":8,", "\"count\":9,"),
+      {"past.glb",
+       replaced(text_of(write_glb(cube(), {smooth_normals(cube()), {}})), "\"count\":8,", "\"count\":9,"),
        "accessors[0].count is 9; it must be a whole number from 0 to 8"},
-      {"elsewhere.glb", replaced(text_of(write_glb(cube())), "\"byteLength\":336", "\"uri\":\"a.bi\"    "),
+      {"elsewhere.glb",
+       replaced(text_of(write_glb(cube(), {smooth_normals(cube()), {}})), "\"byteLength\":336",
+                "\"uri\":\"a.bi\"    "),
        "buffers[0].uri names data outside of the file"},
       // STL.
       {"short.stl", std::string(83, 'x'), "where \"solid\" is due"},

@@ -59,7 +59,7 @@ TEST_CASE("a GLB file written and read back has the same bits") {
   Random random(31);
   for (int i = 0; i < 100; ++i) {
     const TriangleMesh mesh = random_mesh(random);
-    const auto back = read_glb(write_glb(mesh));
+    const auto back = read_glb(write_glb(mesh, {smooth_normals(mesh), {}}));
     INFO((back ? "" : back.error().message));
     REQUIRE(back);
     CHECK(same_bits(mesh, *back));
@@ -68,7 +68,7 @@ TEST_CASE("a GLB file written and read back has the same bits") {
 
 // Read by nothing of ours: header, JSON through another parser, arrays at the offsets that it gives.
 TEST_CASE("a written GLB file is laid out as glTF asks, with bounds and unit normals") {
-  const std::string file = text_of(write_glb(cube()));
+  const std::string file = text_of(write_glb(cube(), {smooth_normals(cube()), {}}));
   CHECK(file.substr(0, 4) == "glTF");
   CHECK(at<std::uint32_t>(file, 4) == 2);
   CHECK(at<std::uint32_t>(file, 8) == file.size());
@@ -99,6 +99,24 @@ TEST_CASE("a written GLB file is laid out as glTF asks, with bounds and unit nor
   }
   for (std::size_t i = 0; i < 36; ++i)
     CHECK(at<std::uint32_t>(binary, offset(primitive["indices"]) + 4 * i) == cube().triangles[i / 3][i % 3]);
+}
+
+TEST_CASE("texture coordinates of a written GLB file count from the upper edge, as glTF's do") {
+  const std::string file =
+      text_of(write_glb(cube(), {{}, std::vector<std::array<float, 2>>(8, {0.25F, 0.125F})}));
+  const std::size_t json_size = at<std::uint32_t>(file, 12);
+  const auto json = nlohmann::json::parse(file.substr(20, json_size));
+  const auto& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+  CHECK(!attributes.contains("NORMAL"));
+  const auto& accessor = json["accessors"][attributes["TEXCOORD_0"].get<std::size_t>()];
+  CHECK(accessor["type"] == "VEC2");
+  CHECK(accessor["count"] == 8);
+  const std::size_t begin = json["bufferViews"][accessor["bufferView"].get<std::size_t>()]["byteOffset"];
+  const std::string binary = file.substr(28 + json_size);
+  for (std::size_t v = 0; v < 8; ++v) {
+    CHECK(at<float>(binary, begin + 8 * v) == 0.25F);
+    CHECK(at<float>(binary, begin + 8 * v + 4) == 0.875F);
+  }
 }
 
 TEST_CASE(

@@ -89,6 +89,19 @@ TEST_CASE("an OBJ file written and read back has the same bits") {
         "v 0 0.1 -1\nv 1e-30 0 0\nv 1 1 1\nf 1 3 2\n");
 }
 
+TEST_CASE("a written OBJ has the texture coordinates and normals that there are") {
+  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const std::string places = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", texture = "vt 0 0\nvt 0.5 0\nvt 0 0.25\n",
+                    normals = "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\n";
+  const VertexAttributes both{smooth_normals(mesh), {{0, 0}, {0.5F, 0}, {0, 0.25F}}};
+  CHECK(write_obj(mesh, both) == places + texture + normals + "f 1/1/1 2/2/2 3/3/3\n");
+  CHECK(write_obj(mesh, {{}, both.texture}) == places + texture + "f 1/1 2/2 3/3\n");
+  CHECK(write_obj(mesh, {both.normals, {}}) == places + normals + "f 1//1 2//2 3//3\n");
+  const auto back = read_obj(bytes_of(write_obj(mesh, both)));
+  REQUIRE(back);
+  CHECK(same_bits(mesh, *back));
+}
+
 TEST_CASE("OBJ lines may be continued, and end with LF, CR LF or CR") {
   for (const char* text :
        {"v 0 0 0\nv 1 0 \\\n0\nv 0 1 0\nf 1 \\\n 2 3\n", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3",

@@ -21,6 +21,23 @@ TEST_CASE("a PLY file written and read back has the same bits, packed too") {
   }
 }
 
+TEST_CASE(
+    "a written PLY has the texture coordinates and normals that there are, and reads back to the same bits") {
+  const VertexAttributes attributes{smooth_normals(cube()),
+                                    std::vector<std::array<float, 2>>(8, {0.25F, 0.5F})};
+  const std::string plain = text_of(write_ply(cube())), all = text_of(write_ply(cube(), {}, attributes));
+  CHECK(
+      all.find("property float z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty float s\n"
+               "property float t\nelement face 12\n") != std::string::npos);
+  CHECK(plain.find("property float nx") == std::string::npos);
+  const std::string::size_type added =
+      std::string("property float nx\n").size() * 3 + std::string("property float s\n").size() * 2;
+  CHECK(all.size() == plain.size() + added + 8 * (3 + 2) * 4);
+  const auto back = read_ply(bytes_of(all));
+  REQUIRE(back);
+  CHECK(same_bits(*back, cube()));
+}
+
 TEST_CASE("PLY files with other elements, properties, lists, types and orders are read to the same bits") {
   Random random(9);
   for (std::uint32_t seed = 0; seed < 300; ++seed) {

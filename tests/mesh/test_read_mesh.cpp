@@ -14,17 +14,18 @@ using namespace weft::mesh;
 TEST_CASE("a mesh is read by the end of its name, in capitals or not") {
   const TemporaryFolder folder;
   const std::string ply = text_of(write_ply(cube()));
-  const std::pair<const char*, std::string> files[] = {{"a.obj", write_obj(cube())},
-                                                       {"A.OBJ", write_obj(cube())},
-                                                       {"a.ply", ply},
-                                                       {"a.ply.gz", gzip(ply)},
-                                                       {"a.glb", text_of(write_glb(cube()))},
-                                                       {"b.GLB", elaborate_glb()},
-                                                       {"b.Ply.Gz", gzip(ply)},
-                                                       {"b.ply", elaborate_ply(PlyFormat::Text, cube(), 1)},
-                                                       {"a.off", text_off(cube())},
-                                                       {"a.b.stl", text_stl(cube())},
-                                                       {"b.stl", binary_stl(cube())}};
+  const std::pair<const char*, std::string> files[] = {
+      {"a.obj", write_obj(cube())},
+      {"A.OBJ", write_obj(cube())},
+      {"a.ply", ply},
+      {"a.ply.gz", gzip(ply)},
+      {"a.glb", text_of(write_glb(cube(), {smooth_normals(cube()), {}}))},
+      {"b.GLB", elaborate_glb()},
+      {"b.Ply.Gz", gzip(ply)},
+      {"b.ply", elaborate_ply(PlyFormat::Text, cube(), 1)},
+      {"a.off", text_off(cube())},
+      {"a.b.stl", text_stl(cube())},
+      {"b.stl", binary_stl(cube())}};
   for (const auto& [name, content] : files) {
     INFO(name);
     REQUIRE(write_file(folder.path(name), content));

@@ -296,7 +296,10 @@ export class World {
     return this.core.sleep("time_passes", [], () => JSON.parse(this.core.text()) as PassTime[]);
   }
 
-  /** The cloths' shape as a file; with the scene's `render.subdivide`, the finer one that is drawn. */
+  /**
+   * The cloths' shape as a file with normals and texture coordinates; with the scene's `render.subdivide`, the finer
+   * one that is drawn.
+   */
   async exportMesh(format: "obj" | "ply" | "glb"): Promise<Uint8Array<ArrayBuffer>> {
     this.loaded();
     return this.core.sleep("export", [format], () => {
