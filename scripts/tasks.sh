@@ -39,10 +39,7 @@ task_run() {
     ;;
   esac
   task_build
-  local file=$scene name
-  [ -e "$file" ] || file=scenes/$scene.json
-  name=$(basename "$file" .json)
-  build/weft run "$file" --out "out/$name" "$@"
+  build/weft run "$scene" --out "out/$(basename "$scene" .json)" "$@"
 }
 
 # The page and its package: the core as WebAssembly, TypeScript over it, the built page in apps/web/dist.

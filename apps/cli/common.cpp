@@ -1,19 +1,16 @@
 #include "common.hpp"
 
 #include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <climits>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 
 #include "base/json.hpp"
-#include "scene/load.hpp"
 #include "scene/nearest.hpp"
+#include "scene_source.hpp"
 
 namespace weft::cli {
 namespace {
@@ -33,23 +30,17 @@ void on_interrupt(int number) {
 Result<scene::Scene> load(const SceneOptions& options) {
   std::vector<scene::Override> overrides;
   if (!options.solver.empty()) overrides.push_back(scene::override_solver(options.solver));
-  for (const std::string& text : options.sets) {
-    WEFT_TRY(change, scene::parse_override(text));
-    overrides.push_back(change);
-  }
-  return scene::load_scene(options.path, overrides);
+  for (const auto* texts : {&options.shorthands, &options.sets})
+    for (const std::string& text : *texts) {
+      WEFT_TRY(change, scene::parse_override(text));
+      overrides.push_back(change);
+    }
+  return read_scene(options.path, overrides);
 }
 
 std::string models_folder() {
   if (const char* folder = std::getenv("WEFT_MODELS")) return folder;
-  char path[PATH_MAX];
-  const ssize_t length = ::readlink("/proc/self/exe", path, sizeof path - 1);
-  if (length <= 0) return "models";
-  return (std::filesystem::path(std::string(path, static_cast<std::size_t>(length)))
-              .parent_path()
-              .parent_path() /
-          "models")
-      .string();
+  return folder_beside_program("models");
 }
 
 std::string listed(std::span<const std::string_view> names) {

@@ -15,9 +15,10 @@ namespace weft::cli {
 
 /// Options that name a scene and change it.
 struct SceneOptions {
-  std::string path;
-  std::vector<std::string> sets;  // KEY=JSON
-  std::string solver;             // replaces the scene's solver object
+  std::string path;                     // as given: a name, a path, or "-"
+  std::vector<std::string> shorthands;  // KEY=JSON too, for which an option stands; before sets
+  std::vector<std::string> sets;        // KEY=JSON
+  std::string solver;                   // replaces the scene's solver object
 };
 
 /// The scene with its overrides. Errors  Input, Usage.

@@ -6,6 +6,7 @@
 
 #include "bench/methods.hpp"
 #include "scene/names.hpp"
+#include "scene_source.hpp"
 #include "validate.hpp"
 
 namespace weft::cli {
@@ -14,17 +15,19 @@ namespace {
 constexpr const char* kBash = R"(_weft() {
   local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}
   if [ "$COMP_CWORD" = 1 ]; then
-    COMPREPLY=($(compgen -W "run check fabrics validate adapters schema bench completion --help --version" \
-      -- "$word")); return
+    COMPREPLY=($(compgen -W "run check scenes fabrics validate adapters schema bench completion --help \
+      --version" -- "$word")); return
   fi
   case "$previous" in
-    --out) COMPREPLY=($(compgen -d -- "$word")); return ;;
+    --out|-o) COMPREPLY=($(compgen -d -- "$word")); return ;;
     --solver) COMPREPLY=($(compgen -W "@SOLVERS@" -- "$word")); return ;;
     --json)
       if [ "$command" = bench ] && [ "${COMP_WORDS[2]}" != compare ]; then
         COMPREPLY=($(compgen -f -- "$word")); return
       fi ;;
-    --set|--frames|--adapter|--sides|--memory|--seconds) return ;;
+    --view) COMPREPLY=($(compgen -W "@VIEWS@" -- "$word")); return ;;
+    --mesh-format) COMPREPLY=($(compgen -W "obj ply" -- "$word")); return ;;
+    --set|--nodes|--size|--frames|-n|--meshes-every|--adapter|--sides|--memory|--seconds) return ;;
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
     --only)
       if [ "$command" = validate ]; then COMPREPLY=($(compgen -W "@LAWS@" -- "$word")); return; fi
@@ -36,8 +39,9 @@ constexpr const char* kBash = R"(_weft() {
       esac; return ;;
   esac
   case "$command" in
-    run) COMPREPLY=($(compgen -W "--set --solver --frames --out --adapter --json --help" -f -- "$word")) ;;
-    check) COMPREPLY=($(compgen -W "--set --solver --help" -f -- "$word")) ;;
+    run) COMPREPLY=($(compgen -W "--set --solver --nodes --size --view --frames --out --no-pictures --meshes-every \
+      --mesh-format --adapter --quiet --json --help @SCENES@" -f -- "$word")) ;;
+    check) COMPREPLY=($(compgen -W "--set --solver --nodes --help @SCENES@" -f -- "$word")) ;;
     bench) local measure="--json --adapter --unchecked --help"
       case "${COMP_WORDS[2]}" in
         hanging) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
@@ -49,7 +53,7 @@ constexpr const char* kBash = R"(_weft() {
         *) COMPREPLY=($(compgen -W "hanging pull contact multigrid methods copy largest compare --help" -- "$word")) ;;
       esac ;;
     validate) COMPREPLY=($(compgen -W "--solver --only --adapter --json --help" -- "$word")) ;;
-    fabrics) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
+    scenes|fabrics) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
     completion) COMPREPLY=($(compgen -W "bash zsh fish" -- "$word")) ;;
   esac
 }
@@ -57,14 +61,22 @@ complete -o filenames -F _weft weft
 )";
 
 constexpr const char* kFish = R"(complete -c weft -f
-complete -c weft -n __fish_use_subcommand -a "run check fabrics validate adapters schema bench completion"
+complete -c weft -n __fish_use_subcommand -a "run check scenes fabrics validate adapters schema bench completion"
 complete -c weft -n "__fish_seen_subcommand_from run check" -F -l set -x -d "KEY=JSON"
 complete -c weft -n "__fish_seen_subcommand_from run check validate" -l solver -x -a '@SOLVERS@'
-complete -c weft -n "__fish_seen_subcommand_from run" -l frames -x
-complete -c weft -n "__fish_seen_subcommand_from run" -l out -r
+complete -c weft -n "__fish_seen_subcommand_from run check" -F -a "@SCENES@"
+complete -c weft -n "__fish_seen_subcommand_from run check" -l nodes -x -d "N or NxM"
+complete -c weft -n "__fish_seen_subcommand_from run" -l size -x -d "WxH"
+complete -c weft -n "__fish_seen_subcommand_from run" -l view -x -a "@VIEWS@"
+complete -c weft -n "__fish_seen_subcommand_from run" -s n -l frames -x
+complete -c weft -n "__fish_seen_subcommand_from run" -s o -l out -r
+complete -c weft -n "__fish_seen_subcommand_from run" -l no-pictures
+complete -c weft -n "__fish_seen_subcommand_from run" -l meshes-every -x
+complete -c weft -n "__fish_seen_subcommand_from run" -l mesh-format -x -a "obj ply"
+complete -c weft -n "__fish_seen_subcommand_from run" -s q -l quiet
 complete -c weft -n "__fish_seen_subcommand_from run bench validate" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
-complete -c weft -n "__fish_seen_subcommand_from fabrics validate" -l json
+complete -c weft -n "__fish_seen_subcommand_from scenes fabrics validate" -l json
 complete -c weft -n "__fish_seen_subcommand_from validate" -l only -x -a "@LAWS@"
 set -l experiments hanging pull contact multigrid methods copy largest compare
 complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" \
@@ -106,6 +118,8 @@ int print_completion(const std::string& shell) {
   if (shell == "zsh") std::fputs("autoload -U +X bashcompinit && bashcompinit\n", stdout);
   std::string script = with_words(shell == "fish" ? kFish : kBash, "@SOLVERS@", scene::kSolverKindNames);
   script = with_words(std::move(script), "@METHODS@", bench::method_names());
+  script = with_words(std::move(script), "@VIEWS@", scene::kViewNames);
+  script = with_words(std::move(script), "@SCENES@", shipped_scenes());
   std::fputs(with_words(std::move(script), "@LAWS@", law_names()).c_str(), stdout);
   return 0;
 }

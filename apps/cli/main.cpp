@@ -13,22 +13,15 @@
 #include "completion.hpp"
 #include "fabrics.hpp"
 #include "inspect.hpp"
-#include "run.hpp"
+#include "run_command.hpp"
 #include "scene/nearest.hpp"
+#include "scenes.hpp"
 #include "validate.hpp"
+#include "version.hpp"
 
 namespace {
 
 using namespace weft::cli;
-
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-  command.add_option("SCENE", options.path, "Scene file, as docs/scene.md describes it")->required();
-  command.add_option("--set", options.sets, "Change a value of the scene: cloths.0.grid=[128,128]")
-      ->type_name("KEY=JSON")
-      ->allow_extra_args(false);  // else it takes SCENE for a second value
-  command.add_option("--solver", options.solver, "Replace the scene's solver by this kind's defaults")
-      ->type_name("KIND");
-}
 
 /// weft's rooms are built without exceptions, so a failed allocation would end the program without a word. No
 /// memory may be taken here.
@@ -37,15 +30,6 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
   static_cast<void>(!::write(STDERR_FILENO, kSentence, sizeof kSentence - 1));
   ::_exit(weft::exit_code(weft::ErrorKind::OutOfMemory));
 }
-
-/// Says of "ten" that it is no number, not that it is out of range.
-const CLI::Validator kWholeNumber(
-    [](std::string& text) -> std::string {
-      const std::string digits = text.substr(!text.empty() && text[0] == '-' ? 1 : 0);
-      if (!digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos) return {};
-      return "\"" + text + "\" is not a whole number";
-    },
-    "");
 
 /// Why a command line does not parse, in one sentence. Of a first word that is no command CLI11 says only that
 /// there must be one.
@@ -76,34 +60,26 @@ int main(int argc, char** argv) {
   setenv("XDG_RUNTIME_DIR", "/nonexistent", 0);
 
   CLI::App app(
-      "Example: weft run scenes/pull-armadillo.json --out out/pull\n\n"
+      "Example: weft run pull-armadillo --out out/pull\n\n"
       "Real-time cloth on any GPU: simulates a scene and draws it.\n",
       "weft");
   app.require_subcommand(1);
-  app.set_version_flag("--version", WEFT_VERSION);
+  app.set_version_flag("--version", version_text, "Print version, commit and wgpu-native's version");
 
   RunOptions run_options;
-  CLI::App* run_command = app.add_subcommand("run",
-                                             "Example: weft run scenes/hanging.json --frames 120 --out "
-                                             "out/hanging\n\nSimulate a scene, draw it, say how it went.");
-  add_scene_options(*run_command, run_options.scene);
-  run_command->add_option("--frames", run_options.frames, "Frames to simulate instead of the scene's")
-      ->check(kWholeNumber)
-      ->check(CLI::Range(0U, 1000000U));
-  run_command->add_option("--out", run_options.out, "Folder for pictures, video, final.obj and summary.json")
-      ->type_name("DIR");
-  run_command->add_option("--adapter", run_options.adapter, "Use the GPU whose name contains this")
-      ->type_name("NAME");
-  run_command->add_flag("--json", run_options.json, "Print the summary as JSON");
-  run_command->add_option("--fault", run_options.fault)->group("");  // for tests
+  CLI::App* run_command = add_run_command(app, run_options);
 
   SceneOptions check_options;
   CLI::App* check_command = app.add_subcommand(
-      "check", "Example: weft check scenes/hanging.json\n\nRead a scene and its meshes without running it.");
+      "check", "Example: weft check hanging\n\nRead a scene and its meshes without running it.");
   add_scene_options(*check_command, check_options);
 
   CLI::App* adapters_command =
       app.add_subcommand("adapters", "Example: weft adapters\n\nList the GPUs that weft can use.");
+  bool scenes_json = false;
+  CLI::App* scenes_command = app.add_subcommand(
+      "scenes", "Example: weft scenes\n\nList the shipped scenes, which run and check know by name.");
+  scenes_command->add_flag("--json", scenes_json, "Print them as JSON, with what they show");
   bool fabrics_json = false;
   CLI::App* fabrics_command = app.add_subcommand(
       "fabrics", "Example: weft fabrics --json\n\nList the measured fabrics that scenes know by name.");
@@ -149,6 +125,7 @@ int main(int argc, char** argv) {
   if (*run_command) code = run(run_options);
   if (*check_command) code = check(check_options);
   if (*adapters_command) code = list_adapters();
+  if (*scenes_command) code = list_scenes(scenes_json);
   if (*fabrics_command) code = list_fabrics(fabrics_json);
   if (*schema_command) code = print_schema();
   if (*bench_command.bench)

@@ -22,13 +22,21 @@ bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+/// What a run writes of single frames, with the frame's number between these.
+struct Numbered {
+  std::string_view begin, end;
+};
+constexpr Numbered kNumbered[] = {{"frame_", ".png"}, {"mesh_", ".obj"}, {"mesh_", ".ply"}};
+
 /// Whether a run writes files of this name.
 bool is_result(std::string_view name) {
-  constexpr std::string_view kBegin = "frame_", kEnd = ".png";
   if (name == "run.mp4" || name == "final.obj" || name == "summary.json") return true;
-  if (name.size() <= kBegin.size() + kEnd.size()) return false;
-  return name.substr(0, kBegin.size()) == kBegin && name.substr(name.size() - kEnd.size()) == kEnd &&
-         is_number(name.substr(kBegin.size(), name.size() - kBegin.size() - kEnd.size()));
+  return std::any_of(std::begin(kNumbered), std::end(kNumbered), [&](const Numbered& one) {
+    const std::size_t around = one.begin.size() + one.end.size();
+    return name.size() > around && name.substr(0, one.begin.size()) == one.begin &&
+           name.substr(name.size() - one.end.size()) == one.end &&
+           is_number(name.substr(one.begin.size(), name.size() - around));
+  });
 }
 
 /// The same for a result that is not whole yet: write_file and VideoWriter.

@@ -15,20 +15,23 @@ std::string frame_name(std::uint32_t frame) {
 
 }  // namespace
 
-Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world, const std::string& folder) {
+Result<std::unique_ptr<Pictures>> Pictures::create(sim::World& world) {
   auto made = std::make_unique<Pictures>();
   made->device_ = &world.device();
-  const scene::Render& wanted = world.scene().render;
+  made->render_ = world.scene().render;
+  made->frame_s_ = world.scene().time.frame;
   WEFT_TRY(offscreen,
            picture::Offscreen::create(world.device(), view::settings_of(world), view::inputs_of(world)));
   made->offscreen_ = std::move(offscreen);
-  WEFT_TRY(taken, OutFolder::take(folder));  // only now: what is refused leaves no folder behind
-  made->folder_.emplace(std::move(taken));
-  WEFT_CHECK(world.count_contacts(wanted.view == scene::View::Contacts));
-  WEFT_TRY(video, picture::VideoWriter::create(folder + "/run.mp4", wanted.width, wanted.height,
-                                               1 / world.scene().time.frame));
-  made->video_ = std::move(video);
+  WEFT_CHECK(world.count_contacts(made->render_.view == scene::View::Contacts));
   return made;
+}
+
+Result<void> Pictures::begin(const std::string& folder) {
+  folder_ = folder;
+  WEFT_SET(video_,
+           picture::VideoWriter::create(folder + "/run.mp4", render_.width, render_.height, 1 / frame_s_));
+  return {};
 }
 
 Result<void> Pictures::draw(const sim::World& world) {
@@ -49,7 +52,7 @@ Result<void> Pictures::draw(const sim::World& world) {
 
 Result<void> Pictures::store(picture::Image image) {
   if (video_) WEFT_CHECK(video_->add(image));
-  return png_.push(folder_->path() + "/" + frame_name(stored_++), std::move(image));
+  return png_.push(folder_ + "/" + frame_name(stored_++), std::move(image));
 }
 
 Result<void> Pictures::finish() {

@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "out_folder.hpp"
 #include "picture/offscreen.hpp"
 #include "picture/png_writer.hpp"
 #include "picture/video_writer.hpp"
@@ -14,9 +13,10 @@ namespace weft::cli {
 /// The frames of a run as PNG files and, where ffmpeg is, as a video.
 class Pictures {
  public:
-  /// Takes the folder, unless something is refused.
-  /// Errors  Shader, Limit, OutOfMemory; Failure where the folder cannot be written or is in use.
-  static Result<std::unique_ptr<Pictures>> create(sim::World& world, const std::string& folder);
+  /// Errors  Shader, Limit, OutOfMemory.
+  static Result<std::unique_ptr<Pictures>> create(sim::World& world);
+  /// Writes into this folder from now on. Errors  Failure: it cannot be written.
+  Result<void> begin(const std::string& folder);
 
   /// Draws the current state as the next frame; pictures are written as they arrive.
   Result<void> draw(const sim::World& world);
@@ -30,12 +30,14 @@ class Pictures {
  private:
   Result<void> store(picture::Image image);
 
-  std::optional<OutFolder> folder_;  // given back last
+  std::string folder_;
   gpu::Device* device_ = nullptr;
   std::optional<picture::Offscreen> offscreen_;
   std::optional<picture::VideoWriter> video_;
   picture::PngWriter png_;
   gpu::CommandList list_;
+  scene::Render render_;
+  double frame_s_ = 0;  // from one picture to the next [s]
   std::uint32_t drawn_ = 0, stored_ = 0;
 };
 

@@ -2,13 +2,10 @@
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 
 #include "assets.hpp"
-#include "base/file.hpp"
-#include "model/mesh_file.hpp"
-#include "pictures.hpp"
 #include "progress.hpp"
+#include "run_results.hpp"
 #include "summary.hpp"
 
 namespace weft::cli {
@@ -71,10 +68,10 @@ class Altered {
   double most_ = 0;
 };
 
-Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& options, Summary& summary,
+Result<void> simulate(sim::World& world, RunResults* results, const RunOptions& options, Summary& summary,
                       Altered& altered) {
   const std::uint32_t frames = options.frames.value_or(world.scene().time.frames);
-  Progress progress("simulating", frames);
+  Progress progress("simulating", options.quiet ? 0 : frames);
   bool tangled = false;
   for (std::uint32_t frame = 0; frame < frames; ++frame) {
     if (interrupted())
@@ -92,19 +89,10 @@ Result<void> simulate(sim::World& world, Pictures* pictures, const RunOptions& o
           frame, world.totals().crossings);
     }
     altered.add(world, frame);
-    if (pictures != nullptr) WEFT_CHECK(pictures->draw(world));
+    if (results != nullptr) WEFT_CHECK(results->add_frame(world));
     progress.show(frame + 1, summary.frame_ms.back());
   }
   return {};
-}
-
-Result<void> write_results(sim::World& world, const sim::Snapshot& snapshot, const Summary& summary,
-                           const std::string& folder) {
-  WEFT_TRY(
-      final_mesh,
-      mesh_file(drawn_mesh(world.model().host, snapshot.position, world.scene().render.subdivide), "obj"));
-  WEFT_CHECK(write_file(folder + "/final.obj", final_mesh));
-  return write_file(folder + "/summary.json", summary_json(summary, world));
 }
 
 const char* end_of(const Result<void>& result) {
@@ -128,6 +116,17 @@ void say_if_long(const sim::World& world) {
       world.most_substeps());
 }
 
+void print_summary(const Summary& summary, const sim::World& world, const RunOptions& options,
+                   const RunResults* results) {
+  if (options.json) {
+    std::fputs(summary_json(summary, world).c_str(), stdout);
+  } else if (!options.quiet) {
+    std::fputs(summary_text(summary, world).c_str(), stdout);
+    if (results != nullptr)
+      std::printf("  written     %s: %s\n", options.out.c_str(), results->listed().c_str());
+  }
+}
+
 Result<void> run_scene(const RunOptions& options) {
   interrupted();
   WEFT_TRY(scene, load(options.scene));
@@ -141,22 +140,18 @@ Result<void> run_scene(const RunOptions& options) {
   const std::string unstable =
       unstable_step(world->plan().limit(), world->scene().time.frame, world->substeps());
   if (!unstable.empty()) say("%s", unstable.c_str());
-  std::unique_ptr<Pictures> pictures;
-  if (!options.out.empty()) {
-    WEFT_TRY(made, Pictures::create(*world, options.out));
-    pictures = std::move(made);
-    if (!pictures->can_video()) say("There is no ffmpeg on PATH, so there will be no run.mp4.");
-  }
+  std::unique_ptr<RunResults> results;
+  if (!options.out.empty()) WEFT_SET(results, RunResults::create(*world, options));
 
   Summary summary;
   summary.scene = options.scene.path;
   const auto start = Clock::now();
   Altered altered;
-  const Result<void> ended = simulate(*world, pictures.get(), options, summary, altered);
+  const Result<void> ended = simulate(*world, results.get(), options, summary, altered);
   // After a divergence or an interrupt the device still works, and what was reached is kept.
   if (!ended && ended.error().kind != ErrorKind::Diverged && ended.error().kind != ErrorKind::Interrupted)
     return ended;
-  if (pictures) WEFT_CHECK(pictures->finish());
+  if (results) WEFT_CHECK(results->finish_pictures());
   altered.say_all(*world);
   if (world->totals().crossings_left > 0)
     say("Cloth ends in a tangle: edges pass through triangles at %u places.", world->totals().crossings_left);
@@ -164,12 +159,8 @@ Result<void> run_scene(const RunOptions& options) {
   summary.wall_s = milliseconds_since(start) / 1000;
   WEFT_TRY(snapshot, world->snapshot());
   summary.state_hash = snapshot.hash();
-  if (!options.out.empty()) WEFT_CHECK(write_results(*world, snapshot, summary, options.out));
-  const std::string text = options.json ? summary_json(summary, *world) : summary_text(summary, *world);
-  std::fputs(text.c_str(), stdout);
-  if (!options.json && pictures)
-    std::printf("  written     %s: %u pictures%s, final.obj, summary.json\n", options.out.c_str(),
-                pictures->count(), pictures->has_video() ? ", run.mp4" : "");
+  if (results) WEFT_CHECK(results->write_end(*world, snapshot, summary));
+  print_summary(summary, *world, options, results.get());
   return ended;
 }
 

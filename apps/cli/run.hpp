@@ -12,9 +12,13 @@ struct RunOptions {
   SceneOptions scene;
   std::optional<std::uint32_t> frames;  // none: the scene's
   std::string out;                      // folder; empty: nothing is written
+  bool pictures = true;                 // of each frame, and a video of them
+  std::uint32_t meshes_every = 0;       // frames from one that is written as a mesh to the next; 0: none is
+  std::string mesh_format = "obj";      // of these
   std::string adapter;
   bool json = false;
-  std::string fault;  // "nan@FRAME" or "lost@FRAME": what the tests of failures bring about
+  bool quiet = false;  // no progress, and nothing on stdout but JSON
+  std::string fault;   // "nan@FRAME" or "lost@FRAME": what the tests of failures bring about
 };
 
 /// Simulates a scene, draws it where there is a folder for the pictures, and says how it went. The exit code.

@@ -13,8 +13,8 @@ using namespace weft;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"run",      "check",  "fabrics", "validate",
-                                            "adapters", "schema", "bench",   "completion"};
+const std::vector<std::string> kCommands = {"run",      "check",  "scenes", "fabrics",   "validate",
+                                            "adapters", "schema", "bench",  "completion"};
 
 /// All commands, also those of `bench`, each as its words.
 std::vector<std::vector<std::string>> every_command() {
@@ -281,7 +281,14 @@ TEST_CASE("the help of every command begins with an example") {
     CHECK(ended.out.find(command) != std::string::npos);
     CHECK(ended.out.find("--fault") == std::string::npos);
   }
-  CHECK(run_without_driver({"--version"}).out.rfind("weft 0.", 0) == 0);
+  const std::string version = run_without_driver({"--version"}).out;
+  char commit[32] = "";
+  int major = 0;
+  INFO(version);
+  CHECK(std::sscanf(version.c_str(), "weft 0.%*d.%*d (commit %31[^,], wgpu-native %d.", commit, &major) == 2);
+  CHECK(std::string(commit) != "");
+  CHECK(major > 0);
+  CHECK(version.find('\n') == version.size() - 1);
 }
 
 TEST_CASE("completion prints scripts that shells accept and that know every command and option") {
@@ -350,6 +357,15 @@ TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
                                                        {"bench", "compare", scene},
                                                        {"completion"},
                                                        {"completion", "cmd"},
+                                                       {"run", scene, "--nodes", "0x"},
+                                                       {"run", scene, "--nodes", "99999999999"},
+                                                       {"run", scene, "--size", "64"},
+                                                       {"run", scene, "--size", "-1x2"},
+                                                       {"run", scene, "--no-pictures"},
+                                                       {"run", scene, "--meshes-every", "2"},
+                                                       {"run", scene, "-o", "out", "--meshes-every", "0"},
+                                                       {"run", scene, "-o", "out", "--mesh-format", "ply"},
+                                                       {"check", scene, "--size", "64x48"},
                                                        {"run", scene, "--no\nsuch"}};
   for (const auto& arguments : calls) {
     std::string all;
@@ -381,6 +397,46 @@ TEST_CASE("an option takes one value, so that the scene may come after it") {
   CHECK(run_without_driver({"check", "--set", "drag=1", scene}).code == 0);
   CHECK(run_without_driver({"check", "--set", "drag=1", "--set", "gravity=[0,0,0]", scene}).code == 0);
   CHECK(run_without_driver({"check", "--solver", "mass_spring", "--set=drag=1", scene}).code == 0);
+}
+
+TEST_CASE("shipped scenes are listed, and known by their names") {
+  const Ended listed = run_without_driver({"scenes"});
+  CHECK(listed.code == 0);
+  CHECK(listed.out.find("hanging          4096 nodes                   Hanging cloth\n") !=
+        std::string::npos);
+  const auto json = json_of(run_without_driver({"scenes", "--json"}).out);
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(source_path("scenes")))
+    files += entry.path().extension() == ".json" ? 1U : 0U;
+  CHECK(json.size() == files);
+  CHECK(json[0].at("name") == "breeze");
+  CHECK(json[0].at("title") == "Breeze");
+  const Ended checked = run_without_driver({"check", "hanging", "--nodes", "5x4"});
+  CHECK(checked.out.rfind("hanging is a valid scene: 1 cloth with 20 nodes", 0) == 0);
+  const Ended wrong = run_without_driver({"check", "hangin"});
+  CHECK(wrong.code == 3);
+  CHECK(wrong.err ==
+        "weft: There is no shipped scene \"hangin\", but there is \"hanging\"; \"weft scenes\" lists them, "
+        "and a path "
+        "of a file has a \"/\" or a \".\".\n");
+}
+
+TEST_CASE("a scene may come from standard input, with its meshes in the current folder") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", scene_of_cloth(R"("mesh": "block.obj", "density": 0.2)"));
+  put(folder, "block.obj", mesh::write_obj(mesh::cube()));
+  const auto piped = [&](const std::string& file, const std::string& from) {
+    return call({"/bin/sh", "-c", "cd " + folder.path(from) + " && " + weft_binary() + " check - < " + file});
+  };
+  CHECK(piped(scene, "").out.rfind("- is a valid scene: 1 cloth with 8 nodes", 0) == 0);
+  std::filesystem::create_directories(folder.path("elsewhere"));
+  CHECK(piped(scene, "elsewhere").code == 3);  // there is no block.obj
+  const Ended empty = piped("/dev/null", "");
+  CHECK(empty.code == 3);
+  CHECK(empty.err.rfind("weft: standard input: line 1, column 1: ", 0) == 0);
+  const Ended endless = piped("/dev/zero", "");
+  CHECK(endless.code == 3);
+  CHECK(endless.err == "weft: Standard input has more than the limit of 16777216 bytes.\n");
 }
 
 TEST_CASE("output that cannot be written whole is a failure") {

@@ -40,6 +40,39 @@ TEST_CASE("run leaves pictures, the final mesh, the summary and a video, and pri
   CHECK(png.substr(0, 24) == std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x40\0\0\0\x30", 24));
 }
 
+TEST_CASE("frames are written as meshes too, without pictures where none are wanted") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene()), out = folder.path("out");
+  const auto files_of = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", scene, "-o", out, "-q", "--no-pictures"});
+    const Ended ended = run_weft(more);
+    CHECK(ended.code == 0);
+    CHECK(ended.out == "");
+    return names_in(out);
+  };
+  using Names = std::vector<std::string>;
+  CHECK(files_of({}) == Names{"final.obj", "summary.json"});
+  CHECK(files_of({"--meshes-every", "2", "--mesh-format", "ply"}) ==
+        Names{"final.obj", "mesh_00000.ply", "mesh_00002.ply", "summary.json"});
+  CHECK(files_of({"--meshes-every", "1", "-n", "2"}) ==
+        Names{"final.obj", "mesh_00000.obj", "mesh_00001.obj", "summary.json"});
+  CHECK(read_text(out + "/mesh_00001.obj") == read_text(out + "/final.obj"));
+  CHECK(read_text(out + "/mesh_00000.obj") != read_text(out + "/final.obj"));
+}
+
+TEST_CASE("shorthands stand for values of the scene, and a --set has the last word") {
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene()), out = folder.path("out");
+  CHECK(run_json(scene, {"-n", "0", "--nodes", "4"}).at("nodes") == 16);
+  CHECK(run_json(scene, {"-n", "0", "--nodes", "4x7"}).at("nodes") == 28);
+  CHECK(run_json(scene, {"-n", "0", "--set", "cloths.0.grid=[3,3]", "--nodes", "4"}).at("nodes") == 9);
+  run_json(scene, {"-n", "1", "-o", out, "--size", "32x16", "--view", "normals"});
+  const std::string png = read_text(out + "/frame_00000.png");
+  CHECK(png.substr(16, 8) == std::string("\0\0\0\x20\0\0\0\x10", 8));
+  CHECK(run_weft({"run", scene, "--view", "nosuch"}).err.find("render.view is \"nosuch\"") !=
+        std::string::npos);
+}
+
 TEST_CASE("the summary has what each cloth resisted with") {
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", R"({"format": "weft-scene/1", "cloths": [

@@ -53,10 +53,9 @@ case_run() {
   mkdir build scenes
   printf '#!/bin/sh\necho "$@"\n' >build/weft
   chmod +x build/weft
-  touch scenes/breeze.json own.json
-  expect "no scene" "run scenes/pull-armadillo.json --out out/pull-armadillo" "$(task_run)"
-  expect "--help" "run scenes/pull-armadillo.json --out out/pull-armadillo --help" "$(task_run --help)"
-  expect "a scene's name" "run scenes/breeze.json --out out/breeze --frames 2" "$(task_run breeze --frames 2)"
+  expect "no scene" "run pull-armadillo --out out/pull-armadillo" "$(task_run)"
+  expect "--help" "run pull-armadillo --out out/pull-armadillo --help" "$(task_run --help)"
+  expect "a scene's name" "run breeze --out out/breeze --frames 2" "$(task_run breeze --frames 2)"
   expect "a scene's file" "run own.json --out out/own" "$(task_run own.json)"
 }
 

@@ -38,8 +38,10 @@ std::vector<double> block_means(const std::string& path) {
 /// fold.
 void check_picture(sim::World& world, const std::string& object) {
   const TemporaryFolder folder;
-  auto pictures = cli::Pictures::create(world, folder.path(""));
+  auto pictures = cli::Pictures::create(world);
   REQUIRE_OK(pictures);
+  const auto begun = (*pictures)->begin(folder.path(""));
+  REQUIRE_OK(begun);
   const auto drawn = (*pictures)->draw(world);
   REQUIRE_OK(drawn);
   const auto finished = (*pictures)->finish();

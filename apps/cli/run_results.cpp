@@ -1,0 +1,62 @@
+#include "run_results.hpp"
+
+#include <cstdio>
+
+#include "base/file.hpp"
+#include "common.hpp"
+#include "model/mesh_file.hpp"
+
+namespace weft::cli {
+namespace {
+
+Result<void> write_shape(const sim::World& world, const sim::Snapshot& snapshot, const std::string& format,
+                         const std::string& path) {
+  WEFT_TRY(bytes, mesh_file(drawn_mesh(world.model().host, snapshot.position, world.scene().render.subdivide),
+                            format));
+  return write_file(path, bytes);
+}
+
+std::string mesh_name(std::uint32_t frame, const std::string& format) {
+  char name[32];
+  std::snprintf(name, sizeof name, "mesh_%05u.", frame);
+  return name + format;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RunResults>> RunResults::create(sim::World& world, const RunOptions& options) {
+  std::unique_ptr<Pictures> pictures;
+  if (options.pictures) WEFT_SET(pictures, Pictures::create(world));
+  WEFT_TRY(folder, OutFolder::take(options.out));
+  auto made = std::unique_ptr<RunResults>(new RunResults(std::move(folder), options, std::move(pictures)));
+  if (!made->pictures_) return made;
+  WEFT_CHECK(made->pictures_->begin(options.out));
+  if (!made->pictures_->can_video()) say("There is no ffmpeg on PATH, so there will be no run.mp4.");
+  return made;
+}
+
+Result<void> RunResults::add_frame(sim::World& world) {
+  const std::uint32_t frame = world.frame() - 1;
+  if (pictures_) WEFT_CHECK(pictures_->draw(world));
+  if (meshes_every_ == 0 || frame % meshes_every_ != 0) return {};
+  WEFT_TRY(snapshot, world.snapshot());
+  ++meshes_;
+  return write_shape(world, snapshot, mesh_format_, folder_.path() + "/" + mesh_name(frame, mesh_format_));
+}
+
+Result<void> RunResults::finish_pictures() { return pictures_ ? pictures_->finish() : Result<void>(); }
+
+Result<void> RunResults::write_end(sim::World& world, const sim::Snapshot& snapshot, const Summary& summary) {
+  WEFT_CHECK(write_shape(world, snapshot, "obj", folder_.path() + "/final.obj"));
+  return write_file(folder_.path() + "/summary.json", summary_json(summary, world));
+}
+
+std::string RunResults::listed() const {
+  std::string text;
+  if (pictures_) text += std::to_string(pictures_->count()) + " pictures, ";
+  if (pictures_ && pictures_->has_video()) text += "run.mp4, ";
+  if (meshes_ > 0) text += std::to_string(meshes_) + " meshes, ";
+  return text + "final.obj, summary.json";
+}
+
+}  // namespace weft::cli
