@@ -120,6 +120,7 @@ def totals_header(totals):
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 namespace weft {{
 
@@ -128,8 +129,9 @@ struct Totals {{
 {members(totals, total_type, of_all)}}};
 
 /// Calls visit(name, value) for each of them, in their order.
-template <class Visit>
-void for_each(const Totals& totals, Visit&& visit) {{
+template <class AnyTotals, class Visit>
+requires std::is_same_v<std::remove_const_t<AnyTotals>, Totals>
+void for_each(AnyTotals& totals, Visit&& visit) {{
 {visits(totals, "totals")}}}
 
 }}  // namespace weft

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 namespace weft {
 
@@ -52,8 +53,9 @@ struct Totals {
 };
 
 /// Calls visit(name, value) for each of them, in their order.
-template <class Visit>
-void for_each(const Totals& totals, Visit&& visit) {
+template <class AnyTotals, class Visit>
+requires std::is_same_v<std::remove_const_t<AnyTotals>, Totals>
+void for_each(AnyTotals& totals, Visit&& visit) {
   visit("frames", totals.frames);
   visit("repeated_frames", totals.repeated_frames);
   visit("contacts", totals.contacts);

@@ -7,6 +7,7 @@
 #include "scene/build_collider.hpp"
 #include "scene/build_motion.hpp"
 #include "scene/checked_values.hpp"
+#include "scene/content_hash.hpp"
 #include "scene/copies.hpp"
 #include "scene/fabrics.hpp"
 #include "scene/grab.hpp"
@@ -24,6 +25,7 @@ class Builder {
   Result<Scene> scene(const Json& json) {
     Scene scene;
     scene.file = file_;
+    scene.content = content_hash(json);
     scene.title = text(json, "title");
     scene.description = text(json, "description");
     scene.gravity = vector(json, "gravity");

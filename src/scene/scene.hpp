@@ -338,7 +338,8 @@ struct Render {
 };
 
 struct Scene {
-  std::string file;  // the name it was read under; mesh paths start at its folder
+  std::string file;           // the name it was read under; mesh paths start at its folder
+  std::uint64_t content = 0;  // content_hash of its JSON
   std::string title, description;
   Vec3d gravity{0, -9.81, 0};  // [m/s²]
   Vec3d external_force;        // uniform, beside gravity [N/kg]

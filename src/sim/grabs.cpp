@@ -75,7 +75,7 @@ Result<void> Grabs::grab(std::uint32_t node, const Vec3d& target, double time) {
   return {};
 }
 
-Result<Grabs::Grabbed*> Grabs::find(std::uint32_t node) {
+Result<Grabbed*> Grabs::find(std::uint32_t node) {
   for (Grabbed& grabbed : grabbed_)
     if (grabbed.node == node) return &grabbed;
   return input_error("Node %u is not grabbed; %zu of at most %zu nodes are.", node, grabbed_.size(),

@@ -8,6 +8,12 @@
 
 namespace weft::sim {
 
+/// A node that the host's hand has grabbed.
+struct Grabbed {
+  std::uint32_t node = 0;
+  Vec3d target;  // [m]
+};
+
 /// At most scene::kMaxGrabs nodes are grabbed at any time. Those that the scene will need are kept free.
 class Grabs {
  public:
@@ -25,6 +31,8 @@ class Grabs {
   Result<void> check_at(double time) const;
   /// Lets all go but those that the scene grabs.
   void release_all() { grabbed_.clear(); }
+  /// What the host's hand has grabbed.
+  const std::vector<Grabbed>& held() const { return grabbed_; }
 
   /// Whether a node may be grabbed between two times [s].
   bool any(double from, double to) const;
@@ -32,11 +40,6 @@ class Grabs {
   void fill(StepBlock::Hands& hands, double dt, double time) const;
 
  private:
-  struct Grabbed {
-    std::uint32_t node = 0;
-    Vec3d target;  // [m]
-  };
-
   Result<Grabbed*> find(std::uint32_t node);
   Result<void> check(std::uint32_t node, double time) const;
   /// Whether the scene does not grab this node at `time` or later, and leaves room for `others` beside it.

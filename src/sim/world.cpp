@@ -38,6 +38,16 @@ Result<void> World::submit_rest() {
   return device_.submit(list);
 }
 
+Result<void> World::submit_surface() {
+  gpu::CommandList list;
+  {
+    gpu::ComputePass pass(list, "surface");
+    pass.set_step(0, parity_);
+    surface_->record(pass);
+  }
+  return device_.submit(list);
+}
+
 void World::write_motions(std::uint32_t substeps) {
   const auto& motions = model_.host.motions;
   if (motions.empty()) return;
@@ -193,6 +203,7 @@ Result<void> World::change(const scene::Scene& scene) {
                       "%.4g s; load the scene again.",
                       scene.drag, limit.largest_step, step());
   plan_.set_limit(std::move(limit));
+  scene_.content = scene.content;
   scene_.gravity = scene.gravity;
   scene_.external_force = scene.external_force;
   scene_.drag = scene.drag;

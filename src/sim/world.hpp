@@ -14,6 +14,8 @@
 #include "sim/grabs.hpp"
 #include "sim/plan/frame_plan.hpp"
 #include "sim/report_ring.hpp"
+#include "sim/saved_state.hpp"
+#include "sim/snapshot.hpp"
 #include "state/last_good.hpp"
 #include "state/state.hpp"
 #include "state/surface.hpp"
@@ -28,20 +30,6 @@ struct WorldOptions {
 };
 
 using weft::Totals;
-
-/// Position and velocity of all nodes in model order, and when they were so.
-struct Snapshot {
-  std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
-  std::vector<Vec4f> velocity;  // [m/s]
-  FrameTime time;
-  Gusts gusts;  // of the wind then
-  std::vector<std::uint32_t>
-      contact_forces;  // with which pairs of features act: contact::SceneContact::forces
-  std::vector<std::int32_t>
-      hold_forces;  // of vertices that the solver holds: contact::SceneContact::hold_forces
-  /// XXH3-64 of the bits of position, then velocity, as 16 hexadecimal digits.
-  std::string hash() const;
-};
 
 /// Refuses more nodes than a buffer of positions can hold, before gigabytes of them are built on the host.
 /// Errors  Limit.
@@ -87,11 +75,18 @@ class World {
   Result<Snapshot> snapshot();
   /// Makes a snapshot the current state, and the one to which a bad or repeated frame rolls back. Time goes on from the
   /// snapshot's, also where its frames had another length: motions, colliders, the scene's grabs and gusts are where
-  /// they are then. frame() is the snapshot's where frames have the same length, and counts from 0 otherwise. What
-  /// grab() holds stays held. No frame may be under way. Errors, with nothing changed  Input: it has another number of
-  /// nodes; a pinned or moved node is not where this scene has it at that time; the scene grabs a node then that
-  /// grab() holds. Limit: together they grab too many.
+  /// they are then. frame() is the snapshot's where frames have the same length, and counts from 0 otherwise. What it
+  /// has of a substep before counts where that was as long as this scene's. What grab() holds stays held. No frame may
+  /// be under way. Errors, with nothing changed  Input: it has another number of nodes; a pinned or moved node is not
+  /// where this scene has it at that time; the scene grabs a node then that grab() holds. Limit: together they grab too
+  /// many.
   Result<void> restore(const Snapshot& snapshot);
+  /// The whole state once all frames have reported, to go on from in another world of this scene, to the bits of this
+  /// one where `build` and adapter are the same. Errors as finish.
+  Result<SavedState> save(const std::string& build);
+  /// Goes on from such a state, also where this world has diverged: with its totals, and what was grabbed.
+  /// Errors, with nothing changed  Input: it is of another scene; those of restore and grab. DeviceLost, OutOfMemory.
+  Result<void> open(const SavedState& saved);
   /// Overwrites the current state of one node: for tests of what bad values do.
   void set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity);
 
@@ -135,11 +130,17 @@ class World {
   /// Goes back to before a frame whose lists were too short, with longer ones.
   Result<void> repeat_from(const Report& report);
   std::uint32_t parity_after_frames(std::uint32_t count) const;
+  /// Derived from the state, for drawing.
+  Result<void> submit_surface();
   /// Derived from the rest state before the first frame.
   Result<void> submit_rest();
   void write_motions(std::uint32_t substeps);
-  /// Refuses a snapshot whose kinematic nodes are not where this scene has them at its time.
+  /// Refuses a snapshot of other nodes, or whose kinematic nodes are not where this scene has them at its time.
+  Result<void> check_nodes(const Snapshot& snapshot) const;
   Result<void> check_places(const Snapshot& snapshot) const;
+  Result<void> put_back(const Snapshot& snapshot);
+  /// Whether a snapshot's state of a substep before is what the next substep looks back on.
+  bool takes_history(const Snapshot& snapshot) const;
   void clear_statistics() const;
   Result<void> take_reports(bool wait_for_all);
   Result<void> take(const Report& report);

@@ -4,6 +4,7 @@
 
 #include "base/state_hash.hpp"
 #include "scene/motion.hpp"
+#include "sim/scene_hash.hpp"
 #include "sim/world.hpp"
 
 namespace weft::sim {
@@ -18,6 +19,8 @@ double place_rounding(const scene::RigidTransform& transform, const Vec3d& rest)
                        std::max({std::abs(t.x), std::abs(t.y), std::abs(t.z)});
   return std::sqrt(3.0) * 0x1p-21 * terms;
 }
+
+constexpr std::uint32_t kMostFrames = 1000000000;  // that a saved state may have behind it
 
 }  // namespace
 
@@ -35,7 +38,18 @@ Result<Snapshot> World::snapshot() {
   WEFT_SET(snapshot.hold_forces, contact_.hold_forces(device_));
   snapshot.time = plan_.time_of(diverged_ ? bad_frame_ : frame_);  // frozen as it was before the bad frame
   snapshot.gusts = steps_.gusts();
+  if (plan_.method().history == 0 || snapshot.time.frame == 0) return snapshot;
+  WEFT_SET(snapshot.position_before, gpu::download(device_, state_.position[1 - parity_]));
+  WEFT_SET(snapshot.velocity_before, gpu::download(device_, state_.velocity[1 - parity_]));
+  snapshot.step = snapshot.time.length / plan_.substeps_of(snapshot.time.frame - 1);
   return snapshot;
+}
+
+Result<void> World::check_nodes(const Snapshot& snapshot) const {
+  if (snapshot.position.size() != model_.vertex_count() || snapshot.velocity.size() != model_.vertex_count())
+    return input_error("The snapshot has %zu positions and %zu velocities; this scene has %u nodes.",
+                       snapshot.position.size(), snapshot.velocity.size(), model_.vertex_count());
+  return check_places(snapshot);
 }
 
 Result<void> World::check_places(const Snapshot& snapshot) const {
@@ -58,16 +72,30 @@ Result<void> World::check_places(const Snapshot& snapshot) const {
   return {};
 }
 
+bool World::takes_history(const Snapshot& snapshot) const {
+  const FrameTime& time = snapshot.time;
+  return plan_.method().history > 0 && snapshot.position_before.size() == model_.vertex_count() &&
+         snapshot.velocity_before.size() == model_.vertex_count() && time.length == scene_.time.frame &&
+         time.frame > 0 && snapshot.step == time.length / plan_.substeps_of(time.frame - 1);
+}
+
 Result<void> World::restore(const Snapshot& snapshot) {
-  if (snapshot.position.size() != model_.vertex_count() || snapshot.velocity.size() != model_.vertex_count())
-    return input_error("The snapshot has %zu positions and %zu velocities; this scene has %u nodes.",
-                       snapshot.position.size(), snapshot.velocity.size(), model_.vertex_count());
-  WEFT_CHECK(check_places(snapshot));
+  WEFT_CHECK(check_nodes(snapshot));
   WEFT_CHECK(grabs_->check_at(snapshot.time.seconds()));
+  return put_back(snapshot);
+}
+
+Result<void> World::put_back(const Snapshot& snapshot) {
   frame_ = asked_ = plan_.go_on_from(snapshot.time);
   steps_.set_gusts(snapshot.gusts, time());
   std::vector<Vec4f> velocity = snapshot.velocity;
-  for (Vec4f& v : velocity) v.w = 0;  // a snapshot has no history
+  if (takes_history(snapshot)) {
+    state_.position[1 - parity_].write(device_, snapshot.position_before);
+    state_.velocity[1 - parity_].write(device_, snapshot.velocity_before);
+    last_good_->renew_before(device_, snapshot.position_before, snapshot.velocity_before);
+  } else {
+    for (Vec4f& v : velocity) v.w = 0;
+  }
   state_.position[parity_].write(device_, snapshot.position);
   state_.velocity[parity_].write(device_, velocity);
   last_good_->renew(device_, snapshot.position, velocity, 0);
@@ -81,7 +109,42 @@ Result<void> World::restore(const Snapshot& snapshot) {
   holds.resize(std::size_t{kHoldWords} * model_.vertex_count());
   contact_.set_hold_forces(device_, holds);
   last_good_->renew_holds(device_, holds);
-  return {};
+  return submit_surface();
+}
+
+Result<SavedState> World::save(const std::string& build) {
+  WEFT_CHECK(finish());
+  WEFT_TRY(snapshot, this->snapshot());
+  return SavedState{
+      build,  device_.adapter().name, scene_hash(scene_, assets_), std::move(snapshot), grabs_->held(),
+      totals_};
+}
+
+Result<void> World::open(const SavedState& saved) {
+  if (const std::uint64_t own = scene_hash(scene_, assets_); saved.scene != own)
+    return input_error("The saved state is of another scene: its hash is %s, that of this one %s.",
+                       hash_text(saved.scene).c_str(), hash_text(own).c_str());
+  const Snapshot& snapshot = saved.snapshot;
+  if (snapshot.time.length != scene_.time.frame || snapshot.time.frame > kMostFrames)
+    return input_error("The saved state is of frame %u of %g s each; this scene has up to %u of %g s.",
+                       snapshot.time.frame, snapshot.time.length, kMostFrames, scene_.time.frame);
+  WEFT_CHECK(check_nodes(snapshot));
+  for (std::size_t node = 0; node < snapshot.position.size(); ++node)
+    if (snapshot.position[node].w != static_cast<float>(model_.host.inverse_mass(node)))
+      return input_error(
+          "Node %zu of the saved state has an inverse mass of %g 1/kg; in this scene it has %g.", node,
+          static_cast<double>(snapshot.position[node].w), model_.host.inverse_mass(node));
+  Grabs grabs = *grabs_;
+  grabs.release_all();
+  for (const Grabbed& grabbed : saved.grabs)
+    WEFT_CHECK(grabs.grab(grabbed.node, grabbed.target, snapshot.time.seconds()));
+  WEFT_CHECK(device_.wait());
+  reports_.drop();  // they are about discarded frames
+  clear_statistics();
+  diverged_.reset();
+  *grabs_ = std::move(grabs);
+  totals_ = saved.totals;
+  return put_back(snapshot);
 }
 
 }  // namespace weft::sim

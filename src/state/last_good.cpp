@@ -70,6 +70,12 @@ void LastGood::renew(gpu::Device& device, std::span<const Vec4f> position, std::
   kept_[0].velocity.write(device, velocity, first);
 }
 
+void LastGood::renew_before(gpu::Device& device, std::span<const Vec4f> position,
+                            std::span<const Vec4f> velocity) const {
+  kept_[1].position.write(device, position);
+  kept_[1].velocity.write(device, velocity);
+}
+
 void LastGood::renew_holds(gpu::Device& device, std::span<const std::int32_t> forces) const {
   if (presses_ != nullptr) holds_.write(device, forces);
 }

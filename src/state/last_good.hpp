@@ -23,6 +23,9 @@ class LastGood {
   /// Keeps this state of the vertices from `first` on, if all of it is finite.
   void renew(gpu::Device& device, std::span<const Vec4f> position, std::span<const Vec4f> velocity,
              std::size_t first) const;
+  /// Keeps this state of all vertices as that of the substep before it, for a solver that reads that; finite.
+  void renew_before(gpu::Device& device, std::span<const Vec4f> position,
+                    std::span<const Vec4f> velocity) const;
   /// The same of the forces of holds.
   void renew_holds(gpu::Device& device, std::span<const std::int32_t> forces) const;
 

@@ -1,0 +1,239 @@
+#include "sim/saved_state.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "base/state_hash.hpp"
+#include "state/contact_pairs.hpp"
+
+namespace weft::sim {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);  // lists are copied as they lie
+
+constexpr char kMagic[] = "weftsave";
+constexpr std::size_t kMagicBytes = 8, kHeaderBytes = 32, kMostText = 1024;
+constexpr std::uint32_t kVersion = 1;
+/// Pairs that act, for each node and besides; far more than can be near it.
+constexpr std::uint64_t kMostPairsOfNode = 256, kMorePairs = 4096;
+
+class StateWriter {
+ public:
+  template <class Number>
+  void number(Number value) {
+    static_assert(std::is_arithmetic_v<Number>);
+    append(&value, sizeof value);
+  }
+  void text(const std::string& text) {
+    const auto size = static_cast<std::uint32_t>(std::min(text.size(), kMostText));
+    number(size);
+    append(text.data(), size);
+  }
+  template <class Element>
+  void list(const std::vector<Element>& list) {
+    number(static_cast<std::uint64_t>(list.size()));
+    append(list.data(), sizeof(Element) * list.size());
+  }
+  std::vector<std::byte> take() { return std::move(bytes_); }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const std::byte*>(data);
+    bytes_.insert(bytes_.end(), bytes, bytes + size);
+  }
+
+  std::vector<std::byte> bytes_;
+};
+
+/// Reads what StateWriter has written. After the first thing that is not there, all else is 0 and empty.
+class StateReader {
+ public:
+  explicit StateReader(std::span<const std::byte> bytes) : left_(bytes) {}
+
+  template <class Number>
+  Number number() {
+    Number value{};
+    take(&value, sizeof value, "a number");
+    return value;
+  }
+  std::string text() {
+    const auto size = number<std::uint32_t>();
+    if (size > kMostText || size > left_.size()) return fail("a text", size), std::string();
+    std::string text(size, ' ');
+    take(text.data(), size, "a text");
+    return text;
+  }
+  template <class Element>
+  std::vector<Element> list(const char* what) {
+    const auto size = number<std::uint64_t>();
+    if (size > left_.size() / sizeof(Element)) return fail(what, size), std::vector<Element>();
+    std::vector<Element> list(size);
+    take(list.data(), sizeof(Element) * size, what);
+    return list;
+  }
+  Result<void> end() const {
+    if (!missing_.empty()) return input_error("%s", missing_.c_str());
+    if (!left_.empty()) return input_error("The saved state has %zu bytes behind its end.", left_.size());
+    return {};
+  }
+
+ private:
+  void fail(const char* what, std::uint64_t size) {
+    if (missing_.empty())
+      missing_ = make_error(ErrorKind::Input, "The saved state ends within %s of %llu, with %zu bytes left.",
+                            what, static_cast<unsigned long long>(size), left_.size())
+                     .message;
+    left_ = {};
+  }
+  void take(void* to, std::size_t size, const char* what) {
+    if (size > left_.size()) return fail(what, size);
+    if (size > 0) std::memcpy(to, left_.data(), size);
+    left_ = left_.subspan(size);
+  }
+
+  std::span<const std::byte> left_;
+  std::string missing_;
+};
+
+template <class Value>
+Value at(std::span<const std::byte> bytes, std::size_t place) {
+  Value value{};
+  std::memcpy(&value, bytes.data() + place, sizeof value);
+  return value;
+}
+
+/// Whether a file of this length and beginning is whole.
+Result<void> check_header(std::span<const std::byte> bytes) {
+  if (bytes.size() < kHeaderBytes)
+    return input_error("A saved state begins with %zu bytes; here there are %zu.", kHeaderBytes,
+                       bytes.size());
+  if (std::memcmp(bytes.data(), kMagic, kMagicBytes) != 0)
+    return input_error("This is no saved state of weft: it does not begin with \"%s\".", kMagic);
+  const auto version = at<std::uint32_t>(bytes, 8);
+  if (version != kVersion)
+    return input_error("The saved state is of version %u; this weft reads version %u.", version, kVersion);
+  if (const auto size = at<std::uint64_t>(bytes, 16); size != bytes.size())
+    return input_error("The saved state should have %llu bytes; it has %zu.",
+                       static_cast<unsigned long long>(size), bytes.size());
+  const std::uint64_t wanted = at<std::uint64_t>(bytes, 24), found = bytes_hash(bytes.subspan(kHeaderBytes));
+  if (wanted != found || at<std::uint32_t>(bytes, 12) != 0)
+    return input_error("The saved state is damaged: its checksum is %s instead of %s.",
+                       hash_text(found).c_str(), hash_text(wanted).c_str());
+  return {};
+}
+
+bool finite(const std::vector<Vec4f>& list) {
+  return std::all_of(list.begin(), list.end(), [](const Vec4f& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+  });
+}
+
+Result<void> check_finite(const SavedState& state) {
+  const Snapshot& s = state.snapshot;
+  bool all =
+      finite(s.position) && finite(s.velocity) && finite(s.position_before) && finite(s.velocity_before);
+  for (const double number : {s.time.origin, s.time.length, s.step, s.gusts.since, s.gusts.turns[0],
+                              s.gusts.turns[1], s.gusts.rates[0], s.gusts.rates[1]})
+    all = all && std::isfinite(number);
+  for (std::size_t word = 0; word < s.contact_forces.size(); ++word)
+    if (word % kKeptWords >= 4 && word % kKeptWords < 7) {  // after the pair's numbers
+      float force = 0;
+      std::memcpy(&force, &s.contact_forces[word], sizeof force);  // libc++ 14 has no bit_cast
+      all = all && std::isfinite(force);
+    }
+  if (!all) return input_error("The saved state has a number that is not finite.");
+  if (s.contact_forces.size() % kKeptWords != 0)
+    return input_error("The saved state has %zu words of contact forces, which come in %u.",
+                       s.contact_forces.size(), kKeptWords);
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::byte> write_saved_state(const SavedState& state) {
+  const Snapshot& snapshot = state.snapshot;
+  StateWriter writer;
+  writer.text(state.build);
+  writer.text(state.adapter);
+  writer.number(state.scene);
+  writer.list(snapshot.position);
+  writer.list(snapshot.velocity);
+  writer.number(snapshot.time.origin);
+  writer.number(snapshot.time.length);
+  writer.number(snapshot.time.frame);
+  writer.number(snapshot.gusts.since);
+  for (const double turns : snapshot.gusts.turns) writer.number(turns);
+  for (const double rate : snapshot.gusts.rates) writer.number(rate);
+  writer.list(snapshot.contact_forces);
+  writer.list(snapshot.hold_forces);
+  writer.list(snapshot.position_before);
+  writer.list(snapshot.velocity_before);
+  writer.number(snapshot.step);
+  writer.number(static_cast<std::uint64_t>(state.grabs.size()));
+  for (const Grabbed& grabbed : state.grabs) {
+    writer.number(grabbed.node);
+    for (const double coordinate : {grabbed.target.x, grabbed.target.y, grabbed.target.z})
+      writer.number(coordinate);
+  }
+  for_each(state.totals, [&](const char*, auto value) { writer.number(value); });
+  const std::vector<std::byte> content = writer.take();
+  StateWriter header;
+  for (const char c : {'w', 'e', 'f', 't', 's', 'a', 'v', 'e'}) header.number(c);
+  header.number(kVersion);
+  header.number(std::uint32_t{0});
+  header.number(std::uint64_t{kHeaderBytes + content.size()});
+  header.number(bytes_hash(content));
+  std::vector<std::byte> bytes = header.take();
+  bytes.insert(bytes.end(), content.begin(), content.end());
+  return bytes;
+}
+
+Result<SavedState> read_saved_state(std::span<const std::byte> bytes) {
+  WEFT_CHECK(check_header(bytes));
+  StateReader reader(bytes.subspan(kHeaderBytes));
+  SavedState state;
+  Snapshot& snapshot = state.snapshot;
+  state.build = reader.text();
+  state.adapter = reader.text();
+  state.scene = reader.number<std::uint64_t>();
+  snapshot.position = reader.list<Vec4f>("a list of positions");
+  snapshot.velocity = reader.list<Vec4f>("a list of velocities");
+  snapshot.time.origin = reader.number<double>();
+  snapshot.time.length = reader.number<double>();
+  snapshot.time.frame = reader.number<std::uint32_t>();
+  snapshot.gusts.since = reader.number<double>();
+  for (double& turns : snapshot.gusts.turns) turns = reader.number<double>();
+  for (double& rate : snapshot.gusts.rates) rate = reader.number<double>();
+  snapshot.contact_forces = reader.list<std::uint32_t>("a list of contact forces");
+  snapshot.hold_forces = reader.list<std::int32_t>("a list of forces at obstacles");
+  snapshot.position_before = reader.list<Vec4f>("a list of positions before");
+  snapshot.velocity_before = reader.list<Vec4f>("a list of velocities before");
+  snapshot.step = reader.number<double>();
+  const auto grabs = reader.number<std::uint64_t>();
+  if (grabs > scene::kMaxGrabs)
+    return input_error("The saved state has %llu grabbed nodes; the limit is %zu.",
+                       static_cast<unsigned long long>(grabs), scene::kMaxGrabs);
+  for (std::uint64_t grab = 0; grab < grabs; ++grab) {
+    Grabbed grabbed;
+    grabbed.node = reader.number<std::uint32_t>();
+    for (double* coordinate : {&grabbed.target.x, &grabbed.target.y, &grabbed.target.z})
+      *coordinate = reader.number<double>();
+    state.grabs.push_back(grabbed);
+  }
+  for_each(state.totals,
+           [&](const char*, auto& value) { value = reader.number<std::decay_t<decltype(value)>>(); });
+  WEFT_CHECK(reader.end());
+  WEFT_CHECK(check_finite(state));
+  return state;
+}
+
+std::uint64_t most_saved_bytes(std::uint64_t nodes) {
+  const std::uint64_t pairs = kMostPairsOfNode * nodes + kMorePairs;
+  return (4 * sizeof(Vec4f) + sizeof(std::int32_t) * kHoldWords) * nodes +
+         sizeof(std::uint32_t) * kKeptWords * pairs + 16384;
+}
+
+}  // namespace weft::sim

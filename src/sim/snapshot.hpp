@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "sim/frame_steps.hpp"
+#include "sim/plan/frame_plan.hpp"
+
+namespace weft::sim {
+
+/// The state of all nodes in model order, and when they were so: all that the next substep reads from those before it.
+struct Snapshot {
+  std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
+  std::vector<Vec4f> velocity;  // [m/s]; w: 1 where the state a substep before is known (Method::history)
+  FrameTime time;
+  Gusts gusts;  // of the wind then
+  std::vector<std::uint32_t>
+      contact_forces;  // with which pairs of features act: contact::SceneContact::forces
+  std::vector<std::int32_t>
+      hold_forces;  // of vertices that the solver holds: contact::SceneContact::hold_forces
+  /// That state a substep before, `step` [s] long; empty where the method has no history.
+  std::vector<Vec4f> position_before, velocity_before;
+  double step = 0;
+  /// XXH3-64 of the bits of position, then velocity, as 16 hexadecimal digits.
+  std::string hash() const;
+};
+
+}  // namespace weft::sim
