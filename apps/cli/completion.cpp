@@ -26,8 +26,9 @@ constexpr const char* kBash = R"(_weft() {
         COMPREPLY=($(compgen -f -- "$word")); return
       fi ;;
     --view) COMPREPLY=($(compgen -W "@VIEWS@" -- "$word")); return ;;
+    --resume) COMPREPLY=($(compgen -f -- "$word")); return ;;
     --mesh-format) COMPREPLY=($(compgen -W "obj ply" -- "$word")); return ;;
-    --set|--nodes|--size|--frames|-n|--meshes-every|--adapter|--sides|--memory|--seconds) return ;;
+    --set|--nodes|--size|--frames|-n|--meshes-every|--checkpoint-every|--adapter|--sides|--memory|--seconds) return ;;
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
     --only)
       if [ "$command" = validate ]; then COMPREPLY=($(compgen -W "@LAWS@" -- "$word")); return; fi
@@ -40,7 +41,7 @@ constexpr const char* kBash = R"(_weft() {
   esac
   case "$command" in
     run) COMPREPLY=($(compgen -W "--set --solver --nodes --size --view --frames --out --no-pictures --meshes-every \
-      --mesh-format --adapter --quiet --json --help @SCENES@" -f -- "$word")) ;;
+      --mesh-format --checkpoint-every --resume --adapter --quiet --json --help @SCENES@" -f -- "$word")) ;;
     check) COMPREPLY=($(compgen -W "--set --solver --nodes --help @SCENES@" -f -- "$word")) ;;
     bench) local measure="--json --adapter --unchecked --help"
       case "${COMP_WORDS[2]}" in
@@ -73,6 +74,8 @@ complete -c weft -n "__fish_seen_subcommand_from run" -s o -l out -r
 complete -c weft -n "__fish_seen_subcommand_from run" -l no-pictures
 complete -c weft -n "__fish_seen_subcommand_from run" -l meshes-every -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l mesh-format -x -a "obj ply"
+complete -c weft -n "__fish_seen_subcommand_from run" -l checkpoint-every -x
+complete -c weft -n "__fish_seen_subcommand_from run" -l resume -r -F
 complete -c weft -n "__fish_seen_subcommand_from run" -s q -l quiet
 complete -c weft -n "__fish_seen_subcommand_from run bench validate" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json

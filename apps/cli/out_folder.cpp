@@ -22,20 +22,40 @@ bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// What a run writes of single frames, with the frame's number between these.
+/// What a run writes of single frames, with a number between these.
 struct Numbered {
   std::string_view begin, end;
+  bool after_frame;  // the number is that of the frames before it, else that of its own frame
 };
-constexpr Numbered kNumbered[] = {{"frame_", ".png"}, {"mesh_", ".obj"}, {"mesh_", ".ply"}};
+constexpr Numbered kNumbered[] = {{"frame_", ".png", false},
+                                  {"mesh_", ".obj", false},
+                                  {"mesh_", ".ply", false},
+                                  {"checkpoint_", ".weft", true}};
+
+/// The digits between, where this is such a name; else none.
+std::string_view number_in(std::string_view name, const Numbered& one) {
+  const std::size_t around = one.begin.size() + one.end.size();
+  if (name.size() <= around || name.substr(0, one.begin.size()) != one.begin ||
+      name.substr(name.size() - one.end.size()) != one.end)
+    return {};
+  const std::string_view digits = name.substr(one.begin.size(), name.size() - around);
+  return is_number(digits) ? digits : std::string_view();
+}
 
 /// Whether a run writes files of this name.
 bool is_result(std::string_view name) {
-  if (name == "run.mp4" || name == "final.obj" || name == "summary.json") return true;
+  return name == "run.mp4" || name == "final.obj" || name == "summary.json" ||
+         std::any_of(std::begin(kNumbered), std::end(kNumbered),
+                     [&](const Numbered& one) { return !number_in(name, one).empty(); });
+}
+
+/// Whether it is of the frames before this one, which a run that begins there goes on from.
+bool is_before(std::string_view name, std::uint32_t frame) {
   return std::any_of(std::begin(kNumbered), std::end(kNumbered), [&](const Numbered& one) {
-    const std::size_t around = one.begin.size() + one.end.size();
-    return name.size() > around && name.substr(0, one.begin.size()) == one.begin &&
-           name.substr(name.size() - one.end.size()) == one.end &&
-           is_number(name.substr(one.begin.size(), name.size() - around));
+    const std::string_view digits = number_in(name, one);
+    if (digits.empty() || digits.size() > 9) return false;
+    const unsigned long number = std::stoul(std::string(digits));
+    return one.after_frame ? number <= frame : number < frame;
   });
 }
 
@@ -84,13 +104,16 @@ Result<int> lock_folder(const std::string& folder) {
   }
 }
 
-Result<void> remove_results(const std::string& folder) {
+Result<void> remove_results(const std::string& folder, std::uint32_t first, const std::string& kept) {
   std::vector<std::string> old;
   std::error_code error;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (is_result(name) || is_temporary_result(name)) old.push_back(folder + "/" + name);
+    std::error_code ignored;
+    const bool keeps =
+        first > 0 && (is_before(name, first) || std::filesystem::equivalent(entry->path(), kept, ignored));
+    if ((is_result(name) && !keeps) || is_temporary_result(name)) old.push_back(folder + "/" + name);
   }
   if (error)
     return make_error(ErrorKind::Failure, "Folder %s cannot be read: %s.", folder.c_str(),
@@ -105,11 +128,11 @@ Result<void> remove_results(const std::string& folder) {
 
 }  // namespace
 
-Result<OutFolder> OutFolder::take(const std::string& path) {
+Result<OutFolder> OutFolder::take(const std::string& path, std::uint32_t first, const std::string& kept) {
   WEFT_CHECK(make_folder(path));
   WEFT_TRY(lock, lock_folder(path));
   OutFolder folder(path, lock);
-  WEFT_CHECK(remove_results(path));
+  WEFT_CHECK(remove_results(path, first, kept));
   return folder;
 }
 

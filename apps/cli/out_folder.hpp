@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -11,8 +12,9 @@ namespace weft::cli {
 class OutFolder {
  public:
   /// Makes the folder, and removes what an earlier run left there: its results, and temporary files that it
-  /// was killed over. Errors  Failure: the folder cannot be made or written; another run has it.
-  static Result<OutFolder> take(const std::string& path);
+  /// was killed over. Files of frames before `first` stay, and so does the file `kept`: a run that is resumed goes on
+  /// from them. Errors  Failure: the folder cannot be made or written; another run has it.
+  static Result<OutFolder> take(const std::string& path, std::uint32_t first, const std::string& kept);
 
   OutFolder(OutFolder&& other) noexcept
       : path_(std::move(other.path_)), lock_(std::exchange(other.lock_, -1)) {}

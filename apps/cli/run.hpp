@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common.hpp"
 
@@ -17,8 +18,10 @@ struct RunOptions {
   std::string mesh_format = "obj";      // of these
   std::string adapter;
   bool json = false;
-  bool quiet = false;  // no progress, and nothing on stdout but JSON
-  std::string fault;   // "nan@FRAME" or "lost@FRAME": what the tests of failures bring about
+  bool quiet = false;                  // no progress, and nothing on stdout but JSON
+  std::uint32_t checkpoint_every = 0;  // frames from one checkpoint to the next; 0: there is none
+  std::string resume;                  // a checkpoint to go on from; empty: from the start
+  std::vector<std::string> faults;     // "nan@FRAME" or "lost@FRAME": what the tests of failures bring about
 };
 
 /// Simulates a scene, draws it where there is a folder for the pictures, and says how it went. The exit code.

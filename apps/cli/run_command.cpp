@@ -61,6 +61,13 @@ void add_outputs(CLI::App& command, RunOptions& options) {
   command.add_option("--mesh-format", options.mesh_format, "Of those: obj or ply")
       ->check(CLI::IsMember({"obj", "ply"}))
       ->needs("--meshes-every");
+  command
+      .add_option("--checkpoint-every", options.checkpoint_every,
+                  "A file to resume from after every N-th frame, and after the last")
+      ->check(kWholeNumber)
+      ->check(CLI::Range(1U, kMostFrames))
+      ->type_name("N")
+      ->needs(out);
 }
 
 }  // namespace
@@ -97,11 +104,13 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->check(kWholeNumber)
       ->check(CLI::Range(0U, kMostFrames));
   add_outputs(*command, options);
+  command->add_option("--resume", options.resume, "Go on from this checkpoint, of the same scene")
+      ->type_name("FILE");
   command->add_option("--adapter", options.adapter, "Use the GPU whose name contains this")
       ->type_name("NAME");
   command->add_flag("-q,--quiet", options.quiet, "No progress bar, and no summary for people");
   command->add_flag("--json", options.json, "Print the summary as JSON");
-  command->add_option("--fault", options.fault)->group("");  // for tests
+  command->add_option("--fault", options.faults)->group("")->allow_extra_args(false);  // for tests
   return command;
 }
 

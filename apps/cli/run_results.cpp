@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "base/file.hpp"
+#include "checkpoint.hpp"
 #include "common.hpp"
 #include "model/mesh_file.hpp"
 
@@ -27,10 +28,10 @@ std::string mesh_name(std::uint32_t frame, const std::string& format) {
 Result<std::unique_ptr<RunResults>> RunResults::create(sim::World& world, const RunOptions& options) {
   std::unique_ptr<Pictures> pictures;
   if (options.pictures) WEFT_SET(pictures, Pictures::create(world));
-  WEFT_TRY(folder, OutFolder::take(options.out));
+  WEFT_TRY(folder, OutFolder::take(options.out, world.frame(), options.resume));
   auto made = std::unique_ptr<RunResults>(new RunResults(std::move(folder), options, std::move(pictures)));
   if (!made->pictures_) return made;
-  WEFT_CHECK(made->pictures_->begin(options.out));
+  WEFT_CHECK(made->pictures_->begin(options.out, world.frame()));
   if (!made->pictures_->can_video()) say("There is no ffmpeg on PATH, so there will be no run.mp4.");
   return made;
 }
@@ -42,6 +43,21 @@ Result<void> RunResults::add_frame(sim::World& world) {
   WEFT_TRY(snapshot, world.snapshot());
   ++meshes_;
   return write_shape(world, snapshot, mesh_format_, folder_.path() + "/" + mesh_name(frame, mesh_format_));
+}
+
+Result<void> RunResults::write_checkpoint(const sim::SavedState& state) {
+  if (pictures_) WEFT_CHECK(pictures_->settle());  // who goes on from it draws no frame before it
+  ++checkpoints_;
+  return write_file(folder_.path() + "/" + checkpoint_name(state.snapshot.time.frame),
+                    sim::write_saved_state(state));
+}
+
+void RunResults::let_go() {
+  if (pictures_) pictures_->let_go();
+}
+
+Result<void> RunResults::go_on(sim::World& world) {
+  return pictures_ ? pictures_->go_on(world) : Result<void>();
 }
 
 Result<void> RunResults::finish_pictures() { return pictures_ ? pictures_->finish() : Result<void>(); }
@@ -56,6 +72,7 @@ std::string RunResults::listed() const {
   if (pictures_) text += std::to_string(pictures_->count()) + " pictures, ";
   if (pictures_ && pictures_->has_video()) text += "run.mp4, ";
   if (meshes_ > 0) text += std::to_string(meshes_) + " meshes, ";
+  if (checkpoints_ > 0) text += std::to_string(checkpoints_) + " checkpoints, ";
   return text + "final.obj, summary.json";
 }
 

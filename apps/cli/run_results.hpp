@@ -20,6 +20,11 @@ class RunResults {
 
   /// Writes what belongs to the frame that has just ended.
   Result<void> add_frame(sim::World& world);
+  Result<void> write_checkpoint(const sim::SavedState& state);
+  /// Before the world and its device go: they are lost.
+  void let_go();
+  /// The same run in another world, whose frames may have been there already.
+  Result<void> go_on(sim::World& world);
   /// Waits until all pictures are written.
   Result<void> finish_pictures();
   Result<void> write_end(sim::World& world, const sim::Snapshot& snapshot, const Summary& summary);
@@ -28,7 +33,7 @@ class RunResults {
 
  private:
   OutFolder folder_;  // given back last
-  std::uint32_t meshes_every_ = 0, meshes_ = 0;
+  std::uint32_t meshes_every_ = 0, meshes_ = 0, checkpoints_ = 0;
   std::string mesh_format_;
   std::unique_ptr<Pictures> pictures_;
 

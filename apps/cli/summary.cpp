@@ -13,10 +13,10 @@ namespace {
 
 /// Simulated seconds per second of simulation; 0 without frames. Nor has a run that diverged a pace: its
 /// frames were not computed, only gone through.
-double real_time_factor(const Summary& summary, double simulated) {
+double real_time_factor(const Summary& summary, double frame_s) {
   if (summary.end == "diverged") return 0;
   const double spent = std::accumulate(summary.frame_ms.begin(), summary.frame_ms.end(), 0.0);  // ms
-  return spent > 0 ? simulated / (spent / 1000) : 0;
+  return spent > 0 ? static_cast<double>(summary.frame_ms.size()) * frame_s / (spent / 1000) : 0;
 }
 
 std::string solver_name(const Description& about) {
@@ -42,6 +42,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   nlohmann::ordered_json json;
   json["scene"] = summary.scene;
   json["end"] = summary.end;
+  if (summary.resumed_frames) json["resumed_frames"] = *summary.resumed_frames;
   const Description about = describe(world);
   json["solver"] = about.solver;
   if (!about.solver_reason.empty()) json["solver_reason"] = about.solver_reason;
@@ -62,7 +63,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["simulated_s"] = simulated;
   json["wall_s"] = summary.wall_s;
   json["ms_per_frame"] = json_of(frame);
-  json["real_time_factor"] = real_time_factor(summary, simulated);
+  json["real_time_factor"] = real_time_factor(summary, world.scene().time.frame);
   json["state_hash"] = summary.state_hash;
   for_each(totals, [&](const char* name, auto value) { json[name] = value; });
   json["gpu_bytes"] = world.device().allocated_bytes();
@@ -75,6 +76,7 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   const double simulated = totals.frames * world.scene().time.frame;
   std::string text;
   line(text, "%s: %s", summary.scene.c_str(), summary.end.c_str());
+  if (summary.resumed_frames) line(text, "  resumed     after %u frames", *summary.resumed_frames);
   line(text, "  adapter     %s", world.device().adapter().name.c_str());
   const Description about = describe(world);
   line(text, "  cloth       %zu nodes, %zu triangles, %zu springs", about.nodes, about.triangles,
@@ -93,7 +95,7 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   }
   line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
   char pace[64] = "";
-  if (const double factor = real_time_factor(summary, simulated); factor > 0)
+  if (const double factor = real_time_factor(summary, world.scene().time.frame); factor > 0)
     std::snprintf(pace, sizeof pace, ": %.3g x real time", factor);
   line(text, "  time        %.3f ms a frame (median), %.3f ms (least)%s", frame.median, frame.least, pace);
   line(text, "  contact     %s: %llu hits, overflow %llu", about.contact_method.c_str(),

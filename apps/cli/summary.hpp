@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +11,11 @@ namespace weft::cli {
 
 /// The summary of a run; docs/cli.md lists the members.
 struct Summary {
-  std::string scene;             // the path as given
-  std::string end = "complete";  // or "interrupted", "diverged"
-  std::vector<double> frame_ms;  // simulation alone [ms]
-  double wall_s = 0;             // pictures included [s]
+  std::string scene;                            // the path as given
+  std::string end = "complete";                 // or "interrupted", "diverged"
+  std::optional<std::uint32_t> resumed_frames;  // after which it went on from a checkpoint
+  std::vector<double> frame_ms;                 // of its own frames, simulation alone [ms]
+  double wall_s = 0;                            // pictures included [s]
   std::string state_hash;
 };
 

@@ -365,6 +365,8 @@ TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
                                                        {"run", scene, "--meshes-every", "2"},
                                                        {"run", scene, "-o", "out", "--meshes-every", "0"},
                                                        {"run", scene, "-o", "out", "--mesh-format", "ply"},
+                                                       {"run", scene, "--checkpoint-every", "2"},
+                                                       {"run", scene, "-o", "out", "--checkpoint-every", "x"},
                                                        {"check", scene, "--size", "64x48"},
                                                        {"run", scene, "--no\nsuch"}};
   for (const auto& arguments : calls) {

@@ -40,7 +40,7 @@ void check_picture(sim::World& world, const std::string& object) {
   const TemporaryFolder folder;
   auto pictures = cli::Pictures::create(world);
   REQUIRE_OK(pictures);
-  const auto begun = (*pictures)->begin(folder.path(""));
+  const auto begun = (*pictures)->begin(folder.path(""), 0);
   REQUIRE_OK(begun);
   const auto drawn = (*pictures)->draw(world);
   REQUIRE_OK(drawn);

@@ -1,0 +1,48 @@
+#include "altered.hpp"
+
+#include <algorithm>
+
+#include "common.hpp"
+
+namespace weft::cli {
+namespace {
+
+constexpr double kPart = 0.001;
+
+}  // namespace
+
+void Altered::add(const sim::World& world, std::uint32_t frame, std::uint64_t truncated) {
+  const double ways =
+      static_cast<double>(world.model().host.vertex_count()) * world.plan().substeps_of(frame);
+  const double part = static_cast<double>(truncated) / ways;
+  if (part <= kPart) return;
+  if (frames_++ == 0) first_ = frame;
+  most_ = std::max(most_, part);
+}
+
+void Altered::say_all(const sim::World& world) const {
+  if (frames_ > 0)
+    say("In %u frames, from frame %u on, contact shortened more than 0.1 %% of the vertices' ways, at most "
+        "%.2g %% in a frame, since cloth or an obstacle would have been passed: more substeps help.",
+        frames_, first_, 100 * most_);
+  if (world.totals().driven > 0)
+    say("Obstacles have come past cloth %llu times, since the cloth behind it did not give way.",
+        static_cast<unsigned long long>(world.totals().driven));
+  const sim::Totals& totals = world.totals();
+  if (totals.flattened > 0)
+    say("Up to %u of %llu tetrahedra had less than a twentieth of their volume, or were inside out: the "
+        "body "
+        "is pressed harder than its material bears, or the steps are too long.",
+        totals.flattened, static_cast<unsigned long long>(world.model().host.count(ElementKind::Tet)));
+  if (totals.slowed > 0)
+    say("Cloth was slowed down in %llu substeps, by %.3g ms in all, since it would have "
+        "passed through cloth: more substeps help.",
+        static_cast<unsigned long long>(totals.slowed), 1e3 * totals.delay_s);
+  if (totals.unsolved > 0)
+    say("Linear systems of substeps kept more than %g of their residual %llu times, at most %.2g after %u "
+        "iteration%s: more substeps help.",
+        world.scene().solver.residual, static_cast<unsigned long long>(totals.unsolved),
+        static_cast<double>(totals.residual), totals.iterations, totals.iterations == 1 ? "" : "s");
+}
+
+}  // namespace weft::cli
