@@ -120,6 +120,16 @@ class World {
   /// Errors  Input: another format. DeviceLost, OutOfMemory.
   Result<std::vector<std::byte>> mesh_file(const std::string& format);
 
+  /// The whole state as bytes once all frames have reported, to go on from in a world of the same scene, now or on
+  /// another day: positions, velocities, forces of contact, time, gusts, grabs, totals; 32 to some 200 bytes a node.
+  /// Errors  as finish.
+  Result<std::vector<std::byte>> save_state();
+  /// Goes on from such bytes, also where this world has diverged. True where they come from this version of the
+  /// library and this GPU: then the run ends in the bits of one that never stopped.
+  /// Errors  Input: cut off, spoiled, no such bytes, or of another scene; the world stays as it was. Limit, DeviceLost,
+  ///         OutOfMemory.
+  Result<bool> open_state(std::span<const std::byte> bytes);
+
   /// What was loaded, and what was chosen for it.
   Description describe() const;
   /// Sums over the frames that have reported: after finish(), all.

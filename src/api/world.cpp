@@ -8,6 +8,11 @@
 #include "weft/native.hpp"
 
 namespace weft {
+namespace {
+
+constexpr const char* kBuild = WEFT_VERSION ", the library";
+
+}  // namespace
 
 Result<std::vector<AdapterInfo>> adapters() { return gpu::Device::adapters(); }
 
@@ -68,6 +73,11 @@ Result<std::vector<std::byte>> World::mesh_file(const std::string& format) {
   WEFT_CHECK(running_->settle());
   WEFT_CHECK(running_->session.export_mesh(format));
   return running_->session.exported();
+}
+
+Result<std::vector<std::byte>> World::save_state() { return running_->session.save_state(kBuild); }
+Result<bool> World::open_state(std::span<const std::byte> bytes) {
+  return running_->session.open_state(bytes, kBuild);
 }
 
 Description World::describe() const { return weft::describe(running_->world()); }

@@ -117,6 +117,17 @@ Result<void> Session::take_snapshot() {
   return {};
 }
 
+Result<std::vector<std::byte>> Session::save_state(const std::string& build) {
+  WEFT_TRY(state, world_->save(build));
+  return sim::write_saved_state(state);
+}
+
+Result<bool> Session::open_state(std::span<const std::byte> bytes, const std::string& build) {
+  WEFT_TRY(state, sim::read_saved_state(bytes));
+  WEFT_CHECK(world_->open(state));
+  return state.build == build && state.adapter == device_->adapter().name;
+}
+
 Result<void> Session::export_mesh(const std::string& format) {
   WEFT_CHECK(take_snapshot());
   const DrawnMesh drawn =

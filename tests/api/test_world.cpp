@@ -40,6 +40,35 @@ TEST_CASE("a world ends in the bits of the engine's own") {
     CHECK(positions[node] == snapshot->position[node].xyz());
 }
 
+TEST_CASE(
+    "a world goes on from saved bytes to the same bits, hand and all, and refuses those of another scene") {
+  World world = world_of(scene_of(kSheet));
+  hash_after(world, 3);
+  REQUIRE(world.grab(210, {0, 1, 0}));
+  hash_after(world, 2);
+  const auto bytes = world.save_state();
+  REQUIRE_OK(bytes);
+  const std::string hash = hash_after(world, 3);
+  World other = world_of(scene_of(kSheet));
+  const auto opened = other.open_state(*bytes);
+  REQUIRE_OK(opened);
+  CHECK(*opened);
+  CHECK(other.frame() == 5);
+  CHECK(other.totals().frames == 5);
+  CHECK(hash_after(other, 3) == hash);
+  CHECK(other.release(210));
+  const std::string before = hash_after(other, 0);
+  const auto cut = other.open_state(std::span(*bytes).first(100));
+  REQUIRE(!cut);
+  CHECK(cut.error().kind == ErrorKind::Input);
+  Scene heavier = scene_of(kSheet);
+  REQUIRE(heavier.set("cloths.0.density", "0.3"));
+  World wrong = world_of(heavier);
+  CHECK(wrong.open_state(*bytes).error().message.find("The saved state is of another scene: its hash is ") ==
+        0);
+  CHECK(hash_after(other, 0) == before);
+}
+
 TEST_CASE("a buffer is read whole or not at all") {
   World world = world_of(scene_of(kSheet));
   CHECK(world.normal().count() == 400);
