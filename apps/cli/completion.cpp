@@ -40,8 +40,9 @@ constexpr const char* kBash = R"(_weft() {
       esac; return ;;
   esac
   case "$command" in
-    run) COMPREPLY=($(compgen -W "--set --solver --nodes --size --view --frames --out --no-pictures --meshes-every \
-      --mesh-format --checkpoint-every --resume --adapter --quiet --json --help @SCENES@" -f -- "$word")) ;;
+    run) local options="--set --solver --nodes --size --view --frames --out --no-pictures --no-measures --meshes-every"
+      options+=" --mesh-format --checkpoint-every --resume --adapter --quiet --json --help"
+      COMPREPLY=($(compgen -W "$options @SCENES@" -f -- "$word")) ;;
     check) COMPREPLY=($(compgen -W "--set --solver --nodes --help @SCENES@" -f -- "$word")) ;;
     bench) local measure="--json --adapter --unchecked --help"
       case "${COMP_WORDS[2]}" in
@@ -72,6 +73,7 @@ complete -c weft -n "__fish_seen_subcommand_from run" -l view -x -a "@VIEWS@"
 complete -c weft -n "__fish_seen_subcommand_from run" -s n -l frames -x
 complete -c weft -n "__fish_seen_subcommand_from run" -s o -l out -r
 complete -c weft -n "__fish_seen_subcommand_from run" -l no-pictures
+complete -c weft -n "__fish_seen_subcommand_from run" -l no-measures
 complete -c weft -n "__fish_seen_subcommand_from run" -l meshes-every -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l mesh-format -x -a "obj ply"
 complete -c weft -n "__fish_seen_subcommand_from run" -l checkpoint-every -x

@@ -14,6 +14,7 @@ struct RunOptions {
   std::optional<std::uint32_t> frames;  // none: the scene's
   std::string out;                      // folder; empty: nothing is written
   bool pictures = true;                 // of each frame, and a video of them
+  bool measures = true;                 // energies and stretch of each frame, in frames.csv
   std::uint32_t meshes_every = 0;       // frames from one that is written as a mesh to the next; 0: none is
   std::string mesh_format = "obj";      // of these
   std::string adapter;

@@ -47,10 +47,13 @@ void add_pair(CLI::App& command, SceneOptions& options, const char* option, cons
 }
 
 void add_outputs(CLI::App& command, RunOptions& options) {
-  CLI::Option* out =
-      command.add_option("-o,--out", options.out, "Folder for pictures, video, final.obj and summary.json")
-          ->type_name("DIR");
+  CLI::Option* out = command
+                         .add_option("-o,--out", options.out,
+                                     "Folder for pictures, video, frames.csv, final.obj, summary.json")
+                         ->type_name("DIR");
   command.add_flag("!--no-pictures", options.pictures, "Neither pictures nor a video")->needs(out);
+  command.add_flag("!--no-measures", options.measures, "frames.csv without energies, which are read back")
+      ->needs(out);
   command
       .add_option("--meshes-every", options.meshes_every,
                   "The first frame and every N-th after it as a mesh file too")

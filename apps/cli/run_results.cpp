@@ -30,6 +30,8 @@ Result<std::unique_ptr<RunResults>> RunResults::create(sim::World& world, const 
   if (options.pictures) WEFT_SET(pictures, Pictures::create(world));
   WEFT_TRY(folder, OutFolder::take(options.out, world.frame(), options.resume));
   auto made = std::unique_ptr<RunResults>(new RunResults(std::move(folder), options, std::move(pictures)));
+  WEFT_TRY(rows, FrameRows::create(options.out, world, options.measures));
+  made->rows_.emplace(std::move(rows));
   if (!made->pictures_) return made;
   WEFT_CHECK(made->pictures_->begin(options.out, world.frame()));
   if (!made->pictures_->can_video()) say("There is no ffmpeg on PATH, so there will be no run.mp4.");
@@ -39,6 +41,7 @@ Result<std::unique_ptr<RunResults>> RunResults::create(sim::World& world, const 
 Result<void> RunResults::add_frame(sim::World& world) {
   const std::uint32_t frame = world.frame() - 1;
   if (pictures_) WEFT_CHECK(pictures_->draw(world));
+  WEFT_CHECK(rows_->add(world));
   if (meshes_every_ == 0 || frame % meshes_every_ != 0) return {};
   WEFT_TRY(snapshot, world.snapshot());
   ++meshes_;
@@ -57,6 +60,7 @@ void RunResults::let_go() {
 }
 
 Result<void> RunResults::go_on(sim::World& world) {
+  WEFT_CHECK(rows_->go_back_to(world.frame()));
   return pictures_ ? pictures_->go_on(world) : Result<void>();
 }
 
@@ -73,7 +77,7 @@ std::string RunResults::listed() const {
   if (pictures_ && pictures_->has_video()) text += "run.mp4, ";
   if (meshes_ > 0) text += std::to_string(meshes_) + " meshes, ";
   if (checkpoints_ > 0) text += std::to_string(checkpoints_) + " checkpoints, ";
-  return text + "final.obj, summary.json";
+  return text + "frames.csv, final.obj, summary.json";
 }
 
 }  // namespace weft::cli

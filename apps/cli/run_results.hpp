@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "frame_rows.hpp"
 #include "out_folder.hpp"
 #include "pictures.hpp"
 #include "run.hpp"
@@ -36,6 +37,7 @@ class RunResults {
   std::uint32_t meshes_every_ = 0, meshes_ = 0, checkpoints_ = 0;
   std::string mesh_format_;
   std::unique_ptr<Pictures> pictures_;
+  std::optional<FrameRows> rows_;
 
   RunResults(OutFolder folder, const RunOptions& options, std::unique_ptr<Pictures> pictures)
       : folder_(std::move(folder)),

@@ -41,6 +41,17 @@ std::vector<SpringLink> spring_links(const Model& model) {
   return links;
 }
 
+MassSpringSystem elements_of(const Model& model) {
+  MassSpringSystem system;
+  for (std::size_t node = 0; node < model.vertex_count(); ++node)
+    system.inverse_mass.push_back(model.inverse_mass(node));
+  system.springs = spring_links(model);
+  system.bending = bending_of(model);
+  system.fabrics = fabric_cloths(model);
+  system.solids = solid_bodies(model);
+  return system;
+}
+
 Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& assets) {
   WEFT_TRY(model, build_model(scene, assets));
   Simulation made(scene, std::move(model));
@@ -50,12 +61,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   settings.kind = made.plan_.method().kind;
   made.stepper_ = make_stepper(settings, *made.model_, made.step());
   MassSpringSystem& system = made.system_;
-  for (std::size_t node = 0; node < made.model_->vertex_count(); ++node)
-    system.inverse_mass.push_back(made.model_->inverse_mass(node));
-  system.springs = spring_links(*made.model_);
-  system.bending = bending_of(*made.model_);
-  system.fabrics = fabric_cloths(*made.model_);
-  system.solids = solid_bodies(*made.model_);
+  system = elements_of(*made.model_);
   system.acceleration = scene.gravity + scene.external_force;
   system.drag = scene.drag;
   system.wind = scene::wind_field(scene.wind);

@@ -24,6 +24,9 @@ namespace weft::reference {
 /// The springs of a model with the very numbers that the kernels get: f32, here widened.
 std::vector<SpringLink> spring_links(const Model& model);
 
+/// Those and all other elements of a model, and its nodes' inverse masses; at no place, in no field.
+MassSpringSystem elements_of(const Model& model);
+
 /// What sim::World does with a scene, in the same order. Adds, multiplies, divides and takes roots only, in
 /// one order: the same bits on every machine, native or WebAssembly.
 class Simulation {

@@ -167,6 +167,7 @@ Result<void> World::take(const Report& report) {
     return *diverged_;
   }
   ++totals_.frames;
+  last_report_ = statistics;
   add(totals_, statistics);
   if (solver_->adapt(device_, statistics)) recorder_.forget();
   return {};

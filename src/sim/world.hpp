@@ -97,6 +97,8 @@ class World {
   const Surface& surface() const { return *surface_; }
   const Assets& assets() const { return assets_; }
   const Totals& totals() const { return totals_; }
+  /// What the last frame that was not repeated has reported.
+  const Statistics& last_report() const { return last_report_; }
   /// The method, the largest stable step, the substeps: the decisions before the first frame.
   const FramePlan& plan() const { return plan_; }
   std::uint32_t substeps() const { return plan_.substeps(); }
@@ -167,6 +169,7 @@ class World {
   std::array<std::uint64_t, kElementKinds> element_counts_{};
   std::uint64_t slivers_ = 0;
   Totals totals_;
+  Statistics last_report_;
   std::optional<Error> diverged_;  // of the first bad frame
   std::uint32_t bad_frame_ = 0;    // its number
 };

@@ -61,6 +61,9 @@ TEST_CASE("a resumed run ends in the bits, the totals and the pictures of one th
   for (const char* member : {"state_hash", "frames", "simulated_s", "contacts", "max_stretch", "iterations"})
     CHECK(resumed.at(member) == whole.at(member));
   CHECK(read_text(run.path("resumed/final.obj")) == read_text(run.path("whole/final.obj")));
+  const std::string rows = read_text(run.path("whole/frames.csv")),
+                    heading = rows.substr(0, rows.find('\n') + 1);
+  CHECK(read_text(run.path("resumed/frames.csv")) == heading + rows.substr(rows.find("\n4,") + 1));
   CHECK(count_frames(run.path("resumed")) == 2);
   for (const char* name : {"frame_00004.png", "frame_00005.png"})
     CHECK(read_text(run.path("resumed") + "/" + name) == read_text(run.path("whole") + "/" + name));
@@ -78,12 +81,14 @@ TEST_CASE("a run that is resumed in its own folder keeps what was before it and 
   const std::string first = read_text(run.path("out/frame_00000.png"));
   put(run.folder, "out/frame_00000.png", "mine");
   put(run.folder, "out/frame_00003.png", "old");
+  const std::string rows = read_text(run.path("out/frames.csv"));
   std::filesystem::rename(run.path("out/checkpoint_00002.weft"), run.path("out/checkpoint_00005.weft"));
   auto again = run.summary(
       "out", {"--resume", run.path("out/checkpoint_00005.weft"), "-n", "4", "--meshes-every", "1"});
   CHECK(read_text(run.path("out/frame_00000.png")) == "mine");
   CHECK(read_text(run.path("out/frame_00003.png")) != "old");
   CHECK(count_frames(run.path("out")) == 4);
+  CHECK(read_text(run.path("out/frames.csv")) == rows.substr(0, rows.find("\n4,") + 1));
   CHECK(run.checkpoints("out") ==
         Names{"checkpoint_00005.weft"});  // what it went on from; it holds two frames
   CHECK(std::filesystem::exists(run.path("out/mesh_00001.obj")));
@@ -106,6 +111,7 @@ TEST_CASE("after a lost device a run goes on from its last checkpoint, once from
         std::string::npos);
   CHECK(json_of(lost.out).at("state_hash") == whole.at("state_hash"));
   CHECK(json_of(lost.out).at("frames") == 6);
+  CHECK(read_text(run.path("lost/frames.csv")) == read_text(run.path("whole/frames.csv")));
   for (int frame = 0; frame < 6; ++frame) {
     const std::string name = "/frame_0000" + std::to_string(frame) + ".png";
     CHECK(read_text(run.path("lost") + name) == read_text(run.path("whole") + name));

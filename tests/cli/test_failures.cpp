@@ -189,6 +189,10 @@ TEST_CASE("a run that is killed leaves no file half written under its name") {
   for (const std::string& name : names_in(run.out)) {
     CAPTURE(name);
     if (is_temporary(name) || name == ".weft.lock") continue;
+    if (name == "frames.csv") {
+      CHECK(read_text(run.out + "/" + name).back() == '\n');
+      continue;
+    }
     REQUIRE(name.rfind("frame_", 0) == 0);  // no summary, mesh or video of a run without an end
     const std::string png = read_text(run.out + "/" + name);
     CHECK(png.substr(png.size() - 8, 4) == "IEND");

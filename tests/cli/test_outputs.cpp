@@ -50,7 +50,7 @@ TEST_CASE("a folder that cannot be made or written ends the run with exit code 1
 
 TEST_CASE("a folder in the place of a result ends the run with exit code 1 and one sentence") {
   const TemporaryFolder folder;
-  std::vector<std::string> names = {"final.obj", "summary.json", "frame_00000.png"};
+  std::vector<std::string> names = {"final.obj", "frames.csv", "summary.json", "frame_00000.png"};
   if (has_program("ffmpeg")) names.emplace_back("run.mp4");
   for (const std::string& name : names) {
     std::filesystem::create_directories(folder.path("out-" + name + "/" + name + "/more"));
@@ -149,10 +149,11 @@ TEST_CASE("a run that does not end well leaves nothing of the run before it, who
   // Leftovers of a killed run, and files that are not weft's.
   for (const char* name :
        {"run.mp4.tmp4711", "frame_00002.png.tmp4711", "summary.json.tmp4711", "final.obj.tmp4711",
-        ".weft.lock", "notes.txt", "notes.tmp4711", "frame_last.png", "final.obj.tmp"})
+        "frames.csv", ".weft.lock", "notes.txt", "notes.tmp4711", "frame_last.png", "final.obj.tmp"})
     put(folder, std::string("out/") + name, "4711");
   const Ended ended = run_weft({"run", scene, "--out", out, "--fault", "lost@0"});
   CHECK(ended.code == 5);
-  CHECK(names_in(out) ==
-        std::vector<std::string>{"final.obj.tmp", "frame_last.png", "notes.tmp4711", "notes.txt"});
+  CHECK(names_in(out) == std::vector<std::string>{"final.obj.tmp", "frame_last.png", "frames.csv",
+                                                  "notes.tmp4711", "notes.txt"});
+  CHECK(read_text(out + "/frames.csv").find('\n') == read_text(out + "/frames.csv").size() - 1);  // a heading
 }

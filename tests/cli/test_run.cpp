@@ -28,9 +28,9 @@ TEST_CASE("run leaves pictures, the final mesh, the summary and a video, and pri
   CHECK(ended.err ==
         (has_program("ffmpeg") ? "" : "weft: There is no ffmpeg on PATH, so there will be no run.mp4.\n"));
 
-  std::vector<std::string> names = {"final.obj", "frame_00000.png", "frame_00001.png", "frame_00002.png",
-                                    "summary.json"};
-  if (has_program("ffmpeg")) names.insert(names.begin() + 4, "run.mp4");
+  std::vector<std::string> names = {"final.obj",       "frame_00000.png", "frame_00001.png",
+                                    "frame_00002.png", "frames.csv",      "summary.json"};
+  if (has_program("ffmpeg")) names.insert(names.begin() + 5, "run.mp4");
   CHECK(names_in(out) == names);
   CHECK(json_of(ended.out) == json_of(read_text(out + "/summary.json")));
   const mesh::TriangleMesh final_mesh = read_obj_file(out + "/final.obj");
@@ -51,11 +51,11 @@ TEST_CASE("frames are written as meshes too, without pictures where none are wan
     return names_in(out);
   };
   using Names = std::vector<std::string>;
-  CHECK(files_of({}) == Names{"final.obj", "summary.json"});
+  CHECK(files_of({}) == Names{"final.obj", "frames.csv", "summary.json"});
   CHECK(files_of({"--meshes-every", "2", "--mesh-format", "ply"}) ==
-        Names{"final.obj", "mesh_00000.ply", "mesh_00002.ply", "summary.json"});
+        Names{"final.obj", "frames.csv", "mesh_00000.ply", "mesh_00002.ply", "summary.json"});
   CHECK(files_of({"--meshes-every", "1", "-n", "2"}) ==
-        Names{"final.obj", "mesh_00000.obj", "mesh_00001.obj", "summary.json"});
+        Names{"final.obj", "frames.csv", "mesh_00000.obj", "mesh_00001.obj", "summary.json"});
   CHECK(read_text(out + "/mesh_00001.obj") == read_text(out + "/final.obj"));
   CHECK(read_text(out + "/mesh_00000.obj") != read_text(out + "/final.obj"));
 }
@@ -218,11 +218,11 @@ TEST_CASE("a shorter run, or one without a video, leaves nothing of the run befo
       run_weft({"run", scene, "--out", out, "--frames", "2"}, {{"PATH=/nonexistent"}, "", false});
   CHECK(without.code == 0);
   CHECK(without.err == "weft: There is no ffmpeg on PATH, so there will be no run.mp4.\n");
-  CHECK(names_in(out) ==
-        std::vector<std::string>{"final.obj", "frame_00000.png", "frame_00001.png", "summary.json"});
+  CHECK(names_in(out) == std::vector<std::string>{"final.obj", "frame_00000.png", "frame_00001.png",
+                                                  "frames.csv", "summary.json"});
   put(folder, "out/run.mp4", "old");
   run_json(scene, {"--out", out, "--frames", "0"});
-  CHECK(names_in(out) == std::vector<std::string>{"final.obj", "summary.json"});
+  CHECK(names_in(out) == std::vector<std::string>{"final.obj", "frames.csv", "summary.json"});
 }
 
 TEST_CASE("no frames at all leave the cloth as it lies at rest") {

@@ -21,11 +21,15 @@ void FabricCloth::add_forces(std::span<const Vec3d> position, std::span<const Ve
   }
 }
 
-double FabricCloth::energy(std::span<const Vec3d> position) const {
+double FabricCloth::stretching(std::span<const Vec3d> position) const {
   const auto x = position.subspan(first, count);
-  double sum = membranes.energy(x) + hinge::energy(plate, hinge::bends(plate, x));
+  double sum = membranes.energy(x);
   for (const LimitSpring& limit : limits) sum += spring::energy(x[limit.b] - x[limit.a], law_of(limit));
   return sum;
+}
+
+double FabricCloth::bending(std::span<const Vec3d> position) const {
+  return hinge::energy(plate, hinge::bends(plate, position.subspan(first, count)));
 }
 
 std::vector<FabricCloth> fabric_cloths(const Model& model) {

@@ -28,7 +28,8 @@ struct FabricCloth {
   /// Adds the forces of all nodes of the model at these places [m] and velocities [m/s] to `forces` [N].
   void add_forces(std::span<const Vec3d> position, std::span<const Vec3d> velocity,
                   std::span<Vec3d> forces) const;
-  double energy(std::span<const Vec3d> position) const;  // [J]
+  double stretching(std::span<const Vec3d> position) const;  // of membranes and limited edges [J]
+  double bending(std::span<const Vec3d> position) const;     // of hinges [J]
 };
 
 /// Those of a model's bodies that are of fabric.

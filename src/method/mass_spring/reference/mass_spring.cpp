@@ -92,23 +92,26 @@ void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, doubl
 
 void advance(MassSpringSystem& system, double dt) { integrate(system, spring_forces(system), dt); }
 
-double energy(const MassSpringSystem& system) {
-  double sum = 0;
+EnergySums energies(const MassSpringSystem& system) {
+  EnergySums sums;
   for (std::size_t i = 0; i < system.position.size(); ++i) {
     if (system.inverse_mass[i] == 0) continue;
     const double mass = 1 / system.inverse_mass[i];
-    sum += 0.5 * mass * dot(system.velocity[i], system.velocity[i]) -
-           mass * dot(system.acceleration, system.position[i]);
+    sums.kinetic += 0.5 * mass * dot(system.velocity[i], system.velocity[i]);
+    sums.potential -= mass * dot(system.acceleration, system.position[i]);
   }
   for (const SpringLink& s : system.springs)
-    sum += spring::energy(system.position[s.node_b] - system.position[s.node_a], s.law());
+    sums.springs += spring::energy(system.position[s.node_b] - system.position[s.node_a], s.law());
   for (const BendLink& triple : system.bending) {
     const Vec3d curvature = curvature_of(system, triple);
-    sum += 0.5 * triple.stiffness * dot(curvature, curvature);
+    sums.bending += 0.5 * triple.stiffness * dot(curvature, curvature);
   }
-  for (const FabricCloth& cloth : system.fabrics) sum += cloth.energy(system.position);
-  for (const SolidBody& body : system.solids) sum += body.energy(system.position);
-  return sum;
+  for (const FabricCloth& cloth : system.fabrics) {
+    sums.membranes += cloth.stretching(system.position);
+    sums.bending += cloth.bending(system.position);
+  }
+  for (const SolidBody& body : system.solids) sums.tetrahedra += body.energy(system.position);
+  return sums;
 }
 
 }  // namespace weft::reference

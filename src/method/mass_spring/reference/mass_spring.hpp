@@ -71,7 +71,19 @@ void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, doubl
 /// The same under the forces of the system.
 void advance(MassSpringSystem& system, double dt);
 
+/// [J]
+struct EnergySums {
+  double kinetic = 0;     // of free nodes
+  double potential = 0;   // of theirs in gravity and the external force, 0 at the origin
+  double springs = 0;     // stretched and pressed
+  double membranes = 0;   // of fabric, with its limited edges
+  double bending = 0;     // of hinges, and of rows of nodes that springs do not hold plane
+  double tetrahedra = 0;  // of bodies
+
+  double total() const { return kinetic + potential + springs + membranes + bending + tetrahedra; }
+};
+EnergySums energies(const MassSpringSystem& system);
 /// Kinetic, elastic and gravitational energy [J].
-double energy(const MassSpringSystem& system);
+inline double energy(const MassSpringSystem& system) { return energies(system).total(); }
 
 }  // namespace weft::reference
