@@ -69,15 +69,6 @@ Result<void> read_face(TextCursor& cursor, std::size_t vertex_count, TriangleMes
   return {};
 }
 
-void append_line(std::string& text, const char* keyword, std::initializer_list<float> values) {
-  text += keyword;
-  for (const float value : values) {
-    text += ' ';
-    append_float(text, value);
-  }
-  text += '\n';
-}
-
 /// "7", "7/7", "7//7" or "7/7/7": a vertex has the same number in all lists.
 void append_corner(std::string& text, std::uint64_t number, const VertexAttributes& attributes) {
   append_integer(text, number);
@@ -86,6 +77,17 @@ void append_corner(std::string& text, std::uint64_t number, const VertexAttribut
   if (attributes.normals.empty()) return;
   text += '/';
   append_integer(text, number);
+}
+
+/// The bytes of a file, seldom exceeded, so that it is seldom moved while it grows.
+std::size_t usual_size(const TriangleMesh& mesh, const VertexAttributes& attributes) {
+  constexpr std::size_t kNumber = 13;  // with the space before it
+  const std::size_t vertices = mesh.positions.size(), digits = std::to_string(vertices).size();
+  const bool texture = !attributes.texture.empty(), normals = !attributes.normals.empty();
+  const std::size_t lists = 1U + (texture ? 1U : 0U) + (normals ? 1U : 0U);
+  const std::size_t numbers = 3U + (texture ? 2U : 0U) + (normals ? 3U : 0U);
+  return vertices * (kNumber * numbers + 3 * lists) +
+         mesh.triangles.size() * (2 + 3 * (1 + (digits + 1) * lists));
 }
 
 }  // namespace
@@ -109,22 +111,37 @@ Result<TriangleMesh> read_obj(std::span<const std::byte> bytes) {
   return mesh;
 }
 
-std::string write_obj(const TriangleMesh& mesh, const VertexAttributes& attributes) {
+std::vector<std::byte> write_obj(const TriangleMesh& mesh, const VertexAttributes& attributes) {
   assert(check_mesh(mesh));
-  std::string text;
-  text.reserve((attributes.normals.empty() ? 32 : 96) * (mesh.positions.size() + mesh.triangles.size()));
-  for (const Vec3f& p : mesh.positions) append_line(text, "v", {p.x, p.y, p.z});
-  for (const auto& [u, v] : attributes.texture) append_line(text, "vt", {u, v});
-  for (const Vec3f& n : attributes.normals) append_line(text, "vn", {n.x, n.y, n.z});
-  for (const Triangle& triangle : mesh.triangles) {
-    text += 'f';
-    for (const std::uint32_t vertex : triangle) {
-      text += ' ';
-      append_corner(text, std::uint64_t{vertex} + 1, attributes);
+  std::vector<std::byte> bytes;
+  bytes.reserve(usual_size(mesh, attributes));
+  std::string line;
+  const auto add_line = [&] {
+    line += '\n';
+    const auto* begin = reinterpret_cast<const std::byte*>(line.data());
+    bytes.insert(bytes.end(), begin, begin + line.size());
+    line.clear();
+  };
+  const auto add = [&](const char* keyword, std::initializer_list<float> values) {
+    line += keyword;
+    for (const float value : values) {
+      line += ' ';
+      append_float(line, value);
     }
-    text += '\n';
+    add_line();
+  };
+  for (const Vec3f& p : mesh.positions) add("v", {p.x, p.y, p.z});
+  for (const auto& [u, v] : attributes.texture) add("vt", {u, v});
+  for (const Vec3f& n : attributes.normals) add("vn", {n.x, n.y, n.z});
+  for (const Triangle& triangle : mesh.triangles) {
+    line += 'f';
+    for (const std::uint32_t vertex : triangle) {
+      line += ' ';
+      append_corner(line, std::uint64_t{vertex} + 1, attributes);
+    }
+    add_line();
   }
-  return text;
+  return bytes;
 }
 
 }  // namespace weft::mesh

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -19,6 +19,6 @@ Result<TriangleMesh> read_obj(std::span<const std::byte> bytes);
 
 /// An OBJ text of "v" and "f" lines, with "vt" and "vn" where there are such attributes, that reads back to the same
 /// bits. The mesh passes check_mesh.
-std::string write_obj(const TriangleMesh& mesh, const VertexAttributes& attributes = {});
+std::vector<std::byte> write_obj(const TriangleMesh& mesh, const VertexAttributes& attributes = {});
 
 }  // namespace weft::mesh

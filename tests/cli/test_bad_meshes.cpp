@@ -42,7 +42,8 @@ std::vector<BadMesh> bad_meshes() {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   const std::string cut_face =
-      write_obj(cube()).substr(0, write_obj(cube()).find("f ") + 3);  // an OBJ has no counts
+      text_of(write_obj(cube()))
+          .substr(0, text_of(write_obj(cube())).find("f ") + 3);  // an OBJ has no counts
   return {
       // Of no kind.
       {"a.txt", "hello", "does not end in .glb"},
@@ -172,7 +173,7 @@ TEST_CASE("every bad mesh is refused in one sentence that names it, as a collide
 
 TEST_CASE(
     "good meshes of every format are read, as a collider and as a cloth, in memory that follows their size") {
-  const std::pair<std::string, std::string> files[] = {{"a.obj", write_obj(cube())},
+  const std::pair<std::string, std::string> files[] = {{"a.obj", text_of(write_obj(cube()))},
                                                        {"a.ply", text_of(write_ply(cube()))},
                                                        {"a.ply.gz", gzip(text_of(write_ply(cube())))},
                                                        {"a.off", text_off(cube())},
@@ -193,12 +194,12 @@ TEST_CASE(
 TEST_CASE("meshes that are no files, or hold nothing of use, are refused") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path("folder.obj"));
-  put(folder, "secret.obj", write_obj(cube()));
+  put(folder, "secret.obj", text_of(write_obj(cube())));
   REQUIRE(::chmod(folder.path("secret.obj").c_str(), 0) == 0);
   REQUIRE(::mkfifo(folder.path("pipe.obj").c_str(), 0600) == 0);
   std::filesystem::create_symlink("loop.obj", folder.path("loop.obj"));
   put(folder, "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 2\n");
-  put(folder, "loose.obj", write_obj(cube()) + "v 5 5 5\n");
+  put(folder, "loose.obj", text_of(write_obj(cube())) + "v 5 5 5\n");
   put(folder, "large.obj", "v 3e38 0 0\nv 0 3e38 0\nv 0 0 3e38\nf 1 2 3\n");
   const std::pair<std::string, std::string> rows[] = {
       {scene_with_collider("missing.obj"), "missing.obj cannot be read: No such file or directory"},

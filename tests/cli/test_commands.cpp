@@ -45,7 +45,7 @@ std::set<std::string> options_in(const std::string& text) {
 
 TEST_CASE("check reads a scene and its meshes without any adapter") {
   const TemporaryFolder folder;
-  put(folder, "cube.obj", mesh::write_obj(mesh::cube()));
+  put(folder, "cube.obj", mesh::text_of(mesh::write_obj(mesh::cube())));
   const std::string scene =
       put(folder, "a.json", tiny_scene(R"("colliders": [{"kind": "mesh", "mesh": "cube.obj"}], )"));
   const Ended ended = run_without_driver({"check", scene});
@@ -58,7 +58,7 @@ TEST_CASE("check reads a scene and its meshes without any adapter") {
 
 TEST_CASE("check says what each cloth resists with, and why its explicit step is so long") {
   const TemporaryFolder folder;
-  put(folder, "sheet.obj", mesh::write_obj(mesh::cube()));
+  put(folder, "sheet.obj", mesh::text_of(mesh::write_obj(mesh::cube())));
   // Squares: along a row k + 4 b + d of springs, less the part of d² that lets the other direction give way.
   const std::string scene = put(folder, "a.json", R"({"format": "weft-scene/1", "cloths": [
     {"name": "lattice", "grid": [6, 6], "size": [1, 1], "density": 0.2, "copies": {"count": 3, "offset": [0, 0, 2]},
@@ -165,7 +165,7 @@ TEST_CASE("check accepts every shipped scene") {
 
 TEST_CASE("check says how many triangles of a collider have no area, and goes on") {
   const TemporaryFolder folder;
-  put(folder, "flat.obj", mesh::write_obj(mesh::cube()) + "f 1 1 2\nf 1 2 2\n");
+  put(folder, "flat.obj", mesh::text_of(mesh::write_obj(mesh::cube())) + "f 1 1 2\nf 1 2 2\n");
   put(folder, "a.json", tiny_scene(R"("colliders": [{"kind": "mesh", "mesh": "flat.obj"}], )"));
   const Ended ended = run_without_driver({"check", "a.json"}, {{}, folder.path(""), false});
   CHECK(ended.code == 0);
@@ -182,7 +182,7 @@ TEST_CASE("check says how many vertices of a collider are where others are") {
     for (const std::uint32_t vertex : t) apart.positions.push_back(cube.positions[vertex]);
     apart.triangles.push_back({first, first + 1, first + 2});
   }
-  put(folder, "apart.obj", mesh::write_obj(apart));
+  put(folder, "apart.obj", mesh::text_of(mesh::write_obj(apart)));
   put(folder, "a.json", tiny_scene(R"("colliders": [{"kind": "mesh", "mesh": "apart.obj"}], )"));
   const Ended ended = run_without_driver({"check", "a.json"}, {{}, folder.path(""), false});
   CHECK(ended.code == 0);
@@ -201,7 +201,7 @@ TEST_CASE("meshes lie beside their scene and models beside the program, wherever
                                   folder.path("bin/libwgpu_native.so"));
   std::filesystem::create_symlink("bin/weft", folder.path("link"));
   put(folder, "models/block.ply", mesh::text_of(mesh::write_ply(mesh::cube())));
-  put(folder, "scenes/cube.obj", mesh::write_obj(mesh::cube()));
+  put(folder, "scenes/cube.obj", mesh::text_of(mesh::write_obj(mesh::cube())));
   put(folder, "scenes/a.json", tiny_scene(R"("colliders": [{"kind": "mesh", "mesh": "cube.obj"},
                                                             {"kind": "mesh", "mesh": "block"}], )"));
   const CallOptions elsewhere = on_lavapipe({{"WEFT_MODELS"}, folder.path("elsewhere"), false});
@@ -426,7 +426,7 @@ TEST_CASE("shipped scenes are listed, and known by their names") {
 TEST_CASE("a scene may come from standard input, with its meshes in the current folder") {
   const TemporaryFolder folder;
   const std::string scene = put(folder, "a.json", scene_of_cloth(R"("mesh": "block.obj", "density": 0.2)"));
-  put(folder, "block.obj", mesh::write_obj(mesh::cube()));
+  put(folder, "block.obj", mesh::text_of(mesh::write_obj(mesh::cube())));
   const auto piped = [&](const std::string& file, const std::string& from) {
     return call({"/bin/sh", "-c", "cd " + folder.path(from) + " && " + weft_binary() + " check - < " + file});
   };

@@ -457,7 +457,8 @@ TEST_CASE("mutated files of every format are read or refused, never worse") {
   const auto begin = std::chrono::steady_clock::now();
   const std::string binary = text_of(write_ply(cube()));
   check_mutations(
-      read_obj, {write_obj(cube()), "# x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -1/1 -2//1 -3/1/1 1 2\n"}, 1);
+      read_obj,
+      {text_of(write_obj(cube())), "# x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf -1/1 -2//1 -3/1/1 1 2\n"}, 1);
   check_mutations(read_off,
                   {text_off(cube()), "COFF 4 1 0\n0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n\n4 0 1 2 3 9\n"}, 2);
   check_mutations(read_stl, {text_stl(cube()), binary_stl(cube())}, 3);

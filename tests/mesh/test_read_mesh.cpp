@@ -15,8 +15,8 @@ TEST_CASE("a mesh is read by the end of its name, in capitals or not") {
   const TemporaryFolder folder;
   const std::string ply = text_of(write_ply(cube()));
   const std::pair<const char*, std::string> files[] = {
-      {"a.obj", write_obj(cube())},
-      {"A.OBJ", write_obj(cube())},
+      {"a.obj", text_of(write_obj(cube()))},
+      {"A.OBJ", text_of(write_obj(cube()))},
       {"a.ply", ply},
       {"a.ply.gz", gzip(ply)},
       {"a.glb", text_of(write_glb(cube(), {smooth_normals(cube()), {}}))},

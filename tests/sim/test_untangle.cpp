@@ -1,7 +1,7 @@
 // Cloth that begins in a tangle comes apart: from itself, from other cloth, out of meshes, at a bounded
 // speed.
-#include <fstream>
 
+#include "base/file.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "contact_rig.hpp"
 #include "mesh/obj.hpp"
@@ -74,7 +74,7 @@ void check_separates(sim::World& world, std::uint32_t most) {
 }
 
 std::string mesh_collider(const TemporaryFolder& folder, const mesh::TriangleMesh& mesh) {
-  std::ofstream(folder.path("object.obj")) << mesh::write_obj(mesh);
+  REQUIRE(write_file(folder.path("object.obj"), mesh::write_obj(mesh)));
   return R"({"kind": "mesh", "mesh": ")" + folder.path("object.obj") + "\"}";
 }
 mesh::TriangleMesh ball(float radius) {
@@ -200,7 +200,7 @@ TEST_CASE("triangles of one cloth that touch at rest are no tangle when they cro
     for (std::size_t k = 0; k < 3; ++k)
       pair.positions.push_back({0.3F * pair.positions[k].x, apart, 0.3F * pair.positions[k].z});
     pair.triangles = {{0, 1, 2}, {3, 4, 5}};
-    std::ofstream(folder.path("pair.obj")) << mesh::write_obj(pair);
+    REQUIRE(write_file(folder.path("pair.obj"), mesh::write_obj(pair)));
     auto world = world_of(fixture.device(),
                           tangle(R"({"mesh": ")" + folder.path("pair.obj") + R"(", "density": 0.3})"));
     change_state(*world, [](std::size_t node, Vec3d& x, Vec3d&) {

@@ -22,7 +22,7 @@ export interface Limits {
 }
 
 const MODULE_MOST = 2 ** 31; // Emscripten's own limit
-const MODULE_NODE = 360; // kWorldBytesPerNode of src/model/assets.hpp
+const MODULE_NODE = 490; // kWorldBytesPerNode of src/model/assets.hpp
 
 /** What the adapter gives at most; the module's limit is the same everywhere. */
 export async function adapterLimits(): Promise<Limits> {
