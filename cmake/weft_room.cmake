@@ -20,7 +20,9 @@ function(weft_room NAME)
   add_library(weft_${NAME} STATIC ${ROOM_SOURCES})
   target_include_directories(weft_${NAME} PUBLIC ${include})
   if(NOT EMSCRIPTEN)
-    set_target_properties(weft_${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(weft_${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8
+      POSITION_INDEPENDENT_CODE ON)  # the library goes into shared ones too, as Python's modules are
+    target_compile_options(weft_${NAME} PRIVATE -fno-semantic-interposition)  # inlined as without
   elseif(NOT NAME MATCHES "reference|^base$|^element$")
     target_compile_options(weft_${NAME} PRIVATE -Os)  # a page loads it: only what steps on the CPU is worth its bytes
   endif()
