@@ -134,11 +134,13 @@ task_test() {
     pages=
     shift 2
   fi
-  setup_packages "${TEST_PACKAGES[@]}" "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}"
+  setup_packages "${TEST_PACKAGES[@]}" "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}" "${WHEEL_PACKAGES[@]}"
   setup_format
+  setup_python_tests
   task_models
   configure release WEFT_TESTS
   compile release all
+  build_wheel "$DEBIAN_PYTHON"
   build_web
   ctest --test-dir build --output-on-failure -j "$(nproc)" --no-tests=error "${labels[@]}" "$@"
   if [ $# -eq 0 ] && [ -n "$pages" ]; then # a pattern and a part ask for some of ctest's only

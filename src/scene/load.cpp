@@ -39,8 +39,9 @@ Result<std::string> mesh_path(const Scene& scene, const std::string& mesh, const
   std::error_code ignored;
   if (std::filesystem::exists(animated, ignored)) return animated;
   if (!std::filesystem::exists(path, ignored))
-    return input_error("%s: model %s is not at %s; ./dev build makes the models.", scene.file.c_str(),
-                       in_quotes(mesh).c_str(), path.c_str());
+    return input_error(
+        "%s: model %s is not at %s; ./dev build makes the models, WEFT_MODELS names their folder.",
+        scene.file.c_str(), in_quotes(mesh).c_str(), path.c_str());
   return path;
 }
 

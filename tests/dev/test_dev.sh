@@ -12,6 +12,8 @@ cd "$folder"
 . "$checkout/scripts/setup.sh"
 # shellcheck source=scripts/tasks.sh
 . "$checkout/scripts/tasks.sh"
+# shellcheck source=scripts/wheel.sh
+. "$checkout/scripts/wheel.sh"
 # shellcheck source=scripts/bare.sh
 . "$checkout/scripts/bare.sh"
 
@@ -81,9 +83,11 @@ case_configure() {
 case_part() {
   setup_packages() { :; }
   setup_format() { :; }
+  setup_python_tests() { :; }
   task_models() { :; }
   configure() { :; }
   compile() { :; }
+  build_wheel() { :; }
   build_web() { :; }
   ctest() { echo "$@"; }
   npx() { echo npx; }

@@ -108,7 +108,8 @@ TEST_CASE("a mesh is a model's name or a path beside the scene") {
   scene.file = "a.json";
   CHECK(*mesh_path(scene, "shirt.obj", models) == "shirt.obj");
   CHECK(mesh_path(scene, "dragon", models).error().message ==
-        "a.json: model \"dragon\" is not at " + models + "/dragon.ply; ./dev build makes the models.");
+        "a.json: model \"dragon\" is not at " + models +
+            "/dragon.ply; ./dev build makes the models, WEFT_MODELS names their folder.");
   CHECK(mesh_path(scene, std::string("a\0.ply", 6), models).error().kind == ErrorKind::Input);
   CHECK(mesh_path(scene, "", models).error().kind == ErrorKind::Input);
 }
