@@ -104,6 +104,18 @@ class World {
   /// Lets a grabbed node go on with its velocity. Errors  Input: it is not grabbed.
   Result<void> release(std::uint32_t node);
 
+  /// Sets the positions of all nodes [m], where the next frame begins; velocities stay. Waits for the frames before.
+  /// The next frame begins as the first does: it knows no step before it, and no contact.
+  /// Errors  Shape: positions.size() is not position().count(). Input: one is not finite, or a pinned or moved node
+  ///         would leave its place. The state stays as it was. As finish.
+  Result<void> set_positions(std::span<const Vec3f> positions);
+  /// Sets the velocities of the free nodes [m/s]; those of pinned and moved nodes are not read. Waits for the frames
+  /// before. Errors  as set_positions.
+  Result<void> set_velocities(std::span<const Vec3f> velocities);
+  /// Adds an impulse to each free node [N·s], at once: a force F that acts for a frame is F * frame_seconds. Waits for
+  /// the frames before. Errors  as set_positions.
+  Result<void> push(std::span<const Vec3f> impulses);
+
   Buffer position() const;  ///< [m]
   Buffer velocity() const;  ///< [m/s]
   Buffer normal() const;    ///< unit vectors

@@ -59,6 +59,12 @@ void read(SharedWorld& world, const Array& out) {
   check(world.with([&](World& w) { return (w.*kBuffer)().read(values); }));
 }
 
+/// A method that takes an array of vectors, one for each node.
+template <Result<void> (World::*kSet)(std::span<const Vec3f>)>
+void set(SharedWorld& world, const GivenVectors& values) {
+  check(world.with([&](World& w) { return (w.*kSet)(vectors(values)); }));
+}
+
 nb::ndarray<nb::numpy, std::uint32_t, nb::shape<-1, 3>> triangles(SharedWorld& world) {
   auto copy = world.with([](World& w) {
     return std::make_unique<std::vector<Triangle>>(w.triangles().begin(), w.triangles().end());
@@ -166,6 +172,9 @@ void bind_world(nb::module_& module) {
       .def("read_velocities", &read<&World::velocity, Vectors>, nb::arg("out").noconvert())
       .def("read_normals", &read<&World::normal, Vectors>, nb::arg("out").noconvert())
       .def("read_stretch", &read<&World::stretch, Numbers>, nb::arg("out").noconvert())
+      .def("set_positions", &set<&World::set_positions>, nb::arg("values"))
+      .def("set_velocities", &set<&World::set_velocities>, nb::arg("values"))
+      .def("push", &set<&World::push>, nb::arg("impulses"))
       .def("triangles", &triangles)
       .def(
           "change",

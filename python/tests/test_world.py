@@ -94,6 +94,37 @@ class Arrays(unittest.TestCase):
             weft.World(scene, meshes={"square": (square[:, :2], [[0, 1, 2]])})
 
 
+class Setting(unittest.TestCase):
+    def test_positions_and_velocities_go_in_as_they_come_out(self) -> None:
+        world = scenes.world(pins=[])
+        world.change("gravity", [0, 0, 0])
+        start = world.positions
+        world.positions = start + [1, 2, 0]
+        world.velocities = np.tile([0, 0, 3.0], (144, 1))
+        world.step(6)
+        np.testing.assert_allclose(world.positions, start + [1, 2, 3 * 0.1], atol=1e-5)
+        world.positions += np.array([0, 0, 1], np.float32)
+        np.testing.assert_allclose(world.positions[:, 2], start[:, 2] + 1.3, atol=1e-5)
+
+    def test_impulses_are_momentum(self) -> None:
+        world = scenes.world(pins=[])
+        world.change("gravity", [0, 0, 0])
+        mass = 0.2 / 11**2  # of a node in the middle [kg]; all of them weigh 0.2
+        impulses = np.zeros((144, 3))
+        impulses[5 * 12 + 5] = [0, 0.01, 0]
+        world.push(impulses)
+        np.testing.assert_allclose(world.velocities[5 * 12 + 5], [0, 0.01 / mass, 0], rtol=1e-5)
+
+    def test_what_does_not_fit_is_refused(self) -> None:
+        world = scenes.world()
+        with self.assertRaisesRegex(weft.ShapeError, r"The velocities have shape \(143, 3\); wanted is \(144, 3\)\."):
+            world.velocities = np.zeros((143, 3))
+        with self.assertRaisesRegex(weft.InputError, "Node 0 is pinned or moved, and stays at"):
+            world.positions = world.positions + [0, 1, 0]
+        with self.assertRaisesRegex(weft.InputError, "Of the impulses that of node 3 is not finite"):
+            world.push(np.where(np.arange(144)[:, None] == 3, np.inf, np.zeros((144, 3))))
+
+
 class Pictures(unittest.TestCase):
     def test_a_picture_shows_the_cloth_before_the_background(self) -> None:
         world = scenes.world()

@@ -144,8 +144,15 @@ class World:
 
         The array is new and the caller's, and the host's only copy: the state is on the GPU. `torch.from_dlpack` and
         others take it as it is. Errors: DeviceError.
+
+        Set, (nodes, 3) [m], it is where the next frame begins; velocities stay, and contact forgets what it held.
+        Errors: ShapeError. InputError, a place is not finite, or a pinned or moved node would leave its own.
         """
         return self.read_positions(self._vectors())
+
+    @positions.setter
+    def positions(self, values: npt.ArrayLike) -> None:
+        self._core.set_positions(self._given(values, "positions"))
 
     def read_positions(self, out: Floats) -> Floats:
         """Fills `out`, (nodes, 3) float32 in C order, with the positions [m], and gives it back.
@@ -157,8 +164,21 @@ class World:
 
     @property
     def velocities(self) -> Floats:
-        """How fast the nodes move, (nodes, 3) float32 [m/s]; as `positions`."""
+        """How fast the nodes move, (nodes, 3) float32 [m/s]; as `positions`. Pinned and moved nodes keep theirs."""
         return self.read_velocities(self._vectors())
+
+    @velocities.setter
+    def velocities(self, values: npt.ArrayLike) -> None:
+        self._core.set_velocities(self._given(values, "velocities"))
+
+    def push(self, impulses: npt.ArrayLike) -> None:
+        """Adds an impulse to each free node at once, (nodes, 3) [N·s].
+
+        Forces of a program's own, in each frame: `world.push(forces * world.description["frame_seconds"])`.
+
+        Errors: ShapeError. InputError, one is not finite.
+        """
+        self._core.push(self._given(impulses, "impulses"))
 
     def read_velocities(self, out: Floats) -> Floats:
         """Fills `out` with the velocities [m/s]; as `read_positions`."""
@@ -282,6 +302,13 @@ class World:
 
     def _vectors(self) -> Floats:
         return np.empty((self._nodes, 3), np.float32)
+
+    def _given(self, values: npt.ArrayLike, what: str) -> Floats:
+        """As float32 in C order, and no copy where it is that."""
+        array = np.ascontiguousarray(values, np.float32)
+        if array.shape != (self._nodes, 3):
+            raise ShapeError(f"The {what} have shape {array.shape}; wanted is {(self._nodes, 3)}.")
+        return array
 
     def _checked(self, out: Floats) -> Floats:
         wanted = (self._nodes, 3)

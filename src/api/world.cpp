@@ -57,6 +57,14 @@ Result<void> World::drag(std::uint32_t node, const Vec3d& target) {
 }
 Result<void> World::release(std::uint32_t node) { return running_->world().release(node); }
 
+Result<void> World::set_positions(std::span<const Vec3f> positions) {
+  return running_->world().set_positions(positions);
+}
+Result<void> World::set_velocities(std::span<const Vec3f> velocities) {
+  return running_->world().set_velocities(velocities);
+}
+Result<void> World::push(std::span<const Vec3f> impulses) { return running_->world().push(impulses); }
+
 Buffer World::position() const { return {running_.get(), Buffer::Quantity::Position}; }
 Buffer World::velocity() const { return {running_.get(), Buffer::Quantity::Velocity}; }
 Buffer World::normal() const { return {running_.get(), Buffer::Quantity::Normal}; }

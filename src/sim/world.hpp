@@ -87,6 +87,14 @@ class World {
   /// Goes on from such a state, also where this world has diverged: with its totals, and what was grabbed.
   /// Errors, with nothing changed  Input: it is of another scene; those of restore and grab. DeviceLost, OutOfMemory.
   Result<void> open(const SavedState& saved);
+  /// Sets the positions of all nodes [m], where the next frame begins; velocities stay. Waits for the frames before,
+  /// keeps no force of a pair, and has no step before it. Errors, with nothing changed  Shape: not one for each node.
+  /// Input: not finite; a pinned or moved node is elsewhere. As finish().
+  Result<void> set_positions(std::span<const Vec3f> positions);
+  /// Sets the velocities of the free nodes [m/s]; those of others are not read. Errors  as set_positions.
+  Result<void> set_velocities(std::span<const Vec3f> velocities);
+  /// Adds an impulse to each free node [N·s]. Errors  as set_positions.
+  Result<void> push(std::span<const Vec3f> impulses);
   /// Overwrites the current state of one node: for tests of what bad values do.
   void set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity);
 
@@ -143,6 +151,8 @@ class World {
   Result<void> put_back(const Snapshot& snapshot);
   /// Whether a snapshot's state of a substep before is what the next substep looks back on.
   bool takes_history(const Snapshot& snapshot) const;
+  /// Makes its positions and velocities the current state, and the one to which a bad or repeated frame rolls back.
+  Result<void> write_state(Snapshot& state);
   void clear_statistics() const;
   Result<void> take_reports(bool wait_for_all);
   Result<void> take(const Report& report);

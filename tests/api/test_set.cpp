@@ -1,0 +1,141 @@
+#include <cmath>
+#include <limits>
+
+#include "api/scenes.hpp"
+
+using namespace weft;
+
+namespace {
+
+constexpr double kGravity = 9.81;  // m/s²
+
+std::vector<Vec3f> read(const Buffer& buffer) {
+  std::vector<Vec3f> values(buffer.count());
+  REQUIRE_OK(buffer.read(values));
+  return values;
+}
+
+Vec3d sum(const std::vector<Vec3f>& values) {
+  Vec3d all;
+  for (const Vec3f& v : values) all += v.to<double>();
+  return all;
+}
+
+/// kSheet without pins.
+Scene free_sheet() {
+  Scene scene = scene_of(kSheet);
+  REQUIRE_OK(scene.set("cloths.0.pins", "[]"));
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a state that is set as it is goes on as if it were not") {
+  World alone = world_of(scene_of(kSheet)), set = world_of(scene_of(kSheet));
+  REQUIRE_OK(set.advance(3));
+  REQUIRE_OK(set.set_positions(read(set.position())));
+  REQUIRE_OK(set.set_velocities(read(set.velocity())));
+  CHECK(hash_after(set, 3) == hash_after(alone, 6));
+}
+
+TEST_CASE("a cloth that is set elsewhere goes on from there, with its velocity") {
+  World world = world_of(free_sheet());
+  REQUIRE_OK(world.advance(6));
+  std::vector<Vec3f> places = read(world.position());
+  const Vec3d fallen = sum(places);
+  for (Vec3f& place : places) place += Vec3f{2, 0.5F, 0};
+  REQUIRE_OK(world.set_positions(places));
+  CHECK(read(world.position()) == places);
+  REQUIRE_OK(world.advance(6));
+  // A fall from rest: the second half second of n frames is three times as far as the first, less the steps' rounding
+  // of the speed, and moves nothing aside. Semi-implicit Euler of step h falls g t (t + h) / 2 in t.
+  const double t = 6.0 / 60, h = world.describe().step_seconds;
+  const Vec3d went = sum(read(world.position())) - fallen;
+  CHECK(went.x / 400 == doctest::Approx(2).epsilon(1e-6).scale(0));
+  CHECK(went.y / 400 == doctest::Approx(0.5 - kGravity * t * (3 * t + h) / 2).epsilon(1e-5).scale(0));
+}
+
+TEST_CASE("normals and stretch are those of the positions that were set") {
+  World world = world_of(free_sheet());
+  std::vector<Vec3f> places = read(world.position());
+  for (Vec3f& place : places) place = {2 * place.x, place.z, 0};  // upright, and twice as wide
+  REQUIRE_OK(world.set_positions(places));
+  for (const Vec3f& n : read(world.normal()))
+    CHECK(std::abs(n.z) == doctest::Approx(1).epsilon(1e-5).scale(0));
+  std::vector<float> stretch(400);
+  REQUIRE_OK(world.stretch().read(stretch));
+  for (const float one : stretch) CHECK(one == doctest::Approx(2).epsilon(1e-4).scale(0));
+}
+
+TEST_CASE("the momentum of a free cloth is the sum of its impulses") {
+  Scene scene = free_sheet();
+  REQUIRE_OK(scene.set("gravity", "[0, 0, 0]"));
+  World world = world_of(scene);
+  std::vector<Vec3f> impulses(400);
+  impulses[0] = {0.001F, 0.002F, 0};
+  impulses[250] = {0, -0.0005F, 0.003F};
+  REQUIRE_OK(world.push(impulses));
+  REQUIRE_OK(world.push(impulses));
+  const Vec3d given = 2.0 * sum(impulses);
+  REQUIRE_OK(world.advance(3));
+  // 0.2 kg; a node weighs by the area around it, so that a corner has a quarter and a side the half of the others.
+  const std::vector<Vec3f> velocity = read(world.velocity());
+  Vec3d momentum;
+  for (int j = 0; j < 20; ++j)
+    for (int i = 0; i < 20; ++i) {
+      const double part = (i % 19 == 0 ? 0.5 : 1) * (j % 19 == 0 ? 0.5 : 1) / (19.0 * 19);
+      momentum += 0.2 * part * velocity[20 * j + i].to<double>();
+    }
+  CHECK(length(momentum - given) < 1e-4 * length(given));
+}
+
+TEST_CASE("the implicit solver goes on from what is set") {
+  Scene scene = free_sheet();
+  REQUIRE_OK(scene.set("solver", R"({"kind": "multigrid"})"));
+  REQUIRE_OK(scene.set("gravity", "[0, 0, 0]"));
+  World world = world_of(scene);
+  REQUIRE_OK(world.advance(2));
+  REQUIRE_OK(world.set_velocities(std::vector<Vec3f>(400, {0, 3, 0})));
+  const Vec3d before = sum(read(world.position()));
+  REQUIRE_OK(world.advance(4));
+  const Vec3d went = sum(read(world.position())) - before;
+  CHECK(went.y / 400 == doctest::Approx(3 * 4.0 / 60).epsilon(1e-4).scale(0));
+}
+
+TEST_CASE("cloth that is set onto an obstacle is found there") {
+  Scene scene = free_sheet();
+  REQUIRE_OK(scene.set("contact", R"({"method": "proximity"})"));
+  REQUIRE_OK(scene.set("colliders", R"([{"kind": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]}])"));
+  World world = world_of(scene);
+  REQUIRE_OK(world.advance(2));
+  std::vector<Vec3f> places = read(world.position());
+  for (Vec3f& place : places) place.y = -4.98F;
+  REQUIRE_OK(world.set_positions(places));
+  REQUIRE_OK(world.set_velocities(std::vector<Vec3f>(400)));
+  REQUIRE_OK(world.advance(30));
+  for (const Vec3f& place : read(world.position())) CHECK(place.y > -5);
+}
+
+TEST_CASE("what cannot be set is refused, and nothing changes") {
+  World world = world_of(scene_of(kSheet));
+  REQUIRE_OK(world.advance(2));
+  const std::string hash = hash_after(world, 0);
+  const auto refuses = [&](const Result<void>& result, ErrorKind kind, const std::string& sentence) {
+    REQUIRE(!result);
+    CHECK(result.error().kind == kind);
+    CHECK(result.error().message == sentence);
+  };
+  std::vector<Vec3f> places = read(world.position());
+  refuses(world.set_velocities(std::vector<Vec3f>(399)), ErrorKind::Shape,
+          "399 velocities do not fit 400 nodes.");
+  refuses(world.push(std::vector<Vec3f>(1)), ErrorKind::Shape, "1 impulses do not fit 400 nodes.");
+  places[0].y += 0.5F;
+  refuses(world.set_positions(places), ErrorKind::Input,
+          "Node 0 is pinned or moved, and stays at (-0.5, 0, -0.5), not (-0.5, 0.5, -0.5).");
+  places[0].y -= 0.5F;
+  places[7].z = std::numeric_limits<float>::quiet_NaN();
+  const auto refused = world.set_positions(places);
+  REQUIRE(!refused);
+  CHECK(refused.error().message.find("Of the positions that of node 7 is not finite: (") == 0);
+  CHECK(hash_after(world, 0) == hash);
+}
