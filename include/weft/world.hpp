@@ -116,6 +116,14 @@ class World {
   /// the frames before. Errors  as set_positions.
   Result<void> push(std::span<const Vec3f> impulses);
 
+  /// Moves nodes of the scene's motions of kind "given" to places in the world [m]: straight and evenly through the
+  /// next frame, and there they stay, as the others do where they are. Waits for the frames before.
+  /// Errors  Shape: places.size() is not nodes.size(). Input: a node is not given; a place is not finite, or farther
+  ///         than the motion's speed reaches in a frame. No node moves then. As finish.
+  Result<void> move(std::span<const std::uint32_t> nodes, std::span<const Vec3f> places);
+  /// The nodes that move() takes, in rising order.
+  std::vector<std::uint32_t> given_nodes() const;
+
   Buffer position() const;  ///< [m]
   Buffer velocity() const;  ///< [m/s]
   Buffer normal() const;    ///< unit vectors

@@ -19,6 +19,7 @@ namespace nb = nanobind;
 using Point = std::array<double, 3>;
 using Vectors = nb::ndarray<float, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using Numbers = nb::ndarray<float, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
+using Numbered = nb::ndarray<const std::uint32_t, nb::shape<-1>, nb::c_contig, nb::device::cpu>;
 using Corners = nb::ndarray<const std::uint32_t, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using GivenVectors = nb::ndarray<const float, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using Pixels = nb::ndarray<nb::numpy, std::uint8_t, nb::shape<-1, -1, 4>, nb::c_contig>;
@@ -72,6 +73,11 @@ nb::ndarray<nb::numpy, std::uint32_t, nb::shape<-1, 3>> triangles(SharedWorld& w
   std::vector<Triangle>* owned = copy.release();
   const nb::capsule owner(owned, [](void* p) noexcept { delete static_cast<std::vector<Triangle>*>(p); });
   return {owned->data(), {owned->size(), 3}, owner};
+}
+
+void move(SharedWorld& world, const Numbered& nodes, const GivenVectors& places) {
+  const std::span numbers(nodes.data(), nodes.size());
+  check(world.with([&](World& w) { return w.move(numbers, vectors(places)); }));
 }
 
 nb::dict describe(SharedWorld& world) {
@@ -175,6 +181,9 @@ void bind_world(nb::module_& module) {
       .def("set_positions", &set<&World::set_positions>, nb::arg("values"))
       .def("set_velocities", &set<&World::set_velocities>, nb::arg("values"))
       .def("push", &set<&World::push>, nb::arg("impulses"))
+      .def("move", &move, nb::arg("nodes"), nb::arg("places"))
+      .def("given_nodes",
+           [](SharedWorld& world) { return world.with([](World& w) { return w.given_nodes(); }); })
       .def("triangles", &triangles)
       .def(
           "change",

@@ -115,13 +115,34 @@ class Setting(unittest.TestCase):
         world.push(impulses)
         np.testing.assert_allclose(world.velocities[5 * 12 + 5], [0, 0.01 / mass, 0], rtol=1e-5)
 
+    def test_given_nodes_follow_arrays(self) -> None:
+        world = scenes.world(pins=[], motions=[{"kind": "given", "nodes": "top", "speed": 2}])
+        nodes = world.given_nodes
+        np.testing.assert_array_equal(nodes, np.arange(12))
+        places = world.positions[nodes]
+        for frame in range(10):
+            places += np.array([0, 0.02 * np.sin(frame), 0.01], np.float32)
+            world.move(places)
+            world.step()
+            np.testing.assert_allclose(world.positions[nodes], places, rtol=0, atol=2e-7)
+        world.move(places[3:5] + np.array([0, 0.03, 0], np.float32), nodes[3:5])
+        world.step(2)
+        lifted = world.positions[nodes] - places
+        np.testing.assert_allclose(lifted[:, 1], np.where(np.isin(nodes, [3, 4]), 0.03, 0), atol=2e-7)
+        with self.assertRaisesRegex(weft.InputError, r"at 6 m/s; its motion has a speed of 2 m/s\."):
+            world.move(world.positions[nodes] + np.array([0.1, 0, 0], np.float32))
+        with self.assertRaisesRegex(weft.InputError, "Node 50 is not one of the 12 that"):
+            world.move([[0, 0, 0]], [50])
+        with self.assertRaisesRegex(weft.ShapeError, r"The places have shape \(1, 3\); wanted is \(12, 3\)\."):
+            world.move([[0, 0, 0]])
+
     def test_what_does_not_fit_is_refused(self) -> None:
         world = scenes.world()
         with self.assertRaisesRegex(weft.ShapeError, r"The velocities have shape \(143, 3\); wanted is \(144, 3\)\."):
             world.velocities = np.zeros((143, 3))
         with self.assertRaisesRegex(weft.InputError, "Node 0 is pinned or moved, and stays at"):
             world.positions = world.positions + [0, 1, 0]
-        with self.assertRaisesRegex(weft.InputError, "Of the impulses that of node 3 is not finite"):
+        with self.assertRaisesRegex(weft.InputError, "Number 3 of the impulses is not finite"):
             world.push(np.where(np.arange(144)[:, None] == 3, np.inf, np.zeros((144, 3))))
 
 

@@ -185,6 +185,25 @@ class World:
         self._core.read_velocities(self._checked(out))
         return out
 
+    def move(self, places: npt.ArrayLike, nodes: npt.ArrayLike | None = None) -> None:
+        """Moves nodes of motions of kind "given" to places (k, 3) [m], straight and evenly through the next frame.
+
+        nodes  their numbers, (k,); without them all of `given_nodes`
+
+        There they stay, as the others do where they are. The next frame's velocity of each is its way over
+        `frame_seconds`.
+
+        Errors: ShapeError. InputError, a node is not given; a place is not finite, or farther than the motion's speed
+        reaches in a frame.
+        """
+        chosen = self.given_nodes if nodes is None else _numbers(nodes)
+        self._core.move(chosen, _vectors(places, len(chosen), "places"))
+
+    @property
+    def given_nodes(self) -> npt.NDArray[np.uint32]:
+        """The nodes that `move` takes, (k,) uint32, rising."""
+        return np.array(self._core.given_nodes(), np.uint32)
+
     @property
     def normals(self) -> Floats:
         """Unit vectors, (nodes, 3) float32; as `positions`."""
@@ -304,11 +323,7 @@ class World:
         return np.empty((self._nodes, 3), np.float32)
 
     def _given(self, values: npt.ArrayLike, what: str) -> Floats:
-        """As float32 in C order, and no copy where it is that."""
-        array = np.ascontiguousarray(values, np.float32)
-        if array.shape != (self._nodes, 3):
-            raise ShapeError(f"The {what} have shape {array.shape}; wanted is {(self._nodes, 3)}.")
-        return array
+        return _vectors(values, self._nodes, what)
 
     def _checked(self, out: Floats) -> Floats:
         wanted = (self._nodes, 3)
@@ -322,6 +337,23 @@ def render(scene: Scene, frames: int = 0, **picture: Any) -> npt.NDArray[np.uint
     world = World(scene)
     world.step(frames)
     return world.render(**picture)
+
+
+def _vectors(values: npt.ArrayLike, count: int, what: str) -> Floats:
+    """As float32 in C order, and no copy where it is that."""
+    array = np.ascontiguousarray(values, np.float32)
+    if array.shape != (count, 3):
+        raise ShapeError(f"The {what} have shape {array.shape}; wanted is {(count, 3)}.")
+    return array
+
+
+def _numbers(nodes: npt.ArrayLike) -> npt.NDArray[np.uint32]:
+    array = np.asarray(nodes)
+    if array.ndim != 1 or (array.size and not np.issubdtype(array.dtype, np.integer)):
+        raise ShapeError(f"The nodes have shape {array.shape} of {array.dtype}; wanted are whole numbers (k,).")
+    if array.size and (array.min() < 0 or array.max() > 0xFFFFFFFF):
+        raise InputError(f"Node {array.min() if array.min() < 0 else array.max()} is not one of the world's.")
+    return np.ascontiguousarray(array, np.uint32)
 
 
 def _place(camera: Camera) -> tuple[_Point, _Point, float]:

@@ -65,6 +65,11 @@ Result<void> World::set_velocities(std::span<const Vec3f> velocities) {
 }
 Result<void> World::push(std::span<const Vec3f> impulses) { return running_->world().push(impulses); }
 
+Result<void> World::move(std::span<const std::uint32_t> nodes, std::span<const Vec3f> places) {
+  return running_->world().move(nodes, places);
+}
+std::vector<std::uint32_t> World::given_nodes() const { return running_->world().given_nodes(); }
+
 Buffer World::position() const { return {running_.get(), Buffer::Quantity::Position}; }
 Buffer World::velocity() const { return {running_.get(), Buffer::Quantity::Velocity}; }
 Buffer World::normal() const { return {running_.get(), Buffer::Quantity::Normal}; }

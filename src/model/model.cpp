@@ -115,6 +115,22 @@ void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, B
   model.bodies.push_back(std::move(body));
 }
 
+/// A motion of its own for each node that a program moves.
+Result<void> append_given(Model& model, const scene::Motion& motion, std::span<const std::uint32_t> nodes,
+                          std::uint32_t first) {
+  std::size_t given = nodes.size();
+  for (const scene::Motion& other : model.motions)
+    given += std::holds_alternative<scene::MotionGiven>(other.shape) ? 1 : 0;
+  if (given > kMostGivenNodes)
+    return make_error(ErrorKind::Limit, "%s: a program may move %zu nodes of a scene, not %zu.",
+                      motion.where.c_str(), kMostGivenNodes, given);
+  for (const std::uint32_t node : nodes) {
+    model.motions.push_back({motion.where, {}, motion.shape});
+    model.motion[first + node] = 1 + static_cast<std::uint32_t>(model.motions.size());
+  }
+  return {};
+}
+
 /// Finds the one free node of each of the cloth's grabs.
 Result<void> append_grabs(Model& model, const scene::Cloth& cloth, const scene::Selection& selection,
                           std::uint32_t first) {
@@ -172,6 +188,10 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
     const std::uint32_t first = model.bodies.back().first_vertex;
     for (const std::uint32_t node : kinematic.pins) model.motion[first + node] = 1;
     for (std::size_t m = 0; m < kinematic.motions.size(); ++m) {
+      if (std::holds_alternative<scene::MotionGiven>(cloth.motions[m].shape)) {
+        WEFT_CHECK(append_given(model, cloth.motions[m], kinematic.motions[m], first));
+        continue;
+      }
       model.motions.push_back(cloth.motions[m]);
       for (const std::uint32_t node : kinematic.motions[m])
         model.motion[first + node] = 1 + static_cast<std::uint32_t>(model.motions.size());

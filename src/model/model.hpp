@@ -49,6 +49,9 @@ struct NodeGrab {
   scene::Grab grab;
 };
 
+/// Nodes that a program moves (scene::MotionGiven), at most: each has a motion of its own.
+inline constexpr std::size_t kMostGivenNodes = 4096;
+
 /// The model on the host. Vertices, triangles and elements are numbered through all bodies, one body after the
 /// other.
 struct Model {
@@ -94,7 +97,7 @@ struct Model {
 /// Places the scene's cloths and bodies in the world. `cloth_meshes[c]` is the mesh of cloth c, transformed (empty for
 /// a grid or body); `solids[c]` the tetrahedra of a body that is no block, before its transform (empty for others).
 /// Errors  Input: a cloth vertex has no area, a tetrahedron no volume, a selector selects nothing, a node is both
-/// pinned and moved, a grab does not mean one free node or shares it with another.
+/// pinned and moved, a grab does not mean one free node or shares it with another. Limit: more than kMostGivenNodes.
 /// Without attachments, for which colliders are needed: attachments.hpp.
 Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes,
                           std::span<const mesh::TetMesh> solids = {});

@@ -14,6 +14,7 @@ Result<MotionShape> build_motion(const Json& json, const std::string& file, cons
     return MotionShape(MotionRotation{unit(vector(json, "axis")), vector(json, "center"),
                                       number(json, "speed"), maybe_number(json, "angle"),
                                       number(json, "start"), number(json, "ramp")});
+  if (kind == "given") return MotionShape(MotionGiven{number(json, "speed")});
   MotionPath shape;
   for (const Json& point : at(json, "points").values) {
     const double time = point.values[0].number;

@@ -171,8 +171,10 @@ constexpr const Type* kSelectorOrList[] = {&kGridPart, &kSelectorObject, &kSelec
 constexpr Type kSelectors{.kind = Kind::Either, .types = kSelectorOrList};
 
 // motions
-constexpr const char* kMotionKindNames[] = {"line", "path", "rotation"};
+constexpr const char* kMotionKindNames[] = {"line", "path", "rotation", "given"};
 constexpr Type kMotionKind{.kind = Kind::Choice, .choices = kMotionKindNames};
+constexpr const char* kColliderMotionKindNames[] = {"line", "path", "rotation"};
+constexpr Type kColliderMotionKind{.kind = Kind::Choice, .choices = kColliderMotionKindNames};
 constexpr Key kMotionKeys[] = {
     {"kind", &kMotionKind, "How the nodes move", nullptr, true},
     {"nodes", &kSelectors, "The nodes that move: a selector or a list of them", nullptr, true},
@@ -201,14 +203,20 @@ constexpr Key kRotationKeys[] = {
     {"start", &kInstant, "When the motion begins", "0"},
     {"ramp", &kInstant, "Time in which the speed rises from 0, and falls to 0 before the end", "0"},
 };
-constexpr Variant kMotionVariants[] = {{"line", kLineKeys}, {"path", kPathKeys}, {"rotation", kRotationKeys}};
+constexpr Key kGivenKeys[] = {
+    {"speed", &kSpeed, "The most that a program may move a node by", nullptr, true},
+};
+constexpr Variant kMotionVariants[] = {
+    {"line", kLineKeys}, {"path", kPathKeys}, {"rotation", kRotationKeys}, {"given", kGivenKeys}};
+constexpr Variant kColliderMotionVariants[] = {
+    {"line", kLineKeys}, {"path", kPathKeys}, {"rotation", kRotationKeys}};
 constexpr Key kColliderMotionKeys[] = {
-    {"kind", &kMotionKind, "How the collider moves", nullptr, true},
+    {"kind", &kColliderMotionKind, "How the collider moves", nullptr, true},
 };
 constexpr Type kColliderMotion{.kind = Kind::Object,
                                .name = "collider_motion",
                                .keys = kColliderMotionKeys,
-                               .variants = kMotionVariants};
+                               .variants = kColliderMotionVariants};
 constexpr Type kMotion{
     .kind = Kind::Object, .name = "motion", .keys = kMotionKeys, .variants = kMotionVariants};
 constexpr const Type* kMotionItem[] = {&kMotion};

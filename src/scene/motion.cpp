@@ -64,6 +64,11 @@ RigidTransform motion_at(const MotionShape& shape, double time) {
   if (const auto* line = std::get_if<MotionLine>(&shape))
     return shift(line->direction * travelled(time - line->start, line->speed, line->ramp, line->distance));
   if (const auto* path = std::get_if<MotionPath>(&shape)) return shift(path_offset(*path, time));
+  if (const auto* given = std::get_if<MotionGiven>(&shape)) {
+    if (!(time < given->end)) return shift(given->to);
+    const double part = time > given->begin ? (time - given->begin) / (given->end - given->begin) : 0;
+    return shift(given->from * (1 - part) + given->to * part);
+  }
   const auto& turn = *std::get_if<MotionRotation>(&shape);
   return rotation(turn, travelled(time - turn.start, turn.speed, turn.ramp, turn.angle));
 }

@@ -76,7 +76,14 @@ struct MotionRotation {
   double start = 0, ramp = 0;   // [s]
   bool operator==(const MotionRotation&) const = default;
 };
-using MotionShape = std::variant<MotionLine, MotionPath, MotionRotation>;
+/// Nodes that a program moves (sim::World::move), each by itself and straight; until then they stay.
+struct MotionGiven {
+  double speed = 0;           // the most that it may move one by [m/s]
+  double begin = 0, end = 0;  // of the last way [s]
+  Vec3d from, to;             // from the rest position [m]
+  bool operator==(const MotionGiven&) const = default;
+};
+using MotionShape = std::variant<MotionLine, MotionPath, MotionRotation, MotionGiven>;
 /// Nodes that follow a given motion instead of the forces.
 struct Motion {
   std::string where;  // file and JSON path

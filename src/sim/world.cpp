@@ -177,6 +177,8 @@ Result<void> World::reset() {
   WEFT_CHECK(device_.wait());
   reports_.drop();  // they are about discarded frames
   state_.reset(device_, model_.host);
+  for (scene::Motion& motion : model_.host.motions)
+    if (auto* given = std::get_if<scene::MotionGiven>(&motion.shape)) *given = {given->speed};
   clear_statistics();
   steps_.rewind();
   grabs_->release_all();

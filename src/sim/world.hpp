@@ -95,6 +95,13 @@ class World {
   Result<void> set_velocities(std::span<const Vec3f> velocities);
   /// Adds an impulse to each free node [N·s]. Errors  as set_positions.
   Result<void> push(std::span<const Vec3f> impulses);
+  /// Moves nodes of the scene's motions of kind "given" to places in the world [m], straight and evenly through the
+  /// next frame; there they stay, as the others do where they are. Waits for the frames before. Errors, with nothing
+  /// changed  Shape: not one place for each node. Input: no such node; a place is not finite, or farther than the
+  /// motion's speed reaches in a frame. As finish().
+  Result<void> move(std::span<const std::uint32_t> nodes, std::span<const Vec3f> places);
+  /// Those nodes, in rising order.
+  std::vector<std::uint32_t> given_nodes() const;
   /// Overwrites the current state of one node: for tests of what bad values do.
   void set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity);
 
@@ -153,6 +160,10 @@ class World {
   bool takes_history(const Snapshot& snapshot) const;
   /// Makes its positions and velocities the current state, and the one to which a bad or repeated frame rolls back.
   Result<void> write_state(Snapshot& state);
+  /// Of a node that a program moves, its motion; else null.
+  scene::MotionGiven* given(std::size_t node);
+  /// Has them stay where positions have them.
+  void hold_given(std::span<const Vec4f> positions);
   void clear_statistics() const;
   Result<void> take_reports(bool wait_for_all);
   Result<void> take(const Report& report);

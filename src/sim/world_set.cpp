@@ -1,6 +1,7 @@
 // What a host sets in a running scene.
 #include <cmath>
 
+#include "scene/motion.hpp"
 #include "sim/world.hpp"
 
 namespace weft::sim {
@@ -8,13 +9,15 @@ namespace {
 
 bool finite(const Vec3f& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+constexpr double kSpeedRounding = 1e-5;  // of places in f32 that a program spaces by the speed itself
+
 /// One vector for each node, all finite. Errors  Shape, Input.
 Result<void> check_values(std::span<const Vec3f> values, std::size_t nodes, const char* what) {
   if (values.size() != nodes) return shape_error("%zu %s do not fit %zu nodes.", values.size(), what, nodes);
-  for (std::size_t node = 0; node < nodes; ++node)
-    if (!finite(values[node]))
-      return input_error("Of the %s that of node %zu is not finite: (%g, %g, %g).", what, node,
-                         values[node].x, values[node].y, values[node].z);
+  for (std::size_t k = 0; k < nodes; ++k)
+    if (!finite(values[k]))
+      return input_error("Number %zu of the %s is not finite: (%g, %g, %g).", k, what, values[k].x,
+                         values[k].y, values[k].z);
   return {};
 }
 
@@ -58,6 +61,52 @@ Result<void> World::push(std::span<const Vec3f> impulses) {
     now.velocity[node] = Vec4f::from(now.velocity[node].xyz() + inverse_mass * impulses[node], 0);
   }
   return write_state(now);
+}
+
+scene::MotionGiven* World::given(std::size_t node) {
+  const std::uint32_t motion = model_.host.motion[node];
+  return motion < 2 ? nullptr : std::get_if<scene::MotionGiven>(&model_.host.motions[motion - 2].shape);
+}
+
+std::vector<std::uint32_t> World::given_nodes() const {
+  std::vector<std::uint32_t> nodes;
+  const Model& model = model_.host;
+  for (std::uint32_t node = 0; node < model.vertex_count(); ++node)
+    if (model.motion[node] > 1 &&
+        std::holds_alternative<scene::MotionGiven>(model.motions[model.motion[node] - 2].shape))
+      nodes.push_back(node);
+  return nodes;
+}
+
+Result<void> World::move(std::span<const std::uint32_t> nodes, std::span<const Vec3f> places) {
+  WEFT_CHECK(check_values(places, nodes.size(), "places"));
+  WEFT_CHECK(finish());
+  const double begin = time(), frame = scene_.time.frame;
+  std::vector<scene::MotionGiven> ways;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const scene::MotionGiven* before = nodes[k] < model_.vertex_count() ? given(nodes[k]) : nullptr;
+    if (before == nullptr)
+      return input_error("Node %u is not one of the %zu that a motion of kind \"given\" holds.", nodes[k],
+                         given_nodes().size());
+    const Vec3d from = scene::motion_at(*before, begin).translation;
+    const Vec3d to = places[k].to<double>() - model_.host.rest_position[nodes[k]];
+    const double speed = length(to - from) / frame;
+    if (speed > before->speed * (1 + kSpeedRounding))
+      return input_error("Node %u would go %g m in a frame, at %g m/s; its motion has a speed of %g m/s.",
+                         nodes[k], length(to - from), speed, before->speed);
+    ways.push_back({before->speed, begin, begin + frame, from, to});
+  }
+  for (std::size_t k = 0; k < nodes.size(); ++k) *given(nodes[k]) = ways[k];
+  return {};
+}
+
+void World::hold_given(std::span<const Vec4f> positions) {
+  for (std::size_t node = 0; node < positions.size(); ++node) {
+    scene::MotionGiven* motion = given(node);
+    if (motion == nullptr) continue;
+    const Vec3d offset = positions[node].xyz().to<double>() - model_.host.rest_position[node];
+    *motion = {motion->speed, 0, 0, offset, offset};
+  }
 }
 
 Result<void> World::write_state(Snapshot& state) {

@@ -61,6 +61,9 @@ Result<void> World::check_places(const Snapshot& snapshot) const {
     places.push_back(time > 0 ? scene::motion_at(motion, time) : scene::RigidTransform{});
   for (std::size_t node = 0; node < model.vertex_count(); ++node) {
     if (!model.kinematic(node)) continue;
+    if (model.motion[node] > 1 &&
+        std::holds_alternative<scene::MotionGiven>(model.motions[model.motion[node] - 2].shape))
+      continue;  // wherever a program had moved it
     const scene::RigidTransform& place = places[model.motion[node]];
     const double off = length(snapshot.position[node].xyz().to<double>() - place(model.rest_position[node]));
     const double allowed = place_rounding(place, model.rest_position[node]);
@@ -88,6 +91,7 @@ Result<void> World::restore(const Snapshot& snapshot) {
 Result<void> World::put_back(const Snapshot& snapshot) {
   frame_ = asked_ = plan_.go_on_from(snapshot.time);
   steps_.set_gusts(snapshot.gusts, time());
+  hold_given(snapshot.position);
   std::vector<Vec4f> velocity = snapshot.velocity;
   if (takes_history(snapshot)) {
     state_.position[1 - parity_].write(device_, snapshot.position_before);

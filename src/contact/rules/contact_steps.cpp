@@ -166,6 +166,8 @@ double largest_speed(const ContactMover& mover, double begin, double end) {
     } else if (const auto* turn = std::get_if<scene::MotionRotation>(&*mover.motion)) {
       speed = mover.lever *
               profile_speed(begin - turn->start, end - turn->start, turn->speed, turn->ramp, turn->angle);
+    } else if (const auto* given = std::get_if<scene::MotionGiven>(&*mover.motion)) {
+      speed = given->speed;
     }
   }
   return speed + largest_change(mover, begin, end);
