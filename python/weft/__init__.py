@@ -12,6 +12,7 @@ Units are SI. A failure is an exception of `weft.errors` whose text is the engin
 
 from importlib.metadata import version as _version
 
+from .batch.command import sweep
 from .commands import bench, validate
 from .errors import (
     DeviceError,
@@ -54,5 +55,6 @@ __all__ = [
     "render",
     "scene_names",
     "schema",
+    "sweep",
     "validate",
 ]

@@ -4,13 +4,21 @@ import json
 import os
 import pathlib
 from collections.abc import Mapping
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from . import _core
 from .errors import InputError
 from .machine import PACKAGE
 
-Scene = Mapping[str, Any] | str | os.PathLike[str]
+
+class SceneText(NamedTuple):
+    """A scene that was read already."""
+
+    text: str  # JSON
+    name: str  # what messages call it: its path, where relative paths of meshes start
+
+
+Scene = Mapping[str, Any] | SceneText | str | os.PathLike[str]
 FOLDER = PACKAGE / "scenes"
 
 
@@ -50,10 +58,12 @@ def to_json(value: object) -> str:
         raise InputError(f"A value of the scene cannot be written as JSON: {error}.") from None
 
 
-def scene_text(scene: Scene) -> tuple[str, str]:
-    """The JSON of a scene, and what messages call it: its path, where relative paths of meshes start."""
+def scene_text(scene: Scene) -> SceneText:
+    """The JSON of a scene. Errors: InputError, there is no such file or name, or the dict has no JSON."""
+    if isinstance(scene, SceneText):
+        return scene
     if isinstance(scene, Mapping):
-        return to_json(scene), "scene"
+        return SceneText(to_json(scene), "scene")
     path = pathlib.Path(scene)
     if isinstance(scene, str) and path.name == scene and not path.suffix and not path.is_file():
         path = FOLDER / f"{scene}.json"
@@ -61,6 +71,6 @@ def scene_text(scene: Scene) -> tuple[str, str]:
             names = ", ".join(scene_names())
             raise InputError(f'There is no scene "{scene}", neither as a file nor shipped; those are {names}.')
     try:
-        return path.read_text(encoding="utf-8"), str(path)
+        return SceneText(path.read_text(encoding="utf-8"), str(path))
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.") from None
