@@ -12,6 +12,6 @@ wheels=("$checkout"/build/wheel/weft-*-cp311-*.whl)
 }
 /usr/bin/python3 -m venv env
 env/bin/pip install --quiet --disable-pip-version-check --no-index --find-links "$checkout/.setup/python-wheels" \
-  "${wheels[@]}[sweep]" mypy
+  "${wheels[@]}[ray]" mypy
 unset WEFT_MODELS XDG_RUNTIME_DIR PYTHONPATH
 env/bin/python -B -m unittest discover -s "$checkout/python/tests" "$@"

@@ -9,7 +9,7 @@ import sys
 from ..errors import Error, InputError
 from ..machine import adapters
 from ..progress import Progress
-from . import processes
+from . import on_ray, processes
 from .plan import read_plan
 from .store import Store
 
@@ -22,6 +22,9 @@ def sweep(
     models: str | os.PathLike[str] | None = None,
     adapter: str = "",
     progress: bool = False,
+    ray: str | None = None,
+    cpus: float = 1,
+    gpus: float = 0,
 ) -> pathlib.Path:
     """Does the runs of a sweep that `out` does not have yet, and gives the path of the table of all (docs/sweep.md).
 
@@ -30,8 +33,11 @@ def sweep(
     workers   processes; by default one for each core where the GPU is a software one, else one
     models, adapter   as of World
     progress  shows on stderr, where that is a terminal, how far it is and the time left
+    ray       the address of a Ray cluster that does the runs instead, "auto" for the one at hand, "local" for a new one
+    cpus, gpus   what a run takes of the cluster's; parts of a GPU too
 
-    Errors: InputError, the sweep is wrong, or the folder has another's runs. Error, pyarrow is missing.
+    Errors: InputError, the sweep is wrong, the folder has another's runs, or there is no such cluster. Error, pyarrow
+    or ray is missing.
     """
     plan = read_plan(pathlib.Path(file))
     count = workers if workers is not None else _default_workers(adapter)
@@ -43,7 +49,12 @@ def sweep(
         before = len(store.rows)
         bar = Progress(len(plan.runs), "run") if progress else None
         try:
-            with contextlib.closing(processes.results(missing, count, folder, adapter)) as results:
+            done = (
+                on_ray.results(missing, ray, cpus, gpus, folder, adapter)
+                if ray
+                else processes.results(missing, count, folder, adapter)
+            )
+            with contextlib.closing(done) as results:
                 for run, row, shape in results:
                     store.add(row, shape, run.export)
                     if bar:
@@ -65,11 +76,12 @@ def main(words: list[str]) -> int:
     parser.add_argument("--workers", type=int, metavar="N", help="processes")
     parser.add_argument("--models", metavar="DIR", help="the folder of models")
     parser.add_argument("--adapter", default="", metavar="NAME", help="use the GPU whose name contains this")
+    parser.add_argument("--ray", metavar="ADDRESS", help='run on a Ray cluster; "auto", "local" or its address')
+    parser.add_argument("--cpus", type=float, default=1, metavar="N", help="processors that a run takes there")
+    parser.add_argument("--gpus", type=float, default=0, metavar="N", help="GPUs that a run takes there")
     given = parser.parse_args(words)
     try:
-        table = sweep(
-            given.file, given.out, workers=given.workers, models=given.models, adapter=given.adapter, progress=True
-        )
+        table = sweep(**vars(given), progress=True)
     except KeyboardInterrupt:
         print(f"weft: The sweep was interrupted; the same command goes on in {given.out}.", file=sys.stderr)
         return 130
