@@ -11,7 +11,7 @@ wheels=("$checkout"/build/wheel/weft-*-cp311-*.whl)
   exit 1
 }
 /usr/bin/python3 -m venv env
-env/bin/pip install --quiet --disable-pip-version-check --no-index --find-links "$checkout/.setup/python-wheels" \
-  "${wheels[@]}[ray]" mypy
+env/bin/pip install --no-compile --quiet --disable-pip-version-check --no-index \
+  --find-links "$checkout/.setup/python-wheels" "${wheels[@]}[ray]" mypy
 unset WEFT_MODELS XDG_RUNTIME_DIR PYTHONPATH
-env/bin/python -B -m unittest discover -s "$checkout/python/tests" "$@"
+env/bin/python -B -m unittest discover -b -s "$checkout/python/tests" "$@"

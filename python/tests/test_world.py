@@ -3,10 +3,12 @@
 import json
 import pathlib
 import signal
+import struct
 import tempfile
 import threading
 import time
 import unittest
+import zlib
 from typing import Any
 
 import numpy as np
@@ -173,7 +175,13 @@ class Pictures(unittest.TestCase):
             path = pathlib.Path(folder) / "shape.obj"
             world.save(path)
             vertices = [line.split()[1:] for line in path.read_text().splitlines() if line.startswith("v ")]
-        np.testing.assert_allclose(np.array(vertices, float), world.positions, atol=1e-6)
+            np.testing.assert_allclose(np.array(vertices, float), world.positions, atol=1e-6)
+            world.save(path.with_suffix(".png"))
+            file = path.with_suffix(".png").read_bytes()
+        picture = world.render()
+        self.assertEqual(struct.unpack(">II", file[16:24]), (picture.shape[1], picture.shape[0]))
+        rows = np.frombuffer(zlib.decompress(file[41:-16]), np.uint8).reshape(picture.shape[0], -1)
+        np.testing.assert_array_equal(rows[:, 1:].reshape(picture.shape), picture)
 
 
 class Running(unittest.TestCase):

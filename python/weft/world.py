@@ -13,6 +13,7 @@ import numpy.typing as npt
 from . import _core
 from .errors import InputError, ShapeError
 from .machine import models_folder
+from .png import png
 from .progress import counted
 from .scenes import Scene, scene_text, to_json
 
@@ -286,11 +287,16 @@ class World:
         return self._core.mesh_file(format)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the present shape into a file whose name ends in .obj, .ply or .glb.
+        """Writes the present shape into a file whose name ends in .obj, .ply or .glb, or a picture (.png).
 
         Errors: InputError, another ending. OSError, the file cannot be written.
         """
-        pathlib.Path(path).write_bytes(self.mesh_file(pathlib.Path(path).suffix.removeprefix(".")))
+        ending = pathlib.Path(path).suffix.removeprefix(".")
+        pathlib.Path(path).write_bytes(png(self.render()) if ending == "png" else self.mesh_file(ending))
+
+    def _repr_png_(self) -> bytes:
+        """What a notebook shows of a world."""
+        return png(self.render())
 
     def state_hash(self) -> str:
         """XXH3-64 of the bits of all positions and velocities, as 16 hexadecimal digits.

@@ -52,9 +52,10 @@ def results(
 
 
 def _check_resources(ray: Any, cpus: float, gpus: float) -> None:
-    machines = [node["Resources"] for node in ray.nodes() if node["Alive"]]
-    if not any(machine.get("CPU", 0) >= cpus and machine.get("GPU", 0) >= gpus for machine in machines):
-        most = ", ".join(f"{machine.get('CPU', 0):g} and {machine.get('GPU', 0):g}" for machine in machines)
+    resources = [node["Resources"] for node in ray.nodes() if node["Alive"]]
+    machines = sorted((machine.get("CPU", 0), machine.get("GPU", 0)) for machine in resources)
+    if not any(there >= cpus and cards >= gpus for there, cards in machines):
+        most = ", ".join(f"{there:g} and {cards:g}" for there, cards in machines)
         raise InputError(
             f"A run takes {cpus:g} processors and {gpus:g} GPUs; the machines of the cluster have {most} of them."
         )
