@@ -100,15 +100,6 @@ Result<void> World::move(std::span<const std::uint32_t> nodes, std::span<const V
   return {};
 }
 
-void World::hold_given(std::span<const Vec4f> positions) {
-  for (std::size_t node = 0; node < positions.size(); ++node) {
-    scene::MotionGiven* motion = given(node);
-    if (motion == nullptr) continue;
-    const Vec3d offset = positions[node].xyz().to<double>() - model_.host.rest_position[node];
-    *motion = {motion->speed, 0, 0, offset, offset};
-  }
-}
-
 Result<void> World::write_state(Snapshot& state) {
   for (Vec4f& velocity : state.velocity) velocity.w = 0;  // the state before leads elsewhere
   state_.position[parity_].write(device_, state.position);

@@ -61,7 +61,8 @@ Result<void> World::check_places(const Snapshot& snapshot) const {
     places.push_back(time > 0 ? scene::motion_at(motion, time) : scene::RigidTransform{});
   for (std::size_t node = 0; node < model.vertex_count(); ++node) {
     if (!model.kinematic(node)) continue;
-    if (model.motion[node] > 1 &&
+    const bool finite = std::isfinite(length(snapshot.position[node].xyz()));
+    if (finite && model.motion[node] > 1 &&
         std::holds_alternative<scene::MotionGiven>(model.motions[model.motion[node] - 2].shape))
       continue;  // wherever a program had moved it
     const scene::RigidTransform& place = places[model.motion[node]];
@@ -80,6 +81,19 @@ bool World::takes_history(const Snapshot& snapshot) const {
   return plan_.method().history > 0 && snapshot.position_before.size() == model_.vertex_count() &&
          snapshot.velocity_before.size() == model_.vertex_count() && time.length == scene_.time.frame &&
          time.frame > 0 && snapshot.step == time.length / plan_.substeps_of(time.frame - 1);
+}
+
+void World::hold_given(std::span<const Vec4f> positions) {
+  for (std::size_t node = 0; node < positions.size(); ++node) {
+    scene::MotionGiven* motion = given(node);
+    if (motion == nullptr) continue;
+    const Vec3d& rest = model_.host.rest_position[node];
+    const scene::RigidTransform place = scene::motion_at(*motion, time());
+    const Vec3d there = positions[node].xyz().to<double>();
+    // Where it is there but for the rounding it keeps its own numbers, and so its bits.
+    if (length(there - place(rest)) > place_rounding(place, rest))
+      *motion = {motion->speed, 0, 0, there - rest, there - rest};
+  }
 }
 
 Result<void> World::restore(const Snapshot& snapshot) {

@@ -229,6 +229,41 @@ TEST_CASE("a snapshot that is not of this scene at its time is refused, and noth
   CHECK(world->frame() == 8);
 }
 
+TEST_CASE("nodes that a program has moved are where a snapshot has them") {
+  GpuFixture fixture;
+  const auto scene = sheet(60, R"(, "motions": [{"nodes": "right", "kind": "given", "speed": 3}])");
+  auto world = world_of(fixture.device(), scene);
+  const std::vector<std::uint32_t> nodes = world->given_nodes();
+  REQUIRE(nodes.size() == 9);
+  const auto lift = [&](sim::World& of, float height) {
+    const sim::Snapshot now = state_of(of);
+    std::vector<Vec3f> places;
+    for (const std::uint32_t node : nodes) places.push_back(now.position[node].xyz() + Vec3f{0, height, 0});
+    REQUIRE(of.move(nodes, places));
+    advance(of, 1);
+  };
+  lift(*world, 0.04F);
+  const sim::Snapshot middle = state_of(*world);
+  lift(*world, 0.03F);
+  advance(*world, 2);
+  const std::string end = hash_of(*world);
+  REQUIRE(world->restore(middle));  // back by 0.03 m, at an earlier time
+  CHECK(hash_of(*world) == middle.hash());
+  lift(*world, 0.03F);
+  advance(*world, 2);
+  CHECK(hash_of(*world) == end);
+
+  auto other = world_of(fixture.device(), scene);  // whose nodes were never moved
+  REQUIRE(other->restore(middle));
+  advance(*other, 1);
+  const sim::Snapshot stayed = state_of(*other);
+  for (const std::uint32_t node : nodes)
+    CHECK(length(stayed.position[node].xyz() - middle.position[node].xyz()) < 2e-7F);
+  sim::Snapshot bad = middle;
+  bad.position[nodes[0]].y = NAN;
+  CHECK(!other->restore(bad));
+}
+
 TEST_CASE("where coordinates are large, rounding is no reason to refuse a snapshot") {
   GpuFixture fixture;
   const std::string far = R"(, "transform": {"translate": [300, 40, -500]}, "motions": [
