@@ -34,10 +34,11 @@ wheel_tag() { "$1" -c 'import sys; v = sys.version_info[:2]; print("cp312-abi3" 
 # build_wheel PYTHON: build/wheel/weft-*.whl, unless it is newer than all that is in it. It asks for no newer libraries
 # than Debian 12's.
 build_wheel() {
-  local tools made
+  local tools made parts=(python/CMakeLists.txt python/pyproject.toml python/README.md python/src python/weft scenes
+    build/weft build/libweft.a)
   compile release weft weft_library
   made=$(compgen -G "build/wheel/weft-*-$(wheel_tag "$1")-*.whl" || true)
-  if [ -n "$made" ] && [ -z "$(find python scenes build/weft build/libweft.a -newer "$made" -print -quit)" ]; then
+  if [ -n "$made" ] && [ -z "$(find "${parts[@]}" -newer "$made" -print -quit)" ]; then
     return
   fi
   rm -f "$made"

@@ -14,4 +14,5 @@ wheels=("$checkout"/build/wheel/weft-*-cp311-*.whl)
 env/bin/pip install --no-compile --quiet --disable-pip-version-check --no-index \
   --find-links "$checkout/.setup/python-wheels" "${wheels[@]}[ray]" mypy
 unset WEFT_MODELS XDG_RUNTIME_DIR PYTHONPATH
-env/bin/python -B -m unittest discover -b -s "$checkout/python/tests" "$@"
+export PYTHONPYCACHEPREFIX=$folder/compiled # once for all processes, and not in this checkout
+env/bin/python -m unittest discover -b -s "$checkout/python/tests" "$@"

@@ -99,6 +99,24 @@ case_part() {
   expect "its sentence" 'weft: ./dev test --part takes a digit, not "10".' "$said"
 }
 
+# Which wheel is whose, and that one is made where anything in it is newer.
+case_wheel() {
+  compile() { :; }
+  setup_wheel_tools() {
+    echo made
+    exit 0
+  }
+  expect "the tag of Python 3.11" "cp311-*" "$(wheel_tag /usr/bin/python3)"
+  mkdir -p python/src python/weft scenes build/wheel
+  touch -d '1 hour ago' python/{CMakeLists.txt,pyproject.toml,README.md} scenes/a.json build/weft build/libweft.a \
+    python/src python/weft scenes
+  expect "without a wheel" made "$(build_wheel /usr/bin/python3)"
+  touch build/wheel/weft-1-cp311-cp311-linux.whl
+  expect "with a newer one" "" "$(build_wheel /usr/bin/python3)"
+  touch -d 'next hour' scenes/a.json
+  expect "with an older one" made "$(build_wheel /usr/bin/python3)"
+}
+
 case_bare() {
   id() { echo 1000; }
   local said status=0
