@@ -75,6 +75,18 @@ class Plans(Sweep):
         self.assertEqual(len({run.values["d"] for run in runs}), 24)  # repeats share theirs
         self.assertEqual(read_plan(path), read_plan(path))
 
+    def test_the_sweep_of_the_guide_has_the_runs_that_it_says(self) -> None:
+        guide = (scenes.CHECKOUT / "docs/sweep.md").read_text(encoding="utf-8")
+        example = guide.split("```json\n")[1].split("```")[0]
+        (self.folder / "m.py").write_text(METRIC)
+        path = self.folder / "sweep.json"
+        path.write_text(example)
+        self.assertIn("These are 3 × 2 × 10 runs.", guide)
+        runs = read_plan(path).runs
+        self.assertEqual(len(runs), 3 * 2 * 10)
+        for run in (runs[0], runs[-1]):
+            weft.World(run.scene, changes=run.changes)
+
     def test_what_is_wrong_is_said_with_its_key(self) -> None:
         for keys, sentence in (
             ({"format": "weft-sweep/2"}, 'format is "weft-sweep/2", not "weft-sweep/1"'),
