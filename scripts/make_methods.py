@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Writes the tables and plots of docs/methods.md, and the rows of /methods, from a run of `weft bench methods`.
 
-build/weft bench methods --most-ms 50 --json bench/methods_h100.json
+build/weft bench methods --most-ms 50 --json bench/methods_h200.json
 python3 scripts/make_methods.py            writes all of them
 python3 scripts/make_methods.py --check    says whether they are as the run makes them
 """
@@ -16,7 +16,7 @@ sys.path.insert(0, str(ROOT))
 from bench.paper.svg import Line, Plot, drawing
 
 PAGE = ROOT / "docs/methods.md"
-RUN = ROOT / "bench/methods_h100.json"
+RUN = ROOT / "bench/methods_h200.json"
 OF_PAGE = ROOT / "apps/web/methods/sheet_run.json"
 MARKS = ("<!-- methods -->", "<!-- /methods -->")
 FRAME = 1000 / 60  # [ms]
