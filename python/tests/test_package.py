@@ -3,6 +3,7 @@
 import ast
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -24,9 +25,12 @@ class Package(unittest.TestCase):
 
     def test_the_command_line_is_the_same_by_either_name(self) -> None:
         script = pathlib.Path(sys.prefix) / "bin/weft"
-        for command in ([script], [sys.executable, "-m", "weft"]):
-            done = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
-            self.assertEqual(done.stdout, f"weft {weft.__version__}\n")
+        said = [
+            subprocess.run([*command, "--version"], capture_output=True, text=True, check=True).stdout
+            for command in ([script], [sys.executable, "-m", "weft"])
+        ]
+        self.assertEqual(said[0], said[1])
+        self.assertRegex(said[0], rf"^weft {re.escape(weft.__version__)} \(.*wgpu-native [0-9.]+\)\n$")
         missing = subprocess.run([script, "check", "nowhere.json"], capture_output=True, text=True, check=False)
         self.assertEqual(missing.returncode, 3)
 

@@ -148,11 +148,12 @@ TEST_CASE("scenes that are no files are refused") {
   REQUIRE(::mkfifo(folder.path("pipe").c_str(), 0600) == 0);
   const std::pair<std::string, std::string> rows[] = {
       {"missing.json", "missing.json cannot be read: No such file or directory"},
-      {"", "cannot be read: No such file or directory"},
-      {"folder", "folder is not a regular file"},
+      {"", "There is no shipped scene \"\""},
+      {"folder", "There is no shipped scene \"folder\""},  // by its name alone, whatever lies there
+      {"./folder", "folder is not a regular file"},
       {"secret.json", "secret.json cannot be read: Permission denied"},
       {"secret.json/a", "cannot be read: Not a directory"},
-      {"pipe", "pipe is not a regular file"},
+      {"./pipe", "pipe is not a regular file"},
       {"/dev/zero", "/dev/zero is not a regular file"},
       {"a\nb.json", "a?b.json cannot be read"},
   };
