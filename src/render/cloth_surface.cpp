@@ -58,6 +58,10 @@ const gpu::RawBuffer& field_buffer(const ClothDraw& cloth, scene::View view, std
 
 WeaveParams weave_of(const ClothRange& range, std::size_t index) {
   const Dye dye = range.color ? dye_of(range.color->to<float>()) : kPalette[index % std::size(kPalette)];
+  if (!range.woven) {  // threads far below a pixel: nothing but their mean is seen
+    const Vec3f color = srgb_to_linear(dye.base);
+    return {Vec4f::from(color, 1e-6F), Vec4f::from(color, 1), Vec4f::from(color, 0), Vec4f::from(color, 0)};
+  }
   const double sett = range.sheet_size / kSettsPerSheet;
   return {Vec4f::from(srgb_to_linear(dye.base), static_cast<float>(sett / kThreadsPerSett)),
           Vec4f::from(srgb_to_linear(dye.dark), static_cast<float>(sett)),

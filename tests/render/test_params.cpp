@@ -24,4 +24,11 @@ TEST_CASE("cloths without a colour get different ones") {
   red.color = Vec3d{1, 0, 0};
   CHECK(weave_of(red, 0).base.x == doctest::Approx(1));
   CHECK(weave_of(red, 0).base.y == doctest::Approx(0));
+  ClothRange body = red;
+  body.woven = false;
+  const WeaveParams even = weave_of(body, 0);
+  CHECK(even.base.xyz() == weave_of(red, 0).base.xyz());
+  CHECK(even.dark.xyz() == even.base.xyz());
+  CHECK(even.accent.xyz() == even.base.xyz());
+  CHECK(even.back.w == 0);
 }
