@@ -22,12 +22,17 @@ struct Ways {
   void end(const Substep& substep) const;
 };
 
+/// From the way that a node would go on, as much of the change to `goal` as it `felt` in the substep before [m].
+Vec3d followed(const Vec3d& way, const Vec3d& goal, const Vec3d& felt);
+
 /// What a substep that seeks its end begins from: docs/solvers/vbd.md, equation 2.
 class LookBack {
  public:
   explicit LookBack(std::size_t node_count) : velocity_before_(node_count), known_(node_count, false) {}
   /// The ways to begin from; `aim` gets those without springs.
   Ways begin(const Substep& substep, std::vector<Vec3d>& aim);
+  const std::vector<Vec3d>& velocity_before() const { return velocity_before_; }
+  const std::vector<bool>& known() const { return known_; }
   void forget() { known_.assign(known_.size(), false); }
   void forget(std::size_t node) { known_[node] = false; }
 

@@ -68,6 +68,11 @@ TEST_CASE("laws of motion and of friction hold, explicit and implicit") {
         broken(fixture.device(), solver, {"fall", "chain", "pendulum", "throw", "slope", "landing"}).empty());
 }
 
+TEST_CASE("laws of friction hold by vbd, whose sweeps meet obstacles") {
+  GpuFixture fixture;
+  CHECK(broken(fixture.device(), scene::SolverKind::Vbd, {"fall", "slope", "landing"}).empty());
+}
+
 // A case for each method, of the laws that it was held to when docs/validation.md was written: those that take it
 // minutes are held by weft validate alone. There stands why these do not hold.
 const std::vector<std::string> kAll;  // all that weft validate measures by the method where nothing is named

@@ -1,13 +1,27 @@
-// Takes what obstacles press the nodes with in the substep, and clears the sums. One invocation per node.
-// Source: docs/solvers/vbd.md, Obstacles.
+// Takes what obstacles press the nodes with in the substep, and clears the sums. A node that they press begins from the
+// way without springs that they allow, or from as much of it as it followed in the substep before, if they pressed it
+// there. One invocation per node. Source: docs/solvers/vbd.md, Obstacles.
 #include "gpu/index.wgsl"
 #include "contact/proximity/pressed_vertex.wgsl"
-#include "method/vbd/node_holds.wgsl"
-//                                                                               elements            unit
-@group(0) @binding(0) var<uniform>             step        : StepBlock;
-@group(0) @binding(1) var<storage, read>       velocity_in : array<vec4f>;    // vertex_count       m/s
-@group(0) @binding(2) var<storage, read_write> presses     : array<i32>;      // press_sums.wgsl
-@group(0) @binding(3) var<storage, read_write> aim         : array<vec4f>;    // 4 * vertex_count   m
+#include "method/vbd/descended.wgsl"
+//                                                                                   elements            unit
+@group(0) @binding(0) var<uniform>             step            : StepBlock;
+@group(0) @binding(1) var<storage, read>       velocity_in     : array<vec4f>;    // vertex_count       m/s
+@group(0) @binding(2) var<storage, read>       velocity_before : array<vec4f>;    // vertex_count       m/s
+@group(0) @binding(3) var<storage, read_write> presses         : array<i32>;      // press_sums.wgsl
+@group(0) @binding(4) var<storage, read_write> aim             : array<vec4f>;    // 4 * vertex_count   m
+@group(0) @binding(5) var<storage, read_write> way             : array<vec4f>;    // vertex_count       m (w: 1/kg)
+
+// Equation (2) of a node that obstacles press.
+fn begun_way(node : u32) -> vec3f {
+  let goal = held_way(node, aim[node].xyz, identity(1.0), identity(1.0));
+  let velocity = velocity_in[node];
+  let change = goal - step.time.dt * velocity.xyz;
+  let square = dot(change, change);
+  if (velocity.w >= 0.0 || step.time.step_ratio <= 0.0 || square == 0.0) { return goal; }
+  let felt = step.time.dt * step.time.step_ratio * (velocity.xyz - velocity_before[node].xyz);
+  return step.time.dt * velocity.xyz + saturate(dot(felt, change) / square) * change;
+}
 
 @compute @workgroup_size(kWorkgroupSize)
 fn begin_holds(@builtin(global_invocation_id) id : vec3u) {
@@ -27,4 +41,5 @@ fn begin_holds(@builtin(global_invocation_id) id : vec3u) {
   aim[at] = vec4f(n, ahead + pressed.lack - (pressed.gap - restored));
   aim[at + 1u] = vec4f(step.time.dt * pressed.surface, pressed.friction);
   aim[at + 2u] = vec4f(restored, kPressed, select(0.0, 1.0, size >= kAlike * pressed.weight), 0.0);
+  if (way[node].w > 0.0) { way[node] = vec4f(begun_way(node), way[node].w); }
 }

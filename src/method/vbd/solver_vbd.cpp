@@ -42,10 +42,11 @@ Result<void> SolverVbd::create_holds(const SolverInputs& inputs) {
   WEFT_TRY(begin, gpu::create_shared_kernel(inputs.device, "method/vbd/begin_holds.wgsl", {},
                                             inputs.workgroup_size));
   WEFT_SET(begin_holds_,
-           gpu::Dispatch::create_by_parity(begin, begin->workgroups_of(count),
-                                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                                             return {state.steps, state.velocity[p], *inputs.presses(), aim_};
-                                           }));
+           gpu::Dispatch::create_by_parity(
+               begin, begin->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                 return {state.steps, state.velocity[p],    state.velocity[1 - p], *inputs.presses(),
+                         aim_,        state.position[1 - p]};
+               }));
   WEFT_TRY(end, gpu::create_shared_kernel(inputs.device, "method/vbd/end_held_way.wgsl", {},
                                           inputs.workgroup_size));
   WEFT_SET(end_way_,

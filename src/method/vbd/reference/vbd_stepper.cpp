@@ -71,9 +71,19 @@ void VbdStepper::sweep(const Substep& substep, const std::vector<Vec3d>& aim, Wa
 }
 
 void VbdStepper::advance(const Substep& substep) {
+  const std::vector<bool> bore = held(), known = look_back_.known();
+  const std::vector<Vec3d> velocity = substep.system.velocity, velocity_before = look_back_.velocity_before();
   hold_nodes(substep);
   std::vector<Vec3d> aim;
   Ways ways = look_back_.begin(substep, aim);
+  for (std::size_t node = 0; node < aim.size(); ++node) {
+    if (!holds_[node] || ways.inverse_mass[node] == 0) continue;
+    const Vec3d goal = holds_[node]->descend({aim[node], Sym3::identity(1)});
+    const bool goes_on = !bore.empty() && bore[node] && known[node] && substep.ratio > 0;
+    ways.way[node] = goes_on ? followed(substep.dt * velocity[node], goal,
+                                        substep.dt * substep.ratio * (velocity[node] - velocity_before[node]))
+                             : goal;
+  }
   for (std::uint32_t k = 0; k < iterations_; ++k) sweep(substep, aim, ways);
   ways.end(substep);
   for (std::size_t node = 0; node < holds_.size(); ++node)
