@@ -30,8 +30,7 @@ void Altered::say_all(const sim::World& world) const {
         static_cast<unsigned long long>(world.totals().driven));
   const sim::Totals& totals = world.totals();
   if (totals.flattened > 0)
-    say("Up to %u of %llu tetrahedra had less than a twentieth of their volume, or were inside out: the "
-        "body "
+    say("Up to %u of %llu tetrahedra had less than a twentieth of their volume, or were inside out: the body "
         "is pressed harder than its material bears, or the steps are too long.",
         totals.flattened, static_cast<unsigned long long>(world.model().host.count(ElementKind::Tet)));
   if (totals.slowed > 0)

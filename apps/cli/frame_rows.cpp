@@ -108,11 +108,11 @@ Result<void> FrameRows::append(const std::string& line) {
 Result<void> FrameRows::add(sim::World& world) {
   std::string line = std::to_string(world.frame() - 1) + "," + number_text(world.time());
   if (system_) {
-    WEFT_TRY(snapshot, world.snapshot());
+    WEFT_TRY(nodes, world.node_state());
     system_->position.clear();
     system_->velocity.clear();
-    for (const Vec4f& p : snapshot.position) system_->position.push_back(p.xyz().to<double>());
-    for (const Vec4f& v : snapshot.velocity) system_->velocity.push_back(v.xyz().to<double>());
+    for (const Vec4f& p : nodes.position) system_->position.push_back(p.xyz().to<double>());
+    for (const Vec4f& v : nodes.velocity) system_->velocity.push_back(v.xyz().to<double>());
     system_->acceleration = world.scene().gravity + world.scene().external_force;
     const reference::EnergySums e = reference::energies(*system_);
     for (const double joules : {e.kinetic, e.potential, e.springs, e.membranes, e.bending, e.tetrahedra})

@@ -46,6 +46,14 @@ void add_pair(CLI::App& command, SceneOptions& options, const char* option, cons
       ->type_name(one_for_both ? "N|NxM" : "WxH");
 }
 
+/// An option that does something after every N-th frame.
+CLI::Option* add_every(CLI::App& command, const char* name, std::uint32_t& every, const char* what) {
+  return command.add_option(name, every, what)
+      ->check(kWholeNumber)
+      ->check(CLI::Range(1U, kMostFrames))
+      ->type_name("N");
+}
+
 void add_outputs(CLI::App& command, RunOptions& options) {
   CLI::Option* out = command
                          .add_option("-o,--out", options.out,
@@ -54,22 +62,14 @@ void add_outputs(CLI::App& command, RunOptions& options) {
   command.add_flag("!--no-pictures", options.pictures, "Neither pictures nor a video")->needs(out);
   command.add_flag("!--no-measures", options.measures, "frames.csv without energies, which are read back")
       ->needs(out);
-  command
-      .add_option("--meshes-every", options.meshes_every,
-                  "The first frame and every N-th after it as a mesh file too")
-      ->check(kWholeNumber)
-      ->check(CLI::Range(1U, kMostFrames))
-      ->type_name("N")
+  add_every(command, "--meshes-every", options.meshes_every,
+            "The first frame and every N-th after it as a mesh file too")
       ->needs(out);
   command.add_option("--mesh-format", options.mesh_format, "Of those: obj or ply")
       ->check(CLI::IsMember({"obj", "ply"}))
       ->needs("--meshes-every");
-  command
-      .add_option("--checkpoint-every", options.checkpoint_every,
-                  "A file to resume from after every N-th frame, and after the last")
-      ->check(kWholeNumber)
-      ->check(CLI::Range(1U, kMostFrames))
-      ->type_name("N")
+  add_every(command, "--checkpoint-every", options.checkpoint_every,
+            "A file to resume from after every N-th frame, and after the last")
       ->needs(out);
 }
 

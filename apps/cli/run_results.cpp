@@ -10,10 +10,10 @@
 namespace weft::cli {
 namespace {
 
-Result<void> write_shape(const sim::World& world, const sim::Snapshot& snapshot, const std::string& format,
+Result<void> write_shape(const sim::World& world, const sim::NodeState& nodes, const std::string& format,
                          const std::string& path) {
-  WEFT_TRY(bytes, mesh_file(drawn_mesh(world.model().host, snapshot.position, world.scene().render.subdivide),
-                            format));
+  WEFT_TRY(bytes,
+           mesh_file(drawn_mesh(world.model().host, nodes.position, world.scene().render.subdivide), format));
   return write_file(path, bytes);
 }
 
@@ -43,9 +43,9 @@ Result<void> RunResults::add_frame(sim::World& world) {
   if (pictures_) WEFT_CHECK(pictures_->draw(world));
   WEFT_CHECK(rows_->add(world));
   if (meshes_every_ == 0 || frame % meshes_every_ != 0) return {};
-  WEFT_TRY(snapshot, world.snapshot());
+  WEFT_TRY(nodes, world.node_state());
   ++meshes_;
-  return write_shape(world, snapshot, mesh_format_, folder_.path() + "/" + mesh_name(frame, mesh_format_));
+  return write_shape(world, nodes, mesh_format_, folder_.path() + "/" + mesh_name(frame, mesh_format_));
 }
 
 Result<void> RunResults::write_checkpoint(const sim::SavedState& state) {

@@ -70,7 +70,12 @@ def scene_text(scene: Scene) -> SceneText:
         if not path.is_file():
             names = ", ".join(scene_names())
             raise InputError(f'There is no scene "{scene}", neither as a file nor shipped; those are {names}.')
+    return SceneText(read_text(path), str(path))
+
+
+def read_text(path: pathlib.Path, name: str = "") -> str:
+    """The text of a file, which messages call `name`, else by its path. Errors: InputError, it cannot be read."""
     try:
-        return SceneText(path.read_text(encoding="utf-8"), str(path))
+        return path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.") from None
+        raise InputError(f"{name or path} cannot be read: {getattr(error, 'strerror', None) or error}.") from None

@@ -1,6 +1,5 @@
 #include <cassert>
 #include <cstdio>
-#include <cstring>
 #include <string>
 #include <utility>
 
@@ -71,15 +70,9 @@ std::pair<std::string, std::size_t> document(const TriangleMesh& mesh, const Ver
       layout.bytes()};
 }
 
-void append(std::vector<std::byte>& bytes, float value) {
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  append_little_endian(bytes, bits);
-}
-
 void append(std::vector<std::byte>& bytes, const std::vector<Vec3f>& points) {
   for (const Vec3f& p : points)
-    for (int axis = 0; axis < 3; ++axis) append(bytes, p[axis]);
+    for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, p[axis]);
 }
 
 }  // namespace
@@ -91,8 +84,8 @@ std::vector<std::byte> write_glb(const TriangleMesh& mesh, const VertexAttribute
   append(bytes, mesh.positions);
   append(bytes, attributes.normals);
   for (const auto& [u, v] : attributes.texture) {
-    append(bytes, u);
-    append(bytes, 1 - v);  // glTF counts from the upper edge of a picture
+    append_little_endian(bytes, u);
+    append_little_endian(bytes, 1 - v);  // glTF counts from the upper edge of a picture
   }
   for (const Triangle& triangle : mesh.triangles)
     for (const std::uint32_t vertex : triangle) append_little_endian(bytes, vertex);

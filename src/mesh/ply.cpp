@@ -3,7 +3,6 @@
 #include <cassert>
 #include <cfloat>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
 #include "mesh/gzip.hpp"
@@ -226,17 +225,12 @@ std::vector<std::byte> write_ply(const TriangleMesh& mesh, const std::string& co
   std::vector<std::byte> bytes;
   bytes.reserve(header.size() + 32 * mesh.positions.size() + 13 * mesh.triangles.size());
   for (const char c : header) bytes.push_back(static_cast<std::byte>(c));
-  const auto append = [&](float value) {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    append_little_endian(bytes, bits);
-  };
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    for (int axis = 0; axis < 3; ++axis) append(mesh.positions[v][axis]);
+    for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, mesh.positions[v][axis]);
     if (!attributes.normals.empty())
-      for (int axis = 0; axis < 3; ++axis) append(attributes.normals[v][axis]);
+      for (int axis = 0; axis < 3; ++axis) append_little_endian(bytes, attributes.normals[v][axis]);
     if (!attributes.texture.empty())
-      for (const float coordinate : attributes.texture[v]) append(coordinate);
+      for (const float coordinate : attributes.texture[v]) append_little_endian(bytes, coordinate);
   }
   for (const Triangle& triangle : mesh.triangles) {
     bytes.push_back(std::byte{3});

@@ -91,7 +91,7 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
 double predicted_frame(const scene::Scene& scene, const Model& model, const Method& method,
                        std::uint32_t substeps);
 
-/// Whether the method's matrix includes contact in this scene. Restitution is left to impulses.
+/// What of contact the method answers itself in this scene. Restitution is left to impulses.
 SolvedContact solved_contact(const scene::Scene& scene, const Method& method);
 
 }  // namespace weft

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 #include <type_traits>
 
 #include "base/state_hash.hpp"
@@ -181,7 +182,7 @@ std::vector<std::byte> write_saved_state(const SavedState& state) {
   for_each(state.totals, [&](const char*, auto value) { writer.number(value); });
   const std::vector<std::byte> content = writer.take();
   StateWriter header;
-  for (const char c : {'w', 'e', 'f', 't', 's', 'a', 'v', 'e'}) header.number(c);
+  for (const char c : std::string_view(kMagic, kMagicBytes)) header.number(c);
   header.number(kVersion);
   header.number(std::uint32_t{0});
   header.number(std::uint64_t{kHeaderBytes + content.size()});

@@ -10,10 +10,14 @@
 
 namespace weft::sim {
 
-/// The state of all nodes in model order, and when they were so: all that the next substep reads from those before it.
-struct Snapshot {
+/// Where all nodes are and how fast, in model order.
+struct NodeState {
   std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
-  std::vector<Vec4f> velocity;  // [m/s]; w: 1 where the state a substep before is known (Method::history)
+  std::vector<Vec4f> velocity;  // [m/s]; w: not 0 where the state a substep before is known (Method::history)
+};
+
+/// The same and when it was so: all that the next substep reads from those before it.
+struct Snapshot : NodeState {
   FrameTime time;
   Gusts gusts;  // of the wind then
   std::vector<std::uint32_t>

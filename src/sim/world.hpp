@@ -73,6 +73,8 @@ class World {
 
   /// The current state, waited for. After finish() only is it known that no frame before it has to be repeated.
   Result<Snapshot> snapshot();
+  /// The first part of that alone. Errors  as snapshot.
+  Result<NodeState> node_state() const;
   /// Makes a snapshot the current state, and the one to which a bad or repeated frame rolls back. Time goes on from the
   /// snapshot's, also where its frames had another length: motions, colliders, the scene's grabs and gusts are where
   /// they are then. frame() is the snapshot's where frames have the same length, and counts from 0 otherwise. What it
@@ -159,9 +161,10 @@ class World {
   /// Whether a snapshot's state of a substep before is what the next substep looks back on.
   bool takes_history(const Snapshot& snapshot) const;
   /// Makes its positions and velocities the current state, and the one to which a bad or repeated frame rolls back.
-  Result<void> write_state(Snapshot& state);
+  Result<void> write_state(NodeState& state);
   /// Of a node that a program moves, its motion; else null.
-  scene::MotionGiven* given(std::size_t node);
+  const scene::MotionGiven* given(std::size_t node) const;
+  void set_given(std::size_t node, const scene::MotionGiven& way);
   /// Has them stay where positions have them.
   void hold_given(std::span<const Vec4f> positions);
   void clear_statistics() const;

@@ -26,7 +26,7 @@ Result<void> check_values(std::span<const Vec3f> values, std::size_t nodes, cons
 Result<void> World::set_positions(std::span<const Vec3f> positions) {
   WEFT_CHECK(check_values(positions, model_.vertex_count(), "positions"));
   WEFT_CHECK(finish());
-  WEFT_TRY(now, snapshot());
+  WEFT_TRY(now, node_state());
   for (std::size_t node = 0; node < positions.size(); ++node) {
     Vec4f& place = now.position[node];
     const Vec3f& wanted = positions[node];
@@ -46,7 +46,7 @@ Result<void> World::set_positions(std::span<const Vec3f> positions) {
 Result<void> World::set_velocities(std::span<const Vec3f> velocities) {
   WEFT_CHECK(check_values(velocities, model_.vertex_count(), "velocities"));
   WEFT_CHECK(finish());
-  WEFT_TRY(now, snapshot());
+  WEFT_TRY(now, node_state());
   for (std::size_t node = 0; node < velocities.size(); ++node)
     if (!model_.host.kinematic(node)) now.velocity[node] = Vec4f::from(velocities[node], 0);
   return write_state(now);
@@ -55,7 +55,7 @@ Result<void> World::set_velocities(std::span<const Vec3f> velocities) {
 Result<void> World::push(std::span<const Vec3f> impulses) {
   WEFT_CHECK(check_values(impulses, model_.vertex_count(), "impulses"));
   WEFT_CHECK(finish());
-  WEFT_TRY(now, snapshot());
+  WEFT_TRY(now, node_state());
   for (std::size_t node = 0; node < impulses.size(); ++node) {
     const float inverse_mass = now.position[node].w;  // of a kinematic node 0
     now.velocity[node] = Vec4f::from(now.velocity[node].xyz() + inverse_mass * impulses[node], 0);
@@ -63,18 +63,19 @@ Result<void> World::push(std::span<const Vec3f> impulses) {
   return write_state(now);
 }
 
-scene::MotionGiven* World::given(std::size_t node) {
+const scene::MotionGiven* World::given(std::size_t node) const {
   const std::uint32_t motion = model_.host.motion[node];
   return motion < 2 ? nullptr : std::get_if<scene::MotionGiven>(&model_.host.motions[motion - 2].shape);
 }
 
+void World::set_given(std::size_t node, const scene::MotionGiven& way) {
+  model_.host.motions[model_.host.motion[node] - 2].shape = way;
+}
+
 std::vector<std::uint32_t> World::given_nodes() const {
   std::vector<std::uint32_t> nodes;
-  const Model& model = model_.host;
-  for (std::uint32_t node = 0; node < model.vertex_count(); ++node)
-    if (model.motion[node] > 1 &&
-        std::holds_alternative<scene::MotionGiven>(model.motions[model.motion[node] - 2].shape))
-      nodes.push_back(node);
+  for (std::uint32_t node = 0; node < model_.vertex_count(); ++node)
+    if (given(node) != nullptr) nodes.push_back(node);
   return nodes;
 }
 
@@ -96,11 +97,11 @@ Result<void> World::move(std::span<const std::uint32_t> nodes, std::span<const V
                          nodes[k], length(to - from), speed, before->speed);
     ways.push_back({before->speed, begin, begin + frame, from, to});
   }
-  for (std::size_t k = 0; k < nodes.size(); ++k) *given(nodes[k]) = ways[k];
+  for (std::size_t k = 0; k < nodes.size(); ++k) set_given(nodes[k], ways[k]);
   return {};
 }
 
-Result<void> World::write_state(Snapshot& state) {
+Result<void> World::write_state(NodeState& state) {
   for (Vec4f& velocity : state.velocity) velocity.w = 0;  // the state before leads elsewhere
   state_.position[parity_].write(device_, state.position);
   state_.velocity[parity_].write(device_, state.velocity);

@@ -28,12 +28,16 @@ std::string Snapshot::hash() const {
   return state_hash(std::as_bytes(std::span(position)), std::as_bytes(std::span(velocity)));
 }
 
+Result<NodeState> World::node_state() const {
+  NodeState state;
+  WEFT_SET(state.position, gpu::download(device_, state_.position[parity_]));
+  WEFT_SET(state.velocity, gpu::download(device_, state_.velocity[parity_]));
+  return state;
+}
+
 Result<Snapshot> World::snapshot() {
-  Snapshot snapshot;
-  WEFT_TRY(position, gpu::download(device_, state_.position[parity_]));
-  snapshot.position = std::move(position);
-  WEFT_TRY(velocity, gpu::download(device_, state_.velocity[parity_]));
-  snapshot.velocity = std::move(velocity);
+  WEFT_TRY(nodes, node_state());
+  Snapshot snapshot{std::move(nodes)};
   WEFT_SET(snapshot.contact_forces, contact_.forces(device_));
   WEFT_SET(snapshot.hold_forces, contact_.hold_forces(device_));
   snapshot.time = plan_.time_of(diverged_ ? bad_frame_ : frame_);  // frozen as it was before the bad frame
@@ -62,9 +66,7 @@ Result<void> World::check_places(const Snapshot& snapshot) const {
   for (std::size_t node = 0; node < model.vertex_count(); ++node) {
     if (!model.kinematic(node)) continue;
     const bool finite = std::isfinite(length(snapshot.position[node].xyz()));
-    if (finite && model.motion[node] > 1 &&
-        std::holds_alternative<scene::MotionGiven>(model.motions[model.motion[node] - 2].shape))
-      continue;  // wherever a program had moved it
+    if (finite && given(node) != nullptr) continue;  // wherever a program had moved it
     const scene::RigidTransform& place = places[model.motion[node]];
     const double off = length(snapshot.position[node].xyz().to<double>() - place(model.rest_position[node]));
     const double allowed = place_rounding(place, model.rest_position[node]);
@@ -85,14 +87,14 @@ bool World::takes_history(const Snapshot& snapshot) const {
 
 void World::hold_given(std::span<const Vec4f> positions) {
   for (std::size_t node = 0; node < positions.size(); ++node) {
-    scene::MotionGiven* motion = given(node);
+    const scene::MotionGiven* motion = given(node);
     if (motion == nullptr) continue;
     const Vec3d& rest = model_.host.rest_position[node];
     const scene::RigidTransform place = scene::motion_at(*motion, time());
     const Vec3d there = positions[node].xyz().to<double>();
     // Where it is there but for the rounding it keeps its own numbers, and so its bits.
     if (length(there - place(rest)) > place_rounding(place, rest))
-      *motion = {motion->speed, 0, 0, there - rest, there - rest};
+      set_given(node, {motion->speed, 0, 0, there - rest, there - rest});
   }
 }
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from ..errors import InputError
-from ..scenes import SceneText, scene_text, to_json
+from ..scenes import SceneText, read_text, scene_text, to_json
 
 FORMAT = "weft-sweep/1"
 KEYS = ("format", "scene", "frames", "set", "grid", "random", "repeats", "metric", "export")
@@ -45,10 +45,9 @@ class Plan:
 
 def read_plan(path: pathlib.Path) -> Plan:
     """The plan in a file. Errors: InputError, with the key and its limit."""
+    text = read_text(path)
     try:
-        sweep = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} cannot be read: {getattr(error, 'strerror', None) or error}.") from None
+        sweep = json.loads(text)
     except ValueError as error:
         raise InputError(f"{path} is not JSON: {error}.") from None
     try:
@@ -139,10 +138,7 @@ def _metric(metric: Any, folder: pathlib.Path) -> tuple[str, str] | None:
         return None
     file, _, function = metric.rpartition(":") if isinstance(metric, str) else ("", "", "")
     _check(bool(file) and function.isidentifier(), 'metric must be "FILE.py:FUNCTION"')
-    try:
-        return (folder / file).read_text(encoding="utf-8"), function
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"metric {file} cannot be read: {getattr(error, 'strerror', None) or error}.") from None
+    return read_text(folder / file, f"metric {file}"), function
 
 
 def _object(sweep: dict[str, Any], key: str) -> dict[str, Any]:

@@ -7,7 +7,7 @@ namespace weft::contact {
 
 /// The stages of contact in a substep. A solver calls them where its algorithm needs them, in this order:
 ///
-///   press      optional, before it is solved, by a solver whose matrix holds obstacles: their demands on each vertex.
+///   press      optional, before it is solved, by a solver that answers obstacles itself: their demands on each vertex.
 ///   press_again  optional, after press, by a solver that has worked out ways: the same by the velocities that lead
 ///              there, which it has left in `predicted`.
 ///   search     once, at the predicted state: lists near features where that is due.

@@ -5,9 +5,12 @@
 #include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
+namespace {
 
 /// The part of a node's compliance along the normal that friction of what slides leaves of it, at least.
-inline constexpr double kLeastCompliance = 0.25;
+constexpr double kLeastCompliance = 0.25;
+
+}  // namespace
 
 std::optional<NodeHold> NodeHold::of(const Press& press, const Vec3d& ahead, double dt) {
   const double size = length(press.normal);

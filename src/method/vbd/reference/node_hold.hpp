@@ -31,8 +31,8 @@ class NodeHold {
 
  private:
   Vec3d normal_, surface_way_;  // the way of the obstacle's surface [m]
-  double least_ = 0,
-         restored_ = 0;  // how far along the normal the node has to be, how much of it restores a gap [m]
+  double least_ = 0;            // how far along the normal the node has to go [m]
+  double restored_ = 0;         // the part of it that restores a gap [m]
   double friction_ = 0;
   bool alike_ = false, bears_ = false;
 };
