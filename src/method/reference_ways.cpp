@@ -24,21 +24,17 @@ void Ways::end(const Substep& substep) const {
   }
 }
 
-Vec3d followed(const Vec3d& way, const Vec3d& goal, const Vec3d& felt) {
-  const Vec3d change = goal - way;
-  const double square = dot(change, change);
-  return square == 0 ? goal : way + std::clamp(dot(felt, change) / square, 0.0, 1.0) * change;
-}
-
 Ways LookBack::begin(const Substep& substep, std::vector<Vec3d>& aim) {
   const double dt = substep.dt;
   const std::vector<Vec3d> velocity = substep.system.velocity;
   Ways ways = Ways::begin(substep);
   aim = ways.way;
   for (std::size_t node = 0; node < aim.size(); ++node) {
-    if (ways.inverse_mass[node] == 0 || !known_[node] || substep.ratio == 0) continue;
-    ways.way[node] = followed(dt * velocity[node], aim[node],
-                              dt * substep.ratio * (velocity[node] - velocity_before_[node]));
+    const Vec3d change = aim[node] - dt * velocity[node];
+    const double square = dot(change, change);
+    if (ways.inverse_mass[node] == 0 || !known_[node] || substep.ratio == 0 || square == 0) continue;
+    const Vec3d felt = dt * substep.ratio * (velocity[node] - velocity_before_[node]);
+    ways.way[node] = dt * velocity[node] + std::clamp(dot(felt, change) / square, 0.0, 1.0) * change;
   }
   velocity_before_ = velocity;
   known_.assign(known_.size(), true);

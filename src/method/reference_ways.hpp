@@ -22,9 +22,6 @@ struct Ways {
   void end(const Substep& substep) const;
 };
 
-/// From the way that a node would go on, as much of the change to `goal` as it `felt` in the substep before [m].
-Vec3d followed(const Vec3d& way, const Vec3d& goal, const Vec3d& felt);
-
 /// What a substep that seeks its end begins from: docs/solvers/vbd.md, equation 2.
 class LookBack {
  public:

@@ -122,6 +122,36 @@ TEST_CASE("in double, by vbd a block slides down a plane as Coulomb says, or lie
     }
 }
 
+TEST_CASE("in double, by vbd a stiff sheet slides down a plane as Coulomb says, by one sweep too") {
+  for (const Steps& steps : {Steps{2, 10}, Steps{8, 1}, Steps{32, 1}})
+    for (const double friction : {0.1, 0.4}) {  // the slope's tangent is 0.546
+      auto made = simulation_of_text(
+          R"("gravity": [)" + text(kGravity * std::sin(0.5)) + ", " + text(-kGravity * std::cos(0.5)) +
+          R"(, 0], "time": {"substeps": )" + std::to_string(steps.substeps) +
+          R"(}, "solver": {"kind": "vbd", "iterations": )" + std::to_string(steps.sweeps) +
+          R"(}, "contact": {"thickness": 0.005, "self": false}, "cloths": [{"grid": [12, 10], "size": [0.4, 0.3],
+              "plane": "xz", "density": 0.3, "friction": )" +
+          text(friction) + R"(, "stiffness": {"structural": 3000, "shear": 800, "bend": 5}, "damping": 0.01,
+              "transform": {"translate": [0, 0.005, 0]}}],
+            "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])");
+      const std::vector<Vec3d> first = made.positions();
+      advance(made, 30);
+      const double time = 0.5, step = 1.0 / 60 / steps.substeps,
+                   pull = kGravity * (std::sin(0.5) - friction * std::cos(0.5)),
+                   law = 0.5 * pull * time * (time + step);  // of backward Euler from rest
+      double least = 1e9, most = 0;
+      for (std::size_t n = 0; n < first.size(); ++n) {
+        const double way = made.positions()[n].x - first[n].x;
+        least = std::min(least, way / law);
+        most = std::max(most, way / law);
+      }
+      MESSAGE(steps.substeps << " substeps of " << steps.sweeps << " sweeps, friction " << friction << ": "
+                             << least << " to " << most << " of the law");
+      CHECK(least > 0.995);
+      CHECK(most < 1.005);
+    }
+}
+
 TEST_CASE("in double, by vbd a block that falls on a plane does not come back as high as it was") {
   for (const Steps& steps : {Steps{2, 10}, Steps{8, 2}, Steps{8, 10}, Steps{32, 10}})
     for (const double young : {6e4, 1e7}) {

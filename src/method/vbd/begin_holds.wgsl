@@ -1,6 +1,6 @@
-// Takes what obstacles press the nodes with in the substep, and clears the sums. A node that they press begins from the
-// way without springs that they allow, or from as much of it as it followed in the substep before, if they pressed it
-// there. One invocation per node. Source: docs/solvers/vbd.md, Obstacles.
+// Takes what obstacles press the nodes with in the substep, and clears the sums. A node that would bear against them
+// alone begins from where that takes it; or where its neighbours have just pulled it against that, goes on as they did.
+// One invocation per node. Source: docs/solvers/vbd.md, Obstacles.
 #include "gpu/index.wgsl"
 #include "contact/proximity/pressed_vertex.wgsl"
 #include "method/vbd/descended.wgsl"
@@ -12,15 +12,15 @@
 @group(0) @binding(4) var<storage, read_write> aim             : array<vec4f>;    // 4 * vertex_count   m
 @group(0) @binding(5) var<storage, read_write> way             : array<vec4f>;    // vertex_count       m (w: 1/kg)
 
-// Equation (2) of a node that obstacles press.
 fn begun_way(node : u32) -> vec3f {
-  let goal = held_way(node, aim[node].xyz, identity(1.0), identity(1.0));
+  let alone = held_way(node, aim[node].xyz, identity(1.0), identity(1.0));
+  if (aim[hold_at(node) + 2u].y != kBears) { return way[node].xyz; }
   let velocity = velocity_in[node];
-  let change = goal - step.time.dt * velocity.xyz;
-  let square = dot(change, change);
-  if (velocity.w >= 0.0 || step.time.step_ratio <= 0.0 || square == 0.0) { return goal; }
+  let going_on = step.time.dt * velocity.xyz;
+  let change = alone - going_on;
   let felt = step.time.dt * step.time.step_ratio * (velocity.xyz - velocity_before[node].xyz);
-  return step.time.dt * velocity.xyz + saturate(dot(felt, change) / square) * change;
+  if (velocity.w >= 0.0 || !(dot(felt, change) < 0.0)) { return alone; }
+  return going_on + min(1.0, length(change) / length(felt)) * felt;
 }
 
 @compute @workgroup_size(kWorkgroupSize)

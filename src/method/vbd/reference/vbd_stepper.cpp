@@ -71,18 +71,19 @@ void VbdStepper::sweep(const Substep& substep, const std::vector<Vec3d>& aim, Wa
 }
 
 void VbdStepper::advance(const Substep& substep) {
-  const std::vector<bool> bore = held(), known = look_back_.known();
-  const std::vector<Vec3d> velocity = substep.system.velocity, velocity_before = look_back_.velocity_before();
   hold_nodes(substep);
+  const std::vector<Vec3d> velocity = substep.system.velocity, velocity_before = look_back_.velocity_before();
+  const std::vector<bool> known = look_back_.known();
   std::vector<Vec3d> aim;
   Ways ways = look_back_.begin(substep, aim);
   for (std::size_t node = 0; node < aim.size(); ++node) {
     if (!holds_[node] || ways.inverse_mass[node] == 0) continue;
-    const Vec3d goal = holds_[node]->descend({aim[node], Sym3::identity(1)});
-    const bool goes_on = !bore.empty() && bore[node] && known[node] && substep.ratio > 0;
-    ways.way[node] = goes_on ? followed(substep.dt * velocity[node], goal,
-                                        substep.dt * substep.ratio * (velocity[node] - velocity_before[node]))
-                             : goal;
+    const Vec3d alone = holds_[node]->descend({aim[node], Sym3::identity(1)});
+    if (!holds_[node]->bears()) continue;
+    const Vec3d going_on = substep.dt * velocity[node], change = alone - going_on;
+    const Vec3d felt = substep.dt * substep.ratio * (velocity[node] - velocity_before[node]);
+    const bool is_pulled = bore_[node] && known[node] && dot(felt, change) < 0;
+    ways.way[node] = is_pulled ? going_on + no_longer(felt, length(change)) : alone;
   }
   for (std::uint32_t k = 0; k < iterations_; ++k) sweep(substep, aim, ways);
   ways.end(substep);
@@ -92,6 +93,8 @@ void VbdStepper::advance(const Substep& substep) {
 
 void VbdStepper::hold_nodes(const Substep& substep) {
   const std::vector<Vec3d>& velocity = substep.system.velocity;
+  bore_ = held();
+  bore_.resize(velocity.size());
   holds_.assign(velocity.size(), {});
   answers_ = static_cast<bool>(substep.pressed);
   if (!answers_) return;

@@ -36,7 +36,8 @@ class VbdStepper : public Stepper {
   mesh::Adjacency springs_of_;  // node -> its springs
   LookBack look_back_;
   std::vector<std::optional<NodeHold>> holds_;
-  bool answers_ = false;  // contact with obstacles, in the last substep
+  std::vector<bool> bore_;  // held() of the substep before
+  bool answers_ = false;    // contact with obstacles, in the last substep
 };
 
 }  // namespace weft::reference
