@@ -1,7 +1,8 @@
 // Broad phase: finds the candidates near each cloth triangle, by boxes grown by thickness and reaches. One workgroup
-// for kOwn cloth triangles. They lie side by side, so it walks each tree once for all of them (walk.wgsl), the cloths'
-// own for later triangles and those of colliders, and each invocation tests triangles met against their boxes. The
-// list's order depends on scheduling; no result depends on the order. Source: docs/contact.md.
+// for kOwn cloth triangles, or some that share the trees out. They lie side by side, so it walks each tree once for all
+// of them (walk.wgsl), the cloths' own for later triangles and those of colliders, and each invocation tests triangles
+// met against their boxes. The list's order depends on scheduling; no result depends on the order.
+// Source: docs/contact.md.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
@@ -292,7 +293,8 @@ fn if_works(works : bool, box : Box) -> Box {
 }
 
 @compute @workgroup_size(kWalkers)
-fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index) thread : u32) {
+fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(num_workgroups) groups : vec3u,
+                   @builtin(local_invocation_index) thread : u32) {
   if (thread == 0u) { due = atomicLoad(&statistics[kStatDue]); }
   if (workgroupUniformLoad(&due) == 0u) { return; }
   let first = kOwn * flat_group(group);
@@ -309,7 +311,7 @@ fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocati
   let radius = params.thickness + own_slack + bitcast<f32>(atomicLoad(&statistics[kStatReach]));
   // The cloths' tree, then those of colliders, by one call: compilers expand each, and three took a software adapter
   // 15 s to compile.
-  for (var k = 0u; k <= params.collider_count; k++) {
+  for (var k = group.z; k <= params.collider_count; k += groups.z) {
     var tree = Tree(kNearCloth, 0u, 0u, params.triangle_count, first + 1u);
     var box = grown(own_box, params.self_thickness + own_slack);
     if (k == 0u && params.self_contact != 1u) { continue; }
@@ -323,5 +325,5 @@ fn find_candidates(@builtin(workgroup_id) group : vec3u, @builtin(local_invocati
     }
     meet_tree(tree, if_works(works, box), first, thread);
   }
-  meet_shapes(radius, works, thread);
+  if (group.z == 0u) { meet_shapes(radius, works, thread); }
 }

@@ -32,7 +32,7 @@ fn pair_product(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     var inertia : vec4f;
     for (var role = 0u; role < 4u; role++) {
       inertia[role] = place[among_all(hold, role)].w;
-      if (inertia[role] > 0.0) { way += w[role] * operand(state, among_all(hold, role)); }
+      way += select(0.0, w[role], inertia[role] > 0.0) * operand(state, among_all(hold, role));
     }
     let n = hold.normal.xyz;
     let force = hold.normal.w * dot(n, way) * n + hold.along.w * across(way, n);
