@@ -61,6 +61,7 @@ struct Method {
   std::uint32_t search_interval;
   bool holds_obstacles;        // whether it answers obstacles itself (Stages::press)
   bool holds_pairs = false;    // and pairs of one cloth
+  bool bounds_nodes = false;   // by bounds on where a node may go, not by springs
   bool limits_strain = false;  // whether edges beyond a strain limit are stiffer
   /// How many states before the current one it reads, for nodes whose velocity's w is 1.
   std::uint32_t history;

@@ -74,7 +74,8 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
   if (method == scene::ContactMethod::Paper || method == scene::ContactMethod::Bvh)
     WEFT_CHECK(made.add_colliders(assets));
   if (method == scene::ContactMethod::Proximity)
-    made.proximity_.emplace(scene, *made.model_, assets.objects, assets.deformations, made.step());
+    made.proximity_.emplace(scene, *made.model_, assets.objects, assets.deformations, made.step(),
+                            solved_contact(scene, made.plan_.method()).own_pairs);
   made.reset();
   return made;
 }

@@ -78,15 +78,19 @@ fn is_of_closed_mesh(ids : vec4u) -> bool {
   return min(min(start_of(ids.x).w, start_of(ids.y).w), start_of(ids.z).w) < 0.0;
 }
 
-// Whether the solver's matrix has answered the pair: of a vertex that it holds by all that presses it (a velocity's w
-// is -1), where it lay before the substep, so that it was among that.
+override kOwnPairs : bool = false;  // as in press.wgsl
+// Whether the solver has answered the pair: of a vertex that it holds by all that presses it (a velocity's w is -1), or
+// where only its own pairs do, of such vertices alone; where it lay before the substep, so that it was among that.
 fn is_held(ids : vec4u, w : vec4f, gap : f32, thickness : f32) -> bool {
   var any_held = false;
+  var all_held = true;
   for (var role = 0u; role < role_count(ids); role++) {
     if (is_collider(ids[role]) || w[role] == 0.0) { continue; }
-    any_held |= predicted[ids[role] & kIdBits].w < 0.0;
+    let held = predicted[ids[role] & kIdBits].w < 0.0;
+    any_held |= held;
+    all_held &= held;
   }
-  return any_held && gap < kContactTouching * thickness;
+  return any_held && (all_held || !kOwnPairs) && gap < kContactTouching * thickness;
 }
 
 @compute @workgroup_size(kWorkgroupSize)

@@ -3,6 +3,6 @@
 // impulse takes. The next substep moves all of them. What an obstacle strikes would be in it by then, and cloth that
 // other cloth bears has no other hold: these go along.
 // Source: docs/contact.md, Impulse.
-override kPresses : u32 = 0;  // 1: a solver holds vertices at obstacles, and pairs of one cloth
+override kMove : bool = true;  // false: a solver holds vertices at obstacles by springs, and pairs of one cloth
 
-fn impulses_move(held : u32) -> bool { return kPresses == 0u || (held & (kBesideCloth | kStruck)) != 0u; }
+fn impulses_move(held : u32) -> bool { return kMove || (held & (kBesideCloth | kStruck)) != 0u; }

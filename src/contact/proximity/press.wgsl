@@ -19,6 +19,7 @@
 @group(0) @binding(6) var<storage, read_write> presses    : array<atomic<i32>>;  // press_sums.wgsl
 @group(0) @binding(7) var<storage, read>       rings      : array<u32>;          // feature_rings.hpp
 
+override kOwnPairs : bool = false;  // only those press a vertex (contact/rules/solved_contact.hpp)
 const kRoundCosine = 0.8;  // from which on a round obstacle presses along the pair's direction alone
 const kRoundFade = 0.1;  // how much more of it until that is along the vertex's own
 
@@ -60,6 +61,13 @@ fn add(word : u32, value : f32) {
   if (wraps != 0) { atomicAdd(&presses[word + kPressWraps], wraps); }
 }
 
+// Whether a pair presses a vertex that has this weight in it. A bound has no weight: what presses beside the vertex
+// would hold it up as if it were under it, and a body would stand that is past a rim by less than an edge. Round
+// obstacles have pairs with triangles and edges alone.
+fn presses_vertex(weight : f32, radius : f32) -> bool {
+  return select(weight != 0.0, abs(weight) >= kWholeWeight, kOwnPairs && radius == 0.0);
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
   let count = select(statistics[kStatPairs], 0u, statistics[kStatRolledBack] != 0u);
@@ -82,7 +90,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
       if (!is_collider(ids[role])) { touching += abs(weights[role]) * start_of(ids[role]).xyz; }
     }
     for (var role = 0u; role < role_count(ids); role++) {
-      if (is_collider(ids[role]) || weights[role] == 0.0) { continue; }
+      if (is_collider(ids[role]) || !presses_vertex(weights[role], measured.radius)) { continue; }
       let side = sign(weights[role]);
       let vertex = ids[role] & kIdBits;
       // A vertex's own way, not the pair's: neighbours that differ in speed would be made to go on differing.

@@ -22,10 +22,10 @@ struct ProximityLengths {
 Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Contact& contact);
 
 struct ProximitySetup {
-  std::uint32_t substeps = 1;    // the most of any frame
-  std::uint32_t interval = 4;    // of them from one that may search to the next
-  double step = 0;               // length of a substep, where frames are not cut [s]
-  bool without_history = false;  // SolvedContact
+  std::uint32_t substeps = 1;                       // the most of any frame
+  std::uint32_t interval = 4;                       // of them from one that may search to the next
+  double step = 0;                                  // length of a substep, where frames are not cut [s]
+  bool without_history = false, own_pairs = false;  // SolvedContact
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 

@@ -12,18 +12,19 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     std::vector<gpu::Constant> constants = {};
   };
   const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0},
+      move{"kMove", setup.presses && !setup.own_pairs ? 0.0 : 1.0},
       heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0};
   std::vector<Wanted> all = {{made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy}},
                              {made.respond_,
                               "contact/proximity/contact_respond.wgsl",
-                              {presses, {"kDetectInterval", static_cast<double>(setup.interval)}}}};
+                              {move, {"kDetectInterval", static_cast<double>(setup.interval)}}}};
   if (setup.impulses.heavy)
     all.push_back({made.first_impulse_,
                    "contact/proximity/contact_impulse.wgsl",
                    {presses, heavy, {"kFirst", 1}, {"kLast", 0}}});
   if (setup.impulses.iterations > 1) {
     all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, {"kLast", 0}}});
-    all.push_back({made.add_, "contact/proximity/add_impulses.wgsl", {presses}});
+    all.push_back({made.add_, "contact/proximity/add_impulses.wgsl", {move}});
   }
   for (const Wanted& wanted : all) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));

@@ -25,6 +25,7 @@ class Respond {
     std::uint32_t separations = 1;       // rounds; no more than kMostSeparations
     bool self = false;                   // whether cloth meets cloth
     bool presses = false;                // a solver's matrix holds vertices at obstacles
+    bool own_pairs = false;              // SolvedContact
     std::span<const LimitedEdge> edges;  // of cloth with a strain limit
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   };

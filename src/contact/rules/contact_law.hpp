@@ -37,6 +37,8 @@ inline constexpr double kHoldPart = 0.15, kHoldRate = 10, kHoldSpeed = 0.05;
 /// Of the normals of a vertex's pairs: with less agreement there is no one direction to hold it along, and from kAlike
 /// on its pairs are the hold's.
 inline constexpr double kAgree = 0.3, kAlike = 0.9;
+/// Of a pair, the part that presses a vertex whose hold bounds where it may go: its own pair, but for rounding.
+inline constexpr double kWholeWeight = 0.999;
 /// What a hold has answered is pushed only where it lacks more than this part of the thickness: so deep the pushes of
 /// layers bring it, which are faster than the hold, while those of edges that bend over a body make it creep.
 inline constexpr double kHeldLack = 0.2;

@@ -7,6 +7,7 @@ struct SolvedContact {
   bool obstacles = false;
   bool pairs = false;            // of one cloth
   bool without_history = false;  // what is pressed steps without looking back (Method::history)
+  bool own_pairs = false;        // only its own pairs hold a vertex, not those of its edges and triangles
 };
 
 }  // namespace weft

@@ -39,7 +39,8 @@ fn begin_holds(@builtin(global_invocation_id) id : vec3u) {
   let restored = min(part * pressed.gap, kHoldSpeed * step.time.dt);
   let ahead = step.time.dt * dot(n, velocity_in[node].xyz);
   aim[at] = vec4f(n, ahead + pressed.lack - (pressed.gap - restored));
-  aim[at + 1u] = vec4f(step.time.dt * pressed.surface, pressed.friction);
+  // Friction is of what all pairs bear, which where they press apart is more than their sum.
+  aim[at + 1u] = vec4f(step.time.dt * pressed.surface, pressed.friction * pressed.weight / size);
   aim[at + 2u] = vec4f(restored, kPressed, select(0.0, 1.0, size >= kAlike * pressed.weight), 0.0);
   if (way[node].w > 0.0) { way[node] = vec4f(begun_way(node), way[node].w); }
 }

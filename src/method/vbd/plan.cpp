@@ -33,6 +33,7 @@ Method vbd_method() {
   row.settings_word = [](const scene::Solver&) { return ""; };
   row.search_interval = 1;
   row.holds_obstacles = true;
+  row.bounds_nodes = true;
   row.sweeps = true;
   row.history = 1;  // the velocity before, for the guess of a substep
   return row;

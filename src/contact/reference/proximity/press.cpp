@@ -53,7 +53,7 @@ Outward turned(const Outward& pairs_own, const CurvedSurface& surface, double di
 }  // namespace
 
 std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const Vec3d> position,
-                              std::span<const Vec3d> velocity, double dt) {
+                              std::span<const Vec3d> velocity, double dt, bool own_pairs) {
   std::vector<Press> presses(velocity.size());
   for (const NearPair& pair : pairs) {
     if (!pair.with_body || !pair.may || pair.untangles) continue;
@@ -63,7 +63,8 @@ std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const V
     const double room = std::min(missing, kHoldPart * missing);  // Hold bounds its speed
     for (std::uint32_t k = 0; k < pair.node_count; ++k) {
       const double weight = std::abs(pair.weights[k]);
-      if (weight == 0) continue;
+      // A bound has no weight: what presses beside a node would hold it up as if it were under it.
+      if (weight == 0 || (own_pairs && !pair.round && weight < kWholeWeight)) continue;
       const double side = pair.weights[k] > 0 ? 1 : -1;
       // A node's own way, not the pair's: neighbours that differ in speed would be made to go on differing.
       const std::uint32_t node = pair.nodes[k];

@@ -19,8 +19,9 @@ struct Press {
   double friction = 0;  // μ
 };
 
-/// Of each node, by its place at the start of the substep [m] and the velocities that take it on [m/s]; `dt` [s].
+/// Of each node, by its place at the start of the substep [m] and the velocities that take it on [m/s]; `dt` [s];
+/// `own_pairs`: SolvedContact's.
 std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const Vec3d> position,
-                              std::span<const Vec3d> velocity, double dt);
+                              std::span<const Vec3d> velocity, double dt, bool own_pairs);
 
 }  // namespace weft::reference

@@ -22,8 +22,9 @@ double margin_of(double distance, double thickness) {
 
 Proximity::Proximity(const scene::Scene& scene, const Model& model,
                      std::span<const mesh::TriangleMesh> objects,
-                     std::span<const mesh::Deformation> deformations, double step)
-    : thickness_(scene.contact.thickness),
+                     std::span<const mesh::Deformation> deformations, double step, bool own_pairs)
+    : own_pairs_(own_pairs),
+      thickness_(scene.contact.thickness),
       restitution_(scene.contact.restitution),
       load_(scene.gravity + scene.external_force),
       impulses_(impulse_rule(model, scene.contact, step)),
@@ -291,15 +292,19 @@ std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span
     if (one.distance + std::min(way, 0.0) < kContactTouching * one.thickness)
       pressed_.push_back({pairs[p], one});
   }
-  return presses_of(near, position, velocity, dt);
+  return presses_of(near, position, velocity, dt, own_pairs_);
 }
 
-bool Proximity::is_held(const NearPair& pair, const std::vector<bool>& held) {
+bool Proximity::is_held(const NearPair& pair, const std::vector<bool>& held) const {
   if (held.empty() || !pair.with_body || pair.untangles) return false;
   if (!(pair.distance < kContactTouching * pair.thickness)) return false;
-  for (std::uint32_t k = 0; k < pair.node_count; ++k)
-    if (pair.weights[k] != 0 && held[pair.nodes[k]]) return true;
-  return false;
+  bool any = false, all = true;
+  for (std::uint32_t k = 0; k < pair.node_count; ++k) {
+    if (pair.weights[k] == 0) continue;
+    any = any || held[pair.nodes[k]];
+    all = all && held[pair.nodes[k]];
+  }
+  return any && (all || !own_pairs_);
 }
 
 std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
@@ -346,7 +351,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     // After an implicit solve springs are in balance: an impulse changes the velocity alone, and the next substep moves
     // the node with its neighbours. What an obstacle strikes would be in it by then, and cloth that other cloth bears
     // has no other hold: these go along.
-    const bool moves = nodes.held.empty() || response.beside_cloth[i] || response.struck[i];
+    const bool moves = nodes.held.empty() || own_pairs_ || response.beside_cloth[i] || response.struck[i];
     nodes.position[i] += (moves ? dt : 0) * response.change[i] + response.push[i];
   }
   std::vector<SolidPlane> planes;

@@ -19,9 +19,10 @@ namespace weft::reference {
 
 class Proximity {
  public:
-  /// `objects` and `deformations` as for Obstacles; `step`: the length of a substep, where frames are not cut [s].
+  /// `objects` and `deformations` as for Obstacles; `step`: the length of a substep, where frames are not cut [s];
+  /// `own_pairs`: SolvedContact's.
   Proximity(const scene::Scene& scene, const Model& model, std::span<const mesh::TriangleMesh> objects,
-            std::span<const mesh::Deformation> deformations, double step);
+            std::span<const mesh::Deformation> deformations, double step, bool own_pairs = false);
 
   /// The state of the nodes in a substep: the solver's prediction from `previous`, and moved nodes
   /// where their motions end. All finite.
@@ -83,6 +84,7 @@ class Proximity {
   Surface surface_of(const FeaturePair& pair, const Sides& sides, const Vec3d& toward_cloth, double dt) const;
   double friction_of(const FeaturePair& pair, const Sides& sides) const;
   /// Of a pair of cloth with itself [m].
+  bool own_pairs_;
   double thickness_of(const FeaturePair& pair, const Sides& sides) const;
   /// A pair and its force [N].
   struct Kept {
@@ -96,7 +98,7 @@ class Proximity {
   NearPair near_pair(const FeaturePair& pair, const Sides& sides, bool untangles, double dt) const;
   /// Whether the solver's matrix has answered the pair: of a node that it holds, where it lay before the substep, so
   /// that it was among what pressed the node.
-  static bool is_held(const NearPair& pair, const std::vector<bool>& held);
+  bool is_held(const NearPair& pair, const std::vector<bool>& held) const;
   /// Of the sphere or capsule of a pair, if it has one.
   std::optional<RoundAxis> axis_of(const FeaturePair& pair) const;
   /// Of the mesh of a pair, if it has one that keeps its shape; `surface`: that of its closest point.

@@ -21,7 +21,7 @@ std::optional<NodeHold> NodeHold::of(const Press& press, const Vec3d& ahead, dou
   hold.restored_ = std::min(std::min(1.0, kHoldRate * dt / kHoldPart) * gap, kHoldSpeed * dt);
   hold.least_ = dot(hold.normal_, ahead) + press.lack / press.weight - (gap - hold.restored_);
   hold.surface_way_ = dt / press.weight * press.surface;
-  hold.friction_ = press.friction / press.weight;
+  hold.friction_ = press.friction / size;  // of what all pairs bear, not of their sum
   hold.alike_ = size >= kAlike * press.weight;
   return hold;
 }
