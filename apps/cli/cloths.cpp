@@ -8,6 +8,7 @@
 #include "base/json.hpp"
 #include "method/mass_spring/plan.hpp"
 #include "model/sheet_moduli.hpp"
+#include "scene/names.hpp"
 
 namespace weft::cli {
 namespace {
@@ -66,6 +67,21 @@ void add_moduli(std::string& text, const scene::Cloth& cloth, const SheetModuli&
   add(text, "; friction %.3g\n", cloth.friction);
 }
 
+const char* name_of(const StepCause::Part& part) {
+  return part.kind ? kElementNames[static_cast<std::size_t>(*part.kind)] : "gas";
+}
+
+/// "encloses 113.1 litres at a gauge pressure of 500 Pa, of an ideal gas in 1.013e+05 Pa outside"
+void add_gas(std::string& text, const scene::Cloth& cloth, const Body& body) {
+  const scene::Pressure& pressure = *cloth.pressure;
+  add(text, "    encloses %.4g litres at a gauge pressure of %.4g Pa", 1e3 * body.gas->rest_volume,
+      pressure.gauge);
+  if (pressure.law == scene::GasLaw::Constant)
+    text += ", at any volume\n";
+  else
+    add(text, ", of an ideal gas in %.4g Pa outside\n", pressure.ambient);
+}
+
 void add_step(std::string& text, const scene::Scene& scene, const Model& model, const Body& body) {
   const StepCause cause = step_cause(model, body, scene.drag);
   if (cause.parts.empty()) {
@@ -73,10 +89,9 @@ void add_step(std::string& text, const scene::Scene& scene, const Model& model, 
     return;
   }
   add(text, "    explicit steps are stable up to %.4g ms, because of %s", kMilli * cause.largest_step,
-      kElementNames[static_cast<std::size_t>(cause.parts[0].kind)]);
+      name_of(cause.parts[0]));
   for (std::size_t k = 1; k < cause.parts.size(); ++k)
-    add(text, " (%s alone: %.4g ms)", kElementNames[static_cast<std::size_t>(cause.parts[k].kind)],
-        kMilli * cause.parts[k].largest_step);
+    add(text, " (%s alone: %.4g ms)", name_of(cause.parts[k]), kMilli * cause.parts[k].largest_step);
   add(text, "; the least height of a triangle is %.4g mm", kMilli * least_height(model, body));
   if (body.fabric) {
     const auto& facets = model.plate(body).facets;
@@ -99,6 +114,7 @@ std::string cloths_text(const scene::Scene& scene, const Model& model) {
       add_solid(text, cloth, model, model.bodies[c]);
     else
       add_moduli(text, cloth, sheet_moduli(model, model.bodies[c]));
+    if (cloth.pressure) add_gas(text, cloth, model.bodies[c]);
     add_step(text, scene, model, model.bodies[c]);
   }
   return text;
@@ -152,6 +168,12 @@ nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model
     one["bending_weft"] = bending.weft;
     one["bending_twist"] = bending.shear;
     one["friction"] = cloth.friction;
+    if (cloth.pressure) {
+      one["gauge"] = cloth.pressure->gauge;
+      one["ambient"] = cloth.pressure->ambient;
+      one["law"] = scene::kGasLawNames[static_cast<std::size_t>(cloth.pressure->law)];
+      one["volume"] = model.bodies[c].gas->rest_volume;
+    }
     list.push_back(std::move(one));
   }
   return list;

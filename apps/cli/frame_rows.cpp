@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;
 constexpr const char* kMeasured =
-    ",kinetic_J,potential_J,springs_J,membranes_J,bending_J,tetrahedra_J,stretch_999";
+    ",kinetic_J,potential_J,springs_J,membranes_J,bending_J,tetrahedra_J,gas_J,stretch_999";
 
 /// Calls visit(name, value) for each statistic that belongs to a single frame.
 template <class Visit>
@@ -33,9 +33,16 @@ void for_each_of_frame(const Statistics& statistics, Visit&& visit) {
   });
 }
 
-std::string heading_of(bool measures) {
+std::string heading_of(const Model& model, bool measures) {
   std::string heading = "frame,time_s";
-  if (measures) heading += kMeasured;
+  if (measures) {
+    heading += kMeasured;
+    for (std::size_t c = 0; c < model.bodies.size(); ++c) {
+      if (!model.bodies[c].gas) continue;
+      const std::string cloth = ",cloth_" + std::to_string(c);
+      heading += cloth + "_volume_m3" + cloth + "_gauge_Pa";
+    }
+  }
   for_each_of_frame({}, [&](const char* name, auto) { heading += std::string(",") + name; });
   return heading + "\n";
 }
@@ -81,7 +88,7 @@ Result<FrameRows> FrameRows::create(const std::string& folder, const sim::World&
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (file < 0) return not_written(path);
   FrameRows rows(path, file);
-  rows.heading_ = heading_of(measures);
+  rows.heading_ = heading_of(world.model().host, measures);
   if (measures) rows.system_ = reference::elements_of(world.model().host);
   WEFT_CHECK(rows.go_back_to(world.frame()));
   return rows;
@@ -115,10 +122,15 @@ Result<void> FrameRows::add(sim::World& world) {
     for (const Vec4f& v : nodes.velocity) system_->velocity.push_back(v.xyz().to<double>());
     system_->acceleration = world.scene().gravity + world.scene().external_force;
     const reference::EnergySums e = reference::energies(*system_);
-    for (const double joules : {e.kinetic, e.potential, e.springs, e.membranes, e.bending, e.tetrahedra})
+    for (const double joules :
+         {e.kinetic, e.potential, e.springs, e.membranes, e.bending, e.tetrahedra, e.gas})
       line += "," + number_text(joules);
     WEFT_TRY(stretch, most_of_stretch(world));
     line += "," + number_text(static_cast<double>(stretch));
+    for (const reference::EnclosedGas& gas : system_->gases) {
+      const double volume = gas.volume(system_->position);
+      line += "," + number_text(volume) + "," + number_text(gas.law.gauge(volume));
+    }
   }
   for_each_of_frame(world.last_report(),
                     [&](const char*, auto value) { line += "," + number_text(static_cast<double>(value)); });

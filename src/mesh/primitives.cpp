@@ -1,7 +1,11 @@
 #include "mesh/primitives.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace weft::mesh {
 
@@ -52,6 +56,53 @@ TriangleMesh make_sphere(int columns, int rows) {
   }
   mesh.positions.push_back({0.0F, -1.0F, 0.0F});
   close_rings(mesh, columns, rows - 1);
+  return mesh;
+}
+
+TriangleMesh make_geodesic_sphere(int cells) {
+  assert(cells >= 1);
+  constexpr double kGolden = 1.6180339887498949;
+  constexpr std::array<Vec3d, 12> kCorners = {{{-1, kGolden, 0},
+                                               {1, kGolden, 0},
+                                               {-1, -kGolden, 0},
+                                               {1, -kGolden, 0},
+                                               {0, -1, kGolden},
+                                               {0, 1, kGolden},
+                                               {0, -1, -kGolden},
+                                               {0, 1, -kGolden},
+                                               {kGolden, 0, -1},
+                                               {kGolden, 0, 1},
+                                               {-kGolden, 0, -1},
+                                               {-kGolden, 0, 1}}};
+  constexpr std::array<Triangle, 20> kFaces = {{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                                {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                                {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                                {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
+  TriangleMesh mesh;
+  // A vertex by the corners that it is between and its part of each, which are the same in the faces that share it.
+  std::map<std::array<std::pair<std::uint32_t, int>, 3>, std::uint32_t> numbers;
+  const auto vertex = [&](const Triangle& face, int i, int j) {
+    const std::array<int, 3> parts = {cells - i - j, i, j};
+    std::array<std::pair<std::uint32_t, int>, 3> key{};
+    Vec3d place;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (parts[k] == 0) continue;  // a key with fewer corners: the face's third is not one of an edge's
+      key[k] = {face[k] + 1, parts[k]};
+      place += static_cast<double>(parts[k]) * kCorners[face[k]];
+    }
+    std::sort(key.begin(), key.end());
+    const auto [at, is_new] = numbers.emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
+    if (is_new) mesh.positions.push_back((place / length(place)).to<float>());
+    return at->second;
+  };
+  for (const Triangle& face : kFaces)
+    for (int i = 0; i < cells; ++i)
+      for (int j = 0; i + j < cells; ++j) {
+        mesh.triangles.push_back({vertex(face, i, j), vertex(face, i + 1, j), vertex(face, i, j + 1)});
+        if (i + j + 2 > cells) continue;
+        mesh.triangles.push_back(
+            {vertex(face, i + 1, j), vertex(face, i + 1, j + 1), vertex(face, i, j + 1)});
+      }
   return mesh;
 }
 

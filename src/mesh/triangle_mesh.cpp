@@ -50,6 +50,15 @@ double signed_volume(const TriangleMesh& mesh) {
   return six_volumes / 6.0;
 }
 
+double signed_volume(std::span<const Triangle> triangles, std::span<const Vec3d> places) {
+  if (triangles.empty()) return 0;
+  const Vec3d from = places[triangles[0][0]];
+  double six_volumes = 0.0;
+  for (const auto& [a, b, c] : triangles)
+    six_volumes += dot(places[a] - from, cross(places[b] - from, places[c] - from));
+  return six_volumes / 6.0;
+}
+
 Result<void> check_mesh(const TriangleMesh& mesh) {
   constexpr std::size_t kMaxCount = std::numeric_limits<std::uint32_t>::max();
   if (mesh.triangles.empty()) return input_error("The mesh has no triangles.");

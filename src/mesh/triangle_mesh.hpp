@@ -27,6 +27,8 @@ Bounds bounds(const TriangleMesh& mesh);
 
 /// The volume inside a closed mesh [m³], positive if its triangles face outward.
 double signed_volume(const TriangleMesh& mesh);
+/// The same of places in double; it is summed from one of them on, so that it is as exact far from the origin.
+double signed_volume(std::span<const Triangle> triangles, std::span<const Vec3d> places);
 
 /// Whether a mesh can be used at all. Every reader ends with it.
 /// Errors  Input: no triangle, a triangle names a vertex that is not there, a coordinate is not finite, or

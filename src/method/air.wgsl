@@ -1,5 +1,6 @@
 // What the air resists with at a node, from the triangles around it: equations 1 and 2 of docs/air.md. The including
-// kernel has a StepBlock `step`, binds `corners`, and has air_place(vertex), m.
+// kernel has a StepBlock `step`, binds `corners`, and has corner_place(vertex), m.
+#include "method/corners.wgsl"
 #include "method/symmetric.wgsl"
 #include "state/step.wgsl"
 #include "state/wind.wgsl"
@@ -16,14 +17,8 @@ fn air_on_triangle(normal : vec3f, slip : vec3f) -> Symmetric {
   return scaled(0.5 * size, sum_of(outer(n, pressure - friction), identity(friction)));
 }
 
-// corners: vertex_count + 1 rows, then the triangles around each vertex, three words each (method/air_corners.hpp).
-fn normal_of(own : vec3f, entry : u32) -> vec3f {
-  let share = bitcast<f32>(corners[entry + 2u]);
-  return share * cross(air_place(corners[entry]) - own, air_place(corners[entry + 1u]) - own);
-}
-
 fn air_at(vertex : u32, slip : vec3f) -> Symmetric {
-  let own = air_place(vertex);
+  let own = corner_place(vertex);
   var sum = zero_matrix();
   for (var entry = corners[vertex]; entry < corners[vertex + 1u]; entry += 3u) {
     sum = sum_of(sum, air_on_triangle(normal_of(own, entry), slip));
@@ -33,7 +28,7 @@ fn air_at(vertex : u32, slip : vec3f) -> Symmetric {
 
 // No eigenvalue of air_at is above this, kg/s.
 fn most_air_at(vertex : u32, slip : vec3f) -> f32 {
-  let own = air_place(vertex);
+  let own = corner_place(vertex);
   var normals = 0.0;
   for (var entry = corners[vertex]; entry < corners[vertex + 1u]; entry += 3u) {
     normals += length(normal_of(own, entry));

@@ -3,7 +3,7 @@
 #include "method/air.wgsl"
 #include "state/node_state.wgsl"
 
-fn air_place(vertex : u32) -> vec3f { return position_in[vertex].xyz; }
+fn corner_place(vertex : u32) -> vec3f { return position_in[vertex].xyz; }
 
 // `before` is the node as the step begins, `velocity` what all other forces make of its velocity, m/s.
 fn velocity_in_air(node : u32, before : NodeState, velocity : vec3f) -> vec3f {

@@ -100,6 +100,10 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
                          words_of_methods([&](const Method& other) { return takes(other, kind); }).c_str());
     }
     if (model.bodies[c].fabric) WEFT_CHECK(check_fabric(scene.cloths[c], model, model.bodies[c], method));
+    if (model.bodies[c].gas && !method.takes_gas)
+      return input_error("%s has a pressure, which solver.kind \"%s\" does not take; %s does.",
+                         scene.cloths[c].where.c_str(), scene::name_of(method.kind),
+                         words_of_methods([](const Method& other) { return other.takes_gas; }).c_str());
     if (scene.cloths[c].strain_limit && !method.limits_strain)
       return input_error("%s.strain_limit is %g, and solver.kind \"%s\" keeps none; %s does.",
                          scene.cloths[c].where.c_str(), *scene.cloths[c].strain_limit,

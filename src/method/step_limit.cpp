@@ -25,7 +25,7 @@ std::string unstable_step(const StepLimit& limit, double frame, std::uint32_t su
   std::array<char, 256> text{};
   std::snprintf(
       text.data(), text.size(),
-      "The step of %.3g ms is longer than the largest stable one of %.3g ms, so the springs may blow up: "
+      "The step of %.3g ms is longer than the largest stable one of %.3g ms, so the cloth may blow up: "
       "%.0f substeps a frame are needed, not %u.",
       1e3 * step, 1e3 * limit.largest_step, std::ceil(frame / limit.largest_step), substeps);
   return text.data();

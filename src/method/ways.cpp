@@ -1,11 +1,11 @@
 #include "method/ways.hpp"
 
-#include "method/air_corners.hpp"
+#include "method/corners.hpp"
 
 namespace weft {
 
 Result<gpu::Buffer<std::uint32_t>> corners_in_air(const SolverInputs& inputs) {
-  if (inputs.air) return air_corners(inputs.device, inputs.model);
+  if (inputs.air) return air_corners(inputs.device, inputs.model.host);
   return gpu::Buffer<std::uint32_t>::create(inputs.device, 1, "no corners around");
 }
 

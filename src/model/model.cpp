@@ -2,6 +2,7 @@
 
 #include "element/triple/triple.hpp"
 #include "mesh/lumped.hpp"
+#include "model/enclosed.hpp"
 #include "scene/select.hpp"
 
 namespace weft {
@@ -182,6 +183,7 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
       WEFT_SET(placed.mass, cloth_masses(cloth, body.grid ? mesh::vertex_areas(*body.grid)
                                                           : mesh::vertex_areas(cloth_meshes[c])));
     if (cloth.fabric) WEFT_CHECK(check_membranes(cloth, placed));
+    if (cloth.pressure) WEFT_SET(body.gas, enclosed_gas(cloth, placed.triangles, placed.positions));
     selection.positions = placed.positions;
     WEFT_TRY(kinematic, scene::kinematic_nodes(cloth, selection));
     append(model, cloth, placed, body);

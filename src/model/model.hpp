@@ -11,6 +11,7 @@
 
 #include "base/result.hpp"
 #include "base/vec.hpp"
+#include "element/gas/law.hpp"
 #include "element/spring/build.hpp"
 #include "mesh/grid.hpp"
 #include "mesh/springs.hpp"
@@ -33,6 +34,7 @@ struct Body {
   std::optional<double> strain_limit;   // how far edges are stretched at most, of their length
   std::optional<scene::Fabric> fabric;  // then it has membranes and hinges, and no springs
   std::optional<scene::Solid> solid;    // then it has tetrahedra alone
+  std::optional<gas::Law> gas;          // what it encloses, where the scene has a pressure
   std::vector<mesh::Tet> tets;          // of its nodes, which count from 0
   Vec3d warp{1, 0, 0};                  // the direction of its warp at rest, in the world
   std::optional<Vec3d> color;

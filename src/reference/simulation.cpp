@@ -49,6 +49,7 @@ MassSpringSystem elements_of(const Model& model) {
   system.bending = bending_of(model);
   system.fabrics = fabric_cloths(model);
   system.solids = solid_bodies(model);
+  system.gases = enclosed_gases(model);
   return system;
 }
 

@@ -146,6 +146,8 @@ class Builder {
     cloth.damping = number(json, "damping");
     cloth.friction = maybe_number(json, "friction").value_or(named ? named->friction.value : cloth.friction);
     cloth.strain_limit = maybe_number(json, "strain_limit");
+    if (const Json* given = json.find("pressure"))
+      WEFT_SET(cloth.pressure, pressure(*given, path + ".pressure"));
     WEFT_CHECK(add_nodes(cloth, json, path));
     return cloth;
   }
@@ -237,6 +239,16 @@ class Builder {
                                           number_text(most));
     if (fabric.energy == FabricEnergy::NeoHookean) WEFT_CHECK(check_isotropic(fabric, path));
     return fabric;
+  }
+
+  Result<Pressure> pressure(const Json& json, const std::string& path) const {
+    const Pressure pressure = {number(json, "gauge"), number(json, "ambient"),
+                               word<GasLaw>(at(json, "law"), kGasLawNames)};
+    if (pressure.law == GasLaw::Isothermal && !(pressure.ambient + pressure.gauge > 0))
+      return wrong(path + ".gauge", "is " + number_text(pressure.gauge) + " Pa; with the ambient one, " +
+                                        number_text(pressure.ambient) +
+                                        " Pa, the pressure of a gas must be above 0");
+    return pressure;
   }
 
   /// A stable solid has no axes: one modulus, Poisson's ratio, and the shear modulus that follows.

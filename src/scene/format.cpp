@@ -305,6 +305,16 @@ constexpr Key kFabricKeys[] = {
 constexpr Type kFabricObject{.kind = Kind::Object, .keys = kFabricKeys};
 constexpr const Type* kFabricTypes[] = {&kFabricName, &kFabricObject};
 constexpr Type kFabric{.kind = Kind::Either, .types = kFabricTypes};
+constexpr Type kGauge{.kind = Kind::Number, .least = -1e9, .most = 1e9, .unit = "Pa"};
+constexpr Type kAmbient{.kind = Kind::Number, .most = 1e9, .unit = "Pa"};
+constexpr Type kGasLaw{.kind = Kind::Choice, .choices = kGasLawNames};
+constexpr Key kPressureKeys[] = {
+    {"gauge", &kGauge, "Above the pressure outside, at the volume at rest", nullptr, true},
+    {"ambient", &kAmbient, "The pressure outside", "101325"},
+    {"law", &kGasLaw, "Ideal gas at constant temperature, p V = const, or the gauge pressure at any volume",
+     "\"isothermal\""},
+};
+constexpr Type kPressure{.kind = Kind::Object, .name = "pressure", .keys = kPressureKeys};
 constexpr Key kClothKeys[] = {
     {"name", &kShortText, "For messages"},
     {"grid", &kGrid, "Nodes along i and j; all grids together have at most 67108864"},
@@ -325,6 +335,7 @@ constexpr Key kClothKeys[] = {
      "0.3", false, "fabric"},
     {"strain_limit", &kStrainLimit,
      "How far edges are stretched before they are stiffer, of their length; only multigrid"},
+    {"pressure", &kPressure, "Of the gas in a closed mesh"},
     {"pins", &kPinList, "Nodes that stay where they are", "[]"},
     {"motions", &kMotions, "Nodes that follow a given motion", "[]"},
     {"attachments", &kAttachments, "Nodes that go where a collider's surface goes", "[]"},
@@ -335,7 +346,8 @@ constexpr Key kClothKeys[] = {
 constexpr const char* kShapeWays[] = {"grid", "mesh"};
 constexpr const char* kMassWays[] = {"density", "node_mass"};
 constexpr OneOf kClothOneOf[] = {{kShapeWays}, {kMassWays, "fabric"}};
-constexpr Needs kClothNeeds[] = {{"grid", "size"}, {"size", "grid"}, {"plane", "grid"}, {"bump", "grid"}};
+constexpr Needs kClothNeeds[] = {
+    {"grid", "size"}, {"size", "grid"}, {"plane", "grid"}, {"bump", "grid"}, {"pressure", "mesh"}};
 constexpr Type kCloth{
     .kind = Kind::Object, .name = "cloth", .keys = kClothKeys, .one_of = kClothOneOf, .needs = kClothNeeds};
 constexpr const Type* kClothItem[] = {&kCloth};

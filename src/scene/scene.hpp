@@ -155,6 +155,17 @@ struct Fabric {
   bool operator==(const Fabric&) const = default;
 };
 
+/// How the pressure in a closed cloth goes with its volume (docs/pressure.md).
+enum class GasLaw { Isothermal, Constant };
+
+/// Of the gas in a closed cloth.
+struct Pressure {
+  double gauge = 0;         // above that outside, at the volume at rest [Pa]
+  double ambient = 101325;  // outside [Pa]
+  GasLaw law = GasLaw::Isothermal;
+  bool operator==(const Pressure&) const = default;
+};
+
 /// A block of cells along x, y and z, centred on the origin, each cut into five tetrahedra.
 struct BlockShape {
   std::array<std::uint32_t, 3> cells{};
@@ -192,6 +203,7 @@ struct Cloth {
   double damping = 0.25;               // along each spring [N·s/m]
   double friction = 0.3;               // with cloth, and with colliders that give none
   std::optional<double> strain_limit;  // how far edges are stretched at most, of their length
+  std::optional<Pressure> pressure;    // of the gas that it encloses; none: there is none
   std::vector<Selector> pins;
   std::vector<Motion> motions;
   std::vector<Attachment> attachments;

@@ -23,6 +23,7 @@
 #include "element/spring/spring_grid.hpp"
 #include "gpu/kernel.hpp"
 #include "mesh/sheet_rim.hpp"
+#include "method/enclosed_gas.hpp"
 #include "method/fabric_buffers.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
 #include "method/multigrid/cycle.hpp"
@@ -175,6 +176,16 @@ Json membrane_law() {
   using T = MembraneLawBlock;
   return row("MembraneLaw", "element/membrane/law.wgsl", sizeof(T), kUniform,
              {M(stiffness), M(delay), M(energy)});
+}
+Json enclosed_gas() {
+  using T = Gas;
+  return row("Gas", "method/gas.wgsl", sizeof(T), kExact,
+             {M(first_vertex), M(first_chunk), M(chunk_count), M(rest_volume), M(rest_pressure),
+              M(rest_gauge), M(volume), M(gauge)});
+}
+Json gas_chunk() {
+  using T = GasChunk;
+  return row("GasChunk", "method/gas.wgsl", sizeof(T), kExact, {M(gas), M(first), M(count)});
 }
 Json fabric_params() {
   using T = FabricParams;
@@ -417,6 +428,8 @@ Json struct_layouts() {
                       neighbour(),
                       mesh_params(),
                       membrane_law(),
+                      enclosed_gas(),
+                      gas_chunk(),
                       fabric_params(),
                       node_range(),
                       solid_law(),
@@ -473,6 +486,8 @@ Json shared_constants() {
       constant("kFirst", "method/multigrid/cloth.wgsl", multigrid::kFirst),
       constant("kSecond", "method/multigrid/cloth.wgsl", multigrid::kSecond),
       constant("kVectors", "method/multigrid/cloth.wgsl", multigrid::kVectors),
+      constant("kGasChunk", "method/gas.wgsl", kGasChunk),
+      real("kLeastVolume", "method/gas.wgsl", gas::kLeastVolume),
       constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::kTaps),
       constant("kReachMargin", "state/step.wgsl", kReachMargin),
       constant("kHoldWords", "contact/proximity/press_sums.wgsl", kHoldWords),

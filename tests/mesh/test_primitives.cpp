@@ -42,6 +42,30 @@ TEST_CASE("spheres are round, closed and face outward") {
   CHECK(signed_volume(make_sphere(200, 200)) == doctest::Approx(4.18879).epsilon(1e-3).scale(0));  // 4/3 π
 }
 
+TEST_CASE("a geodesic sphere is round, closed, faces outward, and has triangles of nearly one size") {
+  for (const int cells : {1, 2, 3, 8, 17}) {
+    CAPTURE(cells);
+    const TriangleMesh sphere = make_geodesic_sphere(cells);
+    REQUIRE(check_mesh(sphere));
+    CHECK(sphere.positions.size() == static_cast<std::size_t>(10 * cells * cells + 2));
+    CHECK(sphere.triangles.size() == static_cast<std::size_t>(20 * cells * cells));
+    CHECK(is_closed_and_consistent(sphere));
+    for (const Vec3f& p : sphere.positions) CHECK(length(p) == doctest::Approx(1.0F).epsilon(1e-6).scale(0));
+    float least = 1e9F, most = 0;
+    for (const Triangle& t : sphere.triangles) {
+      const Vec3f a = sphere.positions[t[0]], b = sphere.positions[t[1]], c = sphere.positions[t[2]];
+      const Vec3f normal = cross(b - a, c - a);
+      CHECK(dot(normal, a + b + c) > 0.0F);
+      least = std::min(least, length(normal));
+      most = std::max(most, length(normal));
+    }
+    // A face's middle is 0.795 as far from the centre as its corners: areas of the sphere by those of the face go with
+    // the inverse cube, 2.0.
+    CHECK(most < 2.1F * least);
+  }
+  CHECK(signed_volume(make_geodesic_sphere(40)) == doctest::Approx(4.18879).epsilon(1e-3).scale(0));
+}
+
 TEST_CASE("a box has its size, and is closed and faces outward") {
   const TriangleMesh box = make_box({2, 3, 0.5});
   REQUIRE(check_mesh(box));

@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "fields.hpp"
-#include "method/air_corners.hpp"
+#include "method/corners.hpp"
 #include "method/multigrid/grid_cycle.hpp"
 #include "method/multigrid/mesh_cycle.hpp"
 #include "method/multigrid/reference/implicit_step.hpp"
@@ -47,7 +47,7 @@ class ImplicitRig {
                              nullptr,        scene_.solver.residual,
                              workgroup_size, scene_.air ? &corners_ : nullptr};
     if (scene_.air) {
-      auto corners = air_corners(device, model_);
+      auto corners = air_corners(device, model_.host);
       REQUIRE_OK(corners);
       corners_ = std::move(*corners);
     }

@@ -137,6 +137,7 @@ class SolverRig {
                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
     system.fabrics = reference::fabric_cloths(model_.host);
     system.solids = reference::solid_bodies(model_.host);
+    system.gases = reference::enclosed_gases(model_.host);
     system.acceleration = scene_.gravity + scene_.external_force;
     system.drag = scene_.drag;
     system.wind = scene::wind_field(scene_.wind);

@@ -129,7 +129,7 @@ TEST_CASE("an unstable step is said with both steps and both numbers of substeps
   limit.largest_step = 0.1;
   CHECK(unstable_step(limit, 0.5, 5).empty());
   CHECK(unstable_step(limit, 0.5, 2) ==
-        "The step of 250 ms is longer than the largest stable one of 100 ms, so the springs may blow up: "
+        "The step of 250 ms is longer than the largest stable one of 100 ms, so the cloth may blow up: "
         "5 substeps a frame are needed, not 2.");
 }
 

@@ -72,6 +72,12 @@ TEST_CASE("what a scene's air leaves out is that of a plate at sea level") {
   CHECK(Air{}.lift == 1.48);
 }
 
+TEST_CASE("what a pressure leaves out is that of an ideal gas at sea level") {
+  const Scene scene = parsed(R"({"format": "weft-scene/1",
+      "cloths": [{"mesh": "sphere", "density": 1, "pressure": {"gauge": 300}}]})");
+  CHECK(scene.cloths[0].pressure == Pressure{300, 101325, GasLaw::Isothermal});
+}
+
 TEST_CASE("what a fabric leaves out follows from the rest of it") {
   const Scene scene = parsed(
       R"({"format": "weft-scene/1", "cloths": [{"grid": [3, 3], "size": [1, 1], "density": 1,

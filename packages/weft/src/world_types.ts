@@ -55,7 +55,7 @@ export interface WorldInfo {
   substeps: number;
   stepSeconds: number;
   stableStepSeconds: number;
-  /** Why the steps are too long, one sentence: the springs may blow up. null: they are not. */
+  /** Why the steps are too long, one sentence: the cloth may blow up. null: they are not. */
   unstableStep: string | null;
   /** Simulated time of a frame [s]. */
   frameSeconds: number;

@@ -6,14 +6,22 @@
 #include "method/mass_spring/fabric_spectrum.hpp"
 #include "method/mass_spring/solid_spectrum.hpp"
 #include "method/mass_spring/spectrum.hpp"
+#include "model/enclosed.hpp"
 
 namespace weft {
 
 namespace {
 
-NetworkSpectrum spectrum_of(const Model& model, const Body& body) {
+NetworkSpectrum elements_of(const Model& model, const Body& body) {
   if (body.solid) return find_solid_spectrum(model, body);
   return body.fabric ? find_fabric_spectrum(model, body) : find_spectrum(stiffest_part(model, body));
+}
+
+/// With its gas: no eigenvalue of a sum is above the sum of the largest.
+NetworkSpectrum spectrum_of(const Model& model, const Body& body) {
+  NetworkSpectrum spectrum = elements_of(model, body);
+  spectrum.stiffness += gas_stiffness(model, body);
+  return spectrum;
 }
 
 NetworkSpectrum spectrum_of(const Model& model, const Body& body, ElementKind kind) {
@@ -38,14 +46,16 @@ StepLimit mass_spring_step_limit(const Model& model, double drag) {
 
 StepCause step_cause(const Model& model, const Body& body, double drag) {
   StepCause cause{step_of(spectrum_of(model, body), drag), {}};
+  const auto add = [&](std::optional<ElementKind> kind, double step) {
+    if (step > 0) cause.parts.push_back({kind, step});
+  };
   std::vector<ElementKind> kinds;
   for (std::size_t k = 0; k < kElementKinds; ++k)
     if (model.count(static_cast<ElementKind>(k), body) > 0) kinds.push_back(static_cast<ElementKind>(k));
-  for (const ElementKind kind : kinds) {  // a kind that is alone is the cause of all
-    const double step =
-        kinds.size() == 1 ? cause.largest_step : step_of(spectrum_of(model, body, kind), drag);
-    if (step > 0) cause.parts.push_back({kind, step});
-  }
+  const bool alone = kinds.size() == 1 && !body.gas;  // then it is the cause of all
+  for (const ElementKind kind : kinds)
+    add(kind, alone ? cause.largest_step : step_of(spectrum_of(model, body, kind), drag));
+  if (body.gas) add(std::nullopt, step_of({gas_stiffness(model, body), 0}, drag));
   std::stable_sort(cause.parts.begin(), cause.parts.end(),
                    [](const auto& a, const auto& b) { return a.largest_step < b.largest_step; });
   return cause;
@@ -59,6 +69,7 @@ Method mass_spring_method() {
   Method row{};
   row.kind = scene::SolverKind::MassSpring;
   row.takes = kTakes;
+  row.takes_gas = true;
   row.step_limit = [](const scene::Scene& scene, const Model& model) {
     return mass_spring_step_limit(model, scene.drag);
   };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "method/method.hpp"
 
 namespace weft {
@@ -9,10 +11,10 @@ Method mass_spring_method();
 /// The largest stable step of the springs of all cloths.
 StepLimit mass_spring_step_limit(const Model& model, double drag);
 
-/// The largest stable step of one cloth, and of each kind of its elements by itself [s]; 0: any step is.
+/// The largest stable step of one cloth, and of each kind of its elements and its gas by itself [s]; 0: any step is.
 struct StepCause {
   struct Part {
-    ElementKind kind;
+    std::optional<ElementKind> kind;  // none: of the gas that it encloses
     double largest_step;
   };
   double largest_step = 0;

@@ -5,7 +5,7 @@
 #include "state/grab.wgsl"
 //                                                                               elements       unit
 @group(0) @binding(0) var<uniform>             step         : StepBlock;
-@group(0) @binding(1) var<storage, read>       corners      : array<u32>;     // method/air.wgsl
+@group(0) @binding(1) var<storage, read>       corners      : array<u32>;     // method/corners.wgsl
 @group(0) @binding(2) var<storage, read>       position_in  : array<vec4f>;   // vertex_count   m (w: 1/kg)
 @group(0) @binding(3) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count   m/s
 @group(0) @binding(4) var<storage, read_write> position_out : array<vec4f>;   // vertex_count   m

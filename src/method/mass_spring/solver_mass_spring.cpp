@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "method/air_corners.hpp"
+#include "method/corners.hpp"
 
 namespace weft {
 
@@ -49,12 +49,29 @@ void SolverMassSpring::record_predict(gpu::ComputePass& pass) const {
   for (const AdvanceMesh& advance : meshes_) advance.record(pass);
   for (const AdvanceFabric& advance : fabrics_) advance.record(pass);
   for (const AdvanceSolid& advance : solids_) advance.record(pass);
+  gas_.record(pass);
+  push_by_gas_.record(pass);
   push_by_air_.record(pass);
+}
+
+Result<void> SolverMassSpring::create_gas(const SolverInputs& inputs) {
+  const State& state = inputs.state;
+  WEFT_SET(gas_, EnclosedGas::create(inputs, EnclosedGas::At::Start));
+  if (!gas_.any()) return {};
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/push_by_gas.wgsl", {},
+                                             inputs.workgroup_size));
+  WEFT_SET(push_by_gas_, gpu::Dispatch::create_by_parity(
+                             kernel, kernel->workgroups_of(inputs.model.vertex_count()),
+                             [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                               return {state.steps,       gas_.gases(),          gas_.slopes(),
+                                       state.position[p], state.position[1 - p], *inputs.predicted()[p]};
+                             }));
+  return {};
 }
 
 Result<void> SolverMassSpring::create_air(const SolverInputs& inputs) {
   const State& state = inputs.state;
-  WEFT_SET(corners_, air_corners(inputs.device, inputs.model));
+  WEFT_SET(corners_, air_corners(inputs.device, inputs.model.host));
   WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/push_by_air.wgsl", {},
                                              inputs.workgroup_size));
   WEFT_SET(push_by_air_,
@@ -135,6 +152,7 @@ Result<std::unique_ptr<Solver>> SolverMassSpring::create(const scene::Solver& se
   } else {
     WEFT_CHECK(made->create_spring_centric(settings, inputs));
   }
+  WEFT_CHECK(made->create_gas(inputs));
   if (inputs.air) WEFT_CHECK(made->create_air(inputs));
   return std::unique_ptr<Solver>(std::move(made));
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "method/enclosed_gas.hpp"
 #include "method/mass_spring/advance_fabric.hpp"
 #include "method/mass_spring/advance_grid.hpp"
 #include "method/mass_spring/advance_grid_twice.hpp"
@@ -37,6 +38,7 @@ class SolverMassSpring : public Solver {
   };
 
   void record_predict(gpu::ComputePass& pass) const;
+  Result<void> create_gas(const SolverInputs& inputs);
   Result<void> create_air(const SolverInputs& inputs);
   Result<void> create_spring_centric(const scene::Solver& settings, const SolverInputs& inputs);
   Result<void> create_node_centric(const SolverInputs& inputs);
@@ -50,6 +52,8 @@ class SolverMassSpring : public Solver {
   std::vector<AdvanceMesh> meshes_;
   std::vector<AdvanceFabric> fabrics_;
   std::vector<AdvanceSolid> solids_;
+  EnclosedGas gas_;
+  gpu::Dispatch push_by_gas_;  // without gas it records nothing
   gpu::Buffer<std::uint32_t> corners_;
   gpu::Dispatch push_by_air_;  // without air it records nothing
 };

@@ -8,7 +8,7 @@
 //                                                                                  elements       unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<uniform>             nodes           : ClothNodes;
-@group(0) @binding(2) var<storage, read>       corners         : array<u32>;     // method/air.wgsl
+@group(0) @binding(2) var<storage, read>       corners         : array<u32>;     // method/corners.wgsl
 @group(0) @binding(3) var<storage, read>       position_in     : array<vec4f>;   // vertex_count   m (w: 1/kg)
 @group(0) @binding(4) var<storage, read>       velocity_in     : array<vec4f>;   // vertex_count   m/s (w: 0 or 1)
 @group(0) @binding(5) var<storage, read>       velocity_before : array<vec4f>;   // vertex_count   m/s
@@ -19,7 +19,7 @@ override kAgain : bool = false;  // in the second of two systems
 fn vector_of(vector : u32, index : u32) -> u32 { return cloth * nodes.vectors + vector * nodes.count + index; }
 
 // Where the unknown starts.
-fn air_place(vertex : u32) -> vec3f {
+fn corner_place(vertex : u32) -> vec3f {
   let among_all = vertex - nodes.first_vertex;
   return place[among_all].xyz + vectors[vector_of(kFirst, among_all - cloth * nodes.count)].xyz;
 }
@@ -42,7 +42,7 @@ fn add_air(@builtin(global_invocation_id) id : vec3u) {
   let vertex = nodes.first_vertex + among_all;
   let ratio = step.time.step_ratio * max(velocity_in[vertex].w, 0.0);
   let start_velocity = vectors[vector_of(kSecond, index)].xyz;
-  let wind = wind_at(air_place(vertex));
+  let wind = wind_at(corner_place(vertex));
   var ahead = start_velocity;
   if (!kAgain) { ahead = velocity_ahead(vertex, wind, ratio); }
   let resistance = air_at(vertex, wind - ahead);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "method/air_corners.hpp"
+#include "method/corners.hpp"
 #include "method/multigrid/solve_limits.hpp"
 
 namespace weft {
@@ -93,7 +93,7 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
 Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inputs, double residual,
                                                         std::uint32_t newton_steps) {
   auto made = std::make_unique<SolverMultigrid>();
-  if (inputs.air) WEFT_SET(made->corners_, air_corners(inputs.device, inputs.model));
+  if (inputs.air) WEFT_SET(made->corners_, air_corners(inputs.device, inputs.model.host));
   made->inputs_.emplace(CycleInputs{inputs.device, inputs.model, inputs.state, inputs.step,
                                     inputs.predicted(), inputs.presses(), inputs.pairs(), residual,
                                     inputs.workgroup_size, inputs.air ? &made->corners_ : nullptr,

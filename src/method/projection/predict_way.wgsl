@@ -9,7 +9,7 @@
 @group(0) @binding(3) var<storage, read>       rest        : array<vec4f>;   // vertex_count   m (w: motion)
 @group(0) @binding(4) var<storage, read>       motions     : array<vec4f>;   // 3 * motions * substeps
 @group(0) @binding(5) var<storage, read_write> way         : array<vec4f>;   // vertex_count   m (w: 1/kg; 0: driven)
-@group(0) @binding(6) var<storage, read>       corners     : array<u32>;     // method/air.wgsl
+@group(0) @binding(6) var<storage, read>       corners     : array<u32>;     // method/corners.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
 fn predict_way(@builtin(global_invocation_id) id : vec3u) {

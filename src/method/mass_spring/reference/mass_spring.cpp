@@ -36,6 +36,12 @@ std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
   return forces;
 }
 
+std::vector<Vec3d> gas_forces(const MassSpringSystem& system, std::span<const Vec3d> places) {
+  std::vector<Vec3d> forces(places.size());
+  for (const EnclosedGas& gas : system.gases) gas.add_forces(places, forces);
+  return forces;
+}
+
 Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time) {
   Vec3d sum = wind.velocity;
   for (const scene::WindWave& wave : wind.waves) {
@@ -90,7 +96,11 @@ void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, doubl
   system.time += dt;
 }
 
-void advance(MassSpringSystem& system, double dt) { integrate(system, spring_forces(system), dt); }
+void advance(MassSpringSystem& system, double dt) {
+  std::vector<Vec3d> forces = spring_forces(system);
+  for (const EnclosedGas& gas : system.gases) gas.add_forces(system.position, forces);
+  integrate(system, forces, dt);
+}
 
 EnergySums energies(const MassSpringSystem& system) {
   EnergySums sums;
@@ -111,6 +121,7 @@ EnergySums energies(const MassSpringSystem& system) {
     sums.bending += cloth.bending(system.position);
   }
   for (const SolidBody& body : system.solids) sums.tetrahedra += body.energy(system.position);
+  for (const EnclosedGas& gas : system.gases) sums.gas += gas.energy(system.position);
   return sums;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/vec.hpp"
 #include "element/spring/law.hpp"
+#include "method/gas_reference.hpp"
 #include "method/mass_spring/reference/fabric.hpp"
 #include "method/mass_spring/reference/solid.hpp"
 #include "model/air_triangles.hpp"
@@ -45,6 +46,7 @@ struct MassSpringSystem {
   std::vector<BendLink> bending;
   std::vector<FabricCloth> fabrics;
   std::vector<SolidBody> solids;
+  std::vector<EnclosedGas> gases;
   Vec3d acceleration;  // gravity and external force [m/s²]
   double drag = 0;     // [1/s]
   scene::WindField wind;
@@ -58,6 +60,8 @@ struct MassSpringSystem {
 
 /// The force of every node's springs, of its resistance to bending, of fabric and of bodies with volume [N].
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
+/// That of the gas in closed cloths at these places [m], [N].
+std::vector<Vec3d> gas_forces(const MassSpringSystem& system, std::span<const Vec3d> places);
 
 /// The wind at a place and time [m/s].
 Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time);
@@ -68,7 +72,7 @@ std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t n
 /// One step of semi-implicit Euler under these forces [N]: v += dt (a + f/m - drag (v - w)), then x += dt v. A grabbed
 /// node has v = rate (target - x), cut to the grabs' speed, instead.
 void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, double dt);
-/// The same under the forces of the system.
+/// The same under all forces of the system.
 void advance(MassSpringSystem& system, double dt);
 
 /// [J]
@@ -79,8 +83,9 @@ struct EnergySums {
   double membranes = 0;   // of fabric, with its limited edges
   double bending = 0;     // of hinges, and of rows of nodes that springs do not hold plane
   double tetrahedra = 0;  // of bodies
+  double gas = 0;         // of that in closed cloths and of the air around it, 0 at rest
 
-  double total() const { return kinetic + potential + springs + membranes + bending + tetrahedra; }
+  double total() const { return kinetic + potential + springs + membranes + bending + tetrahedra + gas; }
 };
 EnergySums energies(const MassSpringSystem& system);
 /// Kinetic, elastic and gravitational energy [J].
