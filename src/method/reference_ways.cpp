@@ -7,7 +7,7 @@ namespace weft::reference {
 Ways Ways::begin(const Substep& substep) {
   MassSpringSystem& system = substep.system;
   Ways ways{system.position, {}, system.inverse_mass};
-  integrate(system, std::vector<Vec3d>(ways.start.size()), substep.dt);
+  integrate(system, gas_forces(system, ways.start), substep.dt);
   for (std::size_t node = 0; node < ways.start.size(); ++node) {
     // Pinned nodes stay: their place is the one that they had.
     const bool kinematic = system.inverse_mass[node] == 0;

@@ -1,6 +1,6 @@
 // Where a node would go in this substep without its springs, and the way from which a method that seeks the end of a
-// substep begins: the same, with as much of the change of its velocity as it followed in the substep before. One
-// invocation per node. Source: docs/solvers/vbd.md, equations 1 and 2.
+// substep begins: the same, with as much of the change of its velocity as it followed in the substep before. It comes
+// as the gas's force, N. One invocation per node. Source: docs/solvers/vbd.md, equations 1 and 2.
 #include "gpu/index.wgsl"
 #include "method/way_velocity.wgsl"
 //                                                                                  elements       unit
@@ -19,7 +19,7 @@ fn start_way(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= step.nodes.count) { return; }
   let before = NodeState(position_in[node], velocity_in[node]);
-  var velocity = way_velocity(node, before);
+  var velocity = way_velocity(node, before, way[node]);
   let driven = is_prescribed(node, before);
   aim[node] = vec4f(step.time.dt * velocity, 0.0);
   let change = velocity - before.velocity.xyz;

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "model/enclosed.hpp"
+
 namespace weft {
 namespace {
 
@@ -29,6 +31,16 @@ std::string unstable_step(const StepLimit& limit, double frame, std::uint32_t su
       "%.0f substeps a frame are needed, not %u.",
       1e3 * step, 1e3 * limit.largest_step, std::ceil(frame / limit.largest_step), substeps);
   return text.data();
+}
+
+StepLimit with_gas(StepLimit limit, const Model& model, double most) {
+  double stiffness = 0;
+  for (const Body& body : model.bodies) stiffness = std::max(stiffness, gas_stiffness(model, body));
+  if (stiffness == 0) return limit;
+  limit.highest_frequency = std::sqrt(stiffness);
+  limit.largest_step = most / limit.highest_frequency;
+  limit.longest_auto_step = std::min(limit.longest_auto_step, kStepSafety * limit.largest_step);
+  return limit;
 }
 
 StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag) {

@@ -36,6 +36,15 @@ struct StepLimit {
 /// a step is too long for blow up, unless contact holds the vertices back: then the cloth only trembles.
 std::string unstable_step(const StepLimit& limit, double frame, std::uint32_t substeps);
 
+/// Of h √λ, where the gas's force is that of the places at the start of a step of first order.
+inline constexpr double kMostOfGas = 2;
+/// The same where it is that of the places ahead, in a step of second order that may be without history: 2/√3.
+inline constexpr double kMostOfGasAhead = 1.1547005383792515;
+
+/// The limit of a method whose steps are stable at any length but for the gas in closed cloths, which it takes as a
+/// force: stable below `most` for h √λ, λ the gas's largest eigenvalue. Source: docs/pressure.md, equation 6.
+StepLimit with_gas(StepLimit limit, const Model& model, double most);
+
 /// The least of the limits of cloths with these spectra.
 StepLimit least_step_limit(std::vector<NetworkSpectrum> cloths, double drag);
 

@@ -9,13 +9,30 @@ Result<gpu::Buffer<std::uint32_t>> corners_in_air(const SolverInputs& inputs) {
   return gpu::Buffer<std::uint32_t>::create(inputs.device, 1, "no corners around");
 }
 
-Result<gpu::Dispatch> create_start_way(const SolverInputs& inputs, const gpu::Buffer<std::uint32_t>& corners,
-                                       const gpu::Buffer<Vec4f>& aim,
-                                       const std::function<const gpu::Buffer<Vec4f>&(std::size_t)>& way_of) {
-  const State& state = inputs.state;
+Result<GasOnWays> GasOnWays::create(const SolverInputs& inputs, const WayOf& way_of) {
+  GasOnWays made;
+  WEFT_SET(made.gas_, EnclosedGas::create(inputs, EnclosedGas::At::Start));
+  if (!made.gas_.any()) return made;
   WEFT_TRY(kernel,
-           gpu::create_shared_kernel(inputs.device, "method/start_way.wgsl",
-                                     {{"kAirPushes", inputs.air ? 1.0 : 0.0}}, inputs.workgroup_size));
+           gpu::create_shared_kernel(inputs.device, "method/begin_way.wgsl", {}, inputs.workgroup_size));
+  WEFT_SET(made.begin_way_,
+           gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(inputs.model.vertex_count()),
+                                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                                             return {made.gas_.gases(), made.gas_.slopes(), way_of(p)};
+                                           }));
+  return made;
+}
+
+std::vector<gpu::Constant> GasOnWays::pushes(const SolverInputs& inputs) const {
+  return {{"kAirPushes", inputs.air ? 1.0 : 0.0}, {"kGasPushes", gas_.any() ? 1.0 : 0.0}};
+}
+
+Result<gpu::Dispatch> create_start_way(const SolverInputs& inputs, const gpu::Buffer<std::uint32_t>& corners,
+                                       const GasOnWays& gas, const gpu::Buffer<Vec4f>& aim,
+                                       const WayOf& way_of) {
+  const State& state = inputs.state;
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/start_way.wgsl", gas.pushes(inputs),
+                                             inputs.workgroup_size));
   return gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(inputs.model.vertex_count()),
                                          [&](std::size_t p) -> gpu::Dispatch::Bindings {
                                            return {state.steps,

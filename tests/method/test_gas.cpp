@@ -13,7 +13,7 @@ using namespace weft;
 
 namespace {
 
-/// The methods that take a gas.
+/// Methods and their cloth.
 struct Way {
   const char* name;
   std::string solver, material;
@@ -23,7 +23,14 @@ std::vector<Way> ways() {
   const std::string fabric = isotropic(60);
   return {{"mass_spring", R"({"kind": "mass_spring"})", springs},
           {"mass_spring, sums by springs", R"({"kind": "mass_spring", "forces": "spring_centric"})", springs},
-          {"mass_spring, fabric", R"({"kind": "mass_spring"})", fabric}};
+          {"mass_spring, fabric", R"({"kind": "mass_spring"})", fabric},
+          {"xpbd", R"({"kind": "xpbd", "iterations": 2})", springs},
+          {"xpbd, fabric", R"({"kind": "xpbd", "iterations": 2})", fabric},
+          {"pbd", R"({"kind": "pbd", "iterations": 2})", springs},
+          {"vbd", R"({"kind": "vbd", "iterations": 3})", springs},
+          {"vbd, fabric", R"({"kind": "vbd", "iterations": 3})", fabric},
+          {"projective_dynamics", R"({"kind": "projective_dynamics", "iterations": 4})", springs},
+          {"projective_dynamics, fabric", R"({"kind": "projective_dynamics", "iterations": 4})", fabric}};
 }
 
 scene::Scene scene_with(const Way& way, const std::string& pressure, const std::string& world = "") {

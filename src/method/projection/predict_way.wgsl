@@ -1,5 +1,6 @@
 // The way of every node in this substep without its springs, where the springs are then projected: along its motion, to
-// the hand, or by inertia, gravity and air. One invocation per node. Source: docs/solvers/xpbd.md, equation 1.
+// the hand, or by inertia, gravity, gas and air. It comes as the gas's force, N. One invocation per node.
+// Source: docs/solvers/xpbd.md, equation 1.
 #include "gpu/index.wgsl"
 #include "method/way_velocity.wgsl"
 //                                                                              elements       unit
@@ -16,7 +17,7 @@ fn predict_way(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   if (node >= step.nodes.count) { return; }
   let before = NodeState(position_in[node], velocity_in[node]);
-  let velocity = way_velocity(node, before);
+  let velocity = way_velocity(node, before, way[node]);
   let driven = is_prescribed(node, before);
   way[node] = vec4f(step.time.dt * velocity, select(before.position.w, 0.0, driven));
 }

@@ -75,7 +75,8 @@ StepLimit sag_limit(const scene::Scene& scene, const Model& model) {
   double step = kImplicitStep;
   for (const Body& cloth : model.bodies) {
     const Span span = span_of(model, cloth);
-    const double pull = most_pull(scene, span.density);
+    const double gauge = cloth.gas ? std::abs(cloth.gas->rest_gauge) : 0;
+    const double pull = most_pull(scene, span.density) + gauge / span.density;
     if (pull == 0) continue;
     step = std::min(step, span.spacing * std::sqrt(scene.solver.iterations * kSag / (pull * span.extent)));
     if (!cloth.fabric) continue;
@@ -87,7 +88,7 @@ StepLimit sag_limit(const scene::Scene& scene, const Model& model) {
   }
   StepLimit limit;
   limit.longest_auto_step = step;
-  return limit;
+  return with_gas(limit, model, kMostOfGas);
 }
 
 }  // namespace weft

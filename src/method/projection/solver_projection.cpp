@@ -1,10 +1,9 @@
 #include "method/projection/solver_projection.hpp"
 
-#include "method/ways.hpp"
-
 namespace weft {
 
 void SolverProjection::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
+  gas_.record(pass);
   predict_way_.record(pass);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep == 0 ? first_sweep_ : later_sweep_) color.record(pass);
@@ -40,9 +39,11 @@ Result<void> SolverProjection::create_nodes(const SolverInputs& inputs) {
   const State& state = inputs.state;
   const std::uint32_t count = inputs.model.vertex_count();
   WEFT_SET(corners_, corners_in_air(inputs));
-  WEFT_TRY(predict,
-           gpu::create_shared_kernel(inputs.device, "method/projection/predict_way.wgsl",
-                                     {{"kAirPushes", inputs.air ? 1.0 : 0.0}}, inputs.workgroup_size));
+  WEFT_SET(gas_, GasOnWays::create(inputs, [&](std::size_t p) -> const gpu::Buffer<Vec4f>& {
+             return state.position[1 - p];
+           }));
+  WEFT_TRY(predict, gpu::create_shared_kernel(inputs.device, "method/projection/predict_way.wgsl",
+                                              gas_.pushes(inputs), inputs.workgroup_size));
   WEFT_SET(predict_way_,
            gpu::Dispatch::create_by_parity(
                predict, predict->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {

@@ -6,6 +6,7 @@
 #include "method/projection/color.hpp"
 #include "method/projection/project_fabric.hpp"
 #include "method/solver.hpp"
+#include "method/ways.hpp"
 
 namespace weft {
 
@@ -29,7 +30,8 @@ class SolverProjection : public Solver {
   gpu::Buffer<float> multiplier_;  // of each spring [kg·m]
   ColorRuns colors_;
 
-  gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
+  GasOnWays gas_;
+  gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read
 
   std::vector<ProjectFabric> fabrics_;
 

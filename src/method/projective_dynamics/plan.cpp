@@ -8,14 +8,14 @@
 namespace weft {
 namespace {
 
-/// Stable at any length; equation 9 of docs/solvers/projective_dynamics.md for the cloth that needs the shortest.
+/// Equation 9 of docs/solvers/projective_dynamics.md for the cloth that needs the shortest.
 StepLimit projective_dynamics_step_limit(const scene::Scene& scene, const Model& model) {
   const double rate = reached_rate(scene.solver.iterations);
   StepLimit limit;
   limit.longest_auto_step = kImplicitStep;
   for (const Body& cloth : model.bodies)
     limit.longest_auto_step = std::min(limit.longest_auto_step, cloth_rates(model, cloth).step_of(rate));
-  return limit;
+  return with_gas(limit, model, kMostOfGas);
 }
 
 }  // namespace
@@ -26,6 +26,7 @@ Method projective_dynamics_method() {
   Method row{};
   row.kind = scene::SolverKind::ProjectiveDynamics;
   row.takes = kTakes;
+  row.takes_gas = true;
   // Its matrix never changes: it holds the energy of yarns, and that of bending out of a plane.
   row.energies = kEnergies;
   row.flat_fabric = true;

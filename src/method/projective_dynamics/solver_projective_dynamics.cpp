@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include "method/ways.hpp"
-
 namespace weft {
 
 void SolverProjectiveDynamics::record(gpu::ComputePass& pass, const contact::Stages& contact,
                                       std::uint32_t) const {
+  gas_.record(pass);
   start_way_.record(pass);
   for (const RelaxedSprings& cloth : springs_)
     for (const gpu::Dispatch& dispatch : cloth.dispatches()) dispatch.record(pass);
@@ -33,10 +32,11 @@ Result<std::unique_ptr<Solver>> SolverProjectiveDynamics::create(const scene::So
   RelaxedState& relaxed = made->relaxed_;
   WEFT_SET(relaxed, RelaxedState::create(inputs, make_relaxation(most, settings.iterations)));
   WEFT_SET(made->corners_, corners_in_air(inputs));
-  WEFT_SET(made->start_way_, create_start_way(inputs, made->corners_, relaxed.aim,
-                                              [&](std::size_t p) -> const gpu::Buffer<Vec4f>& {
-                                                return relaxed.ways_after(0, inputs.state, p);
-                                              }));
+  const WayOf way_of = [&](std::size_t p) -> const gpu::Buffer<Vec4f>& {
+    return relaxed.ways_after(0, inputs.state, p);
+  };
+  WEFT_SET(made->gas_, GasOnWays::create(inputs, way_of));
+  WEFT_SET(made->start_way_, create_start_way(inputs, made->corners_, made->gas_, relaxed.aim, way_of));
   WEFT_SET(made->end_way_, create_end_way(inputs, true));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];

@@ -4,6 +4,7 @@
 
 #include "method/projective_dynamics/relaxed_fabric.hpp"
 #include "method/projective_dynamics/relaxed_springs.hpp"
+#include "method/ways.hpp"
 
 namespace weft {
 
@@ -20,7 +21,8 @@ class SolverProjectiveDynamics : public Solver {
   RelaxedState relaxed_;
   std::vector<RelaxedSprings> springs_;
   std::vector<RelaxedFabric> fabrics_;
-  gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
+  GasOnWays gas_;
+  gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read
 
   gpu::Dispatch start_way_, end_way_;
 };

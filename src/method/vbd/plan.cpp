@@ -7,10 +7,10 @@
 namespace weft {
 namespace {
 
-StepLimit vbd_step_limit(const scene::Scene&, const Model&) {
-  StepLimit limit;  // stable at any length
+StepLimit vbd_step_limit(const scene::Scene&, const Model& model) {
+  StepLimit limit;
   limit.longest_auto_step = kImplicitStep;
-  return limit;
+  return with_gas(limit, model, kMostOfGas);
 }
 
 }  // namespace
@@ -21,6 +21,7 @@ Method vbd_method() {
   Method row{};
   row.kind = scene::SolverKind::Vbd;
   row.takes = kTakes;
+  row.takes_gas = true;
   row.step_limit = vbd_step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {

@@ -1,12 +1,12 @@
 #include "method/vbd/solver_vbd.hpp"
 
 #include "method/vbd/node_colors.hpp"
-#include "method/ways.hpp"
 
 namespace weft {
 
 void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   contact.press(pass);
+  gas_.record(pass);
   start_way_.record(pass);
   if (begin_holds_) begin_holds_->record(pass);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
@@ -27,10 +27,9 @@ Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
   const std::size_t words = inputs.presses() != nullptr ? 4 : 1;
   WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, words * count, "aims"));
   WEFT_SET(corners_, corners_in_air(inputs));
-  WEFT_SET(start_way_,
-           create_start_way(inputs, corners_, aim_, [&](std::size_t p) -> const gpu::Buffer<Vec4f>& {
-             return state.position[1 - p];
-           }));
+  const WayOf way_of = [&](std::size_t p) -> const gpu::Buffer<Vec4f>& { return state.position[1 - p]; };
+  WEFT_SET(gas_, GasOnWays::create(inputs, way_of));
+  WEFT_SET(start_way_, create_start_way(inputs, corners_, gas_, aim_, way_of));
   if (words > 1) return create_holds(inputs);
   WEFT_SET(end_way_, create_end_way(inputs, true));
   return {};

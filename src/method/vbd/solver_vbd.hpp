@@ -9,6 +9,7 @@
 #include "method/solver.hpp"
 #include "method/vbd/descend_fabric.hpp"
 #include "method/vbd/descend_solid.hpp"
+#include "method/ways.hpp"
 
 namespace weft {
 
@@ -43,8 +44,9 @@ class SolverVbd : public Solver {
   std::vector<Cloth> cloths_;  // of springs
   std::vector<DescendFabric> fabrics_;
   std::vector<DescendSolid> solids_;
-  gpu::Buffer<Vec4f> aim_;              // the way of each node without springs [m]; node_holds.wgsl
-  gpu::Buffer<std::uint32_t> corners_;  // src/method/air.wgsl; without air one number, which is not read
+  gpu::Buffer<Vec4f> aim_;  // the way of each node without springs [m]; node_holds.wgsl
+  GasOnWays gas_;
+  gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read
 
   // While nodes descend, position[1 - parity] holds ways from position[parity], not places.
   gpu::Dispatch start_way_, end_way_;
