@@ -5,12 +5,12 @@
 namespace weft {
 namespace {
 
-/// Stable at any length; contact gives a substep a second system.
-StepLimit step_limit(const scene::Scene& scene, const Model&) {
+/// Contact gives a substep a second system.
+StepLimit step_limit(const scene::Scene& scene, const Model& model) {
   StepLimit limit;
   limit.longest_auto_step =
       solved_contact(scene, implicit_row(scene.solver.kind)).obstacles ? kImplicitContactStep : kImplicitStep;
-  return limit;
+  return with_gas(limit, model, kMostOfGasAhead);
 }
 
 }  // namespace

@@ -100,10 +100,6 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
                          words_of_methods([&](const Method& other) { return takes(other, kind); }).c_str());
     }
     if (model.bodies[c].fabric) WEFT_CHECK(check_fabric(scene.cloths[c], model, model.bodies[c], method));
-    if (model.bodies[c].gas && !method.takes_gas)
-      return input_error("%s has a pressure, which solver.kind \"%s\" does not take; %s does.",
-                         scene.cloths[c].where.c_str(), scene::name_of(method.kind),
-                         words_of_methods([](const Method& other) { return other.takes_gas; }).c_str());
     if (scene.cloths[c].strain_limit && !method.limits_strain)
       return input_error("%s.strain_limit is %g, and solver.kind \"%s\" keeps none; %s does.",
                          scene.cloths[c].where.c_str(), *scene.cloths[c].strain_limit,
@@ -167,7 +163,7 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
   if (scene.solver.kind != scene::SolverKind::Auto)
     return choice_of(scene, model, method_of(scene.solver.kind));
   std::optional<Error> refused;
-  std::optional<MethodChoice> best;
+  std::optional<MethodChoice> best, steadiest;  // the latter where no one is stable: the one that needs least
   double least = HUGE_VAL;
   std::string costs;
   for (const Method& method : methods()) {
@@ -177,14 +173,22 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
       refused = choice.error();
       continue;
     }
-    if (!unstable_step(choice->limit, scene.time.frame, choice->substeps).empty()) continue;
+    if (!unstable_step(choice->limit, scene.time.frame, choice->substeps).empty()) {
+      if (!steadiest || choice->limit.largest_step > steadiest->limit.largest_step)
+        steadiest = std::move(*choice);
+      continue;
+    }
     const double cost = predicted_frame(scene, model, method, choice->substeps);
     costs += (costs.empty() ? "" : ", ") + cost_of(*choice, cost);
     if (cost >= least) continue;
     least = cost;
     best = std::move(*choice);
   }
-  if (!best) return *refused;  // some method is stable at any step, so it was not for the step
+  if (!best && steadiest) {
+    steadiest->reason = "no method is stable in these steps";
+    return std::move(*steadiest);
+  }
+  if (!best) return *refused;
   best->reason = "a frame is predicted to take " + costs;
   return std::move(*best);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gas_balls.hpp"
+#include "method/method.hpp"
 #include "scene/load.hpp"
 
 using namespace weft;
@@ -90,4 +91,19 @@ TEST_CASE(
   const gas::Law gas{2, 1000, 100};
   CHECK(gas.gauge(0.02) == gas.gauge(-1));
   CHECK(gas.energy(0.01) - gas.energy(0.02) == doctest::Approx(0.01 * gas.gauge(0.02)).epsilon(1e-10));
+}
+
+TEST_CASE("where no method is stable in the steps that a scene asks for, the one is taken that needs least") {
+  const auto scene = scene::parse_scene(R"({"format": "weft-scene/1", "time": {"substeps": 1}, )" +
+                                            ball_scene(R"({"kind": "auto"})", kDust, R"({"gauge": 0})") + "}",
+                                        "a.json");
+  REQUIRE_MESSAGE(static_cast<bool>(scene), scene.error().message);
+  const auto model = build_model(*scene, {ball(3)});
+  REQUIRE(model);
+  const auto choice = choose_method(*scene, *model);
+  REQUIRE(choice);
+  CHECK(choice->method->kind == scene::SolverKind::MassSpring);  // 2/√λ, where multigrid has 2/√(3 λ)
+  CHECK(choice->substeps == 1);
+  CHECK(unstable_step(choice->limit, scene->time.frame, 1).find("so the cloth may blow up") !=
+        std::string::npos);
 }

@@ -69,7 +69,6 @@ Method mass_spring_method() {
   Method row{};
   row.kind = scene::SolverKind::MassSpring;
   row.takes = kTakes;
-  row.takes_gas = true;
   row.step_limit = [](const scene::Scene& scene, const Model& model) {
     return mass_spring_step_limit(model, scene.drag);
   };

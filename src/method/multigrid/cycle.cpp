@@ -66,12 +66,14 @@ void Cycle::set_iterations(gpu::Device& device, std::uint32_t iterations, bool m
 
 void Cycle::record_system(gpu::ComputePass& pass) const {
   predict_.record(pass);
+  add_gas_.record(pass);
   add_air_.record(pass);
   record_gradient(pass);
 }
 
 void Cycle::record_system_again(gpu::ComputePass& pass) const {
   predict_again_.record(pass);
+  add_gas_.record(pass);
   add_air_again_.record(pass);
   record_gradient(pass);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/dispatch.hpp"
+#include "method/enclosed_gas.hpp"
 #include "method/equal_cloths.hpp"
 #include "method/multigrid/bottom.hpp"
 #include "method/multigrid/solve_limits.hpp"
@@ -73,8 +74,9 @@ struct CycleInputs {
   double residual = scene::Solver{}.residual;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   const gpu::Buffer<std::uint32_t>* corners =
-      nullptr;                     // around each vertex (src/method/air.wgsl); null: no air pushes
-  std::uint32_t newton_steps = 0;  // of Newton's method; 0: one system a substep, with contact two
+      nullptr;                       // around each vertex (src/method/air.wgsl); null: no air pushes
+  const EnclosedGas* gas = nullptr;  // in closed cloths; null: none
+  std::uint32_t newton_steps = 0;    // of Newton's method; 0: one system a substep, with contact two
 };
 
 /// Whether contact may change what a substep predicts, which is aside then.
@@ -162,8 +164,8 @@ class Cycle {
   gpu::Buffer<std::int32_t> no_presses_, no_pair_sums_;
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<std::array<float, 2>> partials_;
-  std::vector<gpu::Dispatch> elements_;    // what the gradient adds up, where it is not of springs
-  gpu::Dispatch add_air_, add_air_again_;  // none: record nothing
+  std::vector<gpu::Dispatch> elements_;              // what the gradient adds up, where it is not of springs
+  gpu::Dispatch add_gas_, add_air_, add_air_again_;  // none: record nothing
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_, begin_anew_;
   gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system, and those behind it
   gpu::Dispatch begin_solve_, search_, advance_;       // of conjugate gradients

@@ -116,6 +116,8 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::pair_finish, "pair_finish", size},
   };
   if (inputs.pairs != nullptr) WEFT_CHECK(create_all<K>(inputs.device, of_pairs, made));
+  const Row<K> of_gas[] = {{&K::add_gas, "add_gas", size}};
+  if (inputs.gas != nullptr) WEFT_CHECK(create_all<K>(inputs.device, of_gas, made));
   const Row<K> of_air[] = {{&K::add_air, "add_air", size}, {&K::add_air_again, "add_air", size, {again()}}};
   if (inputs.corners != nullptr) WEFT_CHECK(create_all<K>(inputs.device, of_air, made));
   return made;

@@ -17,6 +17,7 @@ struct SharedKernels {
   gpu::SharedKernel first_norm_again, last_norm, measure;
   gpu::SharedKernel pair_force, pair_product, pair_end, pair_finish;  // of pairs that are held apart
   gpu::SharedKernel pair_force_again;
+  gpu::SharedKernel add_gas;                 // none without gas
   gpu::SharedKernel add_air, add_air_again;  // none without air
 
   /// Errors  Shader.

@@ -25,11 +25,18 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
            (gpu::Buffer<std::array<float, 2>>::create(
                inputs.device, (body.fabric ? 5 : 3) * lists.entries.size(), "multigrid blocks")));
   WEFT_CHECK(made.create_shared(inputs, kernels.shared));
+  if (body.gas) WEFT_CHECK(made.create_gas(inputs, kernels.shared));
   WEFT_CHECK(body.fabric ? made.create_fabric(inputs, kernels, body, pairs, lists)
                          : made.create_springs(inputs, kernels, body, lists));
   WEFT_CHECK(made.create_search(inputs, kernels));
   WEFT_CHECK(made.create_levels(kernels));
   return made;
+}
+
+Result<void> MeshCycle::create_gas(const CycleInputs& inputs, const SharedKernels& kernels) {
+  WEFT_SET(add_gas_, Dispatch::create(kernels.add_gas, kernels.add_gas->workgroups_of(node_count(shapes_[0])),
+                                      {nodes_, inputs.gas->gases(), inputs.gas->slopes(), place_, vectors_}));
+  return {};
 }
 
 Result<void> MeshCycle::create_lists(gpu::Device& device, const MeshLists& lists) {

@@ -27,6 +27,7 @@ class MeshCycle : public Cycle {
     gpu::Buffer<Share> sources, products, taps;
   };
 
+  Result<void> create_gas(const CycleInputs& inputs, const SharedKernels& kernels);
   Result<void> create_lists(gpu::Device& device, const MeshLists& lists);
   Result<void> create_springs(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
                               const MeshLists& lists);

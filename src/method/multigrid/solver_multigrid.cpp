@@ -20,6 +20,7 @@ std::uint32_t raised(std::uint32_t iterations) { return iterations + std::max(2U
 
 void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   contact.press(pass);
+  gas_.record(pass);
   for (const GridCycle& cycle : grids_) cycle.record_first(pass);
   for (const MeshCycle& cycle : meshes_) cycle.record_first(pass);
   contact.press_again(pass);
@@ -94,10 +95,11 @@ Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inpu
                                                         std::uint32_t newton_steps) {
   auto made = std::make_unique<SolverMultigrid>();
   if (inputs.air) WEFT_SET(made->corners_, air_corners(inputs.device, inputs.model.host));
-  made->inputs_.emplace(CycleInputs{inputs.device, inputs.model, inputs.state, inputs.step,
-                                    inputs.predicted(), inputs.presses(), inputs.pairs(), residual,
-                                    inputs.workgroup_size, inputs.air ? &made->corners_ : nullptr,
-                                    inputs.presses() == nullptr ? newton_steps : 0});
+  WEFT_SET(made->gas_, EnclosedGas::create(inputs, EnclosedGas::At::Ahead));
+  made->inputs_.emplace(CycleInputs{
+      inputs.device, inputs.model, inputs.state, inputs.step, inputs.predicted(), inputs.presses(),
+      inputs.pairs(), residual, inputs.workgroup_size, inputs.air ? &made->corners_ : nullptr,
+      made->gas_.any() ? &made->gas_ : nullptr, inputs.presses() == nullptr ? newton_steps : 0});
   WEFT_CHECK(made->create_cycles(*made->inputs_));
   return std::unique_ptr<Solver>(std::move(made));
 }

@@ -28,6 +28,7 @@ class SolverMultigrid : public Solver {
   void set_iterations(gpu::Device& device, std::uint32_t iterations);
 
   std::optional<CycleInputs> inputs_;
+  EnclosedGas gas_;
   gpu::Buffer<std::uint32_t> corners_;  // where the air pushes
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;

@@ -11,7 +11,6 @@ Method projection_row(scene::SolverKind kind) {
   Method row{};
   row.kind = kind;
   row.takes = kTakes;
-  row.takes_gas = true;
   row.step_limit = sag_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {

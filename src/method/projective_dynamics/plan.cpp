@@ -26,7 +26,6 @@ Method projective_dynamics_method() {
   Method row{};
   row.kind = scene::SolverKind::ProjectiveDynamics;
   row.takes = kTakes;
-  row.takes_gas = true;
   // Its matrix never changes: it holds the energy of yarns, and that of bending out of a plane.
   row.energies = kEnergies;
   row.flat_fabric = true;

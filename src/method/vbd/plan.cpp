@@ -21,7 +21,6 @@ Method vbd_method() {
   Method row{};
   row.kind = scene::SolverKind::Vbd;
   row.takes = kTakes;
-  row.takes_gas = true;
   row.step_limit = vbd_step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };
   row.auto_substeps = [](const scene::Scene& scene, const StepLimit& limit) {

@@ -193,8 +193,19 @@ StepStart ImplicitStepper::begin(const MassSpringSystem& system, const std::vect
     step.way[a] = step.place[a] - x;
     step.start_velocity[a] = (step.place[a] - x) / dt;
   }
+  add_gas(step, system, dt, cloth);
   if (system.air) add_air(step, system, dt, ratio, cloth, !ways.empty());
   return step;
+}
+
+void ImplicitStepper::add_gas(StepStart& step, const MassSpringSystem& system, double dt,
+                              const Cloth& cloth) {
+  if (system.gases.empty()) return;
+  Field ahead = system.position;
+  for (std::size_t node = 0; node < ahead.size(); ++node) ahead[node] += dt * system.velocity[node];
+  const Field forces = gas_forces(system, ahead);
+  for (std::size_t a = 0; a < cloth.count; ++a)
+    if (!step.fixed[a]) step.residual[a] += forces[cloth.first + a];
 }
 
 void ImplicitStepper::add_air(StepStart& step, const MassSpringSystem& system, double dt, double ratio,

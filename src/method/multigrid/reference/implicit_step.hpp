@@ -120,6 +120,8 @@ class ImplicitStepper : public Stepper {
 
   StepStart begin(const MassSpringSystem& system, const std::vector<Vec3d>& places, double dt, double ratio,
                   const Cloth& cloth, std::span<const Vec3d> ways) const;
+  /// Adds the gas in closed cloths to the residual: the same in all systems of a substep.
+  static void add_gas(StepStart& step, const MassSpringSystem& system, double dt, const Cloth& cloth);
   /// Adds the air to the residual, and keeps its part of the matrix. `again`: in the second system.
   void add_air(StepStart& step, const MassSpringSystem& system, double dt, double ratio, const Cloth& cloth,
                bool again) const;
