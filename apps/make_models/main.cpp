@@ -20,6 +20,9 @@ constexpr std::size_t kDragonTriangles = 100'000;  // at most, as in Sung et al.
 
 Result<TriangleMesh> make_unit_sphere(const std::string&) { return make_sphere(20, 20); }
 
+// Of 2,562 vertices, for cloths: triangles of nearly one size.
+Result<TriangleMesh> make_ball(const std::string&) { return make_geodesic_sphere(16); }
+
 // Upright as it comes (y up), but with its back to the viewer: a half turn about y, which only flips signs.
 Result<TriangleMesh> make_armadillo(const std::string& raw) {
   WEFT_TRY(mesh, read_mesh(raw + "/armadillo.off"));
@@ -94,6 +97,7 @@ Result<void> make_the_mannequin(const std::string& models_folder) {
 
 Result<void> make_models(const std::string& raw_folder, const std::string& models_folder) {
   static constexpr Recipe kRecipes[] = {{"sphere", make_unit_sphere},
+                                        {"ball", make_ball},
                                         {"armadillo", make_armadillo},
                                         {"dragon", make_dragon},
                                         {"skirt", make_the_skirt, false}};

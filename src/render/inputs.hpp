@@ -25,7 +25,7 @@ struct ClothRange {
   std::optional<Vec3d> color;  // sRGB in [0, 1]; none: the next of a palette
   double sheet_size = 1;  // the longer side of the sheet in uv [m]: the check repeats a few times over it
   std::optional<ClothGrid> grid{};  // only where a picture subdivides
-  bool woven = true;                // false: of one colour, as bodies with volume are
+  bool woven = true;                // false: of one colour, as what is closed
 };
 
 /// All cloths of a state. The buffers must outlive the renderer.

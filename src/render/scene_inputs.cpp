@@ -33,7 +33,7 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
       size = std::max({size, static_cast<double>(uv[0]), static_cast<double>(uv[1])});
     }
     ClothRange range{body.first_triangle, body.triangle_count, body.color, size};
-    range.woven = !body.solid;
+    range.woven = !body.solid && !body.gas;
     if (body.grid) range.grid = ClothGrid{*body.grid, body.first_vertex};
     inputs.cloth.ranges.push_back(range);
   }

@@ -142,6 +142,7 @@ TEST_CASE("a flag in a storm passes nowhere through itself") { check_once("flag"
 TEST_CASE("long: a flag folds on itself in a storm and passes nowhere through itself") {
   check_once("flag", 150);
 }
+TEST_CASE("long: a balloon falls onto a sheet and passes through nothing") { check_once("balloon", 24); }
 TEST_CASE("a ball flies into a sheet and not through it, twice the same") {
   // Nearer, so that it strikes in the seventh frame.
   check_twice("shot", 16, {{"colliders.0.motion.start", "0"}, {"colliders.0.center", "[0.08, 0, -0.6]"}});

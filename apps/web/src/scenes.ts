@@ -7,7 +7,7 @@ import type { PageState } from "./state/page_state.js";
 const SCENE_FILES = import.meta.glob<string>("../../../scenes/*.json", { query: "?url", import: "default",
   eager: true });
 const MODEL_FILES = import.meta.glob<string>(
-  ["../../../models/{sphere,armadillo,dragon,skirt}.ply", "../../../models/mannequin.glb"],
+  ["../../../models/{sphere,ball,armadillo,dragon,skirt}.ply", "../../../models/mannequin.glb"],
   { query: "?url", import: "default", eager: true },
 );
 
@@ -47,6 +47,7 @@ export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: r
     { name: "incline", title: "On a slope" },
     { name: "walk", title: "A skirt that walks" },
     { name: "jelly", title: "Jelly in a net" },
+    { name: "balloon", title: "A balloon in a sheet" },
   ] },
 ].map(({ title, scenes }) => ({ title, scenes: scenes.filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined) }));
 
