@@ -411,8 +411,8 @@ TEST_CASE("shipped scenes are listed, and known by their names") {
   for (const auto& entry : std::filesystem::directory_iterator(source_path("scenes")))
     files += entry.path().extension() == ".json" ? 1U : 0U;
   CHECK(json.size() == files);
-  CHECK(json[0].at("name") == "breeze");
-  CHECK(json[0].at("title") == "Breeze");
+  CHECK(json[0].at("name") == "balloon");
+  CHECK(json[0].at("title") == "A balloon in a sheet");
   const Ended checked = run_without_driver({"check", "hanging", "--nodes", "5x4"});
   CHECK(checked.out.rfind("hanging is a valid scene: 1 cloth with 20 nodes", 0) == 0);
   const Ended wrong = run_without_driver({"check", "hangin"});
