@@ -8,10 +8,6 @@
 namespace weft::mesh {
 namespace {
 
-Vec3d corner(const TriangleMesh& mesh, const Triangle& triangle, int index) {
-  return mesh.positions[triangle[static_cast<std::size_t>(index)]].to<double>();
-}
-
 bool has_area(const std::vector<Vec3f>& positions, const Triangle& t) {
   const Vec3d a = positions[t[0]].to<double>();
   return !(cross(positions[t[1]].to<double>() - a, positions[t[2]].to<double>() - a) == Vec3d{});
@@ -44,16 +40,15 @@ Bounds bounds(const TriangleMesh& mesh) {
 }
 
 double signed_volume(const TriangleMesh& mesh) {
-  double six_volumes = 0.0;  // of the tetrahedra between each triangle and the origin
-  for (const Triangle& t : mesh.triangles)
-    six_volumes += dot(corner(mesh, t, 0), cross(corner(mesh, t, 1), corner(mesh, t, 2)));
-  return six_volumes / 6.0;
+  std::vector<Vec3d> places;
+  for (const Vec3f& p : mesh.positions) places.push_back(p.to<double>());
+  return signed_volume(mesh.triangles, places);
 }
 
 double signed_volume(std::span<const Triangle> triangles, std::span<const Vec3d> places) {
   if (triangles.empty()) return 0;
   const Vec3d from = places[triangles[0][0]];
-  double six_volumes = 0.0;
+  double six_volumes = 0.0;  // of the tetrahedra between each triangle and `from`
   for (const auto& [a, b, c] : triangles)
     six_volumes += dot(places[a] - from, cross(places[b] - from, places[c] - from));
   return six_volumes / 6.0;

@@ -42,7 +42,7 @@ inline constexpr double kMostOfGas = 2;
 inline constexpr double kMostOfGasAhead = 1.1547005383792515;
 
 /// The limit of a method whose steps are stable at any length but for the gas in closed cloths, which it takes as a
-/// force: stable below `most` for h √λ, λ the gas's largest eigenvalue. Source: docs/pressure.md, equation 6.
+/// force: stable below `most` for h √λ, λ the gas's largest eigenvalue. Source: docs/pressure.md, The step.
 StepLimit with_gas(StepLimit limit, const Model& model, double most);
 
 /// The least of the limits of cloths with these spectra.

@@ -49,8 +49,7 @@ Result<void> check_closed(const scene::Cloth& cloth, std::span<const mesh::Trian
   if (turned > 0)
     return input_error(
         "%s.pressure needs triangles that all face outward; at %zu of the %zu edges of \"%s\" two turn "
-        "against "
-        "each other.",
+        "against each other.",
         cloth.where.c_str(), turned, edges, cloth.mesh.c_str());
   return {};
 }

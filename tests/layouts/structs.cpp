@@ -518,6 +518,7 @@ Json shared_constants() {
       real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
       real("kContactTouching", "state/contact.wgsl", kContactTouching),
       real("kHoldPart", "contact/proximity/press.wgsl", kHoldPart),
+      real("kWholeWeight", "contact/proximity/press.wgsl", kWholeWeight),
       real("kHoldRate", "method/multigrid/hold_law.wgsl", kHoldRate),
       real("kHoldSpeed", "method/multigrid/hold_law.wgsl", kHoldSpeed),
       real("kAhead", "contact/proximity/contact_impulse.wgsl", kImpulseAhead),

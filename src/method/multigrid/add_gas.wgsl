@@ -1,5 +1,5 @@
 // Adds the gas in a closed cloth to the equation of every free node, as a force that a substep's systems share. One
-// invocation per node of a cloth, after `predict` or `predict_again`. Source: docs/pressure.md, equation 7.
+// invocation per node of a cloth, after `predict` or `predict_again`. Source: docs/pressure.md, equation 6.
 #include "gpu/index.wgsl"
 #include "method/gas_force.wgsl"
 #include "method/multigrid/cloth.wgsl"
