@@ -30,7 +30,7 @@ struct Contact {
   float urgency = 0;
   std::uint32_t solid = 0;      // 1: side A goes its way whatever comes; 2: side B; 0: neither; or kUntangles
   std::uint32_t near = 0;       // 1: it acts, or would but for its cones, or has a plane that must hold
-  std::uint32_t other_end = 0;  // of a crossing: the id of the edge's other end; else 1: of one cloth
+  std::uint32_t other_end = 0;  // of a crossing: the id of the edge's other end; else as in the kernel
   float thickness = 0;          // the distance that it keeps [m]
   float solid_speed = 0;        // of a solid side, toward the other [m/s]
   float begun = 0;              // the normal part of the force before it went ahead [N]

@@ -515,6 +515,7 @@ Json shared_constants() {
       real("kLeastOutward", "contact/proximity/untangle.wgsl", kLeastOutward),
       real("kOutwardPart", "contact/proximity/untangle.wgsl", kOutwardPart),
       real("kConeSlack", "contact/proximity/cones.wgsl", kConeSlack),
+      real("kNoDistance", "contact/proximity/measure.wgsl", kNoDistance),
       real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
       real("kContactTouching", "state/contact.wgsl", kContactTouching),
       real("kHoldPart", "contact/proximity/press.wgsl", kHoldPart),

@@ -143,6 +143,27 @@ TEST_CASE("two squares above each other have the pairs that a drawing shows") {
   }
 }
 
+TEST_CASE("features of cloth in cloth part across the triangle, by their numbers or by their fronts") {
+  const Soup there{{{0, 1, 0}, {1, 1, 0}, {0, 1, 1}}, {{0, 1, 2}}};  // its front is below: (0, -1, 0)
+  for (const bool turned : {false, true}) {
+    CAPTURE(turned);
+    Soup both = there;
+    for (const Vec3d& p : there.positions) both.positions.push_back(p + Vec3d{0.1, 0, 0.1});
+    both.triangles.push_back(turned ? mesh::Triangle{3, 5, 4} : mesh::Triangle{3, 4, 5});
+    std::size_t corners = 0;
+    for (const FeaturePair& pair : self_pairs(features(both), 1e-9)) {
+      CHECK(pair.distance == 0);
+      CHECK(pair.inside == (pair.kind == PairKind::VertexTriangle));
+      if (pair.kind != PairKind::VertexTriangle) continue;
+      ++corners;
+      CHECK(pair.direction.x == 0);
+      // The later one goes to the front of the first; turned, each to its own.
+      CHECK(pair.direction.y == ((pair.a > 2) != turned ? -1 : 1) * (turned && pair.a < 3 ? -1 : 1));
+    }
+    CHECK(corners == 1);  // of the second in the first
+  }
+}
+
 TEST_CASE("coplanar sheets side by side have pairs across the gap, along the sheet") {
   Soup apart = kSquare;
   for (const Vec3d& p : kSquare.positions) apart.positions.push_back(p + Vec3d{1.25, 0, 0});

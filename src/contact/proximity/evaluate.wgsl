@@ -122,7 +122,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       measured = Measured(at.x, at.y, crosses(p, q, p1, p2, p3), way.xyz, way.w, 0.0, 0.0);
       untangles = true;
     } else {
-      measured = measure(ids);
+      measured = measure(ids, contacts[number].other_end);
       let distance = measured.gap + measured.radius;
       let touches = !is_plane_pair(ids) && distance < kTouch * step.contact.thickness && is_of_closed_mesh(ids);
       if (touches || (tangled && measured.radius == 0.0 && is_tangled(ids, is_self))) {

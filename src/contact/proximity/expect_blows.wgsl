@@ -32,8 +32,8 @@ fn off_the_way(id : u32, aside : vec3f) -> f32 {
   return distance_from_way(Reach(vec3f(0.0), 0.0, kReachMargin * way), way + aside);
 }
 
-fn expect_blow(ids : vec4u, thickness : f32) {
-  let measured = measure(ids);
+fn expect_blow(ids : vec4u, sides : u32, thickness : f32) {
+  let measured = measure(ids, sides);
   let n = measured.normal;
   let along = ends_along(ids, n);
   let ends = Ends(measured.gap > 0.0, n, 0.0, measured.gap, thickness, along, sides_apart(ids, along));
@@ -61,11 +61,12 @@ fn expect_blows(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     let ids = listed[pair].ids;
     if (is_crossing(ids) || !is_self_pair(ids)) { continue; }
-    let before = gap_of(listed[pair].words);  // in the last substep; and the distance that they keep
+    let words = listed[pair].words;
+    let before = gap_of(words);  // in the last substep; and the distance that they keep
     let slack = min(min(slack_of(ids.x), slack_of(ids.y)), min(slack_of(ids.z), slack_of(ids.w)));
     // No vertex is moved farther than both sides go and a push.
     let push = select(0.0, kPushSpeed * step.time.dt, before.x < before.y);
     if (before.y <= 0.0 || kReachMargin * (2.0 * longest_way(ids) + push) <= slack) { continue; }
-    expect_blow(ids, before.y);
+    expect_blow(ids, words.w, before.y);
   }
 }

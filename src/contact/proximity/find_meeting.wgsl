@@ -42,7 +42,7 @@ fn end_before_collider(ids : vec4u, thickness : f32) {
   var is_far = false;
   for (var role = first; role < end; role++) { is_far = is_far || goes_far(ids[role] & kIdBits); }
   if (!is_far) { return; }
-  let measured = measure(ids);
+  let measured = measure(ids, 0u);
   let side = select(1.0, -1.0, on_b);
   let n = measured.normal;
   let reach = reach_of(ids, select(middle, 0u, on_b), select(role_count(ids), middle, on_b), side, n, measured.radius);

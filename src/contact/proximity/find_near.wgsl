@@ -43,7 +43,7 @@ fn needs_record(pair : u32, tangled : bool) -> bool {
   let is_self = is_self_pair(ids);
   if (kEarly && !is_self && step.contact.detect != kDetectAlways) { return false; }
   if ((is_self && solid_side(ids) != 0u) || (tangled && is_tangled(ids, is_self))) { return true; }
-  let measured = measure(ids);
+  let measured = measure(ids, words.w);
   listed[pair].words.z = bitcast<u32>(measured.gap);
   let r = relative_velocity(ids, weights_of(ids, measured.s, measured.t), measured);
   let way = step.time.dt * dot(measured.normal, r.velocity + r.surface);

@@ -180,15 +180,22 @@ fn crossings_of(candidate : vec2u, own : vec4u, other : vec4u) -> u32 {
   return (found | (twice << kByOtherEnd)) << kFirstCrossing;
 }
 
+// kBackToBack, or 0.
+fn facing_of(candidate : vec2u) -> u32 {
+  let a = face_of(own_triangle(candidate));
+  let b = face_of(other_triangle(candidate));
+  return select(0u, kBackToBack, dot(cross(a.b - a.a, a.c - a.a), cross(b.b - b.a, b.c - b.a)) < 0.0);
+}
+
 fn list_features(pair : u32, candidate : vec2u, ids : vec4u) {
   var thickness = params.thickness;
-  var of_one = 0u;
+  var sides = 0u;
   if (candidate.x >> kKindShift == kNearCloth) {
     thickness = thickness_of(ids);
-    of_one = select(0u, 1u, rest_of(ids.x).w == rest_of(ids.z).w);
+    sides = select(0u, kOfOneCloth, rest_of(ids.x).w == rest_of(ids.z).w) | facing_of(candidate);
   }
   let friction = f32(triangles[candidate.x & kPlaceBits].w >> 8u) * kFrictionUnit;
-  listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, of_one));
+  listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, sides));
 }
 
 // Lists what an invocation has found: of its own candidate pairs with a shape and crossings; then the tests that it has

@@ -36,8 +36,21 @@ fn end_in_pair(ids : vec4u, id : u32) -> vec3f {
   return end + step.time.dt * turn_of_plane(ids);
 }
 
-// Of a pair that is no crossing.
-fn measure(ids : vec4u) -> Measured {
+// Cloth that is in cloth, but for rounding, has no direction apart that means anything.
+const kNoDistance = 9.5367431640625e-7;  // 2^-20 of the farthest coordinate
+
+// Equation (1b) of docs/contact.md, of a vertex in a triangle with this normal; `sides`: as of measure. Edges wait for
+// that.
+fn without_direction(ids : vec4u, sides : u32, near : Closest, across : vec3f, place : vec3f) -> Measured {
+  if (is_edge_pair(ids)) { return Measured(near.s, near.t, false, vec3f(0.0, 1.0, 0.0), 0.0, 0.0, place.y); }
+  let size = length(across);
+  let on_front = ids.x > ids.y && (sides & kBackToBack) == 0u;
+  let n = select(vec3f(0.0, 1.0, 0.0), across / size, size > 0.0) * select(-1.0, 1.0, on_front);
+  return Measured(near.s, near.t, size > 0.0, n, 0.0, 0.0, dot(n, place));
+}
+
+// Of a pair that is no crossing. `sides`: kOfOneCloth, kBackToBack.
+fn measure(ids : vec4u, sides : u32) -> Measured {
   let p0 = start_of(ids.x);
   let p1 = start_of(ids.y);
   if (is_plane_pair(ids)) {
@@ -50,6 +63,10 @@ fn measure(ids : vec4u) -> Measured {
   let near = closest_of_pair(edges, p0.xyz, p1.xyz, p2.xyz, p3);
   let radius = select(0.0, max(select(p0.w, p2.w, edges), 0.0), is_collider(select(ids.x, ids.z, edges)));
   let distance = length(near.apart);
+  let farthest = max(abs(p0.x), max(abs(p0.y), abs(p0.z)));
+  if (is_self_pair(ids) && distance <= kNoDistance * farthest) {
+    return without_direction(ids, sides, near, cross(p2.xyz - p1.xyz, p3 - p1.xyz), p0.xyz);
+  }
   let n = select(vec3f(0.0, 1.0, 0.0), near.apart / distance, distance > 0.0);
   var place_a = dot(n, p0.xyz);
   if (edges) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }

@@ -26,7 +26,7 @@ fn gap_of(words : vec4u) -> vec2f {
 // The direction from B to A, and where on edge A the closest point is.
 fn line_of(ids : vec4u, words : vec4u) -> vec4f {
   if ((words.x & kHasRecord) == 0u) {
-    let measured = measure(ids);
+    let measured = measure(ids, words.w);
     return vec4f(measured.normal, measured.s);
   }
   let number = words.x & ~kHasRecord;

@@ -1,11 +1,13 @@
 #include "contact/reference/proximity/pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "contact/reference/proximity/audit.hpp"
 #include "contact/reference/proximity/closest.hpp"
 #include "contact/reference/proximity/cones.hpp"
+#include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
 namespace {
@@ -26,6 +28,22 @@ bool names(const auto& feature, std::uint32_t vertex) {
   return std::find(feature.begin(), feature.end(), vertex) != feature.end();
 }
 
+/// Whether cloth is in cloth there, but for rounding (kNoDistance).
+bool is_in_place(const FeaturePair& pair, const Vec3d& place) {
+  return pair.distance <= kNoDistance * std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
+}
+
+/// Of the triangles at a vertex together, and of one; not normalised.
+Vec3d front_of(const Features& of, std::uint32_t triangle) {
+  const auto& [a, b, c] = of.triangles[triangle];
+  return cross(of.positions[b] - of.positions[a], of.positions[c] - of.positions[a]);
+}
+Vec3d front_at(const Features& of, std::uint32_t vertex) {
+  Vec3d sum;
+  for (const std::uint32_t t : of.triangles_at.row(vertex)) sum += front_of(of, t);
+  return sum;
+}
+
 FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t vertex,
                             const Features& second, std::uint32_t triangle) {
   const mesh::Triangle& face = second.triangles[triangle];
@@ -34,7 +52,15 @@ FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t 
       closest_on_triangle(first.positions[vertex], x[face[0]], x[face[1]], x[face[2]]);
   const Gap gap = gap_of(closest.offset, first.radius_of_vertex(vertex));
   const auto [b0, b1, b2] = closest.weights;
-  return {kind, vertex, triangle, gap.distance, gap.direction, {1, 0, 0}, {-b0, -b1, -b2}, true};
+  FeaturePair pair{kind, vertex, triangle, gap.distance, gap.direction, {1, 0, 0}, {-b0, -b1, -b2}, true};
+  if (kind != PairKind::VertexTriangle || !is_in_place(pair, first.positions[vertex])) return pair;
+  const Vec3d across = front_of(second, triangle);
+  const double size = length(across);
+  const bool on_front = vertex > face[0] && !(dot(front_at(first, vertex), across) < 0);  // equation (1b)
+  pair.distance = 0;
+  pair.inside = size > 0;
+  if (pair.inside) pair.direction = (on_front ? 1 : -1) * (across / size);
+  return pair;
 }
 
 FeaturePair edge_edge(PairKind kind, const Features& first, std::uint32_t of_first, const Features& second,
@@ -43,14 +69,18 @@ FeaturePair edge_edge(PairKind kind, const Features& first, std::uint32_t of_fir
   const ClosestSegments closest = closest_segments(first.positions[a[0]], first.positions[a[1]],
                                                    second.positions[b[0]], second.positions[b[1]]);
   const Gap gap = gap_of(closest.offset, first.radius_of_edge(of_first) + second.radius_of_edge(of_second));
-  return {kind,
-          of_first,
-          of_second,
-          gap.distance,
-          gap.direction,
-          {1 - closest.s, closest.s, 0},
-          {closest.t - 1, -closest.t, 0},
-          closest.inside_first() && closest.inside_second()};
+  FeaturePair pair{kind,
+                   of_first,
+                   of_second,
+                   gap.distance,
+                   gap.direction,
+                   {1 - closest.s, closest.s, 0},
+                   {closest.t - 1, -closest.t, 0},
+                   closest.inside_first() && closest.inside_second()};
+  if (kind != PairKind::EdgeEdge || !is_in_place(pair, first.positions[a[0]])) return pair;
+  pair.distance = 0;
+  pair.inside = false;
+  return pair;
 }
 
 /// Collects the pairs of two lists of features; those of one list must not share a vertex.

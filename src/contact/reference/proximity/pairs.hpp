@@ -48,7 +48,7 @@ struct FeaturePair {
   Vec3d direction;             // n
   // w of the vertices of A and of B in their order, with their signs; a plane has none.
   std::array<double, 3> weights_a{}, weights_b{};
-  bool inside = true;    // of edges: both closest points are inside; true for all others
+  bool inside = true;    // of edges: both closest points are inside; false also where (1b) leaves a pair out
   bool in_cones = true;  // cones.hpp; found by measured()
 };
 /// By kind, a, b: the identity of a pair.
