@@ -28,6 +28,9 @@ inline constexpr double kBottomPart = 100;
 /// The cycle on levels of no more nodes is done by one workgroup, so that 16 KiB of its memory are enough: of a grid
 /// (src/method/multigrid/cycle_tail.wgsl) and of a mesh (mesh_tail.wgsl).
 inline constexpr std::uint32_t kGridTail = 682, kMeshTail = 554;
+/// The same of fabric, whose blocks are larger: one workgroup reads those of 504 nodes in twice the time that six
+/// dispatches take.
+inline constexpr std::uint32_t kFabricTail = 320;
 
 /// What a level is like: its nodes, and of one of them the inertia and the stiffness in its matrix's diagonal [N/m].
 struct LevelScale {

@@ -19,7 +19,8 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
   levels.resize(made.bottom_.level + 1);
   const MeshLists lists = mesh_lists(levels, inputs.corners != nullptr);
   made.shapes_ = lists.levels;
-  WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_, multigrid::kMeshTail));
+  WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_,
+                                 body.fabric ? multigrid::kFabricTail : multigrid::kMeshTail));
   WEFT_CHECK(made.create_lists(inputs.device, lists));
   WEFT_SET(made.blocks_,
            (gpu::Buffer<std::array<float, 2>>::create(
