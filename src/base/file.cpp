@@ -20,25 +20,6 @@ struct Descriptor {
   }
 };
 
-Result<void> write_and_sync(const std::string& path, std::span<const std::byte> bytes) {
-  const Descriptor file{::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
-  if (file.value < 0)
-    return make_error(ErrorKind::Failure, "File %s cannot be written: %s.", path.c_str(),
-                      std::strerror(errno));
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t count = ::write(file.value, bytes.data() + done, bytes.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0)
-      return make_error(ErrorKind::Failure, "File %s takes only %zu of %zu bytes: %s.", path.c_str(), done,
-                        bytes.size(), std::strerror(errno));
-    done += static_cast<std::size_t>(count);
-  }
-  if (::fsync(file.value) != 0 && errno != EINVAL)
-    return make_error(ErrorKind::Failure, "File %s cannot be synced: %s.", path.c_str(),
-                      std::strerror(errno));
-  return {};
-}
-
 }  // namespace
 
 Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t limit) {
@@ -64,19 +45,59 @@ Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t 
   return bytes;
 }
 
-Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) {
-  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
-  if (auto written = write_and_sync(temporary, bytes); !written) {
-    ::unlink(temporary.c_str());
-    return written.error();
-  }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) {
-    const int reason = errno;
-    ::unlink(temporary.c_str());
-    return make_error(ErrorKind::Failure, "File %s cannot be replaced: %s.", path.c_str(),
-                      std::strerror(reason));
+std::string FileWriter::temporary() const { return path_ + ".tmp" + std::to_string(::getpid()); }
+
+Result<FileWriter> FileWriter::create(const std::string& path) {
+  FileWriter made(path, -1);
+  const std::string name = made.temporary();
+  made.file_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (made.file_ < 0)
+    return make_error(ErrorKind::Failure, "File %s cannot be written: %s.", name.c_str(),
+                      std::strerror(errno));
+  return made;
+}
+
+FileWriter::~FileWriter() {
+  if (file_ < 0) return;
+  ::close(file_);
+  ::unlink(temporary().c_str());
+}
+
+Result<void> FileWriter::append(std::span<const std::byte> bytes) {
+  WEFT_CHECK(write_at(size_, bytes));
+  size_ += bytes.size();
+  return {};
+}
+
+Result<void> FileWriter::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t count =
+        ::pwrite(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0)
+      return make_error(ErrorKind::Failure, "File %s takes only %llu of %llu bytes: %s.", temporary().c_str(),
+                        static_cast<unsigned long long>(offset + done),
+                        static_cast<unsigned long long>(offset + bytes.size()), std::strerror(errno));
+    done += static_cast<std::size_t>(count);
   }
   return {};
+}
+
+Result<void> FileWriter::finish() {
+  if (::fsync(file_) != 0 && errno != EINVAL)
+    return make_error(ErrorKind::Failure, "File %s cannot be synced: %s.", temporary().c_str(),
+                      std::strerror(errno));
+  if (::rename(temporary().c_str(), path_.c_str()) != 0)
+    return make_error(ErrorKind::Failure, "File %s cannot be replaced: %s.", path_.c_str(),
+                      std::strerror(errno));
+  ::close(std::exchange(file_, -1));
+  return {};
+}
+
+Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) {
+  WEFT_TRY(file, FileWriter::create(path));
+  WEFT_CHECK(file.append(bytes));
+  return file.finish();
 }
 
 Result<void> write_file(const std::string& path, const std::string& text) {

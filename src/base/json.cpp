@@ -183,6 +183,17 @@ std::string in_quotes(std::string_view text) {
   return out + (end < text.size() ? " ...\"" : "\"");
 }
 
+std::string json_text(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    char escape[8];
+    std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned char>(c));
+    out += static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '\\' ? std::string(escape)
+                                                                         : std::string(1, c);
+  }
+  return out + '"';
+}
+
 std::string number_text(double number) {
   char digits[40];
   for (int precision = 1; precision <= 17; ++precision) {

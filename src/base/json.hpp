@@ -39,6 +39,8 @@ Result<Json> parse_json(std::string_view text, const std::string& file);
 std::string describe(const Json& value);
 /// A text in quotation marks, without control characters, and cut where it is long.
 std::string in_quotes(std::string_view text);
+/// A text as JSON.
+std::string json_text(std::string_view text);
 /// The shortest decimal number that reads back as the same double.
 std::string number_text(double number);
 /// The path of a key below another: "time" + "frame" is "time.frame"; a strange key is quoted.

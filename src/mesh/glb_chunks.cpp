@@ -24,13 +24,14 @@ bool begins_as_glb(std::span<const std::byte> bytes) {
   return bytes.size() >= 4 && word(bytes, 0) == kGlbMagic;
 }
 
-std::vector<std::byte> glb_before_binary(std::string json, std::size_t binary_size) {
+std::vector<std::byte> glb_before_binary(std::string json, std::uint64_t binary_size) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
-  const std::size_t size = kGlbHeaderSize + 2 * kGlbChunkHeaderSize + json.size() + binary_size;
+  const std::size_t before = kGlbHeaderSize + 2 * kGlbChunkHeaderSize + json.size();
   std::vector<std::byte> bytes;
-  bytes.reserve(size);
-  for (const std::size_t number :
-       {std::size_t{kGlbMagic}, std::size_t{kGlbVersion}, size, json.size(), std::size_t{kGlbJsonChunk}})
+  bytes.reserve(before);
+  for (const std::uint64_t number :
+       {std::uint64_t{kGlbMagic}, std::uint64_t{kGlbVersion}, before + binary_size,
+        std::uint64_t{json.size()}, std::uint64_t{kGlbJsonChunk}})
     append_little_endian(bytes, static_cast<std::uint32_t>(number));
   for (const char c : json) bytes.push_back(static_cast<std::byte>(c));
   append_little_endian(bytes, static_cast<std::uint32_t>(binary_size));

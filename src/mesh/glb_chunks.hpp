@@ -28,7 +28,7 @@ struct GlbChunks {
 bool begins_as_glb(std::span<const std::byte> bytes);
 
 /// A file up to its binary chunk, whose `binary_size` bytes, a multiple of 4, follow. The JSON is padded.
-std::vector<std::byte> glb_before_binary(std::string json, std::size_t binary_size);
+std::vector<std::byte> glb_before_binary(std::string json, std::uint64_t binary_size);
 
 /// Splits a file and reads its JSON; chunks of other types are passed over.
 /// Errors  Input: what is wrong, with the byte, or the line and column of the JSON; the limits of json.hpp.
