@@ -30,7 +30,8 @@ RUN_PACKAGES=(ffmpeg libvulkan1 mesa-vulkan-drivers)
 WEB_PACKAGES=(emscripten)
 REPORT_PACKAGES=(python3-jinja2)
 FORMAT_PACKAGES=(clang-format-14 shellcheck shfmt)
-TEST_PACKAGES=(chromium doctest-dev libtinyobjloader-dev libeigen3-dev shellcheck "${REPORT_PACKAGES[@]}")
+TEST_PACKAGES=(chromium doctest-dev libtinyobjloader-dev libtinygltf-dev libeigen3-dev shellcheck
+  "${REPORT_PACKAGES[@]}")
 
 as_root() {
   if [ "$(id -u)" = 0 ]; then

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "bench/methods.hpp"
+#include "export/exporter.hpp"
 #include "scene/names.hpp"
 #include "scene_source.hpp"
 #include "validate.hpp"
@@ -15,11 +16,13 @@ namespace {
 constexpr const char* kBash = R"(_weft() {
   local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}
   if [ "$COMP_CWORD" = 1 ]; then
-    COMPREPLY=($(compgen -W "run check scenes fabrics validate adapters schema bench completion --help \
+    COMPREPLY=($(compgen -W "run check scenes fabrics validate adapters schema bench export completion --help \
       --version" -- "$word")); return
   fi
   case "$previous" in
-    --out|-o) COMPREPLY=($(compgen -d -- "$word")); return ;;
+    --out|-o)
+      if [ "$command" = export ]; then COMPREPLY=($(compgen -f -- "$word")); return; fi
+      COMPREPLY=($(compgen -d -- "$word")); return ;;
     --solver) COMPREPLY=($(compgen -W "@SOLVERS@" -- "$word")); return ;;
     --json)
       if [ "$command" = bench ] && [ "${COMP_WORDS[2]}" != compare ]; then
@@ -27,8 +30,10 @@ constexpr const char* kBash = R"(_weft() {
       fi ;;
     --view) COMPREPLY=($(compgen -W "@VIEWS@" -- "$word")); return ;;
     --resume) COMPREPLY=($(compgen -f -- "$word")); return ;;
+    --format) COMPREPLY=($(compgen -W "@FORMATS@" -- "$word")); return ;;
     --mesh-format) COMPREPLY=($(compgen -W "obj ply" -- "$word")); return ;;
-    --set|--nodes|--size|--frames|-n|--meshes-every|--checkpoint-every|--adapter|--sides|--memory|--seconds) return ;;
+    --set|--nodes|--size|--frames|-n|--meshes-every|--checkpoint-every|--adapter|\
+      --sides|--memory|--seconds|--first|--last|--every) return ;;
     --objects) COMPREPLY=($(compgen -W "sphere armadillo dragon" -- "$word")); return ;;
     --only)
       if [ "$command" = validate ]; then COMPREPLY=($(compgen -W "@LAWS@" -- "$word")); return; fi
@@ -56,6 +61,7 @@ constexpr const char* kBash = R"(_weft() {
       esac ;;
     validate) COMPREPLY=($(compgen -W "--solver --only --adapter --json --help" -- "$word")) ;;
     scenes|fabrics) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
+    export) COMPREPLY=($(compgen -W "--format --out --first --last --every --quiet --help" -d -- "$word")) ;;
     completion) COMPREPLY=($(compgen -W "bash zsh fish" -- "$word")) ;;
   esac
 }
@@ -63,7 +69,7 @@ complete -o filenames -F _weft weft
 )";
 
 constexpr const char* kFish = R"(complete -c weft -f
-complete -c weft -n __fish_use_subcommand -a "run check scenes fabrics validate adapters schema bench completion"
+complete -c weft -n __fish_use_subcommand -a "run check scenes fabrics validate adapters schema bench export completion"
 complete -c weft -n "__fish_seen_subcommand_from run check" -F -l set -x -d "KEY=JSON"
 complete -c weft -n "__fish_seen_subcommand_from run check validate" -l solver -x -a '@SOLVERS@'
 complete -c weft -n "__fish_seen_subcommand_from run check" -F -a "@SCENES@"
@@ -104,6 +110,13 @@ complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcomma
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from largest" -l seconds -x
 complete -c weft -n "__fish_seen_subcommand_from bench; and __fish_seen_subcommand_from compare" -F -l fail
 complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from compare" -l unchecked
+complete -c weft -n "__fish_seen_subcommand_from export" -F
+complete -c weft -n "__fish_seen_subcommand_from export" -l format -x -a "@FORMATS@"
+complete -c weft -n "__fish_seen_subcommand_from export" -s o -l out -r -F
+complete -c weft -n "__fish_seen_subcommand_from export" -l first -x
+complete -c weft -n "__fish_seen_subcommand_from export" -l last -x
+complete -c weft -n "__fish_seen_subcommand_from export" -l every -x
+complete -c weft -n "__fish_seen_subcommand_from export" -s q -l quiet
 complete -c weft -n "__fish_seen_subcommand_from completion" -a "bash zsh fish"
 )";
 
@@ -124,6 +137,7 @@ int print_completion(const std::string& shell) {
   std::string script = with_words(shell == "fish" ? kFish : kBash, "@SOLVERS@", scene::kSolverKindNames);
   script = with_words(std::move(script), "@METHODS@", bench::method_names());
   script = with_words(std::move(script), "@VIEWS@", scene::kViewNames);
+  script = with_words(std::move(script), "@FORMATS@", export_formats());
   script = with_words(std::move(script), "@SCENES@", shipped_scenes());
   std::fputs(with_words(std::move(script), "@LAWS@", law_names()).c_str(), stdout);
   return 0;

@@ -11,6 +11,7 @@
 
 #include "bench_command.hpp"
 #include "completion.hpp"
+#include "export.hpp"
 #include "fabrics.hpp"
 #include "inspect.hpp"
 #include "run_command.hpp"
@@ -106,6 +107,9 @@ int main(int argc, char** argv) {
       ->type_name("NAME");
   validate_command->add_flag("--json", validate_options.json, "Print JSON instead of a table");
 
+  ExportOptions export_options;
+  CLI::App* export_command = add_export_command(app, export_options);
+
   std::string shell;
   CLI::App* completion_command = app.add_subcommand(
       "completion", "Example: eval \"$(weft completion bash)\"\n\nPrint the completion script of a shell.");
@@ -131,6 +135,7 @@ int main(int argc, char** argv) {
   if (*bench_command.bench)
     code = *bench_command.compare ? compare_results(compare_options) : bench(bench_options);
   if (*validate_command) code = validate(validate_options);
+  if (*export_command) code = export_run(export_options);
   if (*completion_command) code = print_completion(shell);
   return finish_output(code);
 }

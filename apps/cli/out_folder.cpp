@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "export/parts.hpp"
 
 namespace weft::cli {
 namespace {
@@ -22,7 +23,7 @@ bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-constexpr std::string_view kRows = "frames.csv";
+constexpr std::string_view kRows = "frames.csv", kParts = kPartsFile;
 
 /// What a run writes of single frames, with a number between these.
 struct Numbered {
@@ -46,14 +47,16 @@ std::string_view number_in(std::string_view name, const Numbered& one) {
 
 /// Whether a run writes files of this name.
 bool is_result(std::string_view name) {
-  return name == "run.mp4" || name == kRows || name == "final.obj" || name == "summary.json" ||
+  return name == "run.mp4" || name == kRows || name == kParts || name == "final.obj" ||
+         name == "summary.json" ||
          std::any_of(std::begin(kNumbered), std::end(kNumbered),
                      [&](const Numbered& one) { return !number_in(name, one).empty(); });
 }
 
 /// Whether it is of the frames before this one, which a run that begins there goes on from.
 bool is_before(std::string_view name, std::uint32_t frame) {
-  if (name == kRows) return true;  // it has rows of them, and others that FrameRows removes
+  if (name == kRows) return true;   // it has rows of them, and others that FrameRows removes
+  if (name == kParts) return true;  // of the same cloths, since the scene is the same
   return std::any_of(std::begin(kNumbered), std::end(kNumbered), [&](const Numbered& one) {
     const std::string_view digits = number_in(name, one);
     if (digits.empty() || digits.size() > 9) return false;

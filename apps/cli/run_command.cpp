@@ -2,19 +2,10 @@
 
 #include <cstdio>
 
+#include "numbers.hpp"
+
 namespace weft::cli {
 namespace {
-
-/// Says of "ten" that it is no number, not that it is out of range.
-const CLI::Validator kWholeNumber(
-    [](std::string& text) -> std::string {
-      const std::string digits = text.substr(!text.empty() && text[0] == '-' ? 1 : 0);
-      if (!digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos) return {};
-      return "\"" + text + "\" is not a whole number";
-    },
-    "");
-
-constexpr std::uint32_t kMostFrames = 1000000;
 
 /// "1280x720" as "[1280,720]"; "64", where one number may stand for both, as "[64,64]".
 std::string pair_of(const std::string& text, bool one_for_both) {
@@ -44,14 +35,6 @@ void add_pair(CLI::App& command, SceneOptions& options, const char* option, cons
           },
           what)
       ->type_name(one_for_both ? "N|NxM" : "WxH");
-}
-
-/// An option that does something after every N-th frame.
-CLI::Option* add_every(CLI::App& command, const char* name, std::uint32_t& every, const char* what) {
-  return command.add_option(name, every, what)
-      ->check(kWholeNumber)
-      ->check(CLI::Range(1U, kMostFrames))
-      ->type_name("N");
 }
 
 void add_outputs(CLI::App& command, RunOptions& options) {

@@ -1,10 +1,9 @@
 #include "run_results.hpp"
 
-#include <cstdio>
-
 #include "base/file.hpp"
 #include "checkpoint.hpp"
 #include "common.hpp"
+#include "export/run_meshes.hpp"
 #include "model/mesh_file.hpp"
 
 namespace weft::cli {
@@ -17,10 +16,12 @@ Result<void> write_shape(const sim::World& world, const sim::NodeState& nodes, c
   return write_file(path, bytes);
 }
 
-std::string mesh_name(std::uint32_t frame, const std::string& format) {
-  char name[32];
-  std::snprintf(name, sizeof name, "mesh_%05u.", frame);
-  return name + format;
+/// What the meshes are, for who reads them.
+Result<void> write_parts(const sim::World& world, const std::string& folder) {
+  MeshParts made{world.scene().time.frame, drawn_parts(world.model().host, world.scene().render.subdivide)};
+  for (std::size_t c = 0; c < made.parts.size(); ++c) made.parts[c].name = world.scene().cloths[c].name;
+  name_apart(made.parts);
+  return write_file(folder + "/" + kPartsFile, parts_json(made));
 }
 
 }  // namespace
@@ -32,6 +33,7 @@ Result<std::unique_ptr<RunResults>> RunResults::create(sim::World& world, const 
   auto made = std::unique_ptr<RunResults>(new RunResults(std::move(folder), options, std::move(pictures)));
   WEFT_TRY(rows, FrameRows::create(options.out, world, options.measures));
   made->rows_.emplace(std::move(rows));
+  if (options.meshes_every > 0) WEFT_CHECK(write_parts(world, options.out));
   if (!made->pictures_) return made;
   WEFT_CHECK(made->pictures_->begin(options.out, world.frame()));
   if (!made->pictures_->can_video()) say("There is no ffmpeg on PATH, so there will be no run.mp4.");

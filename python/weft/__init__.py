@@ -26,6 +26,8 @@ from .errors import (
     ShaderError,
     ShapeError,
 )
+from .exchange.command import export
+from .exchange.usd import read_usd
 from .machine import Adapter, adapters
 from .scenes import load_scene, scene_names, schema
 from .world import Camera, Picked, Summary, World, render
@@ -51,7 +53,9 @@ __all__ = [
     "__version__",
     "adapters",
     "bench",
+    "export",
     "load_scene",
+    "read_usd",
     "render",
     "scene_names",
     "schema",

@@ -29,7 +29,7 @@ def bench(name: str, *options: str) -> dict[str, Any]:
     """
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "bench.json"
-        _call("bench", name, *options, "--json", str(file))
+        call("bench", name, *options, "--json", str(file))
         return cast("dict[str, Any]", json.loads(file.read_text(encoding="utf-8")))
 
 
@@ -45,13 +45,19 @@ def validate(solver: str | None = None, only: list[str] | None = None, adapter: 
     words = ["--solver", solver] if solver else []
     words += ["--only", ",".join(only)] if only else []
     words += ["--adapter", adapter] if adapter else []
-    return cast("dict[str, Any]", json.loads(_call("validate", "--json", *words, good=(0, 1))))
+    return cast("dict[str, Any]", json.loads(call("validate", "--json", *words, good=(0, 1))))
 
 
-def _call(*words: str, good: tuple[int, ...] = (0,)) -> str:
+def call(*words: str, good: tuple[int, ...] = (0,)) -> str:
+    """What the program says on stdout. Errors: as its exit code says."""
     done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, check=False)
     if done.returncode in good:
         return done.stdout
-    said = [line.removeprefix("weft: ") for line in done.stderr.splitlines() if line.startswith("weft: ")]
-    sentence = said[-1] if said else f"weft {' '.join(words)} ended with exit code {done.returncode}."
-    raise _ERRORS.get(done.returncode, errors.Error)(sentence)
+    raise failure(done.returncode, done.stderr, *words)
+
+
+def failure(code: int, stderr: str, *words: str) -> errors.Error:
+    """The error of an exit code, with what the program said last."""
+    said = [line.removeprefix("weft: ") for line in stderr.splitlines() if line.startswith("weft: ")]
+    sentence = said[-1] if said else f"weft {' '.join(words)} ended with exit code {code}."
+    return _ERRORS.get(code, errors.Error)(sentence)

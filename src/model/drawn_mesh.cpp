@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "mesh/subdivided_grid.hpp"
 
@@ -36,6 +37,10 @@ std::vector<SheetPlace> places_of(const mesh::Grid& grid) {
   return places;
 }
 
+double linear(double encoded) {  // IEC 61966-2-1
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
 }  // namespace
 
 DrawnMesh drawn_mesh(const Model& model, std::span<const Vec4f> positions, std::uint32_t level) {
@@ -66,6 +71,21 @@ DrawnMesh drawn_mesh(const Model& model, std::span<const Vec4f> positions, std::
   }
   drawn.attributes.normals = mesh::smooth_normals(shape);
   return drawn;
+}
+
+std::vector<mesh::MeshPart> drawn_parts(const Model& model, std::uint32_t level) {
+  std::vector<mesh::MeshPart> parts;
+  for (const Body& body : model.bodies) {
+    mesh::MeshPart part{"", body.vertex_count, body.triangle_count, {}};
+    if (level > 0) {
+      const mesh::Grid fine = mesh::subdivided(*body.grid, level);
+      part.vertices = fine.nx * fine.ny;
+      part.triangles = 2 * (fine.nx - 1) * (fine.ny - 1);
+    }
+    if (body.color) part.color = {linear(body.color->x), linear(body.color->y), linear(body.color->z)};
+    parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 }  // namespace weft

@@ -13,8 +13,8 @@ using namespace weft;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"run",      "check",  "scenes", "fabrics",   "validate",
-                                            "adapters", "schema", "bench",  "completion"};
+const std::vector<std::string> kCommands = {"run",      "check",  "scenes", "fabrics", "validate",
+                                            "adapters", "schema", "bench",  "export",  "completion"};
 
 /// All commands, also those of `bench`, each as its words.
 std::vector<std::vector<std::string>> every_command() {
@@ -357,6 +357,10 @@ TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
                                                        {"bench", "compare", scene},
                                                        {"completion"},
                                                        {"completion", "cmd"},
+                                                       {"export"},
+                                                       {"export", "out"},
+                                                       {"export", "out", "--format", "fbx"},
+                                                       {"export", "out", "--format", "glb", "--every", "0"},
                                                        {"run", scene, "--nodes", "0x"},
                                                        {"run", scene, "--nodes", "99999999999"},
                                                        {"run", scene, "--size", "64"},

@@ -53,9 +53,9 @@ TEST_CASE("frames are written as meshes too, without pictures where none are wan
   using Names = std::vector<std::string>;
   CHECK(files_of({}) == Names{"final.obj", "frames.csv", "summary.json"});
   CHECK(files_of({"--meshes-every", "2", "--mesh-format", "ply"}) ==
-        Names{"final.obj", "frames.csv", "mesh_00000.ply", "mesh_00002.ply", "summary.json"});
+        Names{"final.obj", "frames.csv", "mesh_00000.ply", "mesh_00002.ply", "meshes.json", "summary.json"});
   CHECK(files_of({"--meshes-every", "1", "-n", "2"}) ==
-        Names{"final.obj", "frames.csv", "mesh_00000.obj", "mesh_00001.obj", "summary.json"});
+        Names{"final.obj", "frames.csv", "mesh_00000.obj", "mesh_00001.obj", "meshes.json", "summary.json"});
   CHECK(read_text(out + "/mesh_00001.obj") == read_text(out + "/final.obj"));
   CHECK(read_text(out + "/mesh_00000.obj") != read_text(out + "/final.obj"));
 }
