@@ -13,18 +13,18 @@ namespace weft::cli {
 namespace {
 
 /// Formats for which there are libraries in Python alone.
-constexpr std::string_view kOfPython[] = {"usda", "usdc"};
+constexpr std::string_view kOfPython[] = {"usda", "usdc", "abc"};
 
 Result<void> check_format(const ExportOptions& options) {
   const std::string& format = options.format;
   std::vector<std::string_view> known = export_formats();
   if (format == "stream") return {};
   if (std::find(std::begin(kOfPython), std::end(kOfPython), format) != std::end(kOfPython))
-    return make_error(
-        ErrorKind::Failure,
-        "The Python package writes the format %s: after pip install 'weft[usd]', python -m weft "
-        "export %s --format %s.",
-        format.c_str(), options.run.c_str(), format.c_str());
+    return make_error(ErrorKind::Failure,
+                      "The Python package writes the format %s: after pip install 'weft[%s]', python -m weft "
+                      "export %s --format %s.",
+                      format.c_str(), format == "abc" ? "alembic" : "usd", options.run.c_str(),
+                      format.c_str());
   known.insert(known.end(), std::begin(kOfPython), std::end(kOfPython));
   return check_names("--format", {format}, known);
 }
@@ -68,7 +68,7 @@ CLI::App* add_export_command(CLI::App& app, ExportOptions& options) {
       ->required();
   command
       ->add_option("--format", options.format,
-                   "glb, pc2, mdd, obj or ply; in the Python package usda or usdc too")
+                   "glb, pc2, mdd, obj or ply; in the Python package usda, usdc or abc too")
       ->required()
       ->type_name("FORMAT");
   command->add_option("-o,--out", options.out, "The file, for obj and ply the folder; else beside RUN")

@@ -12,7 +12,7 @@ wheels=("$checkout"/build/wheel/weft-*-cp311-*.whl)
 }
 /usr/bin/python3 -m venv env
 env/bin/pip install --no-compile --quiet --disable-pip-version-check --no-index \
-  --find-links "$checkout/.setup/python-wheels" "${wheels[@]}[ray,usd]" mypy trimesh
+  --find-links "$checkout/.setup/python-wheels" "${wheels[@]}[ray,usd,alembic]" mypy trimesh
 unset WEFT_MODELS XDG_RUNTIME_DIR PYTHONPATH
 export PYTHONPYCACHEPREFIX=$folder/compiled # once for all processes, and not in this checkout
 env/bin/python -m unittest discover -b -s "$checkout/python/tests" "$@"

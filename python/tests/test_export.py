@@ -1,13 +1,16 @@
-"""A run's meshes as animations, read back by trimesh and usd-core; meshes of USD as cloth."""
+"""A run's meshes as animations, read back by trimesh, usd-core and alembic3d; meshes of USD as cloth."""
 
+import importlib
 import json
 import os
 import pathlib
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from typing import Any
 
@@ -29,6 +32,8 @@ SCENE = {
     ],
 }
 FRAMES = [0, 2, 4, 6]
+Abc: Any = importlib.import_module("alembic3d.Abc")  # a module that mypy does not find
+AbcGeom: Any = importlib.import_module("alembic3d.AbcGeom")
 SIZES = [30, 16]
 
 
@@ -168,6 +173,60 @@ class Usds(Exports):
         np.testing.assert_array_equal(world.positions, self.places(0)[:30])
 
 
+class Alembics(Exports):
+    """Read by the library's own reader: there is no other in Python."""
+
+    def part(self, path: pathlib.Path, name: str) -> Any:
+        """The schema of a mesh below the root, which has the file's name."""
+        archive = Abc.IArchive(str(path))
+        root = AbcGeom.IXform(archive.getTop(), path.stem)
+        self.assertEqual([child.getName() for child in root.children], ["the flag", "the-flag"])
+        return AbcGeom.IPolyMesh(root, name).getSchema()
+
+    def check_positions(self, schema: Any, frames: list[int], first: int, count: int) -> None:
+        self.assertEqual(schema.getNumSamples(), len(frames))
+        for k, frame in enumerate(frames):
+            time = schema.getTimeSampling().getSampleTime(k)
+            self.assertAlmostEqual(time, frame * 0.05, 12)
+            at = Abc.ISampleSelector(time)  # by an index it cannot be asked: the binding takes that for a time
+            sample = schema.getValue(at)
+            places = np.asarray(memoryview(sample.getPositions()))
+            self.assertEqual(places.dtype, np.float32)
+            np.testing.assert_array_equal(places, self.places(frame)[first : first + count])
+            normals = np.asarray(memoryview(schema.getNormalsParam().getIndexedValue(at).getVals()))
+            np.testing.assert_allclose(normals, self.mesh(frame).vertex_normals[first : first + count], atol=1e-6)
+
+    def test_points_normals_and_times_are_those_of_the_run_to_the_bit(self) -> None:
+        path = weft.export(self.run_folder, "abc")
+        self.assertEqual(path, self.folder / "run.abc")
+        whole, first = self.mesh(0), 0
+        for name, count in zip(("the flag", "the-flag"), SIZES, strict=True):
+            schema = self.part(path, name)
+            self.check_positions(schema, FRAMES, first, count)
+            at = Abc.ISampleSelector()
+            sample = schema.getValue(at)
+            corners = np.array(list(sample.getFaceIndices())).reshape(-1, 3)
+            inside = (whole.faces >= first).all(axis=1) & (whole.faces < first + count).all(axis=1)
+            np.testing.assert_array_equal(corners[:, ::-1] + first, whole.faces[inside])  # clockwise
+            self.assertEqual(set(sample.getFaceCounts()), {3})
+            texture = np.asarray(memoryview(schema.getUVsParam().getIndexedValue(at).getVals()))
+            np.testing.assert_array_equal(texture, whole.visual.uv[first : first + count].astype(np.float32))
+            self.assertEqual(list(schema.getFaceSetNames()), [name])
+            first += count
+
+    def test_meshes_at_unequal_distances_have_their_own_times(self) -> None:
+        odd = self.folder / "odd"
+        odd.mkdir()
+        for name in ("meshes.json", "mesh_00000.obj", "mesh_00002.obj", "mesh_00006.obj"):
+            (odd / name).write_bytes((self.run_folder / name).read_bytes())
+        path = weft.export(odd, "abc")
+        self.check_positions(self.part(path, "the-flag"), [0, 2, 6], 30, 16)
+        later = weft.export(self.run_folder, "abc", self.folder / "later.abc", first=2, every=2)
+        self.check_positions(self.part(later, "the flag"), [2, 6], 0, 30)
+        one = weft.export(self.run_folder, "abc", self.folder / "one.abc", first=6)
+        self.check_positions(self.part(one, "the flag"), [6], 0, 30)
+
+
 class OtherFormats(Exports):
     def test_trimesh_reads_the_first_mesh_of_a_glb_file_by_its_names(self) -> None:
         loaded = load(weft.export(self.run_folder, "glb"))
@@ -222,6 +281,9 @@ class Refusals(Exports):
             ((run, "--format=usda", "--first", "9"), 3, "has no mesh of the frames 9 to 6"),
             ((str(self.folder / "none"), "--format", "usda"), 3, "none cannot be read: No such file or directory."),
             ((str(cut), "--format", "usdc"), 3, "mesh_00004.obj"),
+            ((run, "--format", "abc", "-o", str(self.folder / "a.usdc")), 3, "would not be read as abc"),
+            ((run, "--format", "abc", "--first", "9"), 3, "has no mesh of the frames 9 to 6"),
+            ((str(cut), "--format", "abc"), 3, "mesh_00004.obj"),
         ):
             done = self.command(*words)
             self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
@@ -249,11 +311,30 @@ class Refusals(Exports):
         weft.export(self.run_folder, "usdc")
         self.assertEqual(self.beside(), ["run", "run.usdc", "scene.json"])
 
-    def test_without_usd_core_one_sentence_says_what_to_install(self) -> None:
-        code = "import sys; sys.modules['pxr'] = None; import weft; weft.export(sys.argv[1], 'usdc')"
-        other = scenes.python(code, str(self.run_folder))
-        said = "weft.errors.Error: The format usdc needs usd-core: pip install 'weft[usd]'."
-        self.assertIn(said, other.communicate()[1])
+    def test_without_its_library_one_sentence_says_what_to_install(self) -> None:
+        for module, name, extra, format in (
+            ("pxr", "usd-core", "usd", "usdc"),
+            ("alembic3d", "alembic3d", "alembic", "abc"),
+        ):
+            code = f"""if True:
+                import importlib.util, sys, weft
+                sys.modules["{module}"] = None
+                importlib.util.find_spec = lambda name: None
+                weft.export(sys.argv[1], "{format}")"""
+            other = scenes.python(code, str(self.run_folder))
+            said = f"weft.errors.Error: The format {format} needs {name}: pip install 'weft[{extra}]'."
+            self.assertIn(said, other.communicate()[1])
+
+    def test_a_full_disk_is_one_sentence_and_leaves_nothing(self) -> None:
+        before = self.beside()
+        for format in ("usda", "usdc", "abc"):
+            words = (
+                f"trap '' XFSZ; ulimit -f 4; exec {sys.executable} -m weft export {self.run_folder} --format {format}"
+            )
+            done = subprocess.run(["/bin/bash", "-c", words], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+            self.assertRegex(done.stderr, rf"^weft: File [^\n]*run.{format} cannot be written: [^\n]+\.\n$")
+            self.assertEqual(self.beside(), before)
 
     def test_an_interrupt_leaves_nothing(self) -> None:
         long = self.folder / "long"
@@ -273,6 +354,14 @@ class Refusals(Exports):
         other = scenes.python(code, str(long))
         self.assertEqual(other.communicate()[1], "weft: Interrupted; nothing is written.\n")
         self.assertEqual(other.returncode, 130)
+        self.assertEqual(self.beside(), ["long", "run", "scene.json"])
+        words = [sys.executable, "-m", "weft", "export", str(long), "--format", "abc"]
+        child = subprocess.Popen(words, stderr=subprocess.PIPE, text=True, start_new_session=True)
+        while child.poll() is None and len(self.beside()) == 3:
+            time.sleep(0.01)  # the temporary file comes
+        os.killpg(child.pid, signal.SIGINT)  # as a terminal does: to all of its processes
+        self.assertEqual(child.communicate()[1], "weft: Interrupted; nothing is written.\n")
+        self.assertEqual(child.returncode, 130)
         self.assertEqual(self.beside(), ["long", "run", "scene.json"])
 
 

@@ -122,7 +122,7 @@ TEST_CASE("what cannot be exported ends with one sentence and its exit code, and
   };
   check_refused({}, 2, "--format is required");
   check_refused({"--format", "fbx"}, 2,
-                "--format does not know \"fbx\"; there are: glb, pc2, mdd, obj, ply, usda, usdc.");
+                "--format does not know \"fbx\"; there are: glb, pc2, mdd, obj, ply, usda, usdc, abc.");
   check_refused(
       {"--format", "usdc"}, 1,
       "The Python package writes the format usdc: after pip install 'weft[usd]', python -m weft export " +

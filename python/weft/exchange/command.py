@@ -1,16 +1,18 @@
 """`weft export`, where a format has a library in Python alone; the others are the program's."""
 
 import argparse
+import contextlib
 import os
 import pathlib
 import sys
 
 from ..commands import call
 from ..errors import Error, InputError, LimitError
+from .alembic import write_alembic
 from .meshes import RunMeshes
 from .usd import write_usd
 
-FORMATS = ("usda", "usdc")
+FORMATS = ("usda", "usdc", "abc")
 _ENDS = {"obj": "_obj", "ply": "_ply"}  # folders
 
 
@@ -27,14 +29,14 @@ def export(
     """Writes the meshes of a run (`weft run --meshes-every`) as one animation, and gives its path (docs/export.md).
 
     run       the folder of the run
-    format    "usdc", "usda", "glb", "pc2", "mdd"; or "obj" or "ply", a folder of single meshes
+    format    "usdc", "usda", "abc", "glb", "pc2", "mdd"; or "obj" or "ply", a folder of single meshes
     out       the file or folder; by default beside the run, with its name
     first, last   only frames from this to that number
     every     only the first of these meshes and every so manieth after it
     progress  shows on stderr, where that is a terminal, how far it is
 
     Errors: InputError, a mesh is missing or differs, or the format is unknown. LimitError, too large for the format.
-    Error, the place cannot be written, or usd-core is missing.
+    Error, the place cannot be written, or the format's library is missing.
     """
     path = pathlib.Path(out) if out is not None else _beside(run, _ENDS.get(format, f".{format}"))
     if format not in FORMATS:
@@ -43,11 +45,11 @@ def export(
         words += ["--last", str(last)] if last is not None else []
         call(*words)
         return path
-    meshes = RunMeshes(run, first, last, every)
-    try:
+    if format == "abc":
+        write_alembic(os.fspath(run), path, first, last, every, progress)
+        return path
+    with contextlib.closing(RunMeshes(run, first, last, every)) as meshes:
         write_usd(meshes, path, format, progress)
-    finally:
-        meshes.close()
     return path
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..commands import failure
 from ..errors import Error
 from ..machine import PROGRAM
+from ..progress import Progress
 
 
 class Part(NamedTuple):
@@ -50,11 +51,19 @@ class RunMeshes:
         if about["texture"]:
             self.texture = np.frombuffer(self._take(8 * self.vertices), "<f4").reshape(-1, 2)
 
-    def shapes(self) -> Iterator[Shape]:
-        """Errors: InputError, a mesh cannot be read or differs from the first in its triangles."""
-        for frame in self.frames:
-            values = np.frombuffer(self._take(24 * self.vertices), "<f4").reshape(2, -1, 3)
-            yield Shape(frame, values[0], values[1])
+    def shapes(self, progress: bool) -> Iterator[Shape]:
+        """`progress`: shows on stderr, where that is a terminal, how far it is. Errors: InputError, a mesh cannot be
+        read or differs from the first in its triangles."""
+        bar = Progress(len(self.frames), "mesh") if progress else None
+        try:
+            for done, frame in enumerate(self.frames, 1):
+                values = np.frombuffer(self._take(24 * self.vertices), "<f4").reshape(2, -1, 3)
+                yield Shape(frame, values[0], values[1])
+                if bar:
+                    bar.show(done)
+        finally:
+            if bar:
+                bar.end()
         if self._program.wait() != 0:
             raise self._failure()
 

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import Error, InputError, LimitError
-from ..progress import Progress
 from .meshes import Part, RunMeshes, Shape
+from .whole_file import whole_file
 
 MOST_BYTES_OF_TEXT = 1 << 30  # of places and normals: usd-core holds the text of a .usda file whole
 _SAVED_EVERY = 1 << 27  # bytes of them, after which a .usdc file is saved: what is saved is no longer held
@@ -23,44 +23,29 @@ def write_usd(meshes: RunMeshes, path: pathlib.Path, ending: str, progress: bool
     usd-core is missing, or the place cannot be written.
     """
     pxr = _usd(f"The format {ending}")
-    if path.suffix not in (f".{ending}", ".usd"):
-        raise InputError(f"File {path} would not be read as {ending}: its name must end in .{ending} or .usd.")
     size = 24 * meshes.vertices * len(meshes.frames)
     if ending == "usda" and size > MOST_BYTES_OF_TEXT:
         raise LimitError(
             f"{len(meshes.frames)} meshes of {meshes.vertices} vertices are {size} bytes, more than the limit of "
             f"{MOST_BYTES_OF_TEXT} for usda, which is held whole; usdc is not."
         )
-    if not path.parent.is_dir():  # usd-core would make it
-        raise Error(f"File {path} cannot be written: there is no folder {path.parent}.")
-    temporary = path.with_name(f"{path.name}.tmp{os.getpid()}.{ending}")
-    bar = Progress(len(meshes.frames), "mesh") if progress else None
-    try:
+    with whole_file(path, f".{ending}", (".usd",)) as temporary:
         try:
             stage = pxr.Usd.Stage.CreateNew(str(temporary))
         except pxr.Tf.ErrorException:
             raise Error(f"File {path} cannot be written: folder {path.parent} is read-only.") from None
         writer = _Writer(pxr, stage, meshes, path.stem)
         unsaved = 0
-        for done, shape in enumerate(meshes.shapes(), 1):
-            writer.add(shape)
-            unsaved += 24 * meshes.vertices
-            if ending == "usdc" and unsaved > _SAVED_EVERY:
-                stage.GetRootLayer().Save()
-                unsaved = 0
-            if bar:
-                bar.show(done)
         try:
+            for shape in meshes.shapes(progress):
+                writer.add(shape)
+                unsaved += 24 * meshes.vertices
+                if ending == "usdc" and unsaved > _SAVED_EVERY:
+                    stage.GetRootLayer().Save()
+                    unsaved = 0
             stage.GetRootLayer().Save()
         except pxr.Tf.ErrorException as error:
             raise Error(f"File {path} cannot be written: {_reason(error)}.") from None
-        with temporary.open("rb") as file:
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
-        if bar:
-            bar.end()
 
 
 class _Writer:
@@ -226,6 +211,6 @@ def _usd(what: str) -> Any:
 
 
 def _reason(error: Exception) -> str:
-    """The last line of what usd-core says, without where in its source it says it."""
+    """The last of what usd-core says, without where in its source it says it."""
     lines = [line.strip() for line in str(error).strip().splitlines() if line.strip()]
-    return lines[-1].rpartition("-- ")[2].rstrip(".") if lines else "unknown"
+    return lines[-1].rpartition(" : '")[2].rstrip("'. ") if lines else "unknown"
