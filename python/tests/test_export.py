@@ -355,14 +355,16 @@ class Refusals(Exports):
         self.assertEqual(other.communicate()[1], "weft: Interrupted; nothing is written.\n")
         self.assertEqual(other.returncode, 130)
         self.assertEqual(self.beside(), ["long", "run", "scene.json"])
-        words = [sys.executable, "-m", "weft", "export", str(long), "--format", "abc"]
-        child = subprocess.Popen(words, stderr=subprocess.PIPE, text=True, start_new_session=True)
-        while child.poll() is None and len(self.beside()) == 3:
-            time.sleep(0.01)  # the temporary file comes
-        os.killpg(child.pid, signal.SIGINT)  # as a terminal does: to all of its processes
-        self.assertEqual(child.communicate()[1], "weft: Interrupted; nothing is written.\n")
-        self.assertEqual(child.returncode, 130)
-        self.assertEqual(self.beside(), ["long", "run", "scene.json"])
+        for format in ("usdc", "abc"):
+            words = [sys.executable, "-m", "weft", "export", str(long), "--format", format]
+            for send, number in ((os.killpg, signal.SIGINT), (os.kill, signal.SIGTERM)):  # by a terminal; by a program
+                child = subprocess.Popen(words, stderr=subprocess.PIPE, text=True, start_new_session=True)
+                while child.poll() is None and len(self.beside()) == 3:
+                    time.sleep(0.01)  # the temporary file comes
+                send(child.pid, number)
+                self.assertEqual(child.communicate()[1], "weft: Interrupted; nothing is written.\n")
+                self.assertEqual(child.returncode, 130)
+                self.assertEqual(self.beside(), ["long", "run", "scene.json"])
 
 
 class Reading(unittest.TestCase):

@@ -31,6 +31,8 @@ def write_alembic(
             text=True,
             check=False,
         )
+        if done.returncode == 130:
+            raise KeyboardInterrupt
         if done.returncode < 0:
             raise Error(f"File {path} cannot be written: Alembic gives up, as it does where a disk is full.")
         if done.returncode != 0:

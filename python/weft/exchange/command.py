@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import os
 import pathlib
+import signal
 import sys
 
 from ..commands import call
@@ -75,6 +76,7 @@ def main(words: list[str]) -> int:
     parser.add_argument("-q", "--quiet", action="store_true", help="do not say what was written")
     given = vars(parser.parse_args(words))
     quiet = given.pop("quiet")
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # it leaves nothing either
     try:
         path = export(**given, progress=True)
     except KeyboardInterrupt:

@@ -87,6 +87,8 @@ class RunMeshes:
 
     def _failure(self) -> Error:
         _, said = self._program.communicate()
+        if self._program.returncode == 130:  # it has heard the signal before this process
+            raise KeyboardInterrupt
         return failure(self._program.returncode, said.decode(errors="replace"), *self._words)
 
 
