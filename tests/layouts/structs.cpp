@@ -515,6 +515,7 @@ Json shared_constants() {
       real("kLeastOutward", "contact/proximity/untangle.wgsl", kLeastOutward),
       real("kOutwardPart", "contact/proximity/untangle.wgsl", kOutwardPart),
       real("kConeSlack", "contact/proximity/cones.wgsl", kConeSlack),
+      constant("kHasInside", "contact/proximity/find_pairs.wgsl", kHasInside),
       real("kNoDistance", "contact/proximity/measure.wgsl", kNoDistance),
       real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
       real("kContactTouching", "state/contact.wgsl", kContactTouching),

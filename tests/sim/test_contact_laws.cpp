@@ -58,10 +58,12 @@ void check_too_near(gpu::Device& device, const std::string& solver, const Under&
 
 namespace {
 
-/// From the middle of the first sheet to that of the other [m].
+/// From the middle of the first sheet, or of what does not move, to that of the last [m].
 Vec3d between_sheets(const Moment& now) {
   Vec3d sum;
-  for (std::size_t i = 0; i < 36; ++i) sum += (now.position[36 + i] - now.position[i]) / 36;
+  const std::size_t last = now.position.size() - 36;
+  for (std::size_t i = 0; i < 36; ++i)
+    sum += (now.position[last + i] - (last > 0 ? now.position[i] : Vec3d{})) / 36;
   return sum;
 }
 
@@ -71,23 +73,31 @@ std::string sheet(const std::string& plane, const std::string& transform) {
          transform + "}}";
 }
 
-/// Sheets that begin in one plane and in each other.
+/// Sheets that begin in one plane and in each other, or in an open mesh.
 void check_in_each_other(gpu::Device& device, int substeps) {
   const std::string turned =
       R"("rotate": [0.2, 0.3, -0.1, 0.9273618495495703], "translate": [0.3, 0.5, 0.2])";
-  const std::array<std::string, 2> pairs[] = {
-      {sheet("xy", R"("translate": [0.1, 2.3, -0.7])"), sheet("xy", R"("translate": [0.1, 2.3, -0.7])")},
-      {sheet("xz", turned), sheet("xz", turned)},
-      {lying_cloth(6, "[0, 0, 0]"), lying_cloth(6, "[0.013, 0, 0.021]")},  // not node on node
+  const std::string floor = R"({"kind": "mesh", "mesh": "floor.obj")";
+  const std::array<std::string, 2> cases[] = {
+      // cloths, and an obstacle
+      {sheet("xy", R"("translate": [0.1, 2.3, -0.7])") + "," +
+       sheet("xy", R"("translate": [0.1, 2.3, -0.7])")},
+      {sheet("xz", turned) + "," + sheet("xz", turned)},
+      {lying_cloth(6, "[0, 0, 0]") + "," + lying_cloth(6, "[0.013, 0, 0.021]")},  // not node on node
       // Fronts that look away from each other, and at each other.
-      {sheet("xz", R"("rotate": [0, 0, 0, 1])"), sheet("xz", R"("rotate": [1, 0, 0, 0])")},
-      {sheet("xz", R"("rotate": [0, 0, 1, 0])"), sheet("xz", R"("rotate": [0, 0, 0, 1])")}};
+      {sheet("xz", R"("rotate": [0, 0, 0, 1])") + "," + sheet("xz", R"("rotate": [1, 0, 0, 0])")},
+      {sheet("xz", R"("rotate": [0, 0, 1, 0])") + "," + sheet("xz", R"("rotate": [0, 0, 0, 1])")},
+      {lying_cloth(6, "[0.013, 0, 0.021]"), floor + "}"},
+      {sheet("xy", R"("translate": [0.013, 0.021, 0])"),
+       floor + R"(, "transform": {"rotate": [0.7071067811865476, 0, 0, 0.7071067811865476]}})"}};
   for (const std::string solver : kSolvers)
-    for (const auto& [one, other] : pairs) {
-      CAPTURE(other);
-      auto world = world_on(
-          device,
-          {.solver = solver, .gravity = "[0, 0, 0]", .substeps = substeps, .cloths = one + "," + other});
+    for (const auto& [cloths, obstacle] : cases) {
+      CAPTURE(cloths);
+      auto world = world_on(device, {.solver = solver,
+                                     .gravity = "[0, 0, 0]",
+                                     .substeps = substeps,
+                                     .cloths = cloths,
+                                     .colliders = obstacle});
       const Moment start(*world);
       const double mass = total(start.mass);
       double gained = 0;

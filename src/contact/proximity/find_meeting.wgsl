@@ -34,7 +34,8 @@ fn goes_far(vertex : u32) -> bool {
 }
 
 // Of a pair with a collider, whose record would hold nothing but for vertices that go far.
-fn end_before_collider(ids : vec4u, thickness : f32) {
+fn end_before_collider(ids : vec4u, words : vec4u) {
+  let thickness = bitcast<f32>(words.x);
   let on_b = is_collider(ids.x);  // where the cloth is
   let middle = roles_of_a(ids);
   let first = select(0u, middle, on_b);
@@ -42,7 +43,7 @@ fn end_before_collider(ids : vec4u, thickness : f32) {
   var is_far = false;
   for (var role = first; role < end; role++) { is_far = is_far || goes_far(ids[role] & kIdBits); }
   if (!is_far) { return; }
-  let measured = measure(ids, 0u);
+  let measured = measure(ids, words.w);
   let side = select(1.0, -1.0, on_b);
   let n = measured.normal;
   let reach = reach_of(ids, select(middle, 0u, on_b), select(role_count(ids), middle, on_b), side, n, measured.radius);
@@ -73,7 +74,7 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     if (is_crossing(ids)) { continue; }
     let words = listed[pair].words;
     if (!is_self_pair(ids)) {
-      if (is_first && (words.x & kHasRecord) == 0u) { end_before_collider(ids, bitcast<f32>(words.x)); }
+      if (is_first && (words.x & kHasRecord) == 0u) { end_before_collider(ids, words); }
       continue;
     }
     let ends = ends_of(ids, words);

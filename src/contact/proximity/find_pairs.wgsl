@@ -180,20 +180,40 @@ fn crossings_of(candidate : vec2u, own : vec4u, other : vec4u) -> u32 {
   return (found | (twice << kByOtherEnd)) << kFirstCrossing;
 }
 
-// kBackToBack, or 0.
-fn facing_of(candidate : vec2u) -> u32 {
+// Equation (1b) of docs/contact.md: kComesOnFront, or 0.
+const kHasInside = 0x80000000u;  // of a cloth's number: a body, or cloth about a gas
+fn way_out(candidate : vec2u, ids : vec4u) -> u32 {
   let a = face_of(own_triangle(candidate));
   let b = face_of(other_triangle(candidate));
-  return select(0u, kBackToBack, dot(cross(a.b - a.a, a.c - a.a), cross(b.b - b.a, b.c - b.a)) < 0.0);
+  let opposite = dot(cross(a.b - a.a, a.c - a.a), cross(b.b - b.a, b.c - b.a)) < 0.0;
+  var on_front = opposite;
+  if (candidate.x >> kKindShift != kNearCloth) {
+    on_front = !is_collider(ids.x) || opposite;
+  } else {
+    let vertex = rest_of(ids.x).w;
+    let face = rest_of(ids.y).w;
+    let face_inside = (face & kHasInside) != 0u;
+    let of_two_kinds = face_inside != ((vertex & kHasInside) != 0u);
+    if (of_two_kinds) {
+      on_front = face_inside || opposite;
+    } else if (opposite) {
+      on_front = vertex != face;
+    } else {
+      on_front = ids.x > ids.y;
+    }
+  }
+  return select(0u, kComesOnFront, on_front);
 }
 
 fn list_features(pair : u32, candidate : vec2u, ids : vec4u) {
   var thickness = params.thickness;
   var sides = 0u;
-  if (candidate.x >> kKindShift == kNearCloth) {
+  let kind = candidate.x >> kKindShift;
+  if (kind == kNearCloth) {
     thickness = thickness_of(ids);
-    sides = select(0u, kOfOneCloth, rest_of(ids.x).w == rest_of(ids.z).w) | facing_of(candidate);
+    sides = select(0u, kOfOneCloth, rest_of(ids.x).w == rest_of(ids.z).w);
   }
+  if (kind <= kNearDeforming) { sides |= way_out(candidate, ids); }
   let friction = f32(triangles[candidate.x & kPlaceBits].w >> 8u) * kFrictionUnit;
   listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, sides));
 }

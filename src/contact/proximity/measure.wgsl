@@ -36,7 +36,7 @@ fn end_in_pair(ids : vec4u, id : u32) -> vec3f {
   return end + step.time.dt * turn_of_plane(ids);
 }
 
-// Cloth that is in cloth, but for rounding, has no direction apart that means anything.
+// Features that are in each other, but for rounding, have no direction apart that means anything.
 const kNoDistance = 9.5367431640625e-7;  // 2^-20 of the farthest coordinate
 
 // Equation (1b) of docs/contact.md, of a vertex in a triangle with this normal; `sides`: as of measure. Edges wait for
@@ -44,12 +44,11 @@ const kNoDistance = 9.5367431640625e-7;  // 2^-20 of the farthest coordinate
 fn without_direction(ids : vec4u, sides : u32, near : Closest, across : vec3f, place : vec3f) -> Measured {
   if (is_edge_pair(ids)) { return Measured(near.s, near.t, false, vec3f(0.0, 1.0, 0.0), 0.0, 0.0, place.y); }
   let size = length(across);
-  let on_front = ids.x > ids.y && (sides & kBackToBack) == 0u;
-  let n = select(vec3f(0.0, 1.0, 0.0), across / size, size > 0.0) * select(-1.0, 1.0, on_front);
+  let n = select(vec3f(0.0, 1.0, 0.0), across / size, size > 0.0) * select(-1.0, 1.0, (sides & kComesOnFront) != 0u);
   return Measured(near.s, near.t, size > 0.0, n, 0.0, 0.0, dot(n, place));
 }
 
-// Of a pair that is no crossing. `sides`: kOfOneCloth, kBackToBack.
+// Of a pair that is no crossing. `sides`: kOfOneCloth, kComesOnFront.
 fn measure(ids : vec4u, sides : u32) -> Measured {
   let p0 = start_of(ids.x);
   let p1 = start_of(ids.y);
@@ -64,7 +63,7 @@ fn measure(ids : vec4u, sides : u32) -> Measured {
   let radius = select(0.0, max(select(p0.w, p2.w, edges), 0.0), is_collider(select(ids.x, ids.z, edges)));
   let distance = length(near.apart);
   let farthest = max(abs(p0.x), max(abs(p0.y), abs(p0.z)));
-  if (is_self_pair(ids) && distance <= kNoDistance * farthest) {
+  if (radius == 0.0 && distance <= kNoDistance * farthest) {
     return without_direction(ids, sides, near, cross(p2.xyz - p1.xyz, p3 - p1.xyz), p0.xyz);
   }
   let n = select(vec3f(0.0, 1.0, 0.0), near.apart / distance, distance > 0.0);

@@ -6,6 +6,7 @@
 
 #include "contact/proximity/feature_owners.hpp"
 #include "contact/proximity/triangle_order.hpp"
+#include "contact/rules/contact_law.hpp"
 #include "mesh/sheet_rim.hpp"
 
 namespace weft::contact {
@@ -43,7 +44,7 @@ void append_rest(std::vector<TreeWord>& trees, const Model& model) {
       const Vec3f place = model.rest_position[model.bodies[c].first_vertex + v].to<float>();
       std::array<std::uint32_t, 3> word{};
       std::memcpy(word.data(), &place, sizeof word);
-      trees.push_back({word[0], word[1], word[2], static_cast<std::uint32_t>(c)});
+      trees.push_back({word[0], word[1], word[2], contact_number(model, c)});
     }
 }
 

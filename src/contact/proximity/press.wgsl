@@ -74,7 +74,7 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
   for (var pair = id.x; pair < count; pair += groups.x * kWorkgroupSize) {
     let ids = listed[pair].ids;
     if (is_self_pair(ids) || is_crossing(ids)) { continue; }
-    let measured = measure(ids, 0u);
+    let measured = measure(ids, listed[pair].words.w);
     if (!measured.counts) { continue; }
     let weights = weights_of(ids, measured.s, measured.t);
     let r = relative_velocity(ids, weights, measured);

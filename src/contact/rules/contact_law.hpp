@@ -30,9 +30,15 @@ inline constexpr double kContactTouching = 1.001;
 /// flat floor is in the cone of neither triangle by the rounding of f32, some 1e-4 of a gap that is a few thousand
 /// steps of f32 wide. A floor pushes sideways by no more than this part of what it bears.
 inline constexpr double kConeSlack = 1e-3;
-/// Cloth that is nearer to cloth than this part of its farthest coordinate is in it: a direction apart would be the
-/// rounding of f32.
+/// Features that are nearer to each other than this part of their farthest coordinate are in each other: a direction
+/// apart would be the rounding of f32.
 inline constexpr double kNoDistance = 0x1p-20;
+/// The bit in a cloth's number, as contact has it, of what has an inside: a body, or cloth about a gas.
+inline constexpr std::uint32_t kHasInside = 0x80000000U;
+inline std::uint32_t contact_number(const Model& model, std::size_t cloth) {
+  const Body& body = model.bodies[cloth];
+  return static_cast<std::uint32_t>(cloth) | (body.solid || body.gas ? kHasInside : 0);
+}
 /// The part of a missing gap that a hold of the implicit solver restores in a substep, and how fast at most [m/s]; of a
 /// node that it has borne before, no more than so much a second [1/s], and as much slower. The node does not keep that
 /// speed. Faster, the edges of a strip that bends over a capsule are moved about, and stretched three times as much.

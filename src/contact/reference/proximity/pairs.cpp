@@ -28,7 +28,7 @@ bool names(const auto& feature, std::uint32_t vertex) {
   return std::find(feature.begin(), feature.end(), vertex) != feature.end();
 }
 
-/// Whether cloth is in cloth there, but for rounding (kNoDistance).
+/// Whether the features are in each other, but for rounding (kNoDistance).
 bool is_in_place(const FeaturePair& pair, const Vec3d& place) {
   return pair.distance <= kNoDistance * std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
 }
@@ -40,8 +40,20 @@ Vec3d front_of(const Features& of, std::uint32_t triangle) {
 }
 Vec3d front_at(const Features& of, std::uint32_t vertex) {
   Vec3d sum;
+  if (vertex >= of.triangles_at.row_count()) return sum;
   for (const std::uint32_t t : of.triangles_at.row(vertex)) sum += front_of(of, t);
   return sum;
+}
+
+/// Equation (1b): whether a vertex comes out on the front of a triangle that it is in.
+bool comes_on_front(PairKind kind, const Features& cloth, std::uint32_t vertex, const mesh::Triangle& face,
+                    bool opposite) {
+  if (kind == PairKind::VertexObjectTriangle) return true;
+  if (kind == PairKind::ObjectVertexTriangle) return opposite;
+  const std::uint32_t own = cloth.cloths.empty() ? 0 : cloth.cloths[vertex];
+  const std::uint32_t other = cloth.cloths.empty() ? 0 : cloth.cloths[face[0]];
+  if (((own ^ other) & kHasInside) != 0) return (other & kHasInside) != 0 || opposite;
+  return opposite ? own != other : vertex > face[0];
 }
 
 FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t vertex,
@@ -50,13 +62,14 @@ FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t 
   const auto& x = second.positions;
   const ClosestOnTriangle closest =
       closest_on_triangle(first.positions[vertex], x[face[0]], x[face[1]], x[face[2]]);
-  const Gap gap = gap_of(closest.offset, first.radius_of_vertex(vertex));
+  const double radius = first.radius_of_vertex(vertex);
+  const Gap gap = gap_of(closest.offset, radius);
   const auto [b0, b1, b2] = closest.weights;
   FeaturePair pair{kind, vertex, triangle, gap.distance, gap.direction, {1, 0, 0}, {-b0, -b1, -b2}, true};
-  if (kind != PairKind::VertexTriangle || !is_in_place(pair, first.positions[vertex])) return pair;
+  if (radius > 0 || !is_in_place(pair, first.positions[vertex])) return pair;
   const Vec3d across = front_of(second, triangle);
   const double size = length(across);
-  const bool on_front = vertex > face[0] && !(dot(front_at(first, vertex), across) < 0);  // equation (1b)
+  const bool on_front = comes_on_front(kind, first, vertex, face, dot(front_at(first, vertex), across) < 0);
   pair.distance = 0;
   pair.inside = size > 0;
   if (pair.inside) pair.direction = (on_front ? 1 : -1) * (across / size);
@@ -68,7 +81,8 @@ FeaturePair edge_edge(PairKind kind, const Features& first, std::uint32_t of_fir
   const mesh::Edge &a = first.edges[of_first], &b = second.edges[of_second];
   const ClosestSegments closest = closest_segments(first.positions[a[0]], first.positions[a[1]],
                                                    second.positions[b[0]], second.positions[b[1]]);
-  const Gap gap = gap_of(closest.offset, first.radius_of_edge(of_first) + second.radius_of_edge(of_second));
+  const double radius = first.radius_of_edge(of_first) + second.radius_of_edge(of_second);
+  const Gap gap = gap_of(closest.offset, radius);
   FeaturePair pair{kind,
                    of_first,
                    of_second,
@@ -77,7 +91,7 @@ FeaturePair edge_edge(PairKind kind, const Features& first, std::uint32_t of_fir
                    {1 - closest.s, closest.s, 0},
                    {closest.t - 1, -closest.t, 0},
                    closest.inside_first() && closest.inside_second()};
-  if (kind != PairKind::EdgeEdge || !is_in_place(pair, first.positions[a[0]])) return pair;
+  if (radius > 0 || !is_in_place(pair, first.positions[a[0]])) return pair;
   pair.distance = 0;
   pair.inside = false;
   return pair;

@@ -21,6 +21,7 @@ struct Features {
   std::vector<double> vertex_radius;    // of each position [m]; where the list ends: 0
   std::vector<double> edge_radius;      // of each edge [m]; where the list ends: 0
   mesh::Adjacency triangles_at;         // of each position; where the list ends: none
+  std::vector<std::uint32_t> cloths{};  // contact_number of each position; empty: all of one cloth
 
   double radius_of_vertex(std::uint32_t v) const { return v < vertex_radius.size() ? vertex_radius[v] : 0; }
   double radius_of_edge(std::uint32_t e) const { return e < edge_radius.size() ? edge_radius[e] : 0; }

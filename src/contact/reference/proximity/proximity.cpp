@@ -47,6 +47,8 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
   for (std::size_t c = 0; c < model.bodies.size(); ++c)
     body_.insert(body_.end(), model.bodies[c].vertex_count, static_cast<std::uint32_t>(c));
+  for (std::size_t c = 0; c < model.bodies.size(); ++c)
+    cloth_.cloths.insert(cloth_.cloths.end(), model.bodies[c].vertex_count, contact_number(model, c));
   cloth_facts_.rest = model.rest_position;
   cloth_facts_.bodies = body_;
   cloth_facts_.touching = kTouchingAtRest * self_thickness_;
