@@ -45,6 +45,7 @@ SceneContact::~SceneContact() = default;
 Result<SceneContact> SceneContact::create(gpu::Device& device, const GpuModel& model, const State& state,
                                           const scene::Scene& scene, const Assets& assets,
                                           const SceneContactSetup& setup) {
+  if (scene::has_rigid(scene)) return input_error("The kernels do not move rigid bodies yet.");
   SceneContact made;
   made.interval_ = setup.interval;
   switch (scene.contact.method) {

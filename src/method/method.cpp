@@ -194,8 +194,10 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
 }
 
 SolvedContact solved_contact(const scene::Scene& scene, const Method& method) {
+  // A force of the solver on an obstacle would not move a rigid body: impulses answer all then.
   const bool solves = method.holds_obstacles && scene.contact.method == scene::ContactMethod::Proximity &&
-                      (!scene.colliders.empty() || scene.contact.self) && scene.contact.restitution == 0;
+                      (!scene.colliders.empty() || scene.contact.self) && scene.contact.restitution == 0 &&
+                      !scene::has_rigid(scene);
   const bool has_bodies = std::any_of(scene.cloths.begin(), scene.cloths.end(),
                                       [](const scene::Cloth& cloth) { return cloth.solid.has_value(); });
   return {solves, solves && method.holds_pairs && scene.contact.self, method.order > 1,

@@ -113,12 +113,14 @@ Result<void> Simulation::add_colliders(const Assets& assets) {
 Result<void> Simulation::advance_frame() {
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   const std::uint64_t contacts = contacts_;
+  const std::vector<RigidState> rigid = proximity_ ? proximity_->rigid().states() : std::vector<RigidState>{};
   const sim::FramePlan::Frame frame = plan_.frame(frame_);
   for (std::uint32_t s = 0; s < frame.substeps; ++s) substep(s, frame);
   if (!finite()) {
     system_.position = position;
     system_.velocity = velocity;
     contacts_ = contacts;
+    if (proximity_) proximity_->rigid().states() = rigid;
     return make_error(ErrorKind::Diverged,
                       "In frame %u the state is not finite; it stays as it was before that frame.", frame_);
   }

@@ -64,6 +64,7 @@ class Builder {
       WEFT_TRY(built, build_collider(one, scene.contact.method, file_, path));
       scene.colliders.push_back(std::move(built));
     }
+    WEFT_CHECK(check_rigid(scene));
     if (const Json* camera = json.find("camera")) {
       scene.camera =
           Camera{vector(*camera, "eye"), vector(*camera, "target"), number(*camera, "fov_degrees")};
@@ -310,6 +311,26 @@ class Builder {
     WEFT_TRY(shape, build_motion(json, file_, path));
     motion.shape = std::move(shape);
     return motion;
+  }
+
+  /// What rigid bodies do not meet, and what cannot follow them.
+  Result<void> check_rigid(const Scene& scene) const {
+    if (!has_rigid(scene)) return {};
+    for (std::size_t c = 0; c < scene.colliders.size(); ++c)
+      if (std::holds_alternative<ColliderMesh>(scene.colliders[c]))
+        return input_error(
+            "%s: %s is a mesh, which rigid bodies do not meet; they meet spheres, boxes, capsules, planes "
+            "and "
+            "convex hulls.",
+            file_.c_str(), path_of_index("colliders", c).c_str());
+    for (const Cloth& cloth : scene.cloths)
+      for (const Attachment& attachment : cloth.attachments)
+        if (attachment.collider < scene.colliders.size() &&
+            rigid_of(scene.colliders[attachment.collider]) != nullptr)
+          return input_error(
+              "%s holds nodes to colliders[%zu], a rigid body; nodes follow what the scene moves.",
+              attachment.where.c_str(), attachment.collider);
+    return {};
   }
 
   Result<Attachment> attachment(const Json& json, const std::string& path, const Cloth& cloth) const {

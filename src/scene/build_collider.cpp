@@ -37,6 +37,25 @@ Result<void> check_method(const Json& json, ContactMethod method, const std::str
   return {};
 }
 
+Result<std::optional<Rigid>> build_rigid(const Json& json, ContactMethod method, const std::string& file,
+                                         const std::string& path) {
+  const Json* given = json.find("rigid");
+  if (given == nullptr) return std::optional<Rigid>{};
+  const std::string& kind = at(json, "kind").text;
+  if (kind == "mesh" || kind == "plane")
+    return input_error(
+        "%s: %s.rigid is of a %s; spheres, boxes, capsules and convex hulls can be rigid bodies.",
+        file.c_str(), path.c_str(), kind.c_str());
+  if (json.find("motion"))
+    return input_error("%s: %s has a motion and is rigid; it moves by one of them.", file.c_str(),
+                       path.c_str());
+  if (method != ContactMethod::Proximity)
+    return input_error("%s: %s.rigid needs contact.method \"proximity\"; it is \"%s\".", file.c_str(),
+                       path.c_str(), name_of(method));
+  return std::optional<Rigid>(Rigid{maybe_number(*given, "density"), maybe_number(*given, "mass"),
+                                    vector(*given, "velocity"), vector(*given, "spin")});
+}
+
 std::optional<ColliderAnimation> build_animation(const Json& json) {
   const Json* given = json.find("animation");
   if (given == nullptr) return {};
@@ -55,6 +74,7 @@ Result<Collider> build_collider(const Json& json, ContactMethod method, const st
     WEFT_TRY(built, build_motion(*given, file, path + ".motion"));
     motion = std::move(built);
   }
+  WEFT_TRY(rigid, build_rigid(json, method, file, path));
   const std::string& kind = at(json, "kind").text;
   if (kind == "mesh") {
     WEFT_TRY(keyframes, build_keyframes(at(json, "keyframes"), file, path + ".keyframes"));
@@ -67,16 +87,16 @@ Result<Collider> build_collider(const Json& json, ContactMethod method, const st
   }
   if (kind == "sphere")
     return Collider(
-        ColliderSphere{vector(json, "center"), number(json, "radius"), friction, std::move(motion)});
+        ColliderSphere{vector(json, "center"), number(json, "radius"), friction, std::move(motion), rigid});
   if (kind == "plane")
     return Collider(
         ColliderPlane{vector(json, "point"), unit(vector(json, "normal")), friction, std::move(motion)});
   if (kind == "box")
     return Collider(ColliderBox{vector(json, "center"), vector(json, "size"),
-                                unit_quaternion(at(json, "rotate")), friction, std::move(motion)});
+                                unit_quaternion(at(json, "rotate")), friction, std::move(motion), rigid});
   if (kind == "convex") {
-    ColliderConvex convex{file + ": " + path, text(json, "mesh"), {}, transform_of(at(json, "transform")),
-                          friction,           std::move(motion)};
+    ColliderConvex convex{file + ": " + path, text(json, "mesh"), {},   transform_of(at(json, "transform")),
+                          friction,           std::move(motion),  rigid};
     if (const Json* points = json.find("points"))
       for (const Json& point : points->values) convex.points.push_back(vector(point));
     return Collider(std::move(convex));
@@ -85,7 +105,7 @@ Result<Collider> build_collider(const Json& json, ContactMethod method, const st
   if (a == b)
     return input_error("%s: %s.b is its a; a capsule without a length is a sphere.", file.c_str(),
                        path.c_str());
-  return Collider(ColliderCapsule{a, b, number(json, "radius"), friction, std::move(motion)});
+  return Collider(ColliderCapsule{a, b, number(json, "radius"), friction, std::move(motion), rigid});
 }
 
 }  // namespace weft::scene

@@ -400,12 +400,28 @@ constexpr const Type* kBodyItem[] = {&kBody};
 constexpr Type kBodies{.kind = Kind::List, .count_most = 1000, .types = kBodyItem};
 
 // colliders
+constexpr Type kMassOfBody{.kind = Kind::Number, .least = 1e-6, .most = 1e6, .unit = "kg"};
+constexpr Type kStartSpeed{
+    .kind = Kind::Numbers, .least = -1000, .most = 1000, .unit = "m/s", .count_least = 3};
+constexpr Type kStartSpin{
+    .kind = Kind::Numbers, .least = -1000, .most = 1000, .unit = "rad/s", .count_least = 3};
+constexpr Key kRigidKeys[] = {
+    {"density", &kMassDensity, "Mass per volume"},
+    {"mass", &kMassOfBody, "Of the whole"},
+    {"velocity", &kStartSpeed, "Of its centre of mass at the start", "[0, 0, 0]"},
+    {"spin", &kStartSpin, "Angular velocity at the start", "[0, 0, 0]"},
+};
+constexpr const char* kRigidWays[] = {"density", "mass"};
+constexpr OneOf kRigidOneOf[] = {{kRigidWays}};
+constexpr Type kRigid{.kind = Kind::Object, .name = "rigid", .keys = kRigidKeys, .one_of = kRigidOneOf};
 constexpr const char* kColliderKindNames[] = {"mesh", "sphere", "plane", "capsule", "box", "convex"};
 constexpr Type kColliderKind{.kind = Kind::Choice, .choices = kColliderKindNames};
 constexpr Key kColliderKeys[] = {
     {"kind", &kColliderKind, "The shape", nullptr, true},
     {"friction", &kFriction, "Without it the cloth's; only proximity uses it"},
     {"motion", &kColliderMotion, "Without it the collider stays; needs proximity"},
+    {"rigid", &kRigid,
+     "A mass that cloth and gravity move; spheres, boxes, capsules and convex hulls have one"},
 };
 constexpr Type kKeyframeTime{.kind = Kind::Number, .least = 1e-6, .most = kLate, .unit = "s"};
 constexpr Key kKeyframeKeys[] = {

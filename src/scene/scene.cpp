@@ -1,5 +1,7 @@
 #include "scene/scene.hpp"
 
+#include <algorithm>
+
 #include "base/json.hpp"
 #include "scene/names.hpp"
 
@@ -47,6 +49,20 @@ const std::optional<double>& friction_of(const Collider& collider) {
 const std::optional<ColliderMotion>& motion_of(const Collider& collider) {
   return std::visit([](const auto& one) -> const std::optional<ColliderMotion>& { return one.motion; },
                     collider);
+}
+
+const Rigid* rigid_of(const Collider& collider) {
+  const auto of = [](const auto& one) -> const Rigid* {
+    if constexpr (requires { one.rigid; })
+      return one.rigid ? &*one.rigid : nullptr;
+    else
+      return nullptr;
+  };
+  return std::visit(of, collider);
+}
+bool has_rigid(const Scene& scene) {
+  return std::any_of(scene.colliders.begin(), scene.colliders.end(),
+                     [](const Collider& collider) { return rigid_of(collider) != nullptr; });
 }
 
 const char* name_of(GridPart part) { return kGridPartNames[static_cast<int>(part)]; }

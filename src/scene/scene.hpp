@@ -233,7 +233,15 @@ struct ColliderAnimation {
   bool operator==(const ColliderAnimation&) const = default;
 };
 
-// Each has its friction (none: the cloth's) and its motion (none: it stays).
+/// Of a collider with a mass that cloth and gravity move (docs/rigid.md): one of density and mass is given.
+struct Rigid {
+  std::optional<double> density;  // [kg/m³]
+  std::optional<double> mass;     // [kg]
+  Vec3d velocity, spin;           // at the start [m/s], [rad/s]
+  bool operator==(const Rigid&) const = default;
+};
+
+// Each has its friction (none: the cloth's) and its motion (none: it stays), or else it may be rigid.
 struct ColliderMesh {
   std::string where;  // file and JSON path
   std::string mesh;   // the name of a model or a path; see mesh_path
@@ -252,6 +260,7 @@ struct ColliderSphere {
   double radius = 0;  // [m]
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
+  std::optional<Rigid> rigid{};
   bool operator==(const ColliderSphere&) const = default;
 };
 /// Solid on the side away from `normal`.
@@ -268,6 +277,7 @@ struct ColliderCapsule {
   double radius = 0;  // [m]
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
+  std::optional<Rigid> rigid{};
   bool operator==(const ColliderCapsule&) const = default;
 };
 struct ColliderBox {
@@ -275,6 +285,7 @@ struct ColliderBox {
   std::array<double, 4> rotate{0, 0, 0, 1};  // unit quaternion x, y, z, w; about the centre
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
+  std::optional<Rigid> rigid{};
   bool operator==(const ColliderBox&) const = default;
 };
 /// The convex hull of a mesh's vertices, or of points: one of them is given.
@@ -285,9 +296,10 @@ struct ColliderConvex {
   Transform transform;
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
+  std::optional<Rigid> rigid{};
   bool operator==(const ColliderConvex& other) const {
     return mesh == other.mesh && points == other.points && transform == other.transform &&
-           friction == other.friction && motion == other.motion;
+           friction == other.friction && motion == other.motion && rigid == other.rigid;
   }
 };
 using Collider =
@@ -295,6 +307,8 @@ using Collider =
 
 const std::optional<double>& friction_of(const Collider& collider);
 const std::optional<ColliderMotion>& motion_of(const Collider& collider);
+/// Null: it is an obstacle.
+const Rigid* rigid_of(const Collider& collider);
 
 /// The velocity that drag and `air` are relative to. Gusts are two waves that travel through it (wind.hpp).
 struct Wind {
@@ -373,6 +387,9 @@ struct Scene {
   std::optional<Camera> camera;  // none: the renderer frames the scene
   Render render;
 };
+
+/// Whether any collider of the scene is rigid.
+bool has_rigid(const Scene& scene);
 
 /// A point after scale, rotation and translation. Adds and multiplies only: the same bits everywhere.
 Vec3d transformed(const Transform& transform, const Vec3d& point);

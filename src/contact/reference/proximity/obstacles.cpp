@@ -23,7 +23,7 @@ Obstacles::Obstacles(const scene::Scene& scene, std::span<const mesh::TriangleMe
     const scene::Collider& collider = scene.colliders[c];
     frictions_.push_back(scene::friction_of(collider));
     motions_.push_back(scene::motion_of(collider));
-    if (motions_.back()) still_ = false;
+    if (motions_.back() || scene::rigid_of(collider) != nullptr) still_ = false;
     if (!std::holds_alternative<scene::ColliderMesh>(collider) &&
         !std::holds_alternative<scene::ColliderBox>(collider) &&
         !std::holds_alternative<scene::ColliderConvex>(collider))
@@ -72,13 +72,17 @@ void Obstacles::deform(const Deforming& deforming, double time, std::vector<Vec3
     positions[deforming.first + v] = from[v] + moment.part * (to[v] - from[v]);
 }
 
-Obstacles::Placed Obstacles::at(double time) const {
+Obstacles::Placed Obstacles::at(double time,
+                                std::span<const std::optional<scene::RigidTransform>> rigid) const {
   Placed placed{{}, features_.positions, planes_};
   for (const Deforming& one : deforming_) deform(one, time, placed.positions);
-  for (const auto& motion : motions_)
-    placed.transforms.push_back(motion ? scene::motion_at(*motion, time) : scene::RigidTransform{});
+  const auto is_rigid = [&](std::size_t c) { return c < rigid.size() && rigid[c].has_value(); };
+  for (std::size_t c = 0; c < motions_.size(); ++c)
+    placed.transforms.push_back(is_rigid(c)   ? *rigid[c]
+                                : motions_[c] ? scene::motion_at(*motions_[c], time)
+                                              : scene::RigidTransform{});
   for (std::size_t v = 0; v < placed.positions.size(); ++v)
-    if (motions_[collider_of_vertex_[v]])
+    if (motions_[collider_of_vertex_[v]] || is_rigid(collider_of_vertex_[v]))
       placed.positions[v] = placed.transforms[collider_of_vertex_[v]](placed.positions[v]);
   for (std::size_t p = 0; p < placed.planes.size(); ++p) {
     const scene::RigidTransform& transform = placed.transforms[collider_of_plane_[p]];

@@ -32,7 +32,8 @@ class Obstacles {
   bool empty() const { return features_.vertices.empty() && planes_.empty(); }
   /// Whether none ever moves.
   bool still() const { return still_; }
-  Placed at(double time) const;
+  /// `rigid`: where rigid bodies are, of each collider; else where the scene puts them.
+  Placed at(double time, std::span<const std::optional<scene::RigidTransform>> rigid = {}) const;
   /// All but planes, at time 0 before any motion: meshes, then spheres and capsules.
   const Features& features() const { return features_; }
 

@@ -33,6 +33,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
       cloth_(features_of(model.rest_position, model.triangles)),
       rest_(cloth_),
       obstacles_(scene, objects, deformations),
+      rigid_(scene, objects),
       object_(obstacles_.features()),
       cloth_facts_{rim_distances(model.rest_position, model.triangles),
                    std::vector(model.vertex_count(), SurfaceKind::Cloth), opposite_corners(model.triangles)} {
@@ -60,6 +61,11 @@ double Proximity::move_obstacles(double begin, double dt) {
   if (start_.transforms.empty() || !obstacles_.still()) {
     start_ = obstacles_.at(begin);
     end_ = obstacles_.at(begin + dt);
+    if (!rigid_.empty()) {
+      rigid_.go({dt, load_, restitution_, start_.transforms, end_.transforms});
+      start_ = obstacles_.at(begin, rigid_.starts());
+      end_ = obstacles_.at(begin + dt, rigid_.ends());
+    }
     object_.positions = start_.positions;
   }
   double most = 0;
@@ -179,10 +185,28 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool 
     const double sign = sides.a.obstacle ? 1 : -1;
     const Vec3d velocity = surface_of(pair, sides, -sign * pair.direction, dt).velocity;
     near.surface = sign * velocity;
+    near.rigid = rigid_of(pair, sides);
+    if (near.rigid) {
+      const Movable& body = rigid_.movables()[near.rigid->collider];
+      near.surface = sign * (body.velocity + cross(body.spin, near.rigid->arm));
+    }
     near.round = axis_of(pair);
     if (!near.round) near.curved = curved_of(pair, sides, velocity, dt);
   }
   return near;
+}
+
+std::optional<NearPair::Rigid> Proximity::rigid_of(const FeaturePair& pair, const Sides& sides) const {
+  if (rigid_.empty() || pair.kind == PairKind::VertexPlane) return {};
+  const bool on_a = sides.a.obstacle;
+  const Side &obstacle = on_a ? sides.a : sides.b, &cloth = on_a ? sides.b : sides.a;
+  if (!obstacle.obstacle) return {};
+  const std::size_t collider = obstacles_.collider_of_vertex(obstacle.vertices[0]);
+  if (!rigid_.solids()[collider].rigid()) return {};
+  Vec3d place;
+  for (std::uint32_t k = 0; k < cloth.count; ++k)
+    place += std::abs(cloth.weights[k]) * cloth_.positions[cloth.vertices[k]];
+  return NearPair::Rigid{collider, on_a ? 1.0 : -1.0, place - rigid_.movables()[collider].place};
 }
 
 std::optional<RoundAxis> Proximity::axis_of(const FeaturePair& pair) const {
@@ -249,7 +273,9 @@ void Proximity::add_limits(const FeaturePair& pair, double thickness, const Node
       }
       offset += margin_of(pair.distance, thickness);
     }
-    for (std::uint32_t k = 0; k < side.count; ++k) planes.push_back({side.vertices[k], away, offset, speed});
+    const std::optional<NearPair::Rigid> rigid = rigid_of(pair, sides);
+    for (std::uint32_t k = 0; k < side.count; ++k)
+      planes.push_back({side.vertices[k], away, offset, speed, rigid ? rigid->collider : kNoCollider});
   }
   if (!of_cloth) return;
   ClothPair both{sides.a.count, sides.b.count, {}, pair.direction};
@@ -342,7 +368,8 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     near[p].solved = found != nullptr;
     if (found != nullptr) near[p].kept = found->force;
   }
-  Response response = respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, impulses_});
+  Response response = respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, impulses_},
+                              rigid_.movables());
   kept_.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p)
     if (response.acts[p] && !near[p].untangles) kept_.push_back({pairs[p], response.impulses[p] / dt});
@@ -366,6 +393,15 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
       truncate(planes, cloth_pairs, most,
                {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, separations_,
                 limited_edges_, tangle_.crossings > 0 ? 0 : most_delay_, nodes.velocity_before});
+  if (!rigid_.empty()) {
+    std::vector<RigidImpulse> impulses = response.body_impulses;
+    for (const Truncated::Taken& taken : truncated.taken) {
+      const Vec3d arm = nodes.previous[taken.node] - rigid_.movables()[taken.collider].place;
+      impulses[taken.collider].linear += taken.impulse;
+      impulses[taken.collider].angular += cross(arm, taken.impulse);
+    }
+    rigid_.arrive(impulses, response.body_pushes, truncated.part, dt);
+  }
   truncated_.vertices += truncated.vertices;
   truncated_.driven += truncated.driven;
   truncated_.delay += truncated.delay;

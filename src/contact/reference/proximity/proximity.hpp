@@ -10,6 +10,7 @@
 #include "contact/reference/proximity/obstacles.hpp"
 #include "contact/reference/proximity/press.hpp"
 #include "contact/reference/proximity/respond.hpp"
+#include "contact/reference/proximity/rigid.hpp"
 #include "contact/reference/proximity/truncate.hpp"
 #include "contact/reference/proximity/untangle.hpp"
 #include "contact/rules/contact_law.hpp"
@@ -53,8 +54,13 @@ class Proximity {
   /// Pairs of one cloth that come near in the substep of the last `presses`.
   std::vector<NearPair> pressed_pairs() const;
 
-  /// Forgets the forces that pairs kept.
-  void forget() { kept_.clear(); }
+  /// Forgets the forces that pairs kept, and puts rigid bodies where they start.
+  void forget() {
+    kept_.clear();
+    rigid_.reset();
+  }
+  RigidBodies& rigid() { return rigid_; }
+  const RigidBodies& rigid() const { return rigid_; }
 
   const Obstacles& obstacles() const { return obstacles_; }
   double self_thickness() const { return self_thickness_; }  // h_s [m]; 0: cloth does not meet cloth
@@ -109,6 +115,8 @@ class Proximity {
                   std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const;
   /// Near pairs for nodes that go up to `most` [m] and obstacles that go `obstacle_travel` [m].
   std::vector<FeaturePair> listed(double most, double travel, double obstacle_travel);
+  /// Of a pair with a rigid body.
+  std::optional<NearPair::Rigid> rigid_of(const FeaturePair& pair, const Sides& sides) const;
   /// Takes the obstacles to the substep's start and end. Returns how far the farthest of them goes [m].
   double move_obstacles(double begin, double dt);
 
@@ -123,6 +131,7 @@ class Proximity {
   Features cloth_;                   // positions: at the start of the substep
   Features rest_;                    // the same at rest
   Obstacles obstacles_;
+  RigidBodies rigid_;
   Features object_;  // the obstacles at the start of the substep
   NearList list_;
   SurfaceFacts cloth_facts_, object_facts_;

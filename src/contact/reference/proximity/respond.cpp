@@ -46,7 +46,7 @@ double least_speed(const NearPair& pair, double u_n, std::span<const double> inv
   const bool closing = -u_n > kPartingSteps * law.dt * length(law.load);
   const bool bounces = law.restitution > 0 && closing && pair.distance + law.dt * u_n < pair.thickness;
   if (!bounces) return -room / law.dt;
-  double loaded = 0;
+  double loaded = pair.rigid ? pair.rigid->weight : 0;  // a body falls as cloth does
   for (std::uint32_t k = 0; k < pair.node_count; ++k)
     if (inverse_mass[pair.nodes[k]] > 0) loaded += pair.weights[k];
   const double toward = -loaded * law.dt * dot(pair.direction, law.load);
@@ -59,6 +59,17 @@ Vec3d impulse(const NearPair& pair, const Vec3d& had, const Vec3d& u, double lea
   const double u_n = dot(n, u), had_n = dot(n, had);
   const double normal = std::max(0.0, had_n + (least - u_n) / mobility);
   const Vec3d sticking = (had - had_n * n) - (u - u_n * n) / mobility;
+  return normal * n + no_longer(sticking, pair.friction * normal);
+}
+
+/// The same with a rigid body, whose inverse mass differs by the direction: along n first, then, from what is left,
+/// across it. Each lessens the energy, as a part of the exact solution. docs/rigid.md, equation (5).
+Vec3d impulse(const NearPair& pair, const Vec3d& had, const Vec3d& u, double least, const Mat3& mobility) {
+  const Vec3d& n = pair.direction;
+  const double had_n = dot(n, had);
+  const double normal = std::max(0.0, had_n + (least - dot(n, u)) / dot(n, mobility * n));
+  const Vec3d then = u + (normal - had_n) * (mobility * n);
+  const Vec3d sticking = (had - had_n * n) - (then - dot(n, then) * n) / most_along(mobility, n);
   return normal * n + no_longer(sticking, pair.friction * normal);
 }
 
@@ -77,8 +88,8 @@ Vec3d within_cone(const NearPair& pair, const Vec3d& impulse) {
 
 /// Equation (3a): the impulse that the pair begins with: that of the substep before, less what takes back its parting.
 Vec3d first_impulse(const NearPair& pair, double u_n, std::span<const double> inverse_mass,
-                    const ContactLaw& law) {
-  double mobility = 0;  // were the pair alone
+                    const ContactLaw& law, double of_body) {
+  double mobility = of_body;  // were the pair alone
   for (std::uint32_t k = 0; k < pair.node_count; ++k)
     mobility += pair.weights[k] * pair.weights[k] * inverse_mass[pair.nodes[k]];
   const double parting = u_n - kPartingSteps * law.dt * length(law.load);
@@ -102,8 +113,12 @@ Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity) {
 }
 
 Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocity,
-                 std::span<const double> inverse_mass, const ContactLaw& law) {
+                 std::span<const double> inverse_mass, const ContactLaw& law,
+                 std::span<const Movable> bodies) {
   Response response;
+  response.body_impulses.assign(bodies.size(), {});
+  response.body_pushes.assign(bodies.size(), {});
+  std::vector<double> body_acting(bodies.size(), 0);
   response.change.assign(velocity.size(), {});
   response.push.assign(velocity.size(), {});
   response.acting.assign(velocity.size(), 0);
@@ -127,6 +142,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     urgency[p] = contact_urgency(pair.distance + std::min(law.dt * u_n, 0.0), pair.thickness);
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
+    if (pair.rigid) body_acting[pair.rigid->collider] += urgency[p];
     const bool strikes = pair.with_body && pair.distance + law.dt * u_n < (1 - kHeldLack) * pair.thickness;
     for (std::uint32_t k = 0; k < pair.node_count; ++k) {
       if (pair.weights[k] == 0) continue;
@@ -140,18 +156,41 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       nodes[pair.nodes[k]] += (pair.weights[k] * inverse_mass[pair.nodes[k]]) * amount;
   };
-  std::vector<OutOfBody> bodies(velocity.size());
+  const auto give_body = [](std::vector<RigidImpulse>& all, const NearPair& pair, const Vec3d& amount) {
+    if (!pair.rigid) return;
+    RigidImpulse& sum = all[pair.rigid->collider];
+    sum.linear += pair.rigid->weight * amount;
+    sum.angular += pair.rigid->weight * cross(pair.rigid->arm, amount);
+  };
+  /// What impulses so far have changed of the body's velocity at the pair's place, with the pair's sign.
+  const auto body_change = [&](const NearPair& pair, const std::vector<RigidImpulse>& given) {
+    if (!pair.rigid) return Vec3d{};
+    const Movable& body = bodies[pair.rigid->collider];
+    const RigidImpulse& sum = given[pair.rigid->collider];
+    return pair.rigid->weight *
+           (body.inverse_mass * sum.linear + cross(body.inverse_inertia * sum.angular, pair.rigid->arm));
+  };
+  std::vector<Mat3> whole(pairs.size());  // equation (5) of docs/rigid.md
+  std::vector<OutOfBody> out_of_bodies(velocity.size());
   std::vector<double> mobility(pairs.size(), 0);  // equation (2); 0: it is not answered here
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     if (!response.acts[p]) continue;
     const NearPair& pair = pairs[p];
     if (pair.untangles && pair.with_body) {
-      for (std::uint32_t k = 0; k < pair.node_count; ++k) bodies[pair.nodes[k]].add(pair, pair.weights[k]);
+      for (std::uint32_t k = 0; k < pair.node_count; ++k)
+        out_of_bodies[pair.nodes[k]].add(pair, pair.weights[k]);
       continue;
     }
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       mobility[p] += std::abs(pair.weights[k]) * response.acting[pair.nodes[k]] * inverse_mass[pair.nodes[k]];
     mobility[p] /= urgency[p];
+    double of_body = 0;
+    if (pair.rigid) {
+      const Mat3 own = bodies[pair.rigid->collider].mobility(pair.rigid->arm);
+      of_body = dot(pair.direction, own * pair.direction);
+      whole[p] = Mat3::identity(mobility[p]) + (body_acting[pair.rigid->collider] / urgency[p]) * own;
+      mobility[p] = dot(pair.direction, whole[p] * pair.direction);
+    }
     if (!(mobility[p] > 0)) continue;
     left[p] = pair.held && std::none_of(pair.nodes.begin(), pair.nodes.begin() + pair.node_count,
                                         [&](std::uint32_t node) { return response.beside_cloth[node]; });
@@ -159,34 +198,42 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
       response.impulses[p] = law.dt * pair.kept;
       continue;
     }
-    if (!pair.untangles) response.impulses[p] = first_impulse(pair, first_speed[p], inverse_mass, law);
+    if (!pair.untangles)
+      response.impulses[p] = first_impulse(pair, first_speed[p], inverse_mass, law, of_body);
     give(now, pair, response.impulses[p]);
+    give_body(response.body_impulses, pair, response.impulses[p]);
   }
   std::vector<Vec3d> begun = response.impulses;  // what the last iteration ended with, before it went ahead
   for (std::uint32_t iteration = 0; iteration < law.impulses.iterations; ++iteration) {
     const std::vector<Vec3d> before = now;
+    const std::vector<RigidImpulse> given = response.body_impulses;
     const bool goes_ahead = iteration + 1 < law.impulses.iterations;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       if (!(mobility[p] > 0)) continue;
       const NearPair& pair = pairs[p];
-      const Vec3d u = relative_velocity(pair, before), had = response.impulses[p];
+      const Vec3d u = relative_velocity(pair, before) + body_change(pair, given), had = response.impulses[p];
       const Vec3d wanted = pair.untangles ? had + push_apart(pair, u, mobility[p], law)
                            : pair.solved  ? had
                            : left[p]      ? Vec3d{}
+                           : pair.rigid   ? impulse(pair, had, u, least[p], whole[p])
                                           : impulse(pair, had, u, least[p], mobility[p]);
       response.impulses[p] = wanted;
       if (goes_ahead && !pair.untangles && !pair.solved && !left[p])
         response.impulses[p] += ahead(pair, wanted - begun[p], law);
       begun[p] = wanted;
       give(now, pair, response.impulses[p] - had);
+      give_body(response.body_impulses, pair, response.impulses[p] - had);
     }
   }
   for (std::size_t p = 0; p < pairs.size(); ++p)
-    if (mobility[p] > 0 && !pairs[p].untangles)
-      give(response.push, pairs[p],
-           (push_of(pairs[p], left[p] || pairs[p].solved, law) / mobility[p]) * pairs[p].direction);
+    if (mobility[p] > 0 && !pairs[p].untangles) {
+      const Vec3d apart =
+          (push_of(pairs[p], left[p] || pairs[p].solved, law) / mobility[p]) * pairs[p].direction;
+      give(response.push, pairs[p], apart);
+      give_body(response.body_pushes, pairs[p], apart);
+    }
   for (std::size_t node = 0; node < velocity.size(); ++node) {
-    now[node] += bodies[node].change(now[node], law.dt);
+    now[node] += out_of_bodies[node].change(now[node], law.dt);
     response.change[node] = now[node] - velocity[node];
   }
   return response;

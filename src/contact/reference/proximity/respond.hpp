@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/mat3.hpp"
+#include "contact/reference/proximity/rigid.hpp"
 #include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
@@ -44,6 +45,13 @@ struct NearPair {
   bool of_one_cloth = false;
   std::optional<RoundAxis> round;       // of the obstacle
   std::optional<CurvedSurface> curved;  // likewise
+  /// Of a rigid body, which the pair's impulse moves.
+  struct Rigid {
+    std::size_t collider = 0;
+    double weight = 0;  // 1: it is side A; -1: side B
+    Vec3d arm;          // from its centre, where its way ends, to the pair's place on cloth [m]
+  };
+  std::optional<Rigid> rigid;
 };
 
 struct ContactLaw {
@@ -54,12 +62,14 @@ struct ContactLaw {
 };
 
 struct Response {
-  std::vector<Vec3d> change;       // of each node's velocity [m/s]
-  std::vector<Vec3d> push;         // of each node's place, which is not in its velocity [m]
-  std::vector<double> acting;      // S: sum of s |w| of the pairs that act, of each node
-  std::vector<Vec3d> impulses;     // J of each pair; zero where it does not act [N·s]
-  std::vector<bool> acts;          // each pair, equation (1)
-  std::vector<bool> beside_cloth;  // nodes on which pairs of different cloths act
+  std::vector<Vec3d> change;                // of each node's velocity [m/s]
+  std::vector<Vec3d> push;                  // of each node's place, which is not in its velocity [m]
+  std::vector<double> acting;               // S: sum of s |w| of the pairs that act, of each node
+  std::vector<Vec3d> impulses;              // J of each pair; zero where it does not act [N·s]
+  std::vector<bool> acts;                   // each pair, equation (1)
+  std::vector<bool> beside_cloth;           // nodes on which pairs of different cloths act
+  std::vector<RigidImpulse> body_impulses;  // of each collider; 0 where it is not rigid
+  std::vector<RigidImpulse> body_pushes;    // likewise, pushes of its mass [kg m], [kg m²]
   std::vector<bool> struck;  // nodes with a pair with an obstacle that would end nearer than a held one may
 };
 
@@ -73,8 +83,10 @@ inline Vec3d no_longer(const Vec3d& v, double most) {
 Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity);
 
 /// The pairs' changes of the predicted velocities, and how far what is too near goes apart. In an iteration all pairs
-/// are answered at once, from the same velocities; sums are taken in the order of the pairs.
+/// are answered at once, from the same velocities; sums are taken in the order of the pairs. `bodies`: of each
+/// collider; a rigid one takes part in its pairs as a vertex does, with its mass shared out among them.
 Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocity,
-                 std::span<const double> inverse_mass, const ContactLaw& law);
+                 std::span<const double> inverse_mass, const ContactLaw& law,
+                 std::span<const Movable> bodies = {});
 
 }  // namespace weft::reference

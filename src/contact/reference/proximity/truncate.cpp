@@ -39,6 +39,7 @@ class Truncation {
 
   void before_solids(double reach) {
     std::vector<double> part(ways_.end.size(), 1);
+    std::vector<std::size_t> stopped_by(ways_.end.size(), kNoCollider);
     for (std::size_t node = 0; node < part.size(); ++node) {
       const double far = length(ways_.end[node] - ways_.start[node]);
       if (far > reach) part[node] = reach / far;
@@ -46,17 +47,26 @@ class Truncation {
     for (const SolidPlane& plane : planes_) {
       const double at_start = dot(plane.normal, ways_.start[plane.node]) - plane.offset;
       const double at_end = dot(plane.normal, ways_.end[plane.node]) - plane.offset;
-      if (at_start > 0) part[plane.node] = std::min(part[plane.node], part_before(at_start, at_end));
+      if (!(at_start > 0)) continue;
+      const double before = part_before(at_start, at_end);
+      if (before < part[plane.node]) stopped_by[plane.node] = plane.collider;
+      part[plane.node] = std::min(part[plane.node], before);
     }
-    for (std::size_t node = 0; node < part.size(); ++node) shorten(node, part[node]);
+    for (std::size_t node = 0; node < part.size(); ++node) {
+      const Vec3d before = ways_.velocity[node];
+      shorten(node, part[node]);
+      take(stopped_by[node], node, before);
+    }
     for (const SolidPlane& plane : planes_) {
       if (ways_.inverse_mass[plane.node] == 0) continue;
       const double beyond = plane.offset - dot(plane.normal, ways_.end[plane.node]);
       // A vertex that was put onto the plane may be a rounding error behind it.
       if (!(beyond > 0)) continue;
       Vec3d& velocity = ways_.velocity[plane.node];
+      const Vec3d before = velocity;
       ways_.end[plane.node] += beyond * plane.normal;
       velocity += std::max(0.0, plane.speed - dot(plane.normal, velocity)) * plane.normal;
+      take(plane.collider, plane.node, before);
       changed_[plane.node] = true;
     }
   }
@@ -137,6 +147,7 @@ class Truncation {
           ways_.velocity_before[node] + part_ * (ways_.velocity[node] - ways_.velocity_before[node]);
     }
     delay_ = delay;
+    whole_part_ = part_;
     return true;
   }
   void hold_all() {
@@ -150,7 +161,11 @@ class Truncation {
       if (shortened_by_cloth_[plane.node] && dot(plane.normal, ways_.end[plane.node]) < plane.offset - 1e-12)
         driven[plane.node] = true;
     return {static_cast<std::uint64_t>(std::count(changed_.begin(), changed_.end(), true)),
-            static_cast<std::uint64_t>(std::count(driven.begin(), driven.end(), true)), delay_, met_};
+            static_cast<std::uint64_t>(std::count(driven.begin(), driven.end(), true)),
+            delay_,
+            whole_part_,
+            taken_,
+            met_};
   }
 
  private:
@@ -194,6 +209,13 @@ class Truncation {
     }
   }
 
+  /// A rigid body gets what its plane has taken from a node's velocity.
+  void take(std::size_t collider, std::size_t node, const Vec3d& before) {
+    if (collider == kNoCollider || ways_.velocity[node] == before) return;
+    taken_.push_back({collider, static_cast<std::uint32_t>(node),
+                      (before - ways_.velocity[node]) / ways_.inverse_mass[node]});
+  }
+
   void shorten(std::size_t node, double part) {
     if (ways_.inverse_mass[node] == 0 || part == 1) return;
     const Vec3d way = part * (ways_.end[node] - ways_.start[node]);
@@ -226,7 +248,9 @@ class Truncation {
   std::span<const ClothPair> pairs_;
   const SubstepWays& ways_;
   std::vector<bool> changed_, held_, shortened_by_cloth_;
-  double part_ = 1;          // of the substep: until then no pair found in this round may have met
+  double part_ = 1;  // of the substep: until then no pair found in this round may have met
+  double whole_part_ = 1;
+  std::vector<Truncated::Taken> taken_;
   std::uint64_t delay_ = 0;  // [µs]
   bool met_ = false;
   std::vector<std::uint32_t> marked_;

@@ -12,13 +12,16 @@
 
 namespace weft::reference {
 
+inline constexpr std::size_t kNoCollider = static_cast<std::size_t>(-1);
+
 /// The side of a plane of an obstacle that a vertex must end on: normal . x >= offset. The obstacle's feature ends
 /// there, so the plane may come towards the vertex.
 struct SolidPlane {
   std::uint32_t node = 0;
-  Vec3d normal;       // unit
-  double offset = 0;  // [m]
-  double speed = 0;   // of the obstacle along the normal [m/s]
+  Vec3d normal;                        // unit
+  double offset = 0;                   // [m]
+  double speed = 0;                    // of the obstacle along the normal [m/s]
+  std::size_t collider = kNoCollider;  // where it is a rigid body, which
 };
 
 /// Two sides of cloth, and the direction that separates them at the start of a substep.
@@ -50,6 +53,14 @@ struct Truncated {
   std::uint64_t driven =
       0;  // of these, left beyond the plane of an obstacle that drives them into other cloth
   std::uint64_t delay = 0;  // how much sooner the substep has ended for all [µs]
+  double part = 1;          // of the substep that has passed then
+  /// What the planes of rigid bodies have taken from nodes.
+  struct Taken {
+    std::size_t collider = 0;
+    std::uint32_t node = 0;
+    Vec3d impulse;  // that the body gets [N·s]
+  };
+  std::vector<Taken> taken = {};
   bool met = false;  // whether there were pairs of cloth that might have met, or edges beyond their limit
 };
 
