@@ -33,7 +33,10 @@ void for_each_of_frame(const Statistics& statistics, Visit&& visit) {
   });
 }
 
-std::string heading_of(const Model& model, bool measures) {
+constexpr const char* kOfBody[] = {"x_m",    "y_m",      "z_m",      "vx_m_s",  "vy_m_s",
+                                   "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"};
+
+std::string heading_of(const Model& model, const scene::Scene& scene, bool measures) {
   std::string heading = "frame,time_s";
   if (measures) {
     heading += kMeasured;
@@ -42,6 +45,10 @@ std::string heading_of(const Model& model, bool measures) {
       const std::string cloth = ",cloth_" + std::to_string(c);
       heading += cloth + "_volume_m3" + cloth + "_gauge_Pa";
     }
+    for (std::size_t c = 0; c < scene.colliders.size(); ++c)
+      for (const char* of : kOfBody)
+        if (scene::rigid_of(scene.colliders[c]) != nullptr)
+          heading += ",collider_" + std::to_string(c) + "_" + of;
   }
   for_each_of_frame({}, [&](const char* name, auto) { heading += std::string(",") + name; });
   return heading + "\n";
@@ -88,7 +95,7 @@ Result<FrameRows> FrameRows::create(const std::string& folder, const sim::World&
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (file < 0) return not_written(path);
   FrameRows rows(path, file);
-  rows.heading_ = heading_of(world.model().host, measures);
+  rows.heading_ = heading_of(world.model().host, world.scene(), measures);
   if (measures) rows.system_ = reference::elements_of(world.model().host);
   WEFT_CHECK(rows.go_back_to(world.frame()));
   return rows;
@@ -131,6 +138,10 @@ Result<void> FrameRows::add(sim::World& world) {
       const double volume = gas.volume(system_->position);
       line += "," + number_text(volume) + "," + number_text(gas.law.gauge(volume));
     }
+    WEFT_TRY(bodies, world.rigid_places());
+    for (const sim::RigidPlace& body : bodies)
+      for (const Vec3d& of : {body.place, body.velocity, body.spin})
+        for (int axis = 0; axis < 3; ++axis) line += "," + number_text(of[axis]);
   }
   for_each_of_frame(world.last_report(),
                     [&](const char*, auto value) { line += "," + number_text(static_cast<double>(value)); });

@@ -6,6 +6,7 @@
 
 #include "assets.hpp"
 #include "cloths.hpp"
+#include "contact/rules/rigid_body.hpp"
 #include "model/attachments.hpp"
 #include "sim/plan/frame_plan.hpp"
 #include "weft/weft.hpp"
@@ -38,6 +39,12 @@ Result<void> check_scene(const SceneOptions& options) {
       options.path.c_str(), cloths_and_bodies(scene).c_str(), model.vertex_count(), model.triangles.size(),
       scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s", object_triangles);
   std::fputs(cloths_text(scene, model).c_str(), stdout);
+  const std::vector<ColliderSolid> solids = solids_of(scene, assets.objects, assets.object_colliders);
+  for (std::size_t c = 0; c < solids.size(); ++c)
+    if (solids[c].rigid())
+      std::printf(
+          "  colliders[%zu] is a rigid body of %.4g kg, with %.4g, %.4g and %.4g kg m² about its own axes.\n",
+          c, solids[c].mass, solids[c].inertia.x, solids[c].inertia.y, solids[c].inertia.z);
   std::fputs(stiffening_text(scene, model, plan.method(), plan.substeps()).c_str(), stdout);
   return {};
 }

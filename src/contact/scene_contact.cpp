@@ -45,7 +45,6 @@ SceneContact::~SceneContact() = default;
 Result<SceneContact> SceneContact::create(gpu::Device& device, const GpuModel& model, const State& state,
                                           const scene::Scene& scene, const Assets& assets,
                                           const SceneContactSetup& setup) {
-  if (scene::has_rigid(scene)) return input_error("The kernels do not move rigid bodies yet.");
   SceneContact made;
   made.interval_ = setup.interval;
   switch (scene.contact.method) {
@@ -140,6 +139,11 @@ void SceneContact::record_rest(gpu::CommandList& list) const {
   if (!proximity_) return;
   list.clear(contacts_->pairs->kept.range(0, 4 * kKeptRoomWord));
   if (presses() != nullptr) list.clear(presses()->source());
+  proximity_->rigid().record_rest(list);
+}
+
+const RigidBodies* SceneContact::rigid() const {
+  return proximity_ && proximity_->rigid().any() ? &proximity_->rigid() : nullptr;
 }
 
 Result<std::vector<std::uint32_t>> SceneContact::forces(gpu::Device& device) const {

@@ -16,6 +16,7 @@ namespace weft::contact {
 
 class Proximity;
 class Pushes;
+class RigidBodies;
 
 /// The inputs of a scene's contact besides the scene itself.
 struct SceneContactSetup {
@@ -70,6 +71,9 @@ class SceneContact {
   void set_hold_forces(gpu::Device& device, std::span<const std::int32_t> forces);
   /// Clears the traces of the first attempt before a frame is repeated.
   void record_forget(gpu::CommandList& list) const;
+
+  /// Null: the scene has none.
+  const RigidBodies* rigid() const;
 
   /// How many pairs act on each vertex, f32, while they are counted; null where no pairs are listed.
   const gpu::Buffer<float>* counts() const { return proximity_ ? &counts_ : nullptr; }

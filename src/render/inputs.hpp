@@ -45,6 +45,13 @@ struct ObjectDraw {
   mesh::TriangleMesh mesh;
   mesh::Deformation deformation{};  // before its motion
   std::optional<scene::ColliderMotion> motion{};
+  std::optional<std::size_t> rigid{};  // the number of its collider in RigidRows, where it is a rigid body
+};
+
+/// Where rigid bodies are: a buffer that has three rows of a transform for each collider, as placement.wgsl reads them.
+struct RigidRows {
+  const gpu::RawBuffer* words = nullptr;  // null: there are none
+  std::uint64_t first = 0, stride = 0;    // of collider 0, and from one to the next [bytes]
 };
 
 /// The obstacles are copied at creation; those with a motion move with Renderer::set_time.
@@ -56,6 +63,9 @@ struct Inputs {
   std::vector<scene::ColliderBox> boxes;
   std::vector<ObjectDraw> hulls;  // convex; drawn with sharp edges, as boxes are
   std::vector<scene::ColliderPlane> planes;
+  RigidRows rigid;
+  // Of each sphere, capsule and box the number of its collider; may be left out where none is rigid.
+  std::vector<std::size_t> sphere_colliders{}, capsule_colliders{}, box_colliders{};
 };
 
 }  // namespace weft::render

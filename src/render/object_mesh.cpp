@@ -13,7 +13,7 @@ constexpr int kColumns = 96, kRows = 48;  // of a sphere; a capsule's ends are i
 struct Part {
   ObjectDraw draw;
   bool closed = false;
-  bool moves = draw.motion.has_value() || !draw.deformation.empty();
+  bool moves = draw.motion.has_value() || draw.rigid.has_value() || !draw.deformation.empty();
 };
 
 mesh::TriangleMesh placed(mesh::TriangleMesh mesh, const scene::ColliderSphere& sphere) {
@@ -59,15 +59,28 @@ bool stays_closed(const ObjectDraw& object) {
 
 std::vector<Part> parts_of(const Inputs& inputs) {
   std::vector<Part> parts;
+  const auto rigid = [&](const auto& shape, const std::vector<std::size_t>& colliders, std::size_t k) {
+    return shape.rigid && inputs.rigid.words != nullptr ? std::optional(colliders[k]) : std::nullopt;
+  };
   if (!inputs.spheres.empty()) {
     const mesh::TriangleMesh unit = mesh::make_sphere(kColumns, kRows);
-    for (const scene::ColliderSphere& sphere : inputs.spheres)
-      parts.push_back({{placed(unit, sphere), {}, sphere.motion}, true});
+    for (std::size_t k = 0; k < inputs.spheres.size(); ++k) {
+      const scene::ColliderSphere& sphere = inputs.spheres[k];
+      parts.push_back(
+          {{placed(unit, sphere), {}, sphere.motion, rigid(sphere, inputs.sphere_colliders, k)}, true});
+    }
   }
-  for (const scene::ColliderCapsule& capsule : inputs.capsules)
-    parts.push_back({{mesh_of(capsule), {}, capsule.motion}, true});
-  for (const scene::ColliderBox& box : inputs.boxes) parts.push_back({{mesh_of(box), {}, box.motion}, true});
-  for (const ObjectDraw& hull : inputs.hulls) parts.push_back({{sharp(hull.mesh), {}, hull.motion}, true});
+  for (std::size_t k = 0; k < inputs.capsules.size(); ++k) {
+    const scene::ColliderCapsule& capsule = inputs.capsules[k];
+    parts.push_back(
+        {{mesh_of(capsule), {}, capsule.motion, rigid(capsule, inputs.capsule_colliders, k)}, true});
+  }
+  for (std::size_t k = 0; k < inputs.boxes.size(); ++k) {
+    const scene::ColliderBox& box = inputs.boxes[k];
+    parts.push_back({{mesh_of(box), {}, box.motion, rigid(box, inputs.box_colliders, k)}, true});
+  }
+  for (const ObjectDraw& hull : inputs.hulls)
+    parts.push_back({{sharp(hull.mesh), {}, hull.motion, hull.rigid}, true});
   for (const ObjectDraw& object : inputs.objects) parts.push_back({object, stays_closed(object)});
   return parts;
 }

@@ -118,6 +118,9 @@ Result<void> Renderer::create_scene(const Inputs& inputs) {
   ObjectMesh mesh = join_objects(inputs);
   WEFT_TRY(objects, ObjectBuffers::create(*device_, mesh));
   scene_.objects = std::move(objects);
+  rigid_ = inputs.rigid;
+  for (std::size_t k = 0; k < mesh.moving.size(); ++k)
+    if (const auto& body = mesh.moving[k].draw.rigid) rigid_objects_.push_back({k, *body});
   moving_objects_ = MovingObjects(std::move(mesh.moving));
   set_time(0);
   WEFT_TRY(shadow_map, ShadowMap::create(*device_, scene_.frame, scene_.cloth, scene_.objects));
@@ -193,6 +196,10 @@ bool Renderer::shows_sun() const {
 }
 
 void Renderer::record(gpu::CommandList& list, std::uint32_t parity, gpu::Id target) const {
+  constexpr std::uint64_t kRows = 3 * sizeof(Vec4f);
+  for (const auto& [number, collider] : rigid_objects_)
+    list.copy(rigid_.words->range(rigid_.first + collider * rigid_.stride, kRows),
+              scene_.objects.placement.range(kRows * number, kRows));
   if (fine_) fine_->record(list, parity, settings_.view);
   if (shows_sun()) scene_.shadow_map.record(list, parity);
   gpu::RenderPass pass(list, {color_.view(), target, depth_.view(), {0, 0, 0, 1}, false}, "picture");

@@ -85,6 +85,9 @@ class Renderer {
   std::unique_ptr<FineCloth> fine_;  // none: what is given is drawn
   DrawnScene scene_;
   MovingObjects moving_objects_;
+  RigidRows rigid_;
+  std::vector<std::array<std::size_t, 2>>
+      rigid_objects_;  // of the moving ones: its number, and its collider's
   std::vector<MovingPlane> moving_planes_;
   std::array<std::optional<ViewPasses>, kViewCount> passes_;  // by view
 };

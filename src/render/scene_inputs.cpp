@@ -37,8 +37,10 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
     if (body.grid) range.grid = ClothGrid{*body.grid, body.first_vertex};
     inputs.cloth.ranges.push_back(range);
   }
+  inputs.rigid = buffers.rigid;
   std::size_t object = 0;
-  for (const scene::Collider& collider : scene.colliders) {
+  for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
+    const scene::Collider& collider = scene.colliders[c];
     if (const auto* mesh = std::get_if<scene::ColliderMesh>(&collider)) {
       assert(object < objects.size());
       inputs.objects.push_back(
@@ -47,16 +49,23 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
     }
     if (const auto* box = std::get_if<scene::ColliderBox>(&collider)) {  // drawn with sharp edges
       inputs.boxes.push_back(*box);
+      inputs.box_colliders.push_back(c);
       ++object;
     }
     if (const auto* convex = std::get_if<scene::ColliderConvex>(&collider)) {
       assert(object < objects.size());
       inputs.hulls.push_back({objects[object], {}, convex->motion});
+      if (convex->rigid && buffers.rigid.words != nullptr) inputs.hulls.back().rigid = c;
       ++object;
     }
-    if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&collider))
+    if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&collider)) {
       inputs.capsules.push_back(*capsule);
-    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) inputs.spheres.push_back(*sphere);
+      inputs.capsule_colliders.push_back(c);
+    }
+    if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) {
+      inputs.spheres.push_back(*sphere);
+      inputs.sphere_colliders.push_back(c);
+    }
     if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) inputs.planes.push_back(*plane);
   }
   return inputs;

@@ -16,6 +16,7 @@ struct VertexBuffers {
   const gpu::RawBuffer& normal;              // vertex_count x Vec4f, unit
   const gpu::RawBuffer& stretch;             // vertex_count x float
   const gpu::RawBuffer* contacts = nullptr;  // vertex_count x float; none where there are no pairs
+  RigidRows rigid = {};
 };
 
 /// The inputs of a picture of a running scene.

@@ -17,9 +17,12 @@ static_assert(std::endian::native == std::endian::little);  // lists are copied 
 
 constexpr char kMagic[] = "weftsave";
 constexpr std::size_t kMagicBytes = 8, kHeaderBytes = 32, kMostText = 1024;
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 /// Pairs that act, for each node and besides; far more than can be near it.
 constexpr std::uint64_t kMostPairsOfNode = 256, kMorePairs = 4096;
+
+/// Of a thousand rigid bodies.
+constexpr std::uint64_t kMostRigidBytes = 131072;
 
 class StateWriter {
  public:
@@ -145,6 +148,7 @@ Result<void> check_finite(const SavedState& state) {
       std::memcpy(&force, &s.contact_forces[word], sizeof force);  // libc++ 14 has no bit_cast
       all = all && std::isfinite(force);
     }
+  for (const std::uint32_t word : s.rigid) all = all && (word & 0x7f800000U) != 0x7f800000U;
   if (!all) return input_error("The saved state has a number that is not finite.");
   if (s.contact_forces.size() % kKeptWords != 0)
     return input_error("The saved state has %zu words of contact forces, which come in %u.",
@@ -170,6 +174,7 @@ std::vector<std::byte> write_saved_state(const SavedState& state) {
   for (const double rate : snapshot.gusts.rates) writer.number(rate);
   writer.list(snapshot.contact_forces);
   writer.list(snapshot.hold_forces);
+  writer.list(snapshot.rigid);
   writer.list(snapshot.position_before);
   writer.list(snapshot.velocity_before);
   writer.number(snapshot.step);
@@ -210,6 +215,7 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes) {
   for (double& rate : snapshot.gusts.rates) rate = reader.number<double>();
   snapshot.contact_forces = reader.list<std::uint32_t>("a list of contact forces");
   snapshot.hold_forces = reader.list<std::int32_t>("a list of forces at obstacles");
+  snapshot.rigid = reader.list<std::uint32_t>("a list of rigid bodies");
   snapshot.position_before = reader.list<Vec4f>("a list of positions before");
   snapshot.velocity_before = reader.list<Vec4f>("a list of velocities before");
   snapshot.step = reader.number<double>();
@@ -234,7 +240,7 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes) {
 std::uint64_t most_saved_bytes(std::uint64_t nodes) {
   const std::uint64_t pairs = kMostPairsOfNode * nodes + kMorePairs;
   return (4 * sizeof(Vec4f) + sizeof(std::int32_t) * kHoldWords) * nodes +
-         sizeof(std::uint32_t) * kKeptWords * pairs + 16384;
+         sizeof(std::uint32_t) * kKeptWords * pairs + kMostRigidBytes + 16384;
 }
 
 }  // namespace weft::sim

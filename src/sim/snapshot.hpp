@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,12 +24,21 @@ struct Snapshot : NodeState {
   std::vector<std::uint32_t>
       contact_forces;  // with which pairs of features act: contact::SceneContact::forces
   std::vector<std::int32_t>
-      hold_forces;  // of vertices that the solver holds: contact::SceneContact::hold_forces
+      hold_forces;                   // of vertices that the solver holds: contact::SceneContact::hold_forces
+  std::vector<std::uint32_t> rigid;  // of the scene's rigid bodies: contact::RigidBodies::states
   /// That state a substep before, `step` [s] long; empty where the method has no history.
   std::vector<Vec4f> position_before, velocity_before;
   double step = 0;
   /// XXH3-64 of the bits of position, then velocity, as 16 hexadecimal digits.
   std::string hash() const;
+};
+
+/// Where a rigid body is and how it moves.
+struct RigidPlace {
+  std::size_t collider = 0;      // of the scene's
+  Vec3d place;                   // of its centre of mass [m]
+  std::array<double, 4> turn{};  // from where the scene puts it, unit quaternion x, y, z, w
+  Vec3d velocity, spin;          // [m/s], [rad/s]
 };
 
 }  // namespace weft::sim

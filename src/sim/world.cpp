@@ -30,6 +30,7 @@ Result<void> World::count_contacts(bool on) {
 Result<void> World::submit_rest() {
   gpu::CommandList list;
   contact_.record_rest(list);
+  last_good_->record_rigid(list);
   {
     gpu::ComputePass pass(list, "rest");
     last_good_->record(pass);  // the state to restore if the first frame is not finite

@@ -75,6 +75,10 @@ class World {
   Result<Snapshot> snapshot();
   /// The first part of that alone. Errors  as snapshot.
   Result<NodeState> node_state() const;
+  /// The rigid bodies now, waited for; none: the scene has none. Errors  as snapshot.
+  Result<std::vector<RigidPlace>> rigid_places() const;
+  /// Their buffer; null: the scene has none.
+  const contact::RigidBodies* rigid() const { return contact_.rigid(); }
   /// Makes a snapshot the current state, and the one to which a bad or repeated frame rolls back. Time goes on from the
   /// snapshot's, also where its frames had another length: motions, colliders, the scene's grabs and gusts are where
   /// they are then. frame() is the snapshot's where frames have the same length, and counts from 0 otherwise. What it

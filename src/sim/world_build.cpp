@@ -1,4 +1,5 @@
 // How a world is made: buffers, contact, solver, reports.
+#include "contact/proximity/rigid_bodies.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "model/attachments.hpp"
 #include "sim/world.hpp"
@@ -42,7 +43,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   solver_ = std::move(solver);
   WEFT_TRY(surface, Surface::create(device_, model_, state_));
   surface_ = std::move(surface);
-  WEFT_TRY(last_good, LastGood::create(device_, state_, method.history > 0, contact_.presses()));
+  WEFT_TRY(last_good, LastGood::create(device_, state_, method.history > 0, contact_.presses(),
+                                       contact_.rigid() != nullptr ? &contact_.rigid()->words() : nullptr));
   last_good_ = std::move(last_good);
   WEFT_TRY(recorder, FrameRecorder::create(state_, *solver_, contact_, *last_good_, *surface_));
   recorder_ = std::move(recorder);

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "base/state_hash.hpp"
+#include "contact/proximity/rigid_bodies.hpp"
+#include "contact/rules/rigid_body.hpp"
 #include "scene/motion.hpp"
 #include "sim/scene_hash.hpp"
 #include "sim/world.hpp"
@@ -40,6 +42,7 @@ Result<Snapshot> World::snapshot() {
   Snapshot snapshot{std::move(nodes)};
   WEFT_SET(snapshot.contact_forces, contact_.forces(device_));
   WEFT_SET(snapshot.hold_forces, contact_.hold_forces(device_));
+  if (rigid() != nullptr) WEFT_SET(snapshot.rigid, rigid()->states(device_));
   snapshot.time = plan_.time_of(diverged_ ? bad_frame_ : frame_);  // frozen as it was before the bad frame
   snapshot.gusts = steps_.gusts();
   if (plan_.method().history == 0 || snapshot.time.frame == 0) return snapshot;
@@ -49,7 +52,27 @@ Result<Snapshot> World::snapshot() {
   return snapshot;
 }
 
+Result<std::vector<RigidPlace>> World::rigid_places() const {
+  std::vector<RigidPlace> places;
+  if (rigid() == nullptr) return places;
+  WEFT_TRY(words, rigid()->states(device_));
+  const std::vector<ColliderSolid> solids = solids_of(scene_, assets_.objects, assets_.object_colliders);
+  const contact::RigidWords states(words);
+  for (std::size_t c = 0, k = 0; c < solids.size(); ++c) {
+    if (!solids[c].rigid()) continue;
+    const RigidState state = states.state(k++);
+    const Quaternion& axes = solids[c].axes;
+    places.push_back({c, state.place, product(state.turn, {-axes[0], -axes[1], -axes[2], axes[3]}),
+                      state.velocity, spin_of(solids[c], state)});
+  }
+  return places;
+}
+
 Result<void> World::check_nodes(const Snapshot& snapshot) const {
+  const std::size_t bodies = rigid() != nullptr ? rigid()->count() : 0;
+  if (snapshot.rigid.size() != contact::kRigidStateWords * bodies)
+    return input_error("The snapshot has %zu rigid bodies; this scene has %zu.",
+                       snapshot.rigid.size() / contact::kRigidStateWords, bodies);
   if (snapshot.position.size() != model_.vertex_count() || snapshot.velocity.size() != model_.vertex_count())
     return input_error("The snapshot has %zu positions and %zu velocities; this scene has %u nodes.",
                        snapshot.position.size(), snapshot.velocity.size(), model_.vertex_count());
@@ -129,6 +152,12 @@ Result<void> World::put_back(const Snapshot& snapshot) {
   holds.resize(std::size_t{kHoldWords} * model_.vertex_count());
   contact_.set_hold_forces(device_, holds);
   last_good_->renew_holds(device_, holds);
+  if (rigid() != nullptr) {
+    rigid()->set_states(device_, snapshot.rigid);
+    gpu::CommandList list;
+    last_good_->record_rigid(list);
+    WEFT_CHECK(device_.submit(list));
+  }
   return submit_surface();
 }
 

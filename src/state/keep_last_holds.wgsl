@@ -1,5 +1,5 @@
-// As keep_last_good, of the forces that hold vertices at obstacles, which are at the beginning of `presses`. One
-// invocation per word.
+// As keep_last_good, of other words of the state: the forces that hold vertices at obstacles, which are at the
+// beginning of `presses`, and those of rigid bodies. One invocation per word.
 #include "gpu/index.wgsl"
 #include "state/statistics.wgsl"
 //                                                                              elements

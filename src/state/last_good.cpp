@@ -13,7 +13,8 @@ bool is_finite(const Vec4f& v) {
 }  // namespace
 
 Result<LastGood> LastGood::create(gpu::Device& device, const State& state, bool with_step_before,
-                                  const gpu::Buffer<std::int32_t>* presses) {
+                                  const gpu::Buffer<std::int32_t>* presses,
+                                  const gpu::Buffer<std::uint32_t>* rigid) {
   LastGood made;
   WEFT_TRY(guard, gpu::Kernel::create(device, "state/guard.wgsl"));
   made.guard_ = std::move(guard);
@@ -37,11 +38,18 @@ Result<LastGood> LastGood::create(gpu::Device& device, const State& state, bool 
     }
     made.kept_.push_back(std::move(kept));
   }
+  if (presses != nullptr || rigid != nullptr)
+    WEFT_SET(made.keep_holds_, gpu::Kernel::create(device, "state/keep_last_holds.wgsl"));
+  if (rigid != nullptr) {
+    made.rigid_ = rigid;
+    WEFT_SET(made.good_rigid_,
+             gpu::Buffer<std::uint32_t>::create(device, rigid->size(), "last good rigid bodies"));
+    WEFT_SET(made.keep_rigid_group_, made.keep_holds_.bind({*rigid, made.good_rigid_, state.statistics}));
+  }
   if (presses == nullptr) return made;
   made.presses_ = presses;
   const std::size_t words = kHoldWords * state.position[0].size();
   WEFT_SET(made.holds_, gpu::Buffer<std::int32_t>::create(device, words, "last good holds"));
-  WEFT_SET(made.keep_holds_, gpu::Kernel::create(device, "state/keep_last_holds.wgsl"));
   WEFT_SET(made.keep_holds_group_, made.keep_holds_.bind({*presses, made.holds_, state.statistics}));
   return made;
 }
@@ -50,6 +58,7 @@ void LastGood::record(gpu::ComputePass& pass) const {
   guard_.dispatch(pass, guard_groups_[pass.parity()], kept_[0].position.size());
   for (const Kept& kept : kept_) keep_.dispatch(pass, kept.groups[pass.parity()], kept.position.size());
   if (presses_ != nullptr) keep_holds_.dispatch(pass, keep_holds_group_, holds_.size());
+  if (rigid_ != nullptr) keep_holds_.dispatch(pass, keep_rigid_group_, good_rigid_.size());
 }
 
 void LastGood::record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const {
@@ -59,6 +68,7 @@ void LastGood::record_restore(gpu::CommandList& list, const State& state, std::u
     list.copy(kept_[age].velocity.source(), state.velocity[at].source());
   }
   if (presses_ != nullptr) list.copy(holds_.source(), presses_->range(0, holds_.bytes()));
+  if (rigid_ != nullptr) list.copy(good_rigid_.source(), rigid_->source());
 }
 
 void LastGood::renew(gpu::Device& device, std::span<const Vec4f> position, std::span<const Vec4f> velocity,
@@ -74,6 +84,10 @@ void LastGood::renew_before(gpu::Device& device, std::span<const Vec4f> position
                             std::span<const Vec4f> velocity) const {
   kept_[1].position.write(device, position);
   kept_[1].velocity.write(device, velocity);
+}
+
+void LastGood::record_rigid(gpu::CommandList& list) const {
+  if (rigid_ != nullptr) list.copy(rigid_->source(), good_rigid_.source());
 }
 
 void LastGood::renew_holds(gpu::Device& device, std::span<const std::int32_t> forces) const {

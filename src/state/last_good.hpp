@@ -15,8 +15,10 @@ namespace weft {
 class LastGood {
  public:
   /// `presses`: ContactPairs::presses, whose forces of holds are part of the state; null: there are none.
+  /// `rigid`: the words of rigid bodies; null: there are none.
   static Result<LastGood> create(gpu::Device& device, const State& state, bool with_step_before,
-                                 const gpu::Buffer<std::int32_t>* presses);
+                                 const gpu::Buffer<std::int32_t>* presses,
+                                 const gpu::Buffer<std::uint32_t>* rigid = nullptr);
   void record(gpu::ComputePass& pass) const;  ///< of the state in position[pass.parity()]
   /// Makes the saved copy the state of this parity.
   void record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const;
@@ -26,6 +28,8 @@ class LastGood {
   /// Keeps this state of all vertices as that of the substep before it, for a solver that reads that; finite.
   void renew_before(gpu::Device& device, std::span<const Vec4f> position,
                     std::span<const Vec4f> velocity) const;
+  /// Copies the words of rigid bodies as they are now, which are finite.
+  void record_rigid(gpu::CommandList& list) const;
   /// The same of the forces of holds.
   void renew_holds(gpu::Device& device, std::span<const std::int32_t> forces) const;
 
@@ -43,6 +47,9 @@ class LastGood {
   gpu::Buffer<std::int32_t> holds_;
   gpu::Kernel keep_holds_;
   gpu::BindGroup keep_holds_group_;
+  const gpu::Buffer<std::uint32_t>* rigid_ = nullptr;
+  gpu::Buffer<std::uint32_t> good_rigid_;
+  gpu::BindGroup keep_rigid_group_;
 };
 
 }  // namespace weft

@@ -74,8 +74,10 @@ struct Statistics {
   float reach = 0;
   /// How far one may have gone since this search [m].
   float travel = 0;
+  /// How far a rigid body may go in this substep [m].
+  float body_travel = 0;
 };
-static_assert(sizeof(Statistics) == 31 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 32 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -137,6 +139,7 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("slow_part", statistics.slow_part);
   visit("reach", statistics.reach);
   visit("travel", statistics.travel);
+  visit("body_travel", statistics.body_travel);
 }
 
 }  // namespace weft

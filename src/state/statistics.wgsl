@@ -62,3 +62,5 @@ const kStatSlowPart = 28u;
 const kStatReach = 29u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
 const kStatTravel = 30u;
+// How far a rigid body may go in this substep [m], as the bits of a positive f32.
+const kStatBodyTravel = 31u;

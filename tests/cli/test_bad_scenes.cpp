@@ -125,6 +125,23 @@ std::vector<BadScene> bad_scenes() {
        "did you mean \"sphere\"?"},
       {tiny_scene(R"("colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": -1}], )"),
        "radius is -1"},
+      {tiny_scene(
+           R"("colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "rigid": {"mass": 1}}], )"),
+       "colliders[0].rigid is of a plane; spheres, boxes, capsules and convex hulls can be rigid bodies."},
+      {tiny_scene(R"("colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": 1, "rigid": {}}], )"),
+       "colliders[0].rigid has neither \"density\" nor \"mass\"; it must have one of them."},
+      {tiny_scene(
+           R"("contact": {"method": "bvh"}, "colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": 1,
+                     "rigid": {"mass": 1}}], )"),
+       "colliders[0].rigid needs contact.method \"proximity\"; it is \"bvh\"."},
+      {tiny_scene(R"("colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": 1, "rigid": {"mass": 1},
+                     "motion": {"kind": "line", "direction": [1, 0, 0], "speed": 1}}], )"),
+       "colliders[0] has a motion and is rigid; it moves by one of them."},
+      {tiny_scene(R"("colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": 1, "rigid": {"mass": 1}},
+                     {"kind": "mesh", "mesh": "sphere"}], )"),
+       "colliders[1] is a mesh, which rigid bodies do not meet; they meet spheres, boxes, capsules, planes "
+       "and "
+       "convex hulls."},
       {tiny_scene(R"("colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 0, 0]}], )"),
        "normal is zero"},
   };

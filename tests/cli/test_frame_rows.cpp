@@ -79,6 +79,25 @@ TEST_CASE("a strip that hangs from an end stores what half its weight does on th
   CHECK(rows["max_stretch"].back() > 1.01);
 }
 
+TEST_CASE("rows have where a rigid body is and how fast: it falls by g t, and spins on") {
+  auto rows = rows_of(
+      R"({"format": "weft-scene/1", "time": {"substeps": 4, "frames": 6}, "solver": {"kind": "mass_spring"},
+      "cloths": [{"grid": [2, 2], "size": [0.1, 0.1], "density": 0.2, "pins": ["corners"]}],
+      "colliders": [{"kind": "plane", "point": [0, -5, 0], "normal": [0, 1, 0]},
+                    {"kind": "sphere", "center": [1, 2, 3], "radius": 0.1,
+                     "rigid": {"mass": 1, "velocity": [0.5, 0, 0], "spin": [0, 0, 7]}}]})");
+  REQUIRE(rows["frame"].size() == 6);
+  for (std::size_t frame = 0; frame < 6; ++frame) {
+    const double t = static_cast<double>(frame + 1) / 60;
+    CHECK(rows["collider_1_x_m"][frame] == doctest::Approx(1 + 0.5 * t).epsilon(1e-6));
+    CHECK(rows["collider_1_y_m"][frame] ==
+          doctest::Approx(2 - 0.5 * 9.81 * t * (t + 1.0 / 240)).epsilon(1e-6));
+    CHECK(rows["collider_1_vy_m_s"][frame] == doctest::Approx(-9.81 * t).epsilon(1e-5));
+    CHECK(rows["collider_1_wz_rad_s"][frame] == doctest::Approx(7).epsilon(1e-5));
+  }
+  CHECK(rows.count("collider_0_x_m") == 0);
+}
+
 TEST_CASE("a ball of gas that breathes hands its energy to and fro, and its rows have volume and pressure") {
   auto rows = rows_of(
       R"({"format": "weft-scene/1", "gravity": [0, 0, 0], "time": {"frame": 0.001, "substeps": 50, "frames": 30},

@@ -10,6 +10,7 @@
 
 #include "contact/object_tree.hpp"
 #include "contact/proximity/pair_search.hpp"
+#include "contact/proximity/rigid_bodies.hpp"
 #include "contact/proximity/round_kernel.hpp"
 #include "contact/proximity/tree_refit.hpp"
 #include "contact/pushes/colliders_analytic.hpp"
@@ -17,6 +18,7 @@
 #include "contact/pushes/object_triangles.hpp"
 #include "contact/pushes/pairs_paper.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "contact/rules/rigid_body.hpp"
 #include "element/spring/neighbours.hpp"
 #include "element/spring/packed_springs.hpp"
 #include "element/spring/spring_blocks.hpp"
@@ -472,6 +474,15 @@ Json shared_constants() {
   Json constants = Json::array({
       constant("kMaxGrabs", "state/step.wgsl", scene::kMaxGrabs),
       constant("kGroupsPerRow", "gpu/index.wgsl", gpu::kGroupsPerRow),
+      constant("kRigidWords", "contact/proximity/rigid_words.wgsl", contact::kRigidWords),
+      constant("kRigidRows", "contact/proximity/rigid_words.wgsl", contact::kRigidRows),
+      constant("kMesh", "contact/proximity/rigid_words.wgsl", static_cast<double>(SolidKind::Mesh)),
+      constant("kMostTouches", "contact/proximity/move_rigid.wgsl", kMostTouches),
+      constant("kTouchRounds", "contact/proximity/move_rigid.wgsl", kTouchRounds),
+      real("kTouchPart", "contact/proximity/move_rigid.wgsl", kTouchPart),
+      real("kOutPart", "contact/proximity/move_rigid.wgsl", kOutPart),
+      constant("kOutSpeed", "contact/proximity/move_rigid.wgsl", kOutSpeed),
+      real("kNoFriction", "contact/proximity/move_rigid.wgsl", kRigidFriction),
       constant("kWorkgroupSize", "gpu/index.wgsl", gpu::kDefaultWorkgroupSize),
       constant("kAnalyticId", "contact/pushes/analytic.wgsl", contact::kAnalyticId),
       constant("kConvexId", "contact/pushes/convex.wgsl", contact::kConvexId),

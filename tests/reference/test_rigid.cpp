@@ -293,6 +293,25 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("in double, a ball on a sheet on a floor keeps room for the sheet, and lies still") {
+  Bodies one(R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "friction": 0.3},
+                {"kind": "sphere", "center": [0.01, 0.15, 0.02], "radius": 0.1, "friction": 0.3,
+                 "rigid": {"mass": 0.5}})",
+             "", 30,
+             R"({"grid": [16, 16], "size": [0.6, 0.6], "plane": "xz", "density": 0.3, "damping": 0.1,
+                 "stiffness": {"structural": 300, "shear": 100, "bend": 5},
+                 "transform": {"translate": [0, 0.006, 0]}})");
+  one.advance(40);
+  double lowest = 1;
+  for (int frame = 0; frame < 20; ++frame) {
+    one.advance(1);
+    lowest = std::min(lowest, one.state(1).place.y);
+  }
+  CHECK(lowest > 0.1 + 1.5 * 0.005);  // of two thicknesses
+  CHECK(one.state(1).place.y < 0.1 + 2.1 * 0.005);
+  CHECK(length(one.state(1).velocity) < 0.05);
+}
+
 TEST_CASE("in double, a ball at rest in a hammock hangs by the weights of both") {
   Bodies one(R"({"kind": "sphere", "center": [0, 0.12, 0], "radius": 0.1, "rigid": {"mass": 0.4}})",
              R"("drag": 40)", 40,

@@ -57,6 +57,9 @@ const CASES: Case[] = [ // 100 steps each, but for the one that looks at what "a
     set: { "cloths.0.grid": [9, 9], "contact.method": "none", "time.substeps": 50 } },
   { name: "a balloon, multigrid", scene: "balloon", frames: 1,
     set: { "cloths.0.grid": [9, 9], "contact.method": "none", "time.substeps": 4, solver: { kind: "multigrid" } } },
+  { name: "rigid bodies, explicit", scene: "hammock", frames: 2,
+    set: { "cloths.0.grid": [9, 9], "time.substeps": 24, "colliders.1.center": [0.02, 1.23, 0.01],
+      "colliders.2.center": [0.1, 1.44, 0.05], solver: { kind: "mass_spring" } } },
   { name: "hanging with its own choice of substeps", scene: "hanging", frames: 1, set: { "cloths.0.grid": [24, 24] } },
 ];
 

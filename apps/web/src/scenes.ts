@@ -48,6 +48,7 @@ export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: r
     { name: "walk", title: "A skirt that walks" },
     { name: "jelly", title: "Jelly in a net" },
     { name: "balloon", title: "A balloon in a sheet" },
+    { name: "hammock", title: "Three balls in a hammock" },
   ] },
 ].map(({ title, scenes }) => ({ title, scenes: scenes.filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined) }));
 

@@ -1,8 +1,8 @@
 // Ends a vertex's way before the planes of its pairs with what contact cannot move: obstacles, and cloth that the scene
-// moves or pins. The including kernel binds step and contacts. Source: docs/contact.md, equation (6).
-#include "state/contact.wgsl"
-#include "contact/proximity/links.wgsl"
-#include "contact/proximity/planes.wgsl"
+// moves or pins. A rigid body gets what its planes take. The including kernel binds step, contacts and rigid.
+// Source: docs/contact.md, equation (6).
+#include "contact/proximity/solid_planes.wgsl"
+#include "contact/proximity/rigid_sums.wgsl"
 const kPushes = 4u;
 
 // The end of a vertex's way, and whether anything but what its pairs gave has changed it.
@@ -17,8 +17,9 @@ struct Carry {
   normal : vec3f,  // away from the side
   depth : f32,     // m; 0: it does not
   speed : f32,     // of the side along the normal, m/s
+  record : u32,    // of the pair
 }
-const kNoCarry = Carry(vec3f(0.0), 0.0, 0.0);
+const kNoCarry = Carry(vec3f(0.0), 0.0, 0.0, 0u);
 
 // The deeper of two; of equally deep ones, so that the order of records does not matter, by direction and speed.
 fn comes_first(a : Carry, b : Carry) -> bool {
@@ -29,49 +30,47 @@ fn comes_first(a : Carry, b : Carry) -> bool {
   return a.speed > b.speed;
 }
 
-fn has_plane(contact : Contact) -> bool {
-  return (contact.solid == 1u || contact.solid == 2u) && contact.normal.w > 0.0;
-}
-
 fn deepest_carry(first : u32, far : bool, x : vec3f) -> Carry {
   var deepest = kNoCarry;
   for (var link = first; link != 0u; link = next_of(link)) {
     let contact = contacts[record_of(link)];
     if (!has_plane(contact) || !(far || contact.near != 0u)) { continue; }
     let side = select(-1.0, 1.0, role_of(link) < roles_of_a(contact.ids));
-    let carry = Carry(side * contact.normal.xyz, beyond(contact, role_of(link), x), contact.solid_speed);
+    let depth = beyond(contact, role_of(link), x);
+    let carry = Carry(side * contact.normal.xyz, depth, contact.solid_speed, record_of(link));
     if (comes_first(carry, deepest)) { deepest = carry; }
   }
   return deepest;
 }
 
-// How much of the way from a place before the planes to another passes none of them.
-fn part_before_solids(start : vec3f, end : vec3f, first : u32) -> f32 {
-  var part = 1.0;
-  for (var link = first; link != 0u; link = next_of(link)) {
-    let contact = contacts[record_of(link)];
-    if (has_plane(contact)) {
-      part = min(part, part_before(beyond(contact, role_of(link), start), beyond(contact, role_of(link), end)));
-    }
-  }
-  return part;
+// A rigid body gets what its plane has taken from a vertex's velocity.
+fn give_body(record : u32, start : vec4f, taken : vec3f) {
+  let contact = contacts[record];
+  if (!has_body(contact)) { return; }
+  let body = body_words(contact);
+  add_to_body(body, kRigidSums, start.xyz - rigid_vector(body + kRigidNext), taken / start.w);
 }
 
 // Only where a plane is near enough to be met, or the way so long that any may be.
-fn before_solids(way_so_far : Way, start : vec3f, first : u32, tight : f32) -> Way {
+fn before_solids(way_so_far : Way, begun : vec4f, first : u32, tight : f32) -> Way {
+  let start = begun.xyz;
   var way = way_so_far;
   let length_of_way = 1.001 * length(way.position - start);
   let far = length_of_way > free_way();
   if (first == 0u || !(far || length_of_way > free_way() - tight)) { return way; }
   var part = 1.0;
+  var stopped_by = 0u;
   for (var link = first; link != 0u; link = next_of(link)) {
     let contact = contacts[record_of(link)];
     if (!has_plane(contact) || !(far || contact.near != 0u)) { continue; }
     let now = beyond(contact, role_of(link), start);
     let then = beyond(contact, role_of(link), way.position);
-    if (now < 0.0 && then > 0.0) { part = min(part, now / (now - then)); }
+    if (!(now < 0.0 && then > 0.0)) { continue; }
+    if (now / (now - then) < part) { stopped_by = record_of(link); }
+    part = min(part, now / (now - then));
   }
   if (part < 1.0) {
+    if (kRigid) { give_body(stopped_by, begun, (1.0 - part) * way.velocity); }
     way.position = start + part * (way.position - start);
     way.velocity *= part;
     way.changed = true;
@@ -80,7 +79,9 @@ fn before_solids(way_so_far : Way, start : vec3f, first : u32, tight : f32) -> W
     let carry = deepest_carry(first, far, way.position);
     if (carry.depth <= 0.0) { break; }
     way.position += carry.depth * carry.normal;
-    way.velocity += max(0.0, carry.speed - dot(carry.normal, way.velocity)) * carry.normal;
+    let more = max(0.0, carry.speed - dot(carry.normal, way.velocity)) * carry.normal;
+    way.velocity += more;
+    if (kRigid) { give_body(carry.record, begun, -more); }
     way.changed = true;
   }
   return way;

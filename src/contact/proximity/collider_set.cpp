@@ -53,6 +53,7 @@ class ColliderSetBuilder {
           set_.shapes.size(), mesh::kMostShapeVertices);
     for (const Vec4f& end : ends_) set_.points.push_back(end);
     shapes_.resize(2 * ends_.size());
+    for (std::size_t k = 0; k < ends_.size(); ++k) shapes_[2 * k + 1].w = std::floor(set_.shapes[k].w);
     for (const Vec4f& word : shapes_) set_.points.push_back(word);
     for (std::size_t c = 0; c < scene_.colliders.size(); ++c) {
       set_.points.push_back({1, 0, 0, 0});
@@ -66,7 +67,7 @@ class ColliderSetBuilder {
  private:
   Result<void> add(std::size_t c) {
     const scene::Collider& collider = scene_.colliders[c];
-    if (scene::motion_of(collider)) set_.moves = true;
+    if (scene::motion_of(collider) || scene::rigid_of(collider) != nullptr) set_.moves = true;
     const auto number = static_cast<std::uint32_t>(c);
     const auto first = static_cast<std::uint32_t>(set_.points.size());
     const auto& friction = scene::friction_of(collider);

@@ -6,6 +6,7 @@
 #include "state/statistics.wgsl"
 #include "contact/proximity/press_sums.wgsl"
 #include "contact/proximity/sums.wgsl"
+#include "contact/proximity/rigid_sums.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read>       previous        : array<vec4f>; // vertex_count      m; w: 1/kg
@@ -15,6 +16,7 @@
 @group(0) @binding(5) var<storage, read>       statistics      : array<u32>;
 @group(0) @binding(6) var<storage, read_write> presses         : array<atomic<i32>>; // press_sums.wgsl
 @group(0) @binding(7) var<storage, read_write> begun           : array<vec4f>; // contacts          N
+@group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
 override kPresses : u32 = 0;  // 1: a solver holds vertices at obstacles, and `presses` is that buffer
 override kHeavy : u32 = 0;  // 1: heavy cloth may lie on light cloth, and `begun` has the forces before they went ahead
 override kFirst : u32 = 0;  // of the substep's iterations, where kHeavy is 1
@@ -65,6 +67,39 @@ fn ahead_of(number : u32, first : vec3f, wanted : vec3f) -> vec3f {
   return kHeavyAhead * (wanted - before);
 }
 
+// The pair's place on cloth, from the body's centre where its way ends.
+fn arm_of(contact : Contact, w : vec4f) -> vec3f {
+  var place = vec3f(0.0);
+  for (var role = 0u; role < 4u; role++) {
+    if (!is_collider(contact.ids[role])) { place += abs(w[role]) * previous[contact.ids[role] & kIdBits].xyz; }
+  }
+  return place - rigid_vector(body_words(contact) + kRigidNext);
+}
+
+// Of a pair with a rigid body: the impulse that is wanted, the normal part of it, and W along n. `of_cloth`: the part
+// of W that cloth has. Along n first, then from what is left across it: docs/rigid.md, equation (5).
+struct Wanted { impulse : vec3f, normal : f32, mobility : f32 }
+fn wanted_of_body(contact : Contact, arm : vec3f, u : vec3f, had : vec3f, of_cloth : f32) -> Wanted {
+  let body = body_words(contact);
+  let inertia = inverse_inertia(body);
+  let share = f32(atomicLoad(&rigid[body + kRigidShares])) / contact.urgency;
+  let n = contact.normal.xyz;
+  let s = across(n);
+  let t = cross(n, s);
+  let along_n = of_cloth * n + share * body_mobility(body, inertia, arm, n);
+  let along_s = share * body_mobility(body, inertia, arm, s);
+  let along_t = share * body_mobility(body, inertia, arm, t);
+  let mobility = dot(n, along_n);
+  let before = dot(n, had);
+  let normal = max(0.0, before + (contact.force.w - dot(n, u)) / mobility);
+  let then = u + (normal - before) * along_n;
+  let half = 0.5 * (dot(s, along_s) - dot(t, along_t));
+  let beside = dot(s, along_t);
+  let most = of_cloth + 0.5 * (dot(s, along_s) + dot(t, along_t)) + sqrt(half * half + beside * beside);
+  let sticking = had - before * n - (then - dot(n, then) * n) / most;
+  return Wanted(normal * n + no_longer(sticking, contact.surface.w * normal), normal, mobility);
+}
+
 // Equations (2) to (4a) and (7); stores the force.
 fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
   let ids = contact.ids;
@@ -78,7 +113,8 @@ fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
     mobility += abs(w[role]) * shares * previous[vertex].w;
   }
   mobility /= contact.urgency;
-  if (mobility <= 0.0) { return Answer(vec3f(0.0), 0.0); }
+  let with_body = has_body(contact) && contact.solid != kUntangles;
+  if (mobility <= 0.0 && !with_body) { return Answer(vec3f(0.0), 0.0); }
   let n = contact.normal.xyz;
   let speed = dot(n, u);
   if (contact.solid == kUntangles) {
@@ -92,9 +128,21 @@ fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
     contacts[number].begun = 0.0;
     return Answer(-had, mobility);
   }
-  let normal = max(0.0, dot(n, had) + (contact.force.w - speed) / mobility);
-  let sticking = had - dot(n, had) * n - (u - speed * n) / mobility;
-  let along = no_longer(sticking, contact.surface.w * normal);
+  var normal : f32;
+  var along : vec3f;
+  if (with_body) {
+    let arm = arm_of(contact, w);
+    let body = body_words(contact);
+    u += body_side(ids) * given_velocity(body, inverse_inertia(body), arm);
+    let found = wanted_of_body(contact, arm, u, had, mobility);
+    normal = found.normal;
+    along = found.impulse - normal * n;
+    mobility = found.mobility;
+  } else {
+    normal = max(0.0, dot(n, had) + (contact.force.w - speed) / mobility);
+    let sticking = had - dot(n, had) * n - (u - speed * n) / mobility;
+    along = no_longer(sticking, contact.surface.w * normal);
+  }
   let ahead = select(kAhead, 0.0, kLast != 0u) * (normal - step.time.dt * contact.begun);
   var impulse = (normal + ahead) * n + along;
   if (kHeavy != 0u) {
@@ -122,6 +170,13 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
     let restored = kPushPart * min(1.0, lack / (kSoftLack * contact.thickness));
     let apart = min(restored * lack, kPushSpeed * step.time.dt);  // equation (5a), m
     let pushes = kLast != 0u && contact.solid != kUntangles && apart > 0.0;
+    if (has_body(contact)) {
+      let body = body_words(contact);
+      let arm = arm_of(contact, w);
+      let side = body_side(contact.ids);
+      add_to_body(body, kRigidSums, arm, side * given.impulse);
+      if (pushes) { add_to_body(body, kRigidPushes, arm, side * apart / given.mobility * contact.normal.xyz); }
+    }
     for (var role = 0u; role < role_count(contact.ids); role++) {
       if (is_collider(contact.ids[role])) { continue; }
       let vertex = contact.ids[role] & kIdBits;

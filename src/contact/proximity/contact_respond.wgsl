@@ -19,6 +19,7 @@
 @group(0) @binding(5) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
 @group(0) @binding(6) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
 
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
@@ -69,7 +70,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       let slower = min(back / step.time.dt, max(0.0, -dot(n, way.velocity)));  // a push is in no velocity
       way = Way(within, way.velocity + slower * n, true);
     }
-    if ((sums[2].z & kBesideSolid) != 0u) { way = before_solids(way, start.xyz, records, tight); }
+    if ((sums[2].z & kBesideSolid) != 0u) { way = before_solids(way, start, records, tight); }
     if (way.changed) { atomicAdd(&statistics[kStatTruncated], 1u); }
     let goes_far = length(way.position - start.xyz) > free_way();
     if (goes_far) { atomicStore(&statistics[kStatFarWays], 1u); }

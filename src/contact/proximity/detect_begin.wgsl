@@ -30,6 +30,7 @@ fn way_ahead(v : vec3f, way : f32, slack : f32) -> vec3f {
 // How far a blow takes a vertex, and where, as expect_blows has found: the way ahead of what has none. That it may go
 // beside it is slack; what goes a way of its own has the whole of it as slack, but no more than some.
 const kMostBlow = 2.0;      // of `most_slack`
+const kStruckFaster = 2.0;  // of what a rigid body strikes, by its own speed
 const kBesideBlow = 0.25;   // of the blow
 fn expected_blow(at : u32) -> vec3f {
   let size = bitcast<f32>(vertex_contacts[at + kBlowWord]);
@@ -50,6 +51,16 @@ fn scripted_reach() -> f32 {
   return max(kept, kReachMargin * kDetectInterval * travel);
 }
 
+// The same of rigid bodies, which may be struck or fall.
+fn rigid_reach() -> f32 {
+  let travel = bitcast<f32>(atomicLoad(&statistics[kStatBodyTravel]));
+  if (travel <= 0.0) { return 0.0; }
+  let dt = step.time.dt;
+  let faster = kDetectInterval * dt * dt * length(step.air.acceleration.xyz);
+  return max(kReachMargin * kDetectInterval * (travel + faster),
+             min(step.contact.thickness, step.contact.most_reach));
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
@@ -59,7 +70,7 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   if (vertex == 0u) {
     atomicStore(&statistics[kStatDue], select(0u, 1u, due));
     if (due) {
-      atomicStore(&statistics[kStatReach], bitcast<u32>(scripted_reach()));
+      atomicStore(&statistics[kStatReach], bitcast<u32>(max(scripted_reach(), rigid_reach())));
       atomicStore(&statistics[kStatTravel], 0u);
       atomicAdd(&statistics[kStatDetections], 1u);
       atomicStore(&statistics[kStatCrossingsLeft], 0u);
@@ -78,6 +89,10 @@ fn detect_begin(@builtin(global_invocation_id) id : vec3u) {
   let most = most_slack[vertex];
   let way = min(step.time.dt * length(v), 3e38);  // m, in a substep
   var slack = clamp(kReachIntervals * kDetectInterval * way, min(step.contact.thickness, most), most);
+  // A rigid body gives what it strikes its own speed, and some nodes more at first, which no way tells before.
+  let struck = kStruckFaster * kDetectInterval * (1.0 + step.contact.restitution) *
+               bitcast<f32>(atomicLoad(&statistics[kStatBodyTravel]));
+  slack = max(slack, min(struck, kMostBlow * most));
   var ahead = way_ahead(v, way, slack);
   if (kPredicted && !kIsFirst) {
     let blow = expected_blow(kVertexWords * vertex);

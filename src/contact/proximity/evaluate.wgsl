@@ -8,6 +8,7 @@
 #include "contact/proximity/crossing.wgsl"
 #include "contact/proximity/relative_velocity.wgsl"
 #include "contact/proximity/cones.wgsl"
+#include "contact/proximity/rigid_sums.wgsl"
 #include "contact/proximity/planes.wgsl"
 #include "contact/proximity/sides.wgsl"
 #include "contact/proximity/solid_reach.wgsl"
@@ -21,7 +22,9 @@
 @group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> statistics      : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read>       rings           : array<u32>;   // feature_rings.hpp
+@group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
 
+const kShapeWords = 2u;  // of a point, behind the ends: collider_set.hpp
 const kTouch = 0.01;  // of the thickness: a nearer feature has no side of its own
 
 var<workgroup> records : u32;
@@ -42,11 +45,37 @@ fn solid_speed(ids : vec4u, first : u32, end : u32, w : vec4f, toward : vec3f, s
 // How fast features may part, or must close, to be more than moved by their load, m/s: equations (3) and (3a).
 fn speed_of_load() -> f32 { return kPartingSteps * step.time.dt * length(step.air.acceleration.xyz); }
 
+// The rigid body of a pair, if it has one.
+struct Body {
+  exists : bool,
+  collider : u32,
+  words : u32,  // of `rigid`, its first
+  arm : vec3f,  // from its centre, where its way ends, to the pair's place on cloth, m
+}
+fn body_of(ids : vec4u, w : vec4f) -> Body {
+  var body = Body(false, 0u, 0u, vec3f(0.0));
+  if (!kRigid || is_crossing(ids) || is_plane_pair(ids)) { return body; }
+  let point = select(ids.z, ids.x, is_collider(ids.x));
+  if (!is_collider(point)) { return body; }
+  body.collider = u32(points[2u * step.contact.point_count + kShapeWords * (point & kIdBits) + 1u].w);
+  body.words = kRigidWords * body.collider;
+  body.exists = rigid_number(body.words + kRigidInverseMass) > 0.0;
+  var place = vec3f(0.0);
+  for (var role = 0u; role < 4u; role++) {
+    if (!is_collider(ids[role])) { place += abs(w[role]) * previous[ids[role] & kIdBits].xyz; }
+  }
+  body.arm = place - rigid_vector(body.words + kRigidNext);
+  return body;
+}
+
 // Equation (3a): the force of the substep before, less what takes back the speed at which the features part.
-fn first_force(ids : vec4u, w : vec4f, n : vec3f, kept : vec3f, friction : f32, speed : f32) -> vec3f {
+fn first_force(ids : vec4u, w : vec4f, n : vec3f, kept : vec3f, friction : f32, speed : f32, body : Body) -> vec3f {
   var mobility = 0.0;  // were the pair alone, 1/kg
   for (var role = 0u; role < role_count(ids); role++) {
     if (!is_collider(ids[role])) { mobility += w[role] * w[role] * previous[ids[role] & kIdBits].w; }
+  }
+  if (body.exists) {
+    mobility += dot(n, body_mobility(body.words, inverse_inertia(body.words), body.arm, n));
   }
   if (mobility <= 0.0) { return vec3f(0.0); }
   let parting = max(0.0, speed - speed_of_load());
@@ -54,8 +83,8 @@ fn first_force(ids : vec4u, w : vec4f, n : vec3f, kept : vec3f, friction : f32, 
 }
 
 // How much the load brings the sides together in the substep, m/s.
-fn speed_by_load(ids : vec4u, w : vec4f, n : vec3f) -> f32 {
-  var loaded = 0.0;
+fn speed_by_load(ids : vec4u, w : vec4f, n : vec3f, body : Body) -> f32 {
+  var loaded = select(0.0, body_side(ids), body.exists);  // a body falls as cloth does
   for (var role = 0u; role < role_count(ids); role++) {
     if (!is_collider(ids[role]) && previous[ids[role] & kIdBits].w > 0.0) { loaded += w[role]; }
   }
@@ -63,13 +92,13 @@ fn speed_by_load(ids : vec4u, w : vec4f, n : vec3f) -> f32 {
 }
 
 // Equation (3): the least normal velocity that a pair may end with.
-fn least_speed(ids : vec4u, w : vec4f, n : vec3f, gap : f32, thickness : f32, speed : f32) -> f32 {
+fn least_speed(ids : vec4u, w : vec4f, n : vec3f, gap : f32, thickness : f32, speed : f32, body : Body) -> f32 {
   let dt = step.time.dt;
   let e = step.contact.restitution;
   let bounces = (e > 0.0) & (-speed > speed_of_load()) & (gap + dt * speed < thickness);
   let least = -max(0.0, gap - thickness) / dt;
   if (!bounces) { return least; }
-  let toward = speed_by_load(ids, w, n);
+  let toward = speed_by_load(ids, w, n, body);
   return max(least, e * (-speed - toward) - toward);
 }
 
@@ -148,7 +177,9 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let w = weights_of(ids, measured.s, measured.t);
     let n = measured.normal;
     let gap = measured.gap;
-    let r = relative_velocity(ids, w, measured);
+    var r = relative_velocity(ids, w, measured);
+    let body = body_of(ids, w);
+    if (body.exists) { r.surface = body_side(ids) * free_velocity(body.words, body.arm); }
     let speed = dot(n, r.velocity + r.surface);
     let is_near = gap + min(step.time.dt * speed, 0.0) < kContactTouching * thickness;
     let solved = contacts[number].held == kSolved && !untangles;
@@ -180,13 +211,18 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     if (solved) {
       force = contact.force.xyz;
     } else if (acts && !untangles) {
-      force = first_force(ids, w, n, contact.force.xyz, friction, speed);
+      force = first_force(ids, w, n, contact.force.xyz, friction, speed, body);
     }
-    contact.force = vec4f(force, least_speed(ids, w, n, gap, thickness, speed));
+    contact.force = vec4f(force, least_speed(ids, w, n, gap, thickness, speed, body));
     contact.begun = dot(n, force);
     let is_kept = any(force != vec3f(0.0)) && !solved;
     let holds = gap > 0.0 && contact.solid != 0u;  // has planes that what is not solid must not pass
     contact.near = select(0u, 1u, is_near || holds);
+    if (body.exists) {
+      contacts[number].other_end = kRigidPair | body.collider;
+      if (acts) { atomicAdd(&rigid[body.words + kRigidShares], urgency); }
+      if (is_kept) { add_to_body(body.words, kRigidSums, body.arm, body_side(ids) * step.time.dt * force); }
+    }
     contacts[number].normal = contact.normal;
     contacts[number].place = contact.place;
     contacts[number].surface = contact.surface;

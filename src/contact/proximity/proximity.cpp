@@ -65,13 +65,14 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
                                                                  colliders.point_count, colliders.faces),
                                                    "feature rings"));
   made.rings_ = std::move(rings);
+  WEFT_SET(made.rigid_, RigidBodies::create(device, scene, meshes, wanted.workgroup_size));
   WEFT_CHECK(made.create_kernels(device, state, wanted));
   WEFT_SET(made.near_, NearPairs::create(device, made.presses_, wanted.workgroup_size));
   const std::vector<LimitedEdge> edges = limited_edges(model.host);
-  WEFT_TRY(respond,
-           Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
-                                    contact_iterations(wanted.step), lengths.self_thickness > 0,
-                                    made.presses_, wanted.own_pairs, edges, wanted.workgroup_size}));
+  WEFT_TRY(respond, Respond::create(
+                        device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
+                                 contact_iterations(wanted.step), lengths.self_thickness > 0, made.presses_,
+                                 wanted.own_pairs, made.rigid_.any(), edges, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(device, state, pairs));
   return made;
@@ -87,7 +88,8 @@ Result<void> Proximity::bind_own(gpu::Device& device, const State& state, const 
   near_room_ = pairs.room.near;
   for (std::size_t parity = 0; parity < 2; ++parity) {
     WEFT_TRY(group, evaluate_.bind({state.steps, state.position[parity], pairs.predicted, search_.points(),
-                                    pairs.contacts, pairs.vertex_contacts, state.statistics, rings_}));
+                                    pairs.contacts, pairs.vertex_contacts, state.statistics, rings_,
+                                    rigid_.words()}));
     evaluate_groups_[parity] = std::move(group);
     if (!presses_) continue;
     const auto bind_press = [&](const gpu::Buffer<Vec4f>& velocity) {
@@ -105,14 +107,14 @@ Result<void> Proximity::bind_own(gpu::Device& device, const State& state, const 
     WEFT_SET(press_pair_again_groups_[parity], bind_pairs(pairs.predicted));
   }
   WEFT_CHECK(near_.bind(state, pairs, search_.points()));
-  return respond_.bind(device, state, pairs, search_.points());
+  return respond_.bind(device, state, pairs, search_.points(), rigid_.words());
 }
 
 Result<void> Proximity::create_kernels(gpu::Device& device, const State& state, const ProximitySetup& setup) {
   const std::uint32_t workgroup_size = setup.workgroup_size;
   const gpu::Constant own_pairs{"kOwnPairs", setup.own_pairs ? 1.0 : 0.0};
-  WEFT_TRY(evaluate,
-           gpu::Kernel::create(device, "contact/proximity/evaluate.wgsl", {own_pairs}, workgroup_size));
+  WEFT_TRY(evaluate, gpu::Kernel::create(device, "contact/proximity/evaluate.wgsl",
+                                         {own_pairs, {"kRigid", rigid_.any() ? 1.0 : 0.0}}, workgroup_size));
   evaluate_ = std::move(evaluate);
   if (presses_) {
     const gpu::Constant forgets{"kForgets", setup.without_history ? 1.0 : 0.0};
@@ -132,7 +134,7 @@ Result<void> Proximity::create_kernels(gpu::Device& device, const State& state, 
   move_points_ = std::move(move);
   WEFT_TRY(move_group, move_points_.bind({state.steps, places_, shapes_, search_.points()}));
   move_group_ = std::move(move_group);
-  return {};
+  return rigid_.bind(state, places_);
 }
 
 void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, double time, double step,
@@ -147,6 +149,7 @@ void Proximity::write_places(gpu::Device& device, const scene::Scene& scene, dou
 
 void Proximity::move_colliders(gpu::ComputePass& pass) const {
   const ColliderSet& colliders = search_.colliders();
+  rigid_.record_move(pass);
   if (colliders.moves)
     move_points_.dispatch(pass, move_group_,
                           std::max<std::size_t>(colliders.point_count, 4 * colliders.list.size()));
@@ -185,6 +188,7 @@ void Proximity::search(gpu::ComputePass& pass) const {
 void Proximity::measure(gpu::ComputePass& pass) const {
   near_.record(pass);
   evaluate_.dispatch_strided(pass, evaluate_groups_[pass.parity()], near_room_);
+  rigid_.record_gather(pass);
 }
 
 }  // namespace weft::contact

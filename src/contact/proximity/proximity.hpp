@@ -7,6 +7,7 @@
 #include "contact/proximity/near_pairs.hpp"
 #include "contact/proximity/pair_search.hpp"
 #include "contact/proximity/respond.hpp"
+#include "contact/proximity/rigid_bodies.hpp"
 #include "contact/stages/stages.hpp"
 
 namespace weft::contact {
@@ -46,9 +47,10 @@ class Proximity : public Stages {
   void press_again(gpu::ComputePass& pass) const override;
   void search(gpu::ComputePass& pass) const override;
   void measure(gpu::ComputePass& pass) const override;
-  void answer(gpu::ComputePass& pass) const override { respond_.record_impulses(pass); }
+  void answer(gpu::ComputePass& pass) const override { respond_.record_impulses(pass, rigid_); }
   void hold_back(gpu::ComputePass& pass) const override {
     respond_.record_hold_back(pass, search_.patches());
+    rigid_.record_arrive(pass);
   }
   void end_frame(gpu::ComputePass& pass) const { search_.record_frame_end(pass); }
   /// Writes where the colliders are in each substep of the frame that begins at `time` [s].
@@ -57,6 +59,7 @@ class Proximity : public Stages {
 
   const ProximityLengths& lengths() const { return lengths_; }
   const PairSearch& pair_search() const { return search_; }
+  const RigidBodies& rigid() const { return rigid_; }
 
  private:
   Result<void> create_kernels(gpu::Device& device, const State& state, const ProximitySetup& setup);
@@ -67,6 +70,7 @@ class Proximity : public Stages {
   PairSearch search_;
   NearPairs near_;
   Respond respond_;
+  RigidBodies rigid_;
   gpu::Kernel move_points_, press_, press_pairs_, evaluate_;
   gpu::BindGroup move_group_;
   // By parity.

@@ -13,17 +13,19 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   };
   const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0},
       move{"kMove", setup.presses && !setup.own_pairs ? 0.0 : 1.0},
-      heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0};
-  std::vector<Wanted> all = {{made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy}},
-                             {made.respond_,
-                              "contact/proximity/contact_respond.wgsl",
-                              {move, {"kDetectInterval", static_cast<double>(setup.interval)}}}};
+      heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0}, rigid{"kRigid", setup.rigid ? 1.0 : 0.0};
+  std::vector<Wanted> all = {
+      {made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, rigid}},
+      {made.respond_,
+       "contact/proximity/contact_respond.wgsl",
+       {move, rigid, {"kDetectInterval", static_cast<double>(setup.interval)}}}};
   if (setup.impulses.heavy)
     all.push_back({made.first_impulse_,
                    "contact/proximity/contact_impulse.wgsl",
-                   {presses, heavy, {"kFirst", 1}, {"kLast", 0}}});
+                   {presses, heavy, rigid, {"kFirst", 1}, {"kLast", 0}}});
   if (setup.impulses.iterations > 1) {
-    all.push_back({made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, {"kLast", 0}}});
+    all.push_back(
+        {made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, rigid, {"kLast", 0}}});
     all.push_back({made.add_, "contact/proximity/add_impulses.wgsl", {move}});
   }
   for (const Wanted& wanted : all) {
@@ -49,7 +51,7 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
 }
 
 Result<void> Respond::bind(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                           const gpu::Buffer<Vec4f>& points) {
+                           const gpu::Buffer<Vec4f>& points, const gpu::Buffer<std::uint32_t>& rigid) {
   // A kernel binds buffers that it does not read.
   const gpu::RawBuffer& presses =
       setup_.presses ? static_cast<const gpu::RawBuffer&>(pairs.presses) : pairs.kept;
@@ -63,13 +65,13 @@ Result<void> Respond::bind(gpu::Device& device, const State& state, const Contac
     const auto &position = state.position[1 - parity], &velocity = state.velocity[1 - parity];
     const auto bind_impulse = [&](const gpu::Kernel& kernel) {
       return kernel.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
-                          state.statistics, presses, begun});
+                          state.statistics, presses, begun, rigid});
     };
     WEFT_SET(last_impulse_groups_[parity], bind_impulse(last_impulse_));
     if (setup_.impulses.heavy) WEFT_SET(first_impulse_groups_[parity], bind_impulse(first_impulse_));
     WEFT_SET(respond_groups_[parity],
              respond_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
-                            position, velocity, state.statistics}));
+                            position, velocity, state.statistics, rigid}));
     if (setup_.impulses.iterations > 1) {
       WEFT_SET(impulse_groups_[parity], bind_impulse(impulse_));
       WEFT_SET(add_groups_[parity],
@@ -91,7 +93,7 @@ Result<void> Respond::bind(gpu::Device& device, const State& state, const Contac
   return edges_.bind(state, pairs);
 }
 
-void Respond::record_impulses(gpu::ComputePass& pass) const {
+void Respond::record_impulses(gpu::ComputePass& pass, const RigidBodies& rigid) const {
   const std::uint32_t parity = pass.parity();
   for (std::uint32_t iteration = 1; iteration < setup_.impulses.iterations; ++iteration) {
     if (setup_.impulses.heavy && iteration == 1) {
@@ -100,6 +102,7 @@ void Respond::record_impulses(gpu::ComputePass& pass) const {
       impulse_.dispatch_strided(pass, impulse_groups_[parity], near_room_);
     }
     add_.dispatch(pass, add_groups_[parity], vertex_count_);
+    rigid.record_gather(pass);
   }
   last_impulse_.dispatch_strided(pass, last_impulse_groups_[parity], near_room_);
 }

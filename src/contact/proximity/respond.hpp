@@ -5,6 +5,7 @@
 
 #include "contact/proximity/cloth_patches.hpp"
 #include "contact/proximity/edge_limits.hpp"
+#include "contact/proximity/rigid_bodies.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
@@ -26,6 +27,7 @@ class Respond {
     bool self = false;                   // whether cloth meets cloth
     bool presses = false;                // a solver's matrix holds vertices at obstacles
     bool own_pairs = false;              // SolvedContact
+    bool rigid = false;                  // whether there are rigid bodies
     std::span<const LimitedEdge> edges;  // of cloth with a strain limit
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   };
@@ -33,9 +35,9 @@ class Respond {
   static Result<Respond> create(gpu::Device& device, const Setup& setup);
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(gpu::Device& device, const State& state, const ContactPairs& pairs,
-                    const gpu::Buffer<Vec4f>& points);
+                    const gpu::Buffer<Vec4f>& points, const gpu::Buffer<std::uint32_t>& rigid);
   /// Sums the velocity changes of the measured pairs at each vertex.
-  void record_impulses(gpu::ComputePass& pass) const;
+  void record_impulses(gpu::ComputePass& pass, const RigidBodies& rigid) const;
   /// Gives each vertex that change, separates pairs of cloth, and holds vertices back, also from folding the open
   /// patches.
   void record_hold_back(gpu::ComputePass& pass, const ClothPatches& patches) const;

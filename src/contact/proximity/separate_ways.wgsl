@@ -4,7 +4,7 @@
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
-#include "contact/proximity/before_solids.wgsl"
+#include "contact/proximity/solid_planes.wgsl"
 #include "contact/proximity/reach.wgsl"
 #include "contact/proximity/rounds.wgsl"
 //                                                                                elements          unit

@@ -62,7 +62,7 @@ double Proximity::move_obstacles(double begin, double dt) {
     start_ = obstacles_.at(begin);
     end_ = obstacles_.at(begin + dt);
     if (!rigid_.empty()) {
-      rigid_.go({dt, load_, restitution_, start_.transforms, end_.transforms});
+      rigid_.go({dt, load_, restitution_, thickness_, start_.transforms, end_.transforms});
       start_ = obstacles_.at(begin, rigid_.starts());
       end_ = obstacles_.at(begin + dt, rigid_.ends());
     }

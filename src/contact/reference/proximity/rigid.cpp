@@ -92,6 +92,7 @@ std::vector<std::array<Vec3d, 2>> rods_of(const ColliderSolid& solid) {
 }
 
 constexpr double kWithinRod = 1e-3;  // of its length: an end has touches of its own
+constexpr double kLifts = 0.5;       // the cosine from which on cloth bears a body away from an obstacle
 constexpr double kDeepest = 0.05;    // of an extent, that edges may be in each other
 
 }  // namespace
@@ -116,6 +117,7 @@ RigidBodies::RigidBodies(const scene::Scene& scene, std::span<const mesh::Triang
 }
 
 void RigidBodies::reset() {
+  lifts_.assign(solids_.size(), {});
   states_.clear();
   for (const ColliderSolid& solid : solids_)
     states_.push_back(solid.rigid() ? weft::start_of(solid) : RigidState{});
@@ -191,6 +193,9 @@ void RigidBodies::find_touches(const Way& way) {
     }
     std::vector<Touch> near;
     for (Touch& touch : found) {
+      // Where cloth has borne the body away from an obstacle, it lies between them, with its thickness to both.
+      if (!solids_[touch.other].rigid() && dot(lifts_[body], touch.normal) > kLifts * length(lifts_[body]))
+        touch.gap -= 2 * way.thickness;
       if (!solids_[touch.other].rigid())
         touch.other_velocity =
             (carried(touch.point, way.start[touch.other], way.end[touch.other]) - touch.point) / way.dt;
@@ -294,6 +299,7 @@ void RigidBodies::arrive(std::span<const RigidImpulse> impulses, std::span<const
     if (!solids_[c].rigid()) continue;
     RigidState& state = states_[c];
     const Movable& movable = movables_[c];
+    lifts_[c] = part * impulses[c].linear;
     state.place = movable.place;
     state.turn = turns_[c];
     state.velocity += (part * movable.inverse_mass) * impulses[c].linear;

@@ -41,6 +41,7 @@ class RigidBodies {
     double dt = 0;           // [s]
     Vec3d load;              // gravity and the external force [m/s²]
     double restitution = 0;  // e
+    double thickness = 0;    // of contact [m]
     std::span<const scene::RigidTransform> start, end;
   };
   /// Gives gravity and the impulses of what they touch, and finds where that takes them.
@@ -86,6 +87,7 @@ class RigidBodies {
   std::vector<Movable> movables_;
   std::vector<Quaternion> turns_;  // where ways end
   std::vector<Touch> touches_;
+  std::vector<Vec3d> lifts_;  // what cloth gave each in the substep before [N·s]
   std::vector<std::optional<scene::RigidTransform>> starts_, ends_;
   bool any_ = false;
 };

@@ -1,0 +1,113 @@
+// Colliders as rigid bodies meet them: a surface, the points that stand on others, and edges. In its own frame one
+// lies about its centre, a box and a body along its principal axes, a capsule along x, a plane across y. The including
+// kernel binds `rigid`, `hulls` and `places`. Source: docs/rigid.md, Touches.
+const kPlaceVectors = 5u;  // of ColliderPlace, src/contact/proximity/collider_set.hpp
+
+fn rows_of(c : u32) -> u32 { return kPlaceVectors * (step.contact.first_place + c); }
+fn direction_in_world(c : u32, v : vec3f) -> vec3f {
+  let word = kRigidWords * c;
+  if (number_at(word + kRigidInverseMass) > 0.0) { return rotated(quaternion_at(word + kRigidTurn), v); }
+  let rest = rotated(quaternion_at(word + kRigidAxes), v);
+  let row = rows_of(c);
+  return vec3f(dot(places[row].xyz, rest), dot(places[row + 1u].xyz, rest), dot(places[row + 2u].xyz, rest));
+}
+fn middle_of(c : u32) -> vec3f {
+  let word = kRigidWords * c;
+  if (number_at(word + kRigidInverseMass) > 0.0) { return vector_at(word + kRigidPlace); }
+  let p = vec4f(vector_at(word + kRigidCenter), 1.0);
+  let row = rows_of(c);
+  return vec3f(dot(places[row], p), dot(places[row + 1u], p), dot(places[row + 2u], p));
+}
+fn place_in_world(c : u32, p : vec3f) -> vec3f { return middle_of(c) + direction_in_world(c, p); }
+fn place_in_own(c : u32, p : vec3f) -> vec3f {
+  let word = kRigidWords * c;
+  let d = p - middle_of(c);
+  if (number_at(word + kRigidInverseMass) > 0.0) { return rotated(conjugate(quaternion_at(word + kRigidTurn)), d); }
+  let row = rows_of(c);
+  let rest = d.x * places[row].xyz + d.y * places[row + 1u].xyz + d.z * places[row + 2u].xyz;
+  return rotated(conjugate(quaternion_at(word + kRigidAxes)), rest);
+}
+
+fn from_core(away : vec3f, radius : f32) -> vec4f {
+  let size = length(away);
+  return vec4f(select(vec3f(0.0, 1.0, 0.0), away / size, size > 0.0), size - radius);
+}
+// The direction out of a surface, and how far a place is from it, m.
+fn depth_of(c : u32, p : vec3f) -> vec4f {
+  let word = kRigidWords * c;
+  let kind = rigid[word + kRigidKind];
+  let half = vector_at(word + kRigidHalf);
+  let radius = number_at(word + kRigidRadius);
+  if (kind == kBall) { return from_core(p, radius); }
+  if (kind == kCapsule) { return from_core(p - vec3f(clamp(p.x, -half.x, half.x), 0.0, 0.0), radius); }
+  if (kind == kPlane) { return vec4f(0.0, 1.0, 0.0, p.y); }
+  if (kind == kBox) {
+    let over = p - clamp(p, -half, half);
+    if (any(over != vec3f(0.0))) { return from_core(over, 0.0); }
+    let inside = half - abs(p);
+    var axis = 0u;
+    if (inside.y < inside.x) { axis = 1u; }
+    if (inside.z < inside[axis]) { axis = 2u; }
+    var out = vec4f(0.0, 0.0, 0.0, -inside[axis]);
+    out[axis] = select(1.0, -1.0, p[axis] < 0.0);
+    return out;
+  }
+  var most = vec4f(0.0, 1.0, 0.0, -3e38);
+  let first = rigid[word + kRigidFirst] + rigid[word + kRigidCorners];
+  for (var k = 0u; k < rigid[word + kRigidFaces]; k++) {
+    let face = hulls[first + k];
+    let gap = dot(face.xyz, p) - face.w;
+    if (gap > most.w) { most = vec4f(face.xyz, gap); }
+  }
+  return most;
+}
+
+fn foot_count(c : u32) -> u32 {
+  let word = kRigidWords * c;
+  switch rigid[word + kRigidKind] {
+    case kBall: { return 1u; }
+    case kCapsule: { return 2u; }
+    case kBox: { return 8u; }
+    case kHull: { return rigid[word + kRigidCorners]; }
+    default: { return 0u; }
+  }
+}
+fn foot_of(c : u32, k : u32) -> vec3f {
+  let word = kRigidWords * c;
+  let half = vector_at(word + kRigidHalf);
+  switch rigid[word + kRigidKind] {
+    case kCapsule: { return vec3f(select(-half.x, half.x, k == 1u), 0.0, 0.0); }
+    case kBox: { return select(-half, half, (vec3u(k) & vec3u(1u, 2u, 4u)) != vec3u(0u)); }
+    case kHull: { return hulls[rigid[word + kRigidFirst] + k].xyz; }
+    default: { return vec3f(0.0); }
+  }
+}
+
+struct Rod { start : vec3f, along : vec3f }
+fn rod_count(c : u32) -> u32 {
+  switch rigid[kRigidWords * c + kRigidKind] {
+    case kCapsule: { return 1u; }
+    case kBox: { return 12u; }
+    default: { return 0u; }
+  }
+}
+// Of a box: three from each of the corners 0, 3, 5 and 6, no two of which share an edge.
+fn rod_of(c : u32, k : u32) -> Rod {
+  let half = vector_at(kRigidWords * c + kRigidHalf);
+  if (rigid[kRigidWords * c + kRigidKind] == kCapsule) {
+    return Rod(vec3f(-half.x, 0.0, 0.0), vec3f(2.0 * half.x, 0.0, 0.0));
+  }
+  var corner = k / 3u;
+  corner = select(select(select(6u, 5u, corner == 2u), 3u, corner == 1u), 0u, corner == 0u);
+  let start = foot_of(c, corner);
+  var along = vec3f(0.0);
+  along[k % 3u] = -2.0 * start[k % 3u];
+  return Rod(start, along);
+}
+
+// Any direction square to n, unit.
+fn square_to_normal(n : vec3f) -> vec3f {
+  let other = select(vec3f(0.0, 1.0, 0.0), vec3f(1.0, 0.0, 0.0), abs(n.x) < 0.6);
+  let s = cross(n, other);
+  return s / length(s);
+}
