@@ -21,10 +21,7 @@ Result<sim::SavedState> read_checkpoint(const std::string& path, sim::World& wor
 }
 
 std::string other_origin(const sim::SavedState& state, const sim::World& world) {
-  std::string other;
-  if (state.build != build_name()) other = "by " + state.build;
-  if (state.adapter != world.device().adapter().name)
-    other += (other.empty() ? "on " : " on ") + state.adapter;
+  const std::string other = sim::other_origin(state, build_name(), world.device().adapter().name);
   if (other.empty()) return other;
   return "The checkpoint was written " + other + ": bits may differ from those of a run that goes on there.";
 }

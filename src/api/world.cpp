@@ -90,7 +90,8 @@ Result<std::vector<std::byte>> World::mesh_file(const std::string& format) {
 
 Result<std::vector<std::byte>> World::save_state() { return running_->session.save_state(kBuild); }
 Result<bool> World::open_state(std::span<const std::byte> bytes) {
-  return running_->session.open_state(bytes, kBuild);
+  WEFT_TRY(other, running_->session.open_state(bytes, kBuild));
+  return other.empty();
 }
 
 Description World::describe() const { return weft::describe(running_->world()); }

@@ -122,10 +122,10 @@ Result<std::vector<std::byte>> Session::save_state(const std::string& build) {
   return sim::write_saved_state(state);
 }
 
-Result<bool> Session::open_state(std::span<const std::byte> bytes, const std::string& build) {
+Result<std::string> Session::open_state(std::span<const std::byte> bytes, const std::string& build) {
   WEFT_TRY(state, sim::read_saved_state(bytes));
   WEFT_CHECK(world_->open(state));
-  return state.build == build && state.adapter == device_->adapter().name;
+  return sim::other_origin(state, build, device_->adapter().name);
 }
 
 Result<void> Session::export_mesh(const std::string& format) {

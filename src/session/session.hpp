@@ -60,9 +60,9 @@ class Session {
   const sim::Snapshot& snapshot() const { return snapshot_; }
   /// The whole state as bytes, to go on from later; `build` names the host and its version. Errors  as World::finish.
   Result<std::vector<std::byte>> save_state(const std::string& build);
-  /// Goes on from such bytes of this scene. Whether they come from this build and adapter: then bits are the same too.
-  /// Errors  those of sim::read_saved_state and World::open, with nothing changed.
-  Result<bool> open_state(std::span<const std::byte> bytes, const std::string& build);
+  /// Goes on from such bytes of this scene. "" where they come from this build and adapter: then bits are the same too;
+  /// else sim::other_origin. Errors  those of sim::read_saved_state and World::open, with nothing changed.
+  Result<std::string> open_state(std::span<const std::byte> bytes, const std::string& build);
   /// The bytes of a file of the present shape: "obj", "ply" or "glb".
   Result<void> export_mesh(const std::string& format);
   const std::vector<std::byte>& exported() const { return exported_; }

@@ -16,7 +16,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little);  // lists are copied as they lie
 
 constexpr char kMagic[] = "weftsave";
-constexpr std::size_t kMagicBytes = 8, kHeaderBytes = 32, kMostText = 1024;
+constexpr std::size_t kMagicBytes = 8, kSizeAt = 16, kHashAt = 24, kHeaderBytes = 32, kMostText = 1024;
+constexpr std::size_t kMostOtherBytes = 16384;  // of all but the lists of nodes, pairs and bodies
 constexpr std::uint32_t kVersion = 2;
 /// Pairs that act, for each node and besides; far more than can be near it.
 constexpr std::uint64_t kMostPairsOfNode = 256, kMorePairs = 4096;
@@ -26,6 +27,8 @@ constexpr std::uint64_t kMostRigidBytes = 131072;
 
 class StateWriter {
  public:
+  /// Room for so many bytes, so that a large state is not copied as it grows.
+  void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
   template <class Number>
   void number(Number value) {
     static_assert(std::is_arithmetic_v<Number>);
@@ -119,10 +122,11 @@ Result<void> check_header(std::span<const std::byte> bytes) {
   const auto version = at<std::uint32_t>(bytes, 8);
   if (version != kVersion)
     return input_error("The saved state is of version %u; this weft reads version %u.", version, kVersion);
-  if (const auto size = at<std::uint64_t>(bytes, 16); size != bytes.size())
+  if (const auto size = at<std::uint64_t>(bytes, kSizeAt); size != bytes.size())
     return input_error("The saved state should have %llu bytes; it has %zu.",
                        static_cast<unsigned long long>(size), bytes.size());
-  const std::uint64_t wanted = at<std::uint64_t>(bytes, 24), found = bytes_hash(bytes.subspan(kHeaderBytes));
+  const std::uint64_t wanted = at<std::uint64_t>(bytes, kHashAt),
+                      found = bytes_hash(bytes.subspan(kHeaderBytes));
   if (wanted != found || at<std::uint32_t>(bytes, 12) != 0)
     return input_error("The saved state is damaged: its checksum is %s instead of %s.",
                        hash_text(found).c_str(), hash_text(wanted).c_str());
@@ -156,11 +160,23 @@ Result<void> check_finite(const SavedState& state) {
   return {};
 }
 
+std::size_t list_bytes(const Snapshot& s) {
+  return sizeof(Vec4f) *
+             (s.position.size() + s.velocity.size() + s.position_before.size() + s.velocity_before.size()) +
+         sizeof(std::uint32_t) * (s.contact_forces.size() + s.hold_forces.size());
+}
+
 }  // namespace
 
 std::vector<std::byte> write_saved_state(const SavedState& state) {
   const Snapshot& snapshot = state.snapshot;
   StateWriter writer;
+  writer.reserve(kHeaderBytes + list_bytes(snapshot) + kMostOtherBytes);
+  for (const char c : std::string_view(kMagic, kMagicBytes)) writer.number(c);
+  writer.number(kVersion);
+  writer.number(std::uint32_t{0});
+  writer.number(std::uint64_t{0});  // these two are known at the end
+  writer.number(std::uint64_t{0});
   writer.text(state.build);
   writer.text(state.adapter);
   writer.number(state.scene);
@@ -185,15 +201,10 @@ std::vector<std::byte> write_saved_state(const SavedState& state) {
       writer.number(coordinate);
   }
   for_each(state.totals, [&](const char*, auto value) { writer.number(value); });
-  const std::vector<std::byte> content = writer.take();
-  StateWriter header;
-  for (const char c : std::string_view(kMagic, kMagicBytes)) header.number(c);
-  header.number(kVersion);
-  header.number(std::uint32_t{0});
-  header.number(std::uint64_t{kHeaderBytes + content.size()});
-  header.number(bytes_hash(content));
-  std::vector<std::byte> bytes = header.take();
-  bytes.insert(bytes.end(), content.begin(), content.end());
+  std::vector<std::byte> bytes = writer.take();
+  const std::uint64_t size = bytes.size(), hash = bytes_hash(std::span(bytes).subspan(kHeaderBytes));
+  std::memcpy(bytes.data() + kSizeAt, &size, sizeof size);
+  std::memcpy(bytes.data() + kHashAt, &hash, sizeof hash);
   return bytes;
 }
 
@@ -237,10 +248,17 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes) {
   return state;
 }
 
+std::string other_origin(const SavedState& state, const std::string& build, const std::string& adapter) {
+  std::string other;
+  if (state.build != build) other = "by " + state.build;
+  if (state.adapter != adapter) other += (other.empty() ? "on " : " on ") + state.adapter;
+  return other;
+}
+
 std::uint64_t most_saved_bytes(std::uint64_t nodes) {
   const std::uint64_t pairs = kMostPairsOfNode * nodes + kMorePairs;
   return (4 * sizeof(Vec4f) + sizeof(std::int32_t) * kHoldWords) * nodes +
-         sizeof(std::uint32_t) * kKeptWords * pairs + kMostRigidBytes + 16384;
+         sizeof(std::uint32_t) * kKeptWords * pairs + kMostRigidBytes + kMostOtherBytes;
 }
 
 }  // namespace weft::sim

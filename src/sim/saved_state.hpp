@@ -31,6 +31,9 @@ std::vector<std::byte> write_saved_state(const SavedState& state);
 ///         the number of bytes.
 Result<SavedState> read_saved_state(std::span<const std::byte> bytes);
 
+/// "by BUILD on ADAPTER", as far as a state comes from another than these, so that bits may differ; "": from both.
+std::string other_origin(const SavedState& state, const std::string& build, const std::string& adapter);
+
 /// The most bytes that a state of so many nodes has.
 std::uint64_t most_saved_bytes(std::uint64_t nodes);
 

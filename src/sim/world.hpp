@@ -62,6 +62,9 @@ class World {
   /// Lets go a node that grab() has grabbed: it goes on with its velocity. Errors  Input: it is not grabbed.
   Result<void> release(std::uint32_t node);
 
+  /// What grab() holds, in no order.
+  const std::vector<Grabbed>& grabbed() const { return grabs_->held(); }
+
   /// Takes over gravity, external force, drag, wind and the numbers of air of a scene that is this one otherwise, from
   /// the next frame on; and its title, description, time.frames, camera, render.view and render.size. The step stays
   /// as it is. Errors  Input: something else differs (scene::fixed_difference). Limit: the drag makes the

@@ -177,7 +177,8 @@ describe("a world", () => {
     const world = await open();
     await failure(world.load("{}"));
     for (const call of [() => world.step(), () => world.snapshot(), () => world.reset(), () => world.pick(0, 0),
-      () => world.grab(0, [0, 0, 0]), () => world.exportMesh("obj"), () => world.setParameter("drag", 1)])
+      () => world.grab(0, [0, 0, 0]), () => world.exportMesh("obj"), () => world.setParameter("drag", 1),
+      () => world.saveState(), () => world.openState(new Uint8Array(64))])
       expect((await failure(call())).message).toBe("No scene is loaded.");
     expect(() => world.run()).toThrow("No scene is loaded.");
     world.pause();
@@ -280,6 +281,83 @@ describe("a world", () => {
     }
     await world.reset();
     expect(world.statistics.droppedSeconds).toBe(0);
+  });
+
+  it("goes on from a saved state to the bits of a run that never stopped, with what was grabbed", async () => {
+    const target = [0.9, -0.2, 0.4] as const;
+    const [world, other] = [await open(), await open()];
+    await world.step(3);
+    await world.grab(140, target);
+    await world.step(2);
+    const bytes = await world.saveState();
+    await world.step(4);
+    const whole = await world.snapshot();
+    expect(await other.openState(bytes)).toEqual({ grabs: [{ node: 140, target: [...target] }], otherOrigin: null });
+    expect(other.statistics).toMatchObject({ frames: 5, seconds: 5 / 60 });
+    expect(Buffer.from(await other.saveState()).equals(bytes)).toBe(true);
+    await other.step(4);
+    expect(await other.snapshot()).toEqual(whole);
+    await other.release(140);
+    await other.openState(bytes.buffer); // what it went on to is forgotten
+    await other.step(4);
+    expect((await other.snapshot()).hash).toBe(whole.hash);
+  });
+
+  it("refuses a state that it cannot go on from, and stays as it was", async () => {
+    const world = await open();
+    await world.step(2);
+    const bytes = await world.saveState();
+    await world.step(1);
+    const [hash, frames] = [(await world.snapshot()).hash, 3];
+    const spoiled = Uint8Array.from(bytes);
+    spoiled[500]! ^= 1;
+    const newer = Uint8Array.from(bytes);
+    newer[8] = 9;
+    const finer = await open({ set: { "cloths.0.grid": [13, 12] } });
+    const refused: [Uint8Array, RegExp][] = [
+      [new Uint8Array(), /^A saved state begins with 32 bytes; here there are 0\.$/],
+      [bytes.subarray(0, 31), /^A saved state begins with 32 bytes; here there are 31\.$/],
+      [bytes.subarray(0, 4000), /^The saved state should have \d+ bytes; it has 4000\.$/],
+      [new TextEncoder().encode("no state at all, but long enough to be one"), /^This is no saved state of weft: /],
+      [spoiled, /^The saved state is damaged: its checksum is [0-9a-f]{16} instead of [0-9a-f]{16}\.$/],
+      [newer, /^The saved state is of version 9; this weft reads version 1\.$/],
+      [await finer.saveState(), /^The saved state is of another scene: its hash is [0-9a-f]{16}, that of this one /],
+      [new Uint8Array(20_000_000),
+        /^There are 20000000 bytes, more than a saved state of this scene has: at most \d+\.$/],
+    ];
+    for (const [file, sentence] of refused) {
+      const error = await failure(world.openState(file));
+      expect(error.message).toMatch(sentence);
+      expect(error.kind).toBe("input");
+      expect([(await world.snapshot()).hash, world.statistics.frames]).toEqual([hash, frames]);
+    }
+    await world.setParameter("drag", 2); // another scene, until it is the same again
+    expect((await failure(world.openState(bytes))).message).toContain("of another scene");
+    await world.setParameter("drag", (JSON.parse(scene("hanging")) as { drag?: number }).drag ?? 0);
+    await world.openState(bytes);
+    expect(world.statistics.frames).toBe(2);
+    await world.step(1);
+    expect((await world.snapshot()).hash).toBe(hash);
+  });
+
+  it("saves and opens states without growing, and saves whole frames while it steps", async () => {
+    const world = await open({ scene: scene("breeze"), set: { "cloths.0.grid": [24, 18] } });
+    await world.step(1);
+    const again = async (times: number) => {
+      for (let i = 0; i < times; i++) await world.openState(await world.saveState());
+      return world.memory();
+    };
+    const before = await again(3);
+    const after = await again(100);
+    expect(Math.abs(after.wasmHeap - before.wasmHeap)).toBeLessThan(2048);
+    expect([after.gpuBytes, after.gpuObjects]).toEqual([before.gpuBytes, before.gpuObjects]);
+    const [, between] = await Promise.all([world.step(6), world.saveState()]);
+    const { hash } = await world.snapshot();
+    await world.openState(between); // of whole frames, whichever it is
+    const { frames } = world.statistics;
+    expect(frames).toBeLessThanOrEqual(7);
+    await world.step(7 - frames);
+    expect((await world.snapshot()).hash).toBe(hash);
   });
 
   it("pulls a grabbed node to its target, and lets it go", async () => {

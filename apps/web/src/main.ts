@@ -77,6 +77,10 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
       address.show(state);
     },
     rested: () => pins.forget(),
+    wentBack({ grabs }) {
+      pointer.forget();
+      pins.take(grabs);
+    },
     frame(statistics, host) {
       const now = performance.now();
       panel.frame(now, statistics, host);

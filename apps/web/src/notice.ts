@@ -59,7 +59,7 @@ export class Notice {
     this.show(null);
   }
 
-  /** What made the cloth stop has been read. */
+  /** What made the cloth stop has been read, or is no longer so. */
   clearError(): void {
     if (this.standing?.tone === "error") this.standing = null;
     this.show(this.standing);

@@ -1,5 +1,5 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
-import { createWorld, WeftError, type Camera, type Catalog, type Statistics, type View, type World,
+import { createWorld, WeftError, type Camera, type Catalog, type OpenedState, type Statistics, type View, type World,
   type WorldInfo } from "weft-cloth";
 import { fitCamera, idle } from "./fit_camera.js";
 import { Latest } from "./latest.js";
@@ -21,6 +21,8 @@ export interface PlayerEvents {
   changed(state: PageState): void;
   /** The cloth is at rest again, and nothing of it is grabbed. */
   rested(): void;
+  /** The cloth goes on from a saved state, and only what that holds is grabbed. */
+  wentBack(to: OpenedState): void;
   /** `host`: what a frame cost the page's thread [ms]; null where it was only drawn. */
   frame(statistics: Readonly<Statistics>, host: number | null): void;
   said(sentence: string): void;
@@ -196,6 +198,18 @@ export class Player {
 
   async reset(): Promise<void> {
     if (await this.ask((world) => world.reset().then(() => true))) this.events.rested();
+  }
+
+  /** Goes on from a saved state, playing or not. Why not, where it does not fit: then all stays as it was. */
+  async openState(bytes: ArrayBuffer): Promise<OpenedState | WeftError | null> {
+    const outcome = await this.ask((world) =>
+      world.openState(bytes).catch((reason: unknown) => {
+        if (reason instanceof WeftError && reason.kind === "input") return reason;
+        throw reason;
+      })
+    );
+    if (outcome && "grabs" in outcome) this.events.wentBack(outcome);
+    return outcome;
   }
 
   // Change and look

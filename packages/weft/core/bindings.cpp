@@ -6,6 +6,9 @@
 #include <malloc.h>
 
 #include <array>
+#include <cstddef>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "inputs.hpp"
@@ -21,7 +24,10 @@ using weft::web::code;
 using weft::web::message;
 using weft::web::text;
 
+constexpr const char* kBuild = WEFT_VERSION ", the package";  // as saved states name what they come from
+
 Session* session = nullptr;
+std::vector<std::byte> saved;  // a state, until it has been fetched
 
 /// Numbers for the other side to read at once, as many as there are.
 template <class... Numbers>
@@ -31,7 +37,8 @@ const double* give(Numbers... numbers) {
   return given.data();
 }
 
-/// The result of `use` on the session, if it has a world.
+/// The result of `use` on the session, if it has a world. What sleeps in it comes as a lambda: a call by pointer cannot
+/// (Asyncify).
 template <class Use>
 std::uint32_t with_world(Use use) {
   if (session == nullptr || session->world() == nullptr)
@@ -72,6 +79,24 @@ weft::Result<void> time_passes(Session& of) {
                     {"per", one.per},
                     {"dispatches", one.dispatches},
                     {"milliseconds", one.milliseconds}});
+  message = json.dump();
+  return {};
+}
+
+weft::Result<void> save_state(Session& of) {
+  WEFT_SET(saved, of.save_state(kBuild));
+  return {};
+}
+
+/// Leaves what was opened as JSON in `message`.
+weft::Result<void> open_state(Session& of, std::span<const std::byte> bytes) {
+  WEFT_TRY(other, of.open_state(bytes, kBuild));
+  nlohmann::ordered_json json{{"grabs", nlohmann::ordered_json::array()}, {"otherOrigin", nullptr}};
+  for (const auto& [node, target] : of.world()->grabbed())
+    json["grabs"].push_back({{"node", node}, {"target", {target.x, target.y, target.z}}});
+  if (!other.empty())
+    json["otherOrigin"] =
+        "The state was saved " + other + ": bits may differ from those of a run that goes on there.";
   message = json.dump();
   return {};
 }
@@ -171,7 +196,9 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_snapshot() {
   return failed;
 }
 /// Sleeps. Leaves the times in weft_message.
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_time_passes() { return with_world(time_passes); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_time_passes() {
+  return with_world([](Session& s) { return time_passes(s); });
+}
 /// After weft_open and before weft_load. `format`: a gpu::TextureFormat.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_canvas(std::uint32_t target, std::uint32_t format,
                                                std::uint32_t width, std::uint32_t height) {
@@ -244,6 +271,23 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_export(const char* format, std::uint32_t
 EMSCRIPTEN_KEEPALIVE const std::byte* weft_exported() { return session->exported().data(); }
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_exported_size() {
   return static_cast<std::uint32_t>(session->exported().size());
+}
+
+/// Sleeps. weft_saved then has the bytes, until weft_drop_saved.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_save_state() {
+  return with_world([](Session& s) { return save_state(s); });
+}
+EMSCRIPTEN_KEEPALIVE const std::byte* weft_saved() { return saved.data(); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_saved_size() { return static_cast<std::uint32_t>(saved.size()); }
+EMSCRIPTEN_KEEPALIVE void weft_drop_saved() { saved = {}; }
+/// The most bytes that a state of this scene has.
+EMSCRIPTEN_KEEPALIVE double weft_most_saved_bytes() {
+  if (session == nullptr || session->world() == nullptr) return 0;
+  return static_cast<double>(weft::sim::most_saved_bytes(session->world()->model().vertex_count()));
+}
+/// Sleeps; the bytes stay until it returns. Leaves what was opened as JSON in weft_message.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_open_state(const std::byte* bytes, std::uint32_t size) {
+  return with_world([&](Session& s) { return open_state(s, {bytes, size}); });
 }
 
 }  // extern "C"

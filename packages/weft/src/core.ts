@@ -109,6 +109,16 @@ export class Core {
     return after?.() as T;
   }
 
+  /** A call that sleeps and reads bytes, of which the module has a copy for as long. Within a turn. */
+  async sleepWithBytesNow<T>(name: string, bytes: Uint8Array, after: () => T): Promise<T> {
+    const at = this.copied(bytes);
+    try {
+      return await this.sleepNow(name, [at, bytes.length], after);
+    } finally {
+      if (!this.dead) this.module._free(at);
+    }
+  }
+
   /** Until one of the frames under way has reported; the others go on meanwhile. In its turn. */
   takeReport(): Promise<void> {
     return this.turn(async () => {
@@ -163,14 +173,20 @@ export class Core {
 
   /** Calls `use` with the address of a copy of the bytes in the module's memory, which is there for this call only. */
   withBytes(bytes: Uint8Array, use: (at: number, size: number) => void): void {
-    const at = this.module._malloc(Math.max(bytes.length, 1));
-    if (at === 0) throw new WeftError("out-of-memory", `The module has no room for ${bytes.length} bytes.`);
-    this.module.HEAPU8.set(bytes, at >>> 0);
+    const at = this.copied(bytes);
     try {
       use(at, bytes.length);
     } finally {
       if (!this.dead) this.module._free(at);
     }
+  }
+
+  /** The address of a copy, to be freed. */
+  private copied(bytes: Uint8Array): number {
+    const at = this.module._malloc(Math.max(bytes.length, 1));
+    if (at === 0) throw new WeftError("out-of-memory", `The module has no room for ${bytes.length} bytes.`);
+    this.module.HEAPU8.set(bytes, at >>> 0);
+    return at;
   }
 
   private throwIf(result: number): void {

@@ -7,5 +7,6 @@ export { createReference, Reference, type ReferenceInfo, type ReferenceOptions }
 export { meshNames, type Bytes, type Scene } from "./scene.js";
 export type { Totals } from "./totals.js";
 export { createWorld, World } from "./world.js";
-export { VIEWS, type Camera, type MemoryUse, type PassTime, type Pick, type Point, type SceneOptions, type Snapshot,
-  type Statistics, type StepOptions, type View, type WorldInfo, type WorldOptions } from "./world_types.js";
+export { VIEWS, type Camera, type MemoryUse, type OpenedState, type PassTime, type Pick, type Point, type SceneOptions,
+  type Snapshot, type Statistics, type StepOptions, type View, type WorldInfo,
+  type WorldOptions } from "./world_types.js";

@@ -3,8 +3,8 @@ import { WeftError } from "./error.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
 import { schedule, unschedule } from "./ticks.js";
 import { noTotals, TOTALS } from "./totals.js";
-import { VIEWS, type Camera, type Events, type MemoryUse, type PassTime, type Pick, type Point, type SceneOptions,
-  type Snapshot, type Statistics, type StepOptions, type View, type WorldInfo,
+import { VIEWS, type Camera, type Events, type MemoryUse, type OpenedState, type PassTime, type Pick, type Point,
+  type SceneOptions, type Snapshot, type Statistics, type StepOptions, type View, type WorldInfo,
   type WorldOptions } from "./world_types.js";
 
 /** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
@@ -306,6 +306,44 @@ export class World {
       const at = this.core.call("exported") >>> 0;
       return this.core.module.HEAPU8.slice(at, at + this.core.call("exported_size")) as Uint8Array<ArrayBuffer>;
     });
+  }
+
+  // Keep
+
+  /**
+   * The whole state once all frames have reported, to go on from in a world of the same scene, here or elsewhere: 32 to
+   * some 200 bytes a node. `weft run --resume` takes the same file. Errors: "diverged", "device-lost", "out-of-memory".
+   */
+  async saveState(): Promise<Uint8Array<ArrayBuffer>> {
+    this.loaded();
+    return this.core.sleep("save_state", [], () => {
+      const at = this.core.call("saved") >>> 0;
+      const bytes = this.core.module.HEAPU8.slice(at, at + this.core.call("saved_size")) as Uint8Array<ArrayBuffer>;
+      this.core.call("drop_saved");
+      return bytes;
+    });
+  }
+
+  /**
+   * Goes on from what `saveState`, or `weft run --checkpoint-every`, has given: with its positions, velocities, forces
+   * of contact, time, totals and grabbed nodes. The scene must be the one it is of, with the same meshes and changes;
+   * title, camera, `render` and `time.frames` may differ. A world that plays plays on. Errors, with the world as it
+   * was: "input", where the bytes are cut off, spoiled, no saved state or of another scene.
+   */
+  async openState(bytes: ArrayBuffer | Uint8Array): Promise<OpenedState> {
+    this.loaded();
+    const given = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes);
+    const opened = await this.core.turn(() => {
+      this.loaded();
+      const most = this.core.call("most_saved_bytes");
+      if (given.length > most)
+        throw new WeftError("input",
+          `There are ${given.length} bytes, more than a saved state of this scene has: at most ${most}.`);
+      return this.core.sleepWithBytesNow("open_state", given, () => JSON.parse(this.core.text()) as OpenedState);
+    });
+    this.totals.droppedSeconds = 0;
+    this.changed();
+    return opened;
   }
 
   memory(): MemoryUse {

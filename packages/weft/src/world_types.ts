@@ -95,6 +95,15 @@ export interface Snapshot {
   hash: string;
 }
 
+/** What a world has gone on from. */
+export interface OpenedState {
+  /** The nodes that it has grabbed, and where they are drawn to [m]: `drag` and `release` take them. */
+  grabs: { node: number; target: Point }[];
+  /** Where it comes from, one sentence, if not from this version of the package and this adapter: bits may differ from
+   * those of a run that goes on there. null: they do not. */
+  otherOrigin: string | null;
+}
+
 export interface Pick {
   node: number;
   /** Where the ray meets the cloth [m]. */

@@ -1,5 +1,5 @@
 // Nodes that the page holds at their places, as a hand would; each has a marker over the picture.
-import { WeftError, type Point, type World } from "weft-cloth";
+import { WeftError, type OpenedState, type Point, type World } from "weft-cloth";
 import { button, element } from "../elements.js";
 import type { Player } from "../player.js";
 
@@ -119,6 +119,12 @@ export class Pins {
     for (const node of [...this.pins.keys()]) this.drop(node);
   }
 
+  /** The world holds these, and no other. */
+  take(grabs: OpenedState["grabs"]): void {
+    this.forget();
+    for (const { node, target } of grabs) this.put(node, target);
+  }
+
   private put(node: number, point: Point): void {
     const marker = document.createElementNS(SVG, "circle");
     marker.setAttribute("r", "6");
@@ -138,7 +144,7 @@ export class Pins {
     const count = this.pins.size;
     element("pin-count", HTMLParagraphElement).textContent = count === 0 ?
       `Double-click the cloth, or press P over it: up to ${this.most - 1} nodes stay where they are.` :
-      `${count} of ${this.most - 1} pinned. Drag a pin to move it.`;
+      `${count} of ${Math.max(count, this.most - 1)} pinned. Drag a pin to move it.`;
     button("unpin").disabled = count === 0;
   }
 

@@ -6,7 +6,7 @@ export function acceptDrops(take: (files: readonly File[]) => void): void {
   const hint = document.createElement("div");
   hint.className = "drop-hint";
   hint.hidden = true;
-  hint.textContent = "Drop a mesh or a scene to open it";
+  hint.textContent = "Drop a mesh, a scene or a state to open it";
   document.body.append(hint);
 
   document.addEventListener("dragover", (event) => {

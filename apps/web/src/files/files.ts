@@ -11,6 +11,7 @@ import { download, fileName, savePicture, saveShape, SHAPES } from "./export.js"
 import { MOST_VIDEO_SECONDS } from "./limits.js";
 import { FileOpener } from "./open_files.js";
 import { Recorder, recordingFault } from "./record.js";
+import { isState, openState, saveState } from "./saved_state.js";
 
 const clock = (seconds: number): string =>
   `${Math.floor(seconds / 60)}:${String(Math.floor(seconds % 60)).padStart(2, "0")}`;
@@ -21,16 +22,28 @@ export class Files {
   constructor(private readonly player: Player, private readonly notice: Notice,
     private readonly canvas: HTMLCanvasElement, show: (state: PageState) => Promise<unknown>) {
     const opener = new FileOpener(player, notice, show);
+    const open = (files: readonly File[]): Promise<void> => {
+      const [first, ...more] = files;
+      return first && more.length === 0 && isState(first) ? this.openState(first) : opener.open(files);
+    };
     const chooser = input("file-chooser");
     button("open-file").addEventListener("click", () => chooser.click());
     chooser.addEventListener("change", () => {
       const files = [...chooser.files!];
       chooser.value = ""; // the same file again is a change too
-      void opener.open(files);
+      void open(files);
     });
     acceptDrops((files) => {
-      if (!document.body.classList.contains("without-gpu")) void opener.open(files);
+      if (!document.body.classList.contains("without-gpu")) void open(files);
     });
+    const states = input("state-chooser");
+    button("open-state").addEventListener("click", () => states.click());
+    states.addEventListener("change", () => {
+      const [file] = states.files!;
+      states.value = "";
+      if (file) void this.openState(file);
+    });
+    button("save-state").addEventListener("click", () => void this.save(saveState));
     for (const shape of SHAPES)
       button(`save-${shape}`).addEventListener("click",
         () => void this.save((world, scene) => saveShape(world, scene, shape)));
@@ -45,6 +58,18 @@ export class Files {
     if (!scene) return this.notice.say("There is nothing to save: no scene is shown.");
     const name = await this.player.ask((world) => make(world, scene));
     if (name !== null) this.notice.announce(`Saved ${name}.`);
+  }
+
+  private async openState(file: File): Promise<void> {
+    try {
+      const opened = await openState(file, this.player);
+      if (!opened) return;
+      this.notice.clearError(); // it was about the cloth before
+      this.notice.announce(`Opened ${file.name}.`);
+      if (opened.otherOrigin !== null) this.notice.say(opened.otherOrigin, "warning");
+    } catch (reason) {
+      this.notice.say(sentence(reason));
+    }
   }
 
   private async record(): Promise<void> {

@@ -1,6 +1,7 @@
 // The page's limits on a visitor's file. Each is reported with the value that exceeds it.
 
 export const MOST_BYTES = 64_000_000; // of the files that are opened together, packed or not
+export const MOST_STATE_BYTES = 512_000_000; // of a saved state: more than a million nodes in contact have
 export const MOST_SCENE_BYTES = 16_000_000; // of a scene's JSON, the core's bound too
 export const MOST_SECONDS = 10; // that reading may take
 /** The core sorts a cloth's springs and finds its step on the page's own thread. */
