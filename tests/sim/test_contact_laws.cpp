@@ -83,6 +83,8 @@ void check_in_each_other(gpu::Device& device, int substeps) {
       {sheet("xy", R"("translate": [0.1, 2.3, -0.7])") + "," +
        sheet("xy", R"("translate": [0.1, 2.3, -0.7])")},
       {sheet("xz", turned) + "," + sheet("xz", turned)},
+      {sheet("xz", R"("rotate": [0.2, 0.3, -0.1, 0.9273618495495703])") + "," +
+       sheet("xz", R"("rotate": [0.2, 0.3, -0.1, 0.9273618495495703])")},         // through the origin
       {lying_cloth(6, "[0, 0, 0]") + "," + lying_cloth(6, "[0.013, 0, 0.021]")},  // not node on node
       // Fronts that look away from each other, and at each other.
       {sheet("xz", R"("rotate": [0, 0, 0, 1])") + "," + sheet("xz", R"("rotate": [1, 0, 0, 0])")},

@@ -37,7 +37,7 @@ fn end_in_pair(ids : vec4u, id : u32) -> vec3f {
 }
 
 // Features that are in each other, but for rounding, have no direction apart that means anything.
-const kNoDistance = 9.5367431640625e-7;  // 2^-20 of the farthest coordinate
+const kNoDistance = 4.76837158203125e-7;  // 2^-21 of the farthest coordinate
 
 // Equation (1b) of docs/contact.md, of a vertex in a triangle with this normal; `sides`: as of measure. Edges wait for
 // that.
@@ -62,7 +62,8 @@ fn measure(ids : vec4u, sides : u32) -> Measured {
   let near = closest_of_pair(edges, p0.xyz, p1.xyz, p2.xyz, p3);
   let radius = select(0.0, max(select(p0.w, p2.w, edges), 0.0), is_collider(select(ids.x, ids.z, edges)));
   let distance = length(near.apart);
-  let farthest = max(abs(p0.x), max(abs(p0.y), abs(p0.z)));
+  let most = max(max(abs(p0.xyz), abs(p1.xyz)), max(abs(p2.xyz), abs(p3)));
+  let farthest = max(most.x, max(most.y, most.z));
   if (radius == 0.0 && distance <= kNoDistance * farthest) {
     return without_direction(ids, sides, near, cross(p2.xyz - p1.xyz, p3 - p1.xyz), p0.xyz);
   }

@@ -32,7 +32,7 @@ inline constexpr double kContactTouching = 1.001;
 inline constexpr double kConeSlack = 1e-3;
 /// Features that are nearer to each other than this part of their farthest coordinate are in each other: a direction
 /// apart would be the rounding of f32.
-inline constexpr double kNoDistance = 0x1p-20;
+inline constexpr double kNoDistance = 0x1p-21;
 /// The bit in a cloth's number, as contact has it, of what has an inside: a body, or cloth about a gas.
 inline constexpr std::uint32_t kHasInside = 0x80000000U;
 inline std::uint32_t contact_number(const Model& model, std::size_t cloth) {

@@ -28,9 +28,11 @@ bool names(const auto& feature, std::uint32_t vertex) {
   return std::find(feature.begin(), feature.end(), vertex) != feature.end();
 }
 
-/// Whether the features are in each other, but for rounding (kNoDistance).
-bool is_in_place(const FeaturePair& pair, const Vec3d& place) {
-  return pair.distance <= kNoDistance * std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
+/// Whether features with these corners are in each other, but for rounding (kNoDistance).
+bool is_in_place(const FeaturePair& pair, const std::array<Vec3d, 4>& corners) {
+  double farthest = 0;
+  for (const Vec3d& x : corners) farthest = std::max({farthest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  return pair.distance <= kNoDistance * farthest;
 }
 
 /// Of the triangles at a vertex together, and of one; not normalised.
@@ -66,7 +68,8 @@ FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t 
   const Gap gap = gap_of(closest.offset, radius);
   const auto [b0, b1, b2] = closest.weights;
   FeaturePair pair{kind, vertex, triangle, gap.distance, gap.direction, {1, 0, 0}, {-b0, -b1, -b2}, true};
-  if (radius > 0 || !is_in_place(pair, first.positions[vertex])) return pair;
+  if (radius > 0 || !is_in_place(pair, {first.positions[vertex], x[face[0]], x[face[1]], x[face[2]]}))
+    return pair;
   const Vec3d across = front_of(second, triangle);
   const double size = length(across);
   const bool on_front = comes_on_front(kind, first, vertex, face, dot(front_at(first, vertex), across) < 0);
@@ -91,7 +94,9 @@ FeaturePair edge_edge(PairKind kind, const Features& first, std::uint32_t of_fir
                    {1 - closest.s, closest.s, 0},
                    {closest.t - 1, -closest.t, 0},
                    closest.inside_first() && closest.inside_second()};
-  if (radius > 0 || !is_in_place(pair, first.positions[a[0]])) return pair;
+  if (radius > 0 || !is_in_place(pair, {first.positions[a[0]], first.positions[a[1]], second.positions[b[0]],
+                                        second.positions[b[1]]}))
+    return pair;
   pair.distance = 0;
   pair.inside = false;
   return pair;
