@@ -1,19 +1,14 @@
-// Adds to what cloth gives a rigid body. Sums are of integers of 64 bits, since pairs have no order; as
-// state/add_pair_sums.wgsl has them.
+// Adds to what cloth gives a rigid body. Sums are of integers of 64 bits, since pairs have no order.
 #include "contact/proximity/rigid.wgsl"
+#include "state/wide.wgsl"
 
 fn add_rigid_three(word : u32, value : vec3f) {
-  let units = round(kRigidUnits * min(abs(value), vec3f(kMostRigid)));
-  let size_high = vec3u(floor(units / 0x1p32));
-  let size_low = vec3u(units - vec3f(size_high) * 0x1p32);
-  let negative = value < vec3f(0.0);
-  let ones = select(vec3u(0u), vec3u(0xffffffffu), negative);
-  let low = select(size_low, ~size_low + 1u, negative);
-  let high = (size_high ^ ones) + select(vec3u(0u), vec3u(1u), negative & (size_low == vec3u(0u)));
+  let wide = wide_of(value, kRigidUnits, kMostRigid);
   for (var axis = 0u; axis < 3u; axis++) {
-    if (low[axis] == 0u && high[axis] == 0u) { continue; }
-    let before = atomicAdd(&rigid[word + 2u * axis], low[axis]);
-    let more = high[axis] + select(0u, 1u, before + low[axis] < before);
+    let low = wide.low[axis];
+    if (low == 0u && wide.high[axis] == 0u) { continue; }
+    let before = atomicAdd(&rigid[word + 2u * axis], low);
+    let more = wide.high[axis] + select(0u, 1u, before + low < before);
     if (more != 0u) { atomicAdd(&rigid[word + 2u * axis + 1u], more); }
   }
 }

@@ -1,5 +1,6 @@
 // Reads and clears what cloth has given a rigid body. The including kernel binds `rigid` as array<u32>.
 #include "contact/proximity/rigid_words.wgsl"
+#include "state/wide.wgsl"
 
 fn number_at(word : u32) -> f32 { return bitcast<f32>(rigid[word]); }
 fn vector_at(word : u32) -> vec3f { return bitcast<vec3f>(vec3u(rigid[word], rigid[word + 1u], rigid[word + 2u])); }
@@ -12,17 +13,10 @@ fn set_quaternion(word : u32, value : vec4f) {
   for (var axis = 0u; axis < 4u; axis++) { rigid[word + axis] = bitcast<u32>(value[axis]); }
 }
 
-fn rigid_sum(low : u32, high : u32) -> f32 {
-  let negative = (high & 0x80000000u) != 0u;
-  let size_low = select(low, ~low + 1u, negative);
-  let size_high = select(high, ~high + select(0u, 1u, low == 0u), negative);
-  let size = (f32(size_high) * 0x1p32 + f32(size_low)) / kRigidUnits;
-  return select(size, -size, negative);
-}
 fn take_three(word : u32) -> vec3f {
   var sum : vec3f;
   for (var axis = 0u; axis < 3u; axis++) {
-    sum[axis] = rigid_sum(rigid[word + 2u * axis], rigid[word + 2u * axis + 1u]);
+    sum[axis] = number_of(rigid[word + 2u * axis], rigid[word + 2u * axis + 1u], kRigidUnits);
     rigid[word + 2u * axis] = 0u;
     rigid[word + 2u * axis + 1u] = 0u;
   }
