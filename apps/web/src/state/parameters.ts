@@ -70,6 +70,6 @@ export const isLive = (key: string): boolean => LIVE.has(key);
 export function applies(key: string, own: (key: string) => unknown): boolean {
   if (key === AIR_DENSITY) return own(AIR) !== undefined;
   if (SPRINGS.some((start) => key.startsWith(start))) return own(FABRIC) === undefined;
-  const given = [DENSITY, NODE_MASS].includes(key) || key.startsWith(FABRIC);
+  const given = key === DENSITY || key === NODE_MASS || key.startsWith(FABRIC);
   return !given || own(key) !== undefined;
 }
