@@ -40,7 +40,7 @@ test("an unstable step is said in the program's words, and “auto” mends it",
   const { unstableStep, stableStepSeconds } = await page.evaluate(() => window.weft.world!.info);
   const stable = (1000 * stableStepSeconds).toPrecision(3);
   expect(unstableStep).toBe(
-    `The step of 16.7 ms is longer than the largest stable one of ${stable} ms, so the springs ` +
+    `The step of 16.7 ms is longer than the largest stable one of ${stable} ms, so the cloth ` +
       `may blow up: ${Math.ceil(1 / 60 / stableStepSeconds)} substeps a frame are needed, not 1.`,
   );
   // The warning, or in its place that the cloth has blown up: both come with the offer.
