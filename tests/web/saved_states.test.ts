@@ -10,7 +10,9 @@ import { CASES, runOf, worldOf, type Case } from "./host_cases.ts";
 
 const AFTER = 2; // frames from where the state was saved
 const PART = process.env["WEFT_PART"];
-const inTurn = CASES.filter((_, k) => PART === undefined || k % 3 === Number(PART) % 3);
+/** Rigid bodies' kernels take Chromium's driver more than a minute, and hosts.test.ts has them. */
+const ours = CASES.filter(({ scene }) => scene !== "hammock");
+const inTurn = ours.filter((_, k) => PART === undefined || k % 3 === Number(PART) % 3);
 
 interface Outcome {
   hash: string;
