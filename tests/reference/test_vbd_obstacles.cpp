@@ -71,7 +71,8 @@ CapstanWatch seen_by_vbd(const Capstan& capstan) {
 
 }  // namespace
 
-TEST_CASE("in double, by vbd a block on a plane sinks in as much as its weight says, whatever the steps") {
+TEST_CASE(
+    "long: in double, by vbd a block on a plane sinks in as much as its weight says, whatever the steps") {
   for (const double young : {6e4, 1e6}) {
     double least = 2, most = 0;
     for (const Steps& steps : {Steps{2, 10}, Steps{8, 2}, Steps{8, 10}, Steps{32, 2}}) {
@@ -152,7 +153,8 @@ TEST_CASE("in double, by vbd a stiff sheet slides down a plane as Coulomb says, 
     }
 }
 
-TEST_CASE("in double, by vbd a block past the rim of a box topples as a rigid one, and before it stands") {
+TEST_CASE(
+    "long: in double, by vbd a block past the rim of a box topples as a rigid one, and before it stands") {
   // A rigid cube that turns over a rim so far from below its middle, from rest: where the middle is after `time`.
   const auto dropped = [](double past, double time) {
     constexpr double kHalf = 0.1, kStep = 1e-4;
