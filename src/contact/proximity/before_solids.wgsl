@@ -4,6 +4,7 @@
 #include "contact/proximity/solid_planes.wgsl"
 #include "contact/proximity/rigid_sums.wgsl"
 const kPushes = 4u;
+const kNoBody = 0xffffffffu;
 
 // The end of a vertex's way, and whether anything but what its pairs gave has changed it.
 struct Way {
@@ -17,17 +18,24 @@ struct Carry {
   normal : vec3f,  // away from the side
   depth : f32,     // m; 0: it does not
   speed : f32,     // of the side along the normal, m/s
-  record : u32,    // of the pair
+  body : u32,      // of the pair, or kNoBody
 }
-const kNoCarry = Carry(vec3f(0.0), 0.0, 0.0, 0u);
+const kNoCarry = Carry(vec3f(0.0), 0.0, 0.0, kNoBody);
 
-// The deeper of two; of equally deep ones, so that the order of records does not matter, by direction and speed.
+// The deeper of two; of equally deep ones, so that the order of records does not matter, by direction, speed and body.
 fn comes_first(a : Carry, b : Carry) -> bool {
   if (a.depth != b.depth) { return a.depth > b.depth; }
   if (a.normal.x != b.normal.x) { return a.normal.x > b.normal.x; }
   if (a.normal.y != b.normal.y) { return a.normal.y > b.normal.y; }
   if (a.normal.z != b.normal.z) { return a.normal.z > b.normal.z; }
-  return a.speed > b.speed;
+  if (a.speed != b.speed) { return a.speed > b.speed; }
+  return a.body < b.body;
+}
+
+// Where a pair's rigid body is in `rigid`, or kNoBody.
+fn body_of(contact : Contact) -> u32 {
+  if (!has_body(contact)) { return kNoBody; }
+  return body_words(contact);
 }
 
 fn deepest_carry(first : u32, far : bool, x : vec3f) -> Carry {
@@ -37,17 +45,15 @@ fn deepest_carry(first : u32, far : bool, x : vec3f) -> Carry {
     if (!has_plane(contact) || !(far || contact.near != 0u)) { continue; }
     let side = select(-1.0, 1.0, role_of(link) < roles_of_a(contact.ids));
     let depth = beyond(contact, role_of(link), x);
-    let carry = Carry(side * contact.normal.xyz, depth, contact.solid_speed, record_of(link));
+    let carry = Carry(side * contact.normal.xyz, depth, contact.solid_speed, body_of(contact));
     if (comes_first(carry, deepest)) { deepest = carry; }
   }
   return deepest;
 }
 
 // A rigid body gets what its plane has taken from a vertex's velocity.
-fn give_body(record : u32, start : vec4f, taken : vec3f) {
-  let contact = contacts[record];
-  if (!has_body(contact)) { return; }
-  let body = body_words(contact);
+fn give_body(body : u32, start : vec4f, taken : vec3f) {
+  if (body == kNoBody) { return; }
   add_to_body(body, kRigidSums, start.xyz - rigid_vector(body + kRigidNext), taken / start.w);
 }
 
@@ -59,15 +65,17 @@ fn before_solids(way_so_far : Way, begun : vec4f, first : u32, tight : f32) -> W
   let far = length_of_way > free_way();
   if (first == 0u || !(far || length_of_way > free_way() - tight)) { return way; }
   var part = 1.0;
-  var stopped_by = 0u;
+  var stopped_by = kNoBody;
   for (var link = first; link != 0u; link = next_of(link)) {
     let contact = contacts[record_of(link)];
     if (!has_plane(contact) || !(far || contact.near != 0u)) { continue; }
     let now = beyond(contact, role_of(link), start);
     let then = beyond(contact, role_of(link), way.position);
     if (!(now < 0.0 && then > 0.0)) { continue; }
-    if (now / (now - then) < part) { stopped_by = record_of(link); }
-    part = min(part, now / (now - then));
+    let until = now / (now - then);
+    let body = body_of(contact);  // of equally near planes the lowest, since records have no order
+    if (until < part || (until == part && body < stopped_by)) { stopped_by = body; }
+    part = min(part, until);
   }
   if (part < 1.0) {
     if (kRigid) { give_body(stopped_by, begun, (1.0 - part) * way.velocity); }
@@ -81,7 +89,7 @@ fn before_solids(way_so_far : Way, begun : vec4f, first : u32, tight : f32) -> W
     way.position += carry.depth * carry.normal;
     let more = max(0.0, carry.speed - dot(carry.normal, way.velocity)) * carry.normal;
     way.velocity += more;
-    if (kRigid) { give_body(carry.record, begun, -more); }
+    if (kRigid) { give_body(carry.body, begun, -more); }
     way.changed = true;
   }
   return way;

@@ -219,7 +219,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let holds = gap > 0.0 && contact.solid != 0u;  // has planes that what is not solid must not pass
     contact.near = select(0u, 1u, is_near || holds);
     if (body.exists) {
-      contacts[number].other_end = kRigidPair | body.collider;
+      contacts[number].other_end = sides_with_body(contact.other_end, body.collider);
       if (acts) { atomicAdd(&rigid[body.words + kRigidShares], urgency); }
       if (is_kept) { add_to_body(body.words, kRigidSums, body.arm, body_side(ids) * step.time.dt * force); }
     }

@@ -183,6 +183,7 @@ fn crossings_of(candidate : vec2u, own : vec4u, other : vec4u) -> u32 {
 // Equation (1b) of docs/contact.md: kComesOnFront, or 0.
 const kHasInside = 0x80000000u;  // of a cloth's number: a body, or cloth about a gas
 fn way_out(candidate : vec2u, ids : vec4u) -> u32 {
+  if (is_edge_pair(ids)) { return 0u; }
   let a = face_of(own_triangle(candidate));
   let b = face_of(other_triangle(candidate));
   let opposite = dot(cross(a.b - a.a, a.c - a.a), cross(b.b - b.a, b.c - b.a)) < 0.0;

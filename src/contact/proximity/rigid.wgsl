@@ -3,7 +3,8 @@
 #include "state/contact.wgsl"
 #include "contact/proximity/rigid_words.wgsl"
 override kRigid : bool = false;  // whether the scene has any, and `rigid` is that buffer
-const kRigidPair = 0x80000000u;  // of `other_end` of a pair with one: its collider in the other bits
+const kRigidPair = 0x80000000u;  // of `other_end` of a pair with one: its collider above kOfOneCloth, kComesOnFront
+const kRigidShift = 2u;
 
 fn rigid_number(word : u32) -> f32 { return bitcast<f32>(atomicLoad(&rigid[word])); }
 fn rigid_vector(word : u32) -> vec3f {
@@ -13,7 +14,10 @@ fn rigid_vector(word : u32) -> vec3f {
 fn has_body(contact : Contact) -> bool {
   return kRigid && (contact.other_end & kRigidPair) != 0u && !is_crossing(contact.ids) && !is_self_pair(contact.ids);
 }
-fn body_words(contact : Contact) -> u32 { return kRigidWords * (contact.other_end & ~kRigidPair); }
+fn sides_with_body(sides : u32, collider : u32) -> u32 {
+  return kRigidPair | (collider << kRigidShift) | (sides & (kOfOneCloth | kComesOnFront));
+}
+fn body_words(contact : Contact) -> u32 { return kRigidWords * ((contact.other_end & ~kRigidPair) >> kRigidShift); }
 // 1: the body is side A of the pair; -1: side B.
 fn body_side(ids : vec4u) -> f32 { return select(-1.0, 1.0, is_collider(ids.x)); }
 

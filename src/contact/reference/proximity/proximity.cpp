@@ -46,15 +46,14 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
   }
   object_facts_.kinds.resize(object_.positions.size(), SurfaceKind::OpenMesh);  // balls have no triangles
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
-  for (std::size_t c = 0; c < model.bodies.size(); ++c)
+  for (std::size_t c = 0; c < model.bodies.size(); ++c) {
     body_.insert(body_.end(), model.bodies[c].vertex_count, static_cast<std::uint32_t>(c));
-  for (std::size_t c = 0; c < model.bodies.size(); ++c)
     cloth_.cloths.insert(cloth_.cloths.end(), model.bodies[c].vertex_count, contact_number(model, c));
+    friction_.insert(friction_.end(), model.bodies[c].vertex_count, scene.cloths[c].friction);
+  }
   cloth_facts_.rest = model.rest_position;
   cloth_facts_.bodies = body_;
   cloth_facts_.touching = kTouchingAtRest * self_thickness_;
-  for (std::size_t c = 0; c < model.bodies.size(); ++c)
-    friction_.insert(friction_.end(), model.bodies[c].vertex_count, scene.cloths[c].friction);
 }
 
 double Proximity::move_obstacles(double begin, double dt) {
