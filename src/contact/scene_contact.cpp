@@ -131,6 +131,8 @@ Result<void> SceneContact::make_room(gpu::Device& device, const State& state, co
   return counter_ ? create_counter(device) : Result<void>{};
 }
 
+bool SceneContact::adapt(const Statistics& report) { return proximity_ && proximity_->adapt(report); }
+
 void SceneContact::end_frame(gpu::ComputePass& pass) const {
   if (proximity_) proximity_->end_frame(pass);
 }

@@ -54,6 +54,8 @@ class SceneContact {
   /// Makes lists longer that were too short, if any was. Recorded commands that name them are void. Errors  Limit,
   /// OutOfMemory.
   Result<void> make_room(gpu::Device& device, const State& state, const ContactRoom& wanted);
+  /// Takes in what a frame has reported. True: stages record otherwise from now on.
+  bool adapt(const Statistics& report);
   /// At the end of a frame: keeps what the next one begins with.
   void end_frame(gpu::ComputePass& pass) const;
   /// Forgets that, for a state that does not go on from the frame before.

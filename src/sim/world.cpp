@@ -111,6 +111,7 @@ Result<void> World::repeat_from(const Report& report) {
   WEFT_CHECK(contact_.make_room(
       device_, state_, {report.statistics.pairs, report.statistics.near, report.statistics.candidates}));
   WEFT_CHECK(solver_->bind_lists());
+  contact_.adapt(report.statistics);
   solver_->adapt(device_, report.statistics);
   recorder_.forget();
   clear_statistics();
@@ -170,7 +171,8 @@ Result<void> World::take(const Report& report) {
   ++totals_.frames;
   last_report_ = statistics;
   add(totals_, statistics);
-  if (solver_->adapt(device_, statistics)) recorder_.forget();
+  const bool contact_adapts = contact_.adapt(statistics);
+  if (solver_->adapt(device_, statistics) || contact_adapts) recorder_.forget();
   return {};
 }
 

@@ -41,6 +41,8 @@ fn link_to(number : u32, role : u32) -> u32 { return 4u * (number + 1u) + role; 
 fn record_of(link : u32) -> u32 { return link / 4u - 1u; }
 fn role_of(link : u32) -> u32 { return link & 3u; }
 
+const kPressedOften = 8;  // cloth is pressed where more than one in so many of its pairs with cloth
+const kPressedGap = 0.9;  // keeps less than this part of its thickness
 const kContactTouching = 1.001;  // of the thickness: what rests there is in contact, whatever the rounding of its place
 
 fn is_collider(id : u32) -> bool { return (id & kColliderPoint) != 0u; }

@@ -46,6 +46,8 @@ struct Statistics {
   float residual = 0;
   /// Linear systems that were left with a larger residual than wanted (implicit solver).
   std::uint32_t unsolved = 0;
+  /// 1: in a substep cloth was pressed, and impulses took all their iterations (proximity).
+  std::uint32_t pressing = 0;
   /// Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end.
   std::uint32_t flattened = 0;
   /// Nodes that are not finite; 0 but where a run diverged.
@@ -70,6 +72,8 @@ struct Statistics {
   std::uint32_t delay_before = 0;
   /// The bits, inverted, of the part that all cloth may go of its ways; 0: all.
   std::uint32_t slow_part = 0;
+  /// Of a substep, kPressedOften times the pairs of cloth that are pressed less those that act, as i32.
+  std::uint32_t pressed = 0;
   /// How far a collider may go until the next search [m].
   float reach = 0;
   /// How far one may have gone since this search [m].
@@ -77,7 +81,7 @@ struct Statistics {
   /// How far a rigid body may go in this substep [m].
   float body_travel = 0;
 };
-static_assert(sizeof(Statistics) == 32 * sizeof(std::uint32_t));
+static_assert(sizeof(Statistics) == 34 * sizeof(std::uint32_t));
 
 /// The part that is cleared before each frame.
 inline constexpr std::uint32_t kStatisticsPerFrameBytes = offsetof(Statistics, nonfinite);
@@ -125,6 +129,7 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("corrections", statistics.corrections);
   visit("residual", statistics.residual);
   visit("unsolved", statistics.unsolved);
+  visit("pressing", statistics.pressing);
   visit("flattened", statistics.flattened);
   visit("nonfinite", statistics.nonfinite);
   visit("frozen", statistics.frozen);
@@ -137,6 +142,7 @@ void for_each(const Statistics& statistics, Visit&& visit) {
   visit("meeting", statistics.meeting);
   visit("delay_before", statistics.delay_before);
   visit("slow_part", statistics.slow_part);
+  visit("pressed", statistics.pressed);
   visit("reach", statistics.reach);
   visit("travel", statistics.travel);
   visit("body_travel", statistics.body_travel);

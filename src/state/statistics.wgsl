@@ -34,33 +34,37 @@ const kStatCorrections = 14u;
 const kStatResidual = 15u;
 // Linear systems that were left with a larger residual than wanted (implicit solver).
 const kStatUnsolved = 16u;
+// 1: in a substep cloth was pressed, and impulses took all their iterations (proximity).
+const kStatPressing = 17u;
 // Tetrahedra with less than a twentieth of their volume, or inside out, at a frame's end.
-const kStatFlattened = 17u;
+const kStatFlattened = 18u;
 // Nodes that are not finite; 0 but where a run diverged.
-const kStatNonfinite = 18u;
+const kStatNonfinite = 19u;
 // 1 once the state is frozen at the last good frame.
-const kStatFrozen = 19u;
+const kStatFrozen = 20u;
 // 1 once a list was too short: the state is as before the frame until the list is longer.
-const kStatRolledBack = 20u;
+const kStatRolledBack = 21u;
 // 1: a vertex is about to leave its reach.
-const kStatDetect = 21u;
+const kStatDetect = 22u;
 // 1: a search is under way.
-const kStatDue = 22u;
+const kStatDue = 23u;
 // Edges through triangles that they do not touch at rest, of the last search (proximity).
-const kStatCrossingsLeft = 23u;
+const kStatCrossingsLeft = 24u;
 // Near pairs before the search that is under way.
-const kStatNearBefore = 24u;
+const kStatNearBefore = 25u;
 // 1: some vertex goes farther than to the obstacles that have records (proximity).
-const kStatFarWays = 25u;
+const kStatFarWays = 26u;
 // The last round of a substep in which cloth could meet other cloth on its way; 0: none.
-const kStatMeeting = 26u;
+const kStatMeeting = 27u;
 // That time in the frame's substeps before this one, in microseconds.
-const kStatDelayBefore = 27u;
+const kStatDelayBefore = 28u;
 // The bits, inverted, of the part that all cloth may go of its ways; 0: all.
-const kStatSlowPart = 28u;
+const kStatSlowPart = 29u;
+// Of a substep, kPressedOften times the pairs of cloth that are pressed less those that act, as i32.
+const kStatPressed = 30u;
 // How far a collider may go until the next search [m], as the bits of a positive f32.
-const kStatReach = 29u;
+const kStatReach = 31u;
 // How far one may have gone since this search [m], as the bits of a positive f32.
-const kStatTravel = 30u;
+const kStatTravel = 32u;
 // How far a rigid body may go in this substep [m], as the bits of a positive f32.
-const kStatBodyTravel = 31u;
+const kStatBodyTravel = 33u;

@@ -538,6 +538,8 @@ Json shared_constants() {
       real("kHeavyAhead", "contact/proximity/contact_impulse.wgsl", kHeavyAhead),
       real("kPushPart", "state/contact.wgsl", kPushPart),
       real("kSoftLack", "state/contact.wgsl", kSoftLack),
+      constant("kPressedOften", "state/contact.wgsl", kPressedOften),
+      real("kPressedGap", "state/contact.wgsl", kPressedGap),
       real("kHeldLack", "state/contact.wgsl", kHeldLack),
       real("kPushSpeed", "state/contact.wgsl", kPushSpeed),
       real("kPartingSteps", "state/contact.wgsl", kPartingSteps),

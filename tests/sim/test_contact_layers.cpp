@@ -49,6 +49,22 @@ TEST_CASE("long: fifty layers at rest are four fifths as thick as they would be 
   }
 }
 
+TEST_CASE("long: layers that are pressed by eight times their weight keep four fifths of their thickness") {
+  GpuFixture fixture;
+  auto world = world_of(fixture.device(),
+                        shipped_scene("stack", {{"cloths.0.grid", "[5,5]"},
+                                                {"cloths.0.size", "[0.12, 0.12]"},
+                                                {"cloths.0.copies.count", "16"},
+                                                {"cloths.0.copies.offset", "[0.0005, 0.007, 0.0007]"},
+                                                {"gravity", "[0, -80, 0]"},
+                                                {"time.substeps", "48"}}));
+  advance(*world, 40);
+  const double top = mean_height(Moment(*world), 15 * 25, 16 * 25);
+  MESSAGE("top layer at ", 1e3 * top, " mm");
+  CHECK(top > 0.8 * 16 * 0.005);
+  CHECK(top < 1.04 * 16 * 0.005);
+}
+
 // ---- No passing through
 
 namespace {

@@ -108,6 +108,9 @@ TEST_CASE("a sheet begins to twist, twice the same") { check_twice("twist", 10);
 TEST_CASE("long: a sheet is wrung into a rope and passes nowhere through itself") {
   check_once("twist", 200);
 }
+TEST_CASE("long: what is pressed in the middle of a rope of finer cloth passes nowhere through itself") {
+  check_once("twist", 132, {{"cloths.0.grid", "[64,64]"}});
+}
 TEST_CASE("sheets drop on each other and pass through nothing") {
   check_once("stack", 12, {{"cloths.0.copies.count", "3"}});
 }

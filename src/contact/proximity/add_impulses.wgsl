@@ -3,17 +3,21 @@
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
+#include "state/statistics.wgsl"
 #include "contact/proximity/impulse_moves.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
 @group(0) @binding(1) var<storage, read_write> predicted       : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(2) var<storage, read_write> vertex_contacts : array<vec4u>; // 4 * vertex_count: state/contact.wgsl
 @group(0) @binding(3) var<storage, read_write> position        : array<vec4f>; // vertex_count      m
+@group(0) @binding(4) var<storage, read>       statistics      : array<u32>;
+override kWherePressed : u32 = 0;  // as in contact_impulse.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
 fn add_impulses(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.nodes.count) { return; }
+  if (kWherePressed != 0u && bitcast<i32>(statistics[kStatPressed]) <= 0) { return; }
   let words = kVertexWords / 4u * vertex;
   let changes = vertex_contacts[words + 1u];
   let first = vertex_contacts[words + 2u];

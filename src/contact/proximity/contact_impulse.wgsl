@@ -21,6 +21,7 @@ override kPresses : u32 = 0;  // 1: a solver holds vertices at obstacles, and `p
 override kHeavy : u32 = 0;  // 1: heavy cloth may lie on light cloth, and `begun` has the forces before they went ahead
 override kFirst : u32 = 0;  // of the substep's iterations, where kHeavy is 1
 override kLast : u32 = 1;
+override kWherePressed : u32 = 0;  // 1: only of cloth that is pressed
 const kAhead = 0.5;        // of its change from one iteration to the next, the part by which a force goes ahead
 const kHeavyAhead = 0.9;   // the same of all of a force
 
@@ -156,7 +157,8 @@ fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let count = select(statistics[kStatNear], 0u, statistics[kStatRolledBack] != 0u);
+  let idle = statistics[kStatRolledBack] != 0u || (kWherePressed != 0u && bitcast<i32>(statistics[kStatPressed]) <= 0);
+  let count = select(statistics[kStatNear], 0u, idle);
   for (var number = id.x; number < count; number += groups.x * kWorkgroupSize) {
     if (contacts[number].urgency == 0.0) { continue; }
     let contact = contacts[number];

@@ -21,6 +21,17 @@
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
 
+override kAllIterations : u32 = 1;  // 0: what impulses of pressed cloth need more is not recorded
+
+// Where cloth was pressed, a frame in which impulses had too few iterations is to be repeated.
+fn ask_for_iterations() {
+  if (bitcast<i32>(atomicLoad(&statistics[kStatPressed])) > 0) {
+    atomicStore(&statistics[kStatPressing], 1u);
+    if (kAllIterations == 0u) { atomicStore(&statistics[kStatRolledBack], 1u); }
+  }
+  atomicStore(&statistics[kStatPressed], 0u);
+}
+
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
@@ -40,6 +51,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   }
   if (vertex == 0u) {
     schedule_for_colliders();
+    ask_for_iterations();
     atomicStore(&statistics[kStatMeeting], 0u);
     atomicStore(&statistics[kStatSlowPart], 0u);
     atomicStore(&statistics[kStatDelayBefore], atomicLoad(&statistics[kStatDelayUs]));

@@ -133,6 +133,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
   let count = workgroupUniformLoad(&records);
   let tangled = workgroupUniformLoad(&crossings) != 0u;
   var hits = 0u;
+  var pressed = 0;
   var hash = 0u;
   for (var number = id.x; number < count; number += groups.x * kWorkgroupSize) {
     let ids = contacts[number].ids;
@@ -260,6 +261,9 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       if (untangles && acts && !is_self) { tight = kInBody; }
       if (tight > 0.0) { atomicMax(&vertex_contacts[kVertexWords * vertex + kTightWord], bitcast<u32>(tight)); }
     }
+    if (acts && is_self && !untangles) {
+      pressed += select(0, kPressedOften, gap < kPressedGap * thickness) - 1;
+    }
     if (acts) {
       hits++;
       hash += hash_pair(hash_pair(ids.x, ids.y), hash_pair(ids.z, ids.w));
@@ -268,5 +272,6 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
   if (hits > 0u) {
     atomicAdd(&statistics[kStatContacts], hits);
     atomicAdd(&statistics[kStatContactHash], hash);
+    atomicAdd(&statistics[kStatPressed], bitcast<u32>(pressed));
   }
 }

@@ -43,6 +43,8 @@ class Proximity : public Stages {
                                   const ColliderMeshes& meshes, const ProximitySetup& setup);
   /// Takes over lists with other room. Errors  Limit, OutOfMemory.
   Result<void> bind_lists(gpu::Device& device, const State& state, const ContactPairs& pairs);
+  /// As of Respond.
+  bool adapt(const Statistics& report) { return respond_.adapt(report); }
   void press(gpu::ComputePass& pass) const override;
   void press_again(gpu::ComputePass& pass) const override;
   void search(gpu::ComputePass& pass) const override;

@@ -1,10 +1,16 @@
 #include "contact/proximity/respond.hpp"
 
 namespace weft::contact {
+namespace {
+
+constexpr std::uint32_t kCalmFrames = 30;  // after which pressed cloth's iterations are no longer recorded
+
+}  // namespace
 
 Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   Respond made;
   made.setup_ = setup;
+  made.recorded_ = setup.impulses.iterations;
   made.separation_count_ = setup.self || !setup.edges.empty() ? setup.separations : 0;
   struct Wanted {
     gpu::Kernel& kernel;
@@ -19,14 +25,21 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
       {made.respond_,
        "contact/proximity/contact_respond.wgsl",
        {move, rigid, {"kDetectInterval", static_cast<double>(setup.interval)}}}};
+  const gpu::Constant where_pressed{"kWherePressed", made.has_pressed() ? 1.0 : 0.0};
+  if (made.has_pressed()) {
+    std::vector<gpu::Constant> asks = all.back().constants;
+    asks.push_back({"kAllIterations", 0});
+    all.push_back({made.ask_respond_, "contact/proximity/contact_respond.wgsl", std::move(asks)});
+  }
   if (setup.impulses.heavy)
     all.push_back({made.first_impulse_,
                    "contact/proximity/contact_impulse.wgsl",
                    {presses, heavy, rigid, {"kFirst", 1}, {"kLast", 0}}});
-  if (setup.impulses.iterations > 1) {
-    all.push_back(
-        {made.impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, rigid, {"kLast", 0}}});
-    all.push_back({made.add_, "contact/proximity/add_impulses.wgsl", {move}});
+  if (setup.impulses.pressed > 1) {
+    all.push_back({made.impulse_,
+                   "contact/proximity/contact_impulse.wgsl",
+                   {presses, heavy, rigid, where_pressed, {"kLast", 0}}});
+    all.push_back({made.add_, "contact/proximity/add_impulses.wgsl", {move, where_pressed}});
   }
   for (const Wanted& wanted : all) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));
@@ -69,13 +82,16 @@ Result<void> Respond::bind(gpu::Device& device, const State& state, const Contac
     };
     WEFT_SET(last_impulse_groups_[parity], bind_impulse(last_impulse_));
     if (setup_.impulses.heavy) WEFT_SET(first_impulse_groups_[parity], bind_impulse(first_impulse_));
-    WEFT_SET(respond_groups_[parity],
-             respond_.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
-                            position, velocity, state.statistics, rigid}));
-    if (setup_.impulses.iterations > 1) {
+    const auto bind_respond = [&](const gpu::Kernel& kernel) {
+      return kernel.bind({state.steps, start, pairs.predicted, pairs.contacts, pairs.vertex_contacts,
+                          position, velocity, state.statistics, rigid});
+    };
+    WEFT_SET(respond_groups_[parity], bind_respond(respond_));
+    if (has_pressed()) WEFT_SET(ask_respond_groups_[parity], bind_respond(ask_respond_));
+    if (setup_.impulses.pressed > 1) {
       WEFT_SET(impulse_groups_[parity], bind_impulse(impulse_));
       WEFT_SET(add_groups_[parity],
-               add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position}));
+               add_.bind({state.steps, pairs.predicted, pairs.vertex_contacts, position, state.statistics}));
     }
     if (setup_.self)
       WEFT_CHECK(separate_.bind(parity, {state.steps, start, position, velocity, points, pairs.listed,
@@ -93,9 +109,20 @@ Result<void> Respond::bind(gpu::Device& device, const State& state, const Contac
   return edges_.bind(state, pairs);
 }
 
+bool Respond::adapt(const Statistics& report) {
+  const std::uint32_t before = recorded_;
+  if (report.pressing != 0) {
+    recorded_ = setup_.impulses.pressed;
+    calm_ = 0;
+  } else if (++calm_ >= kCalmFrames) {
+    recorded_ = setup_.impulses.iterations;
+  }
+  return recorded_ != before;
+}
+
 void Respond::record_impulses(gpu::ComputePass& pass, const RigidBodies& rigid) const {
   const std::uint32_t parity = pass.parity();
-  for (std::uint32_t iteration = 1; iteration < setup_.impulses.iterations; ++iteration) {
+  for (std::uint32_t iteration = 1; iteration < recorded_; ++iteration) {
     if (setup_.impulses.heavy && iteration == 1) {
       first_impulse_.dispatch_strided(pass, first_impulse_groups_[parity], near_room_);
     } else {
@@ -109,7 +136,11 @@ void Respond::record_impulses(gpu::ComputePass& pass, const RigidBodies& rigid) 
 
 void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patches) const {
   const std::uint32_t parity = pass.parity();
-  respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
+  if (recorded_ < setup_.impulses.pressed) {
+    ask_respond_.dispatch(pass, ask_respond_groups_[parity], vertex_count_);
+  } else {
+    respond_.dispatch(pass, respond_groups_[parity], vertex_count_);
+  }
   for (std::size_t round = 0; round < separation_count_; ++round) {
     if (setup_.self) separate_.count.dispatch_strided(pass, round, pair_room_);
     edges_.record_counts(pass, round);

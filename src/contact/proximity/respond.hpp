@@ -36,6 +36,9 @@ class Respond {
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(gpu::Device& device, const State& state, const ContactPairs& pairs,
                     const gpu::Buffer<Vec4f>& points, const gpu::Buffer<std::uint32_t>& rigid);
+  /// Takes in what a frame has reported, also one that is to be repeated since cloth was pressed in it. True: impulses
+  /// are recorded otherwise from now on.
+  bool adapt(const Statistics& report);
   /// Sums the velocity changes of the measured pairs at each vertex.
   void record_impulses(gpu::ComputePass& pass, const RigidBodies& rigid) const;
   /// Gives each vertex that change, separates pairs of cloth, and holds vertices back, also from folding the open
@@ -44,11 +47,16 @@ class Respond {
 
  private:
   Setup setup_;
+  bool has_pressed() const { return setup_.impulses.pressed > setup_.impulses.iterations; }
+
   gpu::Kernel first_impulse_, impulse_, last_impulse_, add_, respond_;
+  gpu::Kernel ask_respond_;  // responds where pressed cloth's iterations are not recorded
   // By parity.
   std::array<gpu::BindGroup, 2> first_impulse_groups_, impulse_groups_, last_impulse_groups_, add_groups_,
-      respond_groups_;
-  gpu::Buffer<Vec4f> begun_;  // of heavy cloth: each record's force before it went ahead [N]
+      respond_groups_, ask_respond_groups_;
+  std::uint32_t recorded_ = 1;  // iterations of impulses
+  std::uint32_t calm_ = 0;      // frames since cloth was pressed
+  gpu::Buffer<Vec4f> begun_;    // of heavy cloth: each record's force before it went ahead [N]
   /// The rounds in which pairs of cloth that may meet are separated, and edges kept within their limit.
   std::size_t separation_count_ = 0;
   SeparationRounds separate_;

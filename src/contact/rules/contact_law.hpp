@@ -24,6 +24,10 @@ inline constexpr double kPartingSteps = 2;
 inline constexpr double kImpulseAhead = 0.5;
 /// The same of all of an impulse, where heavy cloth may lie on light cloth.
 inline constexpr double kHeavyAhead = 0.9;
+/// Cloth is pressed where, of its acting pairs with cloth, more than one in so many keeps less than this part of its
+/// thickness.
+inline constexpr int kPressedOften = 8;
+inline constexpr double kPressedGap = 0.9;
 /// A feature no further away than this many thicknesses is in contact, despite the rounding of its place.
 inline constexpr double kContactTouching = 1.001;
 /// The cosine by which a direction may lie outside of a feature's Voronoi cone: what lies right over an edge of a
@@ -85,21 +89,25 @@ inline constexpr double kTouch = 0.01;
 /// that it would have after the substep [m].
 std::uint32_t contact_urgency(double gap, double thickness);
 
-/// Iterations of impulses in a substep of this length [s]. Forces are kept from substep to substep, so short ones need
-/// one; with six in 1/960 s fifty layers that drop end at 236 of 250 mm.
-std::uint32_t contact_iterations(double step);
+/// Rounds of separation in a substep of this length [s].
+std::uint32_t separation_count(double step);
 
 /// How the impulses of a substep are iterated.
 struct ImpulseRule {
   std::uint32_t iterations = 1;
-  bool heavy = false;  // all of an impulse goes ahead, by kHeavyAhead
+  std::uint32_t pressed = 1;  // iterations where cloth is pressed, kPressedOften; no fewer
+  bool heavy = false;         // all of an impulse goes ahead, by kHeavyAhead
 
   bool operator==(const ImpulseRule&) const = default;
 };
-/// Of substeps of this length [s]. An iteration takes out of the speed of heavy cloth what light cloth under it weighs:
-/// a sheet on one of a hundredth of its density sank by 4 mm into it in six iterations a substep, and crept on a slope.
-/// So long substeps have four times the square root of Σ (the greatest density over a cloth's), over all cloths of a
-/// tenth of it or less, where that is more, up to 64.
+/// Of substeps of this length [s]. Forces are kept from substep to substep, so short ones need one iteration, where
+/// cloth is not pressed by more than some layers' weight: the middle of a rope that was wrung by half a turn at
+/// either end sank to a hundredth of its thickness, and passed through itself. With six it keeps 0.9 of it. Longer
+/// substeps always have six: with six in 1/960 s fifty layers that drop end at 236 of 250 mm. An iteration takes
+/// out of the speed of heavy cloth what light cloth under it weighs: a sheet on one of a hundredth of its density
+/// sank by 4 mm into it in six iterations a substep, and crept on a slope. So long substeps have four times the
+/// square root of Σ (the greatest density over a cloth's), over all cloths of a tenth of it or less, where that is
+/// more, up to 64.
 ImpulseRule impulse_rule(const Model& model, const scene::Contact& contact, double step);
 
 /// ℓ: of each cloth the median of its triangles' shortest altitudes at rest, of all cloths the least [m]; infinite

@@ -104,6 +104,17 @@ double push_of(const NearPair& pair, bool left, const ContactLaw& law) {
   return std::min(part * lack, kPushSpeed * law.dt);
 }
 
+/// Whether many of the cloth's acting pairs with cloth are nearer than the thickness that they keep.
+bool is_pressed(std::span<const NearPair> pairs, const std::vector<bool>& acts) {
+  std::int64_t pressed = 0, all = 0;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (!acts[p] || pairs[p].with_body || pairs[p].untangles) continue;
+    ++all;
+    if (pairs[p].distance < kPressedGap * pairs[p].thickness) ++pressed;
+  }
+  return kPressedOften * pressed > all;
+}
+
 }  // namespace
 
 Vec3d relative_velocity(const NearPair& pair, std::span<const Vec3d> velocity) {
@@ -203,11 +214,13 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     give(now, pair, response.impulses[p]);
     give_body(response.body_impulses, pair, response.impulses[p]);
   }
+  const std::uint32_t iterations =
+      is_pressed(pairs, response.acts) ? law.impulses.pressed : law.impulses.iterations;
   std::vector<Vec3d> begun = response.impulses;  // what the last iteration ended with, before it went ahead
-  for (std::uint32_t iteration = 0; iteration < law.impulses.iterations; ++iteration) {
+  for (std::uint32_t iteration = 0; iteration < iterations; ++iteration) {
     const std::vector<Vec3d> before = now;
     const std::vector<RigidImpulse> given = response.body_impulses;
-    const bool goes_ahead = iteration + 1 < law.impulses.iterations;
+    const bool goes_ahead = iteration + 1 < iterations;
     for (std::size_t p = 0; p < pairs.size(); ++p) {
       if (!(mobility[p] > 0)) continue;
       const NearPair& pair = pairs[p];
