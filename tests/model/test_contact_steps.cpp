@@ -56,18 +56,24 @@ TEST_CASE("the bound of a motion's speed is no less than its samples, and no mor
   CHECK(speed_of(5, 9) == 0);
 }
 
-TEST_CASE("a frame is cut into the fewest substeps in which nothing moved travels half the thickness") {
-  const ContactMover mover{scene::MotionLine{{1, 0, 0}, 4, std::nullopt, 0, 0}, 0, {}};
+TEST_CASE("a frame is cut into the fewest substeps in which nothing moved travels farther than it may") {
+  ContactMover mover{.motion = scene::MotionLine{{1, 0, 0}, 4, std::nullopt, 0, 0}};
+  const auto factor = [&](double thickness, double step) {
+    return contact_step_factor({&mover, 1}, 0, 1 / 60.0, thickness, step);
+  };
   // 4 m/s over 1/60 s in 10 substeps: 6.67 mm each; half of 5 mm is 2.5 mm.
   const double speed = largest_speed(std::span(&mover, 1), 0, 1 / 60.0);
-  CHECK(contact_step_factor(speed, 0.005, 1 / 600.0) == 3);
-  CHECK(contact_step_factor(speed, 0.005, 1 / 1620.0) == 1);
-  CHECK(contact_step_factor(speed, 0.005, 1 / 1560.0) == 2);
-  CHECK(contact_step_factor(speed, 2 * 4 / 600.0, 1 / 600.0) == 1);  // just half
-  CHECK(contact_step_factor(speed, 1e-12, 1 / 60.0) == kMostContactSteps);
+  CHECK(factor(0.005, 1 / 600.0) == 3);
+  CHECK(factor(0.005, 1 / 1620.0) == 1);
+  CHECK(factor(0.005, 1 / 1560.0) == 2);
+  CHECK(factor(2 * 4 / 600.0, 1 / 600.0) == 1);  // just half
+  CHECK(factor(1e-12, 1 / 60.0) == kMostContactSteps);
   CHECK(largest_speed(std::span(&mover, 1), 0, 1e9) == speed);  // however long it is looked at
   CHECK(largest_speed(std::span<const ContactMover>(), 0, 1 / 60.0) == 0);
-  CHECK(contact_step_factor(0, 0.005, 1 / 60.0) == 1);
+  CHECK(contact_step_factor({}, 0, 1 / 60.0, 0.005, 1 / 60.0) == 1);
+  mover.travel = 2;
+  CHECK(factor(0.005, 1 / 600.0) == 1);
+  CHECK(factor(0.005, 1 / 60.0) == 7);  // 66.7 mm, by no more than 10
 }
 
 TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they reach, and meshes that deform") {
@@ -87,7 +93,10 @@ TEST_CASE("what a scene moves: nodes, colliders about an axis as far as they rea
   b.positions[2] = {0, 3, 0};
   c.positions[2] = {0, 4, 0};
   mesh::Deformation deformation{{{0.5, 1}}, {b.positions, c.positions}};
-  const std::vector<ContactMover> movers = contact_movers(*scene, *model, {&a, 1}, {&deformation, 1});
+  const std::vector<ContactMover> movers = contact_movers(*scene, *model, {&a, 1}, {&deformation, 1}, true);
+  CHECK(movers[0].travel == 0.5);  // of cloth
+  CHECK(movers[1].travel == 2);
+  CHECK(contact_movers(*scene, *model, {&a, 1}, {&deformation, 1})[1].travel == 0.5);
   REQUIRE(movers.size() == 3);
   CHECK(largest_speed(movers[0], 0, 1) == doctest::Approx(3 * 1));  // the top's ends are 1 m from the axis
   const double reach = largest_speed(movers[1], 0, 1);

@@ -153,6 +153,64 @@ TEST_CASE("cloth that an obstacle leaves behind falls as a stone, and flies on w
       }
 }
 
+namespace {
+
+/// A sheet in free space that an obstacle strikes, and one that flies into the obstacle instead: after four frames.
+struct BothWays {
+  double apart = 0;  // the middles of both sheets [thicknesses]
+  Totals struck, flying;
+};
+BothWays both_ways(gpu::Device& device, const std::string& solver, const std::string& obstacle,
+                   double travel) {
+  const double speed = travel * kThickness * 8 * 60;
+  const auto start = [&](bool obstacle_flies) {
+    const std::string motion =
+        R"(, "motion": {"kind": "line", "direction": [0, 1, 0], "speed": )" + text_of(speed) + "}";
+    auto world = world_on(device, {.solver = solver,
+                                   .gravity = "[0, 0, 0]",
+                                   .substeps = 8,
+                                   .cloths = lying_cloth(13, "[0, 0, 0]"),
+                                   .colliders = "{" + obstacle + (obstacle_flies ? motion : "") + "}"});
+    if (!obstacle_flies) push(*world, 0, 169, {0, -speed, 0});
+    return world;
+  };
+  const auto struck = start(true), flying = start(false);
+  advance(*struck, 4);
+  advance(*flying, 4);
+  const Moment a(*struck), b(*flying);
+  BothWays found;
+  Vec3d sum;
+  for (std::size_t v = 0; v < a.position.size(); ++v)
+    sum += a.position[v] - Vec3d{0, 4 * speed / 60, 0} - b.position[v];
+  found.apart = length(sum) / static_cast<double>(a.position.size()) / kThickness;
+  found.struck = struck->totals();
+  found.flying = flying->totals();
+  MESSAGE(solver, ", ", obstacle, ", by ", travel, " thicknesses a substep: ", found.apart,
+          " thicknesses apart, truncated ", found.struck.truncated, " and ", found.flying.truncated,
+          ", longest edges ", found.struck.max_stretch, " and ", found.flying.max_stretch);
+  CHECK(struck->most_substeps() == 8);  // no frame is cut
+  CHECK(found.struck.driven == 0);
+  return found;
+}
+constexpr const char* kFlying[] = {
+    R"("kind": "sphere", "center": [0.01, -0.13, 0.02], "radius": 0.1)",
+    R"("kind": "capsule", "a": [-0.1, -0.05, 0.02], "b": [0.1, -0.06, 0], "radius": 0.02)",
+    R"("kind": "box", "center": [0.01, -0.13, 0.02], "size": [0.1, 0.2, 0.1])"};
+
+}  // namespace
+
+TEST_CASE("an obstacle that flies into cloth does to it what it does to cloth that flies into it") {
+  GpuFixture fixture;
+  for (const char* solver : {"multigrid", "vbd"})
+    for (const char* obstacle : kFlying)
+      for (const double travel : {0.49, 1.99}) {
+        const BothWays found = both_ways(fixture.device(), solver, obstacle, travel);
+        CHECK(found.apart < 0.5 * travel);  // half of a substep's way, of 32
+        CHECK(found.struck.max_stretch < 1.1 * found.flying.max_stretch);
+        CHECK(static_cast<double>(found.struck.truncated) < 0.01 * 169 * 32);
+      }
+}
+
 TEST_CASE("a plane that turns carries cloth and lifts it, wherever its point is, as a box does") {
   GpuFixture fixture;
   const auto turned = [](const std::string& axis, double speed, double angle, double ramp) {

@@ -143,7 +143,7 @@ TEST_CASE("what flies into something that stands loses time, and not the speed o
       "stiffness": {"structural": 4, "shear": 1, "bend": 0}}],
     "colliders": [{"kind": "sphere", "center": [0, -9, 0], "radius": 0.1,
       "motion": {"kind": "line", "direction": [1, 0, 0], "speed": )" +
-                               (is_cut ? "1.9" : "0.1") + "}}]"));
+                               (is_cut ? "7.6" : "0.1") + "}}]"));
     push(*world, 0, 65 * 33, {17, 0, 0});
     const Moment start(*world);
     for (double time = 0; time < 0.008; time += frame) {

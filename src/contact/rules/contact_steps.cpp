@@ -97,7 +97,8 @@ double fastest(const std::vector<Vec3f>& from, const std::vector<Vec3f>& to, dou
 
 std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model& model,
                                          std::span<const mesh::TriangleMesh> objects,
-                                         std::span<const mesh::Deformation> deformations) {
+                                         std::span<const mesh::Deformation> deformations,
+                                         bool holds_obstacles) {
   std::vector<ContactMover> movers;
   std::vector<Extent> moved(model.motions.size());
   Extent cloths;
@@ -106,10 +107,11 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model&
     if (model.motion[v] > 1) moved[model.motion[v] - 2].add(model.rest_position[v]);
   }
   for (std::size_t m = 0; m < moved.size(); ++m)
-    movers.push_back({model.motions[m].shape, moved[m].lever(model.motions[m].shape), {}});
+    movers.push_back({.motion = model.motions[m].shape, .lever = moved[m].lever(model.motions[m].shape)});
   std::size_t object = 0;
   for (const scene::Collider& collider : scene.colliders) {
     ContactMover mover;
+    if (holds_obstacles) mover.travel = 2;
     mover.motion = scene::motion_of(collider);
     Extent extent;
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) {
@@ -179,10 +181,12 @@ double largest_speed(std::span<const ContactMover> movers, double begin, double 
   return speed;
 }
 
-std::uint32_t contact_step_factor(double speed, double thickness, double step) {
-  const double travel = speed * step;
-  const double factor =
-      std::ceil(travel / (0.5 * thickness) * (1 - 1e-12));  // an even bound is not rounded up
+std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double begin, double end,
+                                  double thickness, double step) {
+  double most = 0;
+  for (const ContactMover& mover : movers)
+    most = std::max(most, largest_speed(mover, begin, end) * step / (mover.travel * thickness));
+  const double factor = std::ceil(most * (1 - 1e-12));  // an even bound is not rounded up
   if (!(factor > 1)) return 1;
   return factor < kMostContactSteps ? static_cast<std::uint32_t>(factor) : kMostContactSteps;
 }

@@ -23,15 +23,20 @@ struct ContactMover {
     double speed = 0;  // [m/s]
   };
   std::vector<Change> changes;
-  bool loops = false;  // after the last change the first follows
+  bool loops = false;   // after the last change the first follows
+  double travel = 0.5;  // how far it may go in a substep, in thicknesses
 };
 
 /// All that the scene moves. `objects` has the mesh of each mesh and box among the colliders, placed as at
 /// time 0, in their order, and `deformations` how each deforms, or nothing. A plane that turns is as long as
-/// the cloths at rest are far from its axis.
+/// the cloths at rest are far from its axis. Nothing goes farther in a substep than half a thickness, so that what it
+/// strikes between two layers does not have to move farther than they are apart; but obstacles may go by two before a
+/// method that answers them itself (`holds_obstacles`): it moves cloth out of their way before contact looks at it, and
+/// an obstacle that flies into cloth then does to it what it does to cloth that flies into the obstacle.
 std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model& model,
                                          std::span<const mesh::TriangleMesh> objects,
-                                         std::span<const mesh::Deformation> deformations);
+                                         std::span<const mesh::Deformation> deformations,
+                                         bool holds_obstacles = false);
 
 /// The most that any point of the mover may do between two times [m/s]: a bound, by the largest speed of its
 /// motion in that time.
@@ -40,9 +45,9 @@ double largest_speed(const ContactMover& mover, double begin, double end);
 double largest_speed(std::span<const ContactMover> movers, double begin, double end);
 
 inline constexpr std::uint32_t kMostContactSteps = 4096;
-/// The factor for the substeps of a frame, `step` [s] long, so that movers of this speed [m/s] travel at most half the
-/// thickness [m] in one: contact looks at places at the start of a substep, and must not find a surface passed. At
-/// least 1, at most kMostContactSteps.
-std::uint32_t contact_step_factor(double speed, double thickness, double step);
+/// The factor for the substeps between two times [s], `step` [s] long, so that no mover goes farther than it may in
+/// one, for this thickness [m]. At least 1, at most kMostContactSteps.
+std::uint32_t contact_step_factor(std::span<const ContactMover> movers, double begin, double end,
+                                  double thickness, double step);
 
 }  // namespace weft

@@ -13,14 +13,15 @@ Result<FramePlan> FramePlan::create(const scene::Scene& scene, const Model& mode
   plan.frame_time_ = scene.time.frame;
   plan.thickness_ = scene.contact.thickness;
   if (scene.contact.method == scene::ContactMethod::Proximity)
-    plan.movers_ = contact_movers(scene, model, assets.objects, assets.deformations);
-  plan.most_substeps_ = plan.substeps_at(largest_speed(plan.movers_, 0, kEver));
+    plan.movers_ =
+        contact_movers(scene, model, assets.objects, assets.deformations, plan.method().holds_obstacles);
+  plan.most_substeps_ = plan.substeps_between(0, kEver);
   return plan;
 }
 
 FramePlan::Frame FramePlan::frame(std::uint32_t number) const {
   const double speed = mover_speed(number);
-  const std::uint32_t substeps = substeps_at(speed);
+  const std::uint32_t substeps = substeps_of(number);
   const double ratio = number == 0 ? 1 : step_ratio(substeps_of(number - 1), substeps);
   return {begin_of(number), substeps, speed, ratio};
 }

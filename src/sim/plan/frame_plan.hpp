@@ -39,7 +39,9 @@ class FramePlan {
   std::uint32_t substeps() const { return choice_.substeps; }
   double step() const { return frame_time_ / choice_.substeps; }
   /// Of a frame, counted from 0: more than substeps() where something is moved fast (docs/contact.md).
-  std::uint32_t substeps_of(std::uint32_t frame) const { return substeps_at(mover_speed(frame)); }
+  std::uint32_t substeps_of(std::uint32_t frame) const {
+    return substeps_between(begin_of(frame), begin_of(frame + 1));
+  }
   /// The most of any frame.
   std::uint32_t most_substeps() const { return most_substeps_; }
   /// How one frame is stepped.
@@ -68,8 +70,8 @@ class FramePlan {
   double mover_speed(std::uint32_t frame) const {
     return largest_speed(movers_, begin_of(frame), begin_of(frame + 1));
   }
-  std::uint32_t substeps_at(double mover_speed) const {
-    return choice_.substeps * contact_step_factor(mover_speed, thickness_, step());
+  std::uint32_t substeps_between(double begin, double end) const {
+    return choice_.substeps * contact_step_factor(movers_, begin, end, thickness_, step());
   }
 
   MethodChoice choice_;
