@@ -1,4 +1,4 @@
-// Sine and cosine with the same bits on every machine, which libm does not promise.
+// Sine, cosine and their angle with the same bits on every machine, which libm does not promise.
 #pragma once
 
 #include <cassert>
@@ -61,6 +61,20 @@ inline Turn turn_of(double angle) {
     default:
       return {sine, -cosine};
   }
+}
+
+/// The angle in [0, pi/2] of a turn whose cosine and sine are not negative; the absolute error is below 4e-16. A first
+/// guess by a cubic is 0.02 off; sin(angle - guess) then takes an error e to e^3 / 6, so twice is enough.
+inline double angle_of(const Turn& turn) {
+  assert(turn.cosine >= 0 && turn.sine >= 0);
+  constexpr double kQuarter = 1.5707963267948966;
+  const auto small = [](double sine) { return sine + sine * sine * sine / 6; };
+  double angle = turn.sine <= turn.cosine ? small(turn.sine) : kQuarter - small(turn.cosine);
+  for (int round = 0; round < 2; ++round) {
+    const Turn guess = turn_of(angle);
+    angle += turn.sine * guess.cosine - turn.cosine * guess.sine;
+  }
+  return angle;
 }
 
 }  // namespace weft

@@ -7,18 +7,12 @@
 #include <vector>
 
 #include "base/mat3.hpp"
+#include "base/quaternion.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "scene/motion.hpp"
 #include "scene/scene.hpp"
 
 namespace weft {
-
-/// A unit quaternion x, y, z, w.
-using Quaternion = std::array<double, 4>;
-Quaternion product(const Quaternion& a, const Quaternion& b);
-Mat3 matrix_of(const Quaternion& q);
-/// Of a rotation.
-Quaternion quaternion_of(const Mat3& rotation);
 
 /// Mesh: rigid bodies do not meet it.
 enum class SolidKind : std::uint32_t { Ball, Capsule, Box, Hull, Plane, Mesh };
