@@ -29,8 +29,8 @@ struct NativeDevice {
   WGPUDevice device = nullptr;
 };
 
-/// One of a world's buffers. Its usages are Storage, CopySrc and CopyDst, of triangles Index too; writing to it is not
-/// for the caller.
+/// One of a world's buffers. Its usages are Storage, CopySrc, CopyDst and Vertex, of triangles Index instead of Vertex;
+/// writing to it is not for the caller.
 ///
 /// | of          | an element                                               |
 /// |-------------|----------------------------------------------------------|

@@ -41,6 +41,8 @@ class RawBuffer {
 };
 
 inline constexpr std::uint32_t kStorageDefault = kStorage | kCopySource | kCopyTarget;
+/// The same for what a program may draw from: positions and what goes with them.
+inline constexpr std::uint32_t kVertexStorage = kStorageDefault | kVertex;
 
 /// `count` elements of T on the GPU. T is what WGSL sees: 4, 8 or 16 bytes aligned plain data.
 template <class T>

@@ -55,6 +55,7 @@ enum BufferUsage : std::uint32_t {
   kIndirect = 1U << 5U,
   kMapRead = 1U << 6U,
   kQueryResolve = 1U << 7U,
+  kVertex = 1U << 8U,
 };
 
 enum TextureUsage : std::uint32_t {

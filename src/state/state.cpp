@@ -20,8 +20,8 @@ Result<State> State::create(gpu::Device& device, const Model& model, std::uint32
   const std::size_t count = model.vertex_count();
   for (std::size_t parity = 0; parity < 2; ++parity) {
     const std::string suffix = parity == 0 ? " a" : " b";
-    WEFT_TRY(position, gpu::Buffer<Vec4f>::create(device, count, "position" + suffix));
-    WEFT_TRY(velocity, gpu::Buffer<Vec4f>::create(device, count, "velocity" + suffix));
+    WEFT_TRY(position, gpu::Buffer<Vec4f>::create(device, count, "position" + suffix, gpu::kVertexStorage));
+    WEFT_TRY(velocity, gpu::Buffer<Vec4f>::create(device, count, "velocity" + suffix, gpu::kVertexStorage));
     state.position[parity] = std::move(position);
     state.velocity[parity] = std::move(velocity);
   }

@@ -8,9 +8,9 @@ Result<Surface> Surface::create(gpu::Device& device, const GpuModel& model, cons
   Surface made;
   WEFT_TRY(kernel, gpu::Kernel::create(device, "state/surface.wgsl"));
   made.kernel_ = std::move(kernel);
-  WEFT_TRY(normal, gpu::Buffer<Vec4f>::create(device, model.vertex_count(), "normal"));
+  WEFT_TRY(normal, gpu::Buffer<Vec4f>::create(device, model.vertex_count(), "normal", gpu::kVertexStorage));
   made.normal_ = std::move(normal);
-  WEFT_TRY(stretch, gpu::Buffer<float>::create(device, model.vertex_count(), "stretch"));
+  WEFT_TRY(stretch, gpu::Buffer<float>::create(device, model.vertex_count(), "stretch", gpu::kVertexStorage));
   made.stretch_ = std::move(stretch);
   const mesh::Adjacency adjacency = mesh::triangle_adjacency(model.vertex_count(), model.host.triangles);
   WEFT_TRY(offsets, gpu::Buffer<std::uint32_t>::create_from(device, adjacency.offsets, "triangle offsets"));

@@ -119,6 +119,7 @@ const char* name_of(gpu::BufferUsage usage) {
     NAME(kIndirect);
     NAME(kMapRead);
     NAME(kQueryResolve);
+    NAME(kVertex);
   }
   return nullptr;
 }

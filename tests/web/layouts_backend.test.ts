@@ -87,6 +87,7 @@ beforeEach(() => {
     HEAPF32: new Float32Array(heap), HEAPF64: new Float64Array(heap) });
   backend.device = {
     pushErrorScope: () => undefined,
+    popErrorScope: () => Promise.resolve(null),
     createBuffer: (descriptor: object) => ({ ...make("createBuffer")(descriptor), mapAsync: () => mapping }),
     createTexture: make("createTexture"),
     createBindGroupLayout: make("createBindGroupLayout"),
@@ -98,7 +99,8 @@ beforeEach(() => {
 describe("a bit of C++ is WebGPU's flag of that meaning", () => {
   it.each(
     Object.entries({ kStorage: "STORAGE", kUniform: "UNIFORM", kCopySource: "COPY_SRC", kCopyTarget: "COPY_DST",
-      kIndex: "INDEX", kIndirect: "INDIRECT", kMapRead: "MAP_READ", kQueryResolve: "QUERY_RESOLVE" }),
+      kIndex: "INDEX", kIndirect: "INDIRECT", kMapRead: "MAP_READ", kQueryResolve: "QUERY_RESOLVE",
+      kVertex: "VERTEX" }),
   )("BufferUsage %s", (name, flag) => {
     backend.buffer(16, cpp.enums.BufferUsage[name]!, NO_TEXT);
     expect(calls).toEqual([["createBuffer", { label: "", size: 16, usage: GPUBufferUsage[flag] }]]);

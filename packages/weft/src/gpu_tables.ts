@@ -26,7 +26,7 @@ export type GpuObject = GPUBuffer | GPUTexture | GPUTextureView | GPUSampler | G
   | GPUPipelineLayout | GPUBindGroup | GPUComputePipeline | GPURenderPipeline | GPUQuerySet;
 
 /** What BufferUsage and TextureUsage mean, bit by bit, as WebGPU's flags. */
-export const BUFFER_USAGE = [0x80, 0x40, 0x04, 0x08, 0x10, 0x100, 0x01, 0x200] as const; // STORAGE … QUERY_RESOLVE
+export const BUFFER_USAGE = [0x80, 0x40, 0x04, 0x08, 0x10, 0x100, 0x01, 0x200, 0x20] as const; // STORAGE … VERTEX
 export const TEXTURE_USAGE = [0x10, 0x04, 0x01] as const; // RENDER_ATTACHMENT, TEXTURE_BINDING, COPY_SRC
 
 export function flags(bits: number, table: readonly number[]): number {

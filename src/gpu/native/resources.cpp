@@ -18,6 +18,7 @@ WGPUBufferUsage buffer_usage(std::uint32_t usage) {
   if (usage & kIndirect) flags |= WGPUBufferUsage_Indirect;
   if (usage & kMapRead) flags |= WGPUBufferUsage_MapRead;
   if (usage & kQueryResolve) flags |= WGPUBufferUsage_QueryResolve;
+  if (usage & kVertex) flags |= WGPUBufferUsage_Vertex;
   return flags;
 }
 
