@@ -6,6 +6,7 @@
 
 #include "weft/adapter.hpp"
 #include "weft/image.hpp"
+#include "weft/placement.hpp"
 #include "weft/report.hpp"
 #include "weft/result.hpp"
 #include "weft/scene.hpp"

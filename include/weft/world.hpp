@@ -10,6 +10,7 @@
 
 #include "weft/adapter.hpp"
 #include "weft/image.hpp"
+#include "weft/placement.hpp"
 #include "weft/report.hpp"
 #include "weft/result.hpp"
 #include "weft/scene.hpp"
@@ -123,6 +124,15 @@ class World {
   Result<void> move(std::span<const std::uint32_t> nodes, std::span<const Vec3f> places);
   /// The nodes that move() takes, in rising order.
   std::vector<std::uint32_t> given_nodes() const;
+
+  /// Moves a collider of the scene that has a motion of kind "given", with all that is attached to it, to a place from
+  /// where the scene puts it: through the next frame, at constant velocity and spin, which cloth in contact feels, and
+  /// there it stays. Waits for nothing; called again before that frame, it counts instead.
+  /// Errors  Input: `collider`, its place in the scene's list, has no such motion; a number is not finite, or the
+  ///         rotation no unit quaternion; a point of it would go faster than the motion's speed. It does not move then.
+  Result<void> set_collider(std::size_t collider, const Placement& placement);
+  /// The colliders that set_collider() takes, in rising order.
+  std::vector<std::size_t> given_colliders() const;
 
   Buffer position() const;  ///< [m]
   Buffer velocity() const;  ///< [m/s]

@@ -80,6 +80,16 @@ void move(SharedWorld& world, const Numbered& nodes, const GivenVectors& places)
   check(world.with([&](World& w) { return w.move(numbers, vectors(places)); }));
 }
 
+void set_collider(SharedWorld& world, std::size_t collider, const Point& position,
+                  const std::array<double, 4>& rotation) {
+  check(world.with([&](World& w) { return w.set_collider(collider, {vec(position), rotation}); }));
+}
+
+void set_collider_by(SharedWorld& world, std::size_t collider, const std::array<double, 16>& columns) {
+  const Placement placement = value_of(Placement::from_matrix(columns));
+  check(world.with([&](World& w) { return w.set_collider(collider, placement); }));
+}
+
 nb::dict describe(SharedWorld& world) {
   const Description d = world.with([](World& w) { return w.describe(); });
   nb::dict out;
@@ -184,6 +194,10 @@ void bind_world(nb::module_& module) {
       .def("move", &move, nb::arg("nodes"), nb::arg("places"))
       .def("given_nodes",
            [](SharedWorld& world) { return world.with([](World& w) { return w.given_nodes(); }); })
+      .def("set_collider", &set_collider, nb::arg("collider"), nb::arg("position"), nb::arg("rotation"))
+      .def("set_collider_by", &set_collider_by, nb::arg("collider"), nb::arg("columns"))
+      .def("given_colliders",
+           [](SharedWorld& world) { return world.with([](World& w) { return w.given_colliders(); }); })
       .def("triangles", &triangles)
       .def(
           "change",

@@ -148,6 +148,51 @@ class Setting(unittest.TestCase):
             world.push(np.where(np.arange(144)[:, None] == 3, np.inf, np.zeros((144, 3))))
 
 
+class Colliders(unittest.TestCase):
+    FRAME = 1 / 64  # s, so that times are exact
+
+    def scene(self, motion: dict[str, Any]) -> dict[str, Any]:
+        scene = scenes.sheet(damping=0.005, stiffness={"structural": 40, "shear": 10, "bend": 0.3})
+        scene["time"] = {"frame": self.FRAME, "substeps": 8}  # which are enough for a soft sheet
+        scene["contact"] = {"method": "proximity"}
+        scene["colliders"] = [{"kind": "sphere", "center": [0, -0.25, 0], "radius": 0.2, "motion": motion}]
+        return scene
+
+    def test_a_carried_ball_has_the_bits_of_the_same_path_of_its_scene(self) -> None:
+        points = [[0.125, [0, 0.1875, 0]], [1, [0, 1.5, 0]]]
+        there = weft.World(self.scene({"kind": "path", "points": points})).run(8)
+        for by_matrix in (False, True):
+            world = weft.World(self.scene({"kind": "given", "speed": 1.5}))
+            self.assertEqual(world.given_colliders, [0])
+            for frame in range(1, 9):
+                place = [0, 1.5 * frame * self.FRAME, 0]
+                matrix = np.eye(4)
+                matrix[:3, 3] = place
+                if by_matrix:
+                    world.set_collider(0, matrix=matrix)
+                else:
+                    world.set_collider(0, place)
+                world.step()
+            self.assertEqual(world.run(0).state_hash, there.state_hash)
+
+    def test_what_cannot_be_is_refused(self) -> None:
+        world = weft.World(self.scene({"kind": "given", "speed": 1.5}))
+        with self.assertRaisesRegex(weft.InputError, "Collider 0 would go up to 1 m in a frame, at 64 m/s; its motion"):
+            world.set_collider(0, [0, 1, 0])
+        with self.assertRaisesRegex(weft.InputError, "Collider 3 is not one of the 1 that"):
+            world.set_collider(3)
+        with self.assertRaisesRegex(weft.InputError, "Collider -1 is not one of"):
+            world.set_collider(-1)
+        with self.assertRaisesRegex(weft.InputError, "The rotation has length 2; a unit quaternion's is within 0.001"):
+            world.set_collider(0, rotation=[0, 0, 0, 2])
+        with self.assertRaisesRegex(weft.ShapeError, r"The rotation has shape \(3,\); wanted is \(4,\)."):
+            world.set_collider(0, rotation=[0, 0, 1])
+        with self.assertRaisesRegex(weft.InputError, "Column 0 of the matrix has length 2; a placement does not scale"):
+            world.set_collider(0, matrix=np.diag([2, 1, 1, 1]))
+        with self.assertRaisesRegex(weft.ShapeError, r"The matrix has shape \(3, 3\); wanted is \(4, 4\)."):
+            world.set_collider(0, matrix=np.eye(3))
+
+
 class Pictures(unittest.TestCase):
     def test_a_picture_shows_the_cloth_before_the_background(self) -> None:
         world = scenes.world()

@@ -205,6 +205,46 @@ class World:
         """The nodes that `move` takes, (k,) uint32, rising."""
         return np.array(self._core.given_nodes(), np.uint32)
 
+    def set_collider(
+        self,
+        collider: int,
+        position: Point = (0, 0, 0),
+        rotation: Sequence[float] | npt.NDArray[Any] = (0, 0, 0, 1),
+        *,
+        matrix: npt.ArrayLike | None = None,
+    ) -> None:
+        """Moves a collider with a motion of kind "given" through the next frame, from where the scene puts it.
+
+        collider  its place in the scene's list, one of `given_colliders`
+        position  (3,) [m]
+        rotation  (4,), a unit quaternion x, y, z, w: p' = R p + position
+        matrix    (4, 4), instead of both: p' = matrix @ p, without a scale
+
+        It goes at constant velocity and spin, which cloth in contact feels; what is attached to it goes along. There it
+        stays. Called again before that frame, it counts instead.
+
+        Errors: ShapeError. InputError, another collider; a number is not finite, or the rotation none; a point of it
+        would go faster than the motion's speed. It does not move then.
+        """
+        if collider < 0:
+            raise InputError(f"Collider {collider} is not one of the world's.")
+        if matrix is None:
+            turn = np.asarray(rotation, np.float64)
+            if turn.shape != (4,):
+                raise ShapeError(f"The rotation has shape {turn.shape}; wanted is (4,).")
+            x, y, z, w = turn.tolist()
+            self._core.set_collider(collider, _point(position, "position"), (x, y, z, w))
+            return
+        numbers = np.asarray(matrix, np.float64)
+        if numbers.shape != (4, 4):
+            raise ShapeError(f"The matrix has shape {numbers.shape}; wanted is (4, 4).")
+        self._core.set_collider_by(collider, numbers.T.ravel().tolist())
+
+    @property
+    def given_colliders(self) -> list[int]:
+        """The colliders that `set_collider` takes, rising."""
+        return self._core.given_colliders()
+
     @property
     def normals(self) -> Floats:
         """Unit vectors, (nodes, 3) float32; as `positions`."""

@@ -69,6 +69,10 @@ Result<void> World::move(std::span<const std::uint32_t> nodes, std::span<const V
   return running_->world().move(nodes, places);
 }
 std::vector<std::uint32_t> World::given_nodes() const { return running_->world().given_nodes(); }
+Result<void> World::set_collider(std::size_t collider, const Placement& placement) {
+  return running_->world().set_collider(collider, placement);
+}
+std::vector<std::size_t> World::given_colliders() const { return running_->world().given_colliders(); }
 
 Buffer World::position() const { return {running_.get(), Buffer::Quantity::Position}; }
 Buffer World::velocity() const { return {running_.get(), Buffer::Quantity::Velocity}; }

@@ -111,6 +111,8 @@ class Tie {
     } else if (const auto& motion = scene::motion_of(collider_)) {
       if (group_ == 0) {
         model_.motions.push_back({attachment_.where, attachment_.nodes, *motion});
+        if (auto* carried = std::get_if<scene::MotionCarried>(&model_.motions.back().shape))
+          carried->collider = attachment_.collider;
         group_ = 1 + static_cast<std::uint32_t>(model_.motions.size());
       }
       model_.motion[node] = group_;

@@ -46,6 +46,7 @@ struct ObjectDraw {
   mesh::Deformation deformation{};  // before its motion
   std::optional<scene::ColliderMotion> motion{};
   std::optional<std::size_t> rigid{};  // the number of its collider in RigidRows, where it is a rigid body
+  std::optional<std::size_t> given{};  // the same in Inputs::colliders, where a program moves it
 };
 
 /// Where rigid bodies are: a buffer that has three rows of a transform for each collider, as placement.wgsl reads them.
@@ -64,8 +65,10 @@ struct Inputs {
   std::vector<ObjectDraw> hulls;  // convex; drawn with sharp edges, as boxes are
   std::vector<scene::ColliderPlane> planes;
   RigidRows rigid;
-  // Of each sphere, capsule and box the number of its collider; may be left out where none is rigid.
-  std::vector<std::size_t> sphere_colliders{}, capsule_colliders{}, box_colliders{};
+  // Of each sphere, capsule, box and plane the number of its collider; may be left out where none is rigid or given.
+  std::vector<std::size_t> sphere_colliders{}, capsule_colliders{}, box_colliders{}, plane_colliders{};
+  /// The scene's, whose motions a program goes on giving: they must outlive the renderer. Null: it moves none.
+  const std::vector<scene::Collider>* colliders = nullptr;
 };
 
 }  // namespace weft::render

@@ -6,9 +6,11 @@
 
 namespace weft::render {
 
-MovingObjects::MovingObjects(std::vector<MovingObject> objects) {
+MovingObjects::MovingObjects(std::vector<MovingObject> objects, const std::vector<scene::Collider>* colliders)
+    : colliders_(colliders) {
   std::size_t most = 0;  // vertices of one that deforms
   for (MovingObject& object : objects) {
+    given_ = given_ || object.draw.given.has_value();
     if (!object.draw.deformation.empty()) most = std::max(most, object.draw.mesh.positions.size());
     std::vector<Vec3f> first_shape = object.draw.mesh.positions;
     objects_.push_back({std::move(object), std::move(first_shape), {}});
@@ -20,10 +22,12 @@ MovingObjects::MovingObjects(std::vector<MovingObject> objects) {
 }
 
 void MovingObjects::write(gpu::Device& device, const ObjectBuffers& buffers, double time) {
-  if (objects_.empty() || time == written_) return;
+  if (objects_.empty() || (time == written_ && !given_)) return;
   Vec4f* row = rows_.data();
   for (std::size_t number = 0; number < objects_.size(); ++number) {
-    const std::optional<scene::ColliderMotion>& motion = objects_[number].object.draw.motion;
+    const ObjectDraw& draw = objects_[number].object.draw;
+    const std::optional<scene::ColliderMotion>& motion =
+        draw.given ? scene::motion_of((*colliders_)[*draw.given]) : draw.motion;
     const scene::RigidTransform move = motion ? scene::motion_at(*motion, time) : scene::RigidTransform{};
     for (int axis = 0; axis < 3; ++axis) {
       const double* r = &move.rotation[3 * axis];

@@ -11,7 +11,8 @@ namespace weft::render {
 class MovingObjects {
  public:
   MovingObjects() = default;
-  explicit MovingObjects(std::vector<MovingObject> objects);
+  /// `colliders`: Inputs::colliders.
+  MovingObjects(std::vector<MovingObject> objects, const std::vector<scene::Collider>* colliders);
 
   /// Writes  buffers.placement: three rows each; of those that deform position [m] and normal, where they
   ///         change. Before anything that is submitted later.
@@ -26,6 +27,8 @@ class MovingObjects {
   void deform(gpu::Device& device, const ObjectBuffers& buffers, std::size_t number, double time);
 
   std::vector<Moving> objects_;
+  const std::vector<scene::Collider>* colliders_ = nullptr;
+  bool given_ = false;                                         // a program moves one, at any time elsewhere
   double written_ = std::numeric_limits<double>::quiet_NaN();  // [s]
   std::vector<Vec4f> rows_;                                    // of all
   std::vector<Vec4f> positions_, normals_;                     // of one that deforms

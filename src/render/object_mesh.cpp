@@ -62,25 +62,43 @@ std::vector<Part> parts_of(const Inputs& inputs) {
   const auto rigid = [&](const auto& shape, const std::vector<std::size_t>& colliders, std::size_t k) {
     return shape.rigid && inputs.rigid.words != nullptr ? std::optional(colliders[k]) : std::nullopt;
   };
+  const auto given = [&](const auto& shape, const std::vector<std::size_t>& colliders, std::size_t k) {
+    const bool moved = inputs.colliders != nullptr && shape.motion &&
+                       std::holds_alternative<scene::MotionCarried>(*shape.motion);
+    return moved ? std::optional(colliders[k]) : std::nullopt;
+  };
   if (!inputs.spheres.empty()) {
     const mesh::TriangleMesh unit = mesh::make_sphere(kColumns, kRows);
     for (std::size_t k = 0; k < inputs.spheres.size(); ++k) {
       const scene::ColliderSphere& sphere = inputs.spheres[k];
-      parts.push_back(
-          {{placed(unit, sphere), {}, sphere.motion, rigid(sphere, inputs.sphere_colliders, k)}, true});
+      parts.push_back({{placed(unit, sphere),
+                        {},
+                        sphere.motion,
+                        rigid(sphere, inputs.sphere_colliders, k),
+                        given(sphere, inputs.sphere_colliders, k)},
+                       true});
     }
   }
   for (std::size_t k = 0; k < inputs.capsules.size(); ++k) {
     const scene::ColliderCapsule& capsule = inputs.capsules[k];
-    parts.push_back(
-        {{mesh_of(capsule), {}, capsule.motion, rigid(capsule, inputs.capsule_colliders, k)}, true});
+    parts.push_back({{mesh_of(capsule),
+                      {},
+                      capsule.motion,
+                      rigid(capsule, inputs.capsule_colliders, k),
+                      given(capsule, inputs.capsule_colliders, k)},
+                     true});
   }
   for (std::size_t k = 0; k < inputs.boxes.size(); ++k) {
     const scene::ColliderBox& box = inputs.boxes[k];
-    parts.push_back({{mesh_of(box), {}, box.motion, rigid(box, inputs.box_colliders, k)}, true});
+    parts.push_back({{mesh_of(box),
+                      {},
+                      box.motion,
+                      rigid(box, inputs.box_colliders, k),
+                      given(box, inputs.box_colliders, k)},
+                     true});
   }
   for (const ObjectDraw& hull : inputs.hulls)
-    parts.push_back({{sharp(hull.mesh), {}, hull.motion, hull.rigid}, true});
+    parts.push_back({{sharp(hull.mesh), {}, hull.motion, hull.rigid, hull.given}, true});
   for (const ObjectDraw& object : inputs.objects) parts.push_back({object, stays_closed(object)});
   return parts;
 }

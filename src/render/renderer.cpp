@@ -114,14 +114,20 @@ Result<void> Renderer::create_scene(const Inputs& inputs) {
   WEFT_TRY(planes, create_planes(*device_, squares));
   scene_.planes = std::move(planes);
   for (std::size_t p = 0; p < inputs.planes.size(); ++p)
-    if (inputs.planes[p].motion) moving_planes_.push_back({p, squares[p], *inputs.planes[p].motion});
+    if (const auto& motion = inputs.planes[p].motion) {
+      MovingPlane moving{p, squares[p], *motion};
+      if (inputs.colliders != nullptr && std::holds_alternative<scene::MotionCarried>(*motion))
+        moving.given = inputs.plane_colliders[p];
+      moving_planes_.push_back(std::move(moving));
+    }
   ObjectMesh mesh = join_objects(inputs);
   WEFT_TRY(objects, ObjectBuffers::create(*device_, mesh));
   scene_.objects = std::move(objects);
   rigid_ = inputs.rigid;
   for (std::size_t k = 0; k < mesh.moving.size(); ++k)
     if (const auto& body = mesh.moving[k].draw.rigid) rigid_objects_.push_back({k, *body});
-  moving_objects_ = MovingObjects(std::move(mesh.moving));
+  colliders_ = inputs.colliders;
+  moving_objects_ = MovingObjects(std::move(mesh.moving), colliders_);
   set_time(0);
   WEFT_TRY(shadow_map, ShadowMap::create(*device_, scene_.frame, scene_.cloth, scene_.objects));
   scene_.shadow_map = std::move(shadow_map);
@@ -214,8 +220,10 @@ void Renderer::set_camera(const Camera& camera) {
 void Renderer::set_time(double time) {
   moving_objects_.write(*device_, scene_.objects, time);
   for (const MovingPlane& moving : moving_planes_) {
+    const scene::ColliderMotion& motion =
+        moving.given ? *scene::motion_of((*colliders_)[*moving.given]) : moving.motion;
     const PlaneParams params =
-        moved_plane(moving.rest, scene::motion_at(moving.motion, time), middle_of(settings_.bounds));
+        moved_plane(moving.rest, scene::motion_at(motion, time), middle_of(settings_.bounds));
     scene_.planes[moving.plane].write(*device_, {&params, 1});
   }
 }

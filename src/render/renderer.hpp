@@ -38,7 +38,7 @@ Camera camera_of(const Settings& settings);
 /// Draws a state's buffers where they lie, with light and shadow, into a texture of the caller's.
 class Renderer {
  public:
-  /// Reads   inputs.cloth: buffers that outlive the renderer; obstacles are copied.
+  /// Reads   inputs.cloth: buffers that outlive the renderer; obstacles are copied, but for Inputs::colliders.
   /// Errors  Shape: buffers disagree in size, the view lacks one, or what is subdivided is not a grid. Limit:
   /// the
   ///         picture or the subdivided cloth is larger than the adapter can make. OutOfMemory.
@@ -71,6 +71,7 @@ class Renderer {
     std::size_t plane = 0;  // of DrawnScene::planes
     PlaneParams rest;
     scene::ColliderMotion motion;
+    std::optional<std::size_t> given{};  // as ObjectDraw::given
   };
 
   Result<void> create_scene(const Inputs& inputs);
@@ -84,6 +85,7 @@ class Renderer {
   ClothDraw given_;                  // as the state has it
   std::unique_ptr<FineCloth> fine_;  // none: what is given is drawn
   DrawnScene scene_;
+  const std::vector<scene::Collider>* colliders_ = nullptr;  // Inputs::colliders
   MovingObjects moving_objects_;
   RigidRows rigid_;
   std::vector<std::array<std::size_t, 2>>

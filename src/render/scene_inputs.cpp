@@ -38,6 +38,7 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
     inputs.cloth.ranges.push_back(range);
   }
   inputs.rigid = buffers.rigid;
+  inputs.colliders = &scene.colliders;
   std::size_t object = 0;
   for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
     const scene::Collider& collider = scene.colliders[c];
@@ -45,6 +46,7 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
       assert(object < objects.size());
       inputs.objects.push_back(
           {objects[object], deformations.empty() ? mesh::Deformation{} : deformations[object], mesh->motion});
+      if (scene::carried_of(collider) != nullptr) inputs.objects.back().given = c;
       ++object;
     }
     if (const auto* box = std::get_if<scene::ColliderBox>(&collider)) {  // drawn with sharp edges
@@ -56,6 +58,7 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
       assert(object < objects.size());
       inputs.hulls.push_back({objects[object], {}, convex->motion});
       if (convex->rigid && buffers.rigid.words != nullptr) inputs.hulls.back().rigid = c;
+      if (scene::carried_of(collider) != nullptr) inputs.hulls.back().given = c;
       ++object;
     }
     if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&collider)) {
@@ -66,7 +69,10 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
       inputs.spheres.push_back(*sphere);
       inputs.sphere_colliders.push_back(c);
     }
-    if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) inputs.planes.push_back(*plane);
+    if (const auto* plane = std::get_if<scene::ColliderPlane>(&collider)) {
+      inputs.planes.push_back(*plane);
+      inputs.plane_colliders.push_back(c);
+    }
   }
   return inputs;
 }

@@ -73,6 +73,8 @@ Result<Collider> build_collider(const Json& json, ContactMethod method, const st
   if (const Json* given = json.find("motion")) {
     WEFT_TRY(built, build_motion(*given, file, path + ".motion"));
     motion = std::move(built);
+    // Nodes go each by itself, a collider as a whole.
+    if (const auto* moved = std::get_if<MotionGiven>(&*motion)) motion = MotionCarried{moved->speed, {}};
   }
   WEFT_TRY(rigid, build_rigid(json, method, file, path));
   const std::string& kind = at(json, "kind").text;

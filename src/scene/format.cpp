@@ -173,8 +173,6 @@ constexpr Type kSelectors{.kind = Kind::Either, .types = kSelectorOrList};
 // motions
 constexpr const char* kMotionKindNames[] = {"line", "path", "rotation", "given"};
 constexpr Type kMotionKind{.kind = Kind::Choice, .choices = kMotionKindNames};
-constexpr const char* kColliderMotionKindNames[] = {"line", "path", "rotation"};
-constexpr Type kColliderMotionKind{.kind = Kind::Choice, .choices = kColliderMotionKindNames};
 constexpr Key kMotionKeys[] = {
     {"kind", &kMotionKind, "How the nodes move", nullptr, true},
     {"nodes", &kSelectors, "The nodes that move: a selector or a list of them", nullptr, true},
@@ -204,19 +202,18 @@ constexpr Key kRotationKeys[] = {
     {"ramp", &kInstant, "Time in which the speed rises from 0, and falls to 0 before the end", "0"},
 };
 constexpr Key kGivenKeys[] = {
-    {"speed", &kSpeed, "The most that a program may move a node by", nullptr, true},
+    {"speed", &kSpeed, "The most that a program may move a node, or a point of a collider, by", nullptr,
+     true},
 };
 constexpr Variant kMotionVariants[] = {
     {"line", kLineKeys}, {"path", kPathKeys}, {"rotation", kRotationKeys}, {"given", kGivenKeys}};
-constexpr Variant kColliderMotionVariants[] = {
-    {"line", kLineKeys}, {"path", kPathKeys}, {"rotation", kRotationKeys}};
 constexpr Key kColliderMotionKeys[] = {
-    {"kind", &kColliderMotionKind, "How the collider moves", nullptr, true},
+    {"kind", &kMotionKind, "How the collider moves", nullptr, true},
 };
 constexpr Type kColliderMotion{.kind = Kind::Object,
                                .name = "collider_motion",
                                .keys = kColliderMotionKeys,
-                               .variants = kColliderMotionVariants};
+                               .variants = kMotionVariants};
 constexpr Type kMotion{
     .kind = Kind::Object, .name = "motion", .keys = kMotionKeys, .variants = kMotionVariants};
 constexpr const Type* kMotionItem[] = {&kMotion};

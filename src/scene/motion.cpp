@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/trig.hpp"
+#include "scene/screw.hpp"
 
 namespace weft::scene {
 namespace {
@@ -69,6 +70,7 @@ RigidTransform motion_at(const MotionShape& shape, double time) {
     const double part = time > given->begin ? (time - given->begin) / (given->end - given->begin) : 0;
     return shift(given->from * (1 - part) + given->to * part);
   }
+  if (const auto* moved = std::get_if<MotionCarried>(&shape)) return transform_of(placement_at(*moved, time));
   const auto& turn = *std::get_if<MotionRotation>(&shape);
   return rotation(turn, travelled(time - turn.start, turn.speed, turn.ramp, turn.angle));
 }

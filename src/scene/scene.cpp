@@ -51,6 +51,15 @@ const std::optional<ColliderMotion>& motion_of(const Collider& collider) {
                     collider);
 }
 
+const MotionCarried* carried_of(const Collider& collider) {
+  const std::optional<ColliderMotion>& motion = motion_of(collider);
+  return motion ? std::get_if<MotionCarried>(&*motion) : nullptr;
+}
+MotionCarried* carried_of(Collider& collider) {
+  return std::visit([](auto& one) { return one.motion ? std::get_if<MotionCarried>(&*one.motion) : nullptr; },
+                    collider);
+}
+
 const Rigid* rigid_of(const Collider& collider) {
   const auto of = [](const auto& one) -> const Rigid* {
     if constexpr (requires { one.rigid; })

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "weft/placement.hpp"
 #include "weft/view.hpp"
 
 namespace weft::scene {
@@ -83,7 +84,21 @@ struct MotionGiven {
   Vec3d from, to;             // from the rest position [m]
   bool operator==(const MotionGiven&) const = default;
 };
-using MotionShape = std::variant<MotionLine, MotionPath, MotionRotation, MotionGiven>;
+/// The way of a collider through a frame that a program has given it, along the screw between the two (screw.hpp).
+struct CarriedWay {
+  double begin = 0, end = 0;  // [s]
+  Placement from, to;
+  bool operator==(const CarriedWay&) const = default;
+};
+/// A collider that a program moves (sim::World::set_collider), and what is attached to it; until then it stays. How it
+/// has been moved is not compared.
+struct MotionCarried {
+  double speed = 0;              // the most that it may move a point of it by [m/s]
+  std::vector<CarriedWay> ways;  // the last ones: each begins where that before it ended
+  std::size_t collider = 0;      // of the scene's: of nodes that are attached to it
+  bool operator==(const MotionCarried& other) const { return speed == other.speed; }
+};
+using MotionShape = std::variant<MotionLine, MotionPath, MotionRotation, MotionGiven, MotionCarried>;
 /// Nodes that follow a given motion instead of the forces.
 struct Motion {
   std::string where;  // file and JSON path
@@ -307,6 +322,9 @@ using Collider =
 
 const std::optional<double>& friction_of(const Collider& collider);
 const std::optional<ColliderMotion>& motion_of(const Collider& collider);
+/// Null: no program moves it.
+const MotionCarried* carried_of(const Collider& collider);
+MotionCarried* carried_of(Collider& collider);
 /// Null: it is an obstacle.
 const Rigid* rigid_of(const Collider& collider);
 

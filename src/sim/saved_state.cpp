@@ -18,12 +18,13 @@ static_assert(std::endian::native == std::endian::little);  // lists are copied 
 constexpr char kMagic[] = "weftsave";
 constexpr std::size_t kMagicBytes = 8, kSizeAt = 16, kHashAt = 24, kHeaderBytes = 32, kMostText = 1024;
 constexpr std::size_t kMostOtherBytes = 16384;  // of all but the lists of nodes, pairs and bodies
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 /// Pairs that act, for each node and besides; far more than can be near it.
 constexpr std::uint64_t kMostPairsOfNode = 256, kMorePairs = 4096;
 
-/// Of a thousand rigid bodies.
+/// Of a thousand rigid bodies, or colliders that a program moves.
 constexpr std::uint64_t kMostRigidBytes = 131072;
+static_assert(sizeof(Placement) == 7 * sizeof(double) && 1024 * sizeof(Placement) <= kMostRigidBytes);
 
 class StateWriter {
  public:
@@ -191,6 +192,7 @@ std::vector<std::byte> write_saved_state(const SavedState& state) {
   writer.list(snapshot.contact_forces);
   writer.list(snapshot.hold_forces);
   writer.list(snapshot.rigid);
+  writer.list(snapshot.given);
   writer.list(snapshot.position_before);
   writer.list(snapshot.velocity_before);
   writer.number(snapshot.step);
@@ -227,6 +229,7 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes) {
   snapshot.contact_forces = reader.list<std::uint32_t>("a list of contact forces");
   snapshot.hold_forces = reader.list<std::int32_t>("a list of forces at obstacles");
   snapshot.rigid = reader.list<std::uint32_t>("a list of rigid bodies");
+  snapshot.given = reader.list<Placement>("a list of colliders that a program moves");
   snapshot.position_before = reader.list<Vec4f>("a list of positions before");
   snapshot.velocity_before = reader.list<Vec4f>("a list of velocities before");
   snapshot.step = reader.number<double>();

@@ -8,6 +8,7 @@
 #include "base/vec.hpp"
 #include "sim/frame_steps.hpp"
 #include "sim/plan/frame_plan.hpp"
+#include "weft/placement.hpp"
 
 namespace weft::sim {
 
@@ -26,6 +27,7 @@ struct Snapshot : NodeState {
   std::vector<std::int32_t>
       hold_forces;                   // of vertices that the solver holds: contact::SceneContact::hold_forces
   std::vector<std::uint32_t> rigid;  // of the scene's rigid bodies: contact::RigidBodies::states
+  std::vector<Placement> given;      // of the colliders that a program moves
   /// That state a substep before, `step` [s] long; empty where the method has no history.
   std::vector<Vec4f> position_before, velocity_before;
   double step = 0;

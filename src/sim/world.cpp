@@ -171,6 +171,7 @@ Result<void> World::take(const Report& report) {
   ++totals_.frames;
   last_report_ = statistics;
   add(totals_, statistics);
+  if (told_) told_(report.frame);
   const bool contact_adapts = contact_.adapt(statistics);
   if (solver_->adapt(device_, statistics) || contact_adapts) recorder_.forget();
   return {};
@@ -182,6 +183,7 @@ Result<void> World::reset() {
   state_.reset(device_, model_.host);
   for (scene::Motion& motion : model_.host.motions)
     if (auto* given = std::get_if<scene::MotionGiven>(&motion.shape)) *given = {given->speed};
+  for (const std::size_t collider : given_colliders()) set_ways(collider, {});
   clear_statistics();
   steps_.rewind();
   grabs_->release_all();

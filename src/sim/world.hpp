@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -111,6 +112,13 @@ class World {
   Result<void> move(std::span<const std::uint32_t> nodes, std::span<const Vec3f> places);
   /// Those nodes, in rising order.
   std::vector<std::uint32_t> given_nodes() const;
+  /// Moves a collider with a motion of kind "given", and what is attached to it, to a place from where the scene puts
+  /// it: through the next frame, at constant velocity and spin (scene/screw.hpp), and there it stays. Waits for
+  /// nothing. Called again before that frame, it counts instead. Errors, with nothing changed  Input: no such collider;
+  /// a number is not finite, the rotation no unit quaternion; a point of it would go faster than the motion's speed.
+  Result<void> set_collider(std::size_t collider, const Placement& placement);
+  /// Those colliders, in rising order.
+  std::vector<std::size_t> given_colliders() const;
   /// Overwrites the current state of one node: for tests of what bad values do.
   void set_node(std::uint32_t node, const Vec4f& position, const Vec4f& velocity);
 
@@ -121,6 +129,8 @@ class World {
   const Surface& surface() const { return *surface_; }
   const Assets& assets() const { return assets_; }
   const Totals& totals() const { return totals_; }
+  /// Calls `told` with each frame's number, from 0, once it has reported: in their order, with totals() up to it.
+  void on_report(std::function<void(std::uint32_t frame)> told) { told_ = std::move(told); }
   /// What the last frame that was not repeated has reported.
   const Statistics& last_report() const { return last_report_; }
   /// The method, the largest stable step, the substeps: the decisions before the first frame.
@@ -174,6 +184,8 @@ class World {
   void set_given(std::size_t node, const scene::MotionGiven& way);
   /// Has them stay where positions have them.
   void hold_given(std::span<const Vec4f> positions);
+  /// How a given collider moves, and what is attached to it.
+  void set_ways(std::size_t collider, const std::vector<scene::CarriedWay>& ways);
   void clear_statistics() const;
   Result<void> take_reports(bool wait_for_all);
   Result<void> take(const Report& report);
@@ -192,6 +204,7 @@ class World {
   ReportRing reports_;
   std::optional<Grabs> grabs_;
   FrameSteps steps_;
+  std::vector<Extent> extents_;     // of colliders where the scene puts them
   std::vector<Vec4f> motion_rows_;  // of one frame; kept so that a frame allocates nothing
   std::uint32_t parity_ = 0;
   std::uint32_t frame_ = 0;    // submitted
@@ -201,6 +214,7 @@ class World {
   std::uint64_t slivers_ = 0;
   Totals totals_;
   Statistics last_report_;
+  std::function<void(std::uint32_t)> told_;
   std::optional<Error> diverged_;  // of the first bad frame
   std::uint32_t bad_frame_ = 0;    // its number
 };

@@ -1,7 +1,9 @@
 // What a host sets in a running scene.
+#include <algorithm>
 #include <cmath>
 
 #include "scene/motion.hpp"
+#include "scene/screw.hpp"
 #include "sim/world.hpp"
 
 namespace weft::sim {
@@ -20,6 +22,9 @@ Result<void> check_values(std::span<const Vec3f> values, std::size_t nodes, cons
                          values[k].y, values[k].z);
   return {};
 }
+
+/// Frames that have not reported may be repeated: their ways are kept.
+constexpr std::uint32_t kKeptFrames = 4;
 
 }  // namespace
 
@@ -98,6 +103,52 @@ Result<void> World::move(std::span<const std::uint32_t> nodes, std::span<const V
     ways.push_back({before->speed, begin, begin + frame, from, to});
   }
   for (std::size_t k = 0; k < nodes.size(); ++k) set_given(nodes[k], ways[k]);
+  return {};
+}
+
+std::vector<std::size_t> World::given_colliders() const {
+  std::vector<std::size_t> colliders;
+  for (std::size_t c = 0; c < scene_.colliders.size(); ++c)
+    if (scene::carried_of(scene_.colliders[c]) != nullptr) colliders.push_back(c);
+  return colliders;
+}
+
+void World::set_ways(std::size_t collider, const std::vector<scene::CarriedWay>& ways) {
+  scene::carried_of(scene_.colliders[collider])->ways = ways;
+  for (scene::Motion& motion : model_.host.motions) {
+    auto* tied = std::get_if<scene::MotionCarried>(&motion.shape);
+    if (tied != nullptr && tied->collider == collider) tied->ways = ways;
+  }
+}
+
+Result<void> World::set_collider(std::size_t collider, const Placement& placement) {
+  const scene::MotionCarried* motion =
+      collider < scene_.colliders.size() ? scene::carried_of(scene_.colliders[collider]) : nullptr;
+  if (motion == nullptr)
+    return input_error("Collider %zu is not one of the %zu that a motion of kind \"given\" moves.", collider,
+                       given_colliders().size());
+  WEFT_TRY(to, scene::checked_placement(placement));
+  const double begin = time(), frame = scene_.time.frame;
+  std::vector<scene::CarriedWay> ways = motion->ways;
+  Placement from = ways.empty() ? Placement{} : ways.back().to;
+  if (!ways.empty() && ways.back().begin == begin) {  // it was set for this frame already
+    from = ways.back().from;
+    ways.pop_back();
+  }
+  const scene::Screw way(from, to);
+  const scene::RigidTransform start = scene::transform_of(from);
+  double most = 0;  // along a screw, the speed is convex in the point
+  for (const Vec3d& corner : extents_[collider].corners())
+    most = std::max(most, way.length_of(start(corner)));
+  if (most / frame > motion->speed * (1 + kSpeedRounding))
+    return input_error(
+        "Collider %zu would go up to %g m in a frame, at %g m/s; its motion has a speed of %g m/s.", collider,
+        most, most / frame, motion->speed);
+  const double kept = plan_.begin_of(frame_ - std::min(frame_, kKeptFrames));
+  ways.erase(ways.begin(),
+             std::find_if(ways.begin(), ways.end(), [&](const auto& old) { return old.end > kept; }));
+  ways.push_back({begin, begin + frame, from, to});
+  set_ways(collider, ways);
   return {};
 }
 

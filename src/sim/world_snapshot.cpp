@@ -6,6 +6,7 @@
 #include "contact/proximity/rigid_bodies.hpp"
 #include "contact/rules/rigid_body.hpp"
 #include "scene/motion.hpp"
+#include "scene/screw.hpp"
 #include "sim/scene_hash.hpp"
 #include "sim/world.hpp"
 
@@ -44,6 +45,9 @@ Result<Snapshot> World::snapshot() {
   WEFT_SET(snapshot.hold_forces, contact_.hold_forces(device_));
   if (rigid() != nullptr) WEFT_SET(snapshot.rigid, rigid()->states(device_));
   snapshot.time = plan_.time_of(diverged_ ? bad_frame_ : frame_);  // frozen as it was before the bad frame
+  for (const std::size_t collider : given_colliders())
+    snapshot.given.push_back(
+        scene::placement_at(*scene::carried_of(scene_.colliders[collider]), snapshot.time.seconds()));
   snapshot.gusts = steps_.gusts();
   if (plan_.method().history == 0 || snapshot.time.frame == 0) return snapshot;
   WEFT_SET(snapshot.position_before, gpu::download(device_, state_.position[1 - parity_]));
@@ -62,8 +66,8 @@ Result<std::vector<RigidPlace>> World::rigid_places() const {
     if (!solids[c].rigid()) continue;
     const RigidState state = states.state(k++);
     const Quaternion& axes = solids[c].axes;
-    places.push_back({c, state.place, product(state.turn, {-axes[0], -axes[1], -axes[2], axes[3]}),
-                      state.velocity, spin_of(solids[c], state)});
+    places.push_back(
+        {c, state.place, product(state.turn, conjugate(axes)), state.velocity, spin_of(solids[c], state)});
   }
   return places;
 }
@@ -73,6 +77,12 @@ Result<void> World::check_nodes(const Snapshot& snapshot) const {
   if (snapshot.rigid.size() != contact::kRigidStateWords * bodies)
     return input_error("The snapshot has %zu rigid bodies; this scene has %zu.",
                        snapshot.rigid.size() / contact::kRigidStateWords, bodies);
+  const std::vector<std::size_t> given = given_colliders();
+  if (snapshot.given.size() != given.size())
+    return input_error("The snapshot has %zu colliders that a program moves; this scene has %zu.",
+                       snapshot.given.size(), given.size());
+  for (const Placement& placement : snapshot.given)
+    if (const auto unit = scene::checked_placement(placement); !unit) return unit.error();
   if (snapshot.position.size() != model_.vertex_count() || snapshot.velocity.size() != model_.vertex_count())
     return input_error("The snapshot has %zu positions and %zu velocities; this scene has %u nodes.",
                        snapshot.position.size(), snapshot.velocity.size(), model_.vertex_count());
@@ -83,9 +93,17 @@ Result<void> World::check_places(const Snapshot& snapshot) const {
   const Model& model = model_.host;
   const double time = snapshot.time.seconds();
   std::vector<scene::RigidTransform> places(2);  // of free and of pinned nodes, then of each motion
-  for (const scene::Motion& motion : model.motions)
+  const std::vector<std::size_t> given_ones = given_colliders();
+  for (const scene::Motion& motion : model.motions) {
+    if (const auto* tied = std::get_if<scene::MotionCarried>(&motion.shape)) {
+      const auto found = std::find(given_ones.begin(), given_ones.end(), tied->collider);
+      places.push_back(
+          scene::transform_of(snapshot.given[static_cast<std::size_t>(found - given_ones.begin())]));
+      continue;
+    }
     // A path may begin elsewhere; until the first step its nodes are at rest.
     places.push_back(time > 0 ? scene::motion_at(motion, time) : scene::RigidTransform{});
+  }
   for (std::size_t node = 0; node < model.vertex_count(); ++node) {
     if (!model.kinematic(node)) continue;
     const bool finite = std::isfinite(length(snapshot.position[node].xyz()));
@@ -131,6 +149,9 @@ Result<void> World::put_back(const Snapshot& snapshot) {
   frame_ = asked_ = plan_.go_on_from(snapshot.time);
   steps_.set_gusts(snapshot.gusts, time());
   hold_given(snapshot.position);
+  const std::vector<std::size_t> given_ones = given_colliders();
+  for (std::size_t k = 0; k < given_ones.size(); ++k)
+    set_ways(given_ones[k], {{0, 0, snapshot.given[k], snapshot.given[k]}});
   std::vector<Vec4f> velocity = snapshot.velocity;
   if (takes_history(snapshot)) {
     state_.position[1 - parity_].write(device_, snapshot.position_before);

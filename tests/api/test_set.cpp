@@ -238,3 +238,84 @@ TEST_CASE("only nodes that are given can be moved") {
   World pinned = world_of(scene_of(kSheet));
   CHECK(pinned.given_nodes().empty());
 }
+
+namespace {
+
+/// kSheet, soft enough for eight substeps, over a collider with this motion; times are exact, and 1.5 m/s are 3/128 m a
+/// frame.
+World over(const std::string& collider, const std::string& motion) {
+  Scene scene = scene_of(kSheet);
+  REQUIRE_OK(scene.set("time", R"({"frame": 0.015625, "substeps": 8})"));
+  REQUIRE_OK(scene.set("cloths.0.stiffness", R"({"structural": 40, "shear": 10, "bend": 0.3})"));
+  REQUIRE_OK(scene.set("cloths.0.damping", "0.005"));
+  REQUIRE_OK(scene.set("contact", R"({"method": "proximity"})"));
+  REQUIRE_OK(scene.set("colliders", "[{" + collider + R"(, "motion": )" + motion + "}]"));
+  REQUIRE_OK(scene.set("render", R"({"size": [160, 100]})"));
+  REQUIRE_OK(scene.set("camera", R"({"eye": [1, 1, 2], "target": [0, 0, 0]})"));
+  return world_of(scene);
+}
+
+}  // namespace
+
+TEST_CASE("a collider that a program carries is felt and drawn where a path takes it") {
+  for (const std::string collider : {R"("kind": "sphere", "center": [0, -0.25, 0], "radius": 0.2)",
+                                     R"("kind": "box", "center": [0, -0.2, 0], "size": [0.4, 0.3, 0.4])",
+                                     R"("kind": "plane", "point": [0, -0.1, 0], "normal": [0, 1, 0])"}) {
+    INFO(collider);
+    World path = over(collider, R"({"kind": "path", "points": [[1, [0, 1.5, 0]]]})");
+    World given = over(collider, R"({"kind": "given", "speed": 1.5})");
+    const auto still = given.draw();
+    REQUIRE_OK(still);
+    CHECK(given.given_colliders() == std::vector<std::size_t>{0});
+    for (int frame = 1; frame <= 8; ++frame) {
+      REQUIRE_OK(given.set_collider(0, {{0, 1.5 * frame / 64, 0}}));
+      REQUIRE_OK(given.advance());
+    }
+    CHECK(hash_after(given, 0) == hash_after(path, 8));
+    const auto a = given.draw(), b = path.draw();
+    REQUIRE_OK(a);
+    REQUIRE_OK(b);
+    CHECK(a->rgba == b->rgba);
+    CHECK(a->rgba != still->rgba);
+    REQUIRE_OK(given.reset());  // it is where the scene puts it, and drawn there
+    const auto back = given.draw();
+    REQUIRE_OK(back);
+    CHECK(back->rgba == still->rgba);
+  }
+}
+
+TEST_CASE("a collider is where a saved state has it") {
+  const std::string ball = R"("kind": "sphere", "center": [0, -0.25, 0], "radius": 0.2)",
+                    motion = R"({"kind": "given", "speed": 1.5})";
+  World world = over(ball, motion), other = over(ball, motion);
+  for (int frame = 1; frame <= 4; ++frame) {
+    REQUIRE_OK(world.set_collider(0, {{0, 1.5 * frame / 64, 0}}));
+    REQUIRE_OK(world.advance());
+  }
+  const auto bytes = world.save_state();
+  REQUIRE_OK(bytes);
+  REQUIRE_OK(other.open_state(*bytes));
+  CHECK(hash_after(other, 6) == hash_after(world, 6));
+  const auto a = world.draw(), b = other.draw();
+  REQUIRE_OK(a);
+  REQUIRE_OK(b);
+  CHECK(a->rgba == b->rgba);
+}
+
+TEST_CASE("a collider goes no faster than its motion says, and only where a rigid thing can be") {
+  World world = over(R"("kind": "sphere", "center": [0, -0.25, 0], "radius": 0.2)",
+                     R"({"kind": "given", "speed": 1.5})");
+  const auto refuses = [&](std::size_t collider, const Placement& placement, const std::string& sentence) {
+    const auto refused = world.set_collider(collider, placement);
+    REQUIRE(!refused);
+    CHECK(refused.error().kind == ErrorKind::Input);
+    CHECK(refused.error().message == sentence);
+  };
+  refuses(0, {{0, 0.5, 0}},
+          "Collider 0 would go up to 0.5 m in a frame, at 32 m/s; its motion has a speed of 1.5 m/s.");
+  refuses(2, {}, "Collider 2 is not one of the 1 that a motion of kind \"given\" moves.");
+  refuses(0, {{}, {1, 1, 0, 0}},
+          "The rotation has length 1.41421; a unit quaternion's is within 0.001 of 1.");
+  World none = world_of(scene_of(kSheet));
+  CHECK(none.given_colliders().empty());
+}

@@ -356,10 +356,10 @@ std::vector<Hostile> hostile_scenes() {
        "colliders[0].keyframes is not known"},
       // What moves them.
       {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1, "motion": {}})"),
-       R"(colliders[0].motion.kind is missing; it must be one of "line", "path", "rotation")"},
+       R"(colliders[0].motion.kind is missing; it must be one of "line", "path", "rotation", "given")"},
       {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1,
-                          "motion": {"kind": "given", "speed": 1}})"),
-       R"(colliders[0].motion.kind is "given", not one of "line", "path", "rotation")"},
+                          "motion": {"kind": "given"}})"),
+       "colliders[0].motion.speed is missing; it must be a number"},
       {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1, "motion": []})"),
        "colliders[0].motion is a list of 0, not an object"},
       {proximity_with(R"({"kind": "sphere", "center": [0, 0, 0], "radius": 1,

@@ -307,8 +307,8 @@ TEST_CASE("a saved state that was cut off or spoiled is refused at every byte, i
   put_at(other, 0, 'W');
   CHECK(refusal(other) == "This is no saved state of weft: it does not begin with \"weftsave\".");
   other = whole;
-  put_at(other, 8, std::uint32_t{3});
-  CHECK(refusal(other) == "The saved state is of version 3; this weft reads version 2.");
+  put_at(other, 8, std::uint32_t{4});
+  CHECK(refusal(other) == "The saved state is of version 4; this weft reads version 3.");
 }
 
 TEST_CASE(

@@ -61,30 +61,20 @@ double path_speed(const scene::MotionPath& path, double begin, double end) {
   return most;
 }
 
-/// Corners of the box around the added points.
-struct Extent {
-  bool empty = true;
-  Vec3d low, high;
+double lever(const Extent& extent, const scene::MotionShape& motion) {
+  const auto* turn = std::get_if<scene::MotionRotation>(&motion);
+  if (turn == nullptr || extent.empty) return 0;
+  double most = 0;  // the distance from a line is convex: largest at a corner
+  for (const Vec3d& corner : extent.corners()) most = std::max(most, from_axis(*turn, corner));
+  return most;
+}
 
-  void add(const Vec3d& p) {
-    low = empty ? p : min(low, p);
-    high = empty ? p : max(high, p);
-    empty = false;
-  }
-  void add_ball(const Vec3d& center, double radius) {
-    add(center - Vec3d{radius, radius, radius});
-    add(center + Vec3d{radius, radius, radius});
-  }
-  double lever(const scene::MotionShape& motion) const {
-    const auto* turn = std::get_if<scene::MotionRotation>(&motion);
-    if (turn == nullptr || empty) return 0;
-    double most = 0;  // the distance from a line is convex: largest at a corner
-    for (int k = 0; k < 8; ++k)
-      most = std::max(
-          most, from_axis(*turn, {k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z}));
-    return most;
-  }
-};
+/// Whether a collider is one of Assets::objects.
+bool is_object(const scene::Collider& collider) {
+  return !std::holds_alternative<scene::ColliderSphere>(collider) &&
+         !std::holds_alternative<scene::ColliderCapsule>(collider) &&
+         !std::holds_alternative<scene::ColliderPlane>(collider);
+}
 
 double fastest(const std::vector<Vec3f>& from, const std::vector<Vec3f>& to, double duration) {
   double most = 0;
@@ -95,24 +85,30 @@ double fastest(const std::vector<Vec3f>& from, const std::vector<Vec3f>& to, dou
 
 }  // namespace
 
-std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model& model,
-                                         std::span<const mesh::TriangleMesh> objects,
-                                         std::span<const mesh::Deformation> deformations,
-                                         bool holds_obstacles) {
-  std::vector<ContactMover> movers;
-  std::vector<Extent> moved(model.motions.size());
+void Extent::add(const Vec3d& point) {
+  low = empty ? point : min(low, point);
+  high = empty ? point : max(high, point);
+  empty = false;
+}
+void Extent::add_ball(const Vec3d& center, double radius) {
+  add(center - Vec3d{radius, radius, radius});
+  add(center + Vec3d{radius, radius, radius});
+}
+std::array<Vec3d, 8> Extent::corners() const {
+  std::array<Vec3d, 8> all;
+  for (std::size_t k = 0; k < 8; ++k)
+    all[k] = {(k & 1U) != 0 ? high.x : low.x, (k & 2U) != 0 ? high.y : low.y, (k & 4U) != 0 ? high.z : low.z};
+  return all;
+}
+
+std::vector<Extent> collider_extents(const scene::Scene& scene, const Model& model,
+                                     std::span<const mesh::TriangleMesh> objects,
+                                     std::span<const mesh::Deformation> deformations) {
   Extent cloths;
-  for (std::size_t v = 0; v < model.vertex_count(); ++v) {
-    cloths.add(model.rest_position[v]);
-    if (model.motion[v] > 1) moved[model.motion[v] - 2].add(model.rest_position[v]);
-  }
-  for (std::size_t m = 0; m < moved.size(); ++m)
-    movers.push_back({.motion = model.motions[m].shape, .lever = moved[m].lever(model.motions[m].shape)});
+  for (const Vec3d& rest : model.rest_position) cloths.add(rest);
+  std::vector<Extent> extents;
   std::size_t object = 0;
   for (const scene::Collider& collider : scene.colliders) {
-    ContactMover mover;
-    if (holds_obstacles) mover.travel = 2;
-    mover.motion = scene::motion_of(collider);
     Extent extent;
     if (const auto* sphere = std::get_if<scene::ColliderSphere>(&collider)) {
       extent.add_ball(sphere->center, sphere->radius);
@@ -123,12 +119,44 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model&
       extent = cloths;
       extent.add(plane->point);
     } else {
+      for (const Vec3f& p : objects[object].positions) extent.add(p.to<double>());
+      if (object < deformations.size())
+        for (const std::vector<Vec3f>& shape : deformations[object].shapes)
+          for (const Vec3f& p : shape) extent.add(p.to<double>());
+      ++object;
+    }
+    extents.push_back(extent);
+  }
+  for (std::size_t v = 0; v < model.vertex_count(); ++v) {
+    if (model.motion[v] < 2) continue;
+    const auto* carried = std::get_if<scene::MotionCarried>(&model.motions[model.motion[v] - 2].shape);
+    if (carried != nullptr) extents[carried->collider].add(model.rest_position[v]);
+  }
+  return extents;
+}
+
+std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model& model,
+                                         std::span<const mesh::TriangleMesh> objects,
+                                         std::span<const mesh::Deformation> deformations,
+                                         bool holds_obstacles) {
+  std::vector<ContactMover> movers;
+  std::vector<Extent> moved(model.motions.size());
+  for (std::size_t v = 0; v < model.vertex_count(); ++v)
+    if (model.motion[v] > 1) moved[model.motion[v] - 2].add(model.rest_position[v]);
+  for (std::size_t m = 0; m < moved.size(); ++m)
+    movers.push_back({.motion = model.motions[m].shape, .lever = lever(moved[m], model.motions[m].shape)});
+  const std::vector<Extent> extents = collider_extents(scene, model, objects, deformations);
+  std::size_t object = 0;
+  for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
+    const scene::Collider& collider = scene.colliders[c];
+    ContactMover mover;
+    if (holds_obstacles) mover.travel = 2;
+    mover.motion = scene::motion_of(collider);
+    if (is_object(collider)) {
       const std::vector<Vec3f>* before = &objects[object].positions;
-      for (const Vec3f& p : *before) extent.add(p.to<double>());
       double time = 0;
       for (std::size_t k = 0; object < deformations.size() && k < deformations[object].shapes.size(); ++k) {
         const std::vector<Vec3f>& shape = deformations[object].shapes[k];
-        for (const Vec3f& p : shape) extent.add(p.to<double>());
         const double next = deformations[object].times.times[k];
         mover.changes.push_back({next, fastest(*before, shape, next - time)});
         mover.loops = deformations[object].times.loops;
@@ -137,7 +165,7 @@ std::vector<ContactMover> contact_movers(const scene::Scene& scene, const Model&
       }
       ++object;
     }
-    if (mover.motion) mover.lever = extent.lever(*mover.motion);
+    if (mover.motion) mover.lever = lever(extents[c], *mover.motion);
     if (mover.motion || !mover.changes.empty()) movers.push_back(std::move(mover));
   }
   return movers;
@@ -170,6 +198,8 @@ double largest_speed(const ContactMover& mover, double begin, double end) {
               profile_speed(begin - turn->start, end - turn->start, turn->speed, turn->ramp, turn->angle);
     } else if (const auto* given = std::get_if<scene::MotionGiven>(&*mover.motion)) {
       speed = given->speed;
+    } else if (const auto* carried = std::get_if<scene::MotionCarried>(&*mover.motion)) {
+      speed = carried->speed;
     }
   }
   return speed + largest_change(mover, begin, end);

@@ -2,6 +2,7 @@
 // the reference.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -12,6 +13,22 @@
 #include "scene/scene.hpp"
 
 namespace weft {
+
+/// The box around points; of none empty [m].
+struct Extent {
+  bool empty = true;
+  Vec3d low, high;
+
+  void add(const Vec3d& point);
+  void add_ball(const Vec3d& center, double radius);
+  std::array<Vec3d, 8> corners() const;
+};
+
+/// Around each collider where the scene puts it, in all its shapes; of a plane, around its point and the cloths at
+/// rest. What is attached to a collider is with it. `objects` and `deformations` as of contact_movers.
+std::vector<Extent> collider_extents(const scene::Scene& scene, const Model& model,
+                                     std::span<const mesh::TriangleMesh> objects,
+                                     std::span<const mesh::Deformation> deformations);
 
 /// Something that a scene moves: a collider, or the nodes of a cloth's motion.
 struct ContactMover {
