@@ -28,6 +28,8 @@ constexpr const char* kBuild = WEFT_VERSION ", the package";  // as saved states
 
 Session* session = nullptr;
 std::vector<std::byte> saved;  // a state, until it has been fetched
+std::vector<double>
+    reported;  // of each frame that has reported since this was fetched: its number, its end [s], totals
 
 /// Numbers for the other side to read at once, as many as there are.
 template <class... Numbers>
@@ -48,11 +50,33 @@ std::uint32_t with_world(Use use) {
 
 weft::view::CanvasView* view() { return session != nullptr ? session->canvas_view() : nullptr; }
 
+void report(const weft::sim::World& world, std::uint32_t frame) {
+  reported.push_back(frame + 1);
+  reported.push_back(world.plan().begin_of(frame + 1));
+  weft::for_each(world.totals(),
+                 [](const char*, auto value) { reported.push_back(static_cast<double>(value)); });
+}
+
 weft::Result<void> load(const std::string& text, const std::string& changes) {
   WEFT_TRY(source, weft::web::scene_text(text, changes));
-  return session->load(std::move(source), [](const weft::SceneText& given) {
+  reported.clear();
+  WEFT_CHECK(session->load(std::move(source), [](const weft::SceneText& given) {
     return weft::web::read_inputs(given, weft::kWorldBytesPerNode);
-  });
+  }));
+  weft::sim::World* world = session->world();
+  world->on_report([world](std::uint32_t frame) { report(*world, frame); });
+  return {};
+}
+
+/// A collider's number, then a position and a rotation or the 16 numbers of a matrix.
+weft::Result<void> set_collider(Session& of, std::span<const double> numbers) {
+  weft::Placement placement;
+  if (numbers.size() == 17) {
+    WEFT_SET(placement, weft::Placement::from_matrix(numbers.subspan<1, 16>()));
+  } else {
+    placement = {{numbers[1], numbers[2], numbers[3]}, {numbers[4], numbers[5], numbers[6], numbers[7]}};
+  }
+  return of.world()->set_collider(static_cast<std::size_t>(numbers[0]), placement);
 }
 
 std::string describe() {
@@ -174,6 +198,26 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_drag(std::uint32_t node, double x, doubl
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_release(std::uint32_t node) {
   return with_world([&](Session& s) { return s.world()->release(node); });
 }
+
+/// `size` bytes: the doubles of set_collider.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_set_collider(const double* numbers, std::uint32_t size) {
+  return with_world([&](Session& s) { return set_collider(s, {numbers, size / sizeof(double)}); });
+}
+/// The handles of the buffers with the state at the end of the last frame: position, velocity, normal, stretch and
+/// triangles; null where there is no world.
+EMSCRIPTEN_KEEPALIVE const double* weft_buffers() {
+  if (session == nullptr || session->world() == nullptr) return nullptr;
+  const weft::sim::World& world = *session->world();
+  return give(world.state().position[world.parity()].id(), world.state().velocity[world.parity()].id(),
+              world.surface().normal().id(), world.surface().stretch().id(), world.model().triangles.id());
+}
+
+/// How many numbers there are of frames that have reported, and where, until weft_drop_reported.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reported_count() {
+  return static_cast<std::uint32_t>(reported.size());
+}
+EMSCRIPTEN_KEEPALIVE const double* weft_reported() { return reported.data(); }
+EMSCRIPTEN_KEEPALIVE void weft_drop_reported() { reported.clear(); }
 
 /// The totals of packages/weft/src/totals.ts, in their order; null where there is no world.
 EMSCRIPTEN_KEEPALIVE const double* weft_totals() {

@@ -44,7 +44,7 @@ export class Core {
 
   private constructor(readonly module: CoreModule, readonly backend: GpuBackend) {}
 
-  static async create(gpu: GPU | undefined): Promise<Core> {
+  static async create(gpu: GPU | undefined, device?: GPUDevice): Promise<Core> {
     compiled ??= compile();
     const wasm = await compiled.catch((reason: unknown) => {
       compiled = null; // the next try fetches again
@@ -52,7 +52,7 @@ export class Core {
         reason :
         new WeftError("failure", `The core cannot be loaded: ${String(reason)}.`);
     });
-    const backend = new GpuBackend(gpu);
+    const backend = new GpuBackend(gpu, device);
     const module = await new Promise<CoreModule>((resolve, reject) => {
       createCore({
         gpu: backend,

@@ -1,9 +1,10 @@
 // The JavaScript side of the browser back end (src/gpu/web/imports.hpp has the C++ side): the device, its errors and
 // its loss, what is made on it, and the one call that submits a frame.
+import { describe, isNamed, nameOf, noneNamed } from "./adapter_info.js";
 import { FrameEncoder } from "./frame_encoder.js";
 import { GpuObjects } from "./gpu_objects.js";
-import { BUFFER_USAGE, ERROR_KINDS, flags, OBJECT_KINDS, TEXTURE_FORMATS, TEXTURE_USAGE, type ErrorKind,
-  type Memory } from "./gpu_tables.js";
+import { BUFFER_USAGE, DEVICE_LIMITS, ERROR_KINDS, flags, OBJECT_KINDS, TEXTURE_FORMATS, TEXTURE_USAGE, type ErrorKind,
+  type GpuObject, type Memory } from "./gpu_tables.js";
 
 const MAP_READY = 2;
 const MAP_FAILED = 3;
@@ -24,7 +25,7 @@ export class GpuBackend {
   private errorFlag = 0; // where in memory
   private error: { kind: ErrorKind; message: string } | null = null;
   private lost: string | null = null;
-  private scopesOpen = false;
+  private errors: Promise<void> = Promise.resolve(); // those of scopes, in their order
   private maps = new Set<Promise<void>>();
   private generation = 0; // of the device: callbacks of an older one are void
   private canvas: GPUCanvasContext | null = null;
@@ -36,7 +37,8 @@ export class GpuBackend {
   });
   private readonly submitted: GPUCommandBuffer[] = [];
 
-  constructor(private readonly gpu: GPU | undefined) {}
+  /** `given`: a device of the page's own, which goes on using it. */
+  constructor(private readonly gpu: GPU | undefined, private readonly given: GPUDevice | undefined = undefined) {}
 
   attach(memory: Memory): void {
     this.memory = memory;
@@ -61,24 +63,18 @@ export class GpuBackend {
     try {
       return await this.tryOpen(this.decode(adapter, size), timestamps !== 0);
     } catch (reason) { // the caller sleeps: a rejection would never wake it
-      this.setText(`The browser's WebGPU fails: ${String(reason)}.`);
-      return 1 + ERROR_KINDS.indexOf("failure");
+      return this.refuse("failure", `The browser's WebGPU fails: ${String(reason)}.`);
     }
   }
 
   private async tryOpen(wanted: string, timestamps: boolean): Promise<number> {
-    const fail = (kind: ErrorKind, message: string) => {
-      this.setText(message);
-      return 1 + ERROR_KINDS.indexOf(kind);
-    };
-    if (!this.gpu) return fail("no-adapter", "This browser has no WebGPU (navigator.gpu is missing).");
+    if (this.given) return this.take(this.given, wanted);
+    if (!this.gpu) return this.refuse("no-adapter", "This browser has no WebGPU (navigator.gpu is missing).");
     const adapter = await this.gpu.requestAdapter({ powerPreference: "high-performance" }).catch(() => null);
-    if (!adapter) return fail("no-adapter", "No WebGPU adapter was found: the browser gives none for this machine.");
-    const info = (adapter.info as GPUAdapterInfo | undefined) ?? // missing in older browsers
-      { description: "", device: "", vendor: "", architecture: "" };
-    const name = info.description || info.device || `${info.vendor} ${info.architecture}`.trim() || "unnamed adapter";
-    if (!name.toLowerCase().includes(wanted.toLowerCase()))
-      return fail("no-adapter", `No adapter's name contains "${wanted}"; there is: ${name}.`);
+    if (!adapter)
+      return this.refuse("no-adapter", "No WebGPU adapter was found: the browser gives none for this machine.");
+    const info = adapter.info as GPUAdapterInfo | undefined;
+    if (!isNamed(info, wanted)) return this.refuse("no-adapter", noneNamed(wanted, info));
     const requiredLimits: Record<string, number> = {};
     for (const key in adapter.limits) { // weft asks for all that the adapter has
       const value = adapter.limits[key as keyof GPUSupportedLimits];
@@ -90,23 +86,41 @@ export class GpuBackend {
     try {
       this.device = await adapter.requestDevice({ label: "weft", requiredLimits, requiredFeatures });
     } catch (reason) {
-      return fail("failure", `Adapter ${name} gives no device: ${String(reason)}.`);
+      return this.refuse("failure", `Adapter ${nameOf(info)} gives no device: ${String(reason)}.`);
     }
     this.watch(this.device);
-    this.setText(
-      [name, info.vendor, info.description, "WebGPU",
-        (info as { isFallbackAdapter?: boolean }).isFallbackAdapter ? "CPU" : "unknown"].join("\n"),
-    );
+    this.setText(describe(info));
     return 0;
+  }
+
+  private take(device: GPUDevice, wanted: string): number {
+    for (const [limit, needed] of Object.entries(DEVICE_LIMITS)) {
+      const has = device.limits[limit as keyof typeof DEVICE_LIMITS];
+      if (!(has >= needed))
+        return this.refuse("limit", `The device's ${limit} is ${has}, and weft's shaders need ${needed}.`);
+    }
+    const info = device.adapterInfo as GPUAdapterInfo | undefined;
+    if (!isNamed(info, wanted)) return this.refuse("no-adapter", noneNamed(wanted, info));
+    this.device = device;
+    this.watch(device);
+    this.setText(describe(info));
+    return 0;
+  }
+
+  private refuse(kind: ErrorKind, message: string): number {
+    this.setText(message);
+    return 1 + ERROR_KINDS.indexOf(kind);
   }
 
   private watch(device: GPUDevice): void {
     const generation = ++this.generation;
     this.error = null;
     this.lost = null;
-    device.addEventListener("uncapturederror", (event) => {
-      if (generation === this.generation) this.report((event as GPUUncapturedErrorEvent).error);
-    });
+    // Those of a given device may be of the page's own calls: what weft does on it is in scopes.
+    if (!this.given)
+      device.addEventListener("uncapturederror", (event) => {
+        this.reportInTurn(Promise.resolve([(event as GPUUncapturedErrorEvent).error]), generation);
+      });
     void device.lost.then((info) => {
       if (generation !== this.generation) return;
       this.lost = info.message || "no reason given";
@@ -120,11 +134,10 @@ export class GpuBackend {
     // Another world may have taken the canvas over meanwhile.
     if (this.canvas?.getConfiguration?.()?.device === this.device) this.canvas?.unconfigure();
     this.canvas = null;
-    this.device?.destroy();
+    this.objects.clear(); // a given device goes on without them
+    if (!this.given) this.device?.destroy();
     this.device = null;
-    this.objects.clear();
     this.maps.clear();
-    this.scopesOpen = false;
     this.canvasHandle = 0;
     this.errorFlag = 0;
   }
@@ -132,7 +145,7 @@ export class GpuBackend {
   lose(): void {
     this.lost = "it was given up";
     this.raise();
-    this.device?.destroy();
+    if (!this.given) this.device?.destroy();
   }
 
   limits(target: number): number {
@@ -185,15 +198,10 @@ export class GpuBackend {
   private async settle(): Promise<void> {
     const device = this.device;
     if (!device || this.lost !== null) return;
-    if (this.scopesOpen) {
-      this.scopesOpen = false;
-      const scopes = [device.popErrorScope(), device.popErrorScope(), device.popErrorScope()] as const;
-      const [validation, memory, internal] = await Promise.all(scopes.map((scope) => scope.catch(() => null)));
-      // An object that could not be made for lack of memory is invalid wherever it is used: that is no further error.
-      for (const error of [memory, internal, validation]) if (error) this.report(error);
-    }
+    await this.errors;
     await device.queue.onSubmittedWorkDone().catch(() => undefined);
     while (this.maps.size > 0) await Promise.allSettled([...this.maps]);
+    await this.errors; // of the frames, where the device is given
   }
 
   /** Until one of the mappings under way has settled; at once where there is none. */
@@ -203,14 +211,31 @@ export class GpuBackend {
 
   // Objects
 
-  /** The device to make something on; what is wrong with what is made is caught until the next wait. */
-  private make(): GPUDevice {
+  /** What `act` makes on the device; what is wrong with it arrives before a wait is over. */
+  private caught<T>(act: (device: GPUDevice) => T): T {
     const device = this.need();
-    if (!this.scopesOpen) {
-      for (const filter of ["internal", "out-of-memory", "validation"] as const) device.pushErrorScope(filter);
-      this.scopesOpen = true;
+    for (const filter of ["internal", "out-of-memory", "validation"] as const) device.pushErrorScope(filter);
+    try {
+      return act(device);
+    } finally {
+      const [validation, memory, internal] = [device.popErrorScope(), device.popErrorScope(), device.popErrorScope()];
+      const scopes = [memory, internal, validation].map((scope) => scope.catch(() => null)); // a lost device's fail
+      this.reportInTurn(Promise.all(scopes), this.generation);
     }
-    return device;
+  }
+
+  /**
+   * An object that could not be made for lack of memory is invalid wherever it is used, and that is no further error:
+   * so errors are reported in the order of the calls, whichever way they come.
+   */
+  private reportInTurn(found: Promise<readonly (GPUError | null)[]>, generation: number): void {
+    this.errors = this.errors.then(() => found).then((all) => {
+      for (const error of all) if (error && generation === this.generation) this.report(error);
+    });
+  }
+
+  private make<T extends GpuObject>(create: (device: GPUDevice) => T): number {
+    return this.objects.keep(this.caught(create));
   }
 
   release(kind: number, id: number): void {
@@ -218,18 +243,21 @@ export class GpuBackend {
   }
 
   buffer(size: number, usage: number, label: number): number {
-    return this.objects.keep(
-      this.make().createBuffer({ label: this.string(label), size, usage: flags(usage, BUFFER_USAGE) }),
+    return this.make((device) =>
+      device.createBuffer({ label: this.string(label), size, usage: flags(usage, BUFFER_USAGE) })
     );
   }
 
   write(buffer: number, offset: number, bytes: number, size: number): void {
-    this.need().queue.writeBuffer(this.objects.get<GPUBuffer>(buffer), offset,
-      this.heap().HEAPU8 as Uint8Array<ArrayBuffer>, bytes >>> 0, size);
+    const act = (device: GPUDevice) =>
+      device.queue.writeBuffer(this.objects.get<GPUBuffer>(buffer), offset,
+        this.heap().HEAPU8 as Uint8Array<ArrayBuffer>, bytes >>> 0, size);
+    if (this.given) this.caught(act);
+    else act(this.need());
   }
 
   shaderModule(source: number, label: number): number {
-    return this.objects.keep(this.make().createShaderModule({ label: this.string(label), code: this.string(source) }));
+    return this.make((device) => device.createShaderModule({ label: this.string(label), code: this.string(source) }));
   }
 
   bindGroupLayout(at: number, count: number, render: number, label: number): number {
@@ -240,7 +268,7 @@ export class GpuBackend {
       const entry = { binding: words[(at >>> 2) + 2 * i]!, visibility };
       entries.push({ ...entry, ...this.binding(words[(at >>> 2) + 2 * i + 1]!) });
     }
-    return this.objects.keep(this.make().createBindGroupLayout({ label: this.string(label), entries }));
+    return this.make((device) => device.createBindGroupLayout({ label: this.string(label), entries }));
   }
 
   /** In the order of BindingKind (gpu/types.hpp). */
@@ -259,7 +287,7 @@ export class GpuBackend {
 
   pipelineLayout(layout: number, label: number): number {
     const bindGroupLayouts = [this.objects.get<GPUBindGroupLayout>(layout)];
-    return this.objects.keep(this.make().createPipelineLayout({ label: this.string(label), bindGroupLayouts }));
+    return this.make((device) => device.createPipelineLayout({ label: this.string(label), bindGroupLayouts }));
   }
 
   bindGroup(layout: number, at: number, count: number, label: number): number {
@@ -273,8 +301,8 @@ export class GpuBackend {
         (object as GPUTextureView | GPUSampler);
       entries.push({ binding: HEAPU32[word]!, resource });
     }
-    return this.objects.keep(
-      this.make().createBindGroup({ label: this.string(label), layout: this.objects.get(layout), entries }),
+    return this.make((device) =>
+      device.createBindGroup({ label: this.string(label), layout: this.objects.get(layout), entries })
     );
   }
 
@@ -287,12 +315,14 @@ export class GpuBackend {
 
   computePipeline(layout: number, module: number, entry: number, constants: number, count: number,
     label: number): number {
-    return this.objects.keep(this.make().createComputePipeline({
-      label: this.string(label),
-      layout: this.objects.get<GPUPipelineLayout>(layout),
-      compute: { module: this.objects.get(module), entryPoint: this.string(entry),
-        constants: this.constants(constants, count) },
-    }));
+    return this.make((device) =>
+      device.createComputePipeline({
+        label: this.string(label),
+        layout: this.objects.get<GPUPipelineLayout>(layout),
+        compute: { module: this.objects.get(module), entryPoint: this.string(entry),
+          constants: this.constants(constants, count) },
+      })
+    );
   }
 
   renderPipeline(layout: number, module: number, at: number, constantsAt: number, count: number,
@@ -307,7 +337,7 @@ export class GpuBackend {
       alpha: { srcFactor: "one", dstFactor: "one-minus-src-alpha" },
     };
     const fragmentEntry = this.string(at + 48);
-    return this.objects.keep(this.make().createRenderPipeline({
+    const descriptor = {
       label: this.string(label),
       layout: this.objects.get<GPUPipelineLayout>(layout),
       vertex: { module: this.objects.get(module), entryPoint: this.string(at + 40), constants },
@@ -327,45 +357,53 @@ export class GpuBackend {
         constants,
         targets: color ? [{ format: color, ...(HEAPU32[word + 7] && { blend: over }) }] : [],
       } }),
-    } as GPURenderPipelineDescriptor));
+    } as GPURenderPipelineDescriptor;
+    return this.make((device) => device.createRenderPipeline(descriptor));
   }
 
   texture(width: number, height: number, sampleCount: number, format: number, usage: number, label: number): number {
-    return this.objects.keep(this.make().createTexture({
-      label: this.string(label),
-      size: [width, height],
-      sampleCount,
-      format: TEXTURE_FORMATS[format]!,
-      usage: flags(usage, TEXTURE_USAGE),
-    }));
+    return this.make((device) =>
+      device.createTexture({
+        label: this.string(label),
+        size: [width, height],
+        sampleCount,
+        format: TEXTURE_FORMATS[format]!,
+        usage: flags(usage, TEXTURE_USAGE),
+      })
+    );
   }
 
   textureView(texture: number, label: number): number {
-    this.make();
-    return this.objects.keep(this.objects.get<GPUTexture>(texture).createView({ label: this.string(label) }));
+    return this.make(() => this.objects.get<GPUTexture>(texture).createView({ label: this.string(label) }));
   }
 
   sampler(linear: number, repeat: number, comparison: number, label: number): number {
     const filter = linear ? "linear" : "nearest";
     const address = repeat ? "repeat" : "clamp-to-edge";
-    return this.objects.keep(this.make().createSampler({
-      label: this.string(label),
-      magFilter: filter,
-      minFilter: filter,
-      addressModeU: address,
-      addressModeV: address,
-      ...(comparison && { compare: "less-equal" as const }),
-    }));
+    return this.make((device) =>
+      device.createSampler({
+        label: this.string(label),
+        magFilter: filter,
+        minFilter: filter,
+        addressModeU: address,
+        addressModeV: address,
+        ...(comparison && { compare: "less-equal" as const }),
+      })
+    );
   }
 
   queries(count: number, label: number): number {
-    return this.objects.keep(this.make().createQuerySet({ label: this.string(label), type: "timestamp", count }));
+    return this.make((device) => device.createQuerySet({ label: this.string(label), type: "timestamp", count }));
   }
 
   // Frames
 
   submit(lists: number, count: number): void {
-    const device = this.need();
+    if (this.given) this.caught((device) => this.submitOn(device, lists, count));
+    else this.submitOn(this.need(), lists, count); // whose errors arrive uncaptured, and cost a frame nothing
+  }
+
+  private submitOn(device: GPUDevice, lists: number, count: number): void {
     const encoder = device.createCommandEncoder();
     for (let i = 0; i < count; i++) {
       const word = (lists >>> 2) + 3 * i;
@@ -384,7 +422,8 @@ export class GpuBackend {
       if (generation === this.generation) this.heap().HEAPU32[state >>> 2] = value;
     };
     if (this.lost !== null) return settle(MAP_FAILED);
-    const mapped: Promise<void> = this.objects.get<GPUBuffer>(buffer).mapAsync(MAP_READ, 0, bytes)
+    const act = () => this.objects.get<GPUBuffer>(buffer).mapAsync(MAP_READ, 0, bytes);
+    const mapped: Promise<void> = (this.given ? this.caught(act) : act())
       .then(() => settle(MAP_READY), () => settle(MAP_FAILED))
       .then(() => void this.maps.delete(mapped));
     this.maps.add(mapped);

@@ -29,6 +29,7 @@ export class GpuObjects {
   }
 
   clear(): void {
+    for (const object of this.objects) if (object && "destroy" in object) object.destroy();
     this.objects = [null];
     this.free = [];
     this.alive = 0;

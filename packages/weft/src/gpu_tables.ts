@@ -29,6 +29,20 @@ export type GpuObject = GPUBuffer | GPUTexture | GPUTextureView | GPUSampler | G
 export const BUFFER_USAGE = [0x80, 0x40, 0x04, 0x08, 0x10, 0x100, 0x01, 0x200, 0x20] as const; // STORAGE … VERTEX
 export const TEXTURE_USAGE = [0x10, 0x04, 0x01] as const; // RENDER_ATTACHMENT, TEXTURE_BINDING, COPY_SRC
 
+/**
+ * What weft's shaders need of a device, each WebGPU's default or less, so that a device of `requestDevice()` is enough;
+ * no feature is needed. How large `maxBufferSize` and `maxStorageBufferBindingSize` must be depends on the scene.
+ */
+export const DEVICE_LIMITS = {
+  maxStorageBuffersPerShaderStage: 8,
+  maxComputeInvocationsPerWorkgroup: 256,
+  maxComputeWorkgroupSizeX: 256,
+  maxComputeWorkgroupsPerDimension: 65535,
+  maxComputeWorkgroupStorageSize: 16384,
+  maxUniformBufferBindingSize: 65536,
+  maxBindingsPerBindGroup: 16,
+} as const;
+
 export function flags(bits: number, table: readonly number[]): number {
   return table.reduce((sum, flag, bit) => (bits & (1 << bit) ? sum | flag : sum), 0);
 }

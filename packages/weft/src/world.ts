@@ -1,16 +1,17 @@
 import { Core } from "./core.js";
 import { WeftError } from "./error.js";
+import { numbersOf, type Placement } from "./placement.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
 import { schedule, unschedule } from "./ticks.js";
 import { noTotals, TOTALS } from "./totals.js";
 import { VIEWS, type Camera, type Events, type MemoryUse, type OpenedState, type PassTime, type Pick, type Point,
-  type SceneOptions, type Snapshot, type Statistics, type StepOptions, type View, type WorldInfo,
-  type WorldOptions } from "./world_types.js";
+  type SceneOptions, type Snapshot, type Statistics, type Step, type StepOptions, type View, type WorldBuffers,
+  type WorldInfo, type WorldOptions } from "./world_types.js";
 
 /** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
 export async function createWorld(options: WorldOptions): Promise<World> {
   const gpu = options.gpu ?? (globalThis.navigator as Navigator | undefined)?.gpu;
-  const world = new World(await Core.create(gpu), options);
+  const world = new World(await Core.create(gpu, options.device), options);
   try {
     await world.open();
     await world.load(options.scene, options);
@@ -28,8 +29,10 @@ export async function createWorld(options: WorldOptions): Promise<World> {
 export class World {
   private readonly canvas: WorldOptions["canvas"];
   private readonly adapter: string;
+  private readonly sharesDevice: boolean;
   private readonly listeners: { [name in keyof Events]: Set<(event: Events[name]) => void> } = {
     frame: new Set(),
+    step: new Set(),
     error: new Set(),
   };
   private current: WorldInfo | null = null;
@@ -49,6 +52,7 @@ export class World {
   constructor(private readonly core: Core, options: WorldOptions) {
     this.canvas = options.canvas;
     this.adapter = options.adapter ?? "";
+    this.sharesDevice = options.device !== undefined;
     this.shownView = known(options.view ?? "textured");
     core.onAwake = () => this.readTotals(); // of what the call has changed or taken in
     core.backend.onLost = (message) => this.fail(new WeftError("device-lost", `The GPU device is lost: ${message}.`));
@@ -113,8 +117,13 @@ export class World {
     this.changed();
   }
 
-  /** After a loss: a new device, and the scene that was loaded last from its rest state. */
+  /**
+   * After a loss: a new device, and the scene that was loaded last from its rest state. On a device of the page's own
+   * only a new world can.
+   */
   async recover(): Promise<void> {
+    if (this.sharesDevice)
+      throw new WeftError("device-lost", "The lost device is the page's own; make a new world on a new one.");
     this.playing = false;
     this.current = null;
     await this.open();
@@ -150,7 +159,10 @@ export class World {
         return true;
       });
       if (went) i += 1;
-      else await this.core.takeReport();
+      else {
+        await this.core.takeReport();
+        this.readTotals();
+      }
     }
     const totals = await this.core.sleep("finish", [], () => ({ ...this.totals }));
     if (draw === false) this.changed();
@@ -190,6 +202,22 @@ export class World {
   async release(node: number): Promise<void> {
     this.loaded();
     await this.core.sleep("release", [index(node)]);
+  }
+
+  /**
+   * Moves a collider that the scene gives a motion of kind "given", with all that is attached to it: through the next
+   * frame, at constant velocity and spin, which cloth in contact feels, and there it stays. Called again before that
+   * frame, it counts instead. `placement` may be the 16 numbers of a matrix, column by column, as three.js's
+   * `matrixWorld.elements`. Errors "input", and it does not move: another collider, by its place in the scene's list; a
+   * number that is not finite, a rotation that is none, a matrix that scales; faster than the motion's `speed`.
+   */
+  async setCollider(collider: number, placement: Placement | ArrayLike<number>): Promise<void> {
+    this.loaded();
+    const numbers = Float64Array.of(index(collider, "Collider"), ...numbersOf(placement));
+    await this.core.turn(() => {
+      this.loaded();
+      return this.core.sleepWithBytesNow("set_collider", new Uint8Array(numbers.buffer), () => undefined);
+    });
   }
 
   // Look
@@ -261,6 +289,32 @@ export class World {
   }
 
   // Read
+
+  /**
+   * Where the state lies on the GPU, for commands of the page's own on this world's device: submitted now, they see the
+   * state at the end of the last frame, and nothing is waited for or copied. To be asked for anew after each frame, as
+   * positions and velocities have two buffers each that take turns; valid until the next frame, `load` or `dispose`.
+   * They stay the world's: others may read them, and not write or destroy.
+   */
+  buffers(): WorldBuffers {
+    const { nodes, triangles } = this.info;
+    const at = this.core.call("buffers") >>> 3;
+    const handles = this.core.module.HEAPF64;
+    const of = <Format extends string>(place: number, stride: number, count: number, format: Format) => ({
+      buffer: this.core.backend.objects.get<GPUBuffer>(handles[at + place]!),
+      offset: 0,
+      stride,
+      count,
+      format,
+    });
+    return {
+      position: of(0, 16, nodes, "float32x3"),
+      velocity: of(1, 16, nodes, "float32x3"),
+      normal: of(2, 16, nodes, "float32x3"),
+      stretch: of(3, 4, nodes, "float32"),
+      triangles: of(4, 12, triangles, "uint32x3"),
+    };
+  }
 
   async snapshot(): Promise<Snapshot> {
     this.loaded();
@@ -355,7 +409,7 @@ export class World {
     };
   }
 
-  /** The device underneath, for tests of its loss and for tools. */
+  /** The device underneath: what `buffers` gives is on it. */
   get device(): GPUDevice | null {
     return this.core.backend.device;
   }
@@ -423,6 +477,25 @@ export class World {
     const values = this.core.module.HEAPF64;
     for (let i = 0; i < TOTALS.length; i++) this.totals[TOTALS[i]!] = values[at + i]!;
     this.totals.seconds = this.totals.frames * (this.current?.frameSeconds ?? 0);
+    this.tellSteps();
+  }
+
+  /** Tells of the frames that have reported since. */
+  private tellSteps(): void {
+    const length = 2 + TOTALS.length, count = this.core.now("_weft_reported_count") / length;
+    if (count === 0) return;
+    const at = this.core.now("_weft_reported") >>> 3;
+    const steps: Step[] = [];
+    for (let one = 0; one < count && this.listeners.step.size > 0; one++) {
+      const [frame, seconds, ...values] = this.core.module.HEAPF64.subarray(at + one * length, at + (one + 1) * length);
+      const totals = noTotals();
+      TOTALS.forEach((name, i) => {
+        totals[name] = values[i]!;
+      });
+      steps.push({ frame: frame!, seconds: seconds!, totals });
+    }
+    this.core.now("_weft_drop_reported");
+    for (const step of steps) for (const listener of this.listeners.step) listener(step);
   }
 
   private numbers(name: string, count: number, ...args: number[]): number[] {
@@ -464,7 +537,7 @@ function known(view: View): View {
   throw new WeftError("input", `There is no view ${JSON.stringify(view)}; there are ${VIEWS.join(", ")}.`);
 }
 
-function index(node: number): number {
-  if (Number.isInteger(node) && node >= 0) return node;
-  throw new WeftError("input", `Node ${node} is no index.`);
+function index(number: number, what = "Node"): number {
+  if (Number.isInteger(number) && number >= 0) return number;
+  throw new WeftError("input", `${what} ${number} is no index.`);
 }

@@ -21,6 +21,12 @@ export interface WorldOptions extends SceneOptions {
   canvas: HTMLCanvasElement | OffscreenCanvas | null;
   /** Default: that of the browser. In Node: `create([])` of the package `webgpu`. */
   gpu?: GPU;
+  /**
+   * A device of the page's own, which the world shares: `DEVICE_LIMITS` has what it needs, and no feature. The world
+   * never destroys it; its own errors stay away from the device's `uncapturederror`. Default: one of the world's own,
+   * with all that the adapter has.
+   */
+  device?: GPUDevice;
   /** Part of the adapter's name; another adapter is refused. */
   adapter?: string;
   view?: View;
@@ -104,6 +110,33 @@ export interface OpenedState {
   otherOrigin: string | null;
 }
 
+/** A buffer of the world's: an element begins every `stride` bytes from `offset` on, with numbers of `format`. */
+export interface WorldBuffer {
+  readonly buffer: GPUBuffer;
+  readonly offset: number;
+  readonly stride: number;
+  /** Elements. */
+  readonly count: number;
+  readonly format: "float32x3" | "float32" | "uint32x3";
+}
+
+/**
+ * The state at the end of the last frame, where it lies on the GPU. The numbers of an element beyond its format are
+ * weft's own. All have the usages STORAGE, COPY_SRC, COPY_DST and VERTEX, but triangles INDEX instead of VERTEX.
+ */
+export interface WorldBuffers {
+  /** Of every node in model order [m]. */
+  readonly position: WorldBuffer;
+  /** [m/s] */
+  readonly velocity: WorldBuffer;
+  /** Unit vectors. */
+  readonly normal: WorldBuffer;
+  /** Length over rest length of the most stretched edge at a node. */
+  readonly stretch: WorldBuffer;
+  /** Three nodes each; the buffer serves as an index buffer of format "uint32". */
+  readonly triangles: WorldBuffer;
+}
+
 export interface Pick {
   node: number;
   /** Where the ray meets the cloth [m]. */
@@ -125,10 +158,22 @@ export interface MemoryUse {
   gpuObjects: number;
 }
 
+/** A frame that was simulated, and what it has reported. */
+export interface Step {
+  /** Its number, from 1. */
+  frame: number;
+  /** Simulated time at its end [s]. */
+  seconds: number;
+  /** Of the frames up to this one. */
+  totals: Totals;
+}
+
 /** What a world tells its listeners. */
 export interface Events {
-  /** After a tick of run in which a frame was simulated or drawn. */
+  /** After a tick of run in which a frame was simulated or drawn: what `buffers` gives has it. */
   frame: Readonly<Statistics>;
+  /** Every frame once, in their order, by run or by step: when the GPU has reported it, up to three frames later. */
+  step: Readonly<Step>;
   /**
    * Something failed that no promise tells of: while running, or the device was lost. The world is paused. After
    * "device-lost", `recover` starts again.
