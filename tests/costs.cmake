@@ -35,6 +35,7 @@ set(WEFT_COSTS
   "lavapipe.memory: memory=48"
   "swiftshader.method: multigrid_mesh_kernels=44"
   "lavapipe.saved_state: saved_state=40"
+  "lavapipe.given_colliders: given_colliders=30"
   "lavapipe.fabric: air=43"
   "lavapipe.contact_laws: contact_layers=42"
   "lavapipe.pull: pull=38"
