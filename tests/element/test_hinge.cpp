@@ -9,6 +9,7 @@
 #include "closed_forms/pattern_sheet.hpp"
 #include "element/hinge/law.hpp"
 #include "element/hinge/plate.hpp"
+#include "rolled_sheet.hpp"
 
 using namespace weft;
 using namespace weft::hinge;
@@ -42,18 +43,6 @@ double cylinder_modulus(const Stiffness& d, double direction) {
   const double c = std::cos(direction), s = std::sin(direction);
   const Vec3d k{c * c, s * s, 2 * c * s};
   return dot(k, moment_of(d, k));
-}
-
-/// The sheet rolled to a cylinder without a stretch.
-std::vector<Vec3d> rolled(const PatternSheet& sheet, double curvature, double direction) {
-  const Vec3d along{std::cos(direction), std::sin(direction), 0}, across{-along.y, along.x, 0};
-  std::vector<Vec3d> x;
-  for (const Vec3d& p : sheet.position) {
-    const double turn = curvature * dot(p, along);
-    x.push_back(std::sin(turn) / curvature * along + dot(p, across) * across +
-                Vec3d{0, 0, 2 * std::pow(std::sin(turn / 2), 2) / curvature});
-  }
-  return x;
 }
 
 /// The energy of inner facets of a sheet that is at rest in one shape and held in another, a cylinder and a plane, by

@@ -163,8 +163,9 @@ void split(const RestSheet& sheet, Plate& plate, Hinge& hinge) {
 }
 
 /// Moments by parts of angles: curvature is their sum over the edges, n nᵀ times length by area (the mean of the
-/// sheet's slopes around the triangle), and an edge at the rim turns as it likes. Equations 11 and 12.
-Mat3 facet_stiffness(const std::array<MaterialPoint, 3>& corners, const Facet& facet, const Stiffness& d) {
+/// sheet's slopes around the triangle), and an edge at the rim turns as it likes. Equations 11 and 12. With them the
+/// square of that curvature's size, K11² + 2 K12² + K22².
+void set_stiffness(const std::array<MaterialPoint, 3>& corners, Facet& facet, const Stiffness& d) {
   std::array<Vec3d, 3> strain;  // K11, K22, 2 K12 by each part, times the area
   std::array<std::array<double, 3>, 3> m{};
   double area = 0;
@@ -185,10 +186,20 @@ Mat3 facet_stiffness(const std::array<MaterialPoint, 3>& corners, const Facet& f
     if (facet.hinges[free] != kNone) continue;
     const auto row = m[free];
     for (std::size_t i = 0; i < 3; ++i)
+      if (i != free && row[free] > 0) strain[i] += -row[i] / row[free] * strain[free];
+    strain[free] = {};
+    for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) m[i][j] -= row[free] > 0 ? row[i] * row[j] / row[free] : 0;
     for (std::size_t i = 0; i < 3; ++i) m[i][free] = m[free][i] = 0;
   }
-  return {{m[0][0], m[0][1], m[0][2]}, {m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}};
+  facet.stiffness = {{m[0][0], m[0][1], m[0][2]}, {m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}};
+  const auto square = [&](std::size_t i, std::size_t j) {
+    const Vec3d &a = strain[i], &b = strain[j];
+    return (a.x * b.x + a.y * b.y + a.z * b.z / 2) / (area * area);
+  };
+  facet.curving = {{square(0, 0), square(0, 1), square(0, 2)},
+                   {square(1, 0), square(1, 1), square(1, 2)},
+                   {square(2, 0), square(2, 1), square(2, 2)}};
 }
 
 }  // namespace
@@ -203,7 +214,7 @@ Plate build_plate(const RestSheet& sheet, const Stiffness& bending) {
     if (plate.facets[t].rigid || plate.facets[t].sliver) continue;
     const auto& [a, b, c] = sheet.triangles[t];
     const auto corners = places_of({sheet.position[a], sheet.position[b], sheet.position[c]}, sheet.warp);
-    plate.facets[t].stiffness = facet_stiffness(corners, plate.facets[t], bending);
+    set_stiffness(corners, plate.facets[t], bending);
   }
   return plate;
 }

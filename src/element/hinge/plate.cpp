@@ -2,67 +2,16 @@
 
 #include <algorithm>
 
+#include "element/hinge/creases.hpp"
+#include "element/hinge/parts.hpp"
+
 namespace weft::hinge {
 namespace {
-
-/// What falls to a facet of an angle, as a sum over hinges.
-struct Part {
-  std::array<std::uint32_t, 5> hinges{};
-  std::array<double, 5> weights{};  // 0 where there is no hinge
-};
-
-Part part_at(const Plate& plate, const Facet& facet, std::size_t corner) {
-  Part part;
-  const std::uint32_t own = facet.hinges[corner];
-  if (own == kNone) return part;
-  const Hinge& hinge = plate.hinges[own];
-  part.hinges[0] = own;
-  part.weights[0] = 0.5 + facet.sign[corner] * hinge.shift[0];
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (hinge.others[k] == kNone) continue;
-    part.hinges[k + 1] = hinge.others[k];
-    part.weights[k + 1] = facet.sign[corner] * hinge.shift[k + 1];
-  }
-  return part;
-}
-
-std::array<Part, 3> parts_of(const Plate& plate, const Facet& facet) {
-  return {part_at(plate, facet, 0), part_at(plate, facet, 1), part_at(plate, facet, 2)};
-}
-
-Vec3d angles_of(const std::array<Part, 3>& parts, std::span<const double> bends) {
-  Vec3d angles;
-  for (int i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 5; ++k) {
-      const Part& part = parts[static_cast<std::size_t>(i)];
-      angles[i] += part.weights[k] * bends[part.hinges[k]];
-    }
-  return angles;
-}
-
-/// The facets to which a part of a hinge's angle falls, ascending: its own, and those at the other sides of these.
-std::vector<std::uint32_t> facets_of(const Plate& plate, std::uint32_t number) {
-  std::vector<std::uint32_t> facets;
-  const Hinge& hinge = plate.hinges[number];
-  facets.assign(hinge.triangles.begin(), hinge.triangles.end());
-  for (const std::uint32_t other : hinge.others)
-    if (other != kNone)
-      facets.insert(facets.end(), plate.hinges[other].triangles.begin(), plate.hinges[other].triangles.end());
-  std::sort(facets.begin(), facets.end());
-  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-  return facets;
-}
 
 /// Adds what a facet has in a hinge's row of the matrix of moments.
 void add_row(const Plate& plate, const Facet& facet, std::uint32_t hinge, std::vector<Coupling>& row) {
   const std::array<Part, 3> parts = parts_of(plate, facet);
-  Vec3d own;  // the hinge's weights in the three parts
-  for (int i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 5; ++k) {
-      const Part& part = parts[static_cast<std::size_t>(i)];
-      if (part.hinges[k] == hinge) own[i] += part.weights[k];
-    }
-  const Vec3d by_part = facet.stiffness * own;  // which is symmetric
+  const Vec3d by_part = facet.stiffness * weights_in(parts, hinge);  // which is symmetric
   for (int j = 0; j < 3; ++j)
     for (std::size_t l = 0; l < 5; ++l) {
       const Part& part = parts[static_cast<std::size_t>(j)];
@@ -127,22 +76,28 @@ std::vector<double> bend_rates(const Plate& plate, std::span<const Vec3d> positi
   return all;
 }
 
-double energy(const Plate& plate, std::span<const double> bends) {
+double energy(const Plate& plate, std::span<const double> bends, std::span<const Crease> creases) {
   double sum = 0;
   if (bends.empty()) return sum;
-  for (const Facet& facet : plate.facets) {
-    const Vec3d angles = angles_of(parts_of(plate, facet), bends);
+  for (std::size_t f = 0; f < plate.facets.size(); ++f) {
+    const Facet& facet = plate.facets[f];
+    Vec3d angles = angles_of(parts_of(plate, facet), bends);
+    if (!creases.empty()) angles += -1.0 * creases[f].parts;
     sum += dot(angles, facet.stiffness * angles) / 2;
   }
   return sum;
 }
 
-std::vector<double> moments(const Plate& plate, std::span<const double> bends) {
+std::vector<double> moments(const Plate& plate, std::span<const double> bends,
+                            std::span<const Crease> creases) {
   std::vector<double> all(bends.size());
   if (bends.empty()) return all;
-  for (const Facet& facet : plate.facets) {
+  for (std::size_t f = 0; f < plate.facets.size(); ++f) {
+    const Facet& facet = plate.facets[f];
     const std::array<Part, 3> parts = parts_of(plate, facet);
-    const Vec3d by_angle = facet.stiffness * angles_of(parts, bends);
+    Vec3d angles = angles_of(parts, bends);
+    if (!creases.empty()) angles += -1.0 * creases[f].parts;
+    const Vec3d by_angle = facet.stiffness * angles;
     for (int i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 5; ++k) {
         const Part& part = parts[static_cast<std::size_t>(i)];

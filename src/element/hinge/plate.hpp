@@ -35,6 +35,7 @@ struct Facet {
   std::array<std::uint32_t, 3> hinges{};  // kNone at the rim, where no moment acts
   std::array<double, 3> sign{};           // 1: the triangle is the hinge's first, -1: its second
   Mat3 stiffness;                         // [N·m]
+  Mat3 curving;                           // the square of its curvature's size, by the same parts [1/m²]
   bool rigid = false;                     // it does not bend, and takes no part of an angle
   bool sliver = false;                    // it bends freely
 };
@@ -55,10 +56,13 @@ std::vector<double> bends(const Plate& plate, std::span<const Vec3d> position);
 /// How fast each hinge bends where nodes move so fast [rad/s].
 std::vector<double> bend_rates(const Plate& plate, std::span<const Vec3d> position,
                                std::span<const Vec3d> velocity);
-/// [J]
-double energy(const Plate& plate, std::span<const double> bends);
-/// The energy's slope by every bend [N·m]: a symmetric, positive semidefinite matrix times them.
-std::vector<double> moments(const Plate& plate, std::span<const double> bends);
+struct Crease;
+/// [J]. `creases`: what each facet keeps of its bend (creases.hpp); none: nothing.
+double energy(const Plate& plate, std::span<const double> bends, std::span<const Crease> creases = {});
+/// The energy's slope by every bend [N·m]: a symmetric, positive semidefinite matrix times them, less what creases
+/// take off.
+std::vector<double> moments(const Plate& plate, std::span<const double> bends,
+                            std::span<const Crease> creases = {});
 /// Adds what moments at the hinges do to the nodes [N].
 void add_forces(const Plate& plate, std::span<const double> moments, std::span<const Vec3d> position,
                 std::span<Vec3d> force);
