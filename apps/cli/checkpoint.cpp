@@ -11,7 +11,8 @@ std::string build_name() { return version_text(); }
 
 Result<sim::SavedState> read_checkpoint(const std::string& path, sim::World& world) {
   const auto read = [&]() -> Result<sim::SavedState> {
-    WEFT_TRY(bytes, read_file(path, sim::most_saved_bytes(world.model().vertex_count())));
+    WEFT_TRY(bytes, read_file(path, sim::most_saved_bytes(world.model().vertex_count(),
+                                                          world.state().creases.size())));
     WEFT_TRY(state, sim::read_saved_state(bytes));
     WEFT_CHECK(world.open(state));
     return state;

@@ -82,6 +82,13 @@ void add_gas(std::string& text, const scene::Cloth& cloth, const Body& body) {
     add(text, ", of an ideal gas in %.4g Pa outside\n", pressure.ambient);
 }
 
+/// "keeps of a bend what is beyond a curvature of 50 1/m, a radius of 20 mm; hardening 0.3"
+void add_plastic(std::string& text, const scene::Plastic& plastic) {
+  add(text,
+      "    keeps of a bend what is beyond a curvature of %.4g 1/m, a radius of %.4g mm; hardening %.3g\n",
+      plastic.yield_curvature, kMilli / plastic.yield_curvature, plastic.hardening);
+}
+
 void add_step(std::string& text, const scene::Scene& scene, const Model& model, const Body& body) {
   const StepCause cause = step_cause(model, body, scene.drag);
   if (cause.parts.empty()) {
@@ -114,6 +121,7 @@ std::string cloths_text(const scene::Scene& scene, const Model& model) {
       add_solid(text, cloth, model, model.bodies[c]);
     else
       add_moduli(text, cloth, sheet_moduli(model, model.bodies[c]));
+    if (cloth.fabric && cloth.fabric->plastic) add_plastic(text, *cloth.fabric->plastic);
     if (cloth.pressure) add_gas(text, cloth, model.bodies[c]);
     add_step(text, scene, model, model.bodies[c]);
   }
@@ -168,6 +176,10 @@ nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model
     one["bending_weft"] = bending.weft;
     one["bending_twist"] = bending.shear;
     one["friction"] = cloth.friction;
+    if (cloth.fabric && cloth.fabric->plastic) {
+      one["yield_curvature"] = cloth.fabric->plastic->yield_curvature;
+      one["hardening"] = cloth.fabric->plastic->hardening;
+    }
     if (cloth.pressure) {
       one["gauge"] = cloth.pressure->gauge;
       one["ambient"] = cloth.pressure->ambient;

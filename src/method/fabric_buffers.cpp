@@ -8,26 +8,36 @@
 namespace weft {
 namespace {
 
-/// The rows of moments by bends, then their entries: a hinge, and the bits of N·m.
-std::vector<std::array<std::uint32_t, 2>> couplings_of(const hinge::Plate& plate) {
-  const std::vector<hinge::Coupling> couplings = hinge::couplings(plate);
+/// The rows of moments by bends, then their entries: a bend, and the bits of N·m. Of a cloth that keeps bends a row
+/// ends with what creases take off: its facets' parts are behind the bends of hinges.
+std::vector<std::array<std::uint32_t, 2>> couplings_of(const hinge::Plate& plate, bool keeps_bends) {
   const auto rows = static_cast<std::uint32_t>(plate.hinges.size());
+  const std::vector<hinge::Coupling> of_hinges = hinge::couplings(plate),
+                                     of_creases = keeps_bends ? hinge::crease_couplings(plate)
+                                                              : std::vector<hinge::Coupling>();
   std::vector<std::array<std::uint32_t, 2>> words(rows);
-  words.reserve(rows + couplings.size());
-  for (const hinge::Coupling& coupling : couplings) {
-    const auto at = static_cast<std::uint32_t>(words.size());
-    std::array<std::uint32_t, 2>& row = words[coupling.row];
-    if (row[0] == 0) row[0] = at;
-    row[1] = at + 1;
-    const auto entry = static_cast<float>(coupling.entry);
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &entry, sizeof bits);
-    words.push_back({coupling.column, bits});
+  words.reserve(rows + of_hinges.size() + of_creases.size());
+  auto hinge = of_hinges.begin();
+  auto crease = of_creases.begin();
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    const auto first = static_cast<std::uint32_t>(words.size());
+    for (; hinge != of_hinges.end() && hinge->row == row; ++hinge)
+      words.push_back({hinge->column, bits_of(hinge->entry)});
+    for (; crease != of_creases.end() && crease->row == row; ++crease)
+      words.push_back({rows + crease->column, bits_of(crease->entry)});
+    words[row] = {first, static_cast<std::uint32_t>(words.size())};
   }
   return words;
 }
 
 }  // namespace
+
+std::uint32_t bits_of(double value) {
+  const auto number = static_cast<float>(value);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);  // libc++ 14 has no bit_cast
+  return bits;
+}
 
 std::vector<std::uint32_t> rows_then_entries(std::span<const std::uint32_t> starts,
                                              std::span<const std::uint32_t> entries) {
@@ -71,8 +81,10 @@ Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& mo
   if (hinges.size() == 0) return made;
   WEFT_SET(made.hinges, gpu::Buffer<Four>::create_from(device, nodes_by_four(hinges), "hinges"));
   WEFT_SET(made.rest_angles, gpu::Buffer<float>::create_from(device, hinges.rest, "angles at rest"));
-  WEFT_SET(made.couplings,
-           gpu::Buffer<Two>::create_from(device, couplings_of(model.plate(body)), "moments by bends"));
+  const bool keeps_bends = body.fabric->plastic.has_value();
+  made.bend_count = hinges.size() + (keeps_bends ? 3 * membranes.size() : 0);
+  WEFT_SET(made.couplings, gpu::Buffer<Two>::create_from(device, couplings_of(model.plate(body), keeps_bends),
+                                                         "moments by bends"));
   return made;
 }
 
@@ -87,7 +99,7 @@ Result<void> FabricBuffers::create_forces(gpu::Device& device, const Model& mode
                        "forces of fabric"));
   if (!limits_at.empty())
     WEFT_SET(limits, gpu::Buffer<LimitSpring>::create_from(device, limits_at, "limited edges of fabric"));
-  if (hinges_at.size() > 0) WEFT_SET(bends, gpu::Buffer<float>::create(device, hinges_at.size(), "bends"));
+  if (bend_count > 0) WEFT_SET(bends, gpu::Buffer<float>::create(device, bend_count, "bends"));
   return {};
 }
 

@@ -39,6 +39,9 @@ std::vector<std::uint32_t> rows_then_entries(std::span<const std::uint32_t> star
 std::vector<std::uint32_t> gathers_of(const Model& model, const Body& body,
                                       std::span<const LimitSpring> limits);
 
+/// Of a number in f32.
+std::uint32_t bits_of(double value);
+
 struct FabricBuffers {
   using Two = std::array<std::uint32_t, 2>;
   using Four = std::array<std::uint32_t, 4>;
@@ -50,12 +53,15 @@ struct FabricBuffers {
   // Of hinges; empty where there is none.
   gpu::Buffer<Four> hinges;
   gpu::Buffer<float> rest_angles;  // [rad]
-  gpu::Buffer<Two> couplings;      // rows of hinges, then pairs of a hinge and the bits of N·m
+  // Rows of hinges, then pairs of a bend and the bits of N·m. Bends are those of hinges and, of a cloth that keeps
+  // them, what each facet keeps at its three edges: `bend_count` in all.
+  gpu::Buffer<Two> couplings;
+  std::size_t bend_count = 0;
 
   // Of methods that sum forces: create_forces.
   gpu::Buffer<std::uint32_t> gathers;  // rows of nodes, then their forces
   gpu::Buffer<Vec4f> forces;  // of the corners of all triangles, of all hinges, of all limited edges [N]
-  gpu::Buffer<float> bends;   // of hinges; empty where there is none [rad]
+  gpu::Buffer<float> bends;   // empty where there is no hinge [rad]
   gpu::Buffer<LimitSpring> limits;  // of edges; empty where there is no strain limit
 
   /// Errors  Limit, OutOfMemory.

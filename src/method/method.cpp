@@ -76,8 +76,16 @@ Result<void> check_fabric(const scene::Cloth& cloth, const Model& model, const B
         scene::kFabricEnergyNames[static_cast<std::size_t>(energy)], scene::name_of(method.kind),
         words_of_methods([&](const Method& other) { return takes_energy(other, energy); }).c_str());
   const scene::Fabric& fabric = *body.fabric;
-  const bool bends = fabric.bending_warp > 0 || fabric.bending_weft > 0 || fabric.bending_twist > 0;
-  if (!method.flat_fabric || !bends) return {};
+  if (!method.flat_fabric || !fabric.bends()) return {};
+  if (fabric.plastic)
+    return input_error(
+        "%s.fabric.plastic keeps bends, which solver.kind \"%s\" does not: it takes fabric that stays flat "
+        "at rest; %s "
+        "keeps them.",
+        cloth.where.c_str(), scene::name_of(method.kind), words_of_methods([&](const Method& other) {
+                                                            return takes_energy(other, energy) &&
+                                                                   !other.flat_fabric;
+                                                          }).c_str());
   const double curved = curved_at_rest(model, body);
   if (curved > kFlat)
     return input_error(

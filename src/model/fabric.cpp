@@ -17,6 +17,24 @@ Stiffness bending_law(const scene::Fabric& fabric) {
   return {fabric.bending_warp, 0, fabric.bending_weft, fabric.bending_twist};
 }
 
+std::optional<hinge::Yield> yield_law(const scene::Fabric& fabric) {
+  if (!fabric.plastic) return std::nullopt;
+  return hinge::Yield{fabric.plastic->yield_curvature, fabric.plastic->hardening};
+}
+
+static std::uint32_t creases_before(const Model& model, const Body* end) {
+  std::uint32_t sum = 0;
+  for (const Body* body = model.bodies.data(); body != end; ++body)
+    if (body->fabric && body->fabric->plastic) sum += body->triangle_count;
+  return sum;
+}
+
+std::uint32_t crease_count(const Model& model) {
+  return creases_before(model, model.bodies.data() + model.bodies.size());
+}
+
+std::uint32_t first_crease(const Model& model, const Body& body) { return creases_before(model, &body); }
+
 FabricSheet fabric_sheet(const Model& model, const Body& body) {
   FabricSheet sheet;
   sheet.warp = body.warp;

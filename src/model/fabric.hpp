@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "element/hinge/creases.hpp"
 #include "element/hinge/plate.hpp"
 #include "element/membrane/law.hpp"
 #include "model/model.hpp"
@@ -15,6 +17,12 @@ Moduli membrane_moduli(const scene::Fabric& fabric);
 membrane::Law membrane_law(const scene::Fabric& fabric);
 /// What the fabric resists bending with [N·m].
 Stiffness bending_law(const scene::Fabric& fabric);
+
+/// When its bends stay; none: they do not.
+std::optional<hinge::Yield> yield_law(const scene::Fabric& fabric);
+/// Triangles of bodies that keep bends: all of them, and those of the bodies before this one.
+std::uint32_t crease_count(const Model& model);
+std::uint32_t first_crease(const Model& model, const Body& body);
 
 /// A body's sheet at rest. Nodes count from 0.
 struct FabricSheet {

@@ -112,6 +112,8 @@ Result<void> Simulation::add_colliders(const Assets& assets) {
 
 Result<void> Simulation::advance_frame() {
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
+  std::vector<std::vector<hinge::Crease>> creases;
+  for (const FabricCloth& cloth : system_.fabrics) creases.push_back(cloth.creases);
   const std::uint64_t contacts = contacts_;
   const std::vector<RigidState> rigid = proximity_ ? proximity_->rigid().states() : std::vector<RigidState>{};
   const sim::FramePlan::Frame frame = plan_.frame(frame_);
@@ -119,6 +121,7 @@ Result<void> Simulation::advance_frame() {
   if (!finite()) {
     system_.position = position;
     system_.velocity = velocity;
+    for (std::size_t c = 0; c < creases.size(); ++c) system_.fabrics[c].creases = creases[c];
     contacts_ = contacts;
     if (proximity_) proximity_->rigid().states() = rigid;
     return make_error(ErrorKind::Diverged,
@@ -131,6 +134,7 @@ Result<void> Simulation::advance_frame() {
 void Simulation::reset() {
   system_.position = model_->start_position;
   system_.velocity.assign(model_->vertex_count(), {});
+  for (FabricCloth& cloth : system_.fabrics) cloth.creases.assign(cloth.creases.size(), {});
   frame_ = 0;
   contacts_ = 0;
   if (proximity_) proximity_->forget();

@@ -239,6 +239,12 @@ class Builder {
                                           "; its square must be below 0.9999 warp / weft, " +
                                           number_text(most));
     if (fabric.energy == FabricEnergy::NeoHookean) WEFT_CHECK(check_isotropic(fabric, path));
+    if (const Json* given = json.find("plastic"))
+      fabric.plastic = {number(*given, "yield_curvature"), number(*given, "hardening")};
+    if (fabric.plastic && !fabric.bends())
+      return wrong(path + ".plastic",
+                   "is of bends that stay, and bending_warp, bending_weft and bending_twist are 0: "
+                   "such a cloth resists none");
     return fabric;
   }
 

@@ -280,6 +280,13 @@ constexpr Type kBendingModulus{.kind = Kind::Number, .most = 1e3, .unit = "N·m"
 constexpr Type kDelay{.kind = Kind::Number, .most = 10, .unit = "s"};
 constexpr Type kFabricEnergy{.kind = Kind::Choice, .choices = kFabricEnergyNames};
 constexpr Type kFabricName{.kind = Kind::Choice, .name = "fabric_name", .choices = kFabricNames};
+constexpr Type kCurvature{.kind = Kind::Number, .least = 1e-3, .most = 1e6, .unit = "1/m"};
+constexpr Type kHardening{.kind = Kind::Number, .most = 1e3};
+constexpr Key kPlasticKeys[] = {
+    {"yield_curvature", &kCurvature, "Up to which curvature the cloth springs back", nullptr, true},
+    {"hardening", &kHardening, "How much that grows by all curvature that the cloth has kept", "0"},
+};
+constexpr Type kPlastic{.kind = Kind::Object, .name = "plastic", .keys = kPlasticKeys};
 constexpr Key kFabricKeys[] = {
     {"name", &kFabricName, "A measured fabric, from which the numbers come that are not given here"},
     {"warp", &kModulus, "Young's modulus of a strip along the warp, force per width", nullptr, true, "name"},
@@ -298,6 +305,7 @@ constexpr Key kFabricKeys[] = {
      "\"yarn\""},
     {"warp_direction", &kDirection, "The warp of a mesh, before its transform; a grid's goes along i",
      "[1, 0, 0]"},
+    {"plastic", &kPlastic, "When a bend stays; without it the cloth springs back from every one"},
 };
 constexpr Type kFabricObject{.kind = Kind::Object, .keys = kFabricKeys};
 constexpr const Type* kFabricTypes[] = {&kFabricName, &kFabricObject};

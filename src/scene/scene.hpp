@@ -157,6 +157,13 @@ struct Stiffness {
 /// Which strains a fabric's energy is of (docs/elements.md, Membrane).
 enum class FabricEnergy { Yarn, Green, NeoHookean };
 
+/// When a bend stays (docs/elements.md, Creases).
+struct Plastic {
+  double yield_curvature = 0;  // up to which the cloth springs back [1/m]
+  double hardening = 0;        // how much that grows by all curvature that was kept
+  bool operator==(const Plastic&) const = default;
+};
+
 /// A measured cloth: what strips of it resist with.
 struct Fabric {
   std::string
@@ -166,7 +173,12 @@ struct Fabric {
   double bending_warp = 0, bending_weft = 0, bending_twist = 0;  // [N·m]
   double damping = 0.0001;                                       // delay of Kelvin and Voigt [s]
   FabricEnergy energy = FabricEnergy::Yarn;
-  Vec3d warp_direction{1, 0, 0};  // on a mesh, before its transform; a grid's warp goes along i
+  Vec3d warp_direction{1, 0, 0};   // on a mesh, before its transform; a grid's warp goes along i
+  std::optional<Plastic> plastic;  // none: it springs back from every bend
+
+  bool bends() const {
+    return bending_warp > 0 || bending_weft > 0 || bending_twist > 0;
+  }  // against a resistance
   bool operator==(const Fabric&) const = default;
 };
 

@@ -142,8 +142,8 @@ bool finite(const std::vector<Vec4f>& list) {
 
 Result<void> check_finite(const SavedState& state) {
   const Snapshot& s = state.snapshot;
-  bool all =
-      finite(s.position) && finite(s.velocity) && finite(s.position_before) && finite(s.velocity_before);
+  bool all = finite(s.position) && finite(s.velocity) && finite(s.position_before) &&
+             finite(s.velocity_before) && finite(s.creases);
   for (const double number : {s.time.origin, s.time.length, s.step, s.gusts.since, s.gusts.turns[0],
                               s.gusts.turns[1], s.gusts.rates[0], s.gusts.rates[1]})
     all = all && std::isfinite(number);
@@ -162,8 +162,8 @@ Result<void> check_finite(const SavedState& state) {
 }
 
 std::size_t list_bytes(const Snapshot& s) {
-  return sizeof(Vec4f) *
-             (s.position.size() + s.velocity.size() + s.position_before.size() + s.velocity_before.size()) +
+  return sizeof(Vec4f) * (s.position.size() + s.velocity.size() + s.position_before.size() +
+                          s.velocity_before.size() + s.creases.size()) +
          sizeof(std::uint32_t) * (s.contact_forces.size() + s.hold_forces.size());
 }
 
@@ -193,6 +193,7 @@ std::vector<std::byte> write_saved_state(const SavedState& state) {
   writer.list(snapshot.hold_forces);
   writer.list(snapshot.rigid);
   writer.list(snapshot.given);
+  writer.list(snapshot.creases);
   writer.list(snapshot.position_before);
   writer.list(snapshot.velocity_before);
   writer.number(snapshot.step);
@@ -230,6 +231,7 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes) {
   snapshot.hold_forces = reader.list<std::int32_t>("a list of forces at obstacles");
   snapshot.rigid = reader.list<std::uint32_t>("a list of rigid bodies");
   snapshot.given = reader.list<Placement>("a list of colliders that a program moves");
+  snapshot.creases = reader.list<Vec4f>("a list of creases");
   snapshot.position_before = reader.list<Vec4f>("a list of positions before");
   snapshot.velocity_before = reader.list<Vec4f>("a list of velocities before");
   snapshot.step = reader.number<double>();
@@ -258,9 +260,9 @@ std::string other_origin(const SavedState& state, const std::string& build, cons
   return other;
 }
 
-std::uint64_t most_saved_bytes(std::uint64_t nodes) {
+std::uint64_t most_saved_bytes(std::uint64_t nodes, std::uint64_t facets) {
   const std::uint64_t pairs = kMostPairsOfNode * nodes + kMorePairs;
-  return (4 * sizeof(Vec4f) + sizeof(std::int32_t) * kHoldWords) * nodes +
+  return (4 * sizeof(Vec4f) + sizeof(std::int32_t) * kHoldWords) * nodes + sizeof(Vec4f) * facets +
          sizeof(std::uint32_t) * kKeptWords * pairs + kMostRigidBytes + kMostOtherBytes;
 }
 

@@ -34,7 +34,7 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes);
 /// "by BUILD on ADAPTER", as far as a state comes from another than these, so that bits may differ; "": from both.
 std::string other_origin(const SavedState& state, const std::string& build, const std::string& adapter);
 
-/// The most bytes that a state of so many nodes has.
-std::uint64_t most_saved_bytes(std::uint64_t nodes);
+/// The most bytes that a state of so many nodes has, and of so many facets that keep bends.
+std::uint64_t most_saved_bytes(std::uint64_t nodes, std::uint64_t facets);
 
 }  // namespace weft::sim

@@ -28,6 +28,7 @@ struct Snapshot : NodeState {
       hold_forces;                   // of vertices that the solver holds: contact::SceneContact::hold_forces
   std::vector<std::uint32_t> rigid;  // of the scene's rigid bodies: contact::RigidBodies::states
   std::vector<Placement> given;      // of the colliders that a program moves
+  std::vector<Vec4f> creases;        // what facets keep of their bends: State::creases
   /// That state a substep before, `step` [s] long; empty where the method has no history.
   std::vector<Vec4f> position_before, velocity_before;
   double step = 0;

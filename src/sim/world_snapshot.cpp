@@ -44,6 +44,7 @@ Result<Snapshot> World::snapshot() {
   WEFT_SET(snapshot.contact_forces, contact_.forces(device_));
   WEFT_SET(snapshot.hold_forces, contact_.hold_forces(device_));
   if (rigid() != nullptr) WEFT_SET(snapshot.rigid, rigid()->states(device_));
+  if (state_.creases.size() > 0) WEFT_SET(snapshot.creases, gpu::download(device_, state_.creases));
   snapshot.time = plan_.time_of(diverged_ ? bad_frame_ : frame_);  // frozen as it was before the bad frame
   for (const std::size_t collider : given_colliders())
     snapshot.given.push_back(
@@ -83,6 +84,9 @@ Result<void> World::check_nodes(const Snapshot& snapshot) const {
                        snapshot.given.size(), given.size());
   for (const Placement& placement : snapshot.given)
     if (const auto unit = scene::checked_placement(placement); !unit) return unit.error();
+  if (snapshot.creases.size() != state_.creases.size())
+    return input_error("The snapshot has %zu facets that keep bends; this scene has %zu.",
+                       snapshot.creases.size(), state_.creases.size());
   if (snapshot.position.size() != model_.vertex_count() || snapshot.velocity.size() != model_.vertex_count())
     return input_error("The snapshot has %zu positions and %zu velocities; this scene has %u nodes.",
                        snapshot.position.size(), snapshot.velocity.size(), model_.vertex_count());
@@ -168,6 +172,8 @@ Result<void> World::put_back(const Snapshot& snapshot) {
     WEFT_CHECK(solver_->bind_lists());
     recorder_.forget();
   }
+  state_.creases.write(device_, snapshot.creases);
+  last_good_->renew_creases(device_, snapshot.creases);
   // Those of a world whose solver holds nothing are none.
   std::vector<std::int32_t> holds = snapshot.hold_forces;
   holds.resize(std::size_t{kHoldWords} * model_.vertex_count());

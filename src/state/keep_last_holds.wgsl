@@ -1,5 +1,5 @@
 // As keep_last_good, of other words of the state: the forces that hold vertices at obstacles, which are at the
-// beginning of `presses`, and those of rigid bodies. One invocation per word.
+// beginning of `presses`, those of rigid bodies, and what facets keep of their bends. One invocation per word.
 #include "gpu/index.wgsl"
 #include "state/statistics.wgsl"
 //                                                                              elements

@@ -38,13 +38,18 @@ Result<LastGood> LastGood::create(gpu::Device& device, const State& state, bool 
     }
     made.kept_.push_back(std::move(kept));
   }
-  if (presses != nullptr || rigid != nullptr)
+  if (presses != nullptr || rigid != nullptr || state.creases.size() > 0)
     WEFT_SET(made.keep_holds_, gpu::Kernel::create(device, "state/keep_last_holds.wgsl"));
   if (rigid != nullptr) {
     made.rigid_ = rigid;
     WEFT_SET(made.good_rigid_,
              gpu::Buffer<std::uint32_t>::create(device, rigid->size(), "last good rigid bodies"));
     WEFT_SET(made.keep_rigid_group_, made.keep_holds_.bind({*rigid, made.good_rigid_, state.statistics}));
+  }
+  if (state.creases.size() > 0) {
+    WEFT_SET(made.creases_, gpu::Buffer<Vec4f>::create(device, state.creases.size(), "last good creases"));
+    WEFT_SET(made.keep_creases_group_,
+             made.keep_holds_.bind({state.creases, made.creases_, state.statistics}));
   }
   if (presses == nullptr) return made;
   made.presses_ = presses;
@@ -59,6 +64,7 @@ void LastGood::record(gpu::ComputePass& pass) const {
   for (const Kept& kept : kept_) keep_.dispatch(pass, kept.groups[pass.parity()], kept.position.size());
   if (presses_ != nullptr) keep_holds_.dispatch(pass, keep_holds_group_, holds_.size());
   if (rigid_ != nullptr) keep_holds_.dispatch(pass, keep_rigid_group_, good_rigid_.size());
+  if (creases_.size() > 0) keep_holds_.dispatch(pass, keep_creases_group_, 4 * creases_.size());
 }
 
 void LastGood::record_restore(gpu::CommandList& list, const State& state, std::uint32_t parity) const {
@@ -69,6 +75,7 @@ void LastGood::record_restore(gpu::CommandList& list, const State& state, std::u
   }
   if (presses_ != nullptr) list.copy(holds_.source(), presses_->range(0, holds_.bytes()));
   if (rigid_ != nullptr) list.copy(good_rigid_.source(), rigid_->source());
+  if (creases_.size() > 0) list.copy(creases_.source(), state.creases.source());
 }
 
 void LastGood::renew(gpu::Device& device, std::span<const Vec4f> position, std::span<const Vec4f> velocity,
@@ -84,6 +91,10 @@ void LastGood::renew_before(gpu::Device& device, std::span<const Vec4f> position
                             std::span<const Vec4f> velocity) const {
   kept_[1].position.write(device, position);
   kept_[1].velocity.write(device, velocity);
+}
+
+void LastGood::renew_creases(gpu::Device& device, std::span<const Vec4f> creases) const {
+  creases_.write(device, creases);
 }
 
 void LastGood::record_rigid(gpu::CommandList& list) const {

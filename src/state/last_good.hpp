@@ -28,6 +28,8 @@ class LastGood {
   /// Keeps this state of all vertices as that of the substep before it, for a solver that reads that; finite.
   void renew_before(gpu::Device& device, std::span<const Vec4f> position,
                     std::span<const Vec4f> velocity) const;
+  /// Keeps these creases of facets; finite.
+  void renew_creases(gpu::Device& device, std::span<const Vec4f> creases) const;
   /// Copies the words of rigid bodies as they are now, which are finite.
   void record_rigid(gpu::CommandList& list) const;
   /// The same of the forces of holds.
@@ -50,6 +52,8 @@ class LastGood {
   const gpu::Buffer<std::uint32_t>* rigid_ = nullptr;
   gpu::Buffer<std::uint32_t> good_rigid_;
   gpu::BindGroup keep_rigid_group_;
+  gpu::Buffer<Vec4f> creases_;  // empty where no cloth keeps bends
+  gpu::BindGroup keep_creases_group_;
 };
 
 }  // namespace weft

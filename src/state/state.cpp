@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/fabric.hpp"
+
 namespace weft {
 namespace {
 
@@ -32,6 +34,7 @@ Result<State> State::create(gpu::Device& device, const Model& model, std::uint32
   state.motions = std::move(motions);
   WEFT_TRY(statistics, gpu::Buffer<std::uint32_t>::create(device, sizeof(Statistics) / 4, "statistics"));
   state.statistics = std::move(statistics);
+  WEFT_SET(state.creases, gpu::Buffer<Vec4f>::create(device, crease_count(model), "creases"));
   state.reset(device, model);
   return state;
 }
@@ -43,6 +46,7 @@ void State::reset(gpu::Device& device, const Model& model) const {
     position[parity].write(device, positions);
     velocity[parity].write(device, zeros);
   }
+  creases.write(device, std::vector<Vec4f>(creases.size()));
 }
 
 Result<Contacts> Contacts::create_pushes(gpu::Device& device, const Model& model) {

@@ -20,6 +20,9 @@ struct State {
   gpu::Buffer<StepBlock> steps;           // a block for each substep of a frame
   gpu::Buffer<Vec4f> motions;             // 3 rows for each moved group and substep: x, y, z of R·rest + t
   gpu::Buffer<std::uint32_t> statistics;  // sizeof(Statistics) / 4
+  /// What each facet of cloth that keeps bends keeps at its three edges, rad, and in w all curvature that it has kept,
+  /// 1/m: cloth after cloth (first_crease of model/fabric.hpp). Changed as a substep begins.
+  gpu::Buffer<Vec4f> creases;  // crease_count(model)
 
   /// The start, at rest.
   /// Errors  Limit, OutOfMemory.

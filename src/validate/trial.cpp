@@ -88,6 +88,8 @@ Result<double> Trial::energy() {
   for (const double mass : moment.mass) system.inverse_mass.push_back(mass > 0 ? 1 / mass : 0);
   system.springs = reference::spring_links(world_->model().host);
   system.fabrics = reference::fabric_cloths(world_->model().host);
+  WEFT_TRY(snapshot, world_->snapshot());
+  for (reference::FabricCloth& cloth : system.fabrics) cloth.set_creases(snapshot.creases);
   system.solids = reference::solid_bodies(world_->model().host);
   system.acceleration = world_->scene().gravity;
   return reference::energy(system);

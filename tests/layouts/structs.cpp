@@ -25,6 +25,7 @@
 #include "element/spring/spring_grid.hpp"
 #include "gpu/kernel.hpp"
 #include "mesh/sheet_rim.hpp"
+#include "method/creases.hpp"
 #include "method/enclosed_gas.hpp"
 #include "method/fabric_buffers.hpp"
 #include "method/mass_spring/advance_mesh.hpp"
@@ -193,6 +194,11 @@ Json fabric_params() {
   using T = FabricParams;
   return row("FabricParams", "method/fabric_params.wgsl", sizeof(T), kUniform,
              {M(first), M(count), M(triangles), M(hinges), M(law)});
+}
+Json yield_law() {
+  using T = YieldLawBlock;
+  return row("YieldLaw", "element/hinge/yield.wgsl", sizeof(T), kUniform,
+             {M(curvature), M(hardening), M(first), M(padding)});
 }
 Json node_range() {
   using T = NodeRange;
@@ -414,59 +420,33 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),
-                      step_time(),
-                      step_nodes(),
-                      step_contact(),
-                      step_air(),
-                      step_hands(),
-                      step_method(),
-                      spring(),
-                      spring_kind(),
-                      limited_edge(),
-                      limit_spring(),
-                      spring_block(),
-                      block_spring(),
-                      neighbour(),
-                      mesh_params(),
-                      membrane_law(),
-                      enclosed_gas(),
-                      gas_chunk(),
-                      fabric_params(),
-                      node_range(),
-                      solid_law(),
-                      solid_params(),
-                      surface_params(),
-                      object_triangle(),
-                      spring_grid_row(),
-                      level_of_grid(),
-                      tree_node(),
-                      pair_range(),
-                      analytic_collider(),
-                      listed_pair(),
-                      contact_of_pair(),
-                      pair_hold(),
-                      search_params(),
-                      patch_place(),
-                      contact_round(),
-                      tree_params(),
-                      colliders(),
-                      collider_place(),
-                      frame(),
-                      weave(),
-                      plane(),
-                      fine_grid(),
-                      cloth_nodes(),
-                      bottom_sweeps(),
-                      elements_of_color(),
-                      nodes_of_color(),
-                      gathered_color(),
-                      relaxed_nodes(),
-                      spring_kinds(),
-                      fabric_pair(),
-                      iteration(),
-                      level_of_mesh(),
-                      share(),
+  return Json::array({step_block(),      step_time(),
+                      step_nodes(),      step_contact(),
+                      step_air(),        step_hands(),
+                      step_method(),     spring(),
+                      spring_kind(),     limited_edge(),
+                      limit_spring(),    spring_block(),
+                      block_spring(),    neighbour(),
+                      mesh_params(),     membrane_law(),
+                      enclosed_gas(),    gas_chunk(),
+                      fabric_params(),   node_range(),
+                      yield_law(),       solid_law(),
+                      solid_params(),    surface_params(),
+                      object_triangle(), spring_grid_row(),
+                      level_of_grid(),   tree_node(),
+                      pair_range(),      analytic_collider(),
+                      listed_pair(),     contact_of_pair(),
+                      pair_hold(),       search_params(),
+                      patch_place(),     contact_round(),
+                      tree_params(),     colliders(),
+                      collider_place(),  frame(),
+                      weave(),           plane(),
+                      fine_grid(),       cloth_nodes(),
+                      bottom_sweeps(),   elements_of_color(),
+                      nodes_of_color(),  gathered_color(),
+                      relaxed_nodes(),   spring_kinds(),
+                      fabric_pair(),     iteration(),
+                      level_of_mesh(),   share(),
                       convex_body()});
 }
 

@@ -136,6 +136,7 @@ class SolverRig {
       system.springs.push_back({s.node_a, s.node_b, static_cast<double>(s.rest_length),
                                 static_cast<double>(s.stiffness), static_cast<double>(s.damping)});
     system.fabrics = reference::fabric_cloths(model_.host);
+    for (reference::FabricCloth& cloth : system.fabrics) cloth.set_creases(read(state_.creases));
     system.solids = reference::solid_bodies(model_.host);
     system.gases = reference::enclosed_gases(model_.host);
     system.acceleration = scene_.gravity + scene_.external_force;

@@ -60,6 +60,9 @@ TEST_CASE("what a scene gives goes before what a fabric's name brings") {
   CHECK(cloth.fabric->bending_twist == blanket.bending_twist.value);
   CHECK(cloth.fabric->damping == 0.001);
   CHECK(cloth.fabric->energy == FabricEnergy::Green);
+  CHECK_FALSE(cloth.fabric->plastic);
+  const Cloth kept = read_cloth(R"("fabric": {"name": "blanket", "plastic": {"yield_curvature": 40}})");
+  CHECK(kept.fabric->plastic == Plastic{40, 0});
   const Cloth by_node = read_cloth(R"("node_mass": 0.01, "fabric": "blanket")");
   CHECK(by_node.node_mass == 0.01);
   CHECK_FALSE(by_node.density);

@@ -45,6 +45,7 @@ export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: r
     { name: "funnel", title: "Into a funnel", nodes: 64 },
     { name: "shot", title: "A ball flies in", nodes: 64 },
     { name: "incline", title: "On a slope" },
+    { name: "creased-paper", title: "Creased paper" },
     { name: "walk", title: "A skirt that walks" },
     { name: "jelly", title: "Jelly in a net" },
     { name: "balloon", title: "A balloon in a sheet" },

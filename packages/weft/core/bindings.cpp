@@ -327,7 +327,9 @@ EMSCRIPTEN_KEEPALIVE void weft_drop_saved() { saved = {}; }
 /// The most bytes that a state of this scene has.
 EMSCRIPTEN_KEEPALIVE double weft_most_saved_bytes() {
   if (session == nullptr || session->world() == nullptr) return 0;
-  return static_cast<double>(weft::sim::most_saved_bytes(session->world()->model().vertex_count()));
+  const weft::sim::World& world = *session->world();
+  return static_cast<double>(
+      weft::sim::most_saved_bytes(world.model().vertex_count(), world.state().creases.size()));
 }
 /// Sleeps; the bytes stay until it returns. Leaves what was opened as JSON in weft_message.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_open_state(const std::byte* bytes, std::uint32_t size) {

@@ -4,7 +4,7 @@
 
 namespace weft {
 
-Result<void> AdvanceFabric::create_forces(const SolverInputs& inputs) {
+Result<void> AdvanceFabric::create_forces(const SolverInputs& inputs, const Body& body) {
   const State& state = inputs.state;
   const auto kernel_of = [&](const std::string& name) {
     return gpu::create_shared_kernel(inputs.device, "method/mass_spring/" + name + ".wgsl", {},
@@ -18,6 +18,8 @@ Result<void> AdvanceFabric::create_forces(const SolverInputs& inputs) {
                                                      state.position[p], state.velocity[p], fabric_.forces};
                                            }));
   if (fabric_.layout.hinges == 0) return {};
+  WEFT_SET(creases_, Creases::create(inputs.device, inputs.model.host, state, body, fabric_, fabric_.bends, 1,
+                                     inputs.workgroup_size));
   WEFT_TRY(bends, kernel_of("fabric_bends"));
   WEFT_SET(bend_, gpu::Dispatch::create_by_parity(bends, bends->workgroups_of(fabric_.layout.hinges),
                                                   [&](std::size_t p) -> gpu::Dispatch::Bindings {
@@ -40,13 +42,14 @@ Result<AdvanceFabric> AdvanceFabric::create(const SolverInputs& inputs, const Bo
   FabricBuffers& fabric = made.fabric_;
   WEFT_SET(fabric, FabricBuffers::create(inputs.device, inputs.model.host, body));
   WEFT_CHECK(fabric.create_forces(inputs.device, inputs.model.host, body));
-  WEFT_CHECK(made.create_forces(inputs));
+  WEFT_CHECK(made.create_forces(inputs, body));
   WEFT_SET(made.advance_,
            create_advance_gathered(inputs, fabric.params, body.vertex_count, fabric.gathers, fabric.forces));
   return made;
 }
 
 void AdvanceFabric::record(gpu::ComputePass& pass) const {
+  creases_.record(pass);
   for (const gpu::Dispatch* dispatch : {&membranes_, &bend_, &moments_, &advance_}) dispatch->record(pass);
 }
 

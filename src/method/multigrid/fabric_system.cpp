@@ -22,6 +22,8 @@ Result<void> FabricSystem::create_buffers(const CycleInputs& inputs, const Body&
   const Model& model = inputs.model.host;
   WEFT_SET(elements_, FabricBuffers::create(device, model, body));
   WEFT_CHECK(elements_.create_forces(device, model, body));
+  WEFT_SET(creases_, Creases::create(device, model, inputs.state, body, elements_, elements_.bends, 1,
+                                     inputs.workgroup_size));
   // Where there is no hinge, one of no stiffness is bound, of which no block has a part.
   std::vector<float> bounds;
   for (const double bound : hinge::stiffness_bounds(model.plate(body)))

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "method/creases.hpp"
 #include "method/fabric_buffers.hpp"
 #include "method/multigrid/fabric_pairs.hpp"
 #include "method/multigrid/kernels.hpp"
@@ -27,6 +28,8 @@ class FabricSystem {
                                      std::span<const BlockEntries> blocks, const MeshSystem& mesh);
 
   const FabricBuffers& elements() const { return elements_; }
+  /// As a substep begins.
+  const Creases& creases() const { return creases_; }
   /// In their order, before the gradient's; taken out.
   std::vector<gpu::Dispatch> take_stages() { return std::move(stages_); }
 
@@ -35,6 +38,7 @@ class FabricSystem {
                               std::span<const BlockEntries> blocks);
 
   FabricBuffers elements_;
+  Creases creases_;
   gpu::Buffer<float> bounds_;  // of hinges [N·m]
   gpu::Buffer<Vec4f> terms_;   // of membranes, then of limited edges: src/method/multigrid/limit_term.wgsl
   gpu::Buffer<Vec4f> wings_;   // slopes of hinges, four each [1/m]

@@ -15,6 +15,11 @@ class MeshCycle : public Cycle {
   /// Errors  Limit, OutOfMemory.
   static Result<MeshCycle> create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body);
 
+  /// As a substep begins: what bends leave for good.
+  void record_creases(gpu::ComputePass& pass) const {
+    if (fabric_) fabric_->creases().record(pass);
+  }
+
   // For tests.
   const std::vector<MeshLevelParams>& shapes() const { return shapes_; }
   const gpu::Buffer<std::array<float, 2>>& blocks() const { return blocks_; }

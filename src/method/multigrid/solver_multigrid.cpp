@@ -21,6 +21,7 @@ std::uint32_t raised(std::uint32_t iterations) { return iterations + std::max(2U
 void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
   contact.press(pass);
   gas_.record(pass);
+  for (const MeshCycle& cycle : meshes_) cycle.record_creases(pass);
   for (const GridCycle& cycle : grids_) cycle.record_first(pass);
   for (const MeshCycle& cycle : meshes_) cycle.record_first(pass);
   contact.press_again(pass);

@@ -85,6 +85,7 @@ Result<ProjectFabric> ProjectFabric::create(const SolverInputs& inputs, const Bo
 }
 
 void ProjectFabric::record(gpu::ComputePass& pass, bool first) const {
+  if (first) bent_.creases.record(pass);
   bent_.bend.record(pass);
   for (const Ordered* elements : {&hinges_, &membranes_})
     for (const gpu::Dispatch& color : first ? elements->first : elements->later) color.record(pass);

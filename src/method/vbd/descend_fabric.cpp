@@ -68,7 +68,8 @@ Result<void> DescendFabric::create_colors(const SolverInputs& inputs, const Body
   return {};
 }
 
-void DescendFabric::record(gpu::ComputePass& pass) const {
+void DescendFabric::record(gpu::ComputePass& pass, bool first) const {
+  if (first) bent_.creases.record(pass);
   bent_.bend.record(pass);
   weigh_.record(pass);
   for (const gpu::Dispatch& color : colors_) color.record(pass);

@@ -20,7 +20,8 @@ class DescendFabric {
  public:
   static Result<DescendFabric> create(const SolverInputs& inputs, const Body& body,
                                       const gpu::Buffer<Vec4f>& aim);
-  void record(gpu::ComputePass& pass) const;
+  /// `first`: the first sweep of a substep.
+  void record(gpu::ComputePass& pass, bool first) const;
 
  private:
   Result<void> create_moments(const SolverInputs& inputs, const Body& body);

@@ -11,7 +11,7 @@ void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, s
   if (begin_holds_) begin_holds_->record(pass);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep_) color.record(pass);
-    for (const DescendFabric& fabric : fabrics_) fabric.record(pass);
+    for (const DescendFabric& fabric : fabrics_) fabric.record(pass, sweep == 0);
     for (const DescendSolid& solid : solids_) solid.record(pass);
   }
   end_way_.record(pass);

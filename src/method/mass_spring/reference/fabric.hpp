@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "element/hinge/creases.hpp"
 #include "element/hinge/plate.hpp"
 #include "element/membrane/membranes.hpp"
 #include "element/spring/law.hpp"
@@ -22,12 +24,19 @@ inline spring::Law law_of(const LimitSpring& spring) {
 struct FabricCloth {
   std::uint32_t first = 0, count = 0;
   membrane::Membranes membranes;
-  hinge::Plate plate;               // damped as they are
-  std::vector<LimitSpring> limits;  // of its edges, where it has a strain limit
+  hinge::Plate plate;                  // damped as they are
+  std::vector<LimitSpring> limits;     // of its edges, where it has a strain limit
+  std::optional<hinge::Yield> yields;  // where its bends stay
+  std::vector<hinge::Crease> creases;  // then what each facet keeps; else empty
+  std::uint32_t first_crease = 0;      // among those of all cloths
 
   /// Adds the forces of all nodes of the model at these places [m] and velocities [m/s] to `forces` [N].
   void add_forces(std::span<const Vec3d> position, std::span<const Vec3d> velocity,
                   std::span<Vec3d> forces) const;
+  /// `words`: those of all cloths (State::creases); takes its own.
+  void set_creases(std::span<const Vec4f> words);
+  /// Takes into the creases what bends at these places leave for good, as a substep begins.
+  void yield(std::span<const Vec3d> position);
   double stretching(std::span<const Vec3d> position) const;  // of membranes and limited edges [J]
   double bending(std::span<const Vec3d> position) const;     // of hinges [J]
 };

@@ -36,6 +36,10 @@ std::vector<Vec3d> spring_forces(const MassSpringSystem& system) {
   return forces;
 }
 
+void yield(MassSpringSystem& system) {
+  for (FabricCloth& cloth : system.fabrics) cloth.yield(system.position);
+}
+
 std::vector<Vec3d> gas_forces(const MassSpringSystem& system, std::span<const Vec3d> places) {
   std::vector<Vec3d> forces(places.size());
   for (const EnclosedGas& gas : system.gases) gas.add_forces(places, forces);
@@ -97,6 +101,7 @@ void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, doubl
 }
 
 void advance(MassSpringSystem& system, double dt) {
+  yield(system);
   std::vector<Vec3d> forces = spring_forces(system);
   for (const EnclosedGas& gas : system.gases) gas.add_forces(system.position, forces);
   integrate(system, forces, dt);

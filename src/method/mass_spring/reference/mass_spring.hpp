@@ -60,6 +60,8 @@ struct MassSpringSystem {
 
 /// The force of every node's springs, of its resistance to bending, of fabric and of bodies with volume [N].
 std::vector<Vec3d> spring_forces(const MassSpringSystem& system);
+/// A substep begins: what bends leave for good, in all fabric.
+void yield(MassSpringSystem& system);
 /// That of the gas in closed cloths at these places [m], [N].
 std::vector<Vec3d> gas_forces(const MassSpringSystem& system, std::span<const Vec3d> places);
 

@@ -57,7 +57,7 @@ void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& par
   std::vector<double> bends = hinge::bends(cloth.plate, there);
   const std::vector<double> rates = hinge::bend_rates(cloth.plate, there, step.start_velocity);
   for (std::size_t h = 0; h < bends.size(); ++h) bends[h] += delay * rates[h];
-  hinge::add_forces(cloth.plate, hinge::moments(cloth.plate, bends), there, step.residual);
+  hinge::add_forces(cloth.plate, hinge::moments(cloth.plate, bends, cloth.creases), there, step.residual);
   std::vector<hinge::Corners> slopes;
   for (const hinge::Hinge& hinge : cloth.plate.hinges)
     slopes.push_back(hinge::angle_slope(hinge::corners_of(hinge, there)));

@@ -496,6 +496,7 @@ std::vector<ImplicitStepper::Solved> ImplicitStepper::newton(const Substep& subs
 
 void ImplicitStepper::advance(const Substep& substep) {
   MassSpringSystem& system = substep.system;
+  yield(system);
   std::vector<Solved> found;
   pair_forces_.clear();
   if (substep.pressed) {

@@ -87,7 +87,7 @@ void FabricProjection::project_hinges(Ways& ways, const FabricCloth& cloth,
     before.push_back(bend_of(hinge, ways, cloth.first, delay, dt));
     bends.push_back(before.back().angle + before.back().delayed);
   }
-  const std::vector<double> moments = hinge::moments(cloth.plate, bends);
+  const std::vector<double> moments = hinge::moments(cloth.plate, bends, cloth.creases);
   for (const std::uint32_t number : order) {
     const hinge::Hinge& hinge = cloth.plate.hinges[number];
     const hinge::Corners slope = hinge::angle_slope(corners_of(hinge, ways, cloth.first));

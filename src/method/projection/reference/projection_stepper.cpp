@@ -42,5 +42,6 @@ void ProjectionStepper::advance(const Substep& substep) {
   }
   ways.end(substep);
 }
+  yield(system);
 
 }  // namespace weft::reference

@@ -36,7 +36,7 @@ void FabricDescent::begin_sweep(const Ways& ways, const FabricCloth& cloth, doub
     begun_.push_back(bend_of(hinge, ways, cloth.first, cloth.membranes.law.delay, dt));
     bends.push_back(begun_.back().angle + begun_.back().delayed);
   }
-  moments_ = hinge::moments(cloth.plate, bends);
+  moments_ = hinge::moments(cloth.plate, bends, cloth.creases);
 }
 
 NodePull FabricDescent::pull(const Ways& ways, const FabricCloth& cloth, std::uint32_t node,

@@ -71,6 +71,7 @@ void VbdStepper::sweep(const Substep& substep, const std::vector<Vec3d>& aim, Wa
 }
 
 void VbdStepper::advance(const Substep& substep) {
+  yield(substep.system);
   hold_nodes(substep);
   const std::vector<Vec3d> velocity = substep.system.velocity, velocity_before = look_back_.velocity_before();
   const std::vector<bool> known = look_back_.known();
