@@ -113,6 +113,11 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
                          scene.cloths[c].where.c_str(), *scene.cloths[c].strain_limit,
                          scene::name_of(method.kind),
                          words_of_methods([](const Method& other) { return other.limits_strain; }).c_str());
+    if (scene.cloths[c].tethers && !method.tethers)
+      return input_error("%s.tethers has a slack of %g, and solver.kind \"%s\" keeps no tethers; %s does.",
+                         scene.cloths[c].where.c_str(), scene.cloths[c].tethers->slack,
+                         scene::name_of(method.kind),
+                         words_of_methods([](const Method& other) { return other.tethers; }).c_str());
   }
   return {};
 }

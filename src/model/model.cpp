@@ -97,6 +97,7 @@ void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, B
   body.stiffness = cloth.stiffness;
   body.damping = cloth.damping;
   body.strain_limit = cloth.strain_limit;
+  if (cloth.tethers) body.slack = cloth.tethers->slack;
   body.fabric = cloth.fabric;
   body.solid = cloth.solid;
   if (cloth.fabric)

@@ -32,6 +32,7 @@ struct Body {
   scene::Stiffness stiffness;           // [N/m]
   double damping = 0;                   // [N·s/m]
   std::optional<double> strain_limit;   // how far edges are stretched at most, of their length
+  std::optional<double> slack;          // of its tethers (model/tethers.hpp); none: it has none
   std::optional<scene::Fabric> fabric;  // then it has membranes and hinges, and no springs
   std::optional<scene::Solid> solid;    // then it has tetrahedra alone
   std::optional<gas::Law> gas;          // what it encloses, where the scene has a pressure

@@ -147,6 +147,13 @@ class Builder {
     cloth.damping = number(json, "damping");
     cloth.friction = maybe_number(json, "friction").value_or(named ? named->friction.value : cloth.friction);
     cloth.strain_limit = maybe_number(json, "strain_limit");
+    if (const Json* given = json.find("tethers")) {
+      if (at(json, "pins").values.empty() && at(json, "motions").values.empty() &&
+          at(json, "attachments").values.empty())
+        return wrong(path + ".tethers",
+                     "is of cloth that something holds; this one has no pins, motions or attachments");
+      cloth.tethers = {number(*given, "slack")};
+    }
     if (const Json* given = json.find("pressure"))
       WEFT_SET(cloth.pressure, pressure(*given, path + ".pressure"));
     WEFT_CHECK(add_nodes(cloth, json, path));
@@ -232,6 +239,8 @@ class Builder {
     fabric.damping = number(json, "damping");
     fabric.energy = word<FabricEnergy>(at(json, "energy"), kFabricEnergyNames);
     fabric.warp_direction = vector(json, "warp_direction");
+    if (const Json* given = json.find("plastic"))
+      fabric.plastic = {number(*given, "yield_curvature"), number(*given, "hardening")};
     // At warp / weft the cloth resists one strain with nothing, and another without end.
     const double most = 0.9999 * fabric.warp / fabric.weft;
     if (fabric.poisson * fabric.poisson >= most)
@@ -239,8 +248,6 @@ class Builder {
                                           "; its square must be below 0.9999 warp / weft, " +
                                           number_text(most));
     if (fabric.energy == FabricEnergy::NeoHookean) WEFT_CHECK(check_isotropic(fabric, path));
-    if (const Json* given = json.find("plastic"))
-      fabric.plastic = {number(*given, "yield_curvature"), number(*given, "hardening")};
     if (fabric.plastic && !fabric.bends())
       return wrong(path + ".plastic",
                    "is of bends that stay, and bending_warp, bending_weft and bending_twist are 0: "

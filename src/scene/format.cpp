@@ -310,6 +310,12 @@ constexpr Key kFabricKeys[] = {
 constexpr Type kFabricObject{.kind = Kind::Object, .keys = kFabricKeys};
 constexpr const Type* kFabricTypes[] = {&kFabricName, &kFabricObject};
 constexpr Type kFabric{.kind = Kind::Either, .types = kFabricTypes};
+constexpr Type kSlack{.kind = Kind::Number, .most = 10};
+constexpr Key kTethersKeys[] = {
+    {"slack", &kSlack, "By which a tether is longer than the way along the cloth at rest, as a part of it",
+     "0"},
+};
+constexpr Type kTethers{.kind = Kind::Object, .name = "tethers", .keys = kTethersKeys};
 constexpr Type kGauge{.kind = Kind::Number, .least = -1e9, .most = 1e9, .unit = "Pa"};
 constexpr Type kAmbient{.kind = Kind::Number, .most = 1e9, .unit = "Pa"};
 constexpr Type kGasLaw{.kind = Kind::Choice, .choices = kGasLawNames};
@@ -340,6 +346,7 @@ constexpr Key kClothKeys[] = {
      "0.3", false, "fabric"},
     {"strain_limit", &kStrainLimit,
      "How far edges are stretched before they are stiffer, of their length; only multigrid"},
+    {"tethers", &kTethers, "How far nodes may be from pinned and moved ones; only xpbd and pbd"},
     {"pressure", &kPressure, "Of the gas in a closed mesh"},
     {"pins", &kPinList, "Nodes that stay where they are", "[]"},
     {"motions", &kMotions, "Nodes that follow a given motion", "[]"},

@@ -182,6 +182,13 @@ struct Fabric {
   bool operator==(const Fabric&) const = default;
 };
 
+/// How far a node may be from what holds its cloth (docs/solvers/xpbd.md, Tethers).
+struct Tethers {
+  /// By which a tether is longer than the way to there along the cloth at rest, as a part of it.
+  double slack = 0;
+  bool operator==(const Tethers&) const = default;
+};
+
 /// How the pressure in a closed cloth goes with its volume (docs/pressure.md).
 enum class GasLaw { Isothermal, Constant };
 
@@ -230,6 +237,7 @@ struct Cloth {
   double damping = 0.25;               // along each spring [N·s/m]
   double friction = 0.3;               // with cloth, and with colliders that give none
   std::optional<double> strain_limit;  // how far edges are stretched at most, of their length
+  std::optional<Tethers> tethers;      // to what holds it; none: there are none
   std::optional<Pressure> pressure;    // of the gas that it encloses; none: there is none
   std::vector<Selector> pins;
   std::vector<Motion> motions;

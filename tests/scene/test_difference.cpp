@@ -65,6 +65,7 @@ TEST_CASE("a difference in anything else is found and named by its key") {
         {"cloths[1].fabric", R"({"warp": 9, "shear": 3, "bending_warp": 0})"},
         {"cloths[1].damping", "0.1"},
         {"cloths[1].friction", "0.1"},
+        {"cloths[1].tethers", "{}"},
         {"cloths[1].pins", R"(["bottom_right"])"},
         {"cloths[1].motions", "[]"},
         {"cloths[1].grabs", "[]"},

@@ -21,6 +21,7 @@ Method projection_row(scene::SolverKind kind) {
   row.search_interval = 1;
   row.holds_obstacles = false;
   row.sweeps = true;
+  row.tethers = true;
   row.history = 0;
   return row;
 }

@@ -1,5 +1,7 @@
 #include "method/projection/solver_projection.hpp"
 
+#include "model/tethers.hpp"
+
 namespace weft {
 
 void SolverProjection::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
@@ -8,6 +10,7 @@ void SolverProjection::record(gpu::ComputePass& pass, const contact::Stages& con
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep == 0 ? first_sweep_ : later_sweep_) color.record(pass);
     for (const ProjectFabric& fabric : fabrics_) fabric.record(pass, sweep == 0);
+    keep_tethers_.record(pass);
   }
   end_way_.record(pass);
   contact.search(pass);
@@ -54,6 +57,28 @@ Result<void> SolverProjection::create_nodes(const SolverInputs& inputs) {
   return {};
 }
 
+Result<void> SolverProjection::create_tethers(const SolverInputs& inputs) {
+  const State& state = inputs.state;
+  const TetherRows rows = tethers_of(inputs.model.host);
+  if (!rows.any()) return {};
+  const std::uint32_t count = inputs.model.vertex_count();
+  std::vector<std::array<std::uint32_t, 2>> words;
+  words.reserve(count + rows.tethers.size());
+  for (std::uint32_t node = 0; node < count; ++node)
+    words.push_back({count + rows.starts[node], count + rows.starts[node + 1]});
+  for (const Tether& tether : rows.tethers) words.push_back({tether.to, bits_of(tether.length)});
+  WEFT_SET(tethers_,
+           (gpu::Buffer<std::array<std::uint32_t, 2>>::create_from(inputs.device, words, "tethers")));
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/projection/keep_tethers.wgsl", {},
+                                             inputs.workgroup_size));
+  WEFT_SET(keep_tethers_,
+           gpu::Dispatch::create_by_parity(
+               kernel, kernel->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                 return {state.steps, tethers_, state.position[p], state.position[1 - p]};
+               }));
+  return {};
+}
+
 Result<Sweep> SolverProjection::create_sweep(const SolverInputs& inputs, bool pulled) const {
   const State& state = inputs.state;
   WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/projection/project_springs.wgsl",
@@ -70,6 +95,7 @@ Result<std::unique_ptr<Solver>> SolverProjection::create(const SolverInputs& inp
   made->iterations_ = iterations;
   made->multipliers_ = multipliers;
   WEFT_CHECK(made->create_nodes(inputs));
+  WEFT_CHECK(made->create_tethers(inputs));
   if (inputs.model.host.count(ElementKind::Spring) > 0) {
     WEFT_CHECK(made->create_springs(inputs));
     WEFT_SET(made->first_sweep_, made->create_sweep(inputs, false));

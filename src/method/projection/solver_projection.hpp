@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "element/spring/packed_springs.hpp"
@@ -23,6 +24,7 @@ class SolverProjection : public Solver {
  private:
   Result<void> create_springs(const SolverInputs& inputs);
   Result<void> create_nodes(const SolverInputs& inputs);
+  Result<void> create_tethers(const SolverInputs& inputs);
   Result<Sweep> create_sweep(const SolverInputs& inputs, bool pulled) const;
 
   gpu::Buffer<PackedSpring> springs_;  // colour after colour
@@ -36,7 +38,8 @@ class SolverProjection : public Solver {
   std::vector<ProjectFabric> fabrics_;
 
   // While elements are projected, position[1 - parity] holds ways from position[parity], not places.
-  gpu::Dispatch predict_way_, end_way_;
+  gpu::Buffer<std::array<std::uint32_t, 2>> tethers_;  // rows of nodes, then a held node and the bits of m
+  gpu::Dispatch predict_way_, keep_tethers_, end_way_;
   Sweep first_sweep_, later_sweep_;  // over springs
   std::uint32_t iterations_ = 1;
   Multipliers multipliers_ = Multipliers::Kept;

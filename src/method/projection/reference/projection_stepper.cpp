@@ -22,13 +22,27 @@ void project(Ways& ways, const SpringLink& s, double dt, double& multiplier) {
 }  // namespace
 
 ProjectionStepper::ProjectionStepper(const Model& model, std::uint32_t iterations, Multipliers multipliers)
-    : model_(model), iterations_(iterations), multipliers_(multipliers) {
+    : model_(model), iterations_(iterations), multipliers_(multipliers), tethers_(tethers_of(model)) {
   for (const Body& body : model.bodies)
     if (body.fabric) fabrics_.emplace_back(model, body, multipliers);
 }
 
+/// Equation (14).
+void ProjectionStepper::keep_tethers(Ways& ways) const {
+  for (std::size_t node = 0; node < ways.way.size(); ++node) {
+    if (ways.inverse_mass[node] == 0) continue;
+    for (std::uint32_t k = tethers_.starts[node]; k < tethers_.starts[node + 1]; ++k) {
+      const Tether& tether = tethers_.tethers[k];
+      const Vec3d span = ways.place(node) - ways.place(tether.to);
+      const double far = length(span);
+      if (far > tether.length) ways.way[node] -= (1 - tether.length / far) * span;
+    }
+  }
+}
+
 void ProjectionStepper::advance(const Substep& substep) {
   const auto& [system, places, dt, ratio, pressed] = substep;
+  yield(system);
   Ways ways = Ways::begin(substep);
   const Colors& colors = model_.colors(ElementKind::Spring);
   std::vector<double> multipliers(system.springs.size(), 0.0);
@@ -39,9 +53,9 @@ void ProjectionStepper::advance(const Substep& substep) {
       project(ways, system.springs[spring], dt, multipliers[spring]);
     for (std::size_t cloth = 0; cloth < fabrics_.size(); ++cloth)
       fabrics_[cloth].sweep(ways, system.fabrics[cloth], dt);
+    keep_tethers(ways);
   }
   ways.end(substep);
 }
-  yield(system);
 
 }  // namespace weft::reference

@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "method/projection/reference/fabric_projection.hpp"
+#include "method/reference_ways.hpp"
 #include "method/stepper.hpp"
+#include "model/tethers.hpp"
 
 namespace weft::reference {
 
@@ -15,9 +17,12 @@ class ProjectionStepper : public Stepper {
   void advance(const Substep& substep) override;
 
  private:
+  void keep_tethers(Ways& ways) const;
+
   const Model& model_;
   std::uint32_t iterations_;
   Multipliers multipliers_;
+  TetherRows tethers_;
   std::vector<FabricProjection> fabrics_;  // of the bodies that have it
 };
 
