@@ -8,6 +8,7 @@
 #include "base/json.hpp"
 #include "method/mass_spring/plan.hpp"
 #include "model/sheet_moduli.hpp"
+#include "model/tethers.hpp"
 #include "scene/names.hpp"
 
 namespace weft::cli {
@@ -89,6 +90,17 @@ void add_plastic(std::string& text, const scene::Plastic& plastic) {
       plastic.yield_curvature, kMilli / plastic.yield_curvature, plastic.hardening);
 }
 
+/// "990 tethers to held nodes, at most 2.04 m long"
+void add_tethers(std::string& text, const Model& model, const Body& body) {
+  const TetherRows rows = tethers_of(model);
+  const std::uint32_t first = rows.starts[body.first_vertex],
+                      end = rows.starts[body.first_vertex + body.vertex_count];
+  double longest = 0;
+  for (std::uint32_t k = first; k < end; ++k) longest = std::max(longest, rows.tethers[k].length);
+  add(text, "    %u tether%s to held nodes, at most %.4g m long\n", end - first, end - first == 1 ? "" : "s",
+      longest);
+}
+
 void add_step(std::string& text, const scene::Scene& scene, const Model& model, const Body& body) {
   const StepCause cause = step_cause(model, body, scene.drag);
   if (cause.parts.empty()) {
@@ -122,6 +134,7 @@ std::string cloths_text(const scene::Scene& scene, const Model& model) {
     else
       add_moduli(text, cloth, sheet_moduli(model, model.bodies[c]));
     if (cloth.fabric && cloth.fabric->plastic) add_plastic(text, *cloth.fabric->plastic);
+    if (cloth.tethers) add_tethers(text, model, model.bodies[c]);
     if (cloth.pressure) add_gas(text, cloth, model.bodies[c]);
     add_step(text, scene, model, model.bodies[c]);
   }

@@ -86,6 +86,21 @@ TEST_CASE("check says what each cloth resists with, and why its explicit step is
   CHECK(lines[6].find("; 0 slivers") != std::string::npos);
 }
 
+TEST_CASE("check says which bends a cloth keeps, and how far its tethers reach") {
+  const TemporaryFolder folder;
+  const std::string scene =
+      put(folder, "a.json", R"({"format": "weft-scene/1", "solver": {"kind": "xpbd"}, "cloths": [
+    {"grid": [4, 3], "size": [3, 2], "pins": ["top_left", "top_right"], "tethers": {"slack": 0.1},
+     "fabric": {"name": "interlock", "plastic": {"yield_curvature": 40, "hardening": 0.25}}},
+    {"grid": [4, 3], "size": [3, 2], "density": 1}]})");
+  const std::string out = run_without_driver({"check", scene}).out;
+  const auto line = out.find(
+      "\n    keeps of a bend what is beyond a curvature of 40 1/m, a radius of 25 mm; hardening 0.25\n"
+      "    20 tethers to held nodes, at most 3.966 m long\n");  // 1.1 times the diagonal of 3 m and 2 m
+  CHECK(line != std::string::npos);
+  CHECK(out.find("tether", out.find("cloths[1]")) == std::string::npos);
+}
+
 TEST_CASE("check says by how many times a method without a stiffness of its own resists") {
   const TemporaryFolder folder;
   // Springs of 50 N/m, half of a cell's each, and nodes of 0.1 kg: a = h² 50/0.1 = 0.00868 upright, twice that below,

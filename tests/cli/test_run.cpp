@@ -94,6 +94,13 @@ TEST_CASE("the summary has what each cloth resisted with") {
   CHECK(cloths[1].at("warp").get<double>() == doctest::Approx(700 - 200.0 * 200 / 700));
   CHECK(cloths[1].at("bending_warp") == 1e-5);
   CHECK(cloths[1].at("bending_twist") == 0);
+  CHECK(!cloths[0].contains("yield_curvature"));
+  const nlohmann::json kept =
+      run_json(scene, {"--frames", "0", "--set",
+                       R"(cloths.0.fabric={"name": "interlock", "plastic": {"yield_curvature": 40}})"})
+          .at("cloths");
+  CHECK(kept[0].at("yield_curvature") == 40);
+  CHECK(kept[0].at("hardening") == 0);
 }
 
 TEST_CASE(
