@@ -75,7 +75,8 @@ TEST_CASE("facets yield and their creases pull as in double, by every method tha
 
 TEST_CASE("creases have the same bits for every workgroup, and on every run") {
   GpuFixture fixture;
-  for (const std::string& method : keeping_methods()) {
+  // Of those whose bends have one number, and two.
+  for (const std::string method : {"mass_spring", "multigrid", "vbd"}) {
     CAPTURE(method);
     check_bits(fixture.device(), scene_with(method, fabric_cloth(kGrid, kWoven + "0.001" + kPlastic)), {});
   }
@@ -113,7 +114,7 @@ TEST_CASE("a method that keeps no bends refuses plastic fabric and says which do
         "keeps them.");
 }
 
-TEST_CASE("crumpled cloth that yields settles, with no more energy than it began with, however stiff") {
+TEST_CASE("long: crumpled cloth that yields settles, with no more energy than it began with, however stiff") {
   GpuFixture fixture;
   for (const std::string& method : {std::string("multigrid"), std::string("vbd"), std::string("xpbd")})
     for (const int scale : {1, 100}) {
