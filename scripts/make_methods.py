@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Writes the tables and plots of docs/methods.md, and the rows of /methods, from a run of `weft bench methods`.
+"""Writes the tables and plots of docs/methods.md, the table of docs/how-to/choose-a-method.md, and the rows of
+/methods, from a run of `weft bench methods`.
 
 build/weft bench methods --most-ms 50 --json bench/methods_h200.json
 python3 scripts/make_methods.py            writes all of them
@@ -16,6 +17,7 @@ sys.path.insert(0, str(ROOT))
 from bench.paper.svg import Line, Plot, drawing
 
 PAGE = ROOT / "docs/methods.md"
+CHOICE = ROOT / "docs/how-to/choose-a-method.md"
 RUN = ROOT / "bench/methods_h200.json"
 OF_PAGE = ROOT / "apps/web/methods/sheet_run.json"
 MARKS = ("<!-- methods -->", "<!-- /methods -->")
@@ -290,6 +292,35 @@ def made(page: str, run: dict) -> str:
     return before + MARKS[0] + "\n" + "\n\n".join(parts) + "\n" + MARKS[1] + after
 
 
+def fastest(found: dict[str, list[dict]], error: float) -> str:
+    """A cell: of all methods on a scene the fastest that is as near [%], and what its frame takes."""
+    row = cheapest_within([row for name, rows in found.items() if name != NULL for row in rows], error)
+    return "none" if row is None else f"`{row['variant']}`, {milliseconds(row):.3g} ms"
+
+
+def nearest(found: dict[str, list[dict]]) -> str:
+    """A cell: of all methods on a scene the nearest within a frame, and its error."""
+    row = best_in([row for name, rows in found.items() if name != NULL for row in rows], FRAME)
+    return "none" if row is None else f"`{row['variant']}`, {position(row):.2g} %"
+
+
+def choice(page: str, run: dict) -> str:
+    """The page on which method to take, with a line a scene and size between its marks."""
+    before, rest = page.split(MARKS[0], 1)
+    after = rest.split(MARKS[1], 1)[1]
+    lines = [
+        f"{run['adapter']}, {run['driver']}:\n",
+        "| scene | nodes | fastest within 5 % | fastest within 1 % | nearest in 16.7 ms |",
+        "|---|---:|---|---|---|",
+    ]
+    for scene in scenes(run):
+        for side in sides(run, scene):
+            found = groups(run, scene, side)
+            cells = [fastest(found, 5), fastest(found, 1), nearest(found)]
+            lines.append(f"| {scene} | {side * side:,} | {' | '.join(cells)} |")
+    return before + MARKS[0] + "\n" + "\n".join(lines) + "\n" + MARKS[1] + after
+
+
 def of_page(run: dict) -> str:
     """What /methods shows: the rows of the sheet without null lines, a line each, with what the page reads."""
     members = ("variant", "side", "skipped", "real_time_factor", "dispatches_per_step")
@@ -309,10 +340,11 @@ def of_page(run: dict) -> str:
 def main() -> int:
     run = stored()
     files = {PAGE: made(PAGE.read_text("utf-8"), run), OF_PAGE: of_page(run)}
+    files[CHOICE] = choice(CHOICE.read_text("utf-8"), run)
     files |= {image(*one): plot(run, *one) for one in drawn(run)}
     if sys.argv[1:] == ["--check"]:
         same = all(path.exists() and path.read_text("utf-8") == text for path, text in files.items())
-        print("docs/methods.md and /methods are as their run makes them." if same else "Run scripts/make_methods.py.")
+        print("The pages and /methods are as their run makes them." if same else "Run scripts/make_methods.py.")
         return int(not same)
     for path, text in files.items():
         path.write_text(text, "utf-8")

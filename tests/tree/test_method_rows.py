@@ -1,4 +1,4 @@
-"""docs/methods.md and its plots have the numbers of their stored run."""
+"""docs/methods.md, its plots and the page on which method to take have the numbers of their stored run."""
 
 import copy
 import unittest
@@ -11,6 +11,8 @@ class MethodRows(unittest.TestCase):
         run = page.stored()
         text = page.PAGE.read_text("utf-8")
         self.assertEqual(text, page.made(text, run), "run scripts/make_methods.py")
+        text = page.CHOICE.read_text("utf-8")
+        self.assertEqual(text, page.choice(text, run), "run scripts/make_methods.py")
         self.assertEqual(page.OF_PAGE.read_text("utf-8"), page.of_page(run), "run scripts/make_methods.py")
         for one in page.drawn(run):
             self.assertEqual(page.image(*one).read_text("utf-8"), page.plot(run, *one), "run scripts/make_methods.py")
@@ -25,6 +27,20 @@ class MethodRows(unittest.TestCase):
             )
             if row in kept:
                 self.assertFalse(beaten)
+
+    def test_the_choice_is_the_fastest_of_those_that_are_near_and_the_nearest_of_those_that_are_fast(self):
+        def row(variant, ms, error):
+            return {"variant": variant, "ms_per_frame": {"median": ms}, "error": [{"position": error / 100}]}
+
+        found = {
+            "a": [row("a 4", 3, 4.5), row("a 8", 30, 0.5)],
+            "b": [row("b", 12, 0.9)],
+            "null": [row("null 9", 1, 0.1)],
+        }
+        self.assertEqual(page.fastest(found, 5), "`a 4`, 3 ms")
+        self.assertEqual(page.fastest(found, 1), "`b`, 12 ms")
+        self.assertEqual(page.fastest(found, 0.2), "none")
+        self.assertEqual(page.nearest(found), "`b`, 0.9 %")
 
     def test_what_was_not_run_or_came_to_nothing_is_said(self):
         run = copy.deepcopy(page.stored())
