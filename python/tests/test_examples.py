@@ -1,4 +1,4 @@
-"""The notebooks, and the Python of the guide, run from their first line to the last."""
+"""The notebooks, and what the guide and the how-tos have in Python, run from their first line to the last."""
 
 import ast
 import json
@@ -10,6 +10,7 @@ import unittest
 from typing import Any
 
 import scenes
+import weft
 
 
 def run(text: str, names: dict[str, Any]) -> Any:
@@ -18,6 +19,12 @@ def run(text: str, names: dict[str, Any]) -> Any:
     last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
     exec(compile(tree, "the cell", "exec"), names)
     return eval(compile(ast.Expression(last.value), "the cell", "eval"), names) if isinstance(last, ast.Expr) else None
+
+
+def blocks(page: str, language: str) -> list[str]:
+    """Of a page of the documentation, in their order."""
+    text = (scenes.CHECKOUT / "docs" / page).read_text(encoding="utf-8")
+    return re.findall(rf"^```{language}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
 
 
 class Examples(unittest.TestCase):
@@ -41,14 +48,22 @@ class Examples(unittest.TestCase):
                     if hasattr(shown, "_repr_png_"):
                         self.assertEqual(shown._repr_png_()[:8], b"\x89PNG\r\n\x1a\n")
 
-    def test_the_guide_runs(self) -> None:
-        guide = (scenes.CHECKOUT / "docs/python.md").read_text(encoding="utf-8")
-        blocks = re.findall(r"^```python\n(.*?)^```", guide, re.MULTILINE | re.DOTALL)
-        self.assertGreaterEqual(len(blocks), 5)
-        names: dict[str, Any] = {}
-        for block in blocks:
-            run(block, names)
+    def test_the_guide_and_the_how_to_run(self) -> None:
+        for page, least in (("python.md", 5), ("how-to/python.md", 3)):
+            with self.subTest(page):
+                names: dict[str, Any] = {}
+                found = blocks(page, "python")
+                self.assertGreaterEqual(len(found), least)
+                for block in found:
+                    run(block, names)
         self.assertTrue(pathlib.Path("shape.ply").exists())
+
+    def test_the_sweep_of_the_how_to_has_a_row_for_each_run(self) -> None:
+        (block,) = blocks("how-to/sweep.md", "json")
+        pathlib.Path("stiffness.json").write_text(block, encoding="utf-8")
+        weft.sweep("stiffness.json", "out", workers=1)
+        rows = [json.loads(line) for line in pathlib.Path("out/runs.jsonl").read_text(encoding="utf-8").splitlines()]
+        self.assertEqual([row["end"] for row in rows], 4 * ["complete"])
 
 
 if __name__ == "__main__":

@@ -48,6 +48,26 @@ build_examples() {
   }
 }
 
+# block LANGUAGE: the first one of the how-to on C++.
+block() { awk -v fence="\`\`\`$1" '$0 == fence { on = 1; next } /^```/ { if (on) exit } on' \
+  "$checkout/docs/how-to/cpp.md"; }
+
+# The program of the how-to says how far the sheet hangs down.
+run_how_to() {
+  mkdir how-to
+  block cmake >how-to/CMakeLists.txt
+  block cpp >how-to/main.cpp
+  {
+    cmake -G Ninja -S how-to -B how-to/build -DCMAKE_PREFIX_PATH="$folder/prefix"
+    cmake --build how-to/build
+  } >how-to.log 2>&1 || {
+    cat how-to.log
+    exit 1
+  }
+  how-to/build/mine | tee lowest.txt
+  awk '$3 >= before + 0 && NR > 1 { exit 1 } { before = $3 } END { if (NR != 5) exit 1 }' lowest.txt
+}
+
 case_package() {
   install_weft
   build_examples
@@ -56,6 +76,8 @@ case_package() {
   local hash
   hash=$(sed -nE 's/.*"state_hash": "([0-9a-f]{16})".*/\1/p' summary.json)
   expect "the hash of $frames frames" "$hash" "$(build/hello "$scene" $frames)"
+
+  run_how_to
 
   # Positions as read back and as the command line's mesh has them: both are f32 in decimal, of a scene within 4 m.
   build/read_back "$scene" $frames >nodes.csv

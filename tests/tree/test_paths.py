@@ -1,5 +1,6 @@
 """Every path in a comment or in a page of docs exists in the tree; a file holds the names said to be in it."""
 
+import json
 import pathlib
 import re
 import unittest
@@ -31,6 +32,8 @@ class Tree:
     def __init__(self):
         self.files = [name for name in lines.tracked() if (ROOT / name).is_file()]
         self.made = [line.strip("/") + "/" for line in (ROOT / ".gitignore").read_text().split()]
+        locked = json.loads((ROOT / "package-lock.json").read_text())["packages"]
+        self.packages = [name[13:] + "/" for name in locked if name.startswith("node_modules/")]
         self.ends = {}  # a path may leave out its first folders
         for name in self.files:
             parts = name.split("/")
@@ -44,7 +47,7 @@ class Tree:
             return (ROOT / page).parent.joinpath(word).exists()
         return (
             word.rstrip("/") in self.ends
-            or word.startswith(tuple(self.made))
+            or word.startswith((*self.made, *self.packages))
             or PLACEHOLDER.search(word) is not None
             or re.match(r"[\w-]+\.[a-z]{2,}/", word) is not None  # a site
         )
@@ -101,6 +104,7 @@ class Paths(unittest.TestCase):
             self.assertNotEqual(list(Tree().faults(page, text)), [], text)
         for page, text in (
             ("src/a.hpp", 'auto a = "base/no_such_header.hpp";'),
+            ("docs/a.md", 'import "three/addons/no_such_file.js"'),
             ("src/a.hpp", f"int a;  // PLACEHOLDER of tests/tree/{here}, {here}, build/no_such_file.json, NAME.hpp"),
         ):
             self.assertEqual(list(Tree().faults(page, text)), [])
