@@ -137,6 +137,7 @@ task_test() {
   setup_packages "${TEST_PACKAGES[@]}" "${COMPILE_PACKAGES[@]}" "${RUN_PACKAGES[@]}" "${WHEEL_PACKAGES[@]}"
   setup_format
   setup_python_tests
+  setup_docs
   task_models
   configure release WEFT_TESTS
   compile release all

@@ -14,6 +14,8 @@ cd "$folder"
 . "$checkout/scripts/tasks.sh"
 # shellcheck source=scripts/wheel.sh
 . "$checkout/scripts/wheel.sh"
+# shellcheck source=scripts/docs.sh
+. "$checkout/scripts/docs.sh"
 # shellcheck source=scripts/bare.sh
 . "$checkout/scripts/bare.sh"
 
@@ -84,6 +86,7 @@ case_part() {
   setup_packages() { :; }
   setup_format() { :; }
   setup_python_tests() { :; }
+  setup_docs() { :; }
   task_models() { :; }
   configure() { :; }
   compile() { :; }
@@ -115,6 +118,36 @@ case_wheel() {
   expect "with a newer one" "" "$(build_wheel /usr/bin/python3)"
   touch -d 'next hour' scenes/a.json
   expect "with an older one" made "$(build_wheel /usr/bin/python3)"
+}
+
+# What builds the site is installed once for each list of it; without a port nothing is served.
+case_docs() {
+  setup_packages() { :; }
+  setup_wgpu() { :; }
+  configure() { :; }
+  compile() { :; }
+  mkdir -p scripts/site
+  echo mkdocs==1 >scripts/site/requirements.txt
+  DEBIAN_PYTHON=$folder/python
+  cat >python <<'END'
+#!/bin/sh
+if [ "$2" = http.server ]; then echo "served: $*"; exit; fi
+mkdir -p "$3/bin"
+for tool in pip mkdocs; do printf '#!/bin/sh\necho %s "$1" >>said\n' "$tool" >"$3/bin/$tool"; done
+chmod +x "$3"/bin/*
+END
+  chmod +x python
+  expect "where it is" build/site/index.html "$(task_docs 2>/dev/null)"
+  expect "what was called" $'pip install\nmkdocs build' "$(cat said)"
+  expect "with a port" $'build/site/index.html\nserved: -m http.server --bind 127.0.0.1 --directory build/site 8001' \
+    "$(task_docs --port 8001)"
+  expect "what was called again" $'pip install\nmkdocs build\nmkdocs build' "$(cat said)"
+  echo mkdocs==2 >scripts/site/requirements.txt
+  expect "for another list" "pip install" "$(task_docs >/dev/null 2>&1 && tail -n 2 said | head -n 1)"
+  local said status=0
+  said=$(task_docs --port 0 2>&1) || status=$?
+  expect "its exit code" 2 $status
+  expect "its sentence" 'weft: usage: ./dev docs [--port N] with N from 1 to 65535, not "--port 0"' "$said"
 }
 
 case_bare() {
