@@ -45,6 +45,10 @@ function chromium(harness: Harness, { scene, frames, set }: Case): Promise<Outco
   }, [scene, frames, set] as const);
 }
 
+/** Chromium's driver compiles for minutes, so in CI's part N every third has a turn. */
+const PART = process.env["WEFT_PART"];
+const IN_TURN = CASES.filter((_, k) => PART === undefined || (k + 1 + Number(PART)) % 3 === 0);
+
 describe("the same state hash on every host", () => {
   let harness: Harness;
   beforeAll(async () => {
@@ -52,7 +56,7 @@ describe("the same state hash on every host", () => {
   });
   afterAll(() => harness.close());
 
-  it.each(CASES)("$name", async (scene) => {
+  it.each(IN_TURN)("$name", async (scene) => {
     const expected = native(scene);
     expect(expected.hash).toMatch(/^[0-9a-f]{16}$/);
     if (scene.name.startsWith("pull")) expect(expected.contacts).toBeGreaterThan(100);
