@@ -5,6 +5,7 @@ set(WEFT_COSTS
   "lavapipe.multigrid: multigrid_pairs=560"
   "lavapipe.multigrid: multigrid=380"
   "lavapipe.contact_laws: contact_friction=330"
+  "swiftshader.api: set=310"
   "lavapipe.contact: contact_hard=300"
   "lavapipe.contact: contact=290"
   "lavapipe.contact: contact_patches=280"

@@ -76,6 +76,17 @@ def cpp_examples(root: Path) -> str:
     return "\n\n".join(parts)
 
 
+def web_examples(root: Path) -> str:
+    parts = [titled("Web examples", "`examples/web`", "web.md")]
+    languages = {".html": "html", ".js": "js", ".css": "css", ".json": "json"}
+    for path in sorted(one for one in (root / "examples/web").rglob("*") if one.suffix in languages):
+        if "node_modules" in path.parts:
+            continue
+        name = path.relative_to(root / "examples/web").as_posix()
+        parts += [f"## {name}", fenced(languages[path.suffix], path.read_text("utf-8"))]
+    return "\n\n".join(parts)
+
+
 def python_examples(root: Path) -> str:
     parts = [titled("Python examples", "The notebooks of `examples/python`", "python.md")]
     for path in sorted((root / "examples/python").glob("*.ipynb")):
@@ -96,6 +107,7 @@ def files(root: Path, weft: str) -> Iterator[tuple[str, str]]:
     yield "reference/typescript.md", typescript_page(root)
     yield "reference/examples-cpp.md", cpp_examples(root)
     yield "reference/examples-python.md", python_examples(root)
+    yield "reference/examples-web.md", web_examples(root)
     yield "reference/npm.md", (root / "packages/weft/README.md").read_text("utf-8")
     yield "reference/changelog.md", (root / "CHANGELOG.md").read_text("utf-8")
     yield "reference/third-party.md", (root / "THIRD_PARTY.md").read_text("utf-8")

@@ -9,6 +9,8 @@ OUTSIDE = {
     "THIRD_PARTY.md": "reference/third-party.md",
     "examples/cpp": "reference/examples-cpp.md",
     "examples/python": "reference/examples-python.md",
+    "examples/web/embed.html": "reference/examples-web.md",
+    "examples/web/three": "reference/examples-web.md",
     "packages/weft/README.md": "reference/npm.md",
 }
 MEDIA = "bench/results/media/"  # of stored runs; on the site it is media/

@@ -13,6 +13,7 @@
 #include "gpu/gpu_fixture.hpp"
 #include "mesh/irregular_meshes.hpp"
 #include "method/method.hpp"
+#include "method/perturb.hpp"
 #include "method/stepper.hpp"
 #include "solver_rig.hpp"
 
@@ -66,17 +67,7 @@ class Exact {
     }
   }
   void perturb(std::uint64_t seed, double amount, double speed) {
-    Random random(seed);
-    const auto draw = [&](double size) {
-      const double x = random.uniform(-size, size), y = random.uniform(-size, size);
-      return Vec3d{x, y, random.uniform(-size, size)};
-    };
-    for (std::size_t v = 0; v < system.position.size(); ++v) {
-      const Vec3d move = draw(amount), push = draw(speed);
-      if (system.inverse_mass[v] == 0) continue;
-      system.position[v] += move;
-      system.velocity[v] += push;
-    }
+    weft::perturb(system, seed, amount, speed);
   }
   Vec3d momentum() const {
     Vec3d sum;

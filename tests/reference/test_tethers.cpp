@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "base/random.hpp"
+#include "method/perturb.hpp"
 #include "method/stepper.hpp"
 #include "rig.hpp"
 
@@ -54,20 +54,6 @@ std::string tethers(const std::string& slack) { return R"(, "tethers": {"slack":
 const std::string kFree = R"("gravity": [0, 0, 0], )";
 const std::string kLimp =
     R"("stiffness": {"structural": 0, "shear": 0, "bend": 0}, "damping": 0, "density": 0.2)";
-
-void perturb(reference::MassSpringSystem& system, std::uint64_t seed, double amount, double speed) {
-  Random random(seed);
-  const auto draw = [&](double size) {
-    const double x = random.uniform(-size, size), y = random.uniform(-size, size);
-    return Vec3d{x, y, random.uniform(-size, size)};
-  };
-  for (std::size_t v = 0; v < system.position.size(); ++v) {
-    const Vec3d move = draw(amount), push = draw(speed);
-    if (system.inverse_mass[v] == 0) continue;
-    system.position[v] += move;
-    system.velocity[v] += push;
-  }
-}
 
 /// How far the lowest row of a sheet that hangs by its upper edge is below it, in the middle, by the length at rest.
 double hung_length(const std::string& method, int sweeps, double dt, const std::string& more) {

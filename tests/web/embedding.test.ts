@@ -3,9 +3,10 @@
 import { readFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
-import { createWorld, DEVICE_LIMITS, WeftError, type Scene, type Step, type World, type WorldBuffer,
+import { createWorld, DEVICE_LIMITS, type Scene, type WeftError, type Step, type World, type WorldBuffer,
   type WorldOptions } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
+import { failure } from "./failure.ts";
 import { gpu } from "./node_gpu.ts";
 
 const FRAME = 1 / 64; // s, so that times are exact
@@ -33,14 +34,6 @@ async function ownDevice(): Promise<GPUDevice> {
   const adapter = await gpu.requestAdapter();
   return adapter!.requestDevice();
 }
-
-const failure = (promise: Promise<unknown>) =>
-  promise.then(() => {
-    throw new Error("It did not fail.");
-  }, (error: unknown) => {
-    expect(error).toBeInstanceOf(WeftError);
-    return error as WeftError;
-  });
 
 /** What a buffer of weft's holds, copied by commands of this program's own. */
 async function read(device: GPUDevice, { buffer, offset, stride, count, format }: WorldBuffer): Promise<number[][]> {

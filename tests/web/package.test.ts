@@ -3,9 +3,10 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
-import { catalog, checkScene, createWorld, meshNames, readMesh, schemaOf, WeftError, type World,
+import { catalog, checkScene, createWorld, meshNames, readMesh, schemaOf, type World,
   type WorldOptions } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
+import { failure } from "./failure.ts";
 import { gpu } from "./node_gpu.ts";
 
 const readme = readFileSync(join(ROOT, "packages/weft/README.md"), "utf8");
@@ -128,13 +129,6 @@ describe("a world", () => {
     return world;
   };
   afterEach(() => worlds.splice(0).forEach((world) => world.dispose()));
-  const failure = (promise: Promise<unknown>) =>
-    promise.then(() => {
-      throw new Error("It did not fail.");
-    }, (error: unknown) => {
-      expect(error).toBeInstanceOf(WeftError);
-      return error as WeftError;
-    });
 
   it("goes back to the exact rest state, and takes the same way again", async () => {
     const world = await open();

@@ -39,7 +39,8 @@ std::uint32_t separation_count(double step) { return step > 1e-3 ? 6 : step > 5e
 
 ImpulseRule impulse_rule(const Model& model, const scene::Contact& contact, double step) {
   if (step <= 5e-4) return {1, contact.self ? kIterations : 1};
-  if (step <= 1e-3 || !contact.self) return {kIterations, kIterations};
+  if (step <= 1e-3) return {2, 2};
+  if (!contact.self) return {kIterations, kIterations};
   const double wanted = std::ceil(4 * std::sqrt(ratio_to_light(model)));
   if (!(wanted > kIterations)) return {kIterations, kIterations};
   const auto most = static_cast<std::uint32_t>(std::min<double>(wanted, kMostIterations));

@@ -102,12 +102,12 @@ struct ImpulseRule {
 };
 /// Of substeps of this length [s]. Forces are kept from substep to substep, so short ones need one iteration, where
 /// cloth is not pressed by more than some layers' weight: the middle of a rope that was wrung by half a turn at
-/// either end sank to a hundredth of its thickness, and passed through itself. With six it keeps 0.9 of it. Longer
-/// substeps always have six: with six in 1/960 s fifty layers that drop end at 236 of 250 mm. An iteration takes
-/// out of the speed of heavy cloth what light cloth under it weighs: a sheet on one of a hundredth of its density
-/// sank by 4 mm into it in six iterations a substep, and crept on a slope. So long substeps have four times the
-/// square root of Σ (the greatest density over a cloth's), over all cloths of a tenth of it or less, where that is
-/// more, up to 64.
+/// either end sank to a hundredth of its thickness, and passed through itself. With six it keeps 0.9 of it.
+/// Substeps longer than 0.5 ms have two, those longer than 1 ms six: with six in 1/960 s fifty layers that drop end
+/// at 236 of 250 mm. An iteration takes out of the speed of heavy cloth what light cloth under it weighs: a sheet
+/// on one of a hundredth of its density sank by 4 mm into it in six iterations a substep, and crept on a slope. So
+/// long substeps have four times the square root of Σ (the greatest density over a cloth's), over all cloths of a
+/// tenth of it or less, where that is more, up to 64.
 ImpulseRule impulse_rule(const Model& model, const scene::Contact& contact, double step);
 
 /// ℓ: of each cloth the median of its triangles' shortest altitudes at rest, of all cloths the least [m]; infinite
