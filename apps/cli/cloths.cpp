@@ -91,8 +91,7 @@ void add_plastic(std::string& text, const scene::Plastic& plastic) {
 }
 
 /// "990 tethers to held nodes, at most 2.04 m long"
-void add_tethers(std::string& text, const Model& model, const Body& body) {
-  const TetherRows rows = tethers_of(model);
+void add_tethers(std::string& text, const TetherRows& rows, const Body& body) {
   const std::uint32_t first = rows.starts[body.first_vertex],
                       end = rows.starts[body.first_vertex + body.vertex_count];
   double longest = 0;
@@ -125,6 +124,7 @@ void add_step(std::string& text, const scene::Scene& scene, const Model& model, 
 
 std::string cloths_text(const scene::Scene& scene, const Model& model) {
   std::string text;
+  const TetherRows tethers = tethers_of(model);
   for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
     const scene::Cloth& cloth = scene.cloths[c];
     if (cloth.copy > 0) continue;
@@ -134,7 +134,7 @@ std::string cloths_text(const scene::Scene& scene, const Model& model) {
     else
       add_moduli(text, cloth, sheet_moduli(model, model.bodies[c]));
     if (cloth.fabric && cloth.fabric->plastic) add_plastic(text, *cloth.fabric->plastic);
-    if (cloth.tethers) add_tethers(text, model, model.bodies[c]);
+    if (cloth.tethers) add_tethers(text, tethers, model.bodies[c]);
     if (cloth.pressure) add_gas(text, cloth, model.bodies[c]);
     add_step(text, scene, model, model.bodies[c]);
   }

@@ -176,9 +176,8 @@ struct Fabric {
   Vec3d warp_direction{1, 0, 0};   // on a mesh, before its transform; a grid's warp goes along i
   std::optional<Plastic> plastic;  // none: it springs back from every bend
 
-  bool bends() const {
-    return bending_warp > 0 || bending_weft > 0 || bending_twist > 0;
-  }  // against a resistance
+  /// Whether it resists bending.
+  bool bends() const { return bending_warp > 0 || bending_weft > 0 || bending_twist > 0; }
   bool operator==(const Fabric&) const = default;
 };
 

@@ -204,7 +204,7 @@ class World {
   ReportRing reports_;
   std::optional<Grabs> grabs_;
   FrameSteps steps_;
-  std::vector<Extent> extents_;     // of colliders where the scene puts them
+  std::vector<Extent> extents_;  // of colliders where the scene puts them; empty where no program moves one
   std::vector<Vec4f> motion_rows_;  // of one frame; kept so that a frame allocates nothing
   std::uint32_t parity_ = 0;
   std::uint32_t frame_ = 0;    // submitted

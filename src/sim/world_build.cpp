@@ -25,7 +25,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   slivers_ = host.sliver_count();
   WEFT_TRY(plan, FramePlan::create(scene_, host, assets_));
   plan_ = std::move(plan);
-  extents_ = collider_extents(scene_, host, assets_.objects, assets_.deformations);
+  if (!given_colliders().empty())
+    extents_ = collider_extents(scene_, host, assets_.objects, assets_.deformations);
   WEFT_TRY(model, GpuModel::create(device_, std::move(host)));
   model_ = std::move(model);
   WEFT_TRY(state, State::create(device_, model_.host, plan_.most_substeps()));

@@ -43,6 +43,7 @@ fn role_of(link : u32) -> u32 { return link & 3u; }
 
 const kPressedOften = 8;  // cloth is pressed where more than one in so many of its pairs with cloth
 const kPressedGap = 0.9;  // keeps less than this part of its thickness
+fn cloth_is_pressed(excess : u32) -> bool { return bitcast<i32>(excess) > 0; }  // by the word kStatPressed
 const kContactTouching = 1.001;  // of the thickness: what rests there is in contact, whatever the rounding of its place
 
 fn is_collider(id : u32) -> bool { return (id & kColliderPoint) != 0u; }

@@ -17,7 +17,7 @@ override kWherePressed : u32 = 0;  // as in contact_impulse.wgsl
 fn add_impulses(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
   if (vertex >= step.nodes.count) { return; }
-  if (kWherePressed != 0u && bitcast<i32>(statistics[kStatPressed]) <= 0) { return; }
+  if (kWherePressed != 0u && !cloth_is_pressed(statistics[kStatPressed])) { return; }
   let words = kVertexWords / 4u * vertex;
   let changes = vertex_contacts[words + 1u];
   let first = vertex_contacts[words + 2u];

@@ -157,7 +157,7 @@ fn answer(number : u32, contact : Contact, w : vec4f, left : bool) -> Answer {
 
 @compute @workgroup_size(kWorkgroupSize)
 fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) groups : vec3u) {
-  let idle = statistics[kStatRolledBack] != 0u || (kWherePressed != 0u && bitcast<i32>(statistics[kStatPressed]) <= 0);
+  let idle = statistics[kStatRolledBack] != 0u || (kWherePressed != 0u && !cloth_is_pressed(statistics[kStatPressed]));
   let count = select(statistics[kStatNear], 0u, idle);
   for (var number = id.x; number < count; number += groups.x * kWorkgroupSize) {
     if (contacts[number].urgency == 0.0) { continue; }

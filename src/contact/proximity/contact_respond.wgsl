@@ -25,7 +25,7 @@ override kAllIterations : u32 = 1;  // 0: what impulses of pressed cloth need mo
 
 // Where cloth was pressed, a frame in which impulses had too few iterations is to be repeated.
 fn ask_for_iterations() {
-  if (bitcast<i32>(atomicLoad(&statistics[kStatPressed])) > 0) {
+  if (cloth_is_pressed(atomicLoad(&statistics[kStatPressed]))) {
     atomicStore(&statistics[kStatPressing], 1u);
     if (kAllIterations == 0u) { atomicStore(&statistics[kStatRolledBack], 1u); }
   }

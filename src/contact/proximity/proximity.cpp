@@ -51,7 +51,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   setup.thickness = static_cast<float>(lengths.thickness);
   setup.self_thickness = static_cast<float>(lengths.self_thickness);
   setup.interval = wanted.interval;
-  setup.separations = separation_count(wanted.step);
+  setup.separations = contact_iterations(wanted.step);
   setup.presses = made.presses_;
   setup.workgroup_size = wanted.workgroup_size;
   for (const double slack : most_slacks(model.host, lengths.most_reach, lengths.self_thickness))
@@ -69,10 +69,10 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   WEFT_CHECK(made.create_kernels(device, state, wanted));
   WEFT_SET(made.near_, NearPairs::create(device, made.presses_, wanted.workgroup_size));
   const std::vector<LimitedEdge> edges = limited_edges(model.host);
-  WEFT_TRY(respond,
-           Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
-                                    separation_count(wanted.step), lengths.self_thickness > 0, made.presses_,
-                                    wanted.own_pairs, made.rigid_.any(), edges, wanted.workgroup_size}));
+  WEFT_TRY(respond, Respond::create(
+                        device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
+                                 contact_iterations(wanted.step), lengths.self_thickness > 0, made.presses_,
+                                 wanted.own_pairs, made.rigid_.any(), edges, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(device, state, pairs));
   return made;

@@ -15,7 +15,7 @@ std::uint32_t contact_urgency(double gap, double thickness) {
 
 namespace {
 
-constexpr std::uint32_t kIterations = 6, kMostIterations = 64;
+constexpr std::uint32_t kLongStepIterations = 6, kMostIterations = 64;
 constexpr double kHeavyRatio = 10;  // of densities, from which on impulses are iterated for it
 
 /// Σ of the greatest density over that of each cloth that has a tenth of it or less.
@@ -35,14 +35,16 @@ double ratio_to_light(const Model& model) {
 
 }  // namespace
 
-std::uint32_t separation_count(double step) { return step > 1e-3 ? 6 : step > 5e-4 ? 2 : 1; }
+std::uint32_t contact_iterations(double step) {
+  return step > 1e-3 ? kLongStepIterations : step > 5e-4 ? 2 : 1;
+}
 
 ImpulseRule impulse_rule(const Model& model, const scene::Contact& contact, double step) {
-  if (step <= 5e-4) return {1, contact.self ? kIterations : 1};
-  if (step <= 1e-3) return {2, 2};
-  if (!contact.self) return {kIterations, kIterations};
+  const std::uint32_t usual = contact_iterations(step);
+  if (usual == 1 && contact.self) return {usual, kLongStepIterations};
+  if (usual < kLongStepIterations || !contact.self) return {usual, usual};
   const double wanted = std::ceil(4 * std::sqrt(ratio_to_light(model)));
-  if (!(wanted > kIterations)) return {kIterations, kIterations};
+  if (!(wanted > usual)) return {usual, usual};
   const auto most = static_cast<std::uint32_t>(std::min<double>(wanted, kMostIterations));
   return {most, most, true};
 }

@@ -89,8 +89,9 @@ inline constexpr double kTouch = 0.01;
 /// that it would have after the substep [m].
 std::uint32_t contact_urgency(double gap, double thickness);
 
-/// Rounds of separation in a substep of this length [s].
-std::uint32_t separation_count(double step);
+/// Iterations of impulses in a substep of this length [s], and rounds of separation. Forces are kept from substep to
+/// substep, so short ones need one; with six in 1/960 s fifty layers that drop end at 236 of 250 mm.
+std::uint32_t contact_iterations(double step);
 
 /// How the impulses of a substep are iterated.
 struct ImpulseRule {
@@ -100,14 +101,13 @@ struct ImpulseRule {
 
   bool operator==(const ImpulseRule&) const = default;
 };
-/// Of substeps of this length [s]. Forces are kept from substep to substep, so short ones need one iteration, where
-/// cloth is not pressed by more than some layers' weight: the middle of a rope that was wrung by half a turn at
-/// either end sank to a hundredth of its thickness, and passed through itself. With six it keeps 0.9 of it.
-/// Substeps longer than 0.5 ms have two, those longer than 1 ms six: with six in 1/960 s fifty layers that drop end
-/// at 236 of 250 mm. An iteration takes out of the speed of heavy cloth what light cloth under it weighs: a sheet
-/// on one of a hundredth of its density sank by 4 mm into it in six iterations a substep, and crept on a slope. So
-/// long substeps have four times the square root of Σ (the greatest density over a cloth's), over all cloths of a
-/// tenth of it or less, where that is more, up to 64.
+/// Of substeps of this length [s]. One iteration carries some layers' weight, and not more: the middle of a rope
+/// that was wrung by half a turn at either end sank to a thirtieth of its thickness, and passed through itself;
+/// with six it passes nowhere. So where cloth is pressed, substeps that have one have six. An iteration takes out
+/// of the speed of heavy cloth what light cloth under it weighs: a sheet on one of a hundredth of its density sank
+/// by 4 mm into it in six iterations a substep, and crept on a slope. So long substeps have four times the square
+/// root of Σ (the greatest density over a cloth's), over all cloths of a tenth of it or less, where that is more,
+/// up to 64.
 ImpulseRule impulse_rule(const Model& model, const scene::Contact& contact, double step);
 
 /// ℓ: of each cloth the median of its triangles' shortest altitudes at rest, of all cloths the least [m]; infinite
