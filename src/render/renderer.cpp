@@ -202,10 +202,10 @@ bool Renderer::shows_sun() const {
 }
 
 void Renderer::record(gpu::CommandList& list, std::uint32_t parity, gpu::Id target) const {
-  constexpr std::uint64_t kRows = 3 * sizeof(Vec4f);
+  constexpr std::uint64_t kPlaces = 3 * sizeof(Vec4f);
   for (const auto& [number, collider] : rigid_objects_)
-    list.copy(rigid_.words->range(rigid_.first + collider * rigid_.stride, kRows),
-              scene_.objects.placement.range(kRows * number, kRows));
+    list.copy(rigid_.words->range(rigid_.first + collider * rigid_.stride, kPlaces),
+              scene_.objects.placement.range(kPlaces * number, kPlaces));
   if (fine_) fine_->record(list, parity, settings_.view);
   if (shows_sun()) scene_.shadow_map.record(list, parity);
   gpu::RenderPass pass(list, {color_.view(), target, depth_.view(), {0, 0, 0, 1}, false}, "picture");

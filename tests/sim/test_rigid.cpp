@@ -221,3 +221,34 @@ TEST_CASE_FIXTURE(GpuFixture, "a body stays as it was before the frame in which 
   CHECK(after[0].velocity == before[0].velocity);
   CHECK(after[0].spin == before[0].spin);
 }
+
+TEST_CASE_FIXTURE(GpuFixture, "a hull that begins with a face exactly in a sheet comes out on its own side") {
+  constexpr double kHalf = 0.1, kThickness = 0.01;
+  const scene::Scene scene = scene_of(
+      R"("time": {"substeps": 20}, "solver": {"kind": "mass_spring"}, "gravity": [0, 0, 0],
+         "contact": {"method": "proximity", "thickness": 0.01},
+         "cloths": [{"grid": [13, 13], "size": [0.5, 0.5], "plane": "xz", "density": 0.5, "damping": 0.02,
+                     "stiffness": {"structural": 200, "shear": 80, "bend": 5}}],
+         "colliders": [{"kind": "convex", "points": [[-0.1, 0, -0.1], [0.1, 0, -0.1], [0.1, 0, 0.1], [-0.1, 0, 0.1],
+             [-0.1, 0.2, -0.1], [0.1, 0.2, -0.1], [0.1, 0.2, 0.1], [-0.1, 0.2, 0.1]], "rigid": {"mass": 0.3}}])");
+  auto world = world_of(device(), scene);
+  const double before = sums_of(*world).kinetic;
+  advance(*world, 30);
+  const sim::RigidPlace hull = places_of(*world)[0];
+  const auto nodes = world->node_state();
+  REQUIRE_OK(nodes);
+  double nearest = 1;  // below the hull's lower face
+  for (const Vec4f& node : nodes->position) {
+    const Vec3d x = transposed(matrix_of(hull.turn)) * (node.xyz().to<double>() - hull.place);
+    if (std::abs(x.x) < kHalf && std::abs(x.z) < kHalf) nearest = std::min(nearest, -kHalf - x.y);
+  }
+  MESSAGE("the sheet is ", 1e3 * nearest, " mm below the face");
+  CHECK(nearest > 0.8 * kThickness);
+  CHECK(nearest < 2 * kThickness);
+  const Sums now = sums_of(*world);
+  CHECK(before == 0);
+  CHECK(now.kinetic <
+        0.5 * now.mass * 0.25 * 0.25);  // J: of half the speed at which what is too near is pushed
+  CHECK(length(now.linear) < 1e-5);     // N·s
+  CHECK(static_cast<double>(world->totals().truncated) < 1e-3 * 169 * 600);  // of all steps of nodes
+}

@@ -1,5 +1,5 @@
 // Measures every pair that has a record at the start of a substep, decides which act, and with which impulses they
-// begin: equations (1) and (3a) of docs/contact.md. Grid-stride loop over the records. A pair's vertices count it.
+// begin: equations (1), (1c) and (3a) of docs/contact.md. Grid-stride loop over the records. A pair's vertices count it.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
@@ -141,6 +141,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     var measured : Measured;
     var friction = contacts[number].surface.w;
     var untangles = false;
+    var on_face = false;  // of a closed mesh: equation (1c)
     if (is_crossing(ids)) {
       let p = start_of(ids.x).xyz;
       let q = start_of(contacts[number].other_end).xyz;
@@ -157,13 +158,18 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       let touches = !is_plane_pair(ids) && distance < kTouch * step.contact.thickness && is_of_closed_mesh(ids);
       if (touches || (tangled && measured.radius == 0.0 && is_tangled(ids, is_self))) {
         // The outside of a closed mesh is known. All other cases are left to the crossings.
+        let p0 = start_of(ids.x).xyz;
         let p1 = start_of(ids.y);
         let normal = cross(start_of(ids.z).xyz - p1.xyz, start_of(ids.w).xyz - p1.xyz);
         let size = length(normal);
         let from_face = !is_self && !is_edge_pair(ids) && p1.w < 0.0 && is_collider(ids.y) && size > 0.0;
-        let outside = dot(measured.normal, normal) >= 0.0 && !touches;
+        let outside = dot(measured.normal, normal) >= 0.0;
         let over = measured.s > 0.0 && measured.t > 0.0 && measured.s + measured.t < 1.0;
-        if (from_face && !outside && (over || touches)) {
+        if (from_face && touches) {
+          let n = normal / size;
+          measured = Measured(measured.s, measured.t, true, n, dot(n, p0 - p1.xyz), 0.0, dot(n, p0));
+          on_face = true;
+        } else if (from_face && !outside && over) {
           measured.counts = distance < step.contact.thickness;
           measured.normal = normal / size;
           measured.gap = -1.0;
@@ -185,7 +191,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let is_near = gap + min(step.time.dt * speed, 0.0) < kContactTouching * thickness;
     let solved = contacts[number].held == kSolved && !untangles;
     var acts = measured.counts && is_near;
-    if (acts && !untangles) { acts = lies_in_cones(ids, measured); }
+    if (acts && !untangles && !on_face) { acts = lies_in_cones(ids, measured); }
     acts = acts || solved;
     let urgency = urgency_of(gap + min(step.time.dt * speed, 0.0), thickness);
     let first_b = roles_of_a(ids);

@@ -82,7 +82,7 @@ inline constexpr double kRimPart = 0.5, kContourGain = 4, kLeastSlope = 0.1;
 /// Of cloth in a body: from which cosine between their normals on the cloth's own says where outside is, and
 /// how much the body's adds to it.
 inline constexpr double kLeastOutward = 0.25, kOutwardPart = 0.25;
-/// A vertex nearer to a body than this part of the thickness has no known side, and is sent outward.
+/// A vertex nearer to a body than this part of the thickness has no side of its own, and goes outward: equation (1c).
 inline constexpr double kTouch = 0.01;
 
 /// s of docs/contact.md: a pair's share of its vertices' masses, in whole numbers from 1 to 256. By the gap

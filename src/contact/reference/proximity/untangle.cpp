@@ -254,10 +254,16 @@ std::vector<bool> release(const Tangle& tangle, const TangledSurfaces& cloth, co
       const auto& [a, b, c] = object.features.triangles[pair.b];
       const auto& x = object.features.positions;
       const Vec3d normal = unit(cross(x[b] - x[a], x[c] - x[a]));
-      const bool outside = dot(pair.direction, normal) >= 0 && !touches;
+      if (length(normal) > 0 && touches) {  // equation (1c)
+        pair.inside = pair.in_cones = true;
+        pair.direction = normal;
+        pair.distance = dot(normal, cloth.features.positions[pair.a] - x[a]);
+        continue;
+      }
+      const bool outside = dot(pair.direction, normal) >= 0;
       if (outside) continue;
       const bool over = pair.weights_b[0] < 0 && pair.weights_b[1] < 0 && pair.weights_b[2] < 0;
-      if (length(normal) > 0 && (over || touches)) {
+      if (length(normal) > 0 && over) {
         pair.inside = pair.distance < thickness;
         pair.in_cones = true;
         pair.distance = -1;
