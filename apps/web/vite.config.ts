@@ -28,7 +28,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 700, // kB: three.js, which only /compare loads
     rollupOptions: {
       input: { main: `${import.meta.dirname}/index.html`, compare: `${import.meta.dirname}/compare/index.html`,
-        methods: `${import.meta.dirname}/methods/index.html` },
+        methods: `${import.meta.dirname}/methods/index.html`, teach: `${import.meta.dirname}/teach/index.html` },
     },
   },
   worker: { format: "es" }, // as the page: the core finds its file beside the module

@@ -96,6 +96,28 @@ describe("a reference", () => {
     expect(() => reference.advance()).toThrow(WeftError);
   });
 
+  it("has the energy of its motion, of its springs and in gravity, in closed form", async () => {
+    // Two nodes of 0.1 kg, each below a pin at 0.15 m on a spring of 20 N/m and 0.3 m; steps of 10 ms.
+    const [mass, stiffness, gravity, step] = [0.1, 20, 10, 0.01];
+    const reference = await createReference({
+      scene: { format: "weft-scene/1", gravity: [0, -gravity, 0], time: { frame: step, substeps: 1 },
+        solver: { kind: "mass_spring" }, contact: { method: "none" },
+        cloths: [{ grid: [2, 2], size: [0.3, 0.3], node_mass: mass, damping: 0,
+          stiffness: { structural: stiffness, shear: 0, bend: 0 }, pins: ["top"] }] },
+    });
+    expect(reference.energy).toBeCloseTo(2 * mass * gravity * -0.15, 7);
+    reference.advance(); // each is then as fast as g h, and g h² lower
+    const fallen = gravity * step ** 2;
+    expect(reference.energy).toBeCloseTo(
+      2 * ((mass * (gravity * step) ** 2) / 2 + (stiffness * fallen ** 2) / 2 - mass * gravity * (0.15 + fallen)),
+      7,
+    );
+    reference.reset();
+    expect(reference.energy).toBeCloseTo(2 * mass * gravity * -0.15, 7);
+    reference.dispose();
+    expect(() => reference.energy).toThrow(WeftError);
+  });
+
   it("says what is wrong with a scene, by kind and in a sentence", async () => {
     const key = await failure(open({ "cloths.0.gird": [4, 4] }));
     expect(key.kind).toBe("input");

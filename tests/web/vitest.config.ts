@@ -2,10 +2,10 @@ import { readdirSync } from "node:fs";
 import { join } from "node:path";
 import { defineConfig } from "vitest/config";
 
-/** Those of the three pages: in CI's part N every third has a turn, but for these. */
+/** Those of the four pages: in CI's part N every third has a turn, but for these. */
 const DAILY = ["page/scenes.test.ts", "page/parameters.test.ts"];
 const PART = process.env["WEFT_PART"];
-const ofPages = ["page", "compare", "methods"].flatMap((folder) =>
+const ofPages = ["page", "compare", "methods", "teach"].flatMap((folder) =>
   readdirSync(join(import.meta.dirname, folder)).map((file) => `${folder}/${file}`)
 ).filter((file) => file.endsWith(".test.ts") && !DAILY.includes(file));
 

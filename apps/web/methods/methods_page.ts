@@ -10,8 +10,11 @@ import { LockStep, type Plan, type Reading } from "./lock_step.js";
 import { plainChoice, sweepsOf, type Offer } from "./offers.js";
 import { Pane } from "./pane.js";
 import { byMethod, fetchComparison, SCENES } from "./scenes.js";
+import { storedFrame } from "./stored_run.js";
+import { STORED } from "./stored_view.js";
 import { MOST_CHOICES, NODES, type Choice, type MethodsState } from "./state.js";
 
+const OF_RUN = "sheet"; // the scene of the stored run
 const REAL_TIME = 0.97; // of real time: what misses less is the clock's unevenness
 
 export class MethodsPage {
@@ -158,10 +161,19 @@ export class MethodsPage {
     else say(this.lockStep.playing ? "Playing." : "At rest.");
   }
 
+  /** What the stored run has of a pane's work, if that is on its sheet. */
+  private stored(index: number): { adapter: string; milliseconds: number } | null {
+    const { scene, choices } = this.state, reading = this.readings[index], choice = choices[index]!;
+    if (scene !== OF_RUN || !reading) return null;
+    const milliseconds = storedFrame(STORED, Number(input("nodes").value), choice, reading.substeps,
+      sweepsOf(this.offerOf(choice), choice));
+    return milliseconds === null ? null : { adapter: STORED.adapter, milliseconds };
+  }
+
   private read(readings: ReadonlyMap<Lane, Reading | null>): void {
     this.readings = this.panes.map(({ lane }) => readings.get(lane) ?? null);
     this.panes.forEach((pane, i) => {
-      if (readings.has(pane.lane)) pane.read(this.readings[i]!, i === 0); // else it is still to be made
+      if (readings.has(pane.lane)) pane.read(this.readings[i]!, i === 0, this.stored(i)); // else it is still to be made
     });
     const { seconds, share, frames, wait } = this.lockStep;
     const pace = share === null ?

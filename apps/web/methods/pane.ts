@@ -144,8 +144,11 @@ export class Pane {
     this.say(`Preparing ${this.choice!.kind} …`);
   }
 
-  /** `first`: whether the others are compared with this one. null: there is nothing to read. */
-  read(reading: Reading | null, first: boolean): void {
+  /**
+   * `first`: whether the others are compared with this one. null: there is nothing to read. `stored`: what a frame of
+   * the same work takes where the stored run is from [ms].
+   */
+  read(reading: Reading | null, first: boolean, stored: { adapter: string; milliseconds: number } | null): void {
     const { fault } = this.lane;
     this.say(fault);
     this.box.dataset["fault"] = String(fault !== null);
@@ -153,6 +156,7 @@ export class Pane {
     const none = "–";
     const rows: readonly (readonly [string, string])[] = [
       ["A frame", reading?.milliseconds != null ? `${short(reading.milliseconds)} ms` : none],
+      ...(stored ? [[`On ${stored.adapter}`, `${short(stored.milliseconds)} ms`] as const] : []),
       ["Substeps", reading ? String(reading.substeps) : none],
       ["Off from the first", first && reading ? "the first" : percent(reading?.error ?? null) ?? none],
       ["Kinetic energy", reading ? `${significant(reading.kinetic)} J` : none],

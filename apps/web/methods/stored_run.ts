@@ -1,6 +1,7 @@
 // What a stored run of `weft bench methods` (docs/cli.md) has of the sheet, and what docs/methods.md says of it: the
 // same rows by the same rules as scripts/make_methods.py.
 import { significant } from "../src/digits.js";
+import type { Choice } from "./state.js";
 
 interface ErrorAt {
   /** [s] */
@@ -93,6 +94,20 @@ export function byNearness(run: StoredRun, kinds: readonly string[]): string[] {
   const side = sidesOf(run)[0]!;
   const nearness = (kind: string) => Math.min(...measured(run, side, kind).map(position));
   return kinds.toSorted((a, b) => (nearness(a) === nearness(b) ? 0 : nearness(a) - nearness(b)));
+}
+
+/** What a frame of the same work took in the run, the median [ms]; null: it has no such row. */
+export function storedFrame(run: StoredRun, side: number, choice: Choice, substeps: number, sweeps: number):
+  | number
+  | null {
+  const { kind, settings } = choice;
+  const { iterations, ...others } = settings;
+  if (Object.keys(others).length > 0) return null; // the run leaves them as they are
+  // The explicit method has its own steps there, and sweeps are named where they differ from row to row.
+  const names = [`${kind} ${substeps} x ${sweeps}`, ...(iterations === undefined ? [`${kind} ${substeps}`] : []),
+    ...(choice.substeps === "auto" ? [kind] : [])];
+  const row = measured(run, side, kind).find(({ variant }) => names.includes(variant));
+  return row ? milliseconds(row) : null;
 }
 
 /** Of all times, "0.304 / 0.255 / 1.41". */

@@ -50,6 +50,7 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reference_advance() {
 }
 EMSCRIPTEN_KEEPALIVE void weft_reference_reset() { simulation->reset(); }
 EMSCRIPTEN_KEEPALIVE double weft_reference_seconds() { return simulation->time(); }
+EMSCRIPTEN_KEEPALIVE double weft_reference_energy() { return simulation->energy(); }
 
 /// Three numbers a node [m].
 EMSCRIPTEN_KEEPALIVE const weft::Vec3f* weft_reference_positions() {

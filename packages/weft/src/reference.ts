@@ -61,6 +61,11 @@ export class Reference {
     return this.live().call("reference_seconds");
   }
 
+  /** Kinetic, elastic and in gravity, which is 0 at a height of 0 [J]. */
+  get energy(): number {
+    return this.live().call("reference_energy");
+  }
+
   dispose(): void {
     if (this.disposed) return;
     this.core.call("reference_close");

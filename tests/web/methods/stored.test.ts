@@ -2,8 +2,9 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, test } from "vitest";
 import stored from "../../../apps/web/methods/sheet_run.json";
-import { byNearness, front, kindsOf, milliseconds, overTime, position, sidesOf, summaries, type StoredRow,
+import { byNearness, front, kindsOf, milliseconds, overTime, position, sidesOf, storedFrame, summaries, type StoredRow,
   type StoredRun } from "../../../apps/web/methods/stored_run.ts";
+import { plainChoice } from "../../../apps/web/methods/offers.ts";
 import { significant } from "../../../apps/web/src/digits.ts";
 import { ROOT } from "../chromium.ts";
 
@@ -69,4 +70,16 @@ test("rows that were not run, or did not end in numbers, are in no summary", () 
     .toEqual([["a", "a 2", "a 2", "a 1"], ["b", "b 1", "b 1", undefined], ["c", undefined, undefined, undefined]]);
   expect(byNearness(made, ["new", "b", "a"])).toEqual(["a", "b", "new"]);
   expect(overTime(made.rows[2]!, (at) => at.position)).toBe("none");
+});
+
+test("beside a pane stands the frame of the run that did the same work, or none", () => {
+  const frame = (variant: string) => milliseconds(run.rows.find((row) => row.side === 64 && row.variant === variant)!);
+  expect(storedFrame(run, 64, plainChoice("multigrid"), 8, 1)).toBe(frame("multigrid 8"));
+  expect(storedFrame(run, 64, plainChoice("mass_spring"), 96, 1)).toBe(frame("mass_spring"));
+  const four = { kind: "xpbd", substeps: 32, settings: { iterations: 4 } } as const;
+  expect(storedFrame(run, 64, four, 32, 4)).toBe(frame("xpbd 32 x 4"));
+  expect(storedFrame(run, 64, { ...four, settings: { iterations: 5 } }, 32, 5)).toBe(null);
+  expect(storedFrame(run, 63, plainChoice("multigrid"), 8, 1)).toBe(null);
+  expect(storedFrame(run, 64, { ...plainChoice("multigrid"), settings: { residual: 0.1 } }, 8, 1)).toBe(null);
+  expect(storedFrame(run, 64, { ...plainChoice("mass_spring"), substeps: 200 }, 200, 1)).toBe(null);
 });
