@@ -115,7 +115,8 @@ export class LessonView {
     this.timer = requestAnimationFrame((next) => this.tick(next));
     if (!this.course_) return;
     const { duration, slowed = 1 } = this.course_;
-    this.seconds += (now - this.last) / 1000 / slowed;
+    // The time of a frame may lie before the click that began it.
+    this.seconds += Math.max(0, now - this.last) / 1000 / slowed;
     this.last = now;
     if (this.seconds > duration + REST / slowed) this.seconds = 0;
     this.draw();

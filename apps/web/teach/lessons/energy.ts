@@ -1,4 +1,5 @@
 // The same oscillation by three integrators of the engine: what each does to its energy.
+import { significant } from "../../src/digits.js";
 import { backwardEuler, bdf2, period } from "../laws.js";
 import { recorded, type Course } from "../course.js";
 import { drawChain } from "../drawings.js";
@@ -14,6 +15,8 @@ const WAYS = [
   { id: "bdf2", name: "BDF2", order: 2, solver: { kind: "multigrid", residual: 1e-5 } },
   { id: "backward", name: "implicit Euler", order: 3, solver: { kind: "vbd" } },
 ] as const;
+
+const inPercent = (part: number): string => `${significant(100 * part, 2)}\u00a0%`;
 
 interface State {
   readonly heights: readonly number[];
@@ -52,9 +55,8 @@ export async function energy(steps: number): Promise<Course> {
       "energy-bdf2-law": percent(bdf2(phase) ** steps),
       "energy-forward-law": percent(backwardEuler(phase) ** -count),
     },
-    verdict: `After ${PERIODS} periods implicit Euler has ${
-      (100 * left(2)).toPrecision(2)
-    } % of the energy left, BDF2 ${(100 * left(1)).toPrecision(2)} %; semi-implicit Euler swings about all of it.`,
+    verdict: `After ${PERIODS} periods implicit Euler has ${inPercent(left(2))} of the energy left, BDF2 ` +
+      `${inPercent(left(1))}; semi-implicit Euler swings about all of it.`,
     curves: [
       ...WAYS.map(({ name, order }, i) => ({ order, name,
         points: runs[i]!.map(({ left: part }, at) => [at / steps, 100 * part] as const) })
