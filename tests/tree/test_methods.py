@@ -23,11 +23,12 @@ LINES = {
     "src/scene/names.hpp",
     "src/scene/scene.hpp",
 }
-# What is about one method by its own account: experiments, as scene files are, and the system of nodes and springs that
-# every stepper moves, which lies with the oldest of them.
+# What is about one method by its own account: experiments, as scene files are, the integrators of the lessons, and the
+# system of nodes and springs that every stepper moves, which lies with the oldest of them.
 NAMED = {
     "mass_spring": {
         "apps/cli/cloths.cpp",
+        "apps/web/teach/integrators.ts",
         "src/bench/contact.cpp",
         "src/bench/hanging_sheet.cpp",
         "src/bench/multigrid.cpp",
@@ -42,6 +43,7 @@ NAMED = {
         "apps/cli/bench_command.cpp",
         "apps/cli/bench_rows.hpp",
         "apps/cli/completion.cpp",
+        "apps/web/teach/integrators.ts",
         "bench/paper/__main__.py",
         "bench/paper/cases.py",
         "bench/paper/facts.py",
@@ -54,6 +56,7 @@ NAMED = {
         "src/bench/CMakeLists.txt",
         "src/bench/multigrid.cpp",
     },
+    "vbd": {"apps/web/teach/integrators.ts"},
 }
 
 

@@ -13,7 +13,7 @@ import { Player, type PlayerEvents } from "./player.js";
 import { Pointer } from "./pointer.js";
 import { SCENES } from "./scenes.js";
 import { plain, withKey, type PageState } from "./state/page_state.js";
-import { SUBSTEPS } from "./state/parameters.js";
+import { solversOf, SUBSTEPS } from "./state/parameters.js";
 import { read } from "./state/url_state.js";
 import { missingDevice, missingSupport } from "./support.js";
 
@@ -40,8 +40,8 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   setFirstSize(canvas);
   const [offers, limits] = await Promise.all([catalog(), adapterLimits()]);
   const asked = () =>
-    read(location.href, { schema: offers.schema, scenes: SCENES.map(({ name }) => name), view: VIEWS[0],
-      mostNodes: MOST_NODES });
+    read(location.href, { schema: offers.schema, solvers: solversOf(offers), scenes: SCENES.map(({ name }) => name),
+      view: VIEWS[0], mostNodes: MOST_NODES });
   const { state, refused } = asked();
   let cameraAt = 0;
   let remedy: Offer | null = null; // where the step is unstable

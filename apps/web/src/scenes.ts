@@ -3,6 +3,7 @@
 import { meshNames, schemaOf, type Bytes, type Catalog, type Method, type Schema } from "weft-cloth";
 import { MOST_SUBSTEPS } from "./files/limits.js";
 import type { PageState } from "./state/page_state.js";
+import { SOLVER } from "./state/parameters.js";
 
 const SCENE_FILES = import.meta.glob<string>("../../../scenes/*.json", { query: "?url", import: "default",
   eager: true });
@@ -149,9 +150,14 @@ export async function fetchScene(state: PageState, { schema, methods }: Catalog)
   }, state);
 }
 
+/** Another method has none of the settings of the scene's own, so it takes the place of all of them. */
+function solverSet({ [SOLVER]: kind, ...set }: PageState["set"]): Record<string, unknown> {
+  return { ...(kind !== undefined && { solver: { kind } }), ...set };
+}
+
 /** The scene with other changes to its keys; its grid stays. */
 export function restated(scene: Omit<LoadedScene, "set" | "now">, state: PageState): LoadedScene {
-  return { ...scene, state, set: { ...(scene.grid && { "cloths.0.grid": scene.grid.taken }), ...state.set },
+  return { ...scene, state, set: { ...(scene.grid && { "cloths.0.grid": scene.grid.taken }), ...solverSet(state.set) },
     now: (key) => state.set[key] ?? scene.own(key) };
 }
 

@@ -5,7 +5,7 @@ import { demand, inBytes, tooLarge, type Limits } from "../memory.js";
 import { gridOf, SCENE_GROUPS, type LoadedScene } from "../scenes.js";
 import { choicesOf } from "../state/limits.js";
 import { plain, withKey, type PageState } from "../state/page_state.js";
-import { CONTACT_METHOD, FORMULATION, SOLVER, SUBSTEPS } from "../state/parameters.js";
+import { CONTACT_METHOD, FORMULATION, SOLVER, solversOf, SUBSTEPS } from "../state/parameters.js";
 
 const RESOLUTIONS = [32, 64, 100, 128, 200, 256, 400, 512, 800, 1024, 1600, 2048] as const;
 
@@ -34,6 +34,8 @@ const hasFormulations = (scene: LoadedScene): boolean =>
 export class ScenePicker {
   private readonly scene = select("scene");
   private readonly resolution = select("resolution");
+  private readonly solver = select("solver");
+  private ownSolver = ""; // the scene's
   private readonly methods = [[select("formulation"), FORMULATION], [select("contact"), CONTACT_METHOD]] as const;
 
   constructor(catalog: Catalog, private readonly limits: Limits, private readonly current: () => PageState,
@@ -49,6 +51,8 @@ export class ScenePicker {
       list.replaceChildren(...words.map((word) => new Option(NAMES[word] ?? word, word)));
       list.addEventListener("change", () => open(withKey(current(), key, list.value)));
     }
+    this.solver.replaceChildren(...solversOf(catalog).map((word) => new Option(word, word)));
+    this.solver.addEventListener("change", () => open(this.solved(this.solver.value)));
     this.scene.addEventListener("change", () => open(plain(this.scene.value, current().view)));
     this.resolution.addEventListener("change", () => open(this.refined(Number(this.resolution.value))));
   }
@@ -58,13 +62,21 @@ export class ScenePicker {
     return { ...withKey(this.current(), SUBSTEPS, null), nodes };
   }
 
+  /** Another method has other settings and other steps. */
+  private solved(kind: string): PageState {
+    return withKey(withKey(withKey(this.current(), FORMULATION, null), SUBSTEPS, null), SOLVER,
+      kind === this.ownSolver ? null : kind);
+  }
+
   enable(on: boolean): void {
     this.scene.disabled = false; // another choice may replace one that takes long
-    for (const list of [this.resolution, ...this.methods.map(([list]) => list)]) list.disabled = !on;
+    for (const list of [this.resolution, this.solver, ...this.methods.map(([list]) => list)]) list.disabled = !on;
   }
 
   opened(scene: LoadedScene, info: WorldInfo): void {
     this.scene.value = scene.state.scene;
+    this.ownSolver = String(scene.own(SOLVER));
+    this.solver.value = String(scene.now(SOLVER));
     for (const [list, key] of this.methods) list.value = String(scene.now(key));
     select("formulation").parentElement!.hidden = !hasFormulations(scene);
     this.fillResolutions(scene);

@@ -1,4 +1,5 @@
 // The keys of a scene that the page lets change. Limits, units and what they mean come from the core's schema.
+import type { Catalog } from "weft-cloth";
 
 export interface Parameter {
   readonly key: string;
@@ -58,8 +59,11 @@ export const GROUPS: readonly Group[] = [
   { name: "time", title: "Time", live: false, parameters: [{ key: SUBSTEPS, label: "Substeps per frame" }] },
 ];
 
+/** What solver.kind may be. */
+export const solversOf = ({ methods }: Catalog): string[] => ["auto", ...methods.map(({ kind }) => kind)];
+
 /** All keys that the page changes. */
-export const KEYS: readonly string[] = [FORMULATION, CONTACT_METHOD, SUBDIVIDE,
+export const KEYS: readonly string[] = [SOLVER, FORMULATION, CONTACT_METHOD, SUBDIVIDE,
   ...GROUPS.flatMap(({ parameters }) => parameters.map(({ key }) => key))];
 
 const LIVE = new Set(GROUPS.filter(({ live }) => live).flatMap(({ parameters }) => parameters.map(({ key }) => key)));

@@ -1,9 +1,9 @@
 // The page's state as its address has it: ?v=1&scene=hanging&nodes=64&drag=0.5&view=stretch. What an address asks for
 // is checked by the core's schema; what does not pass is left out, and said.
 import { VIEWS, type Camera, type Schema, type View } from "weft-cloth";
-import { parsed } from "./limits.js";
+import { parsed, parsedBy } from "./limits.js";
 import { plain, type PageState, type Value } from "./page_state.js";
-import { KEYS } from "./parameters.js";
+import { KEYS, SOLVER } from "./parameters.js";
 import { Refusals } from "./refusals.js";
 
 const VERSION = "1";
@@ -12,6 +12,8 @@ const DIGITS = 4; // of a camera's coordinates, in metres
 /** What may be asked for, beside keys of a scene. */
 export interface Offer {
   readonly schema: Schema;
+  /** What solver.kind may be, of which the schema has a way for each. */
+  readonly solvers: readonly string[];
   readonly scenes: readonly string[];
   readonly view: View;
   /** The most nodes along a side. */
@@ -24,7 +26,7 @@ export interface Asked {
   readonly refused: string | null;
 }
 
-export function read(address: string, { schema, scenes, view, mostNodes }: Offer): Asked {
+export function read(address: string, { schema, solvers, scenes, view, mostNodes }: Offer): Asked {
   const asked = new URL(address).searchParams;
   const refusals = new Refusals("what the scene has");
   const refuse = (name: string, must: string) => refusals.add(name, asked.get(name) ?? "", must);
@@ -48,7 +50,7 @@ export function read(address: string, { schema, scenes, view, mostNodes }: Offer
   for (const key of KEYS) {
     const text = asked.get(key);
     if (text === null) continue;
-    const found = parsed(schema, key, text);
+    const found = key === SOLVER ? parsedBy({ enum: solvers }, text) : parsed(schema, key, text);
     if ("value" in found) set[key] = found.value;
     else refuse(key, found.must);
   }

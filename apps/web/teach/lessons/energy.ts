@@ -3,6 +3,7 @@ import { significant } from "../../src/digits.js";
 import { backwardEuler, bdf2, period } from "../laws.js";
 import { recorded, type Course } from "../course.js";
 import { drawChain } from "../drawings.js";
+import { BDF2, IMPLICIT_EULER, SEMI_IMPLICIT_EULER } from "../integrators.js";
 import { chain, column, GRAVITY } from "../scenes.js";
 
 const [MASS, STIFFNESS, LENGTH] = [0.1, 20, 0.3]; // kg, N/m, m
@@ -11,9 +12,9 @@ const SHOWN_SECOND = 1; // periods
 
 /** Methods of the engine, of which each is this integrator on a single spring. */
 const WAYS = [
-  { id: "symplectic", name: "semi-implicit Euler", order: 0, solver: { kind: "mass_spring" } },
-  { id: "bdf2", name: "BDF2", order: 2, solver: { kind: "multigrid", residual: 1e-5 } },
-  { id: "backward", name: "implicit Euler", order: 3, solver: { kind: "vbd" } },
+  { id: "symplectic", name: "semi-implicit Euler", order: 0, solver: SEMI_IMPLICIT_EULER },
+  { id: "bdf2", name: "BDF2", order: 2, solver: { ...BDF2, residual: 1e-5 } },
+  { id: "backward", name: "implicit Euler", order: 3, solver: IMPLICIT_EULER },
 ] as const;
 
 const inPercent = (part: number): string => `${significant(100 * part, 2)}\u00a0%`;

@@ -4,6 +4,7 @@ import { positionError } from "../../methods/quantities.js";
 import { Times } from "../../methods/times.js";
 import { ClothSketch } from "../../src/cloth_sketch.js";
 import { withReference, type Course } from "../course.js";
+import { BDF2, SEMI_IMPLICIT_EULER, type Integrator } from "../integrators.js";
 import { FRAME, sheet } from "../scenes.js";
 
 export const SIZES = [8, 12, 16, 24, 32] as const; // nodes along a side
@@ -26,8 +27,8 @@ interface Trial {
 }
 
 /** All frames' positions; what is timed is the simulation alone. */
-function run(size: number, kind: "mass_spring" | "multigrid", substeps: number | "auto"): Promise<Run> {
-  return withReference(sheet(size, kind, substeps), (reference) => {
+function run(size: number, solver: Integrator, substeps: number | "auto"): Promise<Run> {
+  return withReference(sheet(size, solver, substeps), (reference) => {
     const positions = [reference.positions()];
     const times = new Times(FRAMES);
     for (let frame = 0; frame < FRAMES; frame++) {
@@ -43,12 +44,12 @@ function run(size: number, kind: "mass_spring" | "multigrid", substeps: number |
 
 /** Errors are measured against explicit steps of half the length. */
 async function tried(size: number): Promise<Trial> {
-  const explicit = await run(size, "mass_spring", "auto");
-  const nearest = await run(size, "mass_spring", 2 * explicit.substeps);
+  const explicit = await run(size, SEMI_IMPLICIT_EULER, "auto");
+  const nearest = await run(size, SEMI_IMPLICIT_EULER, 2 * explicit.substeps);
   const start = nearest.positions[0]!, end = nearest.positions.at(-1)!;
   const implicit = [];
   for (const substeps of IMPLICIT) {
-    const made = await run(size, "multigrid", substeps);
+    const made = await run(size, BDF2, substeps);
     implicit.push({ ...made, error: positionError(made.positions.at(-1)!, end, start)! });
   }
   return { size, explicit, implicit };

@@ -3,6 +3,7 @@ import { period } from "../laws.js";
 import { periodOf } from "../measured.js";
 import { recorded, type Course } from "../course.js";
 import { drawChain } from "../drawings.js";
+import { SEMI_IMPLICIT_EULER } from "../integrators.js";
 import { chain, column, GRAVITY } from "../scenes.js";
 
 const SECONDS = 6; // of the longest period some three
@@ -11,7 +12,7 @@ const LENGTH = 0.3; // m
 
 export async function spring(mass: number, stiffness: number): Promise<Course> {
   const scene = chain({ masses: 1, mass, stiffness, length: LENGTH, gravity: GRAVITY, step: STEP,
-    solver: { kind: "mass_spring" } });
+    solver: SEMI_IMPLICIT_EULER });
   const heights = await recorded(scene, SECONDS / STEP, (reference) => column(reference.positions()));
   const [pin, start] = heights[0]! as [number, number];
   const sag = (mass * GRAVITY) / stiffness; // of the mass at rest

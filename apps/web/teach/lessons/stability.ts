@@ -3,6 +3,7 @@ import { highestFrequency, longestStep } from "../laws.js";
 import { turningPoint } from "../measured.js";
 import { recorded, withReference, type Course } from "../course.js";
 import { drawChain } from "../drawings.js";
+import { SEMI_IMPLICIT_EULER } from "../integrators.js";
 import { chain, column } from "../scenes.js";
 
 const [MASS, STIFFNESS, LENGTH] = [0.1, 20, 0.1]; // kg, N/m, m
@@ -14,7 +15,7 @@ const SHOWN_SECOND = 40; // steps
 
 const scene = (masses: number, step: number) =>
   chain({ masses, mass: MASS, stiffness: STIFFNESS, length: LENGTH, gravity: GRAVITY, step,
-    solver: { kind: "mass_spring" } });
+    solver: SEMI_IMPLICIT_EULER });
 
 const farthest = (now: readonly number[], start: readonly number[]): number =>
   Math.max(...now.map((height, node) => Math.abs(height - start[node]!)));
