@@ -126,6 +126,7 @@ Result<void> FrameRows::add(sim::World& world) {
     system_->position.clear();
     system_->velocity.clear();
     for (const Vec4f& p : nodes.position) system_->position.push_back(p.xyz().to<double>());
+    for (reference::FabricCloth& cloth : system_->fabrics) cloth.set_creases(nodes.creases);
     for (const Vec4f& v : nodes.velocity) system_->velocity.push_back(v.xyz().to<double>());
     system_->acceleration = world.scene().gravity + world.scene().external_force;
     const reference::EnergySums e = reference::energies(*system_);

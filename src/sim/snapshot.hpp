@@ -16,6 +16,7 @@ namespace weft::sim {
 struct NodeState {
   std::vector<Vec4f> position;  // [m]; w: inverse mass [1/kg]
   std::vector<Vec4f> velocity;  // [m/s]; w: not 0 where the state a substep before is known (Method::history)
+  std::vector<Vec4f> creases;   // what facets keep of their bends: State::creases
 };
 
 /// The same and when it was so: all that the next substep reads from those before it.
@@ -28,7 +29,6 @@ struct Snapshot : NodeState {
       hold_forces;                   // of vertices that the solver holds: contact::SceneContact::hold_forces
   std::vector<std::uint32_t> rigid;  // of the scene's rigid bodies: contact::RigidBodies::states
   std::vector<Placement> given;      // of the colliders that a program moves
-  std::vector<Vec4f> creases;        // what facets keep of their bends: State::creases
   /// That state a substep before, `step` [s] long; empty where the method has no history.
   std::vector<Vec4f> position_before, velocity_before;
   double step = 0;

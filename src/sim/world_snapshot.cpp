@@ -35,6 +35,7 @@ Result<NodeState> World::node_state() const {
   NodeState state;
   WEFT_SET(state.position, gpu::download(device_, state_.position[parity_]));
   WEFT_SET(state.velocity, gpu::download(device_, state_.velocity[parity_]));
+  if (state_.creases.size() > 0) WEFT_SET(state.creases, gpu::download(device_, state_.creases));
   return state;
 }
 
@@ -44,7 +45,6 @@ Result<Snapshot> World::snapshot() {
   WEFT_SET(snapshot.contact_forces, contact_.forces(device_));
   WEFT_SET(snapshot.hold_forces, contact_.hold_forces(device_));
   if (rigid() != nullptr) WEFT_SET(snapshot.rigid, rigid()->states(device_));
-  if (state_.creases.size() > 0) WEFT_SET(snapshot.creases, gpu::download(device_, state_.creases));
   snapshot.time = plan_.time_of(diverged_ ? bad_frame_ : frame_);  // frozen as it was before the bad frame
   for (const std::size_t collider : given_colliders())
     snapshot.given.push_back(

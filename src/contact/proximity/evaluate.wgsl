@@ -1,5 +1,5 @@
 // Measures every pair that has a record at the start of a substep, decides which act, and with which impulses they
-// begin: equations (1), (1c) and (3a) of docs/contact.md. Grid-stride loop over the records. A pair's vertices count it.
+// begin: equations (1), (1c), (3a) of docs/contact.md. Grid-stride loop over the records. A pair's vertices count it.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"

@@ -27,15 +27,30 @@ ProjectionStepper::ProjectionStepper(const Model& model, std::uint32_t iteration
     if (body.fabric) fabrics_.emplace_back(model, body, multipliers);
 }
 
+/// Equation (14a): the tethers `first` to before `end`.
+double ProjectionStepper::lengthening(const Ways& ways, std::uint32_t first, std::uint32_t end) const {
+  double longer = 1;
+  for (std::uint32_t k = first + 1; k < end; ++k)
+    for (std::uint32_t m = first; m < k; ++m) {
+      const Tether &a = tethers_.tethers[m], &b = tethers_.tethers[k];
+      const double both = double{a.length} + double{b.length};
+      if (both > 0) longer = std::max(longer, length(ways.place(b.to) - ways.place(a.to)) / both);
+    }
+  return longer;
+}
+
 /// Equation (14).
 void ProjectionStepper::keep_tethers(Ways& ways) const {
   for (std::size_t node = 0; node < ways.way.size(); ++node) {
     if (ways.inverse_mass[node] == 0) continue;
-    for (std::uint32_t k = tethers_.starts[node]; k < tethers_.starts[node + 1]; ++k) {
+    const std::uint32_t first = tethers_.starts[node], end = tethers_.starts[node + 1];
+    const double longer = lengthening(ways, first, end);
+    for (std::uint32_t k = first; k < end; ++k) {
       const Tether& tether = tethers_.tethers[k];
+      const double longest = longer * tether.length;
       const Vec3d span = ways.place(node) - ways.place(tether.to);
       const double far = length(span);
-      if (far > tether.length) ways.way[node] -= (1 - tether.length / far) * span;
+      if (far > longest) ways.way[node] -= (1 - longest / far) * span;
     }
   }
 }

@@ -17,6 +17,7 @@ class ProjectionStepper : public Stepper {
   void advance(const Substep& substep) override;
 
  private:
+  double lengthening(const Ways& ways, std::uint32_t first, std::uint32_t end) const;
   void keep_tethers(Ways& ways) const;
 
   const Model& model_;
