@@ -9,16 +9,13 @@ namespace weft::cli {
 
 std::string build_name() { return version_text(); }
 
-Result<sim::SavedState> read_checkpoint(const std::string& path, sim::World& world) {
-  const auto read = [&]() -> Result<sim::SavedState> {
-    WEFT_TRY(bytes, read_file(path, sim::most_saved_bytes(world.model().vertex_count(),
-                                                          world.state().creases.size())));
-    WEFT_TRY(state, sim::read_saved_state(bytes));
-    WEFT_CHECK(world.open(state));
-    return state;
-  }();
-  if (!read) return read.error().while_doing("resuming from " + path);
-  return read;
+Result<sim::SavedState> read_checkpoint(const std::string& path, const sim::World& world) {
+  std::uint64_t tearing = 0;
+  for (const Body& body : world.model().host.bodies)
+    if (body.strength) tearing += body.triangle_count;
+  WEFT_TRY(bytes, read_file(path, sim::most_saved_bytes(world.model().vertex_count(),
+                                                        world.state().creases.size(), tearing)));
+  return sim::read_saved_state(bytes);
 }
 
 std::string other_origin(const sim::SavedState& state, const sim::World& world) {

@@ -10,9 +10,9 @@ namespace weft::cli {
 /// This program, as saved states name what they come from.
 std::string build_name();
 
-/// Makes what a file has the state of a world that has not begun, and returns it.
-/// Errors  Input: no such file, no saved state, of another scene, larger than this scene's can be.
-Result<sim::SavedState> read_checkpoint(const std::string& path, sim::World& world);
+/// What a file has, for a world of its scene, which is whole.
+/// Errors  Input: no such file, no saved state, larger than this scene's can be.
+Result<sim::SavedState> read_checkpoint(const std::string& path, const sim::World& world);
 
 /// Says whether the bits may differ from those of a run that never stopped; "" where they are the same.
 std::string other_origin(const sim::SavedState& state, const sim::World& world);

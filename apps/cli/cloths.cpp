@@ -135,6 +135,7 @@ std::string cloths_text(const scene::Scene& scene, const Model& model) {
       add_moduli(text, cloth, sheet_moduli(model, model.bodies[c]));
     if (cloth.fabric && cloth.fabric->plastic) add_plastic(text, *cloth.fabric->plastic);
     if (cloth.tethers) add_tethers(text, tethers, model.bodies[c]);
+    if (cloth.strength) add(text, "    tears where it bears more than %.4g N/m\n", *cloth.strength);
     if (cloth.pressure) add_gas(text, cloth, model.bodies[c]);
     add_step(text, scene, model, model.bodies[c]);
   }
@@ -193,6 +194,7 @@ nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model
       one["yield_curvature"] = cloth.fabric->plastic->yield_curvature;
       one["hardening"] = cloth.fabric->plastic->hardening;
     }
+    if (cloth.strength) one["strength"] = *cloth.strength;
     if (cloth.pressure) {
       one["gauge"] = cloth.pressure->gauge;
       one["ambient"] = cloth.pressure->ambient;

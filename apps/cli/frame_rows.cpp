@@ -51,6 +51,7 @@ std::string heading_of(const Model& model, const scene::Scene& scene, bool measu
           heading += ",collider_" + std::to_string(c) + "_" + of;
   }
   for_each_of_frame({}, [&](const char* name, auto) { heading += std::string(",") + name; });
+  if (can_tear(scene)) heading += ",splits";
   return heading + "\n";
 }
 
@@ -101,6 +102,11 @@ Result<FrameRows> FrameRows::create(const std::string& folder, const sim::World&
   return rows;
 }
 
+Result<void> FrameRows::go_on(const sim::World& world) {
+  if (system_) system_ = reference::elements_of(world.model().host);
+  return go_back_to(world.frame());
+}
+
 Result<void> FrameRows::go_back_to(std::uint32_t frame) {
   WEFT_TRY(bytes, read_file(path_, kMostBytes));
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -146,6 +152,7 @@ Result<void> FrameRows::add(sim::World& world) {
   }
   for_each_of_frame(world.last_report(),
                     [&](const char*, auto value) { line += "," + number_text(static_cast<double>(value)); });
+  if (can_tear(world.scene())) line += "," + std::to_string(world.tears().splits());
   return append(line + "\n");
 }
 

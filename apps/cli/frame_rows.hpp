@@ -24,10 +24,11 @@ class FrameRows {
 
   /// The row of the frame that has just ended.
   Result<void> add(sim::World& world);
-  /// Removes the rows of this frame and later ones.
-  Result<void> go_back_to(std::uint32_t frame);
+  /// Goes on with another world of the run: removes the rows of its next frame and later ones.
+  Result<void> go_on(const sim::World& world);
 
  private:
+  Result<void> go_back_to(std::uint32_t frame);
   FrameRows(std::string path, int file) : path_(std::move(path)), file_(file) {}
   Result<void> append(const std::string& line);
 

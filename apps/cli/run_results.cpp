@@ -57,12 +57,19 @@ Result<void> RunResults::write_checkpoint(const sim::SavedState& state) {
                     sim::write_saved_state(state));
 }
 
+Result<void> RunResults::settle() {
+  if (!pictures_) return {};
+  WEFT_CHECK(pictures_->settle());
+  pictures_->let_go();
+  return {};
+}
+
 void RunResults::let_go() {
   if (pictures_) pictures_->let_go();
 }
 
 Result<void> RunResults::go_on(sim::World& world) {
-  WEFT_CHECK(rows_->go_back_to(world.frame()));
+  WEFT_CHECK(rows_->go_on(world));
   return pictures_ ? pictures_->go_on(world) : Result<void>();
 }
 

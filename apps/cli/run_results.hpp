@@ -24,6 +24,8 @@ class RunResults {
   Result<void> write_checkpoint(const sim::SavedState& state);
   /// Before the world and its device go: they are lost.
   void let_go();
+  /// Waits for what is drawn with a world that goes.
+  Result<void> settle();
   /// The same run in another world, whose frames may have been there already.
   Result<void> go_on(sim::World& world);
   /// Waits until all pictures are written.

@@ -7,6 +7,7 @@
 #include "checkpoint.hpp"
 #include "common.hpp"
 #include "progress.hpp"
+#include "sim/torn_state.hpp"
 
 namespace weft::cli {
 namespace {
@@ -30,6 +31,28 @@ Result<void> SceneRun::make_world() {
   return {};
 }
 
+Result<void> SceneRun::open(const sim::SavedState& state) {
+  if (!(state.tears == world_->tears())) {
+    scene::Scene scene = scene_;
+    scene.solver.kind = world_->plan().method().kind;  // what "auto" took when the cloth was whole
+    world_.reset();
+    sim::WorldOptions options;
+    options.tears = state.tears;
+    WEFT_SET(world_, sim::World::create(*device_, std::move(scene), assets_, options));
+  }
+  return world_->open(state);
+}
+
+Result<void> SceneRun::tear() {
+  const std::size_t before = world_->tears().splits();
+  WEFT_TRY(torn, sim::torn_state(*world_, build_name()));
+  if (!torn) return {};
+  if (results_) WEFT_CHECK(results_->settle());
+  WEFT_CHECK(open(*torn));
+  if (before == 0) say("Cloth tears since frame %u.", world_->frame());
+  return results_ ? results_->go_on(*world_) : Result<void>();
+}
+
 Result<void> SceneRun::begin() {
   if (options_.frames) scene_.time.frames = *options_.frames;
   WEFT_CHECK(make_world());
@@ -43,7 +66,13 @@ Result<void> SceneRun::begin() {
 }
 
 Result<void> SceneRun::resume() {
-  WEFT_TRY(read, read_checkpoint(options_.resume, *world_));
+  const auto opened = [&]() -> Result<sim::SavedState> {
+    WEFT_TRY(state, read_checkpoint(options_.resume, *world_));
+    WEFT_CHECK(open(state));
+    return state;
+  }();
+  if (!opened) return opened.error().while_doing("resuming from " + options_.resume);
+  sim::SavedState read = *opened;
   if (const std::string other = other_origin(read, *world_); !other.empty()) say("%s", other.c_str());
   summary_.resumed_frames = furthest_ = read.snapshot.time.frame;
   tangled_ = read.totals.crossings > 0;
@@ -58,7 +87,7 @@ Result<void> SceneRun::go_back() {
   if (results_) results_->let_go();
   world_.reset();
   WEFT_CHECK(make_world());
-  WEFT_CHECK(world_->open(*checkpoint_));
+  WEFT_CHECK(open(*checkpoint_));
   return results_ ? results_->go_on(*world_) : Result<void>();
 }
 
@@ -77,6 +106,7 @@ Result<void> SceneRun::advance() {
   if (strikes("nan", frame)) world_->set_node(0, {NAN, 0, 0, 1}, {});
   if (strikes("lost", frame)) world_->device().lose();
   const auto start = Clock::now();
+  WEFT_CHECK(tear());
   WEFT_CHECK(world_->advance_frame());
   WEFT_CHECK(world_->finish());
   if (frame < furthest_) return {};  // it has been counted

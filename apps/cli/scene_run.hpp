@@ -36,6 +36,10 @@ class SceneRun {
 
  private:
   Result<void> make_world();
+  /// Makes a state the world's, which is made anew where that is torn otherwise.
+  Result<void> open(const sim::SavedState& state);
+  /// Tears what bears too much before the next frame.
+  Result<void> tear();
   Result<void> resume();
   Result<void> advance();
   Result<void> keep_checkpoint();

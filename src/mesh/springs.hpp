@@ -1,7 +1,9 @@
 // The springs of a cloth, from a grid or from any triangle mesh.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/grid.hpp"
@@ -16,6 +18,8 @@ struct MeshSpring {
   SpringKind kind = SpringKind::Structural;
   double rest_length = 0.0;  // m
   double weight = 1.0;       // of the material's stiffness
+  std::array<std::uint32_t, 2>
+      triangles{};  // of a mesh: those of the edge that it is or crosses; at a rim one, twice
 };
 
 /// How much of a material's stiffness a spring on the boundary has.
@@ -47,5 +51,11 @@ std::vector<MeshSpring> grid_springs(const Grid& grid, BoundaryWeights weights);
 ///   triangles that follow each other (by index) are joined by a Bend spring, unless a spring joins them.
 /// Weights are 1 but for the edges of a single triangle.
 std::vector<MeshSpring> mesh_springs(const TriangleMesh& mesh, BoundaryWeights weights);
+
+/// The same once it has torn: `torn` has the mesh's triangles in their order, each with the nodes that it has now. An
+/// edge whose triangles have parted is a spring of each of them, of the same kind and with its share of the weight, and
+/// nothing crosses it any more: no spring is new, and what the springs hold together never grows.
+std::vector<MeshSpring> torn_springs(const TriangleMesh& mesh, BoundaryWeights weights,
+                                     std::span<const Triangle> torn);
 
 }  // namespace weft::mesh

@@ -148,8 +148,9 @@ struct Attached {
 Result<void> attach(Model& model, const scene::Scene& scene, const Assets& assets, std::size_t cloth,
                     Attached& attached) {
   const Body& body = model.bodies[cloth];
+  const std::optional<scene::GridShape>& grid = scene.cloths[cloth].grid;
   const auto positions = std::span(model.rest_position).subspan(body.first_vertex, body.vertex_count);
-  const scene::Selection selection{positions, body.grid ? body.grid->nx : 0, body.grid ? body.grid->ny : 0};
+  const scene::Selection selection{positions, grid ? grid->nx : 0, grid ? grid->ny : 0};
   for (const scene::Attachment& attachment : scene.cloths[cloth].attachments) {
     if (attachment.collider >= scene.colliders.size())
       return input_error("%s.collider is %zu, but the scene has %zu colliders, from 0.",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "element/membrane/build.hpp"
 #include "element/triple/triple.hpp"
@@ -23,6 +24,11 @@ ElementTable build(const Model& model, ElementKind kind, const Body& body) {
       return membrane::build_membranes(fabric_sheet(model, body).rest(), membrane_law(*body.fabric), first);
     if (kind == ElementKind::Hinge) return hinge_table(model.plate(body), first);
     return {kind, {}, {}, {}};
+  }
+  if (kind == ElementKind::Spring && !body.whole.empty()) {
+    mesh::TriangleMesh mesh = cloth_mesh(model, body);
+    const std::vector<mesh::Triangle> torn = std::exchange(mesh.triangles, body.whole);
+    return build_springs(mesh, torn, body.material(), first);
   }
   if (kind == ElementKind::Spring)
     return body.grid ? build_springs(*body.grid, body.material(), first)

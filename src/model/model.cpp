@@ -99,11 +99,12 @@ void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, B
   body.strain_limit = cloth.strain_limit;
   if (cloth.tethers) body.slack = cloth.tethers->slack;
   body.fabric = cloth.fabric;
+  body.strength = cloth.strength;
   body.solid = cloth.solid;
   if (cloth.fabric)
-    body.warp = body.grid ? placed.positions[1] - placed.positions[0]
-                          : scene::transformed(cloth.transform, cloth.fabric->warp_direction) -
-                                scene::transformed(cloth.transform, {});
+    body.warp = cloth.grid ? placed.positions[1] - placed.positions[0]
+                           : scene::transformed(cloth.transform, cloth.fabric->warp_direction) -
+                                 scene::transformed(cloth.transform, {});
   body.color = cloth.color;
   model.rest_position.insert(model.rest_position.end(), placed.positions.begin(), placed.positions.end());
   model.start_position.insert(model.start_position.end(), placed.starts.begin(), placed.starts.end());
@@ -163,6 +164,7 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
     const scene::Cloth& cloth = scene.cloths[c];
     Body body;
     PlacedBody placed;
+    mesh::Grid grid;
     scene::Selection selection;
     if (cloth.solid) {
       mesh::TetMesh block;
@@ -172,17 +174,19 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
       body.tets = mesh.tets;
     } else if (cloth.grid) {
       const double scale = cloth.transform.scale;
-      body.grid =
+      grid =
           mesh::Grid{cloth.grid->nx, cloth.grid->ny, cloth.grid->width * scale, cloth.grid->height * scale};
-      placed = place_grid(cloth, *body.grid);
-      selection.nx = body.grid->nx;
-      selection.ny = body.grid->ny;
+      if (!cloth.strength)
+        body.grid = grid;  // what tears is a mesh from the first frame on: no law changes then
+      placed = place_grid(cloth, grid);
+      selection.nx = grid.nx;
+      selection.ny = grid.ny;
     } else {
       placed = place_mesh(cloth_meshes[c]);
     }
     if (!cloth.solid)
-      WEFT_SET(placed.mass, cloth_masses(cloth, body.grid ? mesh::vertex_areas(*body.grid)
-                                                          : mesh::vertex_areas(cloth_meshes[c])));
+      WEFT_SET(placed.mass, cloth_masses(cloth, cloth.grid ? mesh::vertex_areas(grid)
+                                                           : mesh::vertex_areas(cloth_meshes[c])));
     if (cloth.fabric) WEFT_CHECK(check_membranes(cloth, placed));
     if (cloth.pressure) WEFT_SET(body.gas, enclosed_gas(cloth, placed.triangles, placed.positions));
     selection.positions = placed.positions;

@@ -36,6 +36,8 @@ struct Body {
   std::optional<scene::Fabric> fabric;  // then it has membranes and hinges, and no springs
   std::optional<scene::Solid> solid;    // then it has tetrahedra alone
   std::optional<gas::Law> gas;          // what it encloses, where the scene has a pressure
+  std::optional<double> strength;       // what a node of it bears before it parts (tearing.hpp) [N/m]
+  std::vector<mesh::Triangle> whole;    // before it tore, of nodes that count from 0; empty: it has not
   std::vector<mesh::Tet> tets;          // of its nodes, which count from 0
   Vec3d warp{1, 0, 0};                  // the direction of its warp at rest, in the world
   std::optional<Vec3d> color;

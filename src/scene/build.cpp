@@ -77,10 +77,13 @@ class Builder {
     scene.render.subdivide = whole(at(render, "subdivide"));
     if (scene.render.subdivide > 0)
       for (const Cloth& cloth : scene.cloths)
-        if (!cloth.grid)
+        if (!cloth.grid || cloth.strength)
           return wrong("render.subdivide", "is " + std::to_string(scene.render.subdivide) + ", and " +
-                                               path_of(cloth) + " is a " + (cloth.solid ? "body" : "mesh") +
-                                               "; only grids are drawn finer");
+                                               path_of(cloth) +
+                                               (cloth.solid      ? " is a body"
+                                                : cloth.strength ? " tears"
+                                                                 : " is a mesh") +
+                                               "; only grids that do not tear are drawn finer");
     return scene;
   }
 
@@ -157,6 +160,13 @@ class Builder {
     if (const Json* given = json.find("pressure"))
       WEFT_SET(cloth.pressure, pressure(*given, path + ".pressure"));
     WEFT_CHECK(add_nodes(cloth, json, path));
+    if (const auto strength = maybe_number(json, "strength")) {
+      cloth.strength = strength;
+      for (const char* key : {"strain_limit", "tethers", "pressure"})
+        if (json.find(key))
+          return wrong(path + ".strength",
+                       "is " + number_text(*strength) + " N/m; a cloth that tears has no " + in_quotes(key));
+    }
     return cloth;
   }
 
@@ -391,6 +401,9 @@ class Builder {
             path + ".stiffness.bending",
             bending + "solver.forces " + in_quotes(name_of(scene.solver.forces)) + " has springs only");
       if (!cloth.grid) return wrong(path + ".stiffness.bending", bending + "a mesh has bend springs only");
+      if (cloth.strength)
+        return wrong(path + ".stiffness.bending",
+                     bending + "a grid with \"strength\" is a mesh, which has bend springs only");
     }
     return {};
   }

@@ -37,6 +37,7 @@ const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (a.friction != b.friction) return "friction";
   if (a.strain_limit != b.strain_limit) return "strain_limit";
   if (a.tethers != b.tethers) return "tethers";
+  if (a.strength != b.strength) return "strength";
   if (a.pressure != b.pressure) return "pressure";
   if (!(a.pins == b.pins)) return "pins";
   if (!(a.motions == b.motions)) return "motions";

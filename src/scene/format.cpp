@@ -326,6 +326,7 @@ constexpr Key kPressureKeys[] = {
      "\"isothermal\""},
 };
 constexpr Type kPressure{.kind = Kind::Object, .name = "pressure", .keys = kPressureKeys};
+constexpr Type kStrength{.kind = Kind::Number, .least = 1e-3, .most = 1e9, .unit = "N/m"};
 constexpr Key kClothKeys[] = {
     {"name", &kShortText, "For messages"},
     {"grid", &kGrid, "Nodes along i and j; all grids together have at most 67108864"},
@@ -347,6 +348,7 @@ constexpr Key kClothKeys[] = {
     {"strain_limit", &kStrainLimit,
      "How far edges are stretched before they are stiffer, of their length; only multigrid"},
     {"tethers", &kTethers, "How far nodes may be from pinned and moved ones; only xpbd and pbd"},
+    {"strength", &kStrength, "The force per width that the cloth bears before it tears; only in weft run"},
     {"pressure", &kPressure, "Of the gas in a closed mesh"},
     {"pins", &kPinList, "Nodes that stay where they are", "[]"},
     {"motions", &kMotions, "Nodes that follow a given motion", "[]"},

@@ -237,6 +237,7 @@ struct Cloth {
   double friction = 0.3;               // with cloth, and with colliders that give none
   std::optional<double> strain_limit;  // how far edges are stretched at most, of their length
   std::optional<Tethers> tethers;      // to what holds it; none: there are none
+  std::optional<double> strength;      // what it bears before it tears [N/m]; none: it does not tear
   std::optional<Pressure> pressure;    // of the gas that it encloses; none: there is none
   std::vector<Selector> pins;
   std::vector<Motion> motions;

@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little);  // lists are copied 
 constexpr char kMagic[] = "weftsave";
 constexpr std::size_t kMagicBytes = 8, kSizeAt = 16, kHashAt = 24, kHeaderBytes = 32, kMostText = 1024;
 constexpr std::size_t kMostOtherBytes = 16384;  // of all but the lists of nodes, pairs and bodies
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 /// Pairs that act, for each node and besides; far more than can be near it.
 constexpr std::uint64_t kMostPairsOfNode = 256, kMorePairs = 4096;
 
@@ -204,6 +204,11 @@ std::vector<std::byte> write_saved_state(const SavedState& state) {
       writer.number(coordinate);
   }
   for_each(state.totals, [&](const char*, auto value) { writer.number(value); });
+  writer.number(static_cast<std::uint64_t>(state.tears.cloths.size()));
+  for (const Tears::OfCloth& cloth : state.tears.cloths) {
+    writer.list(cloth.origin);
+    writer.list(cloth.triangles);
+  }
   std::vector<std::byte> bytes = writer.take();
   const std::uint64_t size = bytes.size(), hash = bytes_hash(std::span(bytes).subspan(kHeaderBytes));
   std::memcpy(bytes.data() + kSizeAt, &size, sizeof size);
@@ -248,6 +253,15 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes) {
   }
   for_each(state.totals,
            [&](const char*, auto& value) { value = reader.number<std::decay_t<decltype(value)>>(); });
+  const auto cloths = reader.number<std::uint64_t>();
+  if (cloths > bytes.size() / (2 * sizeof(std::uint64_t)))  // the lengths of a cloth's two lists
+    return input_error("The saved state has tears of %llu cloths in %zu bytes.",
+                       static_cast<unsigned long long>(cloths), bytes.size());
+  for (std::uint64_t cloth = 0; cloth < cloths; ++cloth) {
+    std::vector<std::uint32_t> origin = reader.list<std::uint32_t>("a list of parted nodes");
+    state.tears.cloths.push_back(
+        {std::move(origin), reader.list<mesh::Triangle>("a list of torn triangles")});
+  }
   WEFT_CHECK(reader.end());
   WEFT_CHECK(check_finite(state));
   return state;
@@ -260,7 +274,8 @@ std::string other_origin(const SavedState& state, const std::string& build, cons
   return other;
 }
 
-std::uint64_t most_saved_bytes(std::uint64_t nodes, std::uint64_t facets) {
+std::uint64_t most_saved_bytes(std::uint64_t nodes, std::uint64_t facets, std::uint64_t tearing_triangles) {
+  nodes += 3 * tearing_triangles;
   const std::uint64_t pairs = kMostPairsOfNode * nodes + kMorePairs;
   return (4 * sizeof(Vec4f) + sizeof(std::int32_t) * kHoldWords) * nodes + sizeof(Vec4f) * facets +
          sizeof(std::uint32_t) * kKeptWords * pairs + kMostRigidBytes + kMostOtherBytes;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "model/tears.hpp"
 #include "sim/grabs.hpp"
 #include "sim/snapshot.hpp"
 #include "weft/totals.hpp"
@@ -21,6 +22,7 @@ struct SavedState {
   Snapshot snapshot;
   std::vector<Grabbed> grabs;  // by the host's hand
   weft::Totals totals;         // of the frames up to then
+  Tears tears;                 // of its cloth
 };
 
 /// The bytes, little-endian: "weftsave"; the version, u32; 0, u32; the number of all bytes, u64; XXH3-64 of those that
@@ -34,7 +36,8 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes);
 /// "by BUILD on ADAPTER", as far as a state comes from another than these, so that bits may differ; "": from both.
 std::string other_origin(const SavedState& state, const std::string& build, const std::string& adapter);
 
-/// The most bytes that a state of so many nodes has, and of so many facets that keep bends.
-std::uint64_t most_saved_bytes(std::uint64_t nodes, std::uint64_t facets);
+/// The most bytes that a state of so many nodes has, of so many facets that keep bends, and of so many triangles of
+/// cloth that can tear: three nodes each, where all have parted.
+std::uint64_t most_saved_bytes(std::uint64_t nodes, std::uint64_t facets, std::uint64_t tearing_triangles);
 
 }  // namespace weft::sim

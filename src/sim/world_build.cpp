@@ -19,7 +19,9 @@ Result<void> check_node_count(std::uint64_t nodes, const gpu::Device& device) {
 Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_CHECK(check_node_count(node_count(scene_, assets), device_));
   assets_ = assets;
-  WEFT_TRY(host, build_model(scene_, assets));
+  tears_ = options.tears;
+  WEFT_TRY(whole, build_model(scene_, assets));
+  WEFT_TRY(host, torn_model(whole, tears_));
   for (std::size_t kind = 0; kind < kElementKinds; ++kind)
     element_counts_[kind] = host.count(static_cast<ElementKind>(kind));
   slivers_ = host.sliver_count();

@@ -191,15 +191,22 @@ Result<void> World::put_back(const Snapshot& snapshot) {
 Result<SavedState> World::save(const std::string& build) {
   WEFT_CHECK(finish());
   WEFT_TRY(snapshot, this->snapshot());
-  return SavedState{
-      build,  device_.adapter().name, scene_hash(scene_, assets_), std::move(snapshot), grabs_->held(),
-      totals_};
+  return SavedState{build,
+                    device_.adapter().name,
+                    scene_hash(scene_, assets_),
+                    std::move(snapshot),
+                    grabs_->held(),
+                    totals_,
+                    tears_};
 }
 
 Result<void> World::open(const SavedState& saved) {
   if (const std::uint64_t own = scene_hash(scene_, assets_); saved.scene != own)
     return input_error("The saved state is of another scene: its hash is %s, that of this one %s.",
                        hash_text(saved.scene).c_str(), hash_text(own).c_str());
+  if (!(saved.tears == tears_))
+    return input_error("The saved state has torn at %zu nodes, and this world otherwise, at %zu.",
+                       saved.tears.splits(), tears_.splits());
   const Snapshot& snapshot = saved.snapshot;
   if (snapshot.time.length != scene_.time.frame || snapshot.time.frame > kMostFrames)
     return input_error("The saved state is of frame %u of %g s each; this scene has up to %u of %g s.",

@@ -93,7 +93,8 @@ void check_goes_on(gpu::Device& device, const std::string& members) {
       world->snapshot()->creases;  // of cloth that keeps bends, and has kept some
   CHECK((creases.empty() ||
          std::any_of(creases.begin(), creases.end(), [](const Vec4f& c) { return c.w > 0; })));
-  CHECK(bytes.size() <= sim::most_saved_bytes(world->model().vertex_count(), world->state().creases.size()));
+  CHECK(bytes.size() <=
+        sim::most_saved_bytes(world->model().vertex_count(), world->state().creases.size(), 0));
   advance(*world, kAfter);
   auto other = world_with_box(device, scene);
   open(*other, bytes);

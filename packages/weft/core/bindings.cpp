@@ -329,7 +329,7 @@ EMSCRIPTEN_KEEPALIVE double weft_most_saved_bytes() {
   if (session == nullptr || session->world() == nullptr) return 0;
   const weft::sim::World& world = *session->world();
   return static_cast<double>(
-      weft::sim::most_saved_bytes(world.model().vertex_count(), world.state().creases.size()));
+      weft::sim::most_saved_bytes(world.model().vertex_count(), world.state().creases.size(), 0));
 }
 /// Sleeps; the bytes stay until it returns. Leaves what was opened as JSON in weft_message.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_open_state(const std::byte* bytes, std::uint32_t size) {

@@ -31,4 +31,9 @@ ElementTable build_springs(const mesh::TriangleMesh& mesh, const SpringMaterial&
   return table_of(mesh::mesh_springs(mesh, material.weights), material, first);
 }
 
+ElementTable build_springs(const mesh::TriangleMesh& mesh, std::span<const mesh::Triangle> torn,
+                           const SpringMaterial& material, std::uint32_t first) {
+  return table_of(mesh::torn_springs(mesh, material.weights, torn), material, first);
+}
+
 }  // namespace weft

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "element/spring/spring.hpp"
 #include "mesh/springs.hpp"
@@ -20,5 +21,8 @@ struct SpringMaterial {
 ElementTable build_springs(const mesh::Grid& grid, const SpringMaterial& material, std::uint32_t first);
 ElementTable build_springs(const mesh::TriangleMesh& mesh, const SpringMaterial& material,
                            std::uint32_t first);
+/// Those of a mesh that has torn: mesh::torn_springs.
+ElementTable build_springs(const mesh::TriangleMesh& mesh, std::span<const mesh::Triangle> torn,
+                           const SpringMaterial& material, std::uint32_t first);
 
 }  // namespace weft

@@ -1,0 +1,133 @@
+#include "model/tension.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/fabric.hpp"
+
+namespace weft {
+namespace {
+
+/// A triangle that is pressed to less than this part of its area bears no tension that could be told.
+constexpr double kFlat = 1e-9;
+
+/// F = R U, P = F S: the Biot stress is the symmetric part of U S = U⁻¹ (Fᵀ P), in the plane R.
+Mat3 biot_stress(const membrane::Law& law, const membrane::Axes& f) {
+  const membrane::Axes p = membrane::stress(law, f);
+  const double a = dot(f.warp, f.warp), b = dot(f.warp, f.weft), c = dot(f.weft, f.weft);
+  const double area = std::sqrt(std::max(a * c - b * b, 0.0));  // by that at rest
+  if (!(area > kFlat)) return {};
+  const double scale = std::sqrt(a + c + 2 * area);
+  // U = (C + area) / scale, and its determinant is the area.
+  const double i11 = (c + area) / (scale * area), i12 = -b / (scale * area),
+               i22 = (a + area) / (scale * area);
+  const Vec3d r1 = i11 * f.warp + i12 * f.weft, r2 = i12 * f.warp + i22 * f.weft;
+  const double g11 = dot(f.warp, p.warp), g12 = dot(f.warp, p.weft), g21 = dot(f.weft, p.warp),
+               g22 = dot(f.weft, p.weft);
+  const double b11 = i11 * g11 + i12 * g21, b22 = i12 * g12 + i22 * g22;
+  const double b12 = (i11 * g12 + i12 * g22 + i12 * g11 + i22 * g21) / 2;
+  return b11 * Mat3::outer(r1, r1) + b12 * (Mat3::outer(r1, r2) + Mat3::outer(r2, r1)) +
+         b22 * Mat3::outer(r2, r2);
+}
+
+double stiffness_of(const scene::Stiffness& stiffness, mesh::SpringKind kind) {
+  if (kind == mesh::SpringKind::Structural) return stiffness.structural;
+  return kind == mesh::SpringKind::Shear ? stiffness.shear : stiffness.bend;
+}
+
+/// Of each triangle of springs, times its area [N·m]: half of each edge's and of what crosses it, and all at a rim.
+std::vector<Mat3> spring_tensions(const Model& model, const Body& body, std::span<const Vec3d> position) {
+  mesh::TriangleMesh mesh = cloth_mesh(model, body);
+  const std::vector<mesh::Triangle> torn = mesh.triangles;
+  if (!body.whole.empty()) mesh.triangles = body.whole;
+  std::vector<Mat3> sums(torn.size());
+  for (const mesh::MeshSpring& spring : mesh::torn_springs(mesh, body.weights, torn)) {
+    const Vec3d span =
+        position[body.first_vertex + spring.node_b] - position[body.first_vertex + spring.node_a];
+    const double now = length(span);
+    if (!(now > 0)) continue;
+    const double force =
+        spring.weight * stiffness_of(body.stiffness, spring.kind) * (now - spring.rest_length);
+    const Mat3 half = force * spring.rest_length / (2 * now * now) * Mat3::outer(span, span);
+    for (const std::uint32_t triangle : spring.triangles) sums[triangle] += half;
+  }
+  return sums;
+}
+
+/// The same of fabric.
+std::vector<Mat3> fabric_tensions(const Model& model, const Body& body, std::span<const Vec3d> position) {
+  const FabricSheet sheet = fabric_sheet(model, body);
+  const membrane::Law law = membrane_law(*body.fabric);
+  std::vector<Mat3> sums;
+  for (const mesh::Triangle& t : sheet.triangles) {
+    const auto& at = sheet.position;
+    const auto place = [&](std::size_t k) { return position[body.first_vertex + t[k]]; };
+    const membrane::Rest rest = membrane::Rest::of(places_of({at[t[0]], at[t[1]], at[t[2]]}, sheet.warp));
+    sums.push_back(rest.area * biot_stress(law, membrane::deformation(rest, {place(0), place(1), place(2)})));
+  }
+  return sums;
+}
+
+}  // namespace
+
+std::vector<Mat3> tensions(const Model& model, const Body& body, std::span<const Vec3d> position) {
+  const std::vector<Mat3> of_triangles =
+      body.fabric ? fabric_tensions(model, body, position) : spring_tensions(model, body, position);
+  std::vector<Mat3> sums(body.vertex_count);
+  std::vector<double> areas(body.vertex_count);
+  const std::vector<mesh::Triangle> triangles = own_triangles(model, body);
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const auto at = [&](std::size_t corner) {
+      return model.rest_position[body.first_vertex + triangles[k][corner]];
+    };
+    const double area = length(cross(at(1) - at(0), at(2) - at(0))) / 2;
+    for (const std::uint32_t node : triangles[k]) {
+      areas[node] += area;
+      sums[node] += of_triangles[k];
+    }
+  }
+  for (std::size_t node = 0; node < sums.size(); ++node)
+    if (areas[node] > 0) sums[node] = 1 / areas[node] * sums[node];
+  return sums;
+}
+
+Principal largest_principal(const Mat3& symmetric) {
+  std::array<std::array<double, 3>, 3> m{}, v{};
+  const std::array<Vec3d, 3> rows = {symmetric.x, symmetric.y, symmetric.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    v[i][i] = 1;
+    for (std::size_t j = 0; j < 3; ++j) m[i][j] = rows[i][static_cast<int>(j)];
+  }
+  constexpr int kSweeps = 12;  // converges with the square; six reach the last bit
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (std::size_t p = 0; p < 2; ++p)
+      for (std::size_t q = p + 1; q < 3; ++q) {
+        if (m[p][q] == 0) continue;
+        const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+        const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+        const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double a = m[k][p], b = m[k][q];
+          m[k][p] = c * a - s * b;
+          m[k][q] = s * a + c * b;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double a = m[p][k], b = m[q][k];
+          m[p][k] = c * a - s * b;
+          m[q][k] = s * a + c * b;
+        }
+        m[p][q] = m[q][p] = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double a = v[k][p], b = v[k][q];
+          v[k][p] = c * a - s * b;
+          v[k][q] = s * a + c * b;
+        }
+      }
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (m[k][k] > m[best][best]) best = k;
+  return {m[best][best], {v[0][best], v[1][best], v[2][best]}};
+}
+
+}  // namespace weft

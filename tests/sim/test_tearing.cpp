@@ -1,0 +1,84 @@
+// A world that tears: by explicit and implicit steps, from saved bytes, for every workgroup size.
+#include "contact_rig.hpp"
+#include "method/method.hpp"
+#include "scene/names.hpp"
+#include "sim/torn_state.hpp"
+
+using namespace weft;
+
+namespace {
+
+constexpr double kWarp = 200, kStrength = 20, kLength = 0.24, kSpeed = 0.1;  // N/m, N/m, m, m/s
+
+/// A strip between two clamps that go apart, beside nothing.
+scene::Scene pulled_strip(const std::string& solver, bool pulled, const std::string& contact) {
+  return contact_scene(R"("gravity": [0, 0, 0], "solver": {"kind": ")" + solver + R"("},
+      "contact": {"method": ")" +
+                       contact + R"(", "thickness": 0.004},
+      "cloths": [{"grid": [13, 6], "size": [0.24, 0.1], "density": 0.1, "strength": 20, "pins": ["left"],
+                  "fabric": {"warp": 200, "shear": 60, "bending_warp": 1e-5, "damping": 0.01},
+                  "motions": [{"nodes": "right", "kind": "line", "direction": [1, 0, 0], "speed": )" +
+                       (pulled ? "0.1" : "1e-9") + "}]}]");
+}
+
+/// Goes on by so many frames, and tears before each. The last world of the run.
+std::unique_ptr<sim::World> torn_on(gpu::Device& device, std::unique_ptr<sim::World> world, int frames) {
+  for (int frame = 0; frame < frames; ++frame) {
+    auto torn = sim::torn_state(*world, "test");
+    REQUIRE_OK(torn);
+    if (*torn) {
+      sim::WorldOptions options;
+      options.tears = (*torn)->tears;
+      auto next = sim::World::create(device, world->scene(), world->assets(), options);
+      REQUIRE_OK(next);
+      REQUIRE_OK((*next)->open(**torn));
+      world = std::move(*next);
+    }
+    advance(*world, 1);
+  }
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a strip that is pulled slowly tears at the strain of its strength by its modulus, and unpulled never") {
+  GpuFixture fixture;
+  for (const std::string solver : {"mass_spring", "multigrid"}) {
+    CAPTURE(solver);
+    const double first = kStrength / kWarp * kLength / kSpeed * 60;  // frames, from rest
+    auto world = torn_on(fixture.device(), world_of(fixture.device(), pulled_strip(solver, true, "none")),
+                         static_cast<int>(0.8 * first));
+    CHECK(world->tears().splits() == 0);
+    world = torn_on(fixture.device(), std::move(world), static_cast<int>(0.4 * first));
+    CHECK(world->tears().splits() > 0);
+    world = torn_on(fixture.device(), world_of(fixture.device(), pulled_strip(solver, false, "none")), 10);
+    CHECK(world->tears().splits() == 0);
+  }
+}
+
+TEST_CASE(
+    "long: a torn world goes on from its bytes to the bits of one that never stopped, and refuses other "
+    "tears") {
+  GpuFixture fixture;
+  for (const std::string solver : {"mass_spring", "multigrid"}) {
+    CAPTURE(solver);
+    auto world =
+        torn_on(fixture.device(), world_of(fixture.device(), pulled_strip(solver, true, "proximity")), 14);
+    world = torn_on(fixture.device(), std::move(world), 3);
+    REQUIRE(world->tears().splits() > 0);
+    const auto saved = world->save("test");
+    REQUIRE_OK(saved);
+    const auto read = sim::read_saved_state(sim::write_saved_state(*saved));
+    REQUIRE_OK(read);
+    CHECK(read->tears == saved->tears);
+    auto whole = world_of(fixture.device(), pulled_strip(solver, true, "proximity"));
+    CHECK_FALSE(whole->open(*read));
+    sim::WorldOptions options{.workgroup_size = 64, .tears = read->tears};
+    auto other = sim::World::create(fixture.device(), whole->scene(), whole->assets(), options);
+    REQUIRE_OK(other);
+    REQUIRE_OK((*other)->open(*read));
+    const std::string ended = hash_of(*torn_on(fixture.device(), std::move(world), 3));
+    CHECK(hash_of(*torn_on(fixture.device(), std::move(*other), 3)) == ended);
+  }
+}
