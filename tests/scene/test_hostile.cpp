@@ -126,7 +126,7 @@ std::vector<Hostile> hostile_scenes() {
       {scene_with(R"("render": {"subdivide": 5})"), "render.subdivide is 5; it must be from 0 to 4"},
       {scene_with(R"("render": {"subdivide": 1.5})"), "render.subdivide is 1.5, not a whole number"},
       {R"({"format": "weft-scene/1", "render": {"subdivide": 2}, "cloths": [{"mesh": "a.obj", "density": 1}]})",
-       "render.subdivide is 2, and cloths[0] is a mesh; only grids are drawn finer", false},
+       "render.subdivide is 2, and cloths[0] is a mesh; only grids that do not tear are drawn finer", false},
       {scene_with(R"("render": {"sise": [1280, 720]})"), R"(render.sise is not known; did you mean "size"?)"},
       // grabs
       {cloth_with(R"("grabs": [{"node": "top_left"}])"),
@@ -424,7 +424,7 @@ std::vector<Hostile> hostile_scenes() {
        R"(bodies[0] has no springs; solver.forces "spring_centric" has springs only)", false},
       {R"({"format": "weft-scene/1", "render": {"subdivide": 1}, "bodies": [
            {"tetrahedra": "b.msh", "density": 1000, "material": {"young": 1}}]})",
-       "render.subdivide is 1, and bodies[0] is a body; only grids are drawn finer", false},
+       "render.subdivide is 1, and bodies[0] is a body; only grids that do not tear are drawn finer", false},
       // What only one method can do.
       {scene_with(
            R"("contact": {"method": "bvh"}, "colliders": [{"kind": "capsule", "a": [0, 0, 0], "b": [1, 0, 0],
