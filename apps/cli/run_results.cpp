@@ -58,9 +58,8 @@ Result<void> RunResults::write_checkpoint(const sim::SavedState& state) {
 }
 
 Result<void> RunResults::settle() {
-  if (!pictures_) return {};
-  WEFT_CHECK(pictures_->settle());
-  pictures_->let_go();
+  if (pictures_) WEFT_CHECK(pictures_->settle());
+  let_go();
   return {};
 }
 

@@ -66,13 +66,13 @@ Result<void> SceneRun::begin() {
 }
 
 Result<void> SceneRun::resume() {
-  const auto opened = [&]() -> Result<sim::SavedState> {
+  auto opened = [&]() -> Result<sim::SavedState> {
     WEFT_TRY(state, read_checkpoint(options_.resume, *world_));
     WEFT_CHECK(open(state));
     return state;
   }();
   if (!opened) return opened.error().while_doing("resuming from " + options_.resume);
-  sim::SavedState read = *opened;
+  sim::SavedState read = std::move(*opened);
   if (const std::string other = other_origin(read, *world_); !other.empty()) say("%s", other.c_str());
   summary_.resumed_frames = furthest_ = read.snapshot.time.frame;
   tangled_ = read.totals.crossings > 0;

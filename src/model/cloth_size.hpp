@@ -7,5 +7,7 @@ namespace weft {
 
 double mass_of(const Model& model, const Body& body);  // [kg]
 double area_of(const Model& model, const Body& body);  // of its triangles [m²]
+/// Of a triangle whose nodes count among all [m²].
+double area_of(const Model& model, const mesh::Triangle& triangle);
 
 }  // namespace weft

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/cloth_size.hpp"
+
 namespace weft {
 namespace {
 
@@ -25,21 +27,14 @@ Moduli grid_moduli(const mesh::Grid& grid, const scene::Stiffness& k) {
                     along_y * dy / dx + diagonals * dy * dy * dy * dy, mixed});
 }
 
-double triangle_area(const Model& model, const mesh::Triangle& t) {
-  const Vec3d& a = model.rest_position[t[0]];
-  return 0.5 * length(cross(model.rest_position[t[1]] - a, model.rest_position[t[2]] - a));
-}
-
 /// The mean of n_i n_j n_k n_l over directions is 3/8 for C11 and C22, 1/8 for C12 and C33.
 Moduli mesh_moduli(const Model& model, const Body& body) {
-  double sum = 0, area = 0;
+  double sum = 0;
   for (const Spring spring : model.springs(body)) {
     const auto rest = static_cast<double>(spring.rest_length);
     sum += static_cast<double>(spring.stiffness) * rest * rest;
   }
-  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t)
-    area += triangle_area(model, model.triangles[t]);
-  const double mean = sum / area;
+  const double mean = sum / area_of(model, body);
   return moduli_of({0.375 * mean, 0.125 * mean, 0.375 * mean, 0.125 * mean});
 }
 
@@ -64,7 +59,7 @@ double least_height(const Model& model, const Body& body) {
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(
           longest, length(model.rest_position[triangle[(k + 1) % 3]] - model.rest_position[triangle[k]]));
-    least = std::min(least, 2 * triangle_area(model, triangle) / longest);
+    least = std::min(least, 2 * area_of(model, triangle) / longest);
   }
   return least;
 }

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
+#include "model/cloth_size.hpp"
+
 namespace weft {
 namespace {
-
-double area_of(const Model& model, const Body& body, const mesh::Triangle& t) {
-  const auto at = [&](std::uint32_t node) { return model.rest_position[body.first_vertex + node]; };
-  return length(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]))) / 2;
-}
 
 /// The whole cloth's node that a node is a part of.
 std::uint32_t origin_of(const Tears::OfCloth& tears, const Body& body, std::uint32_t node) {
@@ -46,9 +43,7 @@ std::vector<double> masses_of(const Model& whole, const Body& body, const Tears:
   const std::size_t nodes = body.vertex_count + tears.origin.size();
   std::vector<double> area(nodes), area_whole(body.vertex_count);
   for (std::size_t t = 0; t < tears.triangles.size(); ++t) {
-    const mesh::Triangle& own = whole.triangles[body.first_triangle + t];
-    const double size = area_of(
-        whole, body, {own[0] - body.first_vertex, own[1] - body.first_vertex, own[2] - body.first_vertex});
+    const double size = area_of(whole, whole.triangles[body.first_triangle + t]);
     for (const std::uint32_t node : tears.triangles[t]) {
       area[node] += size;
       area_whole[origin_of(tears, body, node)] += size;

@@ -1,9 +1,10 @@
 #include "model/tension.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "mesh/mass_moments.hpp"
+#include "model/cloth_size.hpp"
 #include "model/fabric.hpp"
 
 namespace weft {
@@ -76,15 +77,12 @@ std::vector<Mat3> tensions(const Model& model, const Body& body, std::span<const
       body.fabric ? fabric_tensions(model, body, position) : spring_tensions(model, body, position);
   std::vector<Mat3> sums(body.vertex_count);
   std::vector<double> areas(body.vertex_count);
-  const std::vector<mesh::Triangle> triangles = own_triangles(model, body);
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const auto at = [&](std::size_t corner) {
-      return model.rest_position[body.first_vertex + triangles[k][corner]];
-    };
-    const double area = length(cross(at(1) - at(0), at(2) - at(0))) / 2;
-    for (const std::uint32_t node : triangles[k]) {
-      areas[node] += area;
-      sums[node] += of_triangles[k];
+  for (std::size_t k = 0; k < of_triangles.size(); ++k) {
+    const mesh::Triangle& triangle = model.triangles[body.first_triangle + k];
+    const double area = area_of(model, triangle);
+    for (const std::uint32_t vertex : triangle) {
+      areas[vertex - body.first_vertex] += area;
+      sums[vertex - body.first_vertex] += of_triangles[k];
     }
   }
   for (std::size_t node = 0; node < sums.size(); ++node)
@@ -93,41 +91,11 @@ std::vector<Mat3> tensions(const Model& model, const Body& body, std::span<const
 }
 
 Principal largest_principal(const Mat3& symmetric) {
-  std::array<std::array<double, 3>, 3> m{}, v{};
-  const std::array<Vec3d, 3> rows = {symmetric.x, symmetric.y, symmetric.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    v[i][i] = 1;
-    for (std::size_t j = 0; j < 3; ++j) m[i][j] = rows[i][static_cast<int>(j)];
-  }
-  constexpr int kSweeps = 12;  // converges with the square; six reach the last bit
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-    for (std::size_t p = 0; p < 2; ++p)
-      for (std::size_t q = p + 1; q < 3; ++q) {
-        if (m[p][q] == 0) continue;
-        const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
-        const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-        const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double a = m[k][p], b = m[k][q];
-          m[k][p] = c * a - s * b;
-          m[k][q] = s * a + c * b;
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double a = m[p][k], b = m[q][k];
-          m[p][k] = c * a - s * b;
-          m[q][k] = s * a + c * b;
-        }
-        m[p][q] = m[q][p] = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double a = v[k][p], b = v[k][q];
-          v[k][p] = c * a - s * b;
-          v[k][q] = s * a + c * b;
-        }
-      }
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (m[k][k] > m[best][best]) best = k;
-  return {m[best][best], {v[0][best], v[1][best], v[2][best]}};
+  const auto [values, axes] = mesh::principal_axes(symmetric);
+  int best = 0;
+  for (int k = 1; k < 3; ++k)
+    if (values[k] > values[best]) best = k;
+  return {values[best], {axes.x[best], axes.y[best], axes.z[best]}};
 }
 
 }  // namespace weft

@@ -16,8 +16,7 @@ namespace weft {
 /// Reads   position: of all the model's nodes [m].
 std::vector<Mat3> tensions(const Model& model, const Body& body, std::span<const Vec3d> position);
 
-/// The largest eigenvalue of a symmetric matrix, and its unit eigenvector. Adds, multiplies, divides and takes roots
-/// only, in one order: the same bits on every machine. Source: Jacobi's method.
+/// The largest eigenvalue of a symmetric matrix, and its unit eigenvector.
 struct Principal {
   double value = 0;
   Vec3d direction;

@@ -58,6 +58,18 @@ void check_too_near(gpu::Device& device, const std::string& solver, const Under&
 
 namespace {
 
+/// The most energy after one of so many frames [J]; 0 where there is never any.
+double most_energy(sim::World& world, int frames) {
+  double most = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    advance(world, 1);
+    const Moment now(world);
+    REQUIRE(now.finite());
+    most = std::max(most, energy_of(world, now));
+  }
+  return most;
+}
+
 /// From the middle of the first sheet, or of what does not move, to that of the last [m].
 Vec3d between_sheets(const Moment& now) {
   Vec3d sum;
@@ -102,13 +114,7 @@ void check_in_each_other(gpu::Device& device, int substeps) {
                                      .colliders = obstacle});
       const Moment start(*world);
       const double mass = total(start.mass);
-      double gained = 0;
-      for (int frame = 0; frame < 8; ++frame) {
-        advance(*world, 1);
-        const Moment now(*world);
-        REQUIRE(now.finite());
-        gained = std::max(gained, energy_of(*world, now));
-      }
+      const double gained = most_energy(*world, 8);
       const Moment now(*world);
       const double apart = length(between_sheets(now) - between_sheets(start));
       MESSAGE(solver, ": energy gained ", gained / mass, " J/kg, apart by ", 1e3 * apart, " mm");
@@ -155,13 +161,7 @@ TEST_CASE(
                                         .substeps = 20,
                                         .cloths = lying_cloth(6, "[0.013, " + text_of(lies) + ", 0.021]"),
                                         .colliders = hull(half)});
-        double gained = 0;
-        for (int frame = 0; frame < 12; ++frame) {
-          advance(*world, 1);
-          const Moment now(*world);
-          REQUIRE(now.finite());
-          gained = std::max(gained, energy_of(*world, now));
-        }
+        const double gained = most_energy(*world, 12);
         const Moment now(*world);
         double lowest = HUGE_VAL;  // over the face
         for (const Vec3d& p : now.position)

@@ -4,6 +4,7 @@ import { followSize, setFirstSize } from "./canvas_size.js";
 import { ClothSketch, type Look } from "./cloth_sketch.js";
 import { fetchScene, type Grid } from "./scenes.js";
 import { plain } from "./state/page_state.js";
+import { Ticks } from "./ticks.js";
 import { turnBy } from "./turning.js";
 
 /** Always in motion. 24 × 18 nodes take a fifth of a frame with drawing (docs/reference.md), for slower machines. */
@@ -16,8 +17,7 @@ export interface ReferencePlayerEvents {
 
 export class ReferencePlayer {
   private wanted = false; // by who looks at it
-  private timer = 0;
-  private lastTick = 0;
+  private readonly ticks = new Ticks((elapsed) => this.tick(elapsed));
   private due = 0; // simulated time that has come due since the last frame [s]
 
   private constructor(private readonly reference: Reference, private readonly sketch: ClothSketch,
@@ -62,23 +62,14 @@ export class ReferencePlayer {
   // Time
 
   private schedule(): void {
-    const run = this.wanted && !document.hidden;
-    if (run && this.timer === 0) {
-      this.lastTick = performance.now();
-      this.due = 0;
-      this.timer = requestAnimationFrame((now) => this.tick(now));
-    } else if (!run && this.timer !== 0) {
-      cancelAnimationFrame(this.timer);
-      this.timer = 0;
-    }
+    if (!this.ticks.running) this.due = 0;
+    this.ticks.run(this.wanted && !document.hidden);
   }
 
-  private tick(now: number): void {
-    this.timer = requestAnimationFrame((next) => this.tick(next));
+  private tick(elapsed: number): void {
     const { frameSeconds } = this.reference.info;
     // As World does: what is late by more than a frame is dropped, and half a millisecond of slack keeps one a tick.
-    this.due = Math.min(this.due + (now - this.lastTick) / 1000, 2 * frameSeconds);
-    this.lastTick = now;
+    this.due = Math.min(this.due + elapsed / 1000, 2 * frameSeconds);
     if (this.due + 5e-4 < frameSeconds) return;
     this.due -= frameSeconds;
     try {
@@ -99,6 +90,6 @@ export class ReferencePlayer {
 
   private orbit(dx: number, dy: number): void {
     this.sketch.orbit(dx, dy);
-    if (this.timer === 0) this.draw();
+    if (!this.ticks.running) this.draw();
   }
 }

@@ -1,8 +1,9 @@
 // A lesson on the page: its sliders, its readings, its plot, and its picture in time. What is shown has been computed
 // before, so it is played at its own pace on any machine.
 import { significant } from "../src/digits.js";
-import { button, element, input } from "../src/elements.js";
+import { element, input } from "../src/elements.js";
 import { sentence } from "../src/sentence.js";
+import { Ticks } from "../src/ticks.js";
 import type { Course, Curve, Pen, Quantity } from "./course.js";
 import { LinePlot, type Axes } from "./line_plot.js";
 
@@ -27,9 +28,9 @@ export class LessonView {
   private readonly plot: LinePlot;
   private playing = !still.matches;
   private visible = false;
-  private timer = 0;
+  private readonly ticks = new Ticks((elapsed) => this.tick(elapsed));
+  private readonly player: HTMLButtonElement;
   private seconds = 0;
-  private last = 0;
   private asked = 0;
   private turn: Promise<void> = Promise.resolve();
 
@@ -41,7 +42,9 @@ export class LessonView {
     this.context = context;
     this.plot = new LinePlot(element(`${name}-plot`, HTMLDivElement), axes);
     for (const id of sliders) input(id).addEventListener("input", () => void this.update());
-    button(`${name}-play`).addEventListener("click", () => this.play(!this.playing));
+    this.player = playButton(name);
+    this.player.addEventListener("click", () => this.play(!this.playing));
+    this.canvas.parentElement!.querySelector("figcaption")!.prepend(this.player);
     new IntersectionObserver(([entry]) => {
       this.visible = entry!.isIntersecting;
       this.schedule();
@@ -82,7 +85,7 @@ export class LessonView {
   private show(): void {
     const { course } = this;
     const { name } = this.options;
-    button(`${name}-play`).disabled = course === null;
+    this.player.disabled = course === null;
     if (!course) return;
     for (const [id, reading] of Object.entries(course.readings))
       element(id, HTMLElement).textContent = inWords(reading);
@@ -93,31 +96,21 @@ export class LessonView {
   }
 
   private play(on: boolean): void {
-    const { name } = this.options;
     this.playing = on;
-    button(`${name}-play`).dataset["playing"] = String(on);
-    element(`${name}-play-label`, HTMLSpanElement).textContent = on ? "Pause" : "Play";
+    this.player.dataset["playing"] = String(on);
+    element(`${this.options.name}-play-label`, HTMLSpanElement).textContent = on ? "Pause" : "Play";
     this.schedule();
   }
 
   private schedule(): void {
-    const run = this.playing && this.visible && !document.hidden;
-    if (run && this.timer === 0) {
-      this.last = performance.now();
-      this.timer = requestAnimationFrame((now) => this.tick(now));
-    } else if (!run && this.timer !== 0) {
-      cancelAnimationFrame(this.timer);
-      this.timer = 0;
-    }
+    this.ticks.run(this.playing && this.visible && !document.hidden);
   }
 
-  private tick(now: number): void {
-    this.timer = requestAnimationFrame((next) => this.tick(next));
+  private tick(elapsed: number): void {
     if (!this.course_) return;
     const { duration, slowed = 1 } = this.course_;
     // The time of a frame may lie before the click that began it.
-    this.seconds += Math.max(0, now - this.last) / 1000 / slowed;
-    this.last = now;
+    this.seconds += Math.max(0, elapsed) / 1000 / slowed;
     if (this.seconds > duration + REST / slowed) this.seconds = 0;
     this.draw();
   }
@@ -136,6 +129,15 @@ export class LessonView {
     course.draw(pen, seconds);
     this.plot.point(course.at(seconds));
   }
+}
+
+/** The page's button to play, as that of a lesson: NAME-play, with the label NAME-play-label. */
+function playButton(name: string): HTMLButtonElement {
+  const made = element("play", HTMLTemplateElement).content.firstElementChild!.cloneNode(true) as HTMLButtonElement;
+  made.id = `${name}-play`;
+  made.setAttribute("aria-describedby", `${name}-title`);
+  made.querySelector("span")!.id = `${name}-play-label`;
+  return made;
 }
 
 /** With four digits that count. */

@@ -1,11 +1,10 @@
-import { readFileSync } from "node:fs";
 import { readFile } from "node:fs/promises";
-import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import type { Page } from "playwright-core";
 import { expect, test } from "vitest";
 import type { Report } from "../../../apps/web/compare/report.js";
-import { launch, ROOT } from "../chromium.ts";
+import { violations } from "../axe.ts";
+import { launch } from "../chromium.ts";
 import { expectClean, until } from "../page/browser.ts";
 import { compared, openedWithBoth } from "./compare.ts";
 
@@ -129,14 +128,7 @@ for (const [device, viewport, colorScheme] of [["desktop", { width: 1440, height
     const { page } = seen;
     await button(page, "Start").click();
     await finished(page);
-    await page.addScriptTag({ content: readFileSync(join(ROOT, "node_modules/axe-core/axe.min.js"), "utf8") });
-    const faults = await page.evaluate(async () => {
-      const { axe } = window as unknown as {
-        axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-      };
-      return (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
-    });
-    expect(faults).toEqual([]);
+    expect(await violations(page)).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     const small = await page.locator("button, .home").evaluateAll((all) =>
       all.map((one) => [one.textContent, one.getBoundingClientRect()] as const)

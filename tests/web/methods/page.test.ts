@@ -6,6 +6,7 @@ import { expect, test } from "vitest";
 import stored from "../../../apps/web/methods/sheet_run.json";
 import type { MethodsHandle } from "../../../apps/web/methods/main.js";
 import { front, kindsOf, sidesOf, type StoredRun } from "../../../apps/web/methods/stored_run.ts";
+import { violations } from "../axe.ts";
 import { launch, ROOT } from "../chromium.ts";
 import { expectClean, opened, until, visit, type Visit } from "../page/browser.ts";
 
@@ -49,15 +50,6 @@ const cameras = async (page: Page) => {
   return page.evaluate(() => window.methods.worlds.map((world) => world!.camera));
 };
 
-async function axe(page: Page): Promise<string[]> {
-  await page.addScriptTag({ content: readFileSync(join(ROOT, "node_modules/axe-core/axe.min.js"), "utf8") });
-  return page.evaluate(async () => {
-    const { axe } = window as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-    };
-    return (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
-  });
-}
 const overflow = (page: Page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 
 const norm = (values: readonly number[]) => Math.sqrt(values.reduce((sum, value) => sum + value * value, 0));
@@ -137,7 +129,7 @@ test("methods step in lock step, and what is read of them is what their states s
   const [kept, made] = await cameras(page);
   expect(apart(made!.eye, kept!.eye)).toBeLessThan(0.01 * distance);
   expect(apart(made!.eye, camera!.eye)).toBeGreaterThan(0.05 * distance);
-  expect(await axe(page)).toEqual([]);
+  expect(await violations(page)).toEqual([]);
   expect(await overflow(page)).toBeLessThanOrEqual(0);
   expectClean(seen, here.site);
   await page.context().close();
@@ -159,7 +151,7 @@ test("a method that refuses the scene says so in the core's words, and takes par
   await button(page, "Play").click();
   await until("it stops, since nothing can play", () => button(page, "Play").isVisible());
   for (const summary of await page.locator("summary").all()) await summary.click();
-  expect(await axe(page)).toEqual([]);
+  expect(await violations(page)).toEqual([]);
   expect(await overflow(page)).toBeLessThanOrEqual(0);
   const small = await page.locator("button:visible, select:visible, input:visible, summary, .home")
     .evaluateAll((all) => all.filter((one) => one.getBoundingClientRect().height < 44).map((one) => one.outerHTML));

@@ -1,12 +1,7 @@
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterEach, expect, test } from "vitest";
+import { violations } from "../axe.ts";
 import { expectClean, frames, opened, ready, until, visit, type Visit } from "./browser.js";
-
-const AXE = readFileSync(join(import.meta.dirname, "../../../node_modules/axe-core/axe.min.js"), "utf8");
-
-declare const axe: { run(context?: unknown): Promise<{ violations: { id: string; nodes: { target: string[] }[] }[] }> };
 
 const here = opened();
 let seen: Visit;
@@ -22,16 +17,6 @@ async function open(options: Parameters<typeof visit>[2]): Promise<Page> {
   });
   await ready(seen.page);
   return seen.page;
-}
-
-/** What axe-core finds, as "rule: elements". */
-async function violations(page: Page): Promise<string[]> {
-  await page.addScriptTag({ content: AXE });
-  return page.evaluate(async () =>
-    (await axe.run()).violations.map(({ id, nodes }) =>
-      `${id}: ${nodes.map(({ target }) => target.join(" ")).join(", ")}`
-    )
-  );
 }
 
 for (const colorScheme of ["dark", "light"] as const)

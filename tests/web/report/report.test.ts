@@ -1,18 +1,15 @@
 // report/index.html, made from the stored results, in a browser: by itself, without complaints, and to be read by
 // everyone.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import type { Browser, Page } from "playwright-core";
+import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { violations } from "../axe.ts";
 import { launch, ROOT } from "../chromium.ts";
 import { visit } from "../page/browser.ts";
-
-const AXE = readFileSync(join(ROOT, "node_modules/axe-core/axe.min.js"), "utf8");
-
-declare const axe: { run(): Promise<{ violations: { id: string; nodes: { target: string[] }[] }[] }> };
 
 const out = mkdtempSync(join(tmpdir(), "weft-report-"));
 const address = pathToFileURL(join(out, "index.html")).href;
@@ -26,16 +23,6 @@ afterAll(async () => {
   await browser.close();
   rmSync(out, { recursive: true });
 });
-
-/** What axe-core finds, as "rule: elements". */
-async function violations(page: Page): Promise<string[]> {
-  await page.evaluate(AXE);
-  return page.evaluate(async () =>
-    (await axe.run()).violations.map(({ id, nodes }) =>
-      `${id}: ${nodes.map(({ target }) => target.join(" ")).join(", ")}`
-    )
-  );
-}
 
 for (const colorScheme of ["light", "dark"] as const)
   test(`it opens without errors or requests, and axe finds nothing, in the ${colorScheme} theme`, async () => {

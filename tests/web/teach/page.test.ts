@@ -1,10 +1,9 @@
 // The lessons as a visitor has them, each held to its law on both sides of what it says.
-import { readFileSync } from "node:fs";
-import { join } from "node:path";
 import type { BrowserContextOptions, Page } from "playwright-core";
 import { expect, test } from "vitest";
 import type { TeachHandle } from "../../../apps/web/teach/main.js";
-import { launch, ROOT } from "../chromium.ts";
+import { violations } from "../axe.ts";
+import { launch } from "../chromium.ts";
 import { expectClean, opened, until, visit, type Visit } from "../page/browser.ts";
 
 declare const window: { readonly teach: TeachHandle }; // in the functions that the page runs
@@ -26,16 +25,6 @@ async function set(page: Page, sliders: Readonly<Record<string, number>>): Promi
   return page.evaluate(() => window.teach.readings()) as Promise<Readings>;
 }
 const verdict = (page: Page, name: string) => page.locator(`#${name}-verdict`).textContent();
-
-async function axe(page: Page): Promise<string[]> {
-  await page.addScriptTag({ content: readFileSync(join(ROOT, "node_modules/axe-core/axe.min.js"), "utf8") });
-  return page.evaluate(async () => {
-    const { axe } = window as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-    };
-    return (await axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
-  });
-}
 
 test("what the lessons measure is what the laws say", async () => {
   const seen = await teach();
@@ -116,7 +105,7 @@ for (const colorScheme of ["dark", "light"] as const)
   test(`the ${colorScheme} page is fit for all: axe, a phone, the keyboard, less motion`, async () => {
     const seen = await teach({ colorScheme, viewport: { width: 390, height: 844 } });
     const { page } = seen;
-    expect(await axe(page)).toEqual([]);
+    expect(await violations(page)).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     const small = await page.locator("button:visible, input:visible, .contents a, .home").evaluateAll((all) =>
       all.filter((one) => one.getBoundingClientRect().height < 44).map((one) => one.outerHTML)

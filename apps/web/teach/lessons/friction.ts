@@ -1,7 +1,7 @@
 // A sheet on a slope: it sticks as long as the slope is flatter than the friction angle, and slides beyond.
 import { slide } from "../laws.js";
 import { accelerationOf } from "../measured.js";
-import { recorded, type Course, type Pen } from "../course.js";
+import { recorded, type Course, type Curve, type Pen } from "../course.js";
 import { drawArrow } from "../drawings.js";
 import { FRAME, GRAVITY, slope } from "../scenes.js";
 
@@ -22,13 +22,24 @@ async function ways(degrees: number, friction: number): Promise<number[]> {
   return places.map((place) => place - places[0]!);
 }
 
+/** What each slope of TRIED measures, by the coefficient: another slope of the visitor's needs them again. */
+const measuredBy = new Map<number, Curve["points"]>();
+
+async function triedBy(coefficient: number): Promise<Curve["points"]> {
+  const known = measuredBy.get(coefficient);
+  if (known) return known;
+  const dots: (readonly [number, number])[] = [];
+  for (const tried of TRIED) dots.push([tried, accelerationOf(await ways(tried, coefficient), FRAME)]);
+  measuredBy.set(coefficient, dots);
+  return dots;
+}
+
 export async function friction(degrees: number, coefficient: number): Promise<Course> {
   const way = await ways(degrees, coefficient);
   const measured = accelerationOf(way, FRAME);
   const byLaw = slide(radians(degrees), coefficient, GRAVITY);
   const angle = (Math.atan(coefficient) * 180) / Math.PI;
-  const dots: (readonly [number, number])[] = [];
-  for (const tried of TRIED) dots.push([tried, accelerationOf(await ways(tried, coefficient), FRAME)]);
+  const dots = await triedBy(coefficient);
   const all = Array.from({ length: 121 }, (_, i) => i / 2);
   const slides = way.at(-1)! > 1e-3;
   return {
