@@ -10,7 +10,7 @@
 namespace weft {
 
 /// An edge of a cloth's triangles that is to be no longer than its strain limit lets it be.
-/// Mirror: src/contact/proximity/limit_edges.wgsl.
+/// Mirror: src/contact/proximity/limited_edge.wgsl.
 struct LimitedEdge {
   std::uint32_t a = 0, b = 0;
   float longest = 0;  // [m]

@@ -319,7 +319,7 @@ Json convex_body() {
 }
 Json limited_edge() {
   using T = LimitedEdge;
-  return row("LimitedEdge", "contact/proximity/limit_edges.wgsl", sizeof(T), kExact,
+  return row("LimitedEdge", "contact/proximity/limited_edge.wgsl", sizeof(T), kExact,
              {M(a), M(b), M(longest)});
 }
 Json limit_spring() {

@@ -134,3 +134,76 @@ TEST_CASE("a vertex with many edges at once gains no energy by any of them") {
     }
   }
 }
+
+TEST_CASE(
+    "a chain of which one end is stopped goes no farther than its edges let it, and what is far goes on") {
+  for (const double limit : {0.1, 0.2, 1.0})
+    for (const double way : {0.3, 1.5, 2.0}) {
+      CAPTURE(limit);
+      CAPTURE(way);
+      Net net;
+      for (std::uint32_t k = 0; k < 12; ++k) net.fly({static_cast<double>(k), 0, 0}, {0, 0, -way}, 1);
+      for (std::uint32_t k = 0; k + 1 < 12; ++k)
+        net.edges.push_back({k, k + 1, static_cast<float>(1 + limit)});
+      const SolidPlane stop{0, {0, 0, 1}, 0, 0};
+      net.start[0].z = 1e-9;
+      truncate(std::span(&stop, 1), {}, 99, net.ways(0));
+      const double slope = std::sqrt((1 + limit) * (1 + limit) - 1);
+      for (std::uint32_t k = 0; k < 12; ++k) {
+        const double most = std::min(way, k * slope);
+        CHECK(std::abs(-net.end[k].z - most) < 2e-3 * way);
+        CHECK(std::abs(-net.velocity[k].z - most) < 2e-3 * way);  // as much of it as of the way
+      }
+    }
+}
+
+TEST_CASE("edges beyond their limit are shortened beside ways that were shortened, and nowhere else") {
+  const SolidPlane floor{1, {0, 0, 1}, -0.5, 0};
+  const auto fly = [&](bool stopped, const Vec3d& other_way, double other_inverse) {
+    Net net;
+    net.add({0, 0, 0}, other_way, other_inverse);
+    net.fly({1, 0, 0}, {1, 0, -1}, 1);
+    net.edges.push_back({0, 1, 1.25F});
+    truncate(std::span(&floor, stopped ? 1 : 0), {}, 99, net.ways(0));
+    return net;
+  };
+  CHECK(fly(false, {}, 0).end[1].x == 2);  // it is the solver's
+  const Net pinned = fly(true, {}, 0);
+  CHECK(pinned.length_of(pinned.edges[0]) == doctest::Approx(1.25));
+  const Net moved = fly(true, {-3, 0, 0}, 0);  // what the scene moves goes its way
+  CHECK(moved.end[0].x == -3);
+  CHECK(length(moved.end[1] - Vec3d{1, 0, 0}) < 1e-12);  // nothing of its own way is good
+  // An obstacle that comes drives the vertex on, whatever the edge.
+  Net driven;
+  driven.fly({0, 0, 0}, {}, 0);
+  driven.fly({1, 0, 0}, {0.1, 0, 0}, 1);
+  driven.edges.push_back({0, 1, 1.25F});
+  const SolidPlane comes{1, {1, 0, 0}, 1.8, 1};
+  driven.start[1].x = 1.9;
+  truncate(std::span(&comes, 1), {}, 99, driven.ways(0));
+  CHECK(driven.end[1].x >= 1.8 - 1e-12);
+}
+
+TEST_CASE("ways are only shortened for edges, edges are not longer for it, and energy is no more") {
+  Random random(7);
+  for (int round = 0; round < 200; ++round) {
+    Net net = lattice(7, random, random.uniform(0.1, 2), random.uniform(0.01, 0.5));
+    std::vector<SolidPlane> stops;
+    for (std::uint32_t node = 0; node < 49; ++node)
+      if (random.uniform(0, 1) < 0.1) stops.push_back({node, {0, 0, 1}, net.start[node].z - 1e-3, 0});
+    Net held = net;
+    held.edges.clear();
+    truncate(stops, {}, 99, held.ways(0));
+    const double kinetic = held.kinetic();
+    held.edges = net.edges;
+    truncate(stops, {}, 99, net.ways(0));
+    CHECK(net.kinetic() <= kinetic);
+    CHECK(net.excess() <= held.excess());
+    for (std::size_t node = 0; node < net.end.size(); ++node) {
+      const Vec3d way = held.end[node] - held.start[node], left = net.end[node] - net.start[node];
+      CHECK(length(cross(way, left)) < 1e-12);
+      CHECK(dot(way, left) >= 0);
+      CHECK(length(left) <= length(way) * (1 + 1e-12));
+    }
+  }
+}

@@ -6,13 +6,9 @@
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
+#include "contact/proximity/limited_edge.wgsl"
 #include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/sums.wgsl"
-struct LimitedEdge {  // mirror: src/model/limited_edges.hpp
-  a : u32,
-  b : u32,
-  longest : f32,  // m
-}
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             this_round      : Round;
 @group(0) @binding(1) var<uniform>             step            : StepBlock;
@@ -23,7 +19,6 @@ struct LimitedEdge {  // mirror: src/model/limited_edges.hpp
 @group(0) @binding(6) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 override kGives : bool = false;
-const kBeyond = 1.001;  // of the limit: an edge that is no longer stays as it is
 
 @compute @workgroup_size(kWorkgroupSize)
 fn limit_edges(@builtin(global_invocation_id) id : vec3u) {

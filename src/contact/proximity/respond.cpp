@@ -156,6 +156,7 @@ void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patch
     if (round == 0) patches.record_ends(pass);
     hold_back_.dispatch(pass, round, vertex_count_);
   }
+  edges_.record_shortening(pass);
 }
 
 }  // namespace weft::contact

@@ -19,6 +19,14 @@ std::vector<Round> holding_rounds(bool self) {
   return rounds;
 }
 
+std::vector<Round> shortening_rounds() {
+  std::vector<Round> rounds;
+  for (std::size_t round = 0; round < kShortenings; ++round)
+    rounds.push_back({.number = static_cast<std::uint32_t>(kMostSeparations + kRounds + 1 + round),
+                      .is_first = round == 0 ? 1U : 0U});
+  return rounds;
+}
+
 Result<RoundKernel> RoundKernel::create(gpu::Device& device, const std::string& path,
                                         std::vector<gpu::Constant> constants, std::span<const Round> rounds,
                                         std::uint32_t workgroup_size) {

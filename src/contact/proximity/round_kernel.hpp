@@ -12,9 +12,9 @@
 namespace weft::contact {
 
 /// The rounds of a substep are numbered: pairs of cloth that may meet are separated in up to kMostSeparations, of which
-/// the last has that number, and cloth is then held back in kRounds. Mirrors: state/contact.wgsl,
-/// reference/proximity/truncate.cpp.
-inline constexpr std::size_t kMostSeparations = 6, kRounds = 3;
+/// the last has that number, and cloth is then held back in kRounds; for edges that this leaves too long ways are
+/// shortened in kShortenings. Mirrors: state/contact.wgsl, reference/proximity/truncate.cpp.
+inline constexpr std::size_t kMostSeparations = 6, kRounds = 3, kShortenings = 6;
 
 /// Mirror of src/contact/proximity/rounds.wgsl.
 struct Round {
@@ -24,6 +24,8 @@ struct Round {
 std::vector<Round> separation_rounds(std::size_t count);
 /// The rounds that hold back: where cloth does not meet cloth there is one, and none is the last.
 std::vector<Round> holding_rounds(bool self);
+/// The rounds that shorten ways for the edges between them.
+std::vector<Round> shortening_rounds();
 
 /// A kernel that asks, or acts, in each of some rounds.
 class RoundKernel {

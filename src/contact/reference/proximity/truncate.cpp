@@ -12,6 +12,8 @@ namespace {
 
 /// In which cloth is held back; in the last one the substep ends before its time, or all of it is held.
 constexpr int kRounds = 3;
+/// In which ways are then shortened for the edges between them. Mirror: contact/proximity/round_kernel.hpp.
+constexpr int kShortenings = 6;
 /// An edge that is no longer than this part of its limit stays as it is.
 constexpr double kBeyondLimit = 1.001;
 
@@ -20,6 +22,14 @@ double part_before(double at_start, double at_end) {
   if (at_end >= 0) return 1;
   if (at_start > 0) return at_start / (at_start - at_end);
   return at_end < at_start ? 0 : 1;
+}
+
+/// How much of a way an edge's end may go that makes it no longer than `longest`, if it is `begin` without that way;
+/// where no part does, the one that makes it shortest.
+double part_within(const Vec3d& begin, const Vec3d& way, double longest) {
+  const double a = dot(way, way), b = dot(begin, way);
+  const double root = std::max(0.0, b * b - a * (dot(begin, begin) - longest * longest));
+  return std::clamp((std::sqrt(root) - b) / a, 0.0, 1.0);
 }
 
 class Truncation {
@@ -155,6 +165,42 @@ class Truncation {
       if (!lists_[node].empty()) hold(node);
   }
 
+  /// Of edges that would end beyond their strain limit since the way of an end was shortened, shortens the way of that
+  /// end which goes farther, but behind no obstacle's plane: equation (6i). Whether there are any.
+  bool shorten_for_edges() {
+    std::vector<double> part(ways_.end.size(), 1);
+    const auto far = [&](std::uint32_t node) {  // what the scene moves goes its way
+      const Vec3d way = ways_.end[node] - ways_.start[node];
+      return ways_.inverse_mass[node] == 0 ? -1 : dot(way, way);
+    };
+    bool any = false;
+    for (const LimitedEdge& edge : ways_.edges) {
+      const std::optional<ClothPair> ends = too_long(edge);
+      if (!ends || !(changed_[edge.a] || changed_[edge.b])) continue;
+      any = true;
+      const auto shorten_one = [&](std::uint32_t one, std::uint32_t other) {
+        if (far(one) < far(other)) return;
+        const double most =
+            part_within(ways_.start[one] - ways_.end[other], ways_.end[one] - ways_.start[one], -ends->gap);
+        part[one] = std::min(part[one], most);
+      };
+      shorten_one(edge.a, edge.b);
+      shorten_one(edge.b, edge.a);
+    }
+    if (!any) return false;
+    std::vector<double> before(part.size(), 1);  // planes, of the way back
+    for (const SolidPlane& plane : planes_) {
+      const std::uint32_t node = plane.node;
+      const Vec3d way = ways_.end[node] - ways_.start[node];
+      const auto inside = [&](const Vec3d& place) { return dot(plane.normal, place) - plane.offset; };
+      before[node] = std::min(
+          before[node], part_before(inside(ways_.end[node]), inside(ways_.start[node] + part[node] * way)));
+    }
+    for (std::size_t node = 0; node < part.size(); ++node) shorten(node, 1 - (1 - part[node]) * before[node]);
+    met_ = true;
+    return true;
+  }
+
   Truncated count() const {
     std::vector<bool> driven(held_.size());
     for (const SolidPlane& plane : planes_)
@@ -277,6 +323,8 @@ Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair
     }
     truncation.hold_marked();
   }
+  for (int round = 0; round < kShortenings; ++round)
+    if (!truncation.shorten_for_edges()) break;
   return truncation.count();
 }
 

@@ -1,0 +1,7 @@
+// An edge of cloth with a strain limit. Mirror: src/model/limited_edges.hpp.
+struct LimitedEdge {
+  a : u32,
+  b : u32,
+  longest : f32,  // m
+}
+const kBeyond = 1.001;  // of the limit: an edge that is no longer stays as it is
