@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/random.hpp"
 #include "rig.hpp"
@@ -152,6 +153,59 @@ TEST_CASE("in double, a block, a hull, and a capsule across stay or slide on a s
         CHECK(std::abs(one.state(0).place.z) < 1e-4);
         CHECK(length(one.spin(0)) < 1e-2);
       }
+}
+
+TEST_CASE("in double, a body that stands flush with another's sides, or beside its rim, stays there") {
+  const auto box = [](double x, double y, double z, const std::string& rigid) {
+    return R"({"kind": "box", "center": [)" + std::to_string(x) + ", " + std::to_string(y) + ", " +
+           std::to_string(z) + R"(], "size": [0.1, 0.1, 0.1])" + rigid + "}";
+  };
+  const auto hull = [](double x, double y, double z, const std::string& rigid) {
+    std::string corners;
+    for (unsigned k = 0; k < 8; ++k)
+      corners += std::string(k > 0 ? ", [" : "[") + std::to_string(x + ((k & 1U) != 0 ? 0.05 : -0.05)) +
+                 ", " + std::to_string(y + ((k & 2U) != 0 ? 0.05 : -0.05)) + ", " +
+                 std::to_string(z + ((k & 4U) != 0 ? 0.05 : -0.05)) + "]";
+    return R"({"kind": "convex", "points": [)" + corners + "]" + rigid + "}";
+  };
+  const std::string mass = R"(, "rigid": {"mass": 1})";
+  const std::string floor = R"(, {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]})";
+  const std::string table = R"(, {"kind": "box", "center": [0, 0.05, 0], "size": [1, 0.1, 1]})";
+  struct Case {
+    std::string colliders;
+    std::size_t count;  // of those that are rigid
+  };
+  std::vector<Case> cases;
+  for (const auto& upper : {std::string("box"), std::string("hull")}) {
+    const auto body = [&](double x, double y, double z, const std::string& rigid) {
+      return upper == "box" ? box(x, y, z, rigid) : hull(x, y, z, rigid);
+    };
+    for (const double aside : {0.0, 0.003, 0.02}) {  // of an equal cube, which stands on a floor, or still
+      cases.push_back({body(0, 0.15, 0, mass) + ", " + body(aside, 0.05, 0, mass) + floor, 2});
+      cases.push_back({body(0, 0.15, 0, mass) + ", " + box(aside, 0.05, aside, ""), 1});
+    }
+    cases.push_back({body(0.45, 0.15, 0, mass) + table, 1});  // at a table's edge, and its corner
+    cases.push_back({body(0.45, 0.15, 0.45, mass) + table, 1});
+    cases.push_back({body(0.2, 0.15, 0.1, mass) + table, 1});
+  }
+  cases.push_back({box(0, 0.25, 0, mass) + ", " + box(0.003, 0.15, 0.003, mass) + ", " +
+                       box(0.006, 0.05, 0.006, mass) + floor,
+                   3});
+  for (const std::uint32_t substeps : {8U, 32U})
+    for (const Case& one : cases) {
+      CAPTURE(one.colliders);
+      CAPTURE(substeps);
+      Bodies all(one.colliders, "", substeps);
+      std::vector<Vec3d> start;
+      for (std::size_t c = 0; c < one.count; ++c) start.push_back(all.state(c).place);
+      all.advance(60);
+      for (std::size_t c = 0; c < one.count; ++c) {
+        const Vec3d way = all.state(c).place - start[c];
+        // Each may be a thousandth of its extent deep in what it stands on, and is moved out of more by and by.
+        CHECK(std::abs(way.y) < 2e-3 * static_cast<double>(one.count) * all.solid(c).extent);
+        CHECK(length(way) < (one.count == 1 ? 1e-3 : 1e-2));  // a tower creeps
+      }
+    }
 }
 
 TEST_CASE("in double, equal balls exchange their speeds, and what does not bounce goes on together") {

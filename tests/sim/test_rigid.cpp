@@ -83,7 +83,14 @@ TEST_CASE_FIXTURE(GpuFixture,
       R"({"kind": "convex", "points": [[-0.1, 0.2, -0.1], [0.1, 0.2, -0.1], [0.1, 0.25, 0.1], [-0.1, 0.2, 0.1],
                                        [0, 0.4, 0]], "rigid": {"density": 300, "velocity": [1, 0, 0]}},
          {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "friction": 0.4},
-         {"kind": "box", "center": [1, 0.2, 0], "size": [0.2, 1, 1]})"};
+         {"kind": "box", "center": [1, 0.2, 0], "size": [0.2, 1, 1]})",
+      R"({"kind": "box", "center": [0, 0.15, 0], "size": [0.1, 0.1, 0.1], "rigid": {"mass": 1}},
+         {"kind": "box", "center": [0.003, 0.05, 0], "size": [0.1, 0.1, 0.1], "rigid": {"mass": 1}},
+         {"kind": "convex", "points": [[0.95, 0.1, -0.05], [1.05, 0.1, -0.05], [0.95, 0.2, -0.05], [1.05, 0.2, -0.05],
+                                       [0.95, 0.1, 0.05], [1.05, 0.1, 0.05], [0.95, 0.2, 0.05], [1.05, 0.2, 0.05]],
+          "rigid": {"mass": 1}},
+         {"kind": "box", "center": [0.75, 0.05, 0], "size": [0.6, 0.1, 0.6]},
+         {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]})"};
   for (const char* one : colliders) {
     CAPTURE(one);
     const scene::Scene scene = scene_of(R"("solver": {"kind": "mass_spring"}, "time": {"substeps": 8}, )" +

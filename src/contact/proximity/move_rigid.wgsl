@@ -116,12 +116,26 @@ fn consider(body : u32, other : u32, point : vec3f, normal : vec3f, apart : f32)
   touches[at + 3u] = vec4f(0.0, 0.0, 0.0, f32(other));
 }
 
+const kDeepest = 0.05;    // of an extent, that bodies may be in each other where an edge or a rim is asked
+fn extent_of(c : u32) -> f32 { return number_at(kRigidWords * c + kRigidExtent); }
+
 // The feet of `a` against the surface of `b`; `from_b`: it is the body that is b's.
 fn add_feet(a : u32, b : u32, from_b : bool) {
   let radius = number_at(kRigidWords * a + kRigidRadius);
+  let by_face = radius == 0.0 && has_faces(b);
+  var toward = Toward(vec4f(0.0), 0.0);
+  if (by_face) { toward = face_toward(b, a); }
+  let shallow = toward.apart >= -kDeepest * min(extent_of(a), extent_of(b));
   for (var k = 0u; k < foot_count(a); k++) {
     let place = place_in_world(a, foot_of(a, k));
-    let depth = depth_of(b, place_in_own(b, place));
+    let own = place_in_own(b, place);
+    var depth = depth_of(b, own);
+    if (by_face) {
+      let out = beside(b, toward.face, own);
+      if (out <= 0.0 || (shallow && out <= kTouchPart * extent_of(b))) {
+        depth = vec4f(toward.face.xyz, dot(toward.face.xyz, own) - toward.face.w);
+      }
+    }
     let normal = direction_in_world(b, depth.xyz);
     let gap = depth.w - radius;
     if (from_b) {
@@ -133,13 +147,12 @@ fn add_feet(a : u32, b : u32, from_b : bool) {
 }
 
 const kWithinRod = 1e-3;  // of its length: an end has touches of its own
-const kDeepest = 0.05;    // of an extent, that edges may be in each other
 fn add_rods(a : u32, b : u32) {
   let middle_a = middle_of(a);
   let middle_b = middle_of(b);
   let radius_a = number_at(kRigidWords * a + kRigidRadius);
   let radius_b = number_at(kRigidWords * b + kRigidRadius);
-  let deepest = kDeepest * min(number_at(kRigidWords * a + kRigidExtent), number_at(kRigidWords * b + kRigidExtent));
+  let deepest = kDeepest * min(extent_of(a), extent_of(b));
   for (var i = 0u; i < rod_count(a); i++) {
     let first = rod_of(a, i);
     let p = place_in_world(a, first.start);
@@ -160,7 +173,11 @@ fn add_rods(a : u32, b : u32) {
       var normal = square / sqrt(size);
       if (dot(normal, (on_a - middle_b) + (middle_a - on_b)) < 0.0) { normal = -normal; }
       let gap = dot(normal, on_a - on_b) - radius_a - radius_b;
-      if (gap >= -deepest) { consider(a, b, on_b + radius_b * normal, normal, gap); }
+      if (gap < -deepest || !is_farthest(a, -normal, on_a, kDeepest * extent_of(a)) ||
+          !is_farthest(b, normal, on_b, kDeepest * extent_of(b))) {
+        continue;
+      }
+      consider(a, b, on_b + radius_b * normal, normal, gap);
     }
   }
 }

@@ -83,6 +83,56 @@ fn foot_of(c : u32, k : u32) -> vec3f {
   }
 }
 
+// A face of a box or a hull, in its own frame: outward normal, and how far from the centre, m.
+const kSameFace = 0.9999;  // the cosine between triangles of one face of a hull
+fn has_faces(c : u32) -> bool {
+  let kind = rigid[kRigidWords * c + kRigidKind];
+  return kind == kBox || kind == kHull;
+}
+fn face_count(c : u32) -> u32 {
+  let word = kRigidWords * c;
+  return select(rigid[word + kRigidFaces], 6u, rigid[word + kRigidKind] == kBox);
+}
+fn face_of(c : u32, k : u32) -> vec4f {
+  let word = kRigidWords * c;
+  if (rigid[word + kRigidKind] != kBox) { return hulls[rigid[word + kRigidFirst] + rigid[word + kRigidCorners] + k]; }
+  var face = vec4f(0.0);
+  face[k / 2u] = select(-1.0, 1.0, k % 2u == 1u);
+  face.w = vector_at(word + kRigidHalf)[k / 2u];
+  return face;
+}
+// The face of c beyond which the corners of another lie farthest, or in which they are least deep.
+struct Toward { face : vec4f, apart : f32 }
+fn face_toward(c : u32, other : u32) -> Toward {
+  var best = Toward(vec4f(0.0), -3e38);
+  for (var k = 0u; k < face_count(c); k++) {
+    let face = face_of(c, k);
+    var apart = 3e38;
+    for (var corner = 0u; corner < foot_count(other); corner++) {
+      let place = place_in_own(c, place_in_world(other, foot_of(other, corner)));
+      apart = min(apart, dot(face.xyz, place) - face.w);
+    }
+    if (apart > best.apart) { best = Toward(face, apart); }
+  }
+  return best;
+}
+// How far a place is beside a face of c, beyond the nearest of the others, m.
+fn beside(c : u32, face : vec4f, p : vec3f) -> f32 {
+  var most = -3e38;
+  for (var k = 0u; k < face_count(c); k++) {
+    let other = face_of(c, k);
+    if (dot(other.xyz, face.xyz) < kSameFace) { most = max(most, dot(other.xyz, p) - other.w); }
+  }
+  return most;
+}
+// Whether no corner of c is farther along n than a place, by more than is spared, m.
+fn is_farthest(c : u32, n : vec3f, place : vec3f, spared : f32) -> bool {
+  for (var k = 0u; k < foot_count(c); k++) {
+    if (dot(n, place_in_world(c, foot_of(c, k)) - place) > spared) { return false; }
+  }
+  return true;
+}
+
 struct Rod { start : vec3f, along : vec3f }
 fn rod_count(c : u32) -> u32 {
   switch rigid[kRigidWords * c + kRigidKind] {

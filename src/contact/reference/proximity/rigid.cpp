@@ -16,6 +16,8 @@ struct Depth {
   Vec3d out;
 };
 
+constexpr double kSameFace = 0.9999;  // the cosine between triangles of one face of a hull
+
 Depth from_core(const Vec3d& away, double radius) {
   const double size = length(away);
   return {size - radius, size > 0 ? away / size : Vec3d{0, 1, 0}};
@@ -91,6 +93,46 @@ std::vector<std::array<Vec3d, 2>> rods_of(const ColliderSolid& solid) {
   return rods;
 }
 
+/// A face of a box or a hull, in its own frame.
+struct Face {
+  Vec3d out;
+  double offset = 0;      // out · x = offset
+  double apart = -1e300;  // of what is asked about, the least gap to it
+};
+
+template <class Take>
+void for_faces(const ColliderSolid& solid, const Take& take) {
+  if (solid.kind == SolidKind::Hull)
+    for (const auto& plane : solid.planes) take(Vec3d{plane[0], plane[1], plane[2]}, plane[3]);
+  if (solid.kind != SolidKind::Box) return;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      Vec3d out;
+      out[axis] = side;
+      take(out, solid.half[axis]);
+    }
+}
+
+/// The face beyond which a solid with these corners lies farthest, or in which it is least deep.
+Face face_toward(const ColliderSolid& solid, std::span<const Vec3d> corners) {
+  Face best;
+  for_faces(solid, [&](const Vec3d& out, double offset) {
+    double apart = 1e300;
+    for (const Vec3d& corner : corners) apart = std::min(apart, dot(out, corner) - offset);
+    if (apart > best.apart) best = {out, offset, apart};
+  });
+  return best;
+}
+
+/// How far a place is beside a face, beyond the nearest of the others.
+double beside(const ColliderSolid& solid, const Face& face, const Vec3d& p) {
+  double most = -1e300;
+  for_faces(solid, [&](const Vec3d& out, double offset) {
+    if (dot(out, face.out) < kSameFace) most = std::max(most, dot(out, p) - offset);
+  });
+  return most;
+}
+
 constexpr double kWithinRod = 1e-3;  // of its length: an end has touches of its own
 constexpr double kLifts = 0.5;       // the cosine from which on cloth bears a body away from an obstacle
 constexpr double kDeepest = 0.05;    // of an extent, that edges may be in each other
@@ -130,20 +172,37 @@ void RigidBodies::add_touches(std::size_t body, std::size_t other, std::vector<T
     found.push_back({body, other, point, normal, gap, 0, 0, {}, {}});
   };
   if (b.kind == SolidKind::Mesh) return;
-  for (const Vec3d& foot : feet_of(a)) {
-    const Vec3d place = at.place + at.turn * foot;
-    const Depth depth = depth_of(b, transposed(of.turn) * (place - of.place));
-    const Vec3d normal = of.turn * depth.out;
-    add(place - a.radius * normal, normal, depth.gap - a.radius);
-  }
+  const double deepest = kDeepest * std::min(a.extent, b.extent);
+  // The feet of one against the surface of its partner, `side` 1 if that is b.
+  const auto add_feet = [&](const ColliderSolid& one, const Pose& one_at, const ColliderSolid& partner,
+                            const Pose& partner_at, double side) {
+    std::vector<Vec3d> feet;  // in the partner's frame
+    for (const Vec3d& foot : feet_of(one))
+      feet.push_back(transposed(partner_at.turn) * (one_at.place + one_at.turn * foot - partner_at.place));
+    const bool by_face =
+        one.radius == 0 && (partner.kind == SolidKind::Box || partner.kind == SolidKind::Hull);
+    const Face face = by_face ? face_toward(partner, feet) : Face{};
+    for (const Vec3d& foot : feet) {
+      Depth depth = depth_of(partner, foot);
+      const double out = by_face ? beside(partner, face, foot) : 1e300;
+      if (out <= 0 || (out <= kTouchPart * partner.extent && face.apart >= -deepest))
+        depth = {dot(face.out, foot) - face.offset, face.out};
+      const Vec3d normal = partner_at.turn * depth.out;
+      add(partner_at.place + partner_at.turn * foot - one.radius * normal, side * normal,
+          depth.gap - one.radius);
+    }
+  };
+  add_feet(a, at, b, of, 1);
   // A ball's one point has been tried; so has a capsule's with a ball, from the ball's side.
   if (a.kind == SolidKind::Ball || b.kind == SolidKind::Plane) return;
-  for (const Vec3d& foot : feet_of(b)) {
-    const Vec3d place = of.place + of.turn * foot;
-    const Depth depth = depth_of(a, transposed(at.turn) * (place - at.place));
-    const Vec3d normal = -(at.turn * depth.out);
-    add(place + b.radius * normal, normal, depth.gap - b.radius);
-  }
+  add_feet(b, of, a, at, -1);
+  // Whether hardly a corner of a solid is farther along a direction than a place.
+  const auto is_farthest = [](const ColliderSolid& solid, const Pose& pose, const Vec3d& n,
+                              const Vec3d& place) {
+    for (const Vec3d& foot : feet_of(solid))
+      if (dot(n, pose.place + pose.turn * foot - place) > kDeepest * solid.extent) return false;
+    return true;
+  };
   for (const auto& rod : rods_of(a))
     for (const auto& across : rods_of(b)) {
       const Vec3d p = at.place + at.turn * rod[0], u = at.turn * (rod[1] - rod[0]);
@@ -158,7 +217,7 @@ void RigidBodies::add_touches(std::size_t body, std::size_t other, std::vector<T
       Vec3d normal = square / std::sqrt(size);
       if (dot(normal, (on_a - of.place) + (at.place - on_b)) < 0) normal = -normal;
       const double gap = dot(normal, on_a - on_b) - a.radius - b.radius;
-      if (gap < -kDeepest * std::min(a.extent, b.extent)) continue;
+      if (gap < -deepest || !is_farthest(a, at, -normal, on_a) || !is_farthest(b, of, normal, on_b)) continue;
       add(on_b + b.radius * normal, normal, gap);
     }
 }
