@@ -39,6 +39,7 @@
 #include "method/vbd/solver_vbd.hpp"
 #include "model/limited_edges.hpp"
 #include "model/model.hpp"
+#include "overlay/overlay.hpp"
 #include "render/cloth_surface.hpp"
 #include "render/fine_cloth.hpp"
 #include "render/floor.hpp"
@@ -386,6 +387,20 @@ Json weave() {
   using T = render::WeaveParams;
   return row("Weave", "render/weave.wgsl", sizeof(T), kExact, {M(base), M(dark), M(accent), M(back)});
 }
+Json overlay_params() {
+  using T = overlay::Params;
+  return row("OverlayParams", "overlay/overlay.wgsl", sizeof(T), kExact,
+             {M(width), M(height), M(atlas_width), M(atlas_height)});
+}
+Json overlay_vertex() {
+  using T = overlay::Vertex;
+  return row("OverlayVertex", "overlay/overlay.wgsl", sizeof(T), kExact,
+             {M(x), M(y), M(u), M(v), M(color), M(clip)});
+}
+Json overlay_place() {
+  using T = overlay::Place;
+  return row("OverlayPlace", "overlay/picture.wgsl", sizeof(T), kExact, {M(x), M(y), M(width), M(height)});
+}
 Json plane() {
   using T = render::PlaneParams;
   return row("Plane", "render/floor.wgsl", sizeof(T), kExact, {M(center), M(along), M(across)});
@@ -420,34 +435,19 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array({step_block(),      step_time(),
-                      step_nodes(),      step_contact(),
-                      step_air(),        step_hands(),
-                      step_method(),     spring(),
-                      spring_kind(),     limited_edge(),
-                      limit_spring(),    spring_block(),
-                      block_spring(),    neighbour(),
-                      mesh_params(),     membrane_law(),
-                      enclosed_gas(),    gas_chunk(),
-                      fabric_params(),   node_range(),
-                      yield_law(),       solid_law(),
-                      solid_params(),    surface_params(),
-                      object_triangle(), spring_grid_row(),
-                      level_of_grid(),   tree_node(),
-                      pair_range(),      analytic_collider(),
-                      listed_pair(),     contact_of_pair(),
-                      pair_hold(),       search_params(),
-                      patch_place(),     contact_round(),
-                      tree_params(),     colliders(),
-                      collider_place(),  frame(),
-                      weave(),           plane(),
-                      fine_grid(),       cloth_nodes(),
-                      bottom_sweeps(),   elements_of_color(),
-                      nodes_of_color(),  gathered_color(),
-                      relaxed_nodes(),   spring_kinds(),
-                      fabric_pair(),     iteration(),
-                      level_of_mesh(),   share(),
-                      convex_body()});
+  return Json::array(
+      {step_block(),      step_time(),       step_nodes(),     step_contact(),      step_air(),
+       step_hands(),      step_method(),     spring(),         spring_kind(),       limited_edge(),
+       limit_spring(),    spring_block(),    block_spring(),   neighbour(),         mesh_params(),
+       membrane_law(),    enclosed_gas(),    gas_chunk(),      fabric_params(),     node_range(),
+       yield_law(),       solid_law(),       solid_params(),   surface_params(),    object_triangle(),
+       spring_grid_row(), level_of_grid(),   tree_node(),      pair_range(),        analytic_collider(),
+       listed_pair(),     contact_of_pair(), pair_hold(),      search_params(),     patch_place(),
+       contact_round(),   tree_params(),     colliders(),      collider_place(),    frame(),
+       weave(),           plane(),           overlay_params(), overlay_vertex(),    overlay_place(),
+       fine_grid(),       cloth_nodes(),     bottom_sweeps(),  elements_of_color(), nodes_of_color(),
+       gathered_color(),  relaxed_nodes(),   spring_kinds(),   fabric_pair(),       iteration(),
+       level_of_mesh(),   share(),           convex_body()});
 }
 
 Json shared_constants() {
