@@ -1,6 +1,7 @@
 // The scenes that the page offers, and their files. Vite gives every file that is there an address on the page's own
 // origin, in the build and while developing; what is not there is not offered.
 import { meshNames, schemaOf, type Bytes, type Catalog, type Method, type Schema } from "weft-cloth";
+import list from "../../shared/scenes.json";
 import { MOST_SUBSTEPS } from "./files/limits.js";
 import type { PageState } from "./state/page_state.js";
 import { SOLVER } from "./state/parameters.js";
@@ -19,40 +20,15 @@ export interface SceneEntry {
   readonly nodes?: number;
 }
 
-export const SCENE_GROUPS: readonly { readonly title: string; readonly scenes: readonly SceneEntry[] }[] = [
-  { title: "In the air", scenes: [
-    { name: "breeze", title: "Breeze" },
-    { name: "flag", title: "Flag in a storm", nodes: 64 },
-    { name: "flag-in-air", title: "Flag in air that pushes", nodes: 32 },
-    { name: "hanging", title: "Hanging" },
-    { name: "sheet", title: "Thin fabric by two clips, implicit" },
-    { name: "fabric", title: "The same, of measured fabric" },
-    { name: "drag", title: "Corner lift" },
-    { name: "hanging-paper", title: "Hanging, in the paper's units" },
-  ] },
-  { title: "Pulled over", scenes: [
-    { name: "pull-sphere", title: "Pulled over a sphere" },
-    { name: "pull-armadillo", title: "Pulled over the armadillo" },
-    { name: "pull-dragon", title: "Pulled over the dragon" },
-  ] },
-  { title: "Draped over", scenes: [
-    { name: "drape-sphere", title: "Draped over a sphere", nodes: 80 },
-    { name: "drape-armadillo", title: "Draped over the armadillo", nodes: 80 },
-    { name: "drape-dragon", title: "Draped over the dragon", nodes: 80 },
-  ] },
-  { title: "On itself and on things", scenes: [
-    { name: "twist", title: "Twisted", nodes: 80 },
-    { name: "stack", title: "A stack of sheets", nodes: 24 },
-    { name: "funnel", title: "Into a funnel", nodes: 64 },
-    { name: "shot", title: "A ball flies in", nodes: 64 },
-    { name: "incline", title: "On a slope" },
-    { name: "creased-paper", title: "Creased paper" },
-    { name: "walk", title: "A skirt that walks" },
-    { name: "jelly", title: "Jelly in a net" },
-    { name: "balloon", title: "A balloon in a sheet" },
-    { name: "hammock", title: "Three balls in a hammock" },
-  ] },
-].map(({ title, scenes }) => ({ title, scenes: scenes.filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined) }));
+interface SceneGroup {
+  readonly title: string;
+  readonly scenes: readonly SceneEntry[];
+}
+const groups: readonly SceneGroup[] = list.groups; // the window's too
+
+export const SCENE_GROUPS: readonly SceneGroup[] = groups.map(({ title, scenes }) => ({ title,
+  scenes: scenes.filter(({ name }) => fileOf(SCENE_FILES, name) !== undefined) })
+);
 
 export const SCENES: readonly SceneEntry[] = SCENE_GROUPS.flatMap(({ scenes }) => scenes);
 

@@ -6,19 +6,10 @@ import type { LoadedScene } from "../scenes.js";
 import { blowing, headingOf, scaled, type Vector } from "../state/air.js";
 import { choicesOf, meaningOf, parsed, rangeOf, unitOf } from "../state/limits.js";
 import { withKey, type PageState, type Value } from "../state/page_state.js";
-import { AIR, AIR_DENSITY, applies, DRAG, GRAVITY, GROUPS, GUSTS, WIND, type Group,
-  type Parameter } from "../state/parameters.js";
+import { AIR, applies, DRAG, GRAVITY, GROUPS, WIND, type Group, type Parameter } from "../state/parameters.js";
 import { NumberField, Slider } from "./fields.js";
 
 const STILL: Vector = [0, 0, 0];
-// The least range of a slider.
-const REACH: Readonly<Record<string, number>> = {
-  [GRAVITY]: 20,
-  [DRAG]: 10,
-  [AIR_DENSITY]: 5,
-  [WIND]: 15,
-  [GUSTS]: 1,
-};
 
 interface Field {
   readonly key: string;
@@ -106,7 +97,7 @@ export class Parameters {
 
   /** A number as it is, a vector by its strength, and the wind by its direction too. */
   private liveField(parameter: Parameter): Field {
-    const { key } = parameter;
+    const { key, reach = 0 } = parameter;
     const look = this.look(parameter);
     const set = (value: Value) => this.player.setLive(key, value);
     const own = (): Vector => (this.player.loaded?.own(key) as Vector | undefined) ?? STILL;
@@ -123,7 +114,7 @@ export class Parameters {
       );
     const show = (scene: LoadedScene, value: unknown) => {
       const strength = (of: unknown) => (Array.isArray(of) ? Math.hypot(...(of as number[])) : Number(of));
-      const most = Math.max(REACH[key]!, 2 * strength(scene.own(key)), strength(value));
+      const most = Math.max(reach, 2 * strength(scene.own(key)), strength(value));
       speed.show(strength(value), 0, Math.min(look.most, Math.ceil(most)));
       if (strength(value) > 0 || !sliders[1]?.value) sliders[1]?.show(headingOf(value as Vector), -180, 180);
     };

@@ -1,9 +1,13 @@
-// The keys of a scene that the page lets change. Limits, units and what they mean come from the core's schema.
+// The keys of a scene that the page lets change, which are those of the window of `weft view`. Limits, units and what
+// they mean come from the core's schema.
 import type { Catalog } from "weft-cloth";
+import list from "../../../shared/parameters.json";
 
 export interface Parameter {
   readonly key: string;
   readonly label: string;
+  /** Of one that changes while the cloth moves: the least range of its slider. */
+  readonly reach?: number;
 }
 
 export interface Group {
@@ -19,7 +23,6 @@ export const FORMULATION = "solver.forces"; // of the explicit solver
 export const CONTACT_METHOD = "contact.method";
 export const GRAVITY = "gravity";
 export const WIND = "wind.velocity";
-export const GUSTS = "wind.gusts";
 export const SUBSTEPS = "time.substeps";
 export const DRAG = "drag";
 export const AIR = "air"; // of a scene whose air pushes on triangles
@@ -29,35 +32,7 @@ const [DENSITY, NODE_MASS] = ["cloths.0.density", "cloths.0.node_mass"] as const
 const FABRIC = "cloths.0.fabric";
 const SPRINGS = ["cloths.0.stiffness.", "cloths.0.damping"];
 
-export const GROUPS: readonly Group[] = [
-  { name: "air", title: "Gravity and air", live: true, parameters: [
-    { key: GRAVITY, label: "Gravity" },
-    { key: DRAG, label: "Drag" },
-    { key: AIR_DENSITY, label: "Density of air" },
-  ] },
-  { name: "wind", title: "Wind", live: true, parameters: [
-    { key: WIND, label: "Speed" },
-    { key: GUSTS, label: "Gusts" },
-  ] },
-  { name: "cloth", title: "Cloth", live: false, parameters: [
-    { key: DENSITY, label: "Density" },
-    { key: NODE_MASS, label: "Mass of a node" },
-    { key: "cloths.0.fabric.warp", label: "Modulus along the warp" },
-    { key: "cloths.0.fabric.weft", label: "Modulus along the weft" },
-    { key: "cloths.0.fabric.shear", label: "Shear modulus" },
-    { key: "cloths.0.fabric.bending_warp", label: "Bending along the warp" },
-    { key: "cloths.0.fabric.bending_weft", label: "Bending along the weft" },
-    { key: "cloths.0.stiffness.structural", label: "Structural stiffness" },
-    { key: "cloths.0.stiffness.shear", label: "Shear stiffness" },
-    { key: "cloths.0.stiffness.bend", label: "Bend stiffness" },
-    { key: "cloths.0.damping", label: "Damping" },
-  ] },
-  { name: "contact", title: "Contact", live: false, parameters: [
-    { key: "contact.thickness", label: "Thickness" },
-    { key: "cloths.0.friction", label: "Friction" },
-  ] },
-  { name: "time", title: "Time", live: false, parameters: [{ key: SUBSTEPS, label: "Substeps per frame" }] },
-];
+export const GROUPS: readonly Group[] = list.groups;
 
 /** What solver.kind may be. */
 export const solversOf = ({ methods }: Catalog): string[] => ["auto", ...methods.map(({ kind }) => kind)];
