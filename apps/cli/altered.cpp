@@ -1,8 +1,7 @@
 #include "altered.hpp"
 
 #include <algorithm>
-
-#include "common.hpp"
+#include <cstdio>
 
 namespace weft::cli {
 namespace {
@@ -20,7 +19,13 @@ void Altered::add(const sim::World& world, std::uint32_t frame, std::uint64_t tr
   most_ = std::max(most_, part);
 }
 
-void Altered::say_all(const sim::World& world) const {
+std::vector<std::string> Altered::sentences(const sim::World& world) const {
+  std::vector<std::string> all;
+  const auto say = [&](const char* format, auto... values) {
+    char text[512];
+    std::snprintf(text, sizeof text, format, values...);
+    all.emplace_back(text);
+  };
   if (frames_ > 0)
     say("In %u frames, from frame %u on, contact shortened more than 0.1 %% of the vertices' ways, at most "
         "%.2g %% in a frame, since cloth or an obstacle would have been passed: more substeps help.",
@@ -42,6 +47,7 @@ void Altered::say_all(const sim::World& world) const {
         "iteration%s: more substeps help.",
         world.scene().solver.residual, static_cast<unsigned long long>(totals.unsolved),
         static_cast<double>(totals.residual), totals.iterations, totals.iterations == 1 ? "" : "s");
+  return all;
 }
 
 }  // namespace weft::cli

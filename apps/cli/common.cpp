@@ -1,12 +1,14 @@
 #include "common.hpp"
 
 #include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 
 #include "base/json.hpp"
 #include "scene/nearest.hpp"
@@ -25,9 +27,19 @@ void on_interrupt(int number) {
   ::raise(number);
 }
 
+/// weft's rooms are built without exceptions, so a failed allocation would end the program without a word. No
+/// memory may be taken here.
+[[noreturn]] void on_no_memory() {
+  constexpr char kSentence[] = "weft: The host has no memory left.\n";
+  static_cast<void>(!::write(STDERR_FILENO, kSentence, sizeof kSentence - 1));
+  ::_exit(exit_code(ErrorKind::OutOfMemory));
+}
+
 }  // namespace
 
-Result<scene::Scene> load(const SceneOptions& options) {
+void say_where_memory_ends() { std::set_new_handler(on_no_memory); }
+
+Result<std::vector<scene::Override>> changes_of(const SceneOptions& options) {
   std::vector<scene::Override> overrides;
   if (!options.solver.empty()) overrides.push_back(scene::override_solver(options.solver));
   for (const auto* texts : {&options.shorthands, &options.sets})
@@ -35,6 +47,11 @@ Result<scene::Scene> load(const SceneOptions& options) {
       WEFT_TRY(change, scene::parse_override(text));
       overrides.push_back(change);
     }
+  return overrides;
+}
+
+Result<scene::Scene> load(const SceneOptions& options) {
+  WEFT_TRY(overrides, changes_of(options));
   return read_scene(options.path, overrides);
 }
 

@@ -9,9 +9,13 @@
 
 #include "base/result.hpp"
 #include "gpu/device.hpp"
+#include "scene/override.hpp"
 #include "scene/scene.hpp"
 
 namespace weft::cli {
+
+/// Has a failed allocation end the program with a sentence and its exit code.
+void say_where_memory_ends();
 
 /// Options that name a scene and change it.
 struct SceneOptions {
@@ -20,6 +24,9 @@ struct SceneOptions {
   std::vector<std::string> sets;        // KEY=JSON
   std::string solver;                   // replaces the scene's solver object
 };
+
+/// What they change, in order. Errors  Usage.
+Result<std::vector<scene::Override>> changes_of(const SceneOptions& options);
 
 /// The scene with its overrides. Errors  Input, Usage.
 Result<scene::Scene> load(const SceneOptions& options);

@@ -1,13 +1,10 @@
 // The command line. Data goes to stdout, all else to stderr; docs/cli.md lists commands and exit codes.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 
 #include "bench_command.hpp"
 #include "completion.hpp"
@@ -23,14 +20,6 @@
 namespace {
 
 using namespace weft::cli;
-
-/// weft's rooms are built without exceptions, so a failed allocation would end the program without a word. No
-/// memory may be taken here.
-[[noreturn]] void on_no_memory() {
-  constexpr char kSentence[] = "weft: The host has no memory left.\n";
-  static_cast<void>(!::write(STDERR_FILENO, kSentence, sizeof kSentence - 1));
-  ::_exit(weft::exit_code(weft::ErrorKind::OutOfMemory));
-}
 
 /// Why a command line does not parse, in one sentence. Of a first word that is no command CLI11 says only that
 /// there must be one.
@@ -55,9 +44,8 @@ int finish_output(int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::set_new_handler(on_no_memory);
-  // Mesa's drivers ask for a Wayland display, and say so on stderr where there is no session. weft opens no
-  // window.
+  say_where_memory_ends();
+  // Mesa's drivers ask for a Wayland display, and say so on stderr where there is no session.
   setenv("XDG_RUNTIME_DIR", "/nonexistent", 0);
 
   CLI::App app(

@@ -20,6 +20,8 @@ class Pictures {
 
   /// Draws the current state as the next frame; pictures are written as they arrive.
   Result<void> draw(const sim::World& world);
+  /// From the next picture on.
+  void set_camera(const render::Camera& camera) { offscreen_->set_camera(camera); }
   /// Gives up what is on its way, since the device is lost; nothing is drawn before go_on.
   void let_go() { offscreen_.reset(); }
   /// Goes on in another world of the same scene. Frames that have been written are not written again.

@@ -44,7 +44,7 @@ Result<void> run_scene(const RunOptions& options) {
   if (!ended && ended.error().kind != ErrorKind::Diverged && ended.error().kind != ErrorKind::Interrupted)
     return ended;
   sim::World& world = run.world();
-  run.altered().say_all(world);
+  for (const std::string& sentence : run.altered().sentences(world)) say("%s", sentence.c_str());
   if (world.totals().crossings_left > 0)
     say("Cloth ends in a tangle: edges pass through triangles at %u places.", world.totals().crossings_left);
   Summary& summary = run.summary();

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/file.hpp"
 #include "base/json.hpp"
 #include "common.hpp"
 #include "scene/load.hpp"
@@ -55,12 +56,16 @@ Error no_such_scene(const std::string& name) {
 
 }  // namespace
 
-std::string folder_beside_program(const std::string& name) {
+std::string beside_program(const std::string& name) {
   char path[PATH_MAX];
   const ssize_t length = ::readlink("/proc/self/exe", path, sizeof path - 1);
   if (length <= 0) return name;
   const std::filesystem::path program(std::string(path, static_cast<std::size_t>(length)));
-  return (program.parent_path().parent_path() / name).string();
+  return (program.parent_path() / name).string();
+}
+
+std::string folder_beside_program(const std::string& name) {
+  return (std::filesystem::path(beside_program("weft")).parent_path().parent_path() / name).string();
 }
 
 std::vector<std::string> shipped_scenes() {
@@ -73,15 +78,24 @@ std::vector<std::string> shipped_scenes() {
   return names;
 }
 
-Result<scene::Scene> read_scene(const std::string& source, std::span<const scene::Override> overrides) {
+Result<SceneSource> find_scene(const std::string& source) {
   if (source == "-") {
     WEFT_TRY(text, read_standard_input());
-    return scene::parse_scene(text, kStandardInput, overrides);
+    return SceneSource{std::move(text), kStandardInput};
   }
-  if (!is_name(source)) return scene::load_scene(source, overrides);
-  std::error_code ignored;
-  if (!std::filesystem::exists(shipped_path(source), ignored)) return no_such_scene(source);
-  return scene::load_scene(shipped_path(source), overrides);
+  std::string path = source;
+  if (is_name(source)) {
+    path = shipped_path(source);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return no_such_scene(source);
+  }
+  WEFT_TRY(bytes, read_file(path, kMaxJsonBytes));
+  return SceneSource{{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path};
+}
+
+Result<scene::Scene> read_scene(const std::string& source, std::span<const scene::Override> overrides) {
+  WEFT_TRY(found, find_scene(source));
+  return scene::parse_scene(found.text, found.file, overrides);
 }
 
 }  // namespace weft::cli
