@@ -28,10 +28,11 @@ COMPILE_PACKAGES=(g++ cmake ninja-build ccache python3 python3-pip ca-certificat
   libstb-dev libxxhash-dev zlib1g-dev libmeshoptimizer-dev)
 RUN_PACKAGES=(ffmpeg libvulkan1 mesa-vulkan-drivers)
 WEB_PACKAGES=(emscripten)
+WINDOW_PACKAGES=(libglfw3-dev libimgui-dev fonts-dejavu-core)
 REPORT_PACKAGES=(python3-jinja2)
 FORMAT_PACKAGES=(clang-format-14 shellcheck shfmt)
 TEST_PACKAGES=(chromium doctest-dev libtinyobjloader-dev libtinygltf-dev libeigen3-dev shellcheck
-  "${REPORT_PACKAGES[@]}")
+  xvfb xdotool python3-xlib "${REPORT_PACKAGES[@]}" "${WINDOW_PACKAGES[@]}")
 
 as_root() {
   if [ "$(id -u)" = 0 ]; then

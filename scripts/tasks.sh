@@ -31,15 +31,34 @@ task_build() {
   compile release weft
 }
 
-task_run() {
-  local scene=pull-armadillo
+# take_scene [SCENE] [OPTION...]: into the caller's scene and options.
+take_scene() {
+  scene=pull-armadillo options=("$@")
   case "${1:-}" in '' | -*) ;; *)
-    scene=$1
-    shift
+    scene=$1 options=("${@:2}")
     ;;
   esac
+}
+
+task_run() {
+  local scene options
+  take_scene "$@"
   task_build
-  build/weft run "$scene" --out "out/$(basename "$scene" .json)" "$@"
+  build/weft run "$scene" --out "out/$(basename "$scene" .json)" "${options[@]}"
+}
+
+build_window() {
+  setup_packages "${WINDOW_PACKAGES[@]}"
+  task_build
+  configure release WEFT_WINDOW
+  compile release weft_window
+}
+
+task_view() {
+  local scene options
+  take_scene "$@"
+  build_window
+  build/weft view "$scene" "${options[@]}"
 }
 
 # The page and its package: the core as WebAssembly, TypeScript over it, the built page in apps/web/dist.
@@ -140,6 +159,7 @@ task_test() {
   setup_docs
   task_models
   configure release WEFT_TESTS
+  configure release WEFT_WINDOW
   compile release all
   build_wheel "$DEBIAN_PYTHON"
   build_web

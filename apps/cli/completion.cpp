@@ -16,8 +16,8 @@ namespace {
 constexpr const char* kBash = R"(_weft() {
   local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}
   if [ "$COMP_CWORD" = 1 ]; then
-    COMPREPLY=($(compgen -W "run check scenes fabrics validate adapters schema bench export completion --help \
-      --version" -- "$word")); return
+    COMPREPLY=($(compgen -W "run view check scenes fabrics validate adapters schema bench export \
+      completion --help --version" -- "$word")); return
   fi
   case "$previous" in
     --out|-o)
@@ -29,7 +29,7 @@ constexpr const char* kBash = R"(_weft() {
         COMPREPLY=($(compgen -f -- "$word")); return
       fi ;;
     --view) COMPREPLY=($(compgen -W "@VIEWS@" -- "$word")); return ;;
-    --resume) COMPREPLY=($(compgen -f -- "$word")); return ;;
+    --resume|--picture) COMPREPLY=($(compgen -f -- "$word")); return ;;
     --format) COMPREPLY=($(compgen -W "@FORMATS@" -- "$word")); return ;;
     --mesh-format) COMPREPLY=($(compgen -W "obj ply" -- "$word")); return ;;
     --set|--nodes|--size|--frames|-n|--meshes-every|--checkpoint-every|--adapter|\
@@ -48,6 +48,8 @@ constexpr const char* kBash = R"(_weft() {
     run) local options="--set --solver --nodes --size --view --frames --out --no-pictures --no-measures --meshes-every"
       options+=" --mesh-format --checkpoint-every --resume --adapter --quiet --json --help"
       COMPREPLY=($(compgen -W "$options @SCENES@" -f -- "$word")) ;;
+    view) local options="--set --solver --nodes --size --view --frames --out --paused --record --picture --adapter"
+      COMPREPLY=($(compgen -W "$options --help @SCENES@" -f -- "$word")) ;;
     check) COMPREPLY=($(compgen -W "--set --solver --nodes --help @SCENES@" -f -- "$word")) ;;
     bench) local measure="--json --adapter --unchecked --help"
       case "${COMP_WORDS[2]}" in
@@ -69,15 +71,19 @@ complete -o filenames -F _weft weft
 )";
 
 constexpr const char* kFish = R"(complete -c weft -f
-complete -c weft -n __fish_use_subcommand -a "run check scenes fabrics validate adapters schema bench export completion"
-complete -c weft -n "__fish_seen_subcommand_from run check" -F -l set -x -d "KEY=JSON"
-complete -c weft -n "__fish_seen_subcommand_from run check validate" -l solver -x -a '@SOLVERS@'
-complete -c weft -n "__fish_seen_subcommand_from run check" -F -a "@SCENES@"
-complete -c weft -n "__fish_seen_subcommand_from run check" -l nodes -x -d "N or NxM"
-complete -c weft -n "__fish_seen_subcommand_from run" -l size -x -d "WxH"
-complete -c weft -n "__fish_seen_subcommand_from run" -l view -x -a "@VIEWS@"
-complete -c weft -n "__fish_seen_subcommand_from run" -s n -l frames -x
-complete -c weft -n "__fish_seen_subcommand_from run" -s o -l out -r
+complete -c weft -n __fish_use_subcommand \
+  -a "run view check scenes fabrics validate adapters schema bench export completion"
+complete -c weft -n "__fish_seen_subcommand_from run view check" -F -l set -x -d "KEY=JSON"
+complete -c weft -n "__fish_seen_subcommand_from run view check validate" -l solver -x -a '@SOLVERS@'
+complete -c weft -n "__fish_seen_subcommand_from run view check" -F -a "@SCENES@"
+complete -c weft -n "__fish_seen_subcommand_from run view check" -l nodes -x -d "N or NxM"
+complete -c weft -n "__fish_seen_subcommand_from run view" -l size -x -d "WxH"
+complete -c weft -n "__fish_seen_subcommand_from run view" -l view -x -a "@VIEWS@"
+complete -c weft -n "__fish_seen_subcommand_from run view" -s n -l frames -x
+complete -c weft -n "__fish_seen_subcommand_from run view" -s o -l out -r
+complete -c weft -n "__fish_seen_subcommand_from view" -l paused
+complete -c weft -n "__fish_seen_subcommand_from view" -l record
+complete -c weft -n "__fish_seen_subcommand_from view" -l picture -r -F
 complete -c weft -n "__fish_seen_subcommand_from run" -l no-pictures
 complete -c weft -n "__fish_seen_subcommand_from run" -l no-measures
 complete -c weft -n "__fish_seen_subcommand_from run" -l meshes-every -x
@@ -85,7 +91,7 @@ complete -c weft -n "__fish_seen_subcommand_from run" -l mesh-format -x -a "obj 
 complete -c weft -n "__fish_seen_subcommand_from run" -l checkpoint-every -x
 complete -c weft -n "__fish_seen_subcommand_from run" -l resume -r -F
 complete -c weft -n "__fish_seen_subcommand_from run" -s q -l quiet
-complete -c weft -n "__fish_seen_subcommand_from run bench validate" -l adapter -x
+complete -c weft -n "__fish_seen_subcommand_from run view bench validate" -l adapter -x
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
 complete -c weft -n "__fish_seen_subcommand_from scenes fabrics validate" -l json
 complete -c weft -n "__fish_seen_subcommand_from validate" -l only -x -a "@LAWS@"

@@ -16,6 +16,7 @@
 #include "scenes.hpp"
 #include "validate.hpp"
 #include "version.hpp"
+#include "view_command.hpp"
 
 namespace {
 
@@ -57,6 +58,9 @@ int main(int argc, char** argv) {
 
   RunOptions run_options;
   CLI::App* run_command = add_run_command(app, run_options);
+
+  ViewOptions view_options;
+  CLI::App* view_command = add_view_command(app, view_options);
 
   SceneOptions check_options;
   CLI::App* check_command = app.add_subcommand(
@@ -115,6 +119,7 @@ int main(int argc, char** argv) {
   }
   int code = 2;
   if (*run_command) code = run(run_options);
+  if (*view_command) code = view(argv);
   if (*check_command) code = check(check_options);
   if (*adapters_command) code = list_adapters();
   if (*scenes_command) code = list_scenes(scenes_json);

@@ -7,7 +7,19 @@ from pathlib import Path
 
 from declared import cpp_headers, python_names, typescript_names
 
-COMMANDS = ("run", "check", "scenes", "fabrics", "validate", "adapters", "schema", "bench", "export", "completion")
+COMMANDS = (
+    "run",
+    "view",
+    "check",
+    "scenes",
+    "fabrics",
+    "validate",
+    "adapters",
+    "schema",
+    "bench",
+    "export",
+    "completion",
+)
 
 
 def said(weft: str, *words: str) -> str:

@@ -13,8 +13,8 @@ using namespace weft;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"run",      "check",  "scenes", "fabrics", "validate",
-                                            "adapters", "schema", "bench",  "export",  "completion"};
+const std::vector<std::string> kCommands = {"run",      "view",   "check", "scenes", "fabrics",   "validate",
+                                            "adapters", "schema", "bench", "export", "completion"};
 
 /// All commands, also those of `bench`, each as its words.
 std::vector<std::vector<std::string>> every_command() {

@@ -54,6 +54,7 @@ case_apt() {
 
 case_run() {
   task_build() { :; }
+  build_window() { :; }
   mkdir build scenes
   printf '#!/bin/sh\necho "$@"\n' >build/weft
   chmod +x build/weft
@@ -61,6 +62,8 @@ case_run() {
   expect "--help" "run pull-armadillo --out out/pull-armadillo --help" "$(task_run --help)"
   expect "a scene's name" "run breeze --out out/breeze --frames 2" "$(task_run breeze --frames 2)"
   expect "a scene's file" "run own.json --out out/own" "$(task_run own.json)"
+  expect "a window" "view pull-armadillo --paused" "$(task_view --paused)"
+  expect "a window of a scene" "view breeze" "$(task_view breeze)"
 }
 
 # What a job configures stays, and no job configures again for what is there.

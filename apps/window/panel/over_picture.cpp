@@ -1,0 +1,72 @@
+#include "panel/over_picture.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panel/theme.hpp"
+#include "panel/widgets.hpp"
+#include "render/color_map.hpp"
+#include "render/field.hpp"
+
+namespace weft::window {
+namespace {
+
+constexpr ImU32 kInk = IM_COL32(24, 32, 44, 255);
+constexpr ImU32 kMarker = IM_COL32(255, 214, 64, 255);
+
+void draw_title(Player& player) {
+  const std::string& title = player.world().scene().title;
+  const std::string& shown = title.empty() ? player.shown().name : title;
+  ImGui::GetBackgroundDrawList()->AddText({points(kMargin), points(kMargin)}, kInk, shown.c_str());
+}
+
+/// In the lower left corner, where colours are numbers.
+void draw_legend(const render::Field& field, float width, float height) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float margin = points(kMargin), line = ImGui::GetTextLineHeight(), thick = points(8);
+  const ImVec2 low = {margin, height - margin - 2 * line - points(14)};
+  const float bar = std::min(points(240), width - 2 * margin);
+  list.AddRectFilled({low.x - points(8), low.y - points(6)},
+                     {low.x + bar + points(8), height - margin + points(4)}, IM_COL32(16, 20, 26, 200),
+                     points(4));
+  list.AddText(low, IM_COL32_WHITE, field.title);
+  const float top = low.y + line + points(3);
+  const std::size_t parts = render::kColorMapSize - 1;
+  const auto color = [](std::size_t i) {
+    const Vec3f& c = render::kColorMap[i];
+    return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1});
+  };
+  for (std::size_t i = 0; i < parts; ++i) {
+    const float left = low.x + bar * static_cast<float>(i) / static_cast<float>(parts);
+    list.AddRectFilledMultiColor({left, top}, {left + bar / static_cast<float>(parts), top + thick}, color(i),
+                                 color(i + 1), color(i + 1), color(i));
+  }
+  const std::string lowest = text("%.*f", field.decimals, field.range.lowest);
+  const std::string highest = text("%.*f", field.decimals, field.range.highest);
+  const float below = top + thick + points(1);
+  list.AddText({low.x, below}, IM_COL32_WHITE, lowest.c_str());
+  list.AddText({low.x + bar - ImGui::CalcTextSize(highest.c_str()).x, below}, IM_COL32_WHITE,
+               highest.c_str());
+}
+
+void draw_markers(Player& player, float width, float height) {
+  for (const Pin& pin : player.pins().all()) {
+    const render::Projected seen = player.look().project(pin.point);
+    if (seen.depth <= 0) continue;
+    const ImVec2 at = {width * static_cast<float>(seen.x + 1) / 2,
+                       height * static_cast<float>(1 - seen.y) / 2};
+    ImGui::GetBackgroundDrawList()->AddCircleFilled(at, points(6), kMarker);
+    ImGui::GetBackgroundDrawList()->AddCircle(at, points(6), kInk, 0, points(1.5F));
+  }
+}
+
+}  // namespace
+
+void draw_over_picture(Player& player, float width, float height) {
+  draw_title(player);
+  if (const auto field = render::field_of(player.view())) draw_legend(*field, width, height);
+  draw_markers(player, width, height);
+}
+
+}  // namespace weft::window
