@@ -90,7 +90,12 @@ TEST_CASE_FIXTURE(GpuFixture,
                                        [0.95, 0.1, 0.05], [1.05, 0.1, 0.05], [0.95, 0.2, 0.05], [1.05, 0.2, 0.05]],
           "rigid": {"mass": 1}},
          {"kind": "box", "center": [0.75, 0.05, 0], "size": [0.6, 0.1, 0.6]},
-         {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]})"};
+         {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]})",
+      R"({"kind": "convex", "points": [[-0.4, 0.22, -0.02], [0.4, 0.24, -0.02], [-0.4, 0.22, 0.02], [0.4, 0.24, 0.02],
+                                       [-0.4, 0.26, 0], [0.4, 0.28, 0]], "rigid": {"mass": 1, "spin": [0, 1, 0]}},
+         {"kind": "convex", "points": [[-0.2, 0, -0.1], [0.2, 0, -0.1], [0, 0.2, -0.1], [-0.2, 0, 0.1], [0.2, 0, 0.1],
+                                       [0, 0.2, 0.1]]},
+         {"kind": "capsule", "a": [0, 0.4, -0.2], "b": [0.1, 0.42, 0.2], "radius": 0.03, "rigid": {"mass": 0.5}})"};
   for (const char* one : colliders) {
     CAPTURE(one);
     const scene::Scene scene = scene_of(R"("solver": {"kind": "mass_spring"}, "time": {"substeps": 8}, )" +

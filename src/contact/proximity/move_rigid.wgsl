@@ -9,7 +9,7 @@
 //                                                                                elements
 @group(0) @binding(0) var<uniform>             step       : StepBlock;
 @group(0) @binding(1) var<storage, read_write> rigid      : array<u32>;        // kRigidWords * colliders
-@group(0) @binding(2) var<storage, read>       hulls      : array<vec4f>;      // corners, m; faces: normal, distance
+@group(0) @binding(2) var<storage, read>       hulls      : array<vec4f>;      // corners; faces; edges, m
 @group(0) @binding(3) var<storage, read_write> places     : array<vec4f>;      // kPlaceVectors * those * (substeps + 1)
 @group(0) @binding(4) var<storage, read_write> touches    : array<vec4f>;      // kTouchVectors * kMostTouches * those
 @group(0) @binding(5) var<storage, read_write> statistics : array<atomic<u32>>;
@@ -32,11 +32,13 @@ fn is_body(c : u32) -> bool { return number_at(kRigidWords * c + kRigidInverseMa
 fn collider_count() -> u32 { return arrayLength(&rigid) / kRigidWords; }
 fn touch_word(body : u32, k : u32) -> u32 { return kTouchVectors * (kMostTouches * body + k); }
 
+fn spin_at(body : u32) -> vec3f {
+  let word = kRigidWords * body;
+  return spin_of(vector_at(word + kRigidInertia), quaternion_at(word + kRigidTurn), vector_at(word + kRigidMomentum));
+}
 fn velocity_at(body : u32, point : vec3f) -> vec3f {
   let word = kRigidWords * body;
-  let momentum = vector_at(word + kRigidMomentum);
-  let spin = spin_of(vector_at(word + kRigidInertia), quaternion_at(word + kRigidTurn), momentum);
-  return vector_at(word + kRigidVelocity) + cross(spin, point - vector_at(word + kRigidPlace));
+  return vector_at(word + kRigidVelocity) + cross(spin_at(body), point - vector_at(word + kRigidPlace));
 }
 // K v at a point; of what is no body 0.
 fn mobility_at(body : u32, point : vec3f, v : vec3f) -> vec3f {
@@ -65,6 +67,11 @@ fn scripted_velocity(c : u32, point : vec3f) -> vec3f {
   return (vec3f(dot(places[then], p), dot(places[then + 1u], p), dot(places[then + 2u], p)) - point) / step.time.dt;
 }
 
+fn velocity_of(c : u32, point : vec3f) -> vec3f {
+  if (is_body(c)) { return velocity_at(c, point); }
+  return scripted_velocity(c, point);
+}
+
 fn friction_between(a : f32, b : f32) -> f32 {
   if (a >= 0.0 && b >= 0.0) { return sqrt(a * b); }
   return select(select(kNoFriction, b, b >= 0.0), a, a >= 0.0);
@@ -82,12 +89,7 @@ fn room_of_cloth(body : u32, other : u32, normal : vec3f) -> f32 {
 fn consider(body : u32, other : u32, point : vec3f, normal : vec3f, apart : f32) {
   let word = kRigidWords * body;
   let gap = apart - room_of_cloth(body, other, normal);
-  var of_other : vec3f;
-  if (is_body(other)) {
-    of_other = velocity_at(other, point);
-  } else {
-    of_other = scripted_velocity(other, point);
-  }
+  let of_other = velocity_of(other, point);
   let dt = step.time.dt;
   let speed = dot(normal, velocity_at(body, point) - of_other);
   if (!(gap + min(0.0, 2.0 * dt * speed) < kTouchPart * number_at(word + kRigidExtent))) { return; }
@@ -147,20 +149,50 @@ fn add_feet(a : u32, b : u32, from_b : bool) {
 }
 
 const kWithinRod = 1e-3;  // of its length: an end has touches of its own
+// A direction from b to a along which they are farthest apart, of those of faces; how far b reaches along it, and how
+// near to that an edge must be that can touch, m.
+struct Between { along : vec3f, level : f32, room : f32 }
+fn between(a : u32, b : u32) -> Between {
+  let v = velocity_at(a, middle_of(a)) - velocity_of(b, middle_of(a));
+  var turning = length(spin_at(a)) * extent_of(a);
+  if (is_body(b)) { turning += length(spin_at(b)) * extent_of(b); }
+  let room = kDeepest * min(extent_of(a), extent_of(b)) + 2.0 * step.time.dt * (length(v) + turning) +
+             number_at(kRigidWords * a + kRigidRadius) + number_at(kRigidWords * b + kRigidRadius);
+  var best = Between(vec3f(0.0), 0.0, room);
+  var apart = -3e38;
+  if (has_faces(b)) {
+    let toward = face_toward(b, a);
+    let along = direction_in_world(b, toward.face.xyz);
+    apart = toward.apart;
+    best = Between(along, dot(along, middle_of(b)) + toward.face.w, room - min(apart, 0.0));
+  }
+  if (has_faces(a)) {
+    let toward = face_toward(a, b);
+    if (toward.apart > apart) {
+      let along = -direction_in_world(a, toward.face.xyz);
+      let level = dot(along, middle_of(a)) - toward.face.w - toward.apart;
+      best = Between(along, level, room - min(toward.apart, 0.0));
+    }
+  }
+  return best;
+}
 fn add_rods(a : u32, b : u32) {
   let middle_a = middle_of(a);
   let middle_b = middle_of(b);
   let radius_a = number_at(kRigidWords * a + kRigidRadius);
   let radius_b = number_at(kRigidWords * b + kRigidRadius);
   let deepest = kDeepest * min(extent_of(a), extent_of(b));
+  let slab = between(a, b);
   for (var i = 0u; i < rod_count(a); i++) {
     let first = rod_of(a, i);
     let p = place_in_world(a, first.start);
     let u = direction_in_world(a, first.along);
+    if (dot(slab.along, p) + min(0.0, dot(slab.along, u)) > slab.level + slab.room) { continue; }
     for (var k = 0u; k < rod_count(b); k++) {
       let second = rod_of(b, k);
       let q = place_in_world(b, second.start);
       let v = direction_in_world(b, second.along);
+      if (dot(slab.along, q) + max(0.0, dot(slab.along, v)) < slab.level - slab.room) { continue; }
       let square = cross(u, v);
       let size = dot(square, square);
       if (!(size > 1e-6 * dot(u, u) * dot(v, v))) { continue; }

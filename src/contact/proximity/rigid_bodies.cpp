@@ -11,7 +11,8 @@ namespace {
 // As in src/contact/proximity/rigid_words.wgsl and move_rigid.wgsl.
 constexpr std::uint32_t kPlace = 0, kTurn = 4, kVelocity = 8, kMomentum = 12, kKind = 32, kInverseMass = 33,
                         kExtent = 34, kFriction = 35, kHalf = 36, kRadius = 39, kInertia = 40, kMass = 43,
-                        kCenter = 44, kFirst = 47, kAxes = 48, kCorners = 52, kFaces = 53, kTouchVectors = 4;
+                        kCenter = 44, kFirst = 47, kAxes = 48, kCorners = 52, kFaces = 53, kEdges = 54,
+                        kTouchVectors = 4;
 
 class Words {
  public:
@@ -55,6 +56,11 @@ void write_solid(Words words, const ColliderSolid& solid, std::vector<Vec4f>& hu
   for (const auto& plane : solid.planes)
     hulls.push_back({static_cast<float>(plane[0]), static_cast<float>(plane[1]), static_cast<float>(plane[2]),
                      static_cast<float>(plane[3])});
+  words.whole(kEdges, solid.edges.size());
+  for (const auto& [start, end] : solid.edges) {
+    hulls.push_back(Vec4f::from(start.to<float>(), 0));
+    hulls.push_back(Vec4f::from((end - start).to<float>(), 0));
+  }
   if (!solid.rigid()) return;
   const RigidState start = start_of(solid);
   words.vector(kPlace, start.place);

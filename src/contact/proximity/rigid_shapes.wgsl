@@ -32,6 +32,38 @@ fn from_core(away : vec3f, radius : f32) -> vec4f {
   let size = length(away);
   return vec4f(select(vec3f(0.0, 1.0, 0.0), away / size, size > 0.0), size - radius);
 }
+// By the face that a place is in or above, or else by the nearest edge.
+const kOnFace = 1e-6;  // of an extent: what is no farther beside a face is on it
+fn depth_of_hull(c : u32, p : vec3f) -> vec4f {
+  let word = kRigidWords * c;
+  let first = rigid[word + kRigidFirst] + rigid[word + kRigidCorners];
+  let faces = rigid[word + kRigidFaces];
+  var most = vec4f(0.0, 1.0, 0.0, -3e38);
+  for (var k = 0u; k < faces; k++) {
+    let face = hulls[first + k];
+    let gap = dot(face.xyz, p) - face.w;
+    if (gap > most.w) { most = vec4f(face.xyz, gap); }
+  }
+  if (most.w <= 0.0) { return most; }
+  let foot = p - most.w * most.xyz;
+  let spared = kOnFace * number_at(word + kRigidExtent);
+  var is_above = true;
+  for (var k = 0u; k < faces; k++) {
+    let face = hulls[first + k];
+    is_above = is_above && dot(face.xyz, foot) - face.w <= spared;
+  }
+  if (is_above) { return most; }
+  var nearest = vec4f(most.xyz, 3e38);
+  for (var k = 0u; k < rigid[word + kRigidEdges]; k++) {
+    let at = first + faces + 2u * k;
+    let along = hulls[at + 1u].xyz;
+    let r = p - hulls[at].xyz;
+    let offset = r - clamp(dot(r, along) / dot(along, along), 0.0, 1.0) * along;
+    let distance = length(offset);
+    if (distance > 0.0 && distance < nearest.w) { nearest = vec4f(offset / distance, distance); }
+  }
+  return nearest;
+}
 // The direction out of a surface, and how far a place is from it, m.
 fn depth_of(c : u32, p : vec3f) -> vec4f {
   let word = kRigidWords * c;
@@ -52,14 +84,7 @@ fn depth_of(c : u32, p : vec3f) -> vec4f {
     out[axis] = select(1.0, -1.0, p[axis] < 0.0);
     return out;
   }
-  var most = vec4f(0.0, 1.0, 0.0, -3e38);
-  let first = rigid[word + kRigidFirst] + rigid[word + kRigidCorners];
-  for (var k = 0u; k < rigid[word + kRigidFaces]; k++) {
-    let face = hulls[first + k];
-    let gap = dot(face.xyz, p) - face.w;
-    if (gap > most.w) { most = vec4f(face.xyz, gap); }
-  }
-  return most;
+  return depth_of_hull(c, p);
 }
 
 fn foot_count(c : u32) -> u32 {
@@ -138,6 +163,7 @@ fn rod_count(c : u32) -> u32 {
   switch rigid[kRigidWords * c + kRigidKind] {
     case kCapsule: { return 1u; }
     case kBox: { return 12u; }
+    case kHull: { return rigid[kRigidWords * c + kRigidEdges]; }
     default: { return 0u; }
   }
 }
@@ -146,6 +172,11 @@ fn rod_of(c : u32, k : u32) -> Rod {
   let half = vector_at(kRigidWords * c + kRigidHalf);
   if (rigid[kRigidWords * c + kRigidKind] == kCapsule) {
     return Rod(vec3f(-half.x, 0.0, 0.0), vec3f(2.0 * half.x, 0.0, 0.0));
+  }
+  if (rigid[kRigidWords * c + kRigidKind] == kHull) {
+    let word = kRigidWords * c;
+    let at = rigid[word + kRigidFirst] + rigid[word + kRigidCorners] + rigid[word + kRigidFaces] + 2u * k;
+    return Rod(hulls[at].xyz, hulls[at + 1u].xyz);
   }
   var corner = k / 3u;
   corner = select(select(select(6u, 5u, corner == 2u), 3u, corner == 1u), 0u, corner == 0u);

@@ -19,10 +19,11 @@ const kRigidRadius = 39u;       // m
 const kRigidInertia = 40u;      // kg m²
 const kRigidMass = 43u;         // kg
 const kRigidCenter = 44u;       // where the scene puts it, m
-const kRigidFirst = 47u;        // u32: of `hulls`, its first corner; then its faces
+const kRigidFirst = 47u;        // u32: of `hulls`, its first corner; then its faces, and its edges, of two vectors each
 const kRigidAxes = 48u;         // where the scene puts it, quaternion
 const kRigidCorners = 52u;      // u32
 const kRigidFaces = 53u;        // u32
+const kRigidEdges = 54u;        // u32
 // In a substep.
 const kRigidNext = 64u;       // where its way ends, m
 const kRigidNextTurn = 68u;

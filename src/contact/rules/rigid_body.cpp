@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/trig.hpp"
 #include "mesh/mass_moments.hpp"
@@ -54,6 +55,25 @@ Vec3d inertia_by_mass(const ColliderSolid& solid) {
   return {part * 0.5 * r * r + rest * 0.4 * r * r, across, across};
 }
 
+constexpr double kSharp = 1e-6;  // by which the cosine between faces is less than 1 where there is an edge
+
+/// Those sides of a hull's triangles at which its surface turns.
+void set_edges(ColliderSolid& solid, const mesh::TriangleMesh& hull) {
+  std::map<std::array<std::uint32_t, 2>, Vec3d>
+      open;  // by the ends of a side, the normal of its first triangle
+  for (const mesh::Triangle& corner : hull.triangles) {
+    const Vec3d &a = solid.points[corner[0]], &b = solid.points[corner[1]], &c = solid.points[corner[2]];
+    const Vec3d out = cross(b - a, c - a);
+    const Vec3d normal = length(out) > 0 ? out / length(out) : Vec3d{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [first, second] = std::minmax(corner[k], corner[(k + 1) % 3]);
+      const auto [side, is_new] = open.try_emplace({first, second}, normal);
+      if (!is_new && dot(side->second, normal) < 1 - kSharp)
+        solid.edges.push_back({solid.points[first], solid.points[second]});
+    }
+  }
+}
+
 /// A hull's corners and faces about its centre of mass, along its principal axes. Returns its volume, and its inertia
 /// by mass.
 std::pair<double, Vec3d> set_hull(ColliderSolid& solid, const mesh::TriangleMesh& hull) {
@@ -73,6 +93,7 @@ std::pair<double, Vec3d> set_hull(ColliderSolid& solid, const mesh::TriangleMesh
     const Vec3d n = out / length(out);
     solid.planes.push_back({n.x, n.y, n.z, dot(n, a)});
   }
+  set_edges(solid, hull);
   return {moments.volume, principal.values / moments.volume};
 }
 

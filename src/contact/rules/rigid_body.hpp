@@ -27,9 +27,10 @@ struct ColliderSolid {
   double radius = 0;            // of a ball or capsule [m]
   std::vector<Vec3d> points;    // corners of a hull [m]
   std::vector<std::array<double, 4>>
-      planes;            // of a hull's faces: outward normal, how far from the centre [m]
-  double extent = 0;     // no point is farther from the centre [m]
-  double friction = -1;  // negative: it has none of its own
+      planes;                               // of a hull's faces: outward normal, how far from the centre [m]
+  std::vector<std::array<Vec3d, 2>> edges;  // of a hull, between faces that differ [m]
+  double extent = 0;                        // no point is farther from the centre [m]
+  double friction = -1;                     // negative: it has none of its own
   // Of a rigid body; else 0.
   double mass = 0;       // [kg]
   Vec3d inertia;         // about its own axes [kg m²]

@@ -16,6 +16,7 @@ struct Depth {
   Vec3d out;
 };
 
+constexpr double kOnFace = 1e-6;      // of an extent: what is no farther beside a face is on it
 constexpr double kSameFace = 0.9999;  // the cosine between triangles of one face of a hull
 
 Depth from_core(const Vec3d& away, double radius) {
@@ -38,6 +39,28 @@ Depth from_box(const Vec3d& p, const Vec3d& half) {
   return {std::abs(p[nearest]) - half[nearest], out};
 }
 
+/// By the face that a place is in or above, or else by the nearest edge.
+Depth from_hull(const ColliderSolid& solid, const Vec3d& p) {
+  Depth most{-1e300, {0, 1, 0}};
+  for (const auto& plane : solid.planes) {
+    const Vec3d n{plane[0], plane[1], plane[2]};
+    if (const double gap = dot(n, p) - plane[3]; gap > most.gap) most = {gap, n};
+  }
+  if (most.gap <= 0) return most;
+  const Vec3d foot = p - most.gap * most.out;
+  bool is_above = true;
+  for (const auto& plane : solid.planes)
+    is_above =
+        is_above && dot(Vec3d{plane[0], plane[1], plane[2]}, foot) - plane[3] <= kOnFace * solid.extent;
+  if (is_above) return most;
+  Depth nearest{1e300, most.out};
+  for (const auto& [start, end] : solid.edges) {
+    const ClosestOnSegment at = closest_on_segment(p, start, end);
+    if (at.distance > 0 && at.distance < nearest.gap) nearest = {at.distance, at.offset / at.distance};
+  }
+  return nearest;
+}
+
 Depth depth_of(const ColliderSolid& solid, const Vec3d& p) {
   switch (solid.kind) {
     case SolidKind::Ball:
@@ -48,14 +71,10 @@ Depth depth_of(const ColliderSolid& solid, const Vec3d& p) {
       return from_box(p, solid.half);
     case SolidKind::Plane:
       return {p.y, {0, 1, 0}};
-    default: {
-      Depth most{-1e300, {0, 1, 0}};
-      for (const auto& plane : solid.planes) {
-        const Vec3d n{plane[0], plane[1], plane[2]};
-        if (const double gap = dot(n, p) - plane[3]; gap > most.gap) most = {gap, n};
-      }
-      return most;
-    }
+    case SolidKind::Hull:
+      return from_hull(solid, p);
+    default:
+      return {1e300, {0, 1, 0}};
   }
 }
 
@@ -81,9 +100,10 @@ std::vector<Vec3d> feet_of(const ColliderSolid& solid) {
   }
 }
 
-/// The edges by which capsules and boxes meet.
+/// The edges by which solids meet: a capsule's axis, those of boxes and hulls.
 std::vector<std::array<Vec3d, 2>> rods_of(const ColliderSolid& solid) {
   if (solid.kind == SolidKind::Capsule) return {{Vec3d{-solid.half.x, 0, 0}, Vec3d{solid.half.x, 0, 0}}};
+  if (solid.kind == SolidKind::Hull) return solid.edges;
   std::vector<std::array<Vec3d, 2>> rods;
   if (solid.kind != SolidKind::Box) return rods;
   const std::vector<Vec3d> corners = feet_of(solid);
