@@ -7,9 +7,11 @@ namespace {
 
 /// Contact gives a substep a second system.
 StepLimit step_limit(const scene::Scene& scene, const Model& model) {
+  const Method row = implicit_row(scene.solver.kind);
   StepLimit limit;
-  limit.longest_auto_step =
-      solved_contact(scene, implicit_row(scene.solver.kind)).obstacles ? kImplicitContactStep : kImplicitStep;
+  limit.longest_auto_step = solved_contact(scene, row).obstacles ? kImplicitContactStep
+                            : leaves_obstacles(scene, row)       ? kBlowStep
+                                                                 : kImplicitStep;
   return with_gas(limit, model, kMostOfGasAhead);
 }
 

@@ -206,15 +206,27 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
   return std::move(*best);
 }
 
+namespace {
+
+/// Whether there is what the method holds in its matrix or its sweeps, where nothing takes it out of them.
+bool could_hold(const scene::Scene& scene, const Method& method) {
+  return method.holds_obstacles && scene.contact.method == scene::ContactMethod::Proximity &&
+         (!scene.colliders.empty() || scene.contact.self);
+}
+
+}  // namespace
+
 SolvedContact solved_contact(const scene::Scene& scene, const Method& method) {
   // A force of the solver on an obstacle would not move a rigid body: impulses answer all then.
-  const bool solves = method.holds_obstacles && scene.contact.method == scene::ContactMethod::Proximity &&
-                      (!scene.colliders.empty() || scene.contact.self) && scene.contact.restitution == 0 &&
-                      !scene::has_rigid(scene);
+  const bool solves = could_hold(scene, method) && !leaves_obstacles(scene, method);
   const bool has_bodies = std::any_of(scene.cloths.begin(), scene.cloths.end(),
                                       [](const scene::Cloth& cloth) { return cloth.solid.has_value(); });
   return {solves, solves && method.holds_pairs && scene.contact.self, method.order > 1,
           method.bounds_nodes && has_bodies};
+}
+
+bool leaves_obstacles(const scene::Scene& scene, const Method& method) {
+  return could_hold(scene, method) && (scene.contact.restitution > 0 || scene::has_rigid(scene));
 }
 
 }  // namespace weft

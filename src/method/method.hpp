@@ -95,5 +95,7 @@ double predicted_frame(const scene::Scene& scene, const Model& model, const Meth
 
 /// What of contact the method answers itself in this scene. Restitution is left to impulses.
 SolvedContact solved_contact(const scene::Scene& scene, const Method& method);
+/// Whether impulses answer obstacles that the method would answer itself, for restitution's or a rigid body's sake.
+bool leaves_obstacles(const scene::Scene& scene, const Method& method);
 
 }  // namespace weft

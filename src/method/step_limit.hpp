@@ -61,6 +61,10 @@ inline constexpr double kImplicitStep = 1.0 / 480;
 /// steps err by less [s]. Source: docs/solvers/multigrid.md, Contact.
 inline constexpr double kImplicitContactStep = 1.0 / 360;
 
+/// The same where impulses answer obstacles that the solver would answer itself but for restitution or rigid bodies:
+/// what they strike is stretched before its neighbours know [s]. Source: docs/rigid.md, Cloth.
+inline constexpr double kBlowStep = 1.0 / 1920;
+
 /// By how much longer than the one before it a step of the implicit solver may be (BDF2 is stable up to 1 +
 /// √2); beyond it starts without history.
 inline constexpr double kMostStepRatio = 2;

@@ -99,7 +99,8 @@ TEST_CASE("auto takes the method that keeps a strain limit, however coarse the c
   }
 }
 
-TEST_CASE("implicit steps are 1/480 s long, and 1/360 s where contact gives each a second system") {
+TEST_CASE(
+    "implicit steps are 1/480 s long, by contact 1/360 s, and 1/1920 s where impulses answer all of it") {
   const std::string implicit = R"(, "solver": {"kind": "multigrid"})";
   const auto substeps = [&](const std::string& keys) {
     const auto choice = choice_for(16, false, implicit + keys);
@@ -108,8 +109,9 @@ TEST_CASE("implicit steps are 1/480 s long, and 1/360 s where contact gives each
   };
   CHECK(substeps(kFree) == 8);
   CHECK(substeps(kContact) == 6);
-  CHECK(substeps(R"(, "contact": {"self": false})") == 8);  // there is nothing to meet
-  CHECK(substeps(R"(, "contact": {"restitution": 0.5})") == 8);
+  CHECK(substeps(R"(, "contact": {"self": false})") == 8);        // there is nothing to meet
+  CHECK(substeps(R"(, "contact": {"restitution": 0.5})") == 32);  // impulses answer all
+  CHECK(substeps(R"(, "contact": {"restitution": 0.5, "self": false})") == 8);
 }
 
 TEST_CASE("auto is what a scene without a kind gets, and its reason has the time predicted for each method") {

@@ -7,9 +7,9 @@
 namespace weft {
 namespace {
 
-StepLimit vbd_step_limit(const scene::Scene&, const Model& model) {
+StepLimit vbd_step_limit(const scene::Scene& scene, const Model& model) {
   StepLimit limit;
-  limit.longest_auto_step = kImplicitStep;
+  limit.longest_auto_step = leaves_obstacles(scene, vbd_method()) ? kBlowStep : kImplicitStep;
   return with_gas(limit, model, kMostOfGas);
 }
 
