@@ -121,12 +121,10 @@ fn consider(body : u32, other : u32, point : vec3f, normal : vec3f, apart : f32)
 const kDeepest = 0.05;    // of an extent, that bodies may be in each other where an edge or a rim is asked
 fn extent_of(c : u32) -> f32 { return number_at(kRigidWords * c + kRigidExtent); }
 
-// The feet of `a` against the surface of `b`; `from_b`: it is the body that is b's.
-fn add_feet(a : u32, b : u32, from_b : bool) {
+// The feet of `a` against the surface of `b`, of which `toward` is the face toward a; `from_b`: the body is b.
+fn add_feet(a : u32, b : u32, from_b : bool, toward : Toward) {
   let radius = number_at(kRigidWords * a + kRigidRadius);
   let by_face = radius == 0.0 && has_faces(b);
-  var toward = Toward(vec4f(0.0), 0.0);
-  if (by_face) { toward = face_toward(b, a); }
   let shallow = toward.apart >= -kDeepest * min(extent_of(a), extent_of(b));
   for (var k = 0u; k < foot_count(a); k++) {
     let place = place_in_world(a, foot_of(a, k));
@@ -152,37 +150,30 @@ const kWithinRod = 1e-3;  // of its length: an end has touches of its own
 // A direction from b to a along which they are farthest apart, of those of faces; how far b reaches along it, and how
 // near to that an edge must be that can touch, m.
 struct Between { along : vec3f, level : f32, room : f32 }
-fn between(a : u32, b : u32) -> Between {
+fn between(a : u32, b : u32, of_a : Toward, of_b : Toward) -> Between {
   let v = velocity_at(a, middle_of(a)) - velocity_of(b, middle_of(a));
   var turning = length(spin_at(a)) * extent_of(a);
   if (is_body(b)) { turning += length(spin_at(b)) * extent_of(b); }
   let room = kDeepest * min(extent_of(a), extent_of(b)) + 2.0 * step.time.dt * (length(v) + turning) +
              number_at(kRigidWords * a + kRigidRadius) + number_at(kRigidWords * b + kRigidRadius);
   var best = Between(vec3f(0.0), 0.0, room);
-  var apart = -3e38;
   if (has_faces(b)) {
-    let toward = face_toward(b, a);
-    let along = direction_in_world(b, toward.face.xyz);
-    apart = toward.apart;
-    best = Between(along, dot(along, middle_of(b)) + toward.face.w, room - min(apart, 0.0));
+    let along = direction_in_world(b, of_b.face.xyz);
+    best = Between(along, dot(along, middle_of(b)) + of_b.face.w, room - min(of_b.apart, 0.0));
   }
-  if (has_faces(a)) {
-    let toward = face_toward(a, b);
-    if (toward.apart > apart) {
-      let along = -direction_in_world(a, toward.face.xyz);
-      let level = dot(along, middle_of(a)) - toward.face.w - toward.apart;
-      best = Between(along, level, room - min(toward.apart, 0.0));
-    }
+  if (of_a.apart > of_b.apart) {
+    let along = -direction_in_world(a, of_a.face.xyz);
+    best = Between(along, dot(along, middle_of(a)) - of_a.face.w - of_a.apart, room - min(of_a.apart, 0.0));
   }
   return best;
 }
-fn add_rods(a : u32, b : u32) {
+fn add_rods(a : u32, b : u32, of_a : Toward, of_b : Toward) {
   let middle_a = middle_of(a);
   let middle_b = middle_of(b);
   let radius_a = number_at(kRigidWords * a + kRigidRadius);
   let radius_b = number_at(kRigidWords * b + kRigidRadius);
   let deepest = kDeepest * min(extent_of(a), extent_of(b));
-  let slab = between(a, b);
+  let slab = between(a, b, of_a, of_b);
   for (var i = 0u; i < rod_count(a); i++) {
     let first = rod_of(a, i);
     let p = place_in_world(a, first.start);
@@ -220,11 +211,13 @@ fn find_touches(body : u32) {
   for (var other = 0u; other < collider_count(); other++) {
     let of_other = rigid[kRigidWords * other + kRigidKind];
     if (other == body || of_other == kMesh || (is_body(other) && other < body)) { continue; }
-    add_feet(body, other, false);
+    let others_face = face_toward(other, body);
+    add_feet(body, other, false, others_face);
     // A ball's one point has been tried.
     if (kind == kBall || of_other == kPlane) { continue; }
-    add_feet(other, body, true);
-    add_rods(body, other);
+    let own_face = face_toward(body, other);
+    add_feet(other, body, true, own_face);
+    add_rods(body, other, own_face, others_face);
   }
 }
 

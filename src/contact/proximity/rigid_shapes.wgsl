@@ -126,7 +126,8 @@ fn face_of(c : u32, k : u32) -> vec4f {
   face.w = vector_at(word + kRigidHalf)[k / 2u];
   return face;
 }
-// The face of c beyond which the corners of another lie farthest, or in which they are least deep.
+// The face of c beyond which the corners of another lie farthest, or in which they are least deep; of what has no faces
+// none, the least far.
 struct Toward { face : vec4f, apart : f32 }
 fn face_toward(c : u32, other : u32) -> Toward {
   var best = Toward(vec4f(0.0), -3e38);

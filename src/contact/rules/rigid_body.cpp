@@ -57,25 +57,8 @@ Vec3d inertia_by_mass(const ColliderSolid& solid) {
 
 constexpr double kSharp = 1e-6;  // by which the cosine between faces is less than 1 where there is an edge
 
-/// Those sides of a hull's triangles at which its surface turns.
-void set_edges(ColliderSolid& solid, const mesh::TriangleMesh& hull) {
-  std::map<std::array<std::uint32_t, 2>, Vec3d>
-      open;  // by the ends of a side, the normal of its first triangle
-  for (const mesh::Triangle& corner : hull.triangles) {
-    const Vec3d &a = solid.points[corner[0]], &b = solid.points[corner[1]], &c = solid.points[corner[2]];
-    const Vec3d out = cross(b - a, c - a);
-    const Vec3d normal = length(out) > 0 ? out / length(out) : Vec3d{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [first, second] = std::minmax(corner[k], corner[(k + 1) % 3]);
-      const auto [side, is_new] = open.try_emplace({first, second}, normal);
-      if (!is_new && dot(side->second, normal) < 1 - kSharp)
-        solid.edges.push_back({solid.points[first], solid.points[second]});
-    }
-  }
-}
-
-/// A hull's corners and faces about its centre of mass, along its principal axes. Returns its volume, and its inertia
-/// by mass.
+/// A hull's corners, faces, and edges at which its surface turns, about its centre of mass, along its principal axes.
+/// Returns its volume, and its inertia by mass.
 std::pair<double, Vec3d> set_hull(ColliderSolid& solid, const mesh::TriangleMesh& hull) {
   const mesh::MassMoments moments = mesh::mass_moments(hull);
   const mesh::PrincipalAxes principal = mesh::principal_axes(mesh::inertia_of(moments));
@@ -86,14 +69,20 @@ std::pair<double, Vec3d> set_hull(ColliderSolid& solid, const mesh::TriangleMesh
     solid.points.push_back(to_own * (p.to<double>() - moments.center));
     solid.extent = std::max(solid.extent, length(solid.points.back()));
   }
+  std::map<std::array<std::uint32_t, 2>, Vec3d>
+      open;  // by the ends of a side, the normal of its first triangle
   for (const mesh::Triangle& corner : hull.triangles) {
     const Vec3d &a = solid.points[corner[0]], &b = solid.points[corner[1]], &c = solid.points[corner[2]];
     const Vec3d out = cross(b - a, c - a);
-    if (!(length(out) > 0)) continue;
-    const Vec3d n = out / length(out);
-    solid.planes.push_back({n.x, n.y, n.z, dot(n, a)});
+    const Vec3d n = length(out) > 0 ? out / length(out) : Vec3d{};
+    if (length(out) > 0) solid.planes.push_back({n.x, n.y, n.z, dot(n, a)});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [first, second] = std::minmax(corner[k], corner[(k + 1) % 3]);
+      const auto [side, is_new] = open.try_emplace({first, second}, n);
+      if (!is_new && dot(side->second, n) < 1 - kSharp)
+        solid.edges.push_back({solid.points[first], solid.points[second]});
+    }
   }
-  set_edges(solid, hull);
   return {moments.volume, principal.values / moments.volume};
 }
 
