@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "method/blow_step.hpp"
 #include "scene/names.hpp"
 
 namespace weft {
@@ -138,9 +139,13 @@ std::array<StepCost, 2> costs_of(const MethodCost& all, const Body& body) {
 }
 
 /// How a method would step the scene, if it can. Errors  as choose_method.
-Result<MethodChoice> choice_of(const scene::Scene& scene, const Model& model, const Method& method) {
+Result<MethodChoice> choice_of(const scene::Scene& scene, const Model& model, const Method& method,
+                               double lightest_rigid) {
   WEFT_CHECK(check_elements(scene, model, method));
   MethodChoice choice{&method, method.step_limit(scene, model)};
+  if (lightest_rigid > 0 && method.blow_part > 0)
+    choice.limit.longest_auto_step =
+        std::min(choice.limit.longest_auto_step, blow_step(scene, model, lightest_rigid, method.blow_part));
   if (scene.time.substeps) {
     choice.substeps = *scene.time.substeps;
   } else {
@@ -172,16 +177,16 @@ double predicted_frame(const scene::Scene& scene, const Model& model, const Meth
   return substeps * (step + contact);
 }
 
-Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model) {
+Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model, double lightest_rigid) {
   if (scene.solver.kind != scene::SolverKind::Auto)
-    return choice_of(scene, model, method_of(scene.solver.kind));
+    return choice_of(scene, model, method_of(scene.solver.kind), lightest_rigid);
   std::optional<Error> refused;
   std::optional<MethodChoice> best, steadiest;  // the latter where no one is stable: the one that needs least
   double least = HUGE_VAL;
   std::string costs;
   for (const Method& method : methods()) {
     if (method.cost == nullptr) continue;
-    Result<MethodChoice> choice = choice_of(scene, model, method);
+    Result<MethodChoice> choice = choice_of(scene, model, method, lightest_rigid);
     if (!choice) {
       refused = choice.error();
       continue;

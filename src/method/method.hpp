@@ -68,6 +68,8 @@ struct Method {
   std::uint32_t history;
   std::uint32_t order = 1;  // of its steps in time
   bool sweeps = false;      // over elements or nodes, in dozens of dispatches a substep
+  /// Of the blow of a rigid body (blow_step.hpp), how long "auto" steps may be; 0: it feels all that comes.
+  double blow_part = 0;
 };
 
 /// All methods.
@@ -86,9 +88,10 @@ struct MethodChoice {
 };
 /// The method that the scene names; for "auto" the one whose frame is predicted to take least, of those that take the
 /// elements and are stable in the scene's substeps.
+/// `lightest_rigid` is the least mass of the scene's rigid bodies; 0: it has none [kg].
 /// Errors  Input: a cloth has elements that the method does not take. Limit: "auto" needs more substeps than scenes
 ///         allow.
-Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model);
+Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model, double lightest_rigid = 0);
 /// What a frame of the method is predicted to take [ms].
 double predicted_frame(const scene::Scene& scene, const Model& model, const Method& method,
                        std::uint32_t substeps);

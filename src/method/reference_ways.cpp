@@ -7,7 +7,9 @@ namespace weft::reference {
 Ways Ways::begin(const Substep& substep) {
   MassSpringSystem& system = substep.system;
   Ways ways{system.position, {}, system.inverse_mass};
-  integrate(system, gas_forces(system, ways.start), substep.dt);
+  const double left_by_drag = 1 / (1 + substep.dt * system.drag);
+  integrate(system, gas_forces(system, ways.start), substep.dt, left_by_drag);
+  for (double& inverse_mass : ways.inverse_mass) inverse_mass *= left_by_drag;
   for (std::size_t node = 0; node < ways.start.size(); ++node) {
     // Pinned nodes stay: their place is the one that they had.
     const bool kinematic = system.inverse_mass[node] == 0;

@@ -28,5 +28,5 @@ fn start_way(@builtin(global_invocation_id) id : vec3u) {
     let felt = step.time.step_ratio * (before.velocity.xyz - velocity_before[node].xyz);
     velocity = before.velocity.xyz + saturate(dot(felt, change) / square) * change;
   }
-  way[node] = vec4f(step.time.dt * velocity, select(before.position.w, 0.0, driven));
+  way[node] = vec4f(step.time.dt * velocity, way_mobility(node, before));
 }

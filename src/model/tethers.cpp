@@ -103,7 +103,10 @@ TetherRows tethers_of(const Model& model) {
   rows.starts.assign(model.vertex_count() + 1, 0);
   for (const Body& body : model.bodies) {
     if (!body.slack) continue;
-    const std::vector<std::vector<Tether>> nearest = nearest_islands(model, body);
+    std::vector<std::vector<Tether>> nearest = nearest_islands(model, body);
+    // They are kept one after the other: of equally long ones rounding would decide which is the last.
+    for (std::vector<Tether>& own : nearest)
+      std::sort(own.begin(), own.end(), [](const Tether& a, const Tether& b) { return a.to < b.to; });
     for (std::uint32_t node = 0; node < body.vertex_count; ++node) {
       const std::uint32_t v = body.first_vertex + node;
       rows.starts[v + 1] = model.kinematic(v) ? 0 : static_cast<std::uint32_t>(nearest[node].size());

@@ -18,7 +18,7 @@ struct Tether {
   bool operator==(const Tether&) const = default;
 };
 
-/// The tethers of every node: row v has those of node v, the nearest first.
+/// The tethers of every node: row v has those of node v, by the numbers of the nodes that hold it.
 struct TetherRows {
   std::vector<std::uint32_t> starts;  // one more than there are nodes
   std::vector<Tether> tethers;

@@ -45,6 +45,51 @@ TEST_CASE("a loose sheet of every method falls by g t²/2, within what one step 
   }
 }
 
+TEST_CASE("drag that stops cloth within a step neither shakes it nor throws it, by every method that is stable") {
+  GpuFixture fixture;
+  const double h = 1.0 / 512, drag = 4000;  // 7.8 in a step
+  const int steps = 128;
+  for (const Method& method : methods()) {
+    CAPTURE(word_of(method));
+    const scene::Scene scene = scene_of(by(method) + R"("drag": 4000, )" + sheet("[6, 5]"));
+    SolverRig rig(fixture.device(), scene, h);
+    if (method.step_limit(scene, rig.model().host).largest_step > 0) continue;  // explicit steps
+    const auto start = rig.positions();
+    rig.advance(steps);
+    const auto end = rig.positions();
+    const double speed = kGravity / drag;  // which it has after some steps, and each rounds its place
+    for (std::size_t i = 0; i < end.size(); ++i)
+      CHECK(std::abs(static_cast<double>(start[i].y - end[i].y) - speed * steps * h) <
+            4 * speed * h + steps * 0x1p-24);
+  }
+}
+
+TEST_CASE("drag bears nothing of what hangs at rest, by every method that has the stiffness of its elements") {
+  GpuFixture fixture;
+  const double h = 1.0 / 512, spacing = 0.1, stiffness = 500, density = 0.2;
+  // Of a strip of three rows of cells: 2.5, 1.5 and 0.5 rows hang below them.
+  const double sag = 4.5 * density * kGravity * spacing * spacing / stiffness;
+  for (const Method& method : methods()) {
+    CAPTURE(word_of(method));
+    if (method.stiffening != nullptr) continue;
+    const std::string sweeps = method.sweeps ? R"(, "iterations": 100)" : "";
+    SolverRig rig(fixture.device(),
+                  scene_of(R"("solver": {"kind": ")" + word_of(method) + "\"" + sweeps + R"(}, "drag": 100,
+                           "cloths": [{"grid": [2, 4], "size": [0.1, 0.3], "plane": "xy", "density": 0.2,
+                             "damping": 0, "pins": ["top"],
+                             "stiffness": {"structural": 500, "shear": 0, "bend": 0}}])"),
+                  h);
+    const auto lowest = [&] {
+      double least = HUGE_VAL;
+      for (const Vec4f& place : rig.positions()) least = std::min(least, static_cast<double>(place.y));
+      return least;
+    };
+    const double start = lowest();
+    rig.advance(512);
+    CHECK(start - lowest() == doctest::Approx(sag).epsilon(0.02).scale(0));
+  }
+}
+
 TEST_CASE("with every method a pinned node stays to the bit while the sheet moves") {
   GpuFixture fixture;
   for (const Method& method : methods()) {

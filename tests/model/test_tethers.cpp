@@ -110,5 +110,19 @@ TEST_CASE("no node has more than four tethers, to the islands that are nearest")
   REQUIRE(rows.starts[v + 1] - rows.starts[v] == kMostTethers);
   std::vector<std::uint32_t> to;
   for (std::uint32_t k = rows.starts[v]; k < rows.starts[v + 1]; ++k) to.push_back(rows.tethers[k].to);
-  CHECK(to == std::vector<std::uint32_t>{8, 12, 4, 16});
+  CHECK(to == std::vector<std::uint32_t>{4, 8, 12, 16});
+}
+
+TEST_CASE("a turned cloth far away has the tethers of the same cloth at the origin, in the same order") {
+  const std::string sheet = R"("grid": [9, 9], "size": [0.4, 0.4], "pins": ["top_left", "top_right"], "tethers": {})";
+  const TetherRows here = tethers_of(model_of(sheet));
+  for (const char* transform : {R"({"rotate": [0, 0.5, 0, 0.866]})", R"({"rotate": [0.1, 0.2, 0.3, 0.9274], "translate": [10, 3, -7]})"}) {
+    CAPTURE(transform);
+    const TetherRows there = tethers_of(model_of(sheet + R"(, "transform": )" + transform));
+    REQUIRE(there.tethers.size() == here.tethers.size());
+    for (std::size_t k = 0; k < here.tethers.size(); ++k) {
+      CHECK(there.tethers[k].to == here.tethers[k].to);
+      CHECK(there.tethers[k].length == doctest::Approx(here.tethers[k].length).epsilon(1e-5).scale(0));
+    }
+  }
 }

@@ -160,6 +160,38 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("two cloths have the mean of their friction, whichever lies above and whichever the scene names first") {
+  GpuFixture fixture;
+  const double friction = std::sqrt(0.5 * 0.2), slope = std::atan(0.4);
+  std::string cloths;
+  for (int pair = 0; pair < 4; ++pair) {
+    const std::string more = R"(, "plane": "xz", "density": 0.3, "damping": 0.01,
+        "stiffness": {"structural": 60, "shear": 12, "bend": 0.5}, "friction": )";
+    const std::string at = R"(, "transform": {"translate": [0, )", aside = ", " + std::to_string(3 * pair) + "]}";
+    const bool rough_above = pair % 2 == 0, above_first = pair < 2;
+    const std::string above = R"({"grid": [6, 6], "size": [0.25, 0.25])" + at + "0.005" + aside + more +
+                              (rough_above ? "0.5}" : "0.2}");
+    const std::string below = R"({"grid": [11, 11], "size": [0.5, 0.5])" + at + "0" + aside + more +
+                              (rough_above ? "0.2" : "0.5") +
+                              R"(, "pins": [{"box": {"min": [-9, -9, -9], "max": [9, 9, 99]}}]})";
+    cloths += (pair > 0 ? "," : "") + (above_first ? above + "," + below : below + "," + above);
+  }
+  const scene::Scene scene = scene_of(
+      R"("solver": {"kind": "mass_spring"}, "gravity": [)" + text_of(kGravity * std::sin(slope)) + ", " +
+      text_of(-kGravity * std::cos(slope)) + R"(, 0], "cloths": [)" + cloths + "]");
+  auto world = world_of(fixture.device(), scene);
+  const int frames = 20;
+  advance(*world, frames);
+  const Moment moment(*world);
+  const double expected = kGravity * (std::sin(slope) - friction * std::cos(slope)) * frames / 60;
+  for (const Body& body : world->model().host.bodies) {
+    if (body.vertex_count != 36) continue;
+    double speed = 0;
+    for (std::uint32_t v = 0; v < 36; ++v) speed += moment.velocity[body.first_vertex + v].x / 36;
+    CHECK(speed == doctest::Approx(expected).epsilon(0.02).scale(0));
+  }
+}
+
 TEST_CASE("a heavy sheet and the light one under it do not creep on a slope") {
   GpuFixture fixture;
   auto world = world_on(fixture.device(), heavy_on_light(0.9));

@@ -150,10 +150,19 @@ TEST_CASE_FIXTURE(GpuFixture,
 TEST_CASE_FIXTURE(
     GpuFixture,
     "by \"auto\" steps a ball that strikes a free sheet of stiff springs gives no energy and no spin") {
-  for (const std::string solver : {"mass_spring", "multigrid", "vbd"}) {
+  const std::string springs = R"("stiffness": {"structural": 5000, "shear": 2000, "bend": 500})";
+  const std::string soft = R"("stiffness": {"structural": 800, "shear": 300, "bend": 50})";
+  const std::string stiff = R"("fabric": {"warp": 8000, "weft": 8000, "shear": 2000, "bending_warp": 1e-5})";
+  const std::pair<std::string, std::string> cases[] = {
+      {"mass_spring", springs}, {"multigrid", springs}, {"vbd", springs},
+      {"multigrid", stiff},     {"vbd", stiff},         {"pbd", springs},
+      {"xpbd", soft},           {"projective_dynamics", soft}};
+  for (const auto& [solver, material] : cases) {
     CAPTURE(solver);
+    CAPTURE(material);
     const scene::Scene scene = scene_of(R"("solver": {"kind": ")" + solver + R"("}, "gravity": [0, 0, 0],
-      "cloths": [{"grid": [17, 17], "size": [0.4, 0.4], "plane": "xy", "density": 0.2, "friction": 0.3}],
+      "cloths": [{"grid": [17, 17], "size": [0.4, 0.4], "plane": "xy", "density": 0.2, "friction": 0.3, )" +
+                                        material + R"(}],
       "contact": {"thickness": 0.005},
       "colliders": [{"kind": "sphere", "center": [0.061, 0.037, 0.057], "radius": 0.05,
                      "rigid": {"mass": 0.02, "velocity": [0.1, 0, -1], "spin": [0, 0, 5]}}])");

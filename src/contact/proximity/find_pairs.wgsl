@@ -206,6 +206,8 @@ fn way_out(candidate : vec2u, ids : vec4u) -> u32 {
   return select(0u, kComesOnFront, on_front);
 }
 
+fn friction_of_cloth(triangle : u32) -> f32 { return f32(triangles[triangle].w >> 8u) * kFrictionUnit; }
+
 fn list_features(pair : u32, candidate : vec2u, ids : vec4u) {
   var thickness = params.thickness;
   var sides = 0u;
@@ -215,7 +217,11 @@ fn list_features(pair : u32, candidate : vec2u, ids : vec4u) {
     sides = select(0u, kOfOneCloth, rest_of(ids.x).w == rest_of(ids.z).w);
   }
   if (kind <= kNearDeforming) { sides |= way_out(candidate, ids); }
-  let friction = f32(triangles[candidate.x & kPlaceBits].w >> 8u) * kFrictionUnit;
+  var friction = friction_of_cloth(candidate.x & kPlaceBits);
+  if (kind == kNearCloth) {
+    let other = friction_of_cloth(candidate.y);
+    friction = select(sqrt(friction * other), friction, friction == other);
+  }
   listed[pair] = ListedPair(ids, vec4u(bitcast<u32>(thickness), bitcast<u32>(friction), 0u, sides));
 }
 

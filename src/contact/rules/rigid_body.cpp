@@ -138,6 +138,13 @@ std::vector<ColliderSolid> solids_of(const scene::Scene& scene, std::span<const 
   return solids;
 }
 
+double lightest_rigid(std::span<const ColliderSolid> solids) {
+  double least = 0;
+  for (const ColliderSolid& solid : solids)
+    if (solid.rigid() && (least == 0 || solid.mass < least)) least = solid.mass;
+  return least;
+}
+
 RigidState start_of(const ColliderSolid& solid) {
   RigidState state{solid.center, solid.axes, solid.velocity, {}, {}, {}};
   const Mat3 turn = matrix_of(solid.axes);

@@ -43,6 +43,9 @@ struct ColliderSolid {
 std::vector<ColliderSolid> solids_of(const scene::Scene& scene, std::span<const mesh::TriangleMesh> objects,
                                      std::span<const std::size_t> object_colliders);
 
+/// The least mass of the rigid ones; 0: there are none [kg].
+double lightest_rigid(std::span<const ColliderSolid> solids);
+
 /// How a rigid body is, in its own frame's terms.
 struct RigidState {
   Vec3d place;                  // of its centre of mass [m]

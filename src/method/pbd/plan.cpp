@@ -47,6 +47,7 @@ Method pbd_method() {
   Method row = projection_row(scene::SolverKind::Pbd);
   row.memory = [](const scene::Solver&) { return SolverMemory{72, 72}; };  // 12 bytes a spring, six a node
   row.stiffening = pbd_stiffening;
+  row.blow_part = 0.025;
   return row;
 }
 

@@ -18,6 +18,5 @@ fn predict_way(@builtin(global_invocation_id) id : vec3u) {
   if (node >= step.nodes.count) { return; }
   let before = NodeState(position_in[node], velocity_in[node]);
   let velocity = way_velocity(node, before, way[node]);
-  let driven = is_prescribed(node, before);
-  way[node] = vec4f(step.time.dt * velocity, select(before.position.w, 0.0, driven));
+  way[node] = vec4f(step.time.dt * velocity, way_mobility(node, before));
 }

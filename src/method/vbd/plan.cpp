@@ -35,6 +35,7 @@ Method vbd_method() {
   row.holds_obstacles = true;
   row.bounds_nodes = true;
   row.sweeps = true;
+  row.blow_part = 0.025;
   row.history = 1;  // the velocity before, for the guess of a substep
   return row;
 }

@@ -9,6 +9,7 @@ Method xpbd_method() {
   row.memory = [](const scene::Solver&) {
     return SolverMemory{96, 72};
   };  // 16 and 12 bytes a spring, six a node
+  row.blow_part = 0.0007;
   return row;
 }
 

@@ -1,5 +1,7 @@
 #include "sim/plan/frame_plan.hpp"
 
+#include "contact/rules/rigid_body.hpp"
+
 namespace weft::sim {
 namespace {
 
@@ -9,7 +11,10 @@ constexpr double kEver = 1e9;  // s; later than any motion begins
 
 Result<FramePlan> FramePlan::create(const scene::Scene& scene, const Model& model, const Assets& assets) {
   FramePlan plan;
-  WEFT_SET(plan.choice_, choose_method(scene, model));
+  const bool meets = scene.contact.method == scene::ContactMethod::Proximity && scene::has_rigid(scene);
+  const double lightest =
+      meets ? lightest_rigid(solids_of(scene, assets.objects, assets.object_colliders)) : 0;
+  WEFT_SET(plan.choice_, choose_method(scene, model, lightest));
   plan.frame_time_ = scene.time.frame;
   plan.thickness_ = scene.contact.thickness;
   if (scene.contact.method == scene::ContactMethod::Proximity)

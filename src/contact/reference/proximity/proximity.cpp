@@ -132,7 +132,10 @@ double Proximity::friction_of(const FeaturePair& pair, const Sides& sides) const
   if (pair.kind == PairKind::VertexPlane)
     return obstacles_.friction(obstacles_.collider_of_plane(pair.b)).value_or(own);
   const Side& other = sides.a.obstacle ? sides.a : sides.b;
-  if (!other.obstacle) return std::max(own, friction_[other.vertices[0]]);
+  if (!other.obstacle) {
+    const double others = friction_[other.vertices[0]];
+    return own == others ? own : std::sqrt(own * others);
+  }
   return obstacles_.friction(obstacles_.collider_of_vertex(other.vertices[0])).value_or(own);
 }
 

@@ -75,7 +75,7 @@ static std::vector<Sym3> air_of(const MassSpringSystem& system) {
   return air_on_nodes(*system.air, system.triangles, system.position, slip);
 }
 
-void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, double dt) {
+void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, double dt, double left_by_drag) {
   const std::vector<Sym3> air = air_of(system);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     if (system.inverse_mass[i] == 0) {
@@ -90,7 +90,7 @@ void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, doubl
     const Vec3d wind = wind_at(system.wind, system.position[i], system.time);
     const Vec3d slip = system.velocity[i] - wind;
     const Vec3d acceleration = system.acceleration + system.inverse_mass[i] * forces[i] - system.drag * slip;
-    system.velocity[i] += dt * acceleration;
+    system.velocity[i] += dt * left_by_drag * acceleration;
     if (system.air) {
       const Sym3 share = dt * system.inverse_mass[i] * air[i];
       system.velocity[i] += inverse(Sym3::identity(1) + share) * (share * (wind - system.velocity[i]));
