@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "common.hpp"
+
 namespace weft::cli {
 namespace {
 
@@ -27,26 +29,27 @@ std::vector<std::string> Altered::sentences(const sim::World& world) const {
     all.emplace_back(text);
   };
   if (frames_ > 0)
-    say("In %u frames, from frame %u on, contact shortened more than 0.1 %% of the vertices' ways, at most "
+    say("In %s, from frame %u on, contact shortened more than 0.1 %% of the vertices' ways, at most "
         "%.2g %% in a frame, since cloth or an obstacle would have been passed: more substeps help.",
-        frames_, first_, 100 * most_);
+        counted(frames_, "frame", "frames").c_str(), first_, 100 * most_);
   if (world.totals().driven > 0)
-    say("Obstacles have come past cloth %llu times, since the cloth behind it did not give way.",
-        static_cast<unsigned long long>(world.totals().driven));
+    say("Obstacles have come past cloth %s, since the cloth behind it did not give way.",
+        counted(world.totals().driven, "time", "times").c_str());
   const sim::Totals& totals = world.totals();
   if (totals.flattened > 0)
     say("Up to %u of %llu tetrahedra had less than a twentieth of their volume, or were inside out: the body "
         "is pressed harder than its material bears, or the steps are too long.",
         totals.flattened, static_cast<unsigned long long>(world.model().host.count(ElementKind::Tet)));
   if (totals.slowed > 0)
-    say("Cloth was slowed down in %llu substeps, by %.3g ms in all, since it would have "
+    say("Cloth was slowed down in %s, by %.3g ms in all, since it would have "
         "passed through cloth: more substeps help.",
-        static_cast<unsigned long long>(totals.slowed), 1e3 * totals.delay_s);
+        counted(totals.slowed, "substep", "substeps").c_str(), 1e3 * totals.delay_s);
   if (totals.unsolved > 0)
-    say("Linear systems of substeps kept more than %g of their residual %llu times, at most %.2g after %u "
-        "iteration%s: more substeps help.",
-        world.scene().solver.residual, static_cast<unsigned long long>(totals.unsolved),
-        static_cast<double>(totals.residual), totals.iterations, totals.iterations == 1 ? "" : "s");
+    say("Substeps were solved less far than solver.residual, %g, asks %s, and left %.2g of a residual at "
+        "most, "
+        "after up to %s: more substeps help.",
+        world.scene().solver.residual, counted(totals.unsolved, "time", "times").c_str(),
+        static_cast<double>(totals.residual), counted(totals.iterations, "iteration", "iterations").c_str());
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.hpp"
+#include "common.hpp"
 #include "method/mass_spring/plan.hpp"
 #include "model/sheet_moduli.hpp"
 #include "model/tethers.hpp"
@@ -153,10 +154,12 @@ std::string stiffening_text(const scene::Scene& scene, const Model& model, const
         method.stiffening(scene.solver, model, model.bodies[c], scene.time.frame / substeps);
     if (times.most == 0) continue;  // nothing resists
     add(text,
-        "  By \"%s\" in %u substeps of %u sweep%s, an element of %s that nothing else pulls at resists with "
-        "%.3g to %.3g times its stiffness.\n",
-        scene::name_of(method.kind), substeps, scene.solver.iterations,
-        scene.solver.iterations == 1 ? "" : "s", scene::path_of(cloth).c_str(), times.least, times.most);
+        "  By \"%s\" in %s of %s, an element of %s that nothing else pulls at resists with %.3g to %.3g "
+        "times "
+        "its stiffness.\n",
+        scene::name_of(method.kind), counted(substeps, "substep", "substeps").c_str(),
+        counted(scene.solver.iterations, "sweep", "sweeps").c_str(), scene::path_of(cloth).c_str(),
+        times.least, times.most);
   }
   return text;
 }

@@ -11,6 +11,7 @@
 #include <new>
 
 #include "base/json.hpp"
+#include "scene/load.hpp"
 #include "scene/nearest.hpp"
 #include "scene_source.hpp"
 
@@ -35,6 +36,18 @@ void on_interrupt(int number) {
   ::_exit(exit_code(ErrorKind::OutOfMemory));
 }
 
+/// Whether a scene's first cloth is one that --nodes may have a say of. What else is wrong with the scene is said by
+/// whoever reads it next. Errors  Input.
+Result<void> check_has_grid(const SceneSource& source, const SceneOptions& options) {
+  SceneOptions without = options;
+  without.nodes.clear();
+  WEFT_TRY(overrides, changes_of(without));
+  const auto scene = scene::parse_scene(source.text, source.file, overrides);
+  if (!scene || scene->cloths.empty() || scene->cloths[0].grid) return {};
+  return input_error("%s has no grid, and --nodes %s is of a sheet with one.", scene->cloths[0].where.c_str(),
+                     options.nodes.c_str());
+}
+
 }  // namespace
 
 void say_where_memory_ends() { std::set_new_handler(on_no_memory); }
@@ -42,6 +55,7 @@ void say_where_memory_ends() { std::set_new_handler(on_no_memory); }
 Result<std::vector<scene::Override>> changes_of(const SceneOptions& options) {
   std::vector<scene::Override> overrides;
   if (!options.solver.empty()) overrides.push_back(scene::override_solver(options.solver));
+  if (!options.nodes.empty()) overrides.push_back({"cloths.0.grid", options.nodes});
   for (const auto* texts : {&options.shorthands, &options.sets})
     for (const std::string& text : *texts) {
       WEFT_TRY(change, scene::parse_override(text));
@@ -52,7 +66,13 @@ Result<std::vector<scene::Override>> changes_of(const SceneOptions& options) {
 
 Result<scene::Scene> load(const SceneOptions& options) {
   WEFT_TRY(overrides, changes_of(options));
-  return read_scene(options.path, overrides);
+  WEFT_TRY(found, find_scene(options.path));
+  if (!options.nodes.empty()) WEFT_CHECK(check_has_grid(found, options));
+  return scene::parse_scene(found.text, found.file, overrides);
+}
+
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
 std::string models_folder() {

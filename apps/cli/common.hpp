@@ -1,6 +1,7 @@
 // Shared by the commands: options, the scene, where things are.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,6 +22,7 @@ void say_where_memory_ends();
 struct SceneOptions {
   std::string path;                     // as given: a name, a path, or "-"
   std::vector<std::string> shorthands;  // KEY=JSON too, for which an option stands; before sets
+  std::string nodes;                    // of the first sheet, which has a grid: its JSON; before all of these
   std::vector<std::string> sets;        // KEY=JSON
   std::string solver;                   // replaces the scene's solver object
 };
@@ -35,6 +37,8 @@ Result<scene::Scene> load(const SceneOptions& options);
 /// program.
 std::string models_folder();
 
+/// "1 picture", "2 pictures"
+std::string counted(std::uint64_t count, const char* one, const char* many);
 /// "a, b, c"
 std::string listed(std::span<const std::string_view> names);
 

@@ -14,10 +14,6 @@
 namespace weft::cli {
 namespace {
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
 std::string cloths_and_bodies(const scene::Scene& scene) {
   const auto bodies = static_cast<std::size_t>(std::count_if(
       scene.cloths.begin(), scene.cloths.end(), [](const scene::Cloth& c) { return c.solid.has_value(); }));

@@ -22,13 +22,33 @@ namespace {
 
 using namespace weft::cli;
 
-/// Why a command line does not parse, in one sentence. Of a first word that is no command CLI11 says only that
-/// there must be one.
-std::string usage_error(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
-  const std::string word = argc > 1 ? argv[1] : "-";
+std::vector<std::string> commands_of(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return error.what();
+  return names;
+}
+
+bool is_among(const std::string& word, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+/// Of `weft bench` with this word behind it, or without one.
+std::string bench_error(const std::string& word, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  return (word.empty() ? "Which bench is not said" : "There is no bench \"" + word + "\"") +
+         "; there are: " + listed(known);
+}
+
+/// Why a command line does not parse, in one sentence. Of a word that is no command CLI11 says only that there must be
+/// one.
+std::string usage_error(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
+  const std::string word = argc > 1 ? argv[1] : "-", second = argc > 2 ? argv[2] : "";
+  if (word == "bench" && second.rfind('-', 0) != 0) {
+    const auto benches = commands_of(*app.get_subcommand("bench"));
+    return is_among(second, benches) ? error.what() : bench_error(second, benches);
+  }
+  const std::vector<std::string> names = commands_of(app);
+  if (word[0] == '-' || is_among(word, names)) return error.what();
   const std::vector<std::string_view> known(names.begin(), names.end());
   const std::string meant(weft::scene::nearest(word, known));
   return "There is no command \"" + word + "\"" + (meant.empty() ? "" : ", but there is \"" + meant + "\"");

@@ -21,17 +21,17 @@ std::string pair_of(const std::string& text, bool one_for_both) {
 }
 
 /// An option that stands for a --set of this key.
-void add_pair(CLI::App& command, SceneOptions& options, const char* option, const char* key,
-              bool one_for_both, const char* what) {
+template <class Take>
+void add_pair(CLI::App& command, const char* option, bool one_for_both, const char* what, const Take& take) {
   command
       .add_option_function<std::string>(
           option,
-          [&options, option, key, one_for_both](const std::string& text) {
+          [option, one_for_both, take](const std::string& text) {
             const std::string value = pair_of(text, one_for_both);
             if (value.empty())
               throw CLI::ValidationError(option, "\"" + text + "\" is not of the form " +
                                                      (one_for_both ? "64 or 64x32" : "1280x720"));
-            options.shorthands.push_back(std::string(key) + "=" + value);
+            take(value);
           },
           what)
       ->type_name(one_for_both ? "N|NxM" : "WxH");
@@ -69,8 +69,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
       ->allow_extra_args(false);  // else it takes SCENE for a second value
   command.add_option("--solver", options.solver, "Replace the scene's solver by this kind's defaults")
       ->type_name("KIND");
-  add_pair(command, options, "--nodes", "cloths.0.grid", true,
-           "Nodes of the first sheet: --set cloths.0.grid");
+  add_pair(command, "--nodes", true, "Nodes of the first sheet: --set cloths.0.grid",
+           [&options](const std::string& nodes) { options.nodes = nodes; });
 }
 
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
@@ -79,7 +79,9 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
                          "Example: weft run hanging --frames 120 --out out/hanging\n\nSimulate a "
                          "scene, draw it, say how it went.");
   add_scene_options(*command, options.scene);
-  add_pair(*command, options.scene, "--size", "render.size", false, "Pixels of pictures: --set render.size");
+  add_pair(
+      *command, "--size", false, "Pixels of pictures: --set render.size",
+      [&options](const std::string& size) { options.scene.shorthands.push_back("render.size=" + size); });
   command
       ->add_option_function<std::string>(
           "--view",

@@ -81,10 +81,10 @@ Result<void> RunResults::write_end(sim::World& world, const sim::Snapshot& snaps
 
 std::string RunResults::listed() const {
   std::string text;
-  if (pictures_) text += std::to_string(pictures_->count()) + " pictures, ";
+  if (pictures_) text += counted(pictures_->count(), "picture", "pictures") + ", ";
   if (pictures_ && pictures_->has_video()) text += "run.mp4, ";
-  if (meshes_ > 0) text += std::to_string(meshes_) + " meshes, ";
-  if (checkpoints_ > 0) text += std::to_string(checkpoints_) + " checkpoints, ";
+  if (meshes_ > 0) text += counted(meshes_, "mesh", "meshes") + ", ";
+  if (checkpoints_ > 0) text += counted(checkpoints_, "checkpoint", "checkpoints") + ", ";
   return text + "frames.csv, final.obj, summary.json";
 }
 

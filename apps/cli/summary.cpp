@@ -6,6 +6,7 @@
 
 #include "bench_rows.hpp"
 #include "cloths.hpp"
+#include "common.hpp"
 #include "session/describe.hpp"
 
 namespace weft::cli {
@@ -87,14 +88,16 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   if (about.tetrahedra > 0) line(text, "  bodies      %zu tetrahedra", about.tetrahedra);
   if (about.slivers > 0)
     line(text, "  slivers     %zu membranes, far thinner than a neighbour, bend freely", about.slivers);
-  line(text, "  solver      %s; %u substeps a frame", solver_name(about).c_str(), about.substeps);
+  line(text, "  solver      %s; %s a frame", solver_name(about).c_str(),
+       counted(about.substeps, "substep", "substeps").c_str());
   if (about.stable_step_seconds == 0) {
     line(text, "  step        %.4g ms; stable at any length", 1e3 * about.step_seconds);
   } else {
     line(text, "  step        %.4g ms; stable up to %.4g ms (highest frequency %.4g rad/s)",
          1e3 * about.step_seconds, 1e3 * about.stable_step_seconds, world.plan().limit().highest_frequency);
   }
-  line(text, "  simulated   %u frames, %.3f s, in %.1f s", totals.frames, simulated, summary.wall_s);
+  line(text, "  simulated   %s, %.3f s, in %.1f s", counted(totals.frames, "frame", "frames").c_str(),
+       simulated, summary.wall_s);
   char pace[64] = "";
   if (const double factor = real_time_factor(summary, world.scene().time.frame); factor > 0)
     std::snprintf(pace, sizeof pace, ": %.3g x real time", factor);

@@ -50,6 +50,10 @@ std::string words_of_methods(const Does& does) {
   return text;
 }
 
+std::string words_of_tethered() {
+  return words_of_methods([](const Method& method) { return method.tethers; });
+}
+
 }  // namespace
 
 const Method& method_of(scene::SolverKind kind) {
@@ -117,8 +121,7 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
     if (scene.cloths[c].tethers && !method.tethers)
       return input_error("%s.tethers has a slack of %g, and solver.kind \"%s\" keeps no tethers; %s does.",
                          scene.cloths[c].where.c_str(), scene.cloths[c].tethers->slack,
-                         scene::name_of(method.kind),
-                         words_of_methods([](const Method& other) { return other.tethers; }).c_str());
+                         scene::name_of(method.kind), words_of_tethered().c_str());
   }
   return {};
 }
@@ -156,9 +159,22 @@ Result<MethodChoice> choice_of(const scene::Scene& scene, const Model& model, co
 
 std::string cost_of(const MethodChoice& choice, double milliseconds) {
   std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(), "%s %.2g ms in %u substeps", scene::name_of(choice.method->kind),
-                milliseconds, choice.substeps);
+  std::snprintf(text.data(), text.size(), "%s %.2g ms in %u substep%s", scene::name_of(choice.method->kind),
+                milliseconds, choice.substeps, choice.substeps == 1 ? "" : "s");
   return text.data();
+}
+
+/// "auto" takes none of the methods that keep tethers: what it would take of the scene without them.
+Error auto_keeps_none(const scene::Scene& scene, const Model& model, const scene::Cloth& cloth) {
+  scene::Scene without = scene;
+  for (scene::Cloth& other : without.cloths) other.tethers.reset();
+  const auto choice = choose_method(without, model);
+  if (!choice) return choice.error();
+  return input_error(
+      "%s.tethers has a slack of %g, and solver.kind \"auto\", which takes \"%s\" here, keeps no tethers; %s "
+      "does.",
+      cloth.where.c_str(), cloth.tethers->slack, scene::name_of(choice->method->kind),
+      words_of_tethered().c_str());
 }
 
 }  // namespace
@@ -180,6 +196,8 @@ double predicted_frame(const scene::Scene& scene, const Model& model, const Meth
 Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model, double lightest_rigid) {
   if (scene.solver.kind != scene::SolverKind::Auto)
     return choice_of(scene, model, method_of(scene.solver.kind), lightest_rigid);
+  for (const scene::Cloth& cloth : scene.cloths)
+    if (cloth.tethers) return auto_keeps_none(scene, model, cloth);
   std::optional<Error> refused;
   std::optional<MethodChoice> best, steadiest;  // the latter where no one is stable: the one that needs least
   double least = HUGE_VAL;

@@ -115,6 +115,9 @@ TEST_CASE("check says by how many times a method without a stiffness of its own 
             "  By \"pbd\" in 4 substeps of 2 sweeps, an element of cloths[0] that nothing else pulls at "
             "resists with 2.01 to 2.02 times its stiffness.\n") != std::string::npos);
   CHECK(run_without_driver({"check", scene, "--solver", "xpbd"}).out.find("  By ") == std::string::npos);
+  const Ended once = run_without_driver(
+      {"check", scene, "--set", R"(solver={"kind": "pbd", "iterations": 1})", "--set", "time.substeps=1"});
+  CHECK(once.out.find("  By \"pbd\" in 1 substep of 1 sweep, an element") != std::string::npos);
 }
 
 TEST_CASE(
@@ -166,6 +169,36 @@ TEST_CASE("fabrics prints every fabric, as a table and as JSON with the source o
       "size": [1, 1], "fabric": ")" + name + "\"}]}");
     CHECK(run_without_driver({"check", scene}).out.find("of fabric " + name + ": ") != std::string::npos);
   }
+}
+
+TEST_CASE("a bench that there is not, or that is not said, is answered with those there are") {
+  for (const auto& [arguments, begin] :
+       {std::pair<std::vector<std::string>, const char*>{
+            {"bench", "foo"}, "weft: There is no bench \"foo\"; there are: hanging, pull, "},
+        {{"bench"}, "weft: Which bench is not said; there are: hanging, pull, "}}) {
+    const Ended ended = run_without_driver(arguments);
+    CHECK(ended.code == 2);
+    CHECK(check_message(ended.err) == "");
+    CHECK(ended.err.rfind(begin, 0) == 0);
+    CHECK(ended.err.find("methods, copy, largest, compare;") != std::string::npos);
+  }
+  CHECK(run_without_driver({"bench", "hanging", "--sides", "1"}).err.find("There is no") ==
+        std::string::npos);
+}
+
+TEST_CASE("--nodes is refused where the first cloth has no grid, with what it is of") {
+  const TemporaryFolder folder;
+  put(folder, "cube.obj", mesh::text_of(mesh::write_obj(mesh::cube())));
+  const std::string scene = put(folder, "a.json", R"({"format": "weft-scene/1", "cloths": [
+    {"mesh": "cube.obj", "density": 0.2}, {"grid": [3, 3], "size": [1, 1], "density": 0.2}]})");
+  const Ended ended = run_without_driver({"check", scene, "--nodes", "20"});
+  CHECK(ended.code == 3);
+  CHECK(ended.err ==
+        "weft: " + scene + ": cloths[0] has no grid, and --nodes [20,20] is of a sheet with one.\n");
+  // Where --set has given it one it has.
+  const Ended sheet = run_without_driver({"check", scene, "--nodes", "20", "--set",
+                                          R"(cloths=[{"grid": [3, 3], "size": [1, 1], "density": 1}])"});
+  CHECK_MESSAGE(sheet.code == 0, sheet.err);
 }
 
 TEST_CASE("check accepts every shipped scene") {

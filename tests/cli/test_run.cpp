@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <set>
 
 #include "mesh/grid.hpp"
 #include "source_path.hpp"
@@ -164,6 +165,35 @@ TEST_CASE("the summary has every documented member, with the values that follow 
   CHECK(summary.at("contact_hash") == 0);
   CHECK(summary.at("contact_overflow") == 0);
   CHECK(summary.at("gpu_bytes").get<std::uint64_t>() > 30 * 16 * 4);
+}
+
+TEST_CASE("the summary's tables have all of its members, and none that it has not") {
+  const std::string docs = read_text(source_path("docs/cli.md"));
+  const std::size_t begin = docs.find("\n## The summary\n"), end = docs.find("\n## ", begin + 1);
+  std::set<std::string> documented;
+  for (std::size_t row = docs.find("\n| `", begin); row < end; row = docs.find("\n| `", row + 1)) {
+    const std::string cell = docs.substr(row + 3, docs.find(" |", row + 3) - row - 3);
+    for (std::size_t at = cell.find('`'); at != std::string::npos;) {
+      const std::size_t after = cell.find('`', at + 1);
+      documented.insert(cell.substr(at + 1, after - at - 1));
+      at = cell.find('`', after + 1);
+    }
+  }
+  // What only some runs have: of a method with settings; chosen by "auto", of cloth that may tear, gone on with.
+  const TemporaryFolder folder;
+  const std::string scene = put(folder, "a.json", tiny_scene());
+  std::set<std::string> given;
+  const auto add = [&](const nlohmann::json& summary) {
+    for (const auto& [name, value] : summary.items()) given.insert(name);
+  };
+  add(run_json(scene));
+  const std::vector<std::string> torn = {"--set", "solver={}", "--set", "cloths.0.strength=1000"};
+  std::vector<std::string> first = torn, second = torn;
+  first.insert(first.end(), {"--no-pictures", "--checkpoint-every", "1", "--out", folder.path("out")});
+  add(run_json(scene, first));
+  second.insert(second.end(), {"--resume", folder.path("out/checkpoint_00001.weft")});
+  add(run_json(scene, second));
+  CHECK(documented == given);
 }
 
 TEST_CASE("a run counts its contacts, and those of the paper's method are the tree's") {

@@ -114,6 +114,25 @@ TEST_CASE(
   CHECK(substeps(R"(, "contact": {"restitution": 0.5, "self": false})") == 8);
 }
 
+TEST_CASE("auto refuses tethers by its own name, with what it would take and what keeps them") {
+  for (const std::uint32_t side : {8U, 1000U}) {
+    const auto scene = scene::parse_scene(
+        R"({"format": "weft-scene/1", "cloths": [{"grid": [)" + std::to_string(side) + ", " +
+            std::to_string(side) + R"(], "size": [2, 2], "density": 0.2, "pins": ["top"], "tethers": {}}]})",
+        "test.json");
+    REQUIRE_MESSAGE(scene, scene.error().message);
+    const auto model = build_model(*scene, {{}});
+    REQUIRE_MESSAGE(model, model.error().message);
+    const auto choice = choose_method(*scene, *model);
+    REQUIRE_FALSE(choice);
+    CHECK(choice.error().message ==
+          std::string(
+              "test.json: cloths[0].tethers has a slack of 0, and solver.kind \"auto\", which takes \"") +
+              (side == 8 ? "mass_spring" : "multigrid") +
+              "\" here, keeps no tethers; \"xpbd\" or \"pbd\" does.");
+  }
+}
+
 TEST_CASE("auto is what a scene without a kind gets, and its reason has the time predicted for each method") {
   const auto unsaid = choice_for(64, false, "");
   const auto said =
