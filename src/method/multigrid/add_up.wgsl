@@ -1,6 +1,6 @@
 // Adds up the partial sums over a cloth's nodes, takes what conjugate gradients decide from the sum, and reports what
 // the solution took. One workgroup a cloth, in an order that its size does not change.
-// Source: docs/solvers/multigrid.md, equations 13 to 15.
+// Source: docs/solvers/multigrid.md, equations 13 to 15; docs/solvers/fem.md, equations 2 and 3.
 #include "gpu/finite.wgsl"
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
@@ -97,7 +97,8 @@ fn add_up(@builtin(workgroup_id) group : vec3u, @builtin(local_invocation_index)
   if (kSum == kFirstNorm && kAgain) {
     let had = solve_state();
     let turn = max(had.turn, 1u);
-    let enough = select(had.enough, min(had.enough, nodes.residual * sum.y), sum.y > 0.0);
+    let wanted = select(had.enough, min(had.enough, nodes.residual * sum.y), sum.y > 0.0);
+    let enough = select(wanted, max(had.enough, sum.y), kMeasures);
     let done = sum.x <= enough || !is_finite(vec3f(sum.x));
     state = Solve(had.first, sum.x, enough, 0.0, 0.0, 1.0, turn, done, turn);
   }

@@ -36,7 +36,7 @@ void Cycle::record_newton(gpu::ComputePass& pass, std::uint32_t steps, std::uint
     go_on_.record(pass);
   }
   record_system_again(pass);
-  begin_again_.record(pass);
+  begin_measure_.record(pass);
   measure_.record(pass);
   finish_.record(pass);
 }
@@ -203,9 +203,9 @@ Result<void> Cycle::create_second(const CycleInputs& inputs, const SharedKernels
   WEFT_SET(go_on_, Dispatch::create_by_parity(kernels.go_on, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {state.steps, nodes_, place_, vectors_, *inputs.predicted[p], pair_sums(inputs)};
            }));
-  WEFT_SET(begin_again_,
-           Dispatch::create(kernels.begin_again, nodes,
-                            {nodes_, vectors_, partials_, place_, pair_sums(inputs), state.steps}));
+  const Dispatch::Bindings begin = {nodes_, vectors_, partials_, place_, pair_sums(inputs), state.steps};
+  WEFT_SET(begin_again_, Dispatch::create(kernels.begin_again, nodes, begin));
+  WEFT_SET(begin_measure_, Dispatch::create(kernels.begin_measure, nodes, begin));
   WEFT_SET(predict_again_,
            Dispatch::create_by_parity(kernels.predict_again, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {

@@ -170,7 +170,7 @@ class Cycle {
   gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system, and those behind it
   gpu::Dispatch begin_solve_, search_, advance_;       // of conjugate gradients
   gpu::Dispatch first_norm_, square_, norm_, rho_;     // sums over the nodes
-  gpu::Dispatch first_norm_again_, last_norm_, measure_;
+  gpu::Dispatch first_norm_again_, last_norm_, begin_measure_, measure_;
   gpu::SharedKernel pair_force_kernel_, pair_force_again_kernel_, pair_product_kernel_, pair_end_kernel_;
   gpu::Dispatch pair_force_, pair_force_again_, pair_product_, pair_end_,
       pair_finish_;  // none: record nothing

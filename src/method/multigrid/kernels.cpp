@@ -76,6 +76,8 @@ gpu::Constant up() { return {"kFrom", multigrid::kSecond}; }
 /// Of a second system; of the only or the second one.
 gpu::Constant again() { return {"kAgain", 1}; }
 gpu::Constant last() { return {"kLast", 1}; }
+/// Of what Newton's method has left.
+gpu::Constant measures() { return {"kMeasures", 1}; }
 
 /// Which sum: src/method/multigrid/add_up.wgsl.
 gpu::Constant sum(std::uint32_t number) { return {"kSum", static_cast<double>(number)}; }
@@ -97,11 +99,12 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::go_on, "go_on", size, {pairs(inputs), holds(inputs)}},
       {&K::predict_again, "predict_again", size, {pairs(inputs), holds(inputs)}},
       {&K::begin_again, "begin_solve", size, {pairs(inputs), holds(inputs), again()}},
+      {&K::begin_measure, "begin_solve", size, {again(), measures()}},
       {&K::advance, "advance", size},
       {&K::first_norm, "add_up", lone, {sum(0)}},
       {&K::square, "add_up", lone, {sum(1)}},
       {&K::first_norm_again, "add_up", lone, {sum(0), again(), last()}},
-      {&K::measure, "add_up", lone, {sum(0), again(), last(), {"kMeasures", 1}}},
+      {&K::measure, "add_up", lone, {sum(0), again(), last(), measures()}},
       {&K::norm, "add_up", lone, {sum(2)}},
       {&K::last_norm, "add_up", lone, {sum(2), last()}},
       {&K::rho, "add_up", lone, {sum(3)}},

@@ -14,7 +14,7 @@ struct SharedKernels {
   gpu::SharedKernel begin_solve, advance;
   gpu::SharedKernel go_on, predict_again, begin_again;  // systems behind the first
   gpu::SharedKernel first_norm, square, norm, rho;      // add_up.wgsl for each sum
-  gpu::SharedKernel first_norm_again, last_norm, measure;
+  gpu::SharedKernel first_norm_again, last_norm, begin_measure, measure;
   gpu::SharedKernel pair_force, pair_product, pair_end, pair_finish;  // of pairs that are held apart
   gpu::SharedKernel pair_force_again;
   gpu::SharedKernel add_gas;                 // none without gas
