@@ -327,18 +327,22 @@ constexpr Key kPressureKeys[] = {
 };
 constexpr Type kPressure{.kind = Kind::Object, .name = "pressure", .keys = kPressureKeys};
 constexpr Type kStrength{.kind = Kind::Number, .least = 1e-3, .most = 1e9, .unit = "N/m"};
+constexpr const char* kMeshWords =
+    "Name of a model, or path of an OBJ, PLY (.ply.gz too), OFF, STL or GLB file relative to the scene";
 constexpr Key kClothKeys[] = {
     {"name", &kShortText, "For messages"},
     {"grid", &kGrid, "Nodes along i and j; all grids together have at most 67108864"},
     {"size", &kSize, "Width along i and height along j of a grid"},
     {"plane", &kPlane, "A grid hangs (\"xy\": j runs down) or lies flat (\"xz\": j runs along +z)", "\"xy\""},
     {"bump", &kBump, "How far the middle of a grid stands out along its normal at the start", "0"},
-    {"mesh", &kMeshName, "Name of a model, or path of an OBJ or PLY file relative to the scene"},
+    {"mesh", &kMeshName, kMeshWords},
     {"transform", &kTransform, "From the sheet centred on the origin, or the mesh, to the world", "{}"},
     {"density", &kDensity, "Mass per rest area; without it and node_mass that of the fabric's name"},
     {"node_mass", &kNodeMass, "Mass of every node alike"},
     {"fabric", &kFabric,
-     "A measured cloth by its name or its moduli, instead of springs; mass_spring and multigrid take it"},
+     "A measured cloth by its name or its moduli, instead of springs; projective_dynamics where it is flat "
+     "at "
+     "rest and its energy yarn"},
     {"stiffness", &kStiffness, "Stiffness of the springs", "{}"},
     {"damping", &kDamping, "Damping along each spring", "0.25"},
     {"friction", &kFriction,
@@ -346,7 +350,8 @@ constexpr Key kClothKeys[] = {
      "name",
      "0.3", false, "fabric"},
     {"strain_limit", &kStrainLimit,
-     "How far edges are stretched before they are stiffer, of their length; only multigrid"},
+     "How far edges are stretched before they are stiffer, of their length; only multigrid and "
+     "fem"},
     {"tethers", &kTethers, "How far nodes may be from pinned and moved ones; only xpbd and pbd"},
     {"strength", &kStrength, "The force per width that the cloth bears before it tears; only in weft run"},
     {"pressure", &kPressure, "Of the gas in a closed mesh"},
@@ -457,8 +462,7 @@ constexpr Key kAnimationKeys[] = {
 };
 constexpr Type kAnimation{.kind = Kind::Object, .name = "animation", .keys = kAnimationKeys};
 constexpr Key kMeshColliderKeys[] = {
-    {"mesh", &kMeshName, "Name of a model, or path of an OBJ or PLY file relative to the scene", nullptr,
-     true},
+    {"mesh", &kMeshName, kMeshWords, nullptr, true},
     {"transform", &kTransform, "From the mesh to the world", "{}"},
     {"keyframes", &kKeyframes, "Shapes that it comes to, times rising; straight between; needs proximity",
      "[]"},

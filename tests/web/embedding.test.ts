@@ -3,8 +3,8 @@
 import { readFileSync } from "node:fs";
 import { extname, join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
-import { createWorld, DEVICE_LIMITS, type Scene, type WeftError, type Step, type World, type WorldBuffer,
-  type WorldOptions } from "weft-cloth";
+import { createWorld, DEVICE_LIMITS, type Scene, type SceneCollider, type SceneColliderMotion, type WeftError,
+  type Step, type World, type WorldBuffer, type WorldOptions } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { failure } from "./failure.ts";
 import { gpu } from "./node_gpu.ts";
@@ -13,8 +13,8 @@ const FRAME = 1 / 64; // s, so that times are exact
 
 /** A sheet of 12 x 12 nodes, soft enough for its substeps; over a ball where this moves it. Without contact a world's
  * kernels compile in a second. */
-function scene(motion: object | null = null): Scene {
-  const ball = { kind: "sphere", center: [0, -0.21, 0], radius: 0.2, motion };
+function scene(motion?: SceneColliderMotion): Scene {
+  const ball: SceneCollider = { kind: "sphere", center: [0, -0.21, 0], radius: 0.2, motion };
   return { format: "weft-scene/1", solver: { kind: "mass_spring" }, time: { frame: FRAME, substeps: 8 },
     contact: { method: motion ? "proximity" : "none" },
     cloths: [{ grid: [12, 12], size: [1, 1], plane: "xz", density: 0.2, pins: ["top_left", "top_right"],
@@ -175,7 +175,7 @@ describe("the buffers", () => {
 });
 
 describe("setCollider", () => {
-  const given = { kind: "given", speed: 1.5 };
+  const given: SceneColliderMotion = { kind: "given", speed: 1.5 };
 
   let world: World; // for all, so that its kernels are compiled once
   beforeAll(async () => {

@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
-import { catalog, checkScene, createWorld, meshNames, readMesh, schemaOf, type World,
+import { catalog, checkScene, createWorld, meshNames, readMesh, schemaOf, type SceneObject, type World,
   type WorldOptions } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { failure } from "./failure.ts";
@@ -79,10 +79,11 @@ it("the README's example for Node runs", async () => {
 });
 
 it("a scene names the meshes of its cloths, its colliders and their keyframes, each once", () => {
-  const names = meshNames({ format: "weft-scene/1", cloths: [{ mesh: "shirt" }, { grid: [2, 2] }],
+  const wrong: object = { format: "weft-scene/1", cloths: [{ mesh: "shirt" }, { grid: [2, 2] }],
     colliders: [{ kind: "plane" }, null, { kind: "mesh", mesh: "body",
       keyframes: [{ time: 1, mesh: "bent" }, { time: 2, mesh: "body" }, null] }, { kind: "mesh", mesh: "chair",
-      keyframes: 3 }] });
+      keyframes: 3 }] };
+  const names = meshNames(wrong as SceneObject);
   expect(names).toEqual(["shirt", "body", "bent", "chair"]);
 });
 

@@ -1,9 +1,7 @@
 // The engine's methods as a book on integrators calls them, where nothing touches.
+import type { SceneObject } from "weft-cloth";
 
-export interface Integrator {
-  readonly kind: string;
-  readonly [setting: string]: unknown;
-}
+export type Integrator = NonNullable<SceneObject["solver"]> & { readonly kind: string };
 
 export const SEMI_IMPLICIT_EULER: Integrator = { kind: "mass_spring" };
 /** As the engine has it for cloth. */

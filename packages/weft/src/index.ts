@@ -6,6 +6,7 @@ export { DEVICE_LIMITS, type ErrorKind } from "./gpu_tables.js";
 export type { Placement } from "./placement.js";
 export { createReference, Reference, type ReferenceInfo, type ReferenceOptions } from "./reference.js";
 export { meshNames, type Bytes, type Scene } from "./scene.js";
+export type * from "./scene_types.js";
 export type { Totals } from "./totals.js";
 export { createWorld, World } from "./world.js";
 export { VIEWS, type Camera, type MemoryUse, type OpenedState, type PassTime, type Pick, type Point, type SceneOptions,

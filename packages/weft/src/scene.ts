@@ -1,8 +1,10 @@
 // A scene in this package: JSON of the format weft-scene/1, which the core checks. Names and bytes of its
 // meshes are all that is looked at here.
 
+import type { SceneObject } from "./scene_types.js";
+
 /** A scene as JSON text or as the object it stands for (docs/scene.md). */
-export type Scene = string | { format: string; [key: string]: unknown };
+export type Scene = string | SceneObject;
 
 /** The bytes of a mesh file: .ply, .obj, .stl, .off or .glb, of bodies .msh, .vtk, or .ele and .node; packed with gzip
  * or not. */
@@ -10,7 +12,7 @@ export type Bytes = ArrayBuffer | Uint8Array;
 
 /** The meshes that a scene names, each once: what `meshes` must hold. */
 export function meshNames(scene: Scene): string[] {
-  const json = (typeof scene === "string" ? JSON.parse(scene) : scene) as Record<string, unknown>;
+  const json: Readonly<Record<string, unknown>> = typeof scene === "string" ? JSON.parse(scene) : { ...scene };
   const entries = (list: unknown) => (Array.isArray(list) ? list : []) as Partial<Record<string, unknown>>[];
   const parts = [...entries(json["cloths"]),
     ...entries(json["colliders"]).flatMap((part) => [part, ...entries(part?.["keyframes"])])];
