@@ -165,10 +165,11 @@ std::string cost_of(const MethodChoice& choice, double milliseconds) {
 }
 
 /// "auto" takes none of the methods that keep tethers: what it would take of the scene without them.
-Error auto_keeps_none(const scene::Scene& scene, const Model& model, const scene::Cloth& cloth) {
+Error auto_keeps_none(const scene::Scene& scene, const Model& model, double lightest_rigid,
+                      const scene::Cloth& cloth) {
   scene::Scene without = scene;
   for (scene::Cloth& other : without.cloths) other.tethers.reset();
-  const auto choice = choose_method(without, model);
+  const auto choice = choose_method(without, model, lightest_rigid);
   if (!choice) return choice.error();
   return input_error(
       "%s.tethers has a slack of %g, and solver.kind \"auto\", which takes \"%s\" here, keeps no tethers; %s "
@@ -197,7 +198,7 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
   if (scene.solver.kind != scene::SolverKind::Auto)
     return choice_of(scene, model, method_of(scene.solver.kind), lightest_rigid);
   for (const scene::Cloth& cloth : scene.cloths)
-    if (cloth.tethers) return auto_keeps_none(scene, model, cloth);
+    if (cloth.tethers) return auto_keeps_none(scene, model, lightest_rigid, cloth);
   std::optional<Error> refused;
   std::optional<MethodChoice> best, steadiest;  // the latter where no one is stable: the one that needs least
   double least = HUGE_VAL;
