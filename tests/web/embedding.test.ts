@@ -26,6 +26,8 @@ async function open(options: Partial<WorldOptions> = {}): Promise<World> {
   const world = await createWorld({ scene: scene(), canvas: null, gpu, ...options });
   worlds.push(world);
   expect(world.info.unstableStep).toBeNull();
+  expect(world.info.solver).toBe("mass_spring");
+  expect(world.info.solverReason).toBeNull(); // the scene names it
   return world;
 }
 afterEach(() => worlds.splice(0).forEach((world) => world.dispose()));

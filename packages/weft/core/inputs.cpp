@@ -68,8 +68,12 @@ Result<Inputs> read_inputs(const SceneText& source, std::uint64_t bytes_per_node
 }
 
 nlohmann::ordered_json json_of(const Description& description) {
-  const std::string& unstable = description.unstable_step;
-  return {{"nodes", description.nodes},
+  const auto sentence = [](const std::string& text) {
+    return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
+  };
+  return {{"solver", description.solver},
+          {"solverReason", sentence(description.solver_reason)},
+          {"nodes", description.nodes},
           {"triangles", description.triangles},
           {"springs", description.springs},
           {"membranes", description.membranes},
@@ -80,7 +84,7 @@ nlohmann::ordered_json json_of(const Description& description) {
           {"frameSeconds", description.frame_seconds},
           {"stepSeconds", description.step_seconds},
           {"stableStepSeconds", description.stable_step_seconds},
-          {"unstableStep", unstable.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(unstable)},
+          {"unstableStep", sentence(description.unstable_step)},
           {"frames", description.frames},
           {"droppedTriangles", description.dropped_triangles}};
 }

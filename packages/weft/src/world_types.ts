@@ -47,6 +47,9 @@ export interface WorldInfo {
   view: View;
   /** Why a view has nothing to show in this scene, of those for which it is so; none without a canvas. */
   refusedViews: Partial<Record<View, string>>;
+  /** The method that moves the cloth; why solver.kind "auto" took it, null where the scene names it. */
+  solver: string;
+  solverReason: string | null;
   nodes: number;
   triangles: number;
   springs: number;

@@ -92,6 +92,14 @@ test("another resolution and another scene are loaded, and the page's address na
   await until("the address", async () => new URL(page.url()).search === "?v=1&scene=hanging&nodes=32");
 });
 
+test("the panel says which method moves the cloth, and why “auto” took it", async () => {
+  const facts = async () => (await page.locator("#facts").textContent())!;
+  expect(await facts()).toContain("Methodmass_spring"); // the scene names it
+  expect(await facts()).not.toContain("Chosen since");
+  await page.getByLabel("Method", { exact: true }).selectOption("auto");
+  await until("it says so", async () => (await facts()).includes("Chosen sincea frame is predicted to take "));
+});
+
 test("another scene is loaded at its own resolution, and an address opens the one it names", async () => {
   await page.goto(`${here.site.address}?scene=pull-sphere&nodes=24`);
   await ready(page);

@@ -43,6 +43,8 @@ export class Readings {
     fill(this.facts, info ?
       [
         ["Adapter", info.adapter],
+        ["Method", info.solver],
+        ...(info.solverReason === null ? [] : [["Chosen since", info.solverReason] as const]),
         ["Nodes", whole.format(info.nodes)],
         ["Triangles", whole.format(info.triangles)],
         ["Springs", whole.format(info.springs)],
