@@ -8,6 +8,7 @@
 #include "base/json.hpp"
 #include "common.hpp"
 #include "method/mass_spring/plan.hpp"
+#include "model/seams.hpp"
 #include "model/sheet_moduli.hpp"
 #include "model/tethers.hpp"
 #include "scene/names.hpp"
@@ -137,6 +138,9 @@ std::string cloths_text(const scene::Scene& scene, const Model& model) {
     if (cloth.fabric && cloth.fabric->plastic) add_plastic(text, *cloth.fabric->plastic);
     if (cloth.tethers) add_tethers(text, tethers, model.bodies[c]);
     if (cloth.strength) add(text, "    tears where it bears more than %.4g N/m\n", *cloth.strength);
+    if (const auto& pattern = model.bodies[c].pattern)
+      add(text, "    %zu pairs of nodes are sewn together, in %zu seams\n", pair_count(*pattern),
+          cloth.seams.size());
     if (cloth.pressure) add_gas(text, cloth, model.bodies[c]);
     add_step(text, scene, model, model.bodies[c]);
   }
@@ -198,6 +202,7 @@ nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model
       one["hardening"] = cloth.fabric->plastic->hardening;
     }
     if (cloth.strength) one["strength"] = *cloth.strength;
+    if (const auto& pattern = model.bodies[c].pattern) one["sewn_pairs"] = pair_count(*pattern);
     if (cloth.pressure) {
       one["gauge"] = cloth.pressure->gauge;
       one["ambient"] = cloth.pressure->ambient;

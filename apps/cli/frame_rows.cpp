@@ -52,6 +52,7 @@ std::string heading_of(const Model& model, const scene::Scene& scene, bool measu
   }
   for_each_of_frame({}, [&](const char* name, auto) { heading += std::string(",") + name; });
   if (can_tear(scene)) heading += ",splits";
+  if (is_sewn(scene)) heading += ",sewn,thread_work_J";
   return heading + "\n";
 }
 
@@ -153,6 +154,8 @@ Result<void> FrameRows::add(sim::World& world) {
   for_each_of_frame(world.last_report(),
                     [&](const char*, auto value) { line += "," + number_text(static_cast<double>(value)); });
   if (can_tear(world.scene())) line += "," + std::to_string(world.tears().splits());
+  if (is_sewn(world.scene()))
+    line += "," + std::to_string(world.sewing().sewn()) + "," + number_text(world.sewing().work);
   return append(line + "\n");
 }
 

@@ -7,6 +7,7 @@
 #include "checkpoint.hpp"
 #include "common.hpp"
 #include "progress.hpp"
+#include "sim/sewn_state.hpp"
 #include "sim/torn_state.hpp"
 
 namespace weft::cli {
@@ -32,12 +33,13 @@ Result<void> SceneRun::make_world() {
 }
 
 Result<void> SceneRun::open(const sim::SavedState& state) {
-  if (!(state.tears == world_->tears())) {
+  if (!(state.tears == world_->tears() && state.sewing == world_->sewing())) {
     scene::Scene scene = scene_;
     scene.solver.kind = world_->plan().method().kind;  // what "auto" took when the cloth was whole
     world_.reset();
     sim::WorldOptions options;
     options.tears = state.tears;
+    options.sewing = state.sewing;
     WEFT_SET(world_, sim::World::create(*device_, std::move(scene), assets_, options));
   }
   return world_->open(state);
@@ -47,9 +49,26 @@ Result<void> SceneRun::tear() {
   const std::size_t before = world_->tears().splits();
   WEFT_TRY(torn, sim::torn_state(*world_, build_name()));
   if (!torn) return {};
-  if (results_) WEFT_CHECK(results_->settle());
-  WEFT_CHECK(open(*torn));
   if (before == 0) say("Cloth tears since frame %u.", world_->frame());
+  return go_on(*torn);
+}
+
+Result<void> SceneRun::sew() {
+  WEFT_TRY(sewn, sim::sewn_state(*world_, build_name()));
+  for (const SeamNews& news : sewn.news) {
+    if (news.open == 0) {
+      say("%s is sewn since frame %u.", news.where.c_str(), world_->frame());
+    } else {
+      say("%s does not close: %zu pairs are open by up to %.3g mm after %g s; threads go on to pull.",
+          news.where.c_str(), news.open, 1e3 * news.widest, world_->time());
+    }
+  }
+  return sewn.state ? go_on(*sewn.state) : Result<void>();
+}
+
+Result<void> SceneRun::go_on(const sim::SavedState& state) {
+  if (results_) WEFT_CHECK(results_->settle());
+  WEFT_CHECK(open(state));
   return results_ ? results_->go_on(*world_) : Result<void>();
 }
 
@@ -106,6 +125,7 @@ Result<void> SceneRun::advance() {
   if (strikes("nan", frame)) world_->set_node(0, {NAN, 0, 0, 1}, {});
   if (strikes("lost", frame)) world_->device().lose();
   const auto start = Clock::now();
+  WEFT_CHECK(sew());
   WEFT_CHECK(tear());
   WEFT_CHECK(world_->advance_frame());
   WEFT_CHECK(world_->finish());

@@ -40,6 +40,10 @@ class SceneRun {
   Result<void> open(const sim::SavedState& state);
   /// Tears what bears too much before the next frame.
   Result<void> tear();
+  /// Sews on what is to be sewn.
+  Result<void> sew();
+  /// Goes on with the state of a world that is torn or sewn otherwise than this one.
+  Result<void> go_on(const sim::SavedState& state);
   Result<void> resume();
   Result<void> advance();
   Result<void> keep_checkpoint();

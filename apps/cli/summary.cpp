@@ -68,6 +68,7 @@ std::string summary_json(const Summary& summary, const sim::World& world) {
   json["state_hash"] = summary.state_hash;
   for_each(totals, [&](const char* name, auto value) { json[name] = value; });
   if (can_tear(world.scene())) json["splits"] = world.tears().splits();
+  if (is_sewn(world.scene())) json["sewn"] = world.sewing().sewn();
   json["gpu_bytes"] = world.device().allocated_bytes();
   return json.dump(2) + "\n";
 }
@@ -111,6 +112,7 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
   if (totals.flattened > 0) line(text, "  flattened   %u tetrahedra at most in a frame", totals.flattened);
   line(text, "  stretch     at most %.4f of the rest length", static_cast<double>(totals.max_stretch));
   if (can_tear(world.scene())) line(text, "  torn        %zu nodes have parted", world.tears().splits());
+  if (is_sewn(world.scene())) line(text, "  sewn        %zu pairs of nodes are one", world.sewing().sewn());
   line(text, "  memory      %.1f MiB on the GPU",
        static_cast<double>(world.device().allocated_bytes()) / 1048576);
   line(text, "  state hash  %s", summary.state_hash.c_str());

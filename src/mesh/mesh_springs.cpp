@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <tuple>
 
@@ -100,6 +101,74 @@ std::vector<MeshSpring> chosen(std::vector<FoundSpring> found) {
   return springs;
 }
 
+/// An edge of a sewn mesh, as it is in the triangle of one of its sides.
+struct PatternEdge {
+  std::array<std::uint32_t, 2> nodes{};  // of the pattern: those of the side's nodes, in their order
+  std::uint32_t tip = 0;                 // of the pattern, opposite
+  double length = 0, along = 0,
+         height = 0;  // of the edge; of the tip from the first node, and over the edge [m]
+};
+
+PatternEdge pattern_edge(const TriangleMesh& pattern, std::span<const Triangle> sewn, const Side& side) {
+  const Triangle &now = sewn[side.triangle], &cut = pattern.triangles[side.triangle];
+  const bool turned = now[side.start()] != side.nodes[0];
+  PatternEdge edge{{cut[(side.start() + (turned ? 1 : 0)) % 3], cut[(side.start() + (turned ? 0 : 1)) % 3]},
+                   cut[side.corner]};
+  edge.length = distance(pattern, edge.nodes[0], edge.nodes[1]);
+  const Vec3d from = pattern.positions[edge.nodes[0]].to<double>();
+  const Vec3d way = pattern.positions[edge.nodes[1]].to<double>() - from;
+  const Vec3d tip = pattern.positions[edge.tip].to<double>() - from;
+  edge.along = dot(tip, way) / edge.length;
+  edge.height = length(cross(way, tip)) / edge.length;
+  return edge;
+}
+
+// The springs of one edge of a sewn mesh.
+void add_sewn_springs(const TriangleMesh& pattern, std::span<const Triangle> sewn,
+                      std::span<const Side> sides, double boundary_weight,
+                      std::vector<FoundSpring>& springs) {
+  std::vector<PatternEdge> edges;
+  double edge_length = 0;
+  for (const Side& side : sides) {
+    edges.push_back(pattern_edge(pattern, sewn, side));
+    edge_length += edges.back().length / static_cast<double>(sides.size());
+  }
+  const bool is_whole = std::all_of(edges.begin(), edges.end(), [&](const PatternEdge& edge) {
+    return std::minmax(edge.nodes[0], edge.nodes[1]) == std::minmax(edges[0].nodes[0], edges[0].nodes[1]);
+  });
+  const auto longest = [&](const Side& side, const PatternEdge& edge) {
+    const Triangle& cut = pattern.triangles[side.triangle];
+    return edge.length > kLonger * distance(pattern, cut[side.start()], cut[side.corner]) &&
+           edge.length > kLonger * distance(pattern, cut[(side.start() + 1) % 3], cut[side.corner]);
+  };
+  const bool is_diagonal = is_whole && sides.size() == 2 && edges[0].tip != edges[1].tip &&
+                           longest(sides[0], edges[0]) && longest(sides[1], edges[1]);
+  const auto [a, b] = sides[0].nodes;
+  springs.push_back({{a,
+                      b,
+                      is_diagonal ? SpringKind::Shear : SpringKind::Structural,
+                      edge_length,
+                      sides.size() == 1 ? boundary_weight : 1.0,
+                      {sides[0].triangle, sides.back().triangle}},
+                     sides[0].nodes});
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const PatternEdge &one = edges[i - 1], &other = edges[i];
+    const auto [low, high] = std::minmax(
+        {sewn[sides[i - 1].triangle][sides[i - 1].corner], sewn[sides[i].triangle][sides[i].corner]});
+    if (low == high) continue;
+    const double across = is_whole ? distance(pattern, one.tip, other.tip)
+                                   : std::hypot(one.along - other.along, one.height + other.height);
+    springs.push_back({{low,
+                        high,
+                        is_diagonal ? SpringKind::Shear : SpringKind::Bend,
+                        across,
+                        1.0,
+                        {sides[i - 1].triangle, sides[i].triangle}},
+                       {low, high},
+                       true});
+  }
+}
+
 }  // namespace
 
 std::vector<MeshSpring> mesh_springs(const TriangleMesh& mesh, BoundaryWeights weights) {
@@ -115,6 +184,16 @@ std::vector<MeshSpring> torn_springs(const TriangleMesh& mesh, BoundaryWeights w
   for_each_edge(sides, [&](std::span<const Side> of_edge) {
     if (of_edge[0].nodes[0] != of_edge[0].nodes[1])
       add_springs(mesh, torn, of_edge, boundary_weight, springs);
+  });
+  return chosen(std::move(springs));
+}
+
+std::vector<MeshSpring> sewn_springs(const TriangleMesh& pattern, BoundaryWeights weights,
+                                     std::span<const Triangle> sewn) {
+  const std::vector<Side> sides = sorted_sides(sewn);
+  std::vector<FoundSpring> springs;
+  for_each_edge(sides, [&](std::span<const Side> of_edge) {
+    add_sewn_springs(pattern, sewn, of_edge, weights == BoundaryWeights::Area ? 0.5 : 1.0, springs);
   });
   return chosen(std::move(springs));
 }

@@ -58,4 +58,10 @@ std::vector<MeshSpring> mesh_springs(const TriangleMesh& mesh, BoundaryWeights w
 std::vector<MeshSpring> torn_springs(const TriangleMesh& mesh, BoundaryWeights weights,
                                      std::span<const Triangle> torn);
 
+/// The same once it is sewn: `sewn` has the pattern's triangles in their order, each with the nodes that it has now. An
+/// edge at a seam is as long as it is in its triangles in the mean; what crosses it is as long as these are wide, laid
+/// into a plane.
+std::vector<MeshSpring> sewn_springs(const TriangleMesh& pattern, BoundaryWeights weights,
+                                     std::span<const Triangle> sewn);
+
 }  // namespace weft::mesh

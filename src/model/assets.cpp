@@ -26,7 +26,9 @@ class NamedMeshes {
  public:
   NamedMeshes(const scene::Scene& scene, const MeshReader& read) : read_(read) {
     for (const scene::Cloth& cloth : scene.cloths) {
-      if (!cloth.grid && !cloth.solid) ++meshes_[cloth.mesh].uses;
+      if (!cloth.mesh.empty()) ++meshes_[cloth.mesh].uses;
+      for (const scene::Panel& panel : cloth.panels)
+        if (!panel.grid) ++meshes_[panel.mesh].uses;
       if (cloth.solid && cloth.copy == 0 && !cloth.solid->surface.empty())
         ++meshes_[cloth.solid->surface].uses;
     }
@@ -71,6 +73,40 @@ Result<mesh::TriangleMesh> load_placed(NamedMeshes& meshes, const std::string& n
       mesh::transformed(*loaded, transform.scale, transform.rotate, transform.translate);
   if (auto checked = mesh::check_mesh(placed); !checked)
     return checked.error().while_doing("placing " + where);
+  return placed;
+}
+
+mesh::TriangleMesh placed_grid(const scene::GridShape& grid, const scene::Transform& transform) {
+  mesh::TriangleMesh placed;
+  for (const Vec3d& place : scene::grid_positions(grid, transform))
+    placed.positions.push_back(place.to<float>());
+  placed.triangles = mesh::grid_triangles({grid.nx, grid.ny, grid.width, grid.height});
+  return placed;
+}
+
+/// The panels of a cloth as one mesh. `sizes` gets how many nodes each has.
+Result<mesh::TriangleMesh> load_panels(NamedMeshes& meshes, const scene::Cloth& cloth,
+                                       std::vector<std::uint32_t>& sizes) {
+  mesh::TriangleMesh all;
+  for (std::size_t p = 0; p < cloth.panels.size(); ++p) {
+    const scene::Panel& panel = cloth.panels[p];
+    const std::string where = path_of_index(cloth.where + ".panels", p);
+    mesh::TriangleMesh one;
+    if (panel.grid) {
+      one = placed_grid(*panel.grid, panel.transform);
+    } else {
+      WEFT_SET(one, load_placed(meshes, panel.mesh, panel.transform, where));
+    }
+    sizes.push_back(static_cast<std::uint32_t>(one.positions.size()));
+    const auto first = static_cast<std::uint32_t>(all.positions.size());
+    all.positions.insert(all.positions.end(), one.positions.begin(), one.positions.end());
+    for (const mesh::Triangle& t : one.triangles)
+      all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  const auto& [scale, rotate, translate] = cloth.transform;
+  mesh::TriangleMesh placed = mesh::transformed(all, scale, rotate, translate);
+  if (auto checked = mesh::check_mesh(placed); !checked)
+    return checked.error().while_doing("placing " + cloth.where);
   return placed;
 }
 
@@ -283,11 +319,15 @@ Result<Assets> load_assets(const scene::Scene& scene, const MeshReader& read,
       assets.solids.emplace_back();
     }
     mesh::TriangleMesh placed;
-    if (!cloth.grid && !cloth.solid) {
+    std::vector<std::uint32_t> panels;
+    if (!cloth.panels.empty()) {
+      WEFT_SET(placed, load_panels(meshes, cloth, panels));
+    } else if (!cloth.mesh.empty()) {
       WEFT_TRY(loaded, load_placed(meshes, cloth.mesh, cloth.transform, cloth.where));
       placed = std::move(loaded);
     }
     assets.cloths.push_back(std::move(placed));
+    assets.panels.push_back(std::move(panels));
   }
   for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
     const auto* object = std::get_if<scene::ColliderMesh>(&scene.colliders[c]);

@@ -14,7 +14,8 @@ namespace weft {
 
 /// The meshes that a scene names, read, checked and placed in the world.
 struct Assets {
-  std::vector<mesh::TriangleMesh> cloths;     // one for each cloth of the scene; empty for a grid or body
+  std::vector<mesh::TriangleMesh> cloths;  // one for each cloth of the scene; empty for a grid or body
+  std::vector<std::vector<std::uint32_t>> panels;  // of each of these how many nodes its panels have
   std::vector<mesh::TetMesh> solids;          // likewise of each body that is no block, before its transform
   std::vector<mesh::TriangleMesh> objects;    // one for each mesh, box and convex hull among the colliders
   std::vector<std::size_t> object_colliders;  // for each object its number among the scene's colliders

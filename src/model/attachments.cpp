@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/closest.hpp"
+#include "model/seams.hpp"
 #include "scene/motion.hpp"
 #include "scene/select.hpp"
 
@@ -182,6 +183,7 @@ Result<Model> build_model(const scene::Scene& scene, const Assets& assets) {
   Attached attached;
   for (std::size_t cloth = 0; cloth < scene.cloths.size(); ++cloth)
     WEFT_CHECK(attach(model, scene, assets, cloth, attached));
+  WEFT_CHECK(add_seams(model, scene, assets));
   return model;
 }
 

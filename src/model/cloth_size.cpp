@@ -11,19 +11,20 @@ double mass_of(const Model& model, const Body& body) {
 
 namespace {
 
-double twice_area(const Model& model, const mesh::Triangle& triangle) {
-  const Vec3d& a = model.rest_position[triangle[0]];
-  return length(cross(model.rest_position[triangle[1]] - a, model.rest_position[triangle[2]] - a));
+double twice_area(const std::array<Vec3d, 3>& corners) {
+  return length(cross(corners[1] - corners[0], corners[2] - corners[0]));
 }
 
 }  // namespace
 
-double area_of(const Model& model, const mesh::Triangle& triangle) { return twice_area(model, triangle) / 2; }
+double area_of(const Model& model, const mesh::Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  return twice_area({model.rest_position[a], model.rest_position[b], model.rest_position[c]}) / 2;
+}
 
 double area_of(const Model& model, const Body& body) {
   double twice = 0;
-  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t)
-    twice += twice_area(model, model.triangles[t]);
+  for (std::uint32_t t = 0; t < body.triangle_count; ++t) twice += twice_area(rest_corners(model, body, t));
   return twice / 2;
 }
 

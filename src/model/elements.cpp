@@ -13,6 +13,18 @@
 namespace weft {
 namespace {
 
+/// The springs of what is sewn, and the threads that pull at what is not yet.
+ElementTable sewn_springs(const Model& model, const Body& body) {
+  mesh::TriangleMesh pattern{{}, body.pattern->triangles};
+  for (const Vec3d& place : body.pattern->position) pattern.positions.push_back(place.to<float>());
+  ElementTable table =
+      build_sewn_springs(pattern, own_triangles(model, body), body.material(), body.first_vertex);
+  for (const Thread& thread : body.pattern->threads)
+    append(table, Spring{body.first_vertex + thread.a, body.first_vertex + thread.b, 0,
+                         static_cast<float>(thread.stiffness), static_cast<float>(thread.damping)});
+  return table;
+}
+
 ElementTable build(const Model& model, ElementKind kind, const Body& body) {
   const std::uint32_t first = body.first_vertex;
   if (body.solid) {
@@ -25,6 +37,7 @@ ElementTable build(const Model& model, ElementKind kind, const Body& body) {
     if (kind == ElementKind::Hinge) return hinge_table(model.plate(body), first);
     return {kind, {}, {}, {}};
   }
+  if (kind == ElementKind::Spring && body.pattern) return sewn_springs(model, body);
   if (kind == ElementKind::Spring && !body.whole.empty()) {
     mesh::TriangleMesh mesh = cloth_mesh(model, body);
     const std::vector<mesh::Triangle> torn = std::exchange(mesh.triangles, body.whole);

@@ -176,8 +176,8 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
       const double scale = cloth.transform.scale;
       grid =
           mesh::Grid{cloth.grid->nx, cloth.grid->ny, cloth.grid->width * scale, cloth.grid->height * scale};
-      if (!cloth.strength)
-        body.grid = grid;  // what tears is a mesh from the first frame on: no law changes then
+      if (!cloth.strength && cloth.seams.empty())
+        body.grid = grid;  // what tears or is sewn is a mesh from the first frame on: no law changes then
       placed = place_grid(cloth, grid);
       selection.nx = grid.nx;
       selection.ny = grid.ny;
@@ -209,6 +209,14 @@ Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::Tri
        ++node)  // kinematic nodes stay in the sheet's plane
     if (model.kinematic(node)) model.start_position[node] = model.rest_position[node];
   return model;
+}
+
+std::array<Vec3d, 3> rest_corners(const Model& model, const Body& body, std::uint32_t triangle) {
+  std::array<Vec3d, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = body.pattern ? body.pattern->position[body.pattern->triangles[triangle][k]]
+                              : model.rest_position[model.triangles[body.first_triangle + triangle][k]];
+  return corners;
 }
 
 std::vector<mesh::Triangle> own_triangles(const Model& model, const Body& body) {

@@ -18,6 +18,7 @@
 #include "mesh/tet_mesh.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "model/elements.hpp"
+#include "model/pattern.hpp"
 #include "scene/grab.hpp"
 
 namespace weft {
@@ -38,6 +39,7 @@ struct Body {
   std::optional<gas::Law> gas;          // what it encloses, where the scene has a pressure
   std::optional<double> strength;       // what a node of it bears before it parts (tearing.hpp) [N/m]
   std::vector<mesh::Triangle> whole;    // before it tore, of nodes that count from 0; empty: it has not
+  std::optional<CutPattern> pattern;    // what it is cut from, where it has seams
   std::vector<mesh::Tet> tets;          // of its nodes, which count from 0
   Vec3d warp{1, 0, 0};                  // the direction of its warp at rest, in the world
   std::optional<Vec3d> color;
@@ -106,6 +108,10 @@ struct Model {
 /// Without attachments, for which colliders are needed: attachments.hpp.
 Result<Model> build_model(const scene::Scene& scene, const std::vector<mesh::TriangleMesh>& cloth_meshes,
                           std::span<const mesh::TetMesh> solids = {});
+
+/// Where the corners of one of a body's triangles are as it is at rest by itself [m]. Nodes where seams meet have one
+/// place at rest_position, which is none of them.
+std::array<Vec3d, 3> rest_corners(const Model& model, const Body& body, std::uint32_t triangle);
 
 /// The triangles of a cloth, whose nodes count from 0.
 std::vector<mesh::Triangle> own_triangles(const Model& model, const Body& body);

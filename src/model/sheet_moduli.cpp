@@ -53,13 +53,10 @@ SheetModuli sheet_moduli(const Model& model, const Body& body) {
 
 double least_height(const Model& model, const Body& body) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::uint32_t t = body.first_triangle; t < body.first_triangle + body.triangle_count; ++t) {
-    const mesh::Triangle& triangle = model.triangles[t];
-    double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(
-          longest, length(model.rest_position[triangle[(k + 1) % 3]] - model.rest_position[triangle[k]]));
-    least = std::min(least, 2 * area_of(model, triangle) / longest);
+  for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
+    const auto [a, b, c] = rest_corners(model, body, t);
+    const double longest = std::max({length(b - a), length(c - b), length(a - c)});
+    least = std::min(least, length(cross(b - a, c - a)) / longest);
   }
   return least;
 }

@@ -77,13 +77,14 @@ class Builder {
     scene.render.subdivide = whole(at(render, "subdivide"));
     if (scene.render.subdivide > 0)
       for (const Cloth& cloth : scene.cloths)
-        if (!cloth.grid || cloth.strength)
-          return wrong("render.subdivide", "is " + std::to_string(scene.render.subdivide) + ", and " +
-                                               path_of(cloth) +
-                                               (cloth.solid      ? " is a body"
-                                                : cloth.strength ? " tears"
-                                                                 : " is a mesh") +
-                                               "; only grids that do not tear are drawn finer");
+        if (!cloth.grid || cloth.strength || !cloth.seams.empty())
+          return wrong("render.subdivide",
+                       "is " + std::to_string(scene.render.subdivide) + ", and " + path_of(cloth) +
+                           (cloth.solid            ? " is a body"
+                            : cloth.strength       ? " tears"
+                            : !cloth.seams.empty() ? " is sewn"
+                                                   : " is a mesh") +
+                           "; only grids that do not tear and are not sewn are drawn finer");
     return scene;
   }
 
@@ -129,15 +130,13 @@ class Builder {
     cloth.name = text(json, "name");
     cloth.mesh = text(json, "mesh");
     if (const Json* grid = json.find("grid")) {
-      const std::vector<Json>& size = at(json, "size").values;
-      cloth.grid = GridShape{whole(grid->values[0]),
-                             whole(grid->values[1]),
-                             size[0].number,
-                             size[1].number,
-                             word<Plane>(at(json, "plane"), kPlaneNames),
-                             number(json, "bump")};
+      cloth.grid = grid_shape(json, *grid);
+      cloth.grid->bump = number(json, "bump");
       WEFT_CHECK(count_nodes(path + ".grid", std::uint64_t{copies} * cloth.grid->nx * cloth.grid->ny));
     }
+    if (const Json* panels = json.find("panels"))
+      for (const Json& one : panels->values)
+        WEFT_CHECK(add_panel(cloth, one, path_of_index(path + ".panels", cloth.panels.size()), copies));
     cloth.transform = transform_of(at(json, "transform"));
     cloth.density = maybe_number(json, "density");
     cloth.node_mass = maybe_number(json, "node_mass");
@@ -167,7 +166,62 @@ class Builder {
           return wrong(path + ".strength",
                        "is " + number_text(*strength) + " N/m; a cloth that tears has no " + in_quotes(key));
     }
+    if (const Json* seams = json.find("seams")) {
+      for (const Json& one : seams->values) {
+        WEFT_TRY(built, seam(one, path_of_index(path + ".seams", cloth.seams.size()), cloth));
+        cloth.seams.push_back(std::move(built));
+      }
+      for (const char* key : {"fabric", "strain_limit", "tethers", "pressure", "strength"})
+        if (json.find(key))
+          return wrong(path + ".seams",
+                       "are of a cloth that has " + in_quotes(key) + ", which sewing cannot follow");
+    }
     return cloth;
+  }
+
+  static GridShape grid_shape(const Json& json, const Json& grid) {
+    const std::vector<Json>& size = at(json, "size").values;
+    return {whole(grid.values[0]), whole(grid.values[1]), size[0].number, size[1].number,
+            word<Plane>(at(json, "plane"), kPlaneNames)};
+  }
+
+  Result<void> add_panel(Cloth& cloth, const Json& json, const std::string& path, std::uint32_t copies) {
+    Panel panel;
+    panel.mesh = text(json, "mesh");
+    if (const Json* grid = json.find("grid")) {
+      panel.grid = grid_shape(json, *grid);
+      WEFT_CHECK(count_nodes(path + ".grid", std::uint64_t{copies} * panel.grid->nx * panel.grid->ny));
+    }
+    panel.transform = transform_of(at(json, "transform"));
+    cloth.panels.push_back(std::move(panel));
+    return {};
+  }
+
+  Result<SeamRow> seam_row(const Json& json, const std::string& path, const Cloth& cloth) const {
+    SeamRow row;
+    row.panel = whole(at(json, "panel"));
+    const std::size_t panels = std::max<std::size_t>(cloth.panels.size(), 1);
+    if (row.panel >= panels)
+      return wrong(path + ".panel", "is " + std::to_string(row.panel) + ", and the cloth has " +
+                                        std::to_string(panels) + ", counted from 0");
+    Cloth shape;  // whose parts have names
+    shape.grid = cloth.panels.empty() ? cloth.grid : cloth.panels[row.panel].grid;
+    WEFT_SET(row.nodes, selectors(at(json, "nodes"), path + ".nodes", shape));
+    return row;
+  }
+
+  Result<Seam> seam(const Json& json, const std::string& path, const Cloth& cloth) const {
+    Seam seam;
+    seam.where = where(path);
+    WEFT_SET(seam.first, seam_row(at(json, "first"), path + ".first", cloth));
+    WEFT_SET(seam.second, seam_row(at(json, "second"), path + ".second", cloth));
+    seam.reversed = at(json, "reversed").boolean;
+    seam.force = number(json, "force");
+    seam.speed = number(json, "speed");
+    seam.within = number(json, "within");
+    seam.start = number(json, "start");
+    seam.patience = number(json, "patience");
+    return seam;
   }
 
   Result<Cloth> body(const Json& json, const std::string& path, std::uint32_t copies) {
@@ -394,6 +448,9 @@ class Builder {
         return wrong(path, "has no springs; solver.forces " + in_quotes(name_of(scene.solver.forces)) +
                                " has springs only");
       if (cloth.fabric) WEFT_CHECK(check_fabric(scene, cloth, path));
+      if (!cloth.seams.empty() && scene.solver.forces != Forces::NodeCentric)
+        return wrong(path + ".seams", "are sewn by threads, which solver.forces " +
+                                          in_quotes(name_of(scene.solver.forces)) + " does not take");
       if (cloth.stiffness.bending == 0) continue;
       const std::string bending = "is " + number_text(cloth.stiffness.bending) + " N·m; ";
       if (scene.solver.forces != Forces::NodeCentric)
@@ -401,9 +458,10 @@ class Builder {
             path + ".stiffness.bending",
             bending + "solver.forces " + in_quotes(name_of(scene.solver.forces)) + " has springs only");
       if (!cloth.grid) return wrong(path + ".stiffness.bending", bending + "a mesh has bend springs only");
-      if (cloth.strength)
-        return wrong(path + ".stiffness.bending",
-                     bending + "a grid with \"strength\" is a mesh, which has bend springs only");
+      if (cloth.strength || !cloth.seams.empty())
+        return wrong(path + ".stiffness.bending", bending + "a grid with " +
+                                                      in_quotes(cloth.strength ? "strength" : "seams") +
+                                                      " is a mesh, which has bend springs only");
     }
     return {};
   }

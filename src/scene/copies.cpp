@@ -31,6 +31,9 @@ Result<Copies> copies_of(const Json& json, const std::string& file, const std::s
   if (!at(json, "grabs").values.empty())
     return input_error("%s: %s has both \"copies\" and \"grabs\"; what is grabbed stands once.", file.c_str(),
                        path.c_str());
+  if (json.find("seams"))
+    return input_error("%s: %s has both \"copies\" and \"seams\"; what is sewn stands once.", file.c_str(),
+                       path.c_str());
   const Vec3d last = transform_of(at(json, "transform")).translate + copies.offset * (copies.count - 1.0);
   for (int axis = 0; axis < 3; ++axis)
     if (last[axis] < -kMaxCoordinate || last[axis] > kMaxCoordinate)

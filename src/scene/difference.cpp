@@ -28,6 +28,8 @@ const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (const char* key = solid_difference(a.solid, b.solid)) return key;
   if (const char* key = grid_difference(a.grid, b.grid)) return key;
   if (a.mesh != b.mesh) return "mesh";
+  if (!(a.panels == b.panels)) return "panels";
+  if (!(a.seams == b.seams)) return "seams";
   if (!(a.transform == b.transform)) return b.copy > 0 ? "copies" : "transform";  // the first's are equal
   if (a.density != b.density) return "density";
   if (a.node_mass != b.node_mass) return "node_mass";

@@ -326,9 +326,46 @@ constexpr Key kPressureKeys[] = {
      "\"isothermal\""},
 };
 constexpr Type kPressure{.kind = Kind::Object, .name = "pressure", .keys = kPressureKeys};
-constexpr Type kStrength{.kind = Kind::Number, .least = 1e-3, .most = 1e9, .unit = "N/m"};
 constexpr const char* kMeshWords =
     "Name of a model, or path of an OBJ, PLY (.ply.gz too), OFF, STL or GLB file relative to the scene";
+constexpr Key kPanelKeys[] = {
+    {"grid", &kGrid, "Nodes along i and j"},
+    {"size", &kSize, "Width along i and height along j of a grid"},
+    {"plane", &kPlane, "As of a cloth that is a grid", "\"xy\""},
+    {"mesh", &kMeshName, kMeshWords},
+    {"transform", &kTransform, "Places the panel; that of the cloth follows", "{}"},
+};
+constexpr const char* kPanelWays[] = {"grid", "mesh"};
+constexpr OneOf kPanelOneOf[] = {{kPanelWays}};
+constexpr Needs kPanelNeeds[] = {{"grid", "size"}, {"size", "grid"}, {"plane", "grid"}};
+constexpr Type kPanel{
+    .kind = Kind::Object, .name = "panel", .keys = kPanelKeys, .one_of = kPanelOneOf, .needs = kPanelNeeds};
+constexpr const Type* kPanelItem[] = {&kPanel};
+constexpr Type kPanels{.kind = Kind::List, .count_least = 1, .count_most = 1000, .types = kPanelItem};
+constexpr Type kPanelNumber{.kind = Kind::Number, .most = 999, .whole = true};
+constexpr Key kSeamRowKeys[] = {
+    {"panel", &kPanelNumber, "Its place in panels, from 0", "0"},
+    {"nodes", &kSelectors, "What has of the panel's rim one run: a selector or a list of them", nullptr,
+     true},
+};
+constexpr Type kSeamRow{.kind = Kind::Object, .name = "seam_row", .keys = kSeamRowKeys};
+constexpr Type kThreadForce{.kind = Kind::Number, .least = 1e-3, .most = 1e6, .unit = "N/m"};
+constexpr Type kThreadSpeed{.kind = Kind::Number, .least = 1e-3, .most = 100, .unit = "m/s"};
+constexpr Type kWithin{.kind = Kind::Number, .least = 1e-6, .most = 0.01, .unit = "m"};
+constexpr Key kSeamKeys[] = {
+    {"first", &kSeamRow, "One row of nodes", nullptr, true},
+    {"second", &kSeamRow, "The row that is sewn to it", nullptr, true},
+    {"reversed", &kTruth, "Sewn the other way round than where the rows are nearer at the start", "false"},
+    {"force", &kThreadForce, "What the threads pull with at most, by length of the seam", "20"},
+    {"speed", &kThreadSpeed, "How fast they pull at most", "0.5"},
+    {"within", &kWithin, "How near all pairs are when they become one", "0.0001"},
+    {"start", &kInstant, "When the threads begin to pull", "0"},
+    {"patience", &kInstant, "How long after that the seam is waited for", "10"},
+};
+constexpr Type kSeam{.kind = Kind::Object, .name = "seam", .keys = kSeamKeys};
+constexpr const Type* kSeamItem[] = {&kSeam};
+constexpr Type kSeams{.kind = Kind::List, .count_least = 1, .count_most = 1000, .types = kSeamItem};
+constexpr Type kStrength{.kind = Kind::Number, .least = 1e-3, .most = 1e9, .unit = "N/m"};
 constexpr Key kClothKeys[] = {
     {"name", &kShortText, "For messages"},
     {"grid", &kGrid, "Nodes along i and j; all grids together have at most 67108864"},
@@ -336,6 +373,8 @@ constexpr Key kClothKeys[] = {
     {"plane", &kPlane, "A grid hangs (\"xy\": j runs down) or lies flat (\"xz\": j runs along +z)", "\"xy\""},
     {"bump", &kBump, "How far the middle of a grid stands out along its normal at the start", "0"},
     {"mesh", &kMeshName, kMeshWords},
+    {"panels", &kPanels, "Sheets that make up the cloth, instead of a grid or a mesh"},
+    {"seams", &kSeams, "Runs of the rim that are sewn together; only in weft run"},
     {"transform", &kTransform, "From the sheet centred on the origin, or the mesh, to the world", "{}"},
     {"density", &kDensity, "Mass per rest area; without it and node_mass that of the fabric's name"},
     {"node_mass", &kNodeMass, "Mass of every node alike"},
@@ -362,7 +401,7 @@ constexpr Key kClothKeys[] = {
     {"color", &kColor, "Red, green and blue"},
     {"copies", &kCopies, "The same cloth again and again, each some way further; not with grabs"},
 };
-constexpr const char* kShapeWays[] = {"grid", "mesh"};
+constexpr const char* kShapeWays[] = {"grid", "mesh", "panels"};
 constexpr const char* kMassWays[] = {"density", "node_mass"};
 constexpr OneOf kClothOneOf[] = {{kShapeWays}, {kMassWays, "fabric"}};
 constexpr Needs kClothNeeds[] = {

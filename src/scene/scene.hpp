@@ -145,6 +145,7 @@ struct GridShape {
   double width = 0, height = 0;  // along i and along j [m]
   Plane plane = Plane::Xy;
   double bump = 0;  // how far the middle stands out at the start [m]
+  bool operator==(const GridShape&) const = default;
 };
 
 /// Of springs [N/m].
@@ -221,6 +222,36 @@ struct Solid {
   bool operator==(const Solid&) const = default;
 };
 
+/// A piece of a cloth that is made of several: a grid or a mesh.
+struct Panel {
+  std::optional<GridShape> grid;  // either this
+  std::string mesh;               // or this, as of Cloth
+  Transform transform;            // before the cloth's
+  bool operator==(const Panel&) const = default;
+};
+
+/// A run of a panel's rim that is sewn on.
+struct SeamRow {
+  std::size_t panel = 0;  // 0: also a cloth without panels
+  std::vector<Selector> nodes;
+  bool operator==(const SeamRow&) const = default;
+};
+
+/// Two rows that threads pull together, after which they are one (docs/sewing.md).
+struct Seam {
+  std::string where;  // file and JSON path
+  SeamRow first, second;
+  bool reversed = false;           // the other way round than where they are nearer at the start
+  double force = 0, speed = 0;     // of the threads, at most: by length of the seam [N/m]; [m/s]
+  double within = 0;               // how near all its pairs are when they become one [m]
+  double start = 0, patience = 0;  // when it is begun, and how long it is waited for [s]
+  bool operator==(const Seam& other) const {
+    return first == other.first && second == other.second && reversed == other.reversed &&
+           force == other.force && speed == other.speed && within == other.within && start == other.start &&
+           patience == other.patience;
+  }
+};
+
 /// A cloth, or with `solid` a body with volume, whose surface meets things as a cloth does.
 struct Cloth {
   std::string where;  // file and JSON path: "scenes/a.json: cloths[0]"
@@ -228,6 +259,8 @@ struct Cloth {
   std::optional<Solid> solid;     // either this
   std::optional<GridShape> grid;  // or this
   std::string mesh;               // or this: the name of a model or a path; see mesh_path
+  std::vector<Panel> panels;      // or these
+  std::vector<Seam> seams;        // of these, or of its own rim
   Transform transform;
   std::optional<double> density;       // either this [kg/m²]; of a body [kg/m³]
   std::optional<double> node_mass;     // or this [kg]

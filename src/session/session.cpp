@@ -46,6 +46,7 @@ Result<void> Session::build(SceneText source, const ReadInputs& read) {
   source_ = std::move(source);
   WEFT_TRY(inputs, read(source_));
   WEFT_CHECK(check_whole(inputs.scene));
+  WEFT_CHECK(check_unsewn(inputs.scene));
   WEFT_CHECK(device_->status());
   WEFT_TRY(world, sim::World::create(*device_, std::move(inputs.scene), inputs.assets));
   world_ = std::move(world);

@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little);  // lists are copied 
 constexpr char kMagic[] = "weftsave";
 constexpr std::size_t kMagicBytes = 8, kSizeAt = 16, kHashAt = 24, kHeaderBytes = 32, kMostText = 1024;
 constexpr std::size_t kMostOtherBytes = 16384;  // of all but the lists of nodes, pairs and bodies
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 /// Pairs that act, for each node and besides; far more than can be near it.
 constexpr std::uint64_t kMostPairsOfNode = 256, kMorePairs = 4096;
 
@@ -209,6 +209,9 @@ std::vector<std::byte> write_saved_state(const SavedState& state) {
     writer.list(cloth.origin);
     writer.list(cloth.triangles);
   }
+  writer.number(static_cast<std::uint64_t>(state.sewing.cloths.size()));
+  for (const Sewing::OfCloth& cloth : state.sewing.cloths) writer.list(cloth.pairs);
+  writer.number(state.sewing.work);
   std::vector<std::byte> bytes = writer.take();
   const std::uint64_t size = bytes.size(), hash = bytes_hash(std::span(bytes).subspan(kHeaderBytes));
   std::memcpy(bytes.data() + kSizeAt, &size, sizeof size);
@@ -262,6 +265,13 @@ Result<SavedState> read_saved_state(std::span<const std::byte> bytes) {
     state.tears.cloths.push_back(
         {std::move(origin), reader.list<mesh::Triangle>("a list of torn triangles")});
   }
+  const auto sewn = reader.number<std::uint64_t>();
+  if (sewn > bytes.size() / sizeof(std::uint64_t))  // the length of a cloth's list
+    return input_error("The saved state has sewing of %llu cloths in %zu bytes.",
+                       static_cast<unsigned long long>(sewn), bytes.size());
+  for (std::uint64_t cloth = 0; cloth < sewn; ++cloth)
+    state.sewing.cloths.push_back({reader.list<std::int32_t>("a list of sewn pairs")});
+  state.sewing.work = reader.number<double>();
   WEFT_CHECK(reader.end());
   WEFT_CHECK(check_finite(state));
   return state;

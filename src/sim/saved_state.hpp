@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "model/sewn.hpp"
 #include "model/tears.hpp"
 #include "sim/grabs.hpp"
 #include "sim/snapshot.hpp"
@@ -23,6 +24,7 @@ struct SavedState {
   std::vector<Grabbed> grabs;  // by the host's hand
   weft::Totals totals;         // of the frames up to then
   Tears tears;                 // of its cloth
+  Sewing sewing;               // of its cloth
 };
 
 /// The bytes, little-endian: "weftsave"; the version, u32; 0, u32; the number of all bytes, u64; XXH3-64 of those that

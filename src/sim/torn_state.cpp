@@ -46,7 +46,8 @@ Result<std::optional<SavedState>> torn_state(World& world, const std::string& bu
   auto tearing = tear(world.model().host, world.tears(), position);
   if (!tearing) return std::optional<SavedState>();
   WEFT_TRY(whole, build_model(world.scene(), world.assets()));
-  WEFT_TRY(torn, torn_model(whole, tearing->tears));
+  WEFT_TRY(parted, torn_model(whole, tearing->tears));
+  WEFT_TRY(torn, sewn_model(parted, world.sewing()));
   WEFT_TRY(state, world.save(build));
   state.tears = std::move(tearing->tears);
   carry(state.snapshot, torn, tearing->from);

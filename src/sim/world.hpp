@@ -10,6 +10,7 @@
 #include "contact/scene_contact.hpp"
 #include "method/solver.hpp"
 #include "model/assets.hpp"
+#include "model/sewn.hpp"
 #include "model/tears.hpp"
 #include "sim/frame_recorder.hpp"
 #include "sim/frame_steps.hpp"
@@ -29,6 +30,7 @@ struct WorldOptions {
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   std::optional<ContactRoom> contact_room;  // of proximity contact at first; none: by the number of triangles
   Tears tears = {};                         // what has torn at first
+  Sewing sewing = {};                       // and is sewn
   std::optional<bool> two_steps;            // at once, where the solver can; none: where that is quicker
 };
 
@@ -97,7 +99,7 @@ class World {
   /// one where `build` and adapter are the same. Errors as finish.
   Result<SavedState> save(const std::string& build);
   /// Goes on from such a state, also where this world has diverged: with its totals, and what was grabbed.
-  /// Errors, with nothing changed  Input: it is of another scene, or torn otherwise; those of restore and
+  /// Errors, with nothing changed  Input: it is of another scene, torn or sewn otherwise; those of restore and
   /// grab. DeviceLost, OutOfMemory.
   Result<void> open(const SavedState& saved);
   /// Sets the positions of all nodes [m], where the next frame begins; velocities stay. Waits for the frames before,
@@ -133,6 +135,8 @@ class World {
   const Assets& assets() const { return assets_; }
   /// What has torn of its cloth. A world tears no further by itself: torn_state.hpp.
   const Tears& tears() const { return tears_; }
+  /// How far its cloth is sewn. A world sews no further by itself: sewn_state.hpp.
+  const Sewing& sewing() const { return sewing_; }
   const Totals& totals() const { return totals_; }
   /// Calls `told` with each frame's number, from 0, once it has reported: in their order, with totals() up to it.
   void on_report(std::function<void(std::uint32_t frame)> told) { told_ = std::move(told); }
@@ -199,6 +203,7 @@ class World {
   scene::Scene scene_;
   Assets assets_;
   Tears tears_;
+  Sewing sewing_;
   GpuModel model_;
   State state_;
   FramePlan plan_;

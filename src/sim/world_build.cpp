@@ -20,8 +20,10 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   WEFT_CHECK(check_node_count(node_count(scene_, assets), device_));
   assets_ = assets;
   tears_ = options.tears;
+  sewing_ = options.sewing;
   WEFT_TRY(whole, build_model(scene_, assets));
-  WEFT_TRY(host, torn_model(whole, tears_));
+  WEFT_TRY(torn, torn_model(whole, tears_));
+  WEFT_TRY(host, sewn_model(torn, sewing_));
   for (std::size_t kind = 0; kind < kElementKinds; ++kind)
     element_counts_[kind] = host.count(static_cast<ElementKind>(kind));
   slivers_ = host.sliver_count();

@@ -197,7 +197,8 @@ Result<SavedState> World::save(const std::string& build) {
                     std::move(snapshot),
                     grabs_->held(),
                     totals_,
-                    tears_};
+                    tears_,
+                    sewing_};
 }
 
 Result<void> World::open(const SavedState& saved) {
@@ -207,6 +208,9 @@ Result<void> World::open(const SavedState& saved) {
   if (!(saved.tears == tears_))
     return input_error("The saved state has torn at %zu nodes, and this world otherwise, at %zu.",
                        saved.tears.splits(), tears_.splits());
+  if (!(saved.sewing == sewing_))
+    return input_error("The saved state is sewn at %zu pairs of nodes, and this world otherwise, at %zu.",
+                       saved.sewing.sewn(), sewing_.sewn());
   const Snapshot& snapshot = saved.snapshot;
   if (snapshot.time.length != scene_.time.frame || snapshot.time.frame > kMostFrames)
     return input_error("The saved state is of frame %u of %g s each; this scene has up to %u of %g s.",

@@ -1,5 +1,7 @@
 #include "state/surface.hpp"
 
+#include <algorithm>
+
 #include "mesh/adjacency.hpp"
 
 namespace weft {
@@ -17,15 +19,18 @@ Result<Surface> Surface::create(gpu::Device& device, const GpuModel& model, cons
   made.offsets_ = std::move(offsets);
   WEFT_TRY(around, gpu::Buffer<std::uint32_t>::create_from(device, adjacency.entries, "triangles around"));
   made.around_ = std::move(around);
+  WEFT_CHECK(made.create_pattern(device, model.host));
   for (const Body& body : model.host.bodies) {
     ClothPart part;
+    part.cut_from_pattern = body.pattern.has_value();
+    const gpu::Buffer<Vec4f>& rest = part.cut_from_pattern ? made.pattern_ : model.rest_position;
+    const gpu::Kernel& of_part = part.cut_from_pattern ? made.pattern_kernel_ : made.kernel_;
     part.vertex_count = body.vertex_count;
     const SurfaceParams params{body.first_vertex, body.vertex_count, body.row()};
     WEFT_TRY(buffer, gpu::create_uniform(device, params, "surface params"));
     for (std::size_t parity = 0; parity < 2; ++parity) {
-      WEFT_TRY(group, made.kernel_.bind({buffer, state.position[parity], model.rest_position, model.triangles,
-                                         made.offsets_, made.around_, made.normal_, made.stretch_,
-                                         state.statistics}));
+      WEFT_TRY(group, of_part.bind({buffer, state.position[parity], rest, model.triangles, made.offsets_,
+                                    made.around_, made.normal_, made.stretch_, state.statistics}));
       part.groups[parity] = std::move(group);
     }
     part.params = std::move(buffer);
@@ -33,6 +38,20 @@ Result<Surface> Surface::create(gpu::Device& device, const GpuModel& model, cons
   }
   WEFT_CHECK(made.create_flattened(device, model, state));
   return made;
+}
+
+Result<void> Surface::create_pattern(gpu::Device& device, const Model& model) {
+  if (std::none_of(model.bodies.begin(), model.bodies.end(),
+                   [](const Body& body) { return body.pattern.has_value(); }))
+    return {};
+  std::vector<Vec4f> places;
+  for (const Body& body : model.bodies)
+    for (std::uint32_t t = 0; t < body.triangle_count; ++t)
+      for (const Vec3d& corner : rest_corners(model, body, t))
+        places.push_back(Vec4f::from(corner.to<float>(), 0));
+  WEFT_SET(pattern_, gpu::Buffer<Vec4f>::create_from(device, places, "pattern"));
+  WEFT_SET(pattern_kernel_, gpu::Kernel::create(device, "state/surface.wgsl", {{"kCutFromPattern", 1}}));
+  return {};
 }
 
 Result<void> Surface::create_flattened(gpu::Device& device, const GpuModel& model, const State& state) {
@@ -50,7 +69,10 @@ Result<void> Surface::create_flattened(gpu::Device& device, const GpuModel& mode
 }
 
 void Surface::record(gpu::ComputePass& pass) const {
-  for (const ClothPart& part : parts_) kernel_.dispatch(pass, part.groups[pass.parity()], part.vertex_count);
+  for (const ClothPart& part : parts_) {
+    const gpu::Kernel& kernel = part.cut_from_pattern ? pattern_kernel_ : kernel_;
+    kernel.dispatch(pass, part.groups[pass.parity()], part.vertex_count);
+  }
   flattened_.record(pass);
 }
 

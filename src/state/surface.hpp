@@ -31,14 +31,18 @@ class Surface {
   const gpu::Buffer<float>& stretch() const { return stretch_; }
 
  private:
+  Result<void> create_pattern(gpu::Device& device, const Model& model);
   Result<void> create_flattened(gpu::Device& device, const GpuModel& model, const State& state);
 
   struct ClothPart {
     gpu::RawBuffer params;
+    bool cut_from_pattern = false;
     std::array<gpu::BindGroup, 2> groups;  // by the parity of the buffer that holds the state
     std::uint32_t vertex_count = 0;
   };
   gpu::Kernel kernel_;
+  gpu::Kernel pattern_kernel_;  // of what is sewn, where anything is
+  gpu::Buffer<Vec4f> pattern_;  // of each corner of each triangle its place in the pattern [m]
   gpu::Buffer<Vec4f> normal_;
   gpu::Buffer<float> stretch_;
   gpu::Buffer<std::uint32_t> offsets_, around_;

@@ -314,8 +314,8 @@ TEST_CASE("a saved state that was cut off or spoiled is refused at every byte, i
   put_at(other, 0, 'W');
   CHECK(refusal(other) == "This is no saved state of weft: it does not begin with \"weftsave\".");
   other = whole;
-  put_at(other, 8, std::uint32_t{5});
-  CHECK(refusal(other) == "The saved state is of version 5; this weft reads version 4.");
+  put_at(other, 8, std::uint32_t{6});
+  CHECK(refusal(other) == "The saved state is of version 6; this weft reads version 5.");
 }
 
 TEST_CASE(

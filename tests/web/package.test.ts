@@ -315,7 +315,7 @@ describe("a world", () => {
       [bytes.subarray(0, 4000), /^The saved state should have \d+ bytes; it has 4000\.$/],
       [new TextEncoder().encode("no state at all, but long enough to be one"), /^This is no saved state of weft: /],
       [spoiled, /^The saved state is damaged: its checksum is [0-9a-f]{16} instead of [0-9a-f]{16}\.$/],
-      [newer, /^The saved state is of version 9; this weft reads version 4\.$/],
+      [newer, /^The saved state is of version 9; this weft reads version 5\.$/],
       [await finer.saveState(), /^The saved state is of another scene: its hash is [0-9a-f]{16}, that of this one /],
       [new Uint8Array(20_000_000),
         /^There are 20000000 bytes, more than a saved state of this scene has: at most \d+\.$/],

@@ -6,6 +6,7 @@
 
 #include "inputs.hpp"
 #include "message.hpp"
+#include "model/sewn.hpp"
 #include "model/tears.hpp"
 #include "reference/simulation.hpp"
 #include "session/describe.hpp"
@@ -27,6 +28,7 @@ weft::Result<void> load(const std::string& text, const std::string& lines) {
   WEFT_TRY(source, weft::web::scene_text(text, lines));
   WEFT_TRY(inputs, weft::web::read_inputs(source, kBytesPerNode));
   WEFT_CHECK(weft::check_whole(inputs.scene));
+  WEFT_CHECK(weft::check_unsewn(inputs.scene));
   WEFT_TRY(made, Simulation::create(inputs.scene, inputs.assets));
   simulation.emplace(std::move(made));
   dropped_triangles = inputs.assets.dropped_triangles;

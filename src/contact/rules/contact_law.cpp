@@ -51,9 +51,8 @@ ImpulseRule impulse_rule(const Model& model, const scene::Contact& contact, doub
 
 namespace {
 
-double shortest_altitude(const Model& model, const mesh::Triangle& corners) {
-  const Vec3d &a = model.rest_position[corners[0]], &b = model.rest_position[corners[1]],
-              &c = model.rest_position[corners[2]];
+double shortest_altitude(const Model& model, const Body& body, std::uint32_t triangle) {
+  const auto [a, b, c] = rest_corners(model, body, triangle);
   const double longest = std::max({length(b - a), length(c - b), length(a - c)});
   return longest > 0 ? length(cross(b - a, c - a)) / longest : 0;
 }
@@ -69,7 +68,7 @@ double typical_altitude(const Model& model) {
     if (body.triangle_count == 0) continue;
     std::vector<double> altitudes;
     for (std::uint32_t t = 0; t < body.triangle_count; ++t)
-      altitudes.push_back(shortest_altitude(model, model.triangles[body.first_triangle + t]));
+      altitudes.push_back(shortest_altitude(model, body, t));
     const auto middle = altitudes.begin() + static_cast<std::ptrdiff_t>(altitudes.size() / 2);
     std::nth_element(altitudes.begin(), middle, altitudes.end());
     least = std::min(least, *middle);
@@ -91,11 +90,13 @@ double flat_reach(const Model& model, const scene::Contact& contact) {
 std::vector<double> most_slacks(const Model& model, double most_reach, double self_thickness) {
   std::vector<double> slacks(model.vertex_count(), most_reach);
   if (self_thickness == 0) return slacks;
-  for (const mesh::Triangle& corners : model.triangles) {
-    const double own =
-        std::clamp(flat_slack(shortest_altitude(model, corners), self_thickness), most_reach / 4, most_reach);
-    for (const std::uint32_t vertex : corners) slacks[vertex] = std::min(slacks[vertex], own);
-  }
+  for (const Body& body : model.bodies)
+    for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
+      const double slack = flat_slack(shortest_altitude(model, body, t), self_thickness);
+      const double own = std::clamp(slack, most_reach / 4, most_reach);
+      for (const std::uint32_t vertex : model.triangles[body.first_triangle + t])
+        slacks[vertex] = std::min(slacks[vertex], own);
+    }
   return slacks;
 }
 

@@ -6,10 +6,11 @@ namespace weft {
 
 double max_push(const Model& model, double thickness) {
   double longest = 0;
-  for (const mesh::Triangle& triangle : model.triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      longest = std::max(
-          longest, length(model.rest_position[triangle[(k + 1) % 3]] - model.rest_position[triangle[k]]));
+  for (const Body& body : model.bodies)
+    for (std::uint32_t t = 0; t < body.triangle_count; ++t) {
+      const auto [a, b, c] = rest_corners(model, body, t);
+      longest = std::max({longest, length(b - a), length(c - b), length(a - c)});
+    }
   return thickness + 2 * longest;
 }
 

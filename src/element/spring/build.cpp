@@ -36,4 +36,9 @@ ElementTable build_springs(const mesh::TriangleMesh& mesh, std::span<const mesh:
   return table_of(mesh::torn_springs(mesh, material.weights, torn), material, first);
 }
 
+ElementTable build_sewn_springs(const mesh::TriangleMesh& pattern, std::span<const mesh::Triangle> sewn,
+                                const SpringMaterial& material, std::uint32_t first) {
+  return table_of(mesh::sewn_springs(pattern, material.weights, sewn), material, first);
+}
+
 }  // namespace weft

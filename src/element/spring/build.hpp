@@ -25,4 +25,8 @@ ElementTable build_springs(const mesh::TriangleMesh& mesh, const SpringMaterial&
 ElementTable build_springs(const mesh::TriangleMesh& mesh, std::span<const mesh::Triangle> torn,
                            const SpringMaterial& material, std::uint32_t first);
 
+/// Those of a mesh that is sewn: mesh::sewn_springs.
+ElementTable build_sewn_springs(const mesh::TriangleMesh& pattern, std::span<const mesh::Triangle> sewn,
+                                const SpringMaterial& material, std::uint32_t first);
+
 }  // namespace weft

@@ -26,10 +26,16 @@ std::vector<Row> rows_of(const SpringNetwork& network, float Spring::*strength) 
     const Vec4f &a = network.position[spring.node_a], &b = network.position[spring.node_b];
     const Vec3d span = b.xyz().to<double>() - a.xyz().to<double>();
     const double len = length(span), k = static_cast<double>(spring.*strength);
-    if (len == 0 || !(k > 0)) continue;
-    const Vec3d direction = std::sqrt(k) * (span / len);
-    rows.push_back({spring.node_a, spring.node_b, std::sqrt(static_cast<double>(a.w)) * direction,
-                    std::sqrt(static_cast<double>(b.w)) * direction});
+    if (!(k > 0)) continue;
+    const auto add = [&](const Vec3d& direction) {
+      rows.push_back({spring.node_a, spring.node_b, std::sqrt(k * static_cast<double>(a.w)) * direction,
+                      std::sqrt(k * static_cast<double>(b.w)) * direction});
+    };
+    if (spring.rest_length == 0) {  // a thread, which may come to lie along any of these
+      for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) add(axis);
+    } else if (len > 0) {
+      add(span / len);
+    }
   }
   return rows;
 }

@@ -18,9 +18,8 @@ struct Span {
 Span span_of(const Model& model, const Body& cloth) {
   double area = 0;
   Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -1.0 * low;
-  for (std::uint32_t t = cloth.first_triangle; t < cloth.first_triangle + cloth.triangle_count; ++t) {
-    const auto [a, b, c] = model.triangles[t];
-    const Vec3d &x = model.rest_position[a], &y = model.rest_position[b], &z = model.rest_position[c];
+  for (std::uint32_t t = 0; t < cloth.triangle_count; ++t) {
+    const auto [x, y, z] = rest_corners(model, cloth, t);
     area += 0.5 * length(cross(y - x, z - x));
     for (const Vec3d& corner : {x, y, z})
       for (int axis = 0; axis < 3; ++axis) {

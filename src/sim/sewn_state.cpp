@@ -1,0 +1,94 @@
+#include "sim/sewn_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/attachments.hpp"
+
+namespace weft::sim {
+namespace {
+
+using Sources = std::vector<std::vector<std::uint32_t>>;
+
+/// The mean of what nodes have, by their masses.
+std::vector<Vec4f> joined(const std::vector<Vec4f>& list, const Sources& from, std::span<const double> mass) {
+  std::vector<Vec4f> made;
+  if (list.empty()) return made;
+  for (const std::vector<std::uint32_t>& nodes : from) {
+    if (nodes.size() == 1) {
+      made.push_back(list[nodes[0]]);
+      continue;
+    }
+    Vec3d sum;
+    double all = 0;
+    for (const std::uint32_t node : nodes) {
+      sum += mass[node] * list[node].xyz().to<double>();
+      all += mass[node];
+    }
+    made.push_back(Vec4f::from((sum / all).to<float>(), 0));
+  }
+  return made;
+}
+
+/// A node that the scene holds stays where it is.
+void carry(Snapshot& snapshot, const Model& model, const Model& then, const Sources& from) {
+  std::vector<double> weight = model.mass;
+  for (const std::vector<std::uint32_t>& nodes : from)
+    if (std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) { return model.kinematic(node); }))
+      for (const std::uint32_t node : nodes) weight[node] = model.kinematic(node) ? 1 : 0;
+  for (auto* list :
+       {&snapshot.position, &snapshot.velocity, &snapshot.position_before, &snapshot.velocity_before})
+    *list = joined(*list, from, weight);
+  for (auto* positions : {&snapshot.position, &snapshot.position_before})
+    for (std::size_t node = 0; node < positions->size(); ++node)
+      (*positions)[node].w = static_cast<float>(then.inverse_mass(node));
+  for (Vec4f& velocity : snapshot.velocity) velocity.w = 0;
+  snapshot.contact_forces.clear();
+  if (snapshot.hold_forces.empty()) return;
+  std::vector<std::int32_t> holds;
+  for (const std::vector<std::uint32_t>& nodes : from)
+    for (std::size_t word = 0; word < kHoldWords; ++word)
+      holds.push_back(nodes.size() == 1 ? snapshot.hold_forces[kHoldWords * nodes[0] + word] : 0);
+  snapshot.hold_forces = std::move(holds);
+}
+
+/// Frames after which threads are looked at again.
+std::uint32_t thread_frames(const scene::Scene& scene) {
+  return static_cast<std::uint32_t>(std::max(1.0, std::round(kThreadTime / scene.time.frame)));
+}
+
+}  // namespace
+
+Result<SewnState> sewn_state(World& world, const std::string& build) {
+  SewnState made;
+  const std::uint32_t frames = thread_frames(world.scene());
+  if (!is_sewn(world.scene()) || world.frame() % frames != 0) return made;
+  WEFT_CHECK(world.finish());
+  WEFT_TRY(nodes, world.node_state());
+  std::vector<Vec3d> position;
+  for (const Vec4f& p : nodes.position) position.push_back(p.xyz().to<double>());
+  const Model& model = world.model().host;
+  Sewn sewn = sew(model, world.sewing(), position, world.time(), frames * world.scene().time.frame);
+  made.news = std::move(sewn.news);
+  if (sewn.sewing == world.sewing()) return made;
+  WEFT_TRY(whole, build_model(world.scene(), world.assets()));
+  WEFT_TRY(torn, torn_model(whole, world.tears()));
+  WEFT_TRY(then, sewn_model(torn, sewn.sewing));
+  WEFT_TRY(state, world.save(build));
+  if (then.vertex_count() != model.vertex_count()) {
+    const Sources from = sewn_from(model, then);
+    carry(state.snapshot, model, then, from);
+    for (Grabbed& grabbed : state.grabs)
+      grabbed.node = static_cast<std::uint32_t>(std::find_if(from.begin(), from.end(),
+                                                             [&](const std::vector<std::uint32_t>& parts) {
+                                                               return std::find(parts.begin(), parts.end(),
+                                                                                grabbed.node) != parts.end();
+                                                             }) -
+                                                from.begin());
+  }
+  state.sewing = std::move(sewn.sewing);
+  made.state = std::move(state);
+  return made;
+}
+
+}  // namespace weft::sim
