@@ -106,6 +106,7 @@ void append(Model& model, const scene::Cloth& cloth, const PlacedBody& placed, B
                            : scene::transformed(cloth.transform, cloth.fabric->warp_direction) -
                                  scene::transformed(cloth.transform, {});
   body.color = cloth.color;
+  body.look = cloth.look;
   model.rest_position.insert(model.rest_position.end(), placed.positions.begin(), placed.positions.end());
   model.start_position.insert(model.start_position.end(), placed.starts.begin(), placed.starts.end());
   model.uv.insert(model.uv.end(), placed.uv.begin(), placed.uv.end());

@@ -43,6 +43,7 @@ struct Body {
   std::vector<mesh::Tet> tets;          // of its nodes, which count from 0
   Vec3d warp{1, 0, 0};                  // the direction of its warp at rest, in the world
   std::optional<Vec3d> color;
+  scene::Look look;
 
   /// Nodes of a row, where triangles have diagonals that shear lengthens; 0: every edge of a triangle is as structural
   /// as the others.

@@ -2,6 +2,7 @@
 
 #include "gpu/render_pipeline.hpp"
 #include "render/frame_params.hpp"
+#include "render/light.hpp"
 #include "render/picture_pipeline.hpp"
 
 namespace weft::render {
@@ -10,8 +11,10 @@ namespace weft::render {
 class Background {
  public:
   Background() = default;
+  /// Reads  light: of the textured view, whose background may be a sky.
   static Result<Background> create(gpu::Device& device, const Look& look,
-                                   const gpu::Buffer<FrameParams>& frame);
+                                   const gpu::Buffer<FrameParams>& frame,
+                                   const gpu::Buffer<LightParams>& light);
   void record(gpu::RenderPass& pass) const { pass.draw(pipeline_.id(), group_.id(), 3); }
 
  private:

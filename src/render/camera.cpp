@@ -98,6 +98,7 @@ LightView light_view(const mesh::Bounds& bounds, const Vec3d& to_light, std::uin
       high = std::max(high, at);
     }
     const double span = std::max(1.02 * (high - low), 1e-3);
+    view.span[axis] = span;
     const double middle = 0.5 * (low + high);
     const double scale = axis < 2 ? 2 / span : -1 / span;  // depth grows away from the light, from 0 to 1
     for (int column = 0; column < 3; ++column) projection.at(axis, column) = scale * axes[axis][column];

@@ -34,6 +34,7 @@ Mat4d view_projection(const Camera& camera, double aspect, double near, double f
 struct LightView {
   Mat4d projection;
   double texel = 0;  // [m]
+  Vec3d span;        // width, height and depth of the map [m]
 };
 LightView light_view(const mesh::Bounds& bounds, const Vec3d& to_light, std::uint32_t texels);
 

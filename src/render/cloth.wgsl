@@ -1,25 +1,17 @@
-// A cloth's surface, straight from the state's buffers. One vertex per index of the triangle list.
-#include "render/lighting.wgsl"
-#include "render/weave.wgsl"
-//                                                                                 elements      unit
-@group(0) @binding(0) var<uniform>       frame          : Frame;                // 1
-@group(0) @binding(1) var                shadow_map     : texture_depth_2d;
-@group(0) @binding(2) var                shadow_sampler : sampler_comparison;
-@group(0) @binding(3) var<uniform>       weave          : Weave;                // 1
-@group(0) @binding(4) var<storage, read> position       : array<vec4f>;         // vertex_count  m
-@group(0) @binding(5) var<storage, read> normal         : array<vec4f>;         // vertex_count  unit
-@group(0) @binding(6) var<storage, read> uv             : array<vec2f>;         // vertex_count  m
-@group(0) @binding(7) var<storage, read> field          : array<f32>;           // what the view shows: see field_at
-const kWrap = 0.16;         // how far light reaches round the terminator: fibres stand up
-const kTransmitted = 0.16;  // the share of the sun that comes through
-const kSheen = 0.20;
+// A cloth's normals or the numbers at its vertices, straight from the state's buffers. One vertex per index of the
+// triangle list.
+#include "render/frame.wgsl"
+//                                                                          elements      unit
+@group(0) @binding(0) var<uniform>       frame    : Frame;               // 1
+@group(0) @binding(1) var<storage, read> position : array<vec4f>;        // vertex_count  m
+@group(0) @binding(2) var<storage, read> normal   : array<vec4f>;        // vertex_count  unit
+@group(0) @binding(3) var<storage, read> field    : array<f32>;          // what the view shows: see field_at
 
 struct Vertex {
   @builtin(position) clip : vec4f,
   @location(0) position : vec3f,
   @location(1) normal : vec3f,
-  @location(2) uv : vec2f,
-  @location(3) field : f32,
+  @location(2) field : f32,
 }
 
 // Length / rest length; of the velocity, as vec4f, its size, m/s; the number of contacts.
@@ -31,29 +23,12 @@ fn field_at(i : u32) -> f32 {
 @vertex
 fn vertex_main(@builtin(vertex_index) i : u32) -> Vertex {
   let p = position[i].xyz;
-  return Vertex(frame.view_projection * vec4f(p, 1.0), p, normal[i].xyz, uv[i], field_at(i));
+  return Vertex(frame.view_projection * vec4f(p, 1.0), p, normal[i].xyz, field_at(i));
 }
 
 fn facing_normal(in : Vertex, front : bool, to_eye : vec3f) -> vec3f {
   let n = unit_or(in.normal, to_eye);
   return select(-n, n, front);
-}
-
-@fragment
-fn fragment_textured(in : Vertex, @builtin(front_facing) front : bool) -> @location(0) vec4f {
-  let color = weave_color(weave, in.uv, fwidth(in.uv));
-  let albedo = select(mix(color, weave.back.rgb, weave.back.w), color, front);
-  let to_eye = normalize(frame.eye.xyz - in.position);
-  let n = facing_normal(in, front, to_eye);
-  let to_light = frame.to_light.xyz;
-  let facing = dot(n, to_light);
-  let sun = sun_visible(in.position, select(-n, n, facing > 0.0));
-  let diffuse = saturate((facing + kWrap) / (1.0 + kWrap));
-  let through = kTransmitted * saturate(-facing);
-  let sheen = kSheen * pow(1.0 - saturate(dot(n, to_eye)), 4.0) * (0.35 + 0.65 * sun * diffuse);
-  let sky = ambient(n, to_eye);
-  let light = albedo * (kKey * (sun * (diffuse + through)) + sky) + sheen * sky;
-  return vec4f(tone_map(light), 1.0);
 }
 
 @fragment

@@ -1,34 +1,26 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
 #include "gpu/render_pipeline.hpp"
 #include "render/inputs.hpp"
 #include "render/picture_pipeline.hpp"
-#include "render/shadow_map.hpp"
 
 namespace weft::render {
 
-/// Mirror of Weave in src/render/weave.wgsl.
-struct WeaveParams {
-  Vec4f base, dark, accent, back;
-};
-/// The check of cloth number `index`, woven from its colour or from a palette's.
-WeaveParams weave_of(const ClothRange& range, std::size_t index);
-/// The weave of each cloth.
-Result<std::vector<gpu::Buffer<WeaveParams>>> create_weaves(gpu::Device& device,
-                                                            const std::vector<ClothRange>& ranges);
+/// The view's value at each vertex; arbitrary where it shows no field.
+const gpu::RawBuffer& field_buffer(const ClothDraw& cloth, scene::View view, std::size_t parity);
 
-/// Draws the triangles of all cloths, woven, or coloured by normal or by a field.
+/// Draws the triangles of all cloths, as fabric, or coloured by normal or by a field.
 class ClothSurface {
  public:
   ClothSurface() = default;
-  static Result<ClothSurface> create(gpu::Device& device, const Look& look,
-                                     const gpu::Buffer<FrameParams>& frame, const ShadowMap& shadow,
-                                     std::span<const gpu::Buffer<WeaveParams>> weaves,
-                                     const ClothDraw& cloth);
+  static Result<ClothSurface> create(gpu::Device& device, const Look& look, const ClothDraw& cloth);
+  /// The inputs of a cloth for a parity, as the shader's bindings are numbered.
+  Result<void> bind(std::size_t cloth, std::size_t parity, std::initializer_list<gpu::Binding> sources);
   void record(gpu::RenderPass& pass, std::uint32_t parity) const;
 
  private:

@@ -4,18 +4,18 @@ namespace weft::render {
 
 Result<ClothWireframe> ClothWireframe::create(gpu::Device& device, const Look& look,
                                               const gpu::Buffer<FrameParams>& frame,
-                                              std::span<const gpu::Buffer<WeaveParams>> weaves,
+                                              std::span<const gpu::Buffer<FabricParams>> fabrics,
                                               const ClothDraw& cloth) {
   ClothWireframe made;
   WEFT_TRY(pipeline,
            gpu::RenderPipeline::create(device, "render/cloth_wireframe.wgsl", picture_pipeline(look)));
   made.pipeline_ = std::move(pipeline);
   for (const ClothRange& range : cloth.ranges) {
-    const gpu::Buffer<WeaveParams>& weave = weaves[made.parts_.size()];
+    const gpu::Buffer<FabricParams>& fabric = fabrics[made.parts_.size()];
     Part part;
     for (std::size_t parity = 0; parity < 2; ++parity) {
-      WEFT_TRY(group,
-               made.pipeline_.bind({frame, weave, *cloth.position[parity], *cloth.normal, *cloth.triangles}));
+      WEFT_TRY(group, made.pipeline_.bind(
+                          {frame, fabric, *cloth.position[parity], *cloth.normal, *cloth.triangles}));
       part.groups[parity] = std::move(group);
     }
     part.first_vertex = 3 * range.first_triangle;

@@ -3,7 +3,12 @@
 #include <array>
 #include <vector>
 
-#include "render/cloth_surface.hpp"
+#include <span>
+
+#include "gpu/render_pipeline.hpp"
+#include "render/fabric.hpp"
+#include "render/frame_params.hpp"
+#include "render/picture_pipeline.hpp"
 
 namespace weft::render {
 
@@ -13,7 +18,7 @@ class ClothWireframe {
   ClothWireframe() = default;
   static Result<ClothWireframe> create(gpu::Device& device, const Look& look,
                                        const gpu::Buffer<FrameParams>& frame,
-                                       std::span<const gpu::Buffer<WeaveParams>> weaves,
+                                       std::span<const gpu::Buffer<FabricParams>> fabrics,
                                        const ClothDraw& cloth);
   void record(gpu::RenderPass& pass, std::uint32_t parity) const;
 

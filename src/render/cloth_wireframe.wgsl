@@ -6,7 +6,7 @@
 #include "render/weave.wgsl"
 //                                                                            elements            unit
 @group(0) @binding(0) var<uniform>       frame     : Frame;                // 1
-@group(0) @binding(1) var<uniform>       weave     : Weave;                // 1
+@group(0) @binding(1) var<uniform>       fabric    : Fabric;               // 1
 @group(0) @binding(2) var<storage, read> position  : array<vec4f>;         // vertex_count        m
 @group(0) @binding(3) var<storage, read> normal    : array<vec4f>;         // vertex_count        unit
 @group(0) @binding(4) var<storage, read> triangles : array<u32>;           // 3 * triangle_count
@@ -37,8 +37,8 @@ fn fragment_main(in : Vertex, @builtin(front_facing) front : bool) -> @location(
   let to_eye = normalize(frame.eye.xyz - in.position);
   let n = unit_or(in.normal, to_eye) * select(-1.0, 1.0, front);
   let light = 0.25 + 0.75 * saturate(0.45 + 0.55 * dot(n, frame.to_light.xyz));
-  let sheet = mix(vec3f(0.028, 0.032, 0.040), weave.base.rgb, 0.25) * light * select(0.5, 1.0, front);
-  let line = mix(vec3f(0.55, 0.62, 0.70), weave.base.rgb, 0.35) * (0.5 + 0.6 * light) * select(0.6, 1.0, front);
+  let sheet = mix(vec3f(0.028, 0.032, 0.040), fabric.tint.rgb, 0.25) * light * select(0.5, 1.0, front);
+  let line = mix(vec3f(0.55, 0.62, 0.70), fabric.tint.rgb, 0.35) * (0.5 + 0.6 * light) * select(0.6, 1.0, front);
   let cover = saturate(kHalfWidth + 0.5 - in.share / slope);
   let strength = mix(vec3f(kFaintest), vec3f(1.0), smoothstep(vec3f(kFaintBelow), vec3f(kFullAbove), 1.0 / slope));
   let lines = cover * strength;

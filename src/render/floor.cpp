@@ -14,7 +14,7 @@ PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle,
   const double square = std::exp2(std::round(std::log2(reach / 24)));
   return {Vec4f::from(center.to<float>(), static_cast<float>(reach)),
           Vec4f::from(along.to<float>(), static_cast<float>(square)),
-          Vec4f::from(across.to<float>(), shadows_only ? 0.0F : 1.0F)};
+          Vec4f::from(across.to<float>(), shadows_only ? 0.0F : 1.0F + static_cast<float>(plane.material))};
 }
 
 PlaneParams moved_plane(const PlaneParams& rest, const scene::RigidTransform& move, const Vec3d& middle) {
@@ -38,19 +38,19 @@ Result<std::vector<gpu::Buffer<PlaneParams>>> create_planes(gpu::Device& device,
   return buffers;
 }
 
-Result<Floors> Floors::create(gpu::Device& device, const Look& look, const gpu::Buffer<FrameParams>& frame,
-                              const ShadowMap& shadow, std::span<const gpu::Buffer<PlaneParams>> planes) {
+Result<Floors> Floors::create(gpu::Device& device, const char* shader, gpu::RenderPipelineInfo info,
+                              std::size_t planes) {
   Floors made;
-  if (planes.empty()) return made;
-  gpu::RenderPipelineInfo info = picture_pipeline(look);
+  if (planes == 0) return made;
   info.cull = gpu::CullMode::Back;  // from below, a floor does not hide the scene
-  WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/floor.wgsl", info));
-  made.pipeline_ = std::move(pipeline);
-  for (const gpu::Buffer<PlaneParams>& plane : planes) {
-    WEFT_TRY(group, made.pipeline_.bind({frame, shadow.texture(), shadow.sampler(), plane}));
-    made.groups_.push_back(std::move(group));
-  }
+  WEFT_SET(made.pipeline_, gpu::RenderPipeline::create(device, shader, info));
+  made.groups_.resize(planes);
   return made;
+}
+
+Result<void> Floors::bind(std::size_t plane, std::initializer_list<gpu::Binding> sources) {
+  WEFT_SET(groups_[plane], pipeline_.bind(sources));
+  return {};
 }
 
 void Floors::record(gpu::RenderPass& pass) const {

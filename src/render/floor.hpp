@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <initializer_list>
 #include <vector>
 
 #include "gpu/render_pipeline.hpp"
@@ -14,7 +14,7 @@ namespace weft::render {
 struct PlaneParams {
   Vec4f center;  // [m]; w: half the side [m]
   Vec4f along;   // unit; w: a checker square's side [m]
-  Vec4f across;  // unit; w: 1 for a floor, 0 for one that is seen only by the shadows on it
+  Vec4f across;  // unit; w: 1 + its material, 0 for one that is seen only by the shadows on it
 };
 /// The part of a plane under what is drawn: around the point nearest to `middle`, `reach` [m] to each side.
 PlaneParams plane_params(const scene::ColliderPlane& plane, const Vec3d& middle, double reach,
@@ -30,8 +30,11 @@ Result<std::vector<gpu::Buffer<PlaneParams>>> create_planes(gpu::Device& device,
 class Floors {
  public:
   Floors() = default;
-  static Result<Floors> create(gpu::Device& device, const Look& look, const gpu::Buffer<FrameParams>& frame,
-                               const ShadowMap& shadow, std::span<const gpu::Buffer<PlaneParams>> planes);
+  /// Reads  planes: how many; with none there is no pipeline.
+  static Result<Floors> create(gpu::Device& device, const char* shader, gpu::RenderPipelineInfo info,
+                               std::size_t planes);
+  /// The inputs of one plane, as the shader's bindings are numbered.
+  Result<void> bind(std::size_t plane, std::initializer_list<gpu::Binding> sources);
   void record(gpu::RenderPass& pass) const;
 
  private:

@@ -8,9 +8,14 @@ struct Frame {
   viewport : vec4f,            // width, height [pixel] and their inverses
   field_range : vec4f,         // lowest, highest, 1 / (highest - lowest)
   color_map : array<vec4f, 9>, // linear red, green, blue at equal distances over field_range
+  right : vec4f,               // half the picture's width at a distance of 1; w: where depth begins, m
+  up : vec4f,                  // half its height there; w: where depth ends, m
+  forward : vec4f,             // unit; w: how far things keep the sky from each other, m
+  shadow_span : vec4f,         // width, height and depth of the shadow map, m
 }
 override kView : u32 = 0u;
-const kWireframe = 1u;  // scene::View
+const kTextured = 0u;  // scene::View
+const kWireframe = 1u;
 const kVelocity = 4u;
 
 // Quiet, lighter above, a little darker towards the corners; given after the tone curve, linear.

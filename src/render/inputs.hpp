@@ -26,6 +26,9 @@ struct ClothRange {
   double sheet_size = 1;  // the longer side of the sheet in uv [m]: the check repeats a few times over it
   std::optional<ClothGrid> grid{};  // only where a picture subdivides
   bool woven = true;                // false: of one colour, as what is closed
+  scene::Look look{};
+  std::optional<std::array<double, 2>>
+      rim{};  // of a grid: its width and height in uv [m]; it has a hem there
 };
 
 /// All cloths of a state. The buffers must outlive the renderer.
@@ -47,6 +50,7 @@ struct ObjectDraw {
   std::optional<scene::ColliderMotion> motion{};
   std::optional<std::size_t> rigid{};  // the number of its collider in RigidRows, where it is a rigid body
   std::optional<std::size_t> given{};  // the same in Inputs::colliders, where a program moves it
+  scene::Material material = scene::Material::Plaster;
 };
 
 /// Where rigid bodies are: a buffer that has three rows of a transform for each collider, as placement.wgsl reads them.

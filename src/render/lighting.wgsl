@@ -1,4 +1,5 @@
-// One sun with a shadow map and a sky. The includer declares `frame`, `shadow_map` and `shadow_sampler`.
+// One sun with a shadow map and a sky, in the views that show numbers: what is around the cloth stays quiet there. The
+// includer declares `frame`, `shadow_map` and `shadow_sampler`.
 #include "render/frame.wgsl"
 const kKey = vec3f(1.92, 1.85, 1.73);       // irradiance over pi, so that light = albedo * kKey * cos
 const kSky = vec3f(0.37, 0.405, 0.465);

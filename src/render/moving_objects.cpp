@@ -59,7 +59,7 @@ void MovingObjects::deform(gpu::Device& device, const ObjectBuffers& buffers, st
         (from[i].to<double>() * (1 - moment.part) + to[i].to<double>() * moment.part).to<float>();
     positions_[i] = Vec4f::from(shape.positions[i], static_cast<float>(number));
   }
-  write_vertex_normals(shape, sums_, normals_);
+  write_vertex_normals(shape, sums_, normals_, moving.object.draw.material);
   buffers.position.write(device, positions_, moving.object.first_vertex);
   buffers.normal.write(device, normals_, moving.object.first_vertex);
   moving.written = moment;

@@ -1,4 +1,4 @@
-// The obstacles: warm grey, matt, lit like the cloth. One vertex per index of the triangle list.
+// The obstacles in the views that show numbers: warm grey, matt. One vertex per index of the triangle list.
 #include "render/lighting.wgsl"
 #include "render/placement.wgsl"
 //                                                                                 elements      unit

@@ -13,8 +13,7 @@ Result<ObjectBuffers> ObjectBuffers::create(gpu::Device& device, const ObjectMes
 }
 
 Result<ObjectDraws> ObjectDraws::create(gpu::Device& device, const char* shader,
-                                        const gpu::RenderPipelineInfo& info, const ObjectBuffers& buffers,
-                                        std::initializer_list<gpu::Binding> sources) {
+                                        const gpu::RenderPipelineInfo& info, const ObjectBuffers& buffers) {
   ObjectDraws made;
   made.index_buffer_ = buffers.indices.id();
   for (const ObjectGroup& group : buffers.groups) {
@@ -23,10 +22,14 @@ Result<ObjectDraws> ObjectDraws::create(gpu::Device& device, const char* shader,
     if (group.closed) own.cull = gpu::CullMode::Back;
     if (group.moves) own.constants.push_back({"kMoves", 1});
     WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, shader, own));
-    WEFT_TRY(bound, pipeline.bind(sources));
-    made.draws_.push_back({std::move(pipeline), std::move(bound), group});
+    made.draws_.push_back({std::move(pipeline), {}, group});
   }
   return made;
+}
+
+Result<void> ObjectDraws::bind(std::initializer_list<gpu::Binding> sources) {
+  for (Draw& draw : draws_) WEFT_SET(draw.bound, draw.pipeline.bind(sources));
+  return {};
 }
 
 void ObjectDraws::record(gpu::RenderPass& pass) const {

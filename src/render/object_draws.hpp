@@ -22,10 +22,10 @@ struct ObjectBuffers {
 class ObjectDraws {
  public:
   ObjectDraws() = default;
-  /// Reads  `sources`, as the shader's bindings are numbered.
   static Result<ObjectDraws> create(gpu::Device& device, const char* shader,
-                                    const gpu::RenderPipelineInfo& info, const ObjectBuffers& buffers,
-                                    std::initializer_list<gpu::Binding> sources);
+                                    const gpu::RenderPipelineInfo& info, const ObjectBuffers& buffers);
+  /// Reads  `sources`, as the shader's bindings are numbered. Before the first record, and when one has been replaced.
+  Result<void> bind(std::initializer_list<gpu::Binding> sources);
   void record(gpu::RenderPass& pass) const;
 
  private:

@@ -75,7 +75,8 @@ std::vector<Part> parts_of(const Inputs& inputs) {
                         {},
                         sphere.motion,
                         rigid(sphere, inputs.sphere_colliders, k),
-                        given(sphere, inputs.sphere_colliders, k)},
+                        given(sphere, inputs.sphere_colliders, k),
+                        sphere.material},
                        true});
     }
   }
@@ -85,7 +86,8 @@ std::vector<Part> parts_of(const Inputs& inputs) {
                       {},
                       capsule.motion,
                       rigid(capsule, inputs.capsule_colliders, k),
-                      given(capsule, inputs.capsule_colliders, k)},
+                      given(capsule, inputs.capsule_colliders, k),
+                      capsule.material},
                      true});
   }
   for (std::size_t k = 0; k < inputs.boxes.size(); ++k) {
@@ -94,27 +96,29 @@ std::vector<Part> parts_of(const Inputs& inputs) {
                       {},
                       box.motion,
                       rigid(box, inputs.box_colliders, k),
-                      given(box, inputs.box_colliders, k)},
+                      given(box, inputs.box_colliders, k),
+                      box.material},
                      true});
   }
   for (const ObjectDraw& hull : inputs.hulls)
-    parts.push_back({{sharp(hull.mesh), {}, hull.motion, hull.rigid, hull.given}, true});
+    parts.push_back({{sharp(hull.mesh), {}, hull.motion, hull.rigid, hull.given, hull.material}, true});
   for (const ObjectDraw& object : inputs.objects) parts.push_back({object, stays_closed(object)});
   return parts;
 }
 
-void append(const mesh::TriangleMesh& mesh, float w, ObjectMesh& all) {
+void append(const mesh::TriangleMesh& mesh, float w, scene::Material material, ObjectMesh& all) {
   const auto first = static_cast<std::uint32_t>(all.positions.size());
   for (const Vec3f& position : mesh.positions) all.positions.push_back(Vec4f::from(position, w));
-  for (const Vec3f& normal : vertex_normals(mesh)) all.normals.push_back(Vec4f::from(normal, 0));
+  for (const Vec3f& normal : vertex_normals(mesh))
+    all.normals.push_back(Vec4f::from(normal, static_cast<float>(material)));
   for (const mesh::Triangle& triangle : mesh.triangles)
     for (const std::uint32_t vertex : triangle) all.indices.push_back(first + vertex);
 }
 
 }  // namespace
 
-void write_vertex_normals(const mesh::TriangleMesh& mesh, std::vector<Vec3d>& sums,
-                          std::span<Vec4f> normals) {
+void write_vertex_normals(const mesh::TriangleMesh& mesh, std::vector<Vec3d>& sums, std::span<Vec4f> normals,
+                          scene::Material material) {
   sums.assign(mesh.positions.size(), {});
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3d pa = mesh.positions[a].to<double>();
@@ -123,7 +127,8 @@ void write_vertex_normals(const mesh::TriangleMesh& mesh, std::vector<Vec3d>& su
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const double size = length(sums[i]);
-    normals[i] = Vec4f::from(size > 0 ? (sums[i] / size).to<float>() : Vec3f{0, 1, 0}, 0);
+    normals[i] =
+        Vec4f::from(size > 0 ? (sums[i] / size).to<float>() : Vec3f{0, 1, 0}, static_cast<float>(material));
   }
 }
 
@@ -150,7 +155,7 @@ ObjectMesh join_objects(const Inputs& inputs) {
     for (Part& part : parts) {
       if (part.moves != group.moves || part.closed != group.closed) continue;
       const std::size_t first_vertex = all.positions.size();
-      append(part.draw.mesh, static_cast<float>(all.moving.size()), all);
+      append(part.draw.mesh, static_cast<float>(all.moving.size()), part.draw.material, all);
       if (group.moves) all.moving.push_back({first_vertex, std::move(part.draw)});
     }
     group.index_count = static_cast<std::uint32_t>(all.indices.size()) - group.first_index;

@@ -25,7 +25,7 @@ struct ObjectGroup {
 
 struct ObjectMesh {
   std::vector<Vec4f> positions;        // [m]; w: of one that moves its number in `moving`
-  std::vector<Vec4f> normals;          // unit
+  std::vector<Vec4f> normals;          // unit; w: the material
   std::vector<std::uint32_t> indices;  // by group
   std::array<ObjectGroup, 4> groups{{{false, true}, {false, false}, {true, true}, {true, false}}};
   std::vector<MovingObject> moving;
@@ -34,7 +34,8 @@ struct ObjectMesh {
 /// The normal of each vertex: the sum of its triangles' normals times their areas, made unit.
 std::vector<Vec3f> vertex_normals(const mesh::TriangleMesh& mesh);
 /// The same into `normals`, one a vertex; `sums` is room that is kept, so that nothing is allocated.
-void write_vertex_normals(const mesh::TriangleMesh& mesh, std::vector<Vec3d>& sums, std::span<Vec4f> normals);
+void write_vertex_normals(const mesh::TriangleMesh& mesh, std::vector<Vec3d>& sums, std::span<Vec4f> normals,
+                          scene::Material material = scene::Material::Plaster);
 
 /// Whether a mesh is a solid's surface that faces outward: each side of a triangle is that of one other, run
 /// through the other way.

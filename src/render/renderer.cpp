@@ -6,7 +6,8 @@
 namespace weft::render {
 namespace {
 
-constexpr double kFloorReach = 6;  // radii of what is drawn
+constexpr double kFloorReach = 6;   // radii of what is drawn
+constexpr double kSkyReach = 0.15;  // how far things keep the sky from each other, in these radii
 
 Vec3d middle_of(const mesh::Bounds& bounds) {
   return 0.5 * (bounds.low.to<double>() + bounds.high.to<double>());
@@ -108,8 +109,10 @@ Result<void> Renderer::create_scene(const Inputs& inputs) {
   }
   WEFT_TRY(frame, gpu::Buffer<FrameParams>::create(*device_, 1, "frame", gpu::kUniform | gpu::kCopyTarget));
   scene_.frame = std::move(frame);
-  WEFT_TRY(weaves, create_weaves(*device_, scene_.cloth.ranges));
-  scene_.weaves = std::move(weaves);
+  const Vec3d to_sun = *settings_.to_light / length(*settings_.to_light);
+  WEFT_SET(scene_.light, gpu::create_uniform(
+                             *device_, light_params(settings_.lighting, *settings_.camera, to_sun), "light"));
+  WEFT_SET(scene_.fabrics, create_fabrics(*device_, scene_.cloth.ranges));
   const std::vector<PlaneParams> squares = planes_of(inputs, settings_);
   WEFT_TRY(planes, create_planes(*device_, squares));
   scene_.planes = std::move(planes);
@@ -131,6 +134,8 @@ Result<void> Renderer::create_scene(const Inputs& inputs) {
   set_time(0);
   WEFT_TRY(shadow_map, ShadowMap::create(*device_, scene_.frame, scene_.cloth, scene_.objects));
   scene_.shadow_map = std::move(shadow_map);
+  WEFT_SET(scene_.soft_light,
+           SoftLight::create(*device_, scene_.frame, scene_.cloth, scene_.objects, scene_.planes));
   return {};
 }
 
@@ -141,6 +146,9 @@ Result<void> Renderer::resize(std::uint32_t width, std::uint32_t height) {
                                        "picture samples"));
   WEFT_TRY(depth, gpu::Texture::create(*device_, {width, height, kSamples, kDepthFormat, gpu::kRenderTarget},
                                        "picture depth"));
+  WEFT_CHECK(
+      scene_.soft_light.resize(*device_, width, height, scene_.frame, scene_.light, scene_.shadow_map));
+  if (auto& textured = passes_[static_cast<std::size_t>(View::Textured)]) WEFT_CHECK(textured->bind(scene_));
   color_ = std::move(color);
   depth_ = std::move(depth);
   settings_.width = width;
@@ -191,6 +199,16 @@ void Renderer::write_frame() {
   params.field_range = {low, high, 1 / std::max(high - low, 1e-6F), 0};
   for (std::size_t i = 0; i < kColorMapSize; ++i)
     params.color_map[i] = Vec4f::from(srgb_to_linear(kColorMap[i]), 1);
+  const Basis basis = basis_of(camera);
+  const double half = half_height(camera);
+  const auto wide = [](const Vec3d& v, double w) {
+    return Vec4f::from(v.to<float>(), static_cast<float>(w));
+  };
+  params.right = wide(half * static_cast<double>(width) / height * basis.right, near);
+  params.up = wide(half * basis.up, far);
+  params.forward = wide(-1 * basis.back, kSkyReach * radius);
+  params.shadow_span = {static_cast<float>(light.span.x), static_cast<float>(light.span.y),
+                        static_cast<float>(light.span.z), 0};
   scene_.frame.write(*device_, {&params, 1});
 }
 
@@ -208,6 +226,7 @@ void Renderer::record(gpu::CommandList& list, std::uint32_t parity, gpu::Id targ
               scene_.objects.placement.range(kPlaces * number, kPlaces));
   if (fine_) fine_->record(list, parity, settings_.view);
   if (shows_sun()) scene_.shadow_map.record(list, parity);
+  if (settings_.view == View::Textured) scene_.soft_light.record(list, parity);
   gpu::RenderPass pass(list, {color_.view(), target, depth_.view(), {0, 0, 0, 1}, false}, "picture");
   passes_[static_cast<std::size_t>(settings_.view)]->record(pass, parity);
 }

@@ -11,6 +11,7 @@
 #include "render/field.hpp"
 #include "render/fine_cloth.hpp"
 #include "render/inputs.hpp"
+#include "render/light.hpp"
 #include "render/moving_objects.hpp"
 #include "render/view_passes.hpp"
 #include "scene/names.hpp"
@@ -27,6 +28,7 @@ struct Settings {
   mesh::Bounds bounds;  // of all that is drawn over the whole run [m]: light, depth and camera fit it
   std::optional<Camera> camera;   // none: frame_camera(bounds)
   std::optional<Vec3d> to_light;  // direction; none: default_light(camera)
+  Lighting lighting;              // of View::Textured
   std::optional<Range> range;     // of the colour map; none: that of the view's field
   std::uint32_t subdivide = 0;    // how often each cell of the cloths, all grids then, is halved
   bool ground_shadow = false;     // a soft shadow below all, where the scene has no plane

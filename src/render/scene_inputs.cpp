@@ -34,7 +34,11 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
     }
     ClothRange range{body.first_triangle, body.triangle_count, body.color, size};
     range.woven = !body.solid && !body.gas;
-    if (body.grid) range.grid = ClothGrid{*body.grid, body.first_vertex};
+    range.look = body.look;
+    if (body.grid) {
+      range.grid = ClothGrid{*body.grid, body.first_vertex};
+      range.rim = {body.grid->width, body.grid->height};
+    }
     inputs.cloth.ranges.push_back(range);
   }
   inputs.rigid = buffers.rigid;
@@ -47,6 +51,7 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
       inputs.objects.push_back(
           {objects[object], deformations.empty() ? mesh::Deformation{} : deformations[object], mesh->motion});
       if (scene::carried_of(collider) != nullptr) inputs.objects.back().given = c;
+      inputs.objects.back().material = mesh->material;
       ++object;
     }
     if (const auto* box = std::get_if<scene::ColliderBox>(&collider)) {  // drawn with sharp edges
@@ -59,6 +64,7 @@ Inputs inputs_of(const GpuModel& model, const State& state, const VertexBuffers&
       inputs.hulls.push_back({objects[object], {}, convex->motion});
       if (convex->rigid && buffers.rigid.words != nullptr) inputs.hulls.back().rigid = c;
       if (scene::carried_of(collider) != nullptr) inputs.hulls.back().given = c;
+      inputs.hulls.back().material = convex->material;
       ++object;
     }
     if (const auto* capsule = std::get_if<scene::ColliderCapsule>(&collider)) {

@@ -17,9 +17,9 @@ Result<ShadowMap> ShadowMap::create(gpu::Device& device, const gpu::Buffer<Frame
   info.depth = kDepthFormat;
   info.fragment_entry.clear();
   info.depth_bias_slope = 1.5F;  // the receiver is lifted too (lighting.wgsl)
-  WEFT_TRY(drawn, ObjectDraws::create(device, "render/depth.wgsl", info, objects,
-                                      {frame, objects.position, objects.placement}));
+  WEFT_TRY(drawn, ObjectDraws::create(device, "render/depth.wgsl", info, objects));
   made.objects_ = std::move(drawn);
+  WEFT_CHECK(made.objects_.bind({frame, objects.position, objects.placement}));
   WEFT_TRY(pipeline, gpu::RenderPipeline::create(device, "render/depth.wgsl", info));
   made.cloth_pipeline_ = std::move(pipeline);
   for (std::size_t parity = 0; parity < 2; ++parity) {

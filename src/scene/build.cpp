@@ -11,6 +11,7 @@
 #include "scene/copies.hpp"
 #include "scene/fabrics.hpp"
 #include "scene/grab.hpp"
+#include "scene/looks.hpp"
 #include "scene/names.hpp"
 
 namespace weft::scene {
@@ -75,6 +76,10 @@ class Builder {
     scene.render.width = whole(at(render, "size").values[0]);
     scene.render.height = whole(at(render, "size").values[1]);
     scene.render.subdivide = whole(at(render, "subdivide"));
+    const Json& light = at(render, "light");
+    scene.render.light = {word<Environment>(at(light, "environment"), kEnvironmentNames), std::nullopt,
+                          number(light, "degrees")};
+    if (light.find("direction")) scene.render.light.direction = vector(light, "direction");
     if (scene.render.subdivide > 0)
       for (const Cloth& cloth : scene.cloths)
         if (!cloth.grid || cloth.strength || !cloth.seams.empty())
@@ -146,6 +151,9 @@ class Builder {
     const Json& stiffness = at(json, "stiffness");
     cloth.stiffness = {number(stiffness, "structural"), number(stiffness, "shear"), number(stiffness, "bend"),
                        number(stiffness, "bending")};
+    cloth.look = look(
+        json.find("look"),
+        json.find("pressure") ? "rubber" : look_of_fabric(cloth.fabric ? cloth.fabric->name : std::string{}));
     cloth.damping = number(json, "damping");
     cloth.friction = maybe_number(json, "friction").value_or(named ? named->friction.value : cloth.friction);
     cloth.strain_limit = maybe_number(json, "strain_limit");
@@ -251,6 +259,7 @@ class Builder {
                                                    number_text(kLeastNeoHookeanPoisson) +
                                                    ", below which \"corotated\" bears pressing better");
     body.solid = std::move(solid);
+    body.look = look_of("rubber");
     body.transform = transform_of(at(json, "transform"));
     body.density = number(json, "density");
     body.friction = number(json, "friction");
@@ -285,6 +294,22 @@ class Builder {
     }
     if (const Json* color = json.find("color")) cloth.color = vector(*color);
     return {};
+  }
+
+  /// Reads  given: a name, an object or null; usual: the name of the look where nothing else is given.
+  static Look look(const Json* given, const char* usual) {
+    if (given == nullptr) return look_of(usual);
+    if (given->kind == Json::Kind::Text) return look_of(given->text);
+    Look look = look_of(given->find("name") ? given->find("name")->text : usual);
+    if (const Json* weave = given->find("weave")) look.weave = word<Weave>(*weave, kWeaveNames);
+    if (const Json* pattern = given->find("pattern")) look.pattern = word<Pattern>(*pattern, kPatternNames);
+    if (const Json* weft = given->find("weft")) look.weft = vector(*weft);
+    if (const Json* stripe = given->find("stripe")) look.stripe = vector(*stripe);
+    look.threads_per_cm = maybe_number(*given, "threads_per_cm").value_or(look.threads_per_cm);
+    look.sheen = maybe_number(*given, "sheen").value_or(look.sheen);
+    look.gloss = maybe_number(*given, "gloss").value_or(look.gloss);
+    look.translucency = maybe_number(*given, "translucency").value_or(look.translucency);
+    return look;
   }
 
   Result<Fabric> fabric(const Json& json, const std::string& path) const {

@@ -2,6 +2,7 @@
 
 #include "scene/build_motion.hpp"
 #include "scene/checked_values.hpp"
+#include "scene/names.hpp"
 
 namespace weft::scene {
 namespace {
@@ -63,10 +64,8 @@ std::optional<ColliderAnimation> build_animation(const Json& json) {
                            at(*given, "loop").boolean, number(*given, "rate")};
 }
 
-}  // namespace
-
-Result<Collider> build_collider(const Json& json, ContactMethod method, const std::string& file,
-                                const std::string& path) {
+Result<Collider> build_shape(const Json& json, ContactMethod method, const std::string& file,
+                             const std::string& path) {
   WEFT_CHECK(check_method(json, method, file, path));
   const std::optional<double> friction = maybe_number(json, "friction");
   std::optional<ColliderMotion> motion;
@@ -108,6 +107,15 @@ Result<Collider> build_collider(const Json& json, ContactMethod method, const st
     return input_error("%s: %s.b is its a; a capsule without a length is a sphere.", file.c_str(),
                        path.c_str());
   return Collider(ColliderCapsule{a, b, number(json, "radius"), friction, std::move(motion), rigid});
+}
+
+}  // namespace
+
+Result<Collider> build_collider(const Json& json, ContactMethod method, const std::string& file,
+                                const std::string& path) {
+  WEFT_TRY(built, build_shape(json, method, file, path));
+  std::visit([&](auto& one) { one.material = word<Material>(at(json, "material"), kMaterialNames); }, built);
+  return built;
 }
 
 }  // namespace weft::scene

@@ -11,10 +11,11 @@
 namespace weft::scene {
 namespace {
 
-/// Keys that no motion follows from: at the top, in "time", and in the entries of "cloths" and "bodies".
+/// Keys that no motion follows from: at the top, in "time", and in the entries of "cloths", "bodies" and "colliders".
 constexpr std::string_view kOfTop[] = {"format", "title", "description", "camera", "render"};
 constexpr std::string_view kOfTime[] = {"frames"};
-constexpr std::string_view kOfCloth[] = {"name", "color"};
+constexpr std::string_view kOfCloth[] = {"name", "color", "look"};
+constexpr std::string_view kOfCollider[] = {"material"};
 
 void append(std::string& text, const Json& value);
 
@@ -35,6 +36,10 @@ void append_members(std::string& text, const Json& object, std::span<const std::
     } else if (at_top && (name == "cloths" || name == "bodies")) {
       for (const Json& entry : value.values) append_members(text, entry, kOfCloth);
       text += ';';
+    } else if (at_top && name == "colliders") {
+      text += '[';
+      for (const Json& entry : value.values) append_members(text, entry, kOfCollider);
+      text += ']';
     } else {
       append(text, value);
     }

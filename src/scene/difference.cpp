@@ -45,7 +45,8 @@ const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (!(a.motions == b.motions)) return "motions";
   if (!(a.attachments == b.attachments)) return "attachments";
   if (!(a.grabs == b.grabs)) return "grabs";
-  return a.color == b.color ? nullptr : "color";
+  if (a.color != b.color) return "color";
+  return a.look == b.look ? nullptr : "look";
 }
 
 }  // namespace

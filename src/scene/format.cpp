@@ -1,6 +1,7 @@
 #include "scene/format.hpp"
 
 #include "scene/fabrics.hpp"
+#include "scene/looks.hpp"
 #include "scene/names.hpp"
 
 namespace weft::scene {
@@ -365,6 +366,28 @@ constexpr Key kSeamKeys[] = {
 constexpr Type kSeam{.kind = Kind::Object, .name = "seam", .keys = kSeamKeys};
 constexpr const Type* kSeamItem[] = {&kSeam};
 constexpr Type kSeams{.kind = Kind::List, .count_least = 1, .count_most = 1000, .types = kSeamItem};
+constexpr Type kWeave{.kind = Kind::Choice, .choices = kWeaveNames};
+constexpr Type kPattern{.kind = Kind::Choice, .choices = kPatternNames};
+constexpr Type kThreads{.kind = Kind::Number, .least = 0.1, .most = 1000, .unit = "1/cm"};
+constexpr Type kShare{.kind = Kind::Number, .most = 1};
+constexpr Type kTranslucency{.kind = Kind::Number, .most = 0.9};
+constexpr Type kLookName{.kind = Kind::Choice, .name = "look_name", .choices = kLookNames};
+constexpr Key kLookKeys[] = {
+    {"name", &kLookName,
+     "A look by name, from which all comes that is not given here; without it the fabric's"},
+    {"weave", &kWeave, "How the threads cross"},
+    {"pattern", &kPattern, "What their colours make"},
+    {"threads_per_cm", &kThreads,
+     "Threads, or of a knit columns of loops; without it and a name 150 over the sheet"},
+    {"weft", &kColor, "Red, green and blue of the weft; the warp has the cloth's color"},
+    {"stripe", &kColor, "Red, green and blue of checks and stripes"},
+    {"sheen", &kShare, "How much fibres that stand up shine at a slant"},
+    {"gloss", &kShare, "How bright the highlights of the threads are"},
+    {"translucency", &kTranslucency, "The part of the light not absorbed that goes through"},
+};
+constexpr Type kLookObject{.kind = Kind::Object, .keys = kLookKeys};
+constexpr const Type* kLookTypes[] = {&kLookName, &kLookObject};
+constexpr Type kLook{.kind = Kind::Either, .types = kLookTypes};
 constexpr Type kStrength{.kind = Kind::Number, .least = 1e-3, .most = 1e9, .unit = "N/m"};
 constexpr Key kClothKeys[] = {
     {"name", &kShortText, "For messages"},
@@ -399,6 +422,7 @@ constexpr Key kClothKeys[] = {
     {"attachments", &kAttachments, "Nodes that go where a collider's surface goes", "[]"},
     {"grabs", &kGrabs, "Nodes that are pulled to a point for a while", "[]"},
     {"color", &kColor, "Red, green and blue"},
+    {"look", &kLook, "How it takes light and what it is woven of, by name or by its numbers"},
     {"copies", &kCopies, "The same cloth again and again, each some way further; not with grabs"},
 };
 constexpr const char* kShapeWays[] = {"grid", "mesh", "panels"};
@@ -474,12 +498,14 @@ constexpr OneOf kRigidOneOf[] = {{kRigidWays}};
 constexpr Type kRigid{.kind = Kind::Object, .name = "rigid", .keys = kRigidKeys, .one_of = kRigidOneOf};
 constexpr const char* kColliderKindNames[] = {"mesh", "sphere", "plane", "capsule", "box", "convex"};
 constexpr Type kColliderKind{.kind = Kind::Choice, .choices = kColliderKindNames};
+constexpr Type kColliderMaterial{.kind = Kind::Choice, .choices = kMaterialNames};
 constexpr Key kColliderKeys[] = {
     {"kind", &kColliderKind, "The shape", nullptr, true},
     {"friction", &kFriction, "Without it the cloth's; only proximity uses it"},
     {"motion", &kColliderMotion, "Without it the collider stays; needs proximity"},
     {"rigid", &kRigid,
      "A mass that cloth and gravity move; spheres, boxes, capsules and convex hulls have one"},
+    {"material", &kColliderMaterial, "What it looks like it is made of", "\"plaster\""},
 };
 constexpr Type kKeyframeTime{.kind = Kind::Number, .least = 1e-6, .most = kLate, .unit = "s"};
 constexpr Key kKeyframeKeys[] = {
@@ -555,11 +581,20 @@ constexpr Type kView{.kind = Kind::Choice, .choices = kViewNames};
 constexpr Type kPicture{
     .kind = Kind::Numbers, .least = 16, .most = 16384, .whole = true, .unit = "pixels", .count_least = 2};
 constexpr Type kSubdivide{.kind = Kind::Number, .most = 4, .whole = true};
+constexpr Type kEnvironment{.kind = Kind::Choice, .choices = kEnvironmentNames};
+constexpr Type kSunDegrees{.kind = Kind::Number, .least = 0.1, .most = 30, .unit = "°"};
+constexpr Key kLightKeys[] = {
+    {"environment", &kEnvironment, "Soft boxes in a studio, or a blue sky", "\"studio\""},
+    {"direction", &kDirection, "To the sun or the key light; without it from the camera's left, above"},
+    {"degrees", &kSunDegrees, "The angle that it covers: how soft its shadows are", "3"},
+};
+constexpr Type kLight{.kind = Kind::Object, .name = "light", .keys = kLightKeys};
 constexpr Key kRenderKeys[] = {
     {"view", &kView, "What is drawn", "\"textured\""},
     {"size", &kPicture, "Width and height of the picture", "[1280, 720]"},
     {"subdivide", &kSubdivide, "How often each cell of the drawn and exported cloth is halved; grids only",
      "0"},
+    {"light", &kLight, "What the picture is lit by", "{}"},
 };
 constexpr Type kRender{.kind = Kind::Object, .keys = kRenderKeys};
 

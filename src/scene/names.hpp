@@ -15,6 +15,10 @@ inline constexpr const char* kFabricEnergyNames[] = {"yarn", "green", "neo_hooke
 inline constexpr const char* kGasLawNames[] = {"isothermal", "constant"};
 inline constexpr const char* kSolidEnergyNames[] = {"neo_hookean", "corotated"};
 inline constexpr const char* kContactMethodNames[] = {"none", "paper", "bvh", "proximity"};
+inline constexpr const char* kWeaveNames[] = {"plain", "twill", "satin", "knit", "none"};
+inline constexpr const char* kPatternNames[] = {"plain", "check", "stripes"};
+inline constexpr const char* kMaterialNames[] = {"plaster", "marble", "metal"};
+inline constexpr const char* kEnvironmentNames[] = {"studio", "sky"};
 inline constexpr const char* kViewNames[] = {"textured", "wireframe", "normals",
                                              "stretch",  "velocity",  "contacts"};
 

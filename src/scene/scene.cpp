@@ -51,6 +51,10 @@ const std::optional<ColliderMotion>& motion_of(const Collider& collider) {
                     collider);
 }
 
+Material material_of(const Collider& collider) {
+  return std::visit([](const auto& one) { return one.material; }, collider);
+}
+
 const MotionCarried* carried_of(const Collider& collider) {
   const std::optional<ColliderMotion>& motion = motion_of(collider);
   return motion ? std::get_if<MotionCarried>(&*motion) : nullptr;

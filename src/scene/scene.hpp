@@ -252,6 +252,23 @@ struct Seam {
   }
 };
 
+enum class Weave { Plain, Twill, Satin, Knit, None };
+enum class Pattern { Plain, Check, Stripes };
+/// How a cloth looks in View::Textured (docs/rendering.md, Cloth).
+struct Look {
+  std::string name =
+      "woven";  // in the table of looks.hpp, before anything was changed; its numbers are those below
+  Weave weave = Weave::Plain;
+  Pattern pattern = Pattern::Check;
+  double threads_per_cm = 0;          // 0: 150 over the sheet
+  std::optional<Vec3d> warp;          // where the cloth has no colour; none: the renderer's
+  std::optional<Vec3d> weft;          // none: as the warp
+  std::optional<Vec3d> stripe;        // of checks and stripes; none: a darker warp
+  double sheen = 0.35, gloss = 0.25;  // 0 to 1
+  double translucency = 0.12;         // the part of what is not absorbed that goes through
+  bool operator==(const Look&) const = default;
+};
+
 /// A cloth, or with `solid` a body with volume, whose surface meets things as a cloth does.
 struct Cloth {
   std::string where;  // file and JSON path: "scenes/a.json: cloths[0]"
@@ -277,8 +294,9 @@ struct Cloth {
   std::vector<Attachment> attachments;
   std::vector<Grab> grabs;
   std::optional<Vec3d> color;  // red, green, blue in [0, 1]
-  std::size_t entry = 0;       // in the scene's list of cloths, or of bodies
-  std::uint32_t copy = 0;      // which of that entry's copies it is
+  Look look;
+  std::size_t entry = 0;   // in the scene's list of cloths, or of bodies
+  std::uint32_t copy = 0;  // which of that entry's copies it is
 };
 
 /// How a whole collider moves; motion_at takes it from where the scene puts it to its place at a time.
@@ -309,6 +327,9 @@ struct Rigid {
   bool operator==(const Rigid&) const = default;
 };
 
+/// What a collider looks like it is made of.
+enum class Material { Plaster, Marble, Metal };
+
 // Each has its friction (none: the cloth's) and its motion (none: it stays), or else it may be rigid.
 struct ColliderMesh {
   std::string where;  // file and JSON path
@@ -318,9 +339,11 @@ struct ColliderMesh {
   std::optional<ColliderAnimation> animation{};  // instead of keyframes
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
+  Material material = Material::Plaster;
   bool operator==(const ColliderMesh& other) const {
     return mesh == other.mesh && transform == other.transform && keyframes == other.keyframes &&
-           animation == other.animation && friction == other.friction && motion == other.motion;
+           animation == other.animation && friction == other.friction && motion == other.motion &&
+           material == other.material;
   }
 };
 struct ColliderSphere {
@@ -329,6 +352,7 @@ struct ColliderSphere {
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
   std::optional<Rigid> rigid{};
+  Material material = Material::Plaster;
   bool operator==(const ColliderSphere&) const = default;
 };
 /// Solid on the side away from `normal`.
@@ -337,6 +361,7 @@ struct ColliderPlane {
   Vec3d normal;  // unit
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
+  Material material = Material::Plaster;
   bool operator==(const ColliderPlane&) const = default;
 };
 /// All points within `radius` of the line from `a` to `b`, which differ.
@@ -346,6 +371,7 @@ struct ColliderCapsule {
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
   std::optional<Rigid> rigid{};
+  Material material = Material::Plaster;
   bool operator==(const ColliderCapsule&) const = default;
 };
 struct ColliderBox {
@@ -354,6 +380,7 @@ struct ColliderBox {
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
   std::optional<Rigid> rigid{};
+  Material material = Material::Plaster;
   bool operator==(const ColliderBox&) const = default;
 };
 /// The convex hull of a mesh's vertices, or of points: one of them is given.
@@ -365,9 +392,11 @@ struct ColliderConvex {
   std::optional<double> friction{};
   std::optional<ColliderMotion> motion{};
   std::optional<Rigid> rigid{};
+  Material material = Material::Plaster;
   bool operator==(const ColliderConvex& other) const {
     return mesh == other.mesh && points == other.points && transform == other.transform &&
-           friction == other.friction && motion == other.motion && rigid == other.rigid;
+           friction == other.friction && motion == other.motion && rigid == other.rigid &&
+           material == other.material;
   }
 };
 using Collider =
@@ -375,6 +404,7 @@ using Collider =
 
 const std::optional<double>& friction_of(const Collider& collider);
 const std::optional<ColliderMotion>& motion_of(const Collider& collider);
+Material material_of(const Collider& collider);
 /// Null: no program moves it.
 const MotionCarried* carried_of(const Collider& collider);
 MotionCarried* carried_of(Collider& collider);
@@ -435,10 +465,18 @@ struct Contact {
 
 using weft::Camera;
 using weft::View;
+enum class Environment { Studio, Sky };
+struct Light {
+  Environment environment = Environment::Studio;
+  std::optional<Vec3d>
+      direction;       // to the sun, or the studio's key light; none: from the camera's left, above
+  double degrees = 3;  // the angle that it covers
+};
 struct Render {
   View view = View::Textured;
   std::uint32_t width = 1280, height = 720;  // [pixel]
   std::uint32_t subdivide = 0;               // how often each cell of the drawn cloth is halved; grids only
+  Light light;                               // of View::Textured, and where the shadows of all views fall
 };
 
 struct Scene {

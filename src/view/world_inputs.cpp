@@ -13,6 +13,8 @@ render::Settings settings_of(const sim::World& world) {
   settings.view = wanted.view;
   settings.camera = world.scene().camera;
   settings.subdivide = wanted.subdivide;
+  settings.to_light = wanted.light.direction;
+  settings.lighting = {wanted.light.environment, wanted.light.degrees};
   settings.bounds = render::scene_bounds(world.model().host, world.scene(), world.assets().objects);
   return settings;
 }

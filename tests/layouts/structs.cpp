@@ -40,10 +40,11 @@
 #include "model/limited_edges.hpp"
 #include "model/model.hpp"
 #include "overlay/overlay.hpp"
-#include "render/cloth_surface.hpp"
+#include "render/fabric.hpp"
 #include "render/fine_cloth.hpp"
 #include "render/floor.hpp"
 #include "render/frame_params.hpp"
+#include "render/light.hpp"
 #include "scene/grab.hpp"
 #include "scene/scene.hpp"
 #include "state/contact_pairs.hpp"
@@ -381,11 +382,19 @@ Json frame() {
   using T = render::FrameParams;
   return row("Frame", "render/frame.wgsl", sizeof(T), kExact,
              {M(view_projection), M(light_projection), M(eye), M(to_light), M(viewport), M(field_range),
-              M(color_map)});
+              M(color_map), M(right), M(up), M(forward), M(shadow_span)});
 }
-Json weave() {
-  using T = render::WeaveParams;
-  return row("Weave", "render/weave.wgsl", sizeof(T), kExact, {M(base), M(dark), M(accent), M(back)});
+Json fabric() {
+  using T = render::FabricParams;
+  return row("Fabric", "render/weave.wgsl", sizeof(T), kExact,
+             {M(tint), M(warp), M(weft), M(stripe), M(accent), M(back), M(rim), M(gloss), M(weave),
+              M(pattern), M(period), M(shift)});
+}
+Json light() {
+  using T = render::LightParams;
+  return row("Light", "render/surroundings.wgsl", sizeof(T), kExact,
+             {M(sun), M(irradiance), M(level), M(slope), M(curve), M(area_direction), M(area_radiance),
+              M(backdrop_horizon), M(backdrop_zenith)});
 }
 Json overlay_params() {
   using T = overlay::Params;
@@ -403,7 +412,7 @@ Json overlay_place() {
 }
 Json plane() {
   using T = render::PlaneParams;
-  return row("Plane", "render/floor.wgsl", sizeof(T), kExact, {M(center), M(along), M(across)});
+  return row("Plane", "render/floor_square.wgsl", sizeof(T), kExact, {M(center), M(along), M(across)});
 }
 
 #undef M
@@ -436,18 +445,18 @@ void add_statistics(Json& constants) {
 
 Json struct_layouts() {
   return Json::array(
-      {step_block(),      step_time(),       step_nodes(),     step_contact(),      step_air(),
-       step_hands(),      step_method(),     spring(),         spring_kind(),       limited_edge(),
-       limit_spring(),    spring_block(),    block_spring(),   neighbour(),         mesh_params(),
-       membrane_law(),    enclosed_gas(),    gas_chunk(),      fabric_params(),     node_range(),
-       yield_law(),       solid_law(),       solid_params(),   surface_params(),    object_triangle(),
-       spring_grid_row(), level_of_grid(),   tree_node(),      pair_range(),        analytic_collider(),
-       listed_pair(),     contact_of_pair(), pair_hold(),      search_params(),     patch_place(),
-       contact_round(),   tree_params(),     colliders(),      collider_place(),    frame(),
-       weave(),           plane(),           overlay_params(), overlay_vertex(),    overlay_place(),
-       fine_grid(),       cloth_nodes(),     bottom_sweeps(),  elements_of_color(), nodes_of_color(),
-       gathered_color(),  relaxed_nodes(),   spring_kinds(),   fabric_pair(),       iteration(),
-       level_of_mesh(),   share(),           convex_body()});
+      {step_block(),      step_time(),       step_nodes(),    step_contact(),   step_air(),
+       step_hands(),      step_method(),     spring(),        spring_kind(),    limited_edge(),
+       limit_spring(),    spring_block(),    block_spring(),  neighbour(),      mesh_params(),
+       membrane_law(),    enclosed_gas(),    gas_chunk(),     fabric_params(),  node_range(),
+       yield_law(),       solid_law(),       solid_params(),  surface_params(), object_triangle(),
+       spring_grid_row(), level_of_grid(),   tree_node(),     pair_range(),     analytic_collider(),
+       listed_pair(),     contact_of_pair(), pair_hold(),     search_params(),  patch_place(),
+       contact_round(),   tree_params(),     colliders(),     collider_place(), frame(),
+       fabric(),          light(),           plane(),         overlay_params(), overlay_vertex(),
+       overlay_place(),   fine_grid(),       cloth_nodes(),   bottom_sweeps(),  elements_of_color(),
+       nodes_of_color(),  gathered_color(),  relaxed_nodes(), spring_kinds(),   fabric_pair(),
+       iteration(),       level_of_mesh(),   share(),         convex_body()});
 }
 
 Json shared_constants() {

@@ -215,8 +215,8 @@ TEST_CASE("a hilly sheet of few nodes, subdivided, looks nearly like one of many
   gpu::Device& device = fixture.device();
   const GridSheet few(device, 15, hills), many(device, 14 * 8 + 1, hills);
   const Image true_picture = picture_of(device, many, View::Textured, 0);
-  const std::size_t coarse = difference(picture_of(device, few, View::Textured, 0), true_picture, 24);
-  const std::size_t fine = difference(picture_of(device, few, View::Textured, 3), true_picture, 24);
+  const std::size_t coarse = difference(picture_of(device, few, View::Textured, 0), true_picture, 16);
+  const std::size_t fine = difference(picture_of(device, few, View::Textured, 3), true_picture, 16);
   CAPTURE(coarse);
   CAPTURE(fine);
   CHECK(coarse > 500);

@@ -140,7 +140,7 @@ TEST_CASE("the shadow map is drawn where something takes shadows, and only there
   REQUIRE(!over_floor.planes.empty());
   CHECK(passes(drawn.inputs(), View::Stretch) == 2);  // over a sphere too
   CHECK(passes(over_floor, View::Normals) == 2);
-  CHECK(passes(alone, View::Textured) == 2);
+  CHECK(passes(alone, View::Textured) == 5);  // and the depth seen, what light arrives, and that smoothed
   for (const View view : {View::Wireframe, View::Normals, View::Stretch, View::Velocity}) {
     CAPTURE(scene::name_of(view));
     CHECK(passes(alone, view) == 1);

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "scene/load.hpp"
+#include "scene/looks.hpp"
 #include "scene/names.hpp"
 #include "scene/select.hpp"
 #include "texts.hpp"
@@ -44,6 +45,9 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(scene.render.width == 1280);
   CHECK(scene.render.height == 720);
   CHECK(scene.render.subdivide == 0);
+  CHECK(scene.render.light.environment == Environment::Studio);
+  CHECK_FALSE(scene.render.light.direction);
+  CHECK(scene.render.light.degrees == 3);
 
   const Cloth& cloth = scene.cloths.at(0);
   CHECK(cloth.name.empty());
@@ -62,6 +66,8 @@ TEST_CASE("what a scene leaves out has the default of docs/scene.md") {
   CHECK(scene.cloths.size() == 1);
   CHECK(cloth.copy == 0);
   CHECK_FALSE(cloth.color);
+  CHECK(cloth.look == Look{});
+  CHECK(cloth.look == look_of("woven"));
   CHECK_FALSE(cloth.node_mass);
 }
 

@@ -70,6 +70,7 @@ TEST_CASE("a difference in anything else is found and named by its key") {
         {"cloths[1].motions", "[]"},
         {"cloths[1].grabs", "[]"},
         {"cloths[1].color", "[1, 0, 0]"},
+        {"cloths[1].look", "\"silk\""},
         {"colliders", "[]"},
         {"colliders[0]", R"({"kind": "mesh", "mesh": "sphere"})"},
         {"colliders[1]", R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]})"}})

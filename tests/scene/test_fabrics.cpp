@@ -5,6 +5,7 @@
 
 #include "scene/fabrics.hpp"
 #include "scene/load.hpp"
+#include "scene/looks.hpp"
 #include "texts.hpp"
 
 using namespace weft;
@@ -148,4 +149,39 @@ TEST_CASE("published rows become the moduli of strips that their file's own prog
   CHECK(made.shear.value == 3);
   CHECK(made.bending_warp.value == doctest::Approx(2e-6));
   CHECK(made.bending_twist.value == doctest::Approx(1e-6));  // of the same in every direction: half of B
+}
+
+TEST_CASE("a fabric's name brings a look, a look's name goes before it, and an object changes a part") {
+  for (const NamedFabric& fabric : kFabrics) {
+    const Cloth cloth = read_cloth("\"fabric\": \"" + std::string(fabric.name) + "\"");
+    CHECK(cloth.look == look_of(look_of_fabric(fabric.name)));
+    CHECK(cloth.look.name != "woven");
+  }
+  CHECK(read_cloth(R"("fabric": "denim_11oz", "look": "silk")").look == look_of("silk"));
+  Look changed = look_of("denim");
+  changed.sheen = 0.75;
+  changed.weft = Vec3d{0.5, 0, 0};
+  changed.pattern = Pattern::Stripes;
+  changed.stripe = Vec3d{1, 1, 1};
+  const std::string keys =
+      R"("sheen": 0.75, "weft": [0.5, 0, 0], "pattern": "stripes", "stripe": [1, 1, 1]})";
+  CHECK(read_cloth(R"("fabric": "denim_11oz", "look": {)" + keys).look == changed);
+  CHECK(read_cloth(R"("density": 1, "look": {"name": "denim", )" + keys).look == changed);
+  CHECK(read_cloth(R"("density": 1, "look": {"threads_per_cm": 9})").look.threads_per_cm == 9);
+}
+
+TEST_CASE("no motion follows from a look, a material and the light") {
+  const auto content = [](const std::string& material, const std::string& look, const std::string& light) {
+    const auto scene = parse_scene(R"({"format": "weft-scene/1", "cloths": [{"grid": [4, 4], "size": [1, 1],
+        "density": 1)" + look + R"(}], "colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": 1)" +
+                                       material + "}]" + light + "}",
+                                   "a.json");
+    REQUIRE_MESSAGE(scene, scene.error().message);
+    return scene->content;
+  };
+  const std::uint64_t plain = content("", "", "");
+  CHECK(content(R"(, "material": "metal")", "", "") == plain);
+  CHECK(content("", R"(, "look": "velvet")", "") == plain);
+  CHECK(content("", "", R"(, "render": {"light": {"environment": "sky"}})") == plain);
+  CHECK(content(R"(, "friction": 0.5)", "", "") != plain);
 }
