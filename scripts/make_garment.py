@@ -1,18 +1,21 @@
 #!/usr/bin/env python3
 """Makes a garment, cut and sewn from a front and a back, as an OBJ file in metres.
 
-usage: scripts/make_garment.py dress|shirt FILE [--vertices N] [--seed N] [--slivers N]
+usage: scripts/make_garment.py dress|shirt|tunic FILE [--vertices N] [--seed N] [--slivers N] [--panels]
 
   --vertices N  about how many (5000)
   --seed N      of the irregular mesh; the same numbers give the same bytes (1)
   --slivers N   how many long edges the hem has in front and at the back, as far as there is room, each with a fan of
-                triangles down to an aspect of 100 (4)
+                triangles down to an aspect of 100, of a tunic 250 (4)
+  --panels      the flat front and back instead, FILE-front.obj and FILE-back.obj, and FILE.json, a scene that lays them
+                about the mannequin and sews them on (a tunic fits her)
 
 The panels are flat triangulations of jittered points, Delaunay but for the fans, a little bulged, and welded at their
-seams. Neck, hem and sleeves are open, and a dress is open at its top.
+seams. Neck, hem and sleeves are open, a dress is open at its top, and a tunic has armholes for sleeves.
 """
 
 import argparse
+import json
 import math
 import pathlib
 import random
@@ -32,13 +35,14 @@ class Cut(NamedTuple):
     neck_half_width: float
     neck_depth: float
     sleeve_length: float
-    sleeve_width: float
+    sleeve_width: float  # of an armhole, without sleeves
     flare: float  # of the hem's width over the top's, less 1
 
 
 CUTS = {
     "dress": Cut(0.22, 0.9, 0.22, 0, 0, 0, 0.5),
     "shirt": Cut(0.25, 0.68, 0.1, 0.06, 0.2, 0.2, 0),
+    "tunic": Cut(0.165, 0.85, 0.085, 0.07, 0, 0.25, 0.9),
 }
 
 
@@ -65,7 +69,7 @@ class Outline:
     def is_open(self, a, b):
         """Of an edge of the outline: hem, end of a sleeve, neck."""
         (i, j), (k, m) = a, b
-        at_end = self.sleeve > 0 and i == k and i in (0, self.width)
+        at_end = i == k and i in (0, self.width) and min(j, m) >= self.arm
         in_neck = all(abs(2 * n - self.width) <= 2 * self.neck for n in (i, k)) and min(j, m) >= self.neck_bottom
         return j == m == 0 or at_end or in_neck
 
@@ -156,13 +160,26 @@ def panel(outline, slivers, rng):
     return place, triangles
 
 
-def garment(kind, vertices=5000, seed=1, slivers=4):
-    """Positions [m] and triangles (numbers from 0) that face outward."""
+def outline_of(kind, vertices):
     cut = CUTS[kind]
     body = 2 * cut.half_width * cut.height + 2 * cut.sleeve_length * cut.sleeve_width
     outline = Outline(cut, math.sqrt(2 * (body - 2 * cut.neck_half_width * cut.neck_depth) / vertices))
-    if min(outline.height - outline.arm if outline.sleeve else 2, outline.body) < 2 or outline.height < 3:
+    arm = outline.height - outline.arm if cut.sleeve_width else 2
+    if min(arm, outline.body) < 2 or outline.height < 3:
         raise ValueError(f"{vertices} vertices are too few for a {kind}.")
+    return outline
+
+
+def worn(outline, cut, x, y):
+    """Where a point of the grid is, from the middle of the top [m]."""
+    wide = 1 + cut.flare * (1 - y / outline.height)
+    return (x - 0.5 * outline.width) * outline.spacing * wide, (y - outline.height) * outline.spacing
+
+
+def garment(kind, vertices=5000, seed=1, slivers=4):
+    """Positions [m] and triangles (numbers from 0) that face outward."""
+    cut = CUTS[kind]
+    outline = outline_of(kind, vertices)
     rng = random.Random(seed)
     sewn = outline.sewn()
     near = math.ceil(BULGE_WIDTH / outline.spacing)
@@ -176,16 +193,92 @@ def garment(kind, vertices=5000, seed=1, slivers=4):
             close = [math.dist((x, y), seam) for seam in sewn if abs(seam[0] - x) <= near and abs(seam[1] - y) <= near]
             part = min(1.0, outline.spacing * min(close, default=near + 1) / BULGE_WIDTH)
             z = side * BULGE * math.sqrt(part * (2 - part))
-            wide = 1 + cut.flare * (1 - y / outline.height)
             number[side, point] = len(positions)
             if point in sewn:
                 number[-side, point] = len(positions)
-            positions.append(
-                ((x - 0.5 * outline.width) * outline.spacing * wide, (y - outline.height) * outline.spacing, z)
-            )
+            positions.append((*worn(outline, cut, x, y), z))
         for face in faces:
             triangles.append(tuple(number[side, point] for point in face[::side]))
     return positions, triangles
+
+
+def seam_runs(outline):
+    """The points of each seam, along it."""
+    beside = {}
+    for edge in outline.rim():
+        if not outline.is_open(*edge):
+            for a, b in (edge, edge[::-1]):
+                beside.setdefault(a, []).append(b)
+    runs, seen = [], set()
+    for end in sorted(point for point, others in beside.items() if len(others) == 1):
+        if end in seen:
+            continue
+        run = [end]
+        while following := [point for point in beside[run[-1]] if point not in run[-2:]]:
+            run += following
+        seen.update(run)
+        runs.append(run)
+    return runs
+
+
+def flat_panels(kind, vertices=5000, seed=1, slivers=4):
+    """Of the front and the back their positions [m], triangles that face outward, and the numbers along each seam."""
+    cut = CUTS[kind]
+    outline = outline_of(kind, vertices)
+    rng = random.Random(seed)
+    made = []
+    for side in (1, -1):
+        place, faces = panel(outline, slivers, rng)
+        points = sorted({point for face in faces for point in face})
+        number = {point: k for k, point in enumerate(points)}
+        positions = [(*worn(outline, cut, *place[point]), 0.0) for point in points]
+        triangles = [tuple(number[point] for point in face[::side]) for face in faces]
+        made.append((positions, triangles, [[number[point] for point in run] for run in seam_runs(outline)]))
+    return made
+
+
+TOP, AWAY, CHEST, HELD = 1.46, 0.16, (0.08, -0.18), 1.8  # m, m, m from the top's middle, s
+
+
+def sewn_scene(panels, files):
+    """Hands hold the panels beside the mannequin until they are sewn."""
+    rows = [[{"panel": p, "nodes": {"nodes": run}} for run in runs] for p, (_, _, runs) in enumerate(panels)]
+    grabs, first = [], 0
+    for side, (positions, _, _) in zip((1, -1), panels, strict=True):
+        for x in (-CHEST[0], CHEST[0]):
+            near = [math.dist((x, CHEST[1]), place[:2]) for place in positions]
+            node = near.index(min(near))
+            point = [round(positions[node][0], 4), round(TOP + positions[node][1], 4), side * AWAY]
+            path = [{"time": 0, "point": point}, {"time": HELD, "point": [*point[:2], side * 0.125]}]
+            grabs.append({"node": {"nodes": [first + node]}, "end": HELD, "path": path})
+        first += len(positions)
+    return {
+        "format": "weft-scene/1",
+        "title": "A tunic that is sewn on",
+        "description": "A front and a back are laid about a person, sewn on, and let go",
+        "time": {"frames": 240},
+        "solver": {"kind": "multigrid"},
+        "contact": {"method": "proximity", "thickness": 0.004},
+        "cloths": [
+            {
+                "panels": [
+                    {"mesh": file, "transform": {"translate": [0, TOP, side * AWAY]}}
+                    for side, file in zip((1, -1), files, strict=True)
+                ],
+                "seams": [{"first": a, "second": b} for a, b in zip(*rows, strict=True)],
+                "density": 0.15,
+                "stiffness": {"structural": 1000, "shear": 300, "bend": 10},
+                "damping": 0.05,
+                "grabs": grabs,
+                "color": [0.75, 0.2, 0.16],
+            }
+        ],
+        "colliders": [
+            {"kind": "mesh", "mesh": "mannequin", "friction": 0.3},
+            {"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]},
+        ],
+        "camera": {"eye": [1.5, 1.5, 2.4], "target": [0, 0.95, 0], "fov_degrees": 36},
+    }
 
 
 def obj_of(positions, triangles, title):
@@ -202,12 +295,21 @@ def main():
     parser.add_argument("--vertices", type=int, default=5000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--slivers", type=int, default=4)
+    parser.add_argument("--panels", action="store_true")
     given = parser.parse_args()
+    title = f"{given.kind}, {given.vertices} vertices, seed {given.seed}, {given.slivers} slivers"
     try:
+        if given.panels:
+            panels = flat_panels(given.kind, given.vertices, given.seed, given.slivers)
+            files = [given.file.with_name(f"{given.file.stem}-{name}.obj") for name in ("front", "back")]
+            for file, (positions, triangles, _) in zip(files, panels, strict=True):
+                file.write_text(obj_of(positions, triangles, title), "utf-8")
+            scene = json.dumps(sewn_scene(panels, [file.name for file in files]), indent=1)
+            given.file.with_suffix(".json").write_text(scene + "\n", "utf-8")
+            return
         made = garment(given.kind, given.vertices, given.seed, given.slivers)
     except ValueError as error:
         parser.error(str(error))
-    title = f"{given.kind}, {given.vertices} vertices, seed {given.seed}, {given.slivers} slivers"
     given.file.write_text(obj_of(*made, title), "utf-8")
 
 
