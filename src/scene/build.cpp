@@ -89,7 +89,8 @@ class Builder {
                             : cloth.strength       ? " tears"
                             : !cloth.seams.empty() ? " is sewn"
                                                    : " is a mesh") +
-                           "; only grids that do not tear and are not sewn are drawn finer");
+                           "; only grids that " + (cloth.seams.empty() ? "do not tear" : "are not sewn") +
+                           " are drawn finer");
     return scene;
   }
 
