@@ -31,10 +31,10 @@ std::vector<Row> rows_of(const SpringNetwork& network, float Spring::*strength) 
       rows.push_back({spring.node_a, spring.node_b, std::sqrt(k * static_cast<double>(a.w)) * direction,
                       std::sqrt(k * static_cast<double>(b.w)) * direction});
     };
-    if (spring.rest_length == 0) {  // a thread, which may come to lie along any of these
-      for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) add(axis);
-    } else if (len > 0) {
+    if (len > 0) {
       add(span / len);
+    } else {  // a thread, whose ends have one place at rest: it may come to lie along any of these
+      for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) add(axis);
     }
   }
   return rows;
