@@ -168,6 +168,19 @@ std::string stiffening_text(const scene::Scene& scene, const Model& model, const
   return text;
 }
 
+std::string creeping_text(const scene::Scene& scene, const Method& method) {
+  std::string text;
+  for (const scene::Cloth& cloth : scene.cloths)
+    if (cloth.copy == 0 && cloth.solid && cloth.solid->poisson > method.even_poisson)
+      add(text,
+          "  By \"%s\" a slender body of Poisson's ratio %.3g, as %s has, may creep for many seconds; one of "
+          "%.2g "
+          "does not.\n",
+          scene::name_of(method.kind), cloth.solid->poisson, scene::path_of(cloth).c_str(),
+          method.even_poisson);
+  return text;
+}
+
 nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t c = 0; c < scene.cloths.size(); ++c) {

@@ -19,6 +19,9 @@ std::string cloths_text(const scene::Scene& scene, const Model& model);
 std::string stiffening_text(const scene::Scene& scene, const Model& model, const Method& method,
                             std::uint32_t substeps);
 
+/// A line for each body that the method brings to rest late, if it is slender.
+std::string creeping_text(const scene::Scene& scene, const Method& method);
+
 /// A list of the entries' moduli, density and friction; docs/cli.md lists the members.
 nlohmann::ordered_json cloths_json(const scene::Scene& scene, const Model& model);
 

@@ -42,6 +42,7 @@ Result<void> check_scene(const SceneOptions& options) {
           "  colliders[%zu] is a rigid body of %.4g kg, with %.4g, %.4g and %.4g kg m² about its own axes.\n",
           c, solids[c].mass, solids[c].inertia.x, solids[c].inertia.y, solids[c].inertia.z);
   std::fputs(stiffening_text(scene, model, plan.method(), plan.substeps()).c_str(), stdout);
+  std::fputs(creeping_text(scene, plan.method()).c_str(), stdout);
   return {};
 }
 

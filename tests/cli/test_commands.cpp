@@ -120,6 +120,24 @@ TEST_CASE("check says by how many times a method without a stiffness of its own 
   CHECK(once.out.find("  By \"pbd\" in 1 substep of 1 sweep, an element") != std::string::npos);
 }
 
+TEST_CASE("check says of which Poisson's ratio a body may creep by vbd") {
+  const TemporaryFolder folder;
+  const auto said = [&](const char* poisson, const char* solver) {
+    const std::string scene = put(folder, "a.json",
+                                  R"({"format": "weft-scene/1", "bodies": [{"block": [1, 1, 1],
+      "size": [1, 1, 1], "density": 1000, "material": {"young": 1e5, "poisson": )" +
+                                      std::string(poisson) + "}}]}");
+    const Ended ended = run_without_driver({"check", scene, "--solver", solver});
+    CHECK_MESSAGE(ended.code == 0, ended.err);
+    return ended.out.find(
+               "  By \"vbd\" a slender body of Poisson's ratio 0.495, as bodies[0] has, may creep for many "
+               "seconds; one of 0.49 does not.\n") != std::string::npos;
+  };
+  CHECK(said("0.495", "vbd"));
+  CHECK_FALSE(said("0.49", "vbd"));
+  CHECK_FALSE(said("0.495", "mass_spring"));
+}
+
 TEST_CASE(
     "validate prints numbers beside the laws', as a table and as JSON, and refuses what it does not know") {
   const Ended table = run_weft({"validate", "--only", "fall", "--solver", "multigrid"});

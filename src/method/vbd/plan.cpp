@@ -36,6 +36,7 @@ Method vbd_method() {
   row.bounds_nodes = true;
   row.sweeps = true;
   row.blow_part = 0.025;
+  row.even_poisson = 0.49;
   row.history = 1;  // the velocity before, for the guess of a substep
   return row;
 }
