@@ -64,8 +64,7 @@ struct Method {
   bool bounds_nodes = false;   // by bounds on where a node may go, not by springs
   bool limits_strain = false;  // whether edges beyond a strain limit are stiffer
   bool tethers = false;        // whether nodes are kept within their tethers
-  double even_poisson =
-      0.5;  // slender bodies of a larger Poisson's ratio come to rest late: docs/bodies.md, Limits
+  double even_poisson = 0.5;   // slender bodies with more come to rest late: docs/bodies.md, Limits
   /// How many states before the current one it reads, for nodes whose velocity's w is 1.
   std::uint32_t history;
   std::uint32_t order = 1;  // of its steps in time

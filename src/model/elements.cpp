@@ -100,9 +100,12 @@ const hinge::Plate& Model::plate(const Body& body) const {
   auto& plates = store_.plates();
   plates.resize(bodies.size());
   auto& made = plates[number_of(body)];
-  if (!made)
-    made = std::make_unique<const hinge::Plate>(
-        hinge::build_plate(fabric_sheet(*this, body).rest(), bending_law(*body.fabric)));
+  if (!made) {
+    hinge::Plate plate = hinge::build_plate(fabric_sheet(*this, body).rest(), bending_law(*body.fabric));
+    if (body.fabric->rest_angles == scene::RestAngles::Flat)
+      for (hinge::Hinge& hinge : plate.hinges) hinge.rest_angle = 0;
+    made = std::make_unique<const hinge::Plate>(std::move(plate));
+  }
   return *made;
 }
 

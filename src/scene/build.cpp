@@ -329,6 +329,7 @@ class Builder {
     fabric.damping = number(json, "damping");
     fabric.energy = word<FabricEnergy>(at(json, "energy"), kFabricEnergyNames);
     fabric.warp_direction = vector(json, "warp_direction");
+    fabric.rest_angles = word<RestAngles>(at(json, "rest_angles"), kRestAnglesNames);
     if (const Json* given = json.find("plastic"))
       fabric.plastic = {number(*given, "yield_curvature"), number(*given, "hardening")};
     // At warp / weft the cloth resists one strain with nothing, and another without end.
@@ -503,6 +504,8 @@ class Builder {
       return wrong(path + ".damping", "is of springs; a cloth with \"fabric\" has fabric.damping instead");
     if (cloth.grid && !(cloth.fabric->warp_direction == Fabric{}.warp_direction))
       return wrong(path + ".fabric.warp_direction", "is of meshes; the warp of a grid goes along i");
+    if (cloth.grid && cloth.fabric->rest_angles != RestAngles::Mesh)
+      return wrong(path + ".fabric.rest_angles", "is of meshes; a grid is flat at rest");
     return {};
   }
 

@@ -279,6 +279,7 @@ constexpr Type kModulus{.kind = Kind::Number, .least = 1e-3, .most = 1e9, .unit 
 constexpr Type kPoisson{.kind = Kind::Number, .least = -0.99, .most = 10};
 constexpr Type kBendingModulus{.kind = Kind::Number, .most = 1e3, .unit = "N·m"};
 constexpr Type kDelay{.kind = Kind::Number, .most = 10, .unit = "s"};
+constexpr Type kRestAngles{.kind = Kind::Choice, .choices = kRestAnglesNames};
 constexpr Type kFabricEnergy{.kind = Kind::Choice, .choices = kFabricEnergyNames};
 constexpr Type kFabricName{.kind = Kind::Choice, .name = "fabric_name", .choices = kFabricNames};
 constexpr Type kCurvature{.kind = Kind::Number, .least = 1e-3, .most = 1e6, .unit = "1/m"};
@@ -306,6 +307,8 @@ constexpr Key kFabricKeys[] = {
      "\"yarn\""},
     {"warp_direction", &kDirection, "The warp of a mesh, before its transform; a grid's goes along i",
      "[1, 0, 0]"},
+    {"rest_angles", &kRestAngles, "Angles at the edges of a mesh that nothing bends: its own, or flat",
+     "\"mesh\""},
     {"plastic", &kPlastic, "When a bend stays; without it the cloth springs back from every one"},
 };
 constexpr Type kFabricObject{.kind = Kind::Object, .keys = kFabricKeys};

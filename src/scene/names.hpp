@@ -12,6 +12,7 @@ inline constexpr const char* kSolverKindNames[] = {"mass_spring", "multigrid",  
                                                    "vbd",         "projective_dynamics", "fem",  "auto"};
 inline constexpr const char* kForcesNames[] = {"node_centric", "spring_centric", "spring_blocks"};
 inline constexpr const char* kFabricEnergyNames[] = {"yarn", "green", "neo_hookean"};
+inline constexpr const char* kRestAnglesNames[] = {"mesh", "flat"};
 inline constexpr const char* kGasLawNames[] = {"isothermal", "constant"};
 inline constexpr const char* kSolidEnergyNames[] = {"neo_hookean", "corotated"};
 inline constexpr const char* kContactMethodNames[] = {"none", "paper", "bvh", "proximity"};

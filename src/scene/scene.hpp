@@ -157,6 +157,8 @@ struct Stiffness {
 
 /// Which strains a fabric's energy is of (docs/elements.md, Membrane).
 enum class FabricEnergy { Yarn, Green, NeoHookean };
+/// The angles at the edges of a mesh that nothing bends: those that it has, or none.
+enum class RestAngles { Mesh, Flat };
 
 /// When a bend stays (docs/elements.md, Creases).
 struct Plastic {
@@ -174,8 +176,9 @@ struct Fabric {
   double bending_warp = 0, bending_weft = 0, bending_twist = 0;  // [N·m]
   double damping = 0.0001;                                       // delay of Kelvin and Voigt [s]
   FabricEnergy energy = FabricEnergy::Yarn;
-  Vec3d warp_direction{1, 0, 0};   // on a mesh, before its transform; a grid's warp goes along i
-  std::optional<Plastic> plastic;  // none: it springs back from every bend
+  Vec3d warp_direction{1, 0, 0};              // on a mesh, before its transform; a grid's warp goes along i
+  RestAngles rest_angles = RestAngles::Mesh;  // of a mesh; a grid is flat
+  std::optional<Plastic> plastic;             // none: it springs back from every bend
 
   /// Whether it resists bending.
   bool bends() const { return bending_warp > 0 || bending_weft > 0 || bending_twist > 0; }

@@ -85,6 +85,8 @@ std::vector<BadScene> bad_scenes() {
        "cloths[0].damping is of springs; a cloth with \"fabric\" has fabric.damping instead"},
       {scene_of_fabric(R"("warp": 9, "shear": 3, "bending_warp": 0, "warp_direction": [0, 1, 0])"),
        "cloths[0].fabric.warp_direction is of meshes; the warp of a grid goes along i"},
+      {scene_of_fabric(R"("warp": 9, "shear": 3, "bending_warp": 0, "rest_angles": "flat")"),
+       "cloths[0].fabric.rest_angles is of meshes; a grid is flat at rest"},
       {scene_of_fabric(R"("warp": 9, "shear": 3, "bending_warp": 0)", R"(, "strain_limit": 0.0009)"),
        "strain_limit is 0.0009; it must be from 0.001 to 10"},
       {scene_of_cloth(R"("grid": [4, 4], "size": [1, 1], "density": 0.2, "strain_limit": 0)"),

@@ -99,6 +99,7 @@ TEST_CASE("what a fabric leaves out follows from the rest of it") {
   CHECK(plain.damping == Fabric{}.damping);
   CHECK(plain.energy == FabricEnergy::Yarn);
   CHECK(plain.warp_direction == Vec3d{1, 0, 0});
+  CHECK(plain.rest_angles == scene::RestAngles::Mesh);
   CHECK(woven.weft == 50);
   CHECK(woven.bending_weft == 9);
   CHECK(woven.bending_twist == 3);

@@ -171,6 +171,8 @@ export type SceneCloth = {
     readonly energy?: "yarn" | "green" | "neo_hookean" | undefined;
     /** The warp of a mesh, before its transform; a grid's goes along i. Default: [1,0,0] */
     readonly warp_direction?: SceneDirection | undefined;
+    /** Angles at the edges of a mesh that nothing bends: its own, or flat. Default: "mesh" */
+    readonly rest_angles?: "mesh" | "flat" | undefined;
     /** When a bend stays; without it the cloth springs back from every one. */
     readonly plastic?: ScenePlastic | undefined;
   } | undefined;
