@@ -5,6 +5,7 @@
 
 #include "method/mass_spring/plan.hpp"
 #include "method/step_limit.hpp"
+#include "model/cloth_size.hpp"
 
 namespace weft {
 namespace {
@@ -25,6 +26,8 @@ double stiffest_modulus(const Model& model) {
 double blow_step(const scene::Scene& scene, const Model& model, double lightest, double part) {
   const double modulus = stiffest_modulus(model);
   if (modulus == 0) return HUGE_VAL;
+  for (const Body& body : model.bodies)
+    if (!body.solid) lightest = std::min(lightest, mass_of(model, body));
   const double feels = kStepSafety * mass_spring_step_limit(model, scene.drag).largest_step;
   return std::max(feels, std::sqrt(part * lightest / modulus));
 }

@@ -26,8 +26,8 @@ struct Sewn {
 };
 
 /// Gives the pairs that are not one node yet threads that pull with a force between half and all of the seam's, softer
-/// where that would be wider than `within` at rest; and makes one of the pairs of seams all of whose are near enough, of
-/// seams that are waited for no longer those that are. Done every kThreadTime.
+/// where that would be wider than `within` at rest; and makes one of the pairs of seams all of whose are near enough,
+/// of seams that are waited for no longer those that are. Done every kThreadTime.
 /// Reads   model: sewn_model of `before`; position: of its nodes [m]; time, and how long ago this was done last [s].
 Sewn sew(const Model& model, const Sewing& before, std::span<const Vec3d> position, double time,
          double since);

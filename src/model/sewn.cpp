@@ -43,7 +43,7 @@ std::vector<Thread> threads_of(const CutPattern& pattern, const Sewing::OfCloth&
       const std::int32_t exponent = sewing.pairs[pair++];
       if (exponent == Sewing::kLoose || exponent == Sewing::kSewn) continue;
       const auto [a, b] = std::minmax({pattern.node[first], pattern.node[second]});
-      const auto same = [a, b](const Thread& other) { return other.a == a && other.b == b; };
+      const auto same = [a = a, b = b](const Thread& other) { return other.a == a && other.b == b; };
       if (a == b || std::any_of(threads.begin(), threads.end(), same)) continue;
       threads.push_back({a, b, std::ldexp(1.0, exponent), seam.damping});
     }

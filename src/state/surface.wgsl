@@ -12,7 +12,7 @@ struct SurfaceParams {  // mirror: src/state/surface.hpp
 //                                                                              elements
 @group(0) @binding(0) var<uniform>             cloth      : SurfaceParams;
 @group(0) @binding(1) var<storage, read>       position   : array<vec4f>;       // vertex_count, m
-@group(0) @binding(2) var<storage, read>       rest       : array<vec4f>;       // vertex_count, or 3 * triangle_count, m
+@group(0) @binding(2) var<storage, read>       rest       : array<vec4f>;       // vertex_count, 3 * triangle_count: m
 @group(0) @binding(3) var<storage, read>       triangles  : array<u32>;         // 3 * triangle_count
 @group(0) @binding(4) var<storage, read>       offsets    : array<u32>;         // vertex_count + 1
 @group(0) @binding(5) var<storage, read>       around     : array<u32>;         // triangles around each vertex, rising

@@ -45,7 +45,8 @@ TEST_CASE("a loose sheet of every method falls by g t²/2, within what one step 
   }
 }
 
-TEST_CASE("drag that stops cloth within a step neither shakes it nor throws it, by every method that is stable") {
+TEST_CASE(
+    "drag that stops cloth within a step neither shakes it nor throws it, by every method that is stable") {
   GpuFixture fixture;
   const double h = 1.0 / 512, drag = 4000;  // 7.8 in a step
   const int steps = 128;
@@ -64,7 +65,8 @@ TEST_CASE("drag that stops cloth within a step neither shakes it nor throws it, 
   }
 }
 
-TEST_CASE("drag bears nothing of what hangs at rest, by every method that has the stiffness of its elements") {
+TEST_CASE(
+    "drag bears nothing of what hangs at rest, by every method that has the stiffness of its elements") {
   GpuFixture fixture;
   const double h = 1.0 / 512, spacing = 0.1, stiffness = 500, density = 0.2;
   // Of a strip of three rows of cells: 2.5, 1.5 and 0.5 rows hang below them.

@@ -36,6 +36,8 @@ constexpr double kRoundingsOfSweep = 16;
 
 /// By how much nodes hang below their rest, a boundary spring each: half of 100 N/m, and a quarter of 0.4 kg.
 constexpr double kNodeStiffness = 50, kNodeMass = 0.1;
+constexpr double kDrag = 10;  // [1/s]
+
 double hung(gpu::Device& device, double step, int iterations) {
   SolverRig rig(device, scene_of(pbd(iterations) + R"("drag": 10, "cloths": [{"grid": [2, 2], "size": [1, 1],
       "density": 0.4, "pins": ["top"], "stiffness": {"structural": 100, "shear": 0, "bend": 0}, "damping": 0}])"),
@@ -81,14 +83,17 @@ TEST_CASE("one sweep of pbd over springs is one of xpbd, whose multipliers begin
   CHECK(std::memcmp(ends[0].data(), ends[1].data(), ends[0].size() * sizeof(Vec4f)) == 0);
 }
 
-TEST_CASE("a pbd node hangs by g h² / ((1 + h² k/m)^n - 1): stiffer with each sweep, and as steps grow") {
+TEST_CASE(
+    "a pbd node hangs by g h² / ((1 + h² k/m)^n - 1), drag in m: stiffer with each sweep, and as steps "
+    "grow") {
   GpuFixture fixture;
   for (const double step : {2e-3, 8e-3})
     for (const int iterations : {1, 2, 10}) {
       CAPTURE(step);
       CAPTURE(iterations);
-      const double pull = step * step * kNodeStiffness / kNodeMass;
-      const double expected = kGravity * step * step / std::expm1(iterations * std::log1p(pull));
+      const double with_drag = 1 + step * kDrag;
+      const double pull = step * step * kNodeStiffness / (kNodeMass * with_drag);
+      const double expected = kGravity * step * step / with_drag / std::expm1(iterations * std::log1p(pull));
       CHECK(hung(fixture.device(), step, iterations) == doctest::Approx(expected).epsilon(2e-3).scale(0));
     }
   // What a user sees of it: weight hangs from a tenth, or a thirtieth, of what the spring says.

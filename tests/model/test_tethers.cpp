@@ -114,9 +114,11 @@ TEST_CASE("no node has more than four tethers, to the islands that are nearest")
 }
 
 TEST_CASE("a turned cloth far away has the tethers of the same cloth at the origin, in the same order") {
-  const std::string sheet = R"("grid": [9, 9], "size": [0.4, 0.4], "pins": ["top_left", "top_right"], "tethers": {})";
+  const std::string sheet =
+      R"("grid": [9, 9], "size": [0.4, 0.4], "pins": ["top_left", "top_right"], "tethers": {})";
   const TetherRows here = tethers_of(model_of(sheet));
-  for (const char* transform : {R"({"rotate": [0, 0.5, 0, 0.866]})", R"({"rotate": [0.1, 0.2, 0.3, 0.9274], "translate": [10, 3, -7]})"}) {
+  for (const char* transform : {R"({"rotate": [0, 0.5, 0, 0.866]})",
+                                R"({"rotate": [0.1, 0.2, 0.3, 0.9274], "translate": [10, 3, -7]})"}) {
     CAPTURE(transform);
     const TetherRows there = tethers_of(model_of(sheet + R"(, "transform": )" + transform));
     REQUIRE(there.tethers.size() == here.tethers.size());

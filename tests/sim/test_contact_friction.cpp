@@ -160,14 +160,16 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("two cloths have the mean of their friction, whichever lies above and whichever the scene names first") {
+TEST_CASE(
+    "two cloths have the mean of their friction, whichever lies above and whichever the scene names first") {
   GpuFixture fixture;
   const double friction = std::sqrt(0.5 * 0.2), slope = std::atan(0.4);
   std::string cloths;
   for (int pair = 0; pair < 4; ++pair) {
     const std::string more = R"(, "plane": "xz", "density": 0.3, "damping": 0.01,
         "stiffness": {"structural": 60, "shear": 12, "bend": 0.5}, "friction": )";
-    const std::string at = R"(, "transform": {"translate": [0, )", aside = ", " + std::to_string(3 * pair) + "]}";
+    const std::string at = R"(, "transform": {"translate": [0, )",
+                      aside = ", " + std::to_string(3 * pair) + "]}";
     const bool rough_above = pair % 2 == 0, above_first = pair < 2;
     const std::string above = R"({"grid": [6, 6], "size": [0.25, 0.25])" + at + "0.005" + aside + more +
                               (rough_above ? "0.5}" : "0.2}");
@@ -176,9 +178,12 @@ TEST_CASE("two cloths have the mean of their friction, whichever lies above and 
                               R"(, "pins": [{"box": {"min": [-9, -9, -9], "max": [9, 9, 99]}}]})";
     cloths += (pair > 0 ? "," : "") + (above_first ? above + "," + below : below + "," + above);
   }
-  const scene::Scene scene = scene_of(
-      R"("solver": {"kind": "mass_spring"}, "gravity": [)" + text_of(kGravity * std::sin(slope)) + ", " +
-      text_of(-kGravity * std::cos(slope)) + R"(, 0], "cloths": [)" + cloths + "]");
+  const scene::Scene scene = scene_of(Setting{.solver = "mass_spring",
+                                              .gravity = "[" + text_of(kGravity * std::sin(slope)) + ", " +
+                                                         text_of(-kGravity * std::cos(slope)) + ", 0]",
+                                              .contact = R"("thickness": 0.005)",
+                                              .substeps = 32,
+                                              .cloths = cloths});
   auto world = world_of(fixture.device(), scene);
   const int frames = 20;
   advance(*world, frames);

@@ -154,9 +154,8 @@ TEST_CASE_FIXTURE(
   const std::string soft = R"("stiffness": {"structural": 800, "shear": 300, "bend": 50})";
   const std::string stiff = R"("fabric": {"warp": 8000, "weft": 8000, "shear": 2000, "bending_warp": 1e-5})";
   const std::pair<std::string, std::string> cases[] = {
-      {"mass_spring", springs}, {"multigrid", springs}, {"vbd", springs},
-      {"multigrid", stiff},     {"vbd", stiff},         {"pbd", springs},
-      {"xpbd", soft},           {"projective_dynamics", soft}};
+      {"mass_spring", springs}, {"multigrid", springs}, {"vbd", springs}, {"multigrid", stiff},
+      {"vbd", stiff},           {"pbd", springs},       {"xpbd", soft},   {"projective_dynamics", soft}};
   for (const auto& [solver, material] : cases) {
     CAPTURE(solver);
     CAPTURE(material);

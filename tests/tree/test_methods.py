@@ -15,6 +15,7 @@ COMMENT = {
 
 # Where every method has a line: its row, its two factories, its sources, its words and keys.
 LINES = {
+    "packages/weft/src/scene_types.ts",
     "src/method/CMakeLists.txt",
     "src/method/solvers.cpp",
     "src/method/steppers.cpp",
@@ -33,6 +34,7 @@ NAMED = {
         "src/bench/hanging_sheet.cpp",
         "src/bench/multigrid.cpp",
         "src/bench/sheet_runs.cpp",
+        "src/method/blow_step.cpp",
         "src/method/multigrid/reference/implicit_step.hpp",
         "src/method/stepper.hpp",
         "src/reference/simulation.hpp",
@@ -52,6 +54,7 @@ NAMED = {
         "bench/paper/report.py",
         "bench/paper/store.py",
         "examples/cpp/own_mesh.cpp",
+        "scripts/make_garment.py",
         "scripts/measure_fabrics.py",
         "src/bench/CMakeLists.txt",
         "src/bench/multigrid.cpp",

@@ -42,7 +42,7 @@ Method projective_dynamics_method() {
   row.search_interval = 1;
   row.holds_obstacles = false;
   row.sweeps = true;
-  row.blow_part = 0.002;
+  row.blow_part = 0.0002;
   row.history = 1;  // the velocity before, for the guess of a substep
   return row;
 }

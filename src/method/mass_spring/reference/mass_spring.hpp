@@ -72,9 +72,10 @@ Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time);
 std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t node);
 
 /// One step of semi-implicit Euler under these forces [N]: v += dt (a + f/m - drag (v - w)), then x += dt v. A grabbed
-/// node has v = rate (target - x), cut to the grabs' speed, instead. `left_by_drag` is the part of (a + ...) that acts: 1
-/// where drag is of the velocity at the start, 1 / (1 + dt drag) of that at the end.
-void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, double dt, double left_by_drag = 1);
+/// node has v = rate (target - x), cut to the grabs' speed, instead. `left_by_drag` is the part of (a + ...) that acts:
+/// 1 where drag is of the velocity at the start, 1 / (1 + dt drag) of that at the end.
+void integrate(MassSpringSystem& system, const std::vector<Vec3d>& forces, double dt,
+               double left_by_drag = 1);
 /// The same under all forces of the system.
 void advance(MassSpringSystem& system, double dt);
 
