@@ -11,7 +11,7 @@ const kMarble = 1u;  // scene::Material
 const kMetal = 2u;
 
 fn hash3(cell : vec3i) -> f32 {
-  var h = bitcast<u32>(cell.x) * 0x9e3779b9u ^ bitcast<u32>(cell.y) * 0x85ebca6bu ^
+  var h = (bitcast<u32>(cell.x) * 0x9e3779b9u) ^ (bitcast<u32>(cell.y) * 0x85ebca6bu) ^
       (bitcast<u32>(cell.z) * 0xc2b2ae35u + 0x27d4eb2fu);
   h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
   h = (h ^ (h >> 12u)) * 0x297a2d39u;

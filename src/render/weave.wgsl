@@ -52,7 +52,7 @@ fn thread_relief(across : f32, along : f32) -> f32 {
 }
 
 fn hash(cell : vec2i) -> f32 {
-  var h = bitcast<u32>(cell.x) * 0x9e3779b9u ^ (bitcast<u32>(cell.y) * 0x85ebca6bu + 0x27d4eb2fu);
+  var h = (bitcast<u32>(cell.x) * 0x9e3779b9u) ^ (bitcast<u32>(cell.y) * 0x85ebca6bu + 0x27d4eb2fu);
   h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
   h = (h ^ (h >> 12u)) * 0x297a2d39u;
   return f32((h ^ (h >> 15u)) & 0xffffu) / 65535.0 - 0.5;
