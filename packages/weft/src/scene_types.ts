@@ -124,6 +124,8 @@ export interface SceneObject {
     readonly size?: readonly [number, number] | undefined;
     /** How often each cell of the drawn and exported cloth is halved; grids only. Default: 0 */
     readonly subdivide?: number | undefined;
+    /** What the picture is lit by. Default: {} */
+    readonly light?: SceneLight | undefined;
   } | undefined;
 }
 
@@ -140,6 +142,10 @@ export type SceneCloth = {
   readonly bump?: number | undefined;
   /** Name of a model, or path of an OBJ, PLY (.ply.gz too), OFF, STL or GLB file relative to the scene. */
   readonly mesh?: string | undefined;
+  /** Sheets that make up the cloth, instead of a grid or a mesh. */
+  readonly panels?: readonly (ScenePanel)[] | undefined;
+  /** Runs of the rim that are sewn together; only in weft run. */
+  readonly seams?: readonly (SceneSeam)[] | undefined;
   /** From the sheet centred on the origin, or the mesh, to the world. Default: {} */
   readonly transform?: SceneTransform | undefined;
   /** Mass per rest area; without it and node_mass that of the fabric's name [kg/m²]. */
@@ -210,6 +216,27 @@ export type SceneCloth = {
   readonly grabs?: readonly (SceneGrab)[] | undefined;
   /** Red, green and blue. */
   readonly color?: readonly [number, number, number] | undefined;
+  /** How it takes light and what it is woven of, by name or by its numbers. */
+  readonly look?: SceneLookName | {
+    /** A look by name, from which all comes that is not given here; without it the fabric's. */
+    readonly name?: SceneLookName | undefined;
+    /** How the threads cross. */
+    readonly weave?: "plain" | "twill" | "satin" | "knit" | "none" | undefined;
+    /** What their colours make. */
+    readonly pattern?: "plain" | "check" | "stripes" | undefined;
+    /** Threads, or of a knit columns of loops; without it and a name 150 over the sheet [1/cm]. */
+    readonly threads_per_cm?: number | undefined;
+    /** Red, green and blue of the weft; the warp has the cloth's color. */
+    readonly weft?: readonly [number, number, number] | undefined;
+    /** Red, green and blue of checks and stripes. */
+    readonly stripe?: readonly [number, number, number] | undefined;
+    /** How much fibres that stand up shine at a slant. */
+    readonly sheen?: number | undefined;
+    /** How bright the highlights of the threads are. */
+    readonly gloss?: number | undefined;
+    /** The part of the light not absorbed that goes through. */
+    readonly translucency?: number | undefined;
+  } | undefined;
   /** The same cloth again and again, each some way further; not with grabs. */
   readonly copies?: {
     /** How often it stands, the first included. */
@@ -217,6 +244,19 @@ export type SceneCloth = {
     /** From each copy to the next [m]. */
     readonly offset: ScenePoint;
   } | undefined;
+};
+
+export type ScenePanel = {
+  /** Nodes along i and j. */
+  readonly grid?: readonly [number, number] | undefined;
+  /** Width along i and height along j of a grid [m]. */
+  readonly size?: readonly [number, number] | undefined;
+  /** As of a cloth that is a grid. Default: "xy" */
+  readonly plane?: "xy" | "xz" | undefined;
+  /** Name of a model, or path of an OBJ, PLY (.ply.gz too), OFF, STL or GLB file relative to the scene. */
+  readonly mesh?: string | undefined;
+  /** Places the panel; that of the cloth follows. Default: {} */
+  readonly transform?: SceneTransform | undefined;
 };
 
 export type SceneTransform = {
@@ -229,6 +269,70 @@ export type SceneTransform = {
 };
 
 export type ScenePoint = readonly [number, number, number];
+
+export type SceneSeam = {
+  /** One row of nodes. */
+  readonly first: SceneSeamRow;
+  /** The row that is sewn to it. */
+  readonly second: SceneSeamRow;
+  /** Sewn the other way round than where the rows are nearer at the start. Default: false */
+  readonly reversed?: boolean | undefined;
+  /** What the threads pull with at most, by length of the seam [N/m]. Default: 20 */
+  readonly force?: number | undefined;
+  /** How fast they pull at most [m/s]. Default: 0.5 */
+  readonly speed?: number | undefined;
+  /** How near all pairs are when they become one [m]. Default: 0.0001 */
+  readonly within?: number | undefined;
+  /** When the threads begin to pull [s]. Default: 0 */
+  readonly start?: number | undefined;
+  /** How long after that the seam is waited for [s]. Default: 10 */
+  readonly patience?: number | undefined;
+};
+
+export type SceneSeamRow = {
+  /** Its place in panels, from 0. Default: 0 */
+  readonly panel?: number | undefined;
+  /** What has of the panel's rim one run: a selector or a list of them. */
+  readonly nodes: "top_left" | "top_right" | "bottom_left" | "bottom_right" | "top" | "bottom" | "left" | "right"
+    | "corners" | "edges" | {
+    /** Nodes whose rest position in the world lies in the box. */
+    readonly box?: {
+      /** Least corner [m]. */
+      readonly min: ScenePoint;
+      /** Greatest corner, nowhere below min [m]. */
+      readonly max: ScenePoint;
+    } | undefined;
+    /** Nodes by index: j * nx + i on a grid, the file's order on a mesh. */
+    readonly nodes?: readonly (number)[] | undefined;
+    /** Nodes whose rest position in the world is near a point. */
+    readonly near?: {
+      /** Centre [m]. */
+      readonly point: ScenePoint;
+      /** Greatest distance from it [m]. */
+      readonly radius: number;
+    } | undefined;
+  } | readonly (SceneSelector)[];
+};
+
+export type SceneSelector = "top_left" | "top_right" | "bottom_left" | "bottom_right" | "top" | "bottom" | "left"
+  | "right" | "corners" | "edges" | {
+  /** Nodes whose rest position in the world lies in the box. */
+  readonly box?: {
+    /** Least corner [m]. */
+    readonly min: ScenePoint;
+    /** Greatest corner, nowhere below min [m]. */
+    readonly max: ScenePoint;
+  } | undefined;
+  /** Nodes by index: j * nx + i on a grid, the file's order on a mesh. */
+  readonly nodes?: readonly (number)[] | undefined;
+  /** Nodes whose rest position in the world is near a point. */
+  readonly near?: {
+    /** Centre [m]. */
+    readonly point: ScenePoint;
+    /** Greatest distance from it [m]. */
+    readonly radius: number;
+  } | undefined;
+};
 
 export type SceneFabricName = "denim_11oz" | "ponte_roma" | "interlock" | "rib_knit" | "sweater_knit" | "blanket"
   | "trousers" | "jacket" | "tablecloth" | "swimsuit" | "cotton_broad" | "wool_tropical" | "polyester_tropical"
@@ -256,26 +360,6 @@ export type ScenePressure = {
   /** Ideal gas at constant temperature, p V = const, or the gauge pressure at any volume. Default:
    * "isothermal" */
   readonly law?: "isothermal" | "constant" | undefined;
-};
-
-export type SceneSelector = "top_left" | "top_right" | "bottom_left" | "bottom_right" | "top" | "bottom" | "left"
-  | "right" | "corners" | "edges" | {
-  /** Nodes whose rest position in the world lies in the box. */
-  readonly box?: {
-    /** Least corner [m]. */
-    readonly min: ScenePoint;
-    /** Greatest corner, nowhere below min [m]. */
-    readonly max: ScenePoint;
-  } | undefined;
-  /** Nodes by index: j * nx + i on a grid, the file's order on a mesh. */
-  readonly nodes?: readonly (number)[] | undefined;
-  /** Nodes whose rest position in the world is near a point. */
-  readonly near?: {
-    /** Centre [m]. */
-    readonly point: ScenePoint;
-    /** Greatest distance from it [m]. */
-    readonly radius: number;
-  } | undefined;
 };
 
 export type SceneMotion = {
@@ -441,6 +525,9 @@ export type SceneGrab = {
   })[];
 };
 
+export type SceneLookName = "woven" | "cotton" | "canvas" | "linen" | "denim" | "gabardine" | "silk" | "taffeta"
+  | "chiffon" | "wool" | "velvet" | "jersey" | "sweater" | "paper" | "rubber";
+
 export type SceneBody = {
   /** For messages. */
   readonly name?: string | undefined;
@@ -502,6 +589,8 @@ export type SceneCollider = {
   readonly motion?: SceneColliderMotion | undefined;
   /** A mass that cloth and gravity move; spheres, boxes, capsules and convex hulls have one. */
   readonly rigid?: SceneRigid | undefined;
+  /** What it looks like it is made of. Default: "plaster" */
+  readonly material?: "plaster" | "marble" | "metal" | undefined;
   /** Name of a model, or path of an OBJ, PLY (.ply.gz too), OFF, STL or GLB file relative to the scene. */
   readonly mesh: string;
   /** From the mesh to the world. Default: {} */
@@ -519,6 +608,8 @@ export type SceneCollider = {
   readonly motion?: SceneColliderMotion | undefined;
   /** A mass that cloth and gravity move; spheres, boxes, capsules and convex hulls have one. */
   readonly rigid?: SceneRigid | undefined;
+  /** What it looks like it is made of. Default: "plaster" */
+  readonly material?: "plaster" | "marble" | "metal" | undefined;
   /** Centre [m]. */
   readonly center: ScenePoint;
   /** Radius [m]. */
@@ -532,6 +623,8 @@ export type SceneCollider = {
   readonly motion?: SceneColliderMotion | undefined;
   /** A mass that cloth and gravity move; spheres, boxes, capsules and convex hulls have one. */
   readonly rigid?: SceneRigid | undefined;
+  /** What it looks like it is made of. Default: "plaster" */
+  readonly material?: "plaster" | "marble" | "metal" | undefined;
   /** A point of the plane [m]. */
   readonly point: ScenePoint;
   /** Out of the solid side; any length but zero. */
@@ -545,6 +638,8 @@ export type SceneCollider = {
   readonly motion?: SceneColliderMotion | undefined;
   /** A mass that cloth and gravity move; spheres, boxes, capsules and convex hulls have one. */
   readonly rigid?: SceneRigid | undefined;
+  /** What it looks like it is made of. Default: "plaster" */
+  readonly material?: "plaster" | "marble" | "metal" | undefined;
   /** One end of the axis [m]. */
   readonly a: ScenePoint;
   /** The other end, not a itself [m]. */
@@ -560,6 +655,8 @@ export type SceneCollider = {
   readonly motion?: SceneColliderMotion | undefined;
   /** A mass that cloth and gravity move; spheres, boxes, capsules and convex hulls have one. */
   readonly rigid?: SceneRigid | undefined;
+  /** What it looks like it is made of. Default: "plaster" */
+  readonly material?: "plaster" | "marble" | "metal" | undefined;
   /** Centre [m]. */
   readonly center: ScenePoint;
   /** Lengths of the edges along x, y and z, before it is rotated [m]. */
@@ -575,6 +672,8 @@ export type SceneCollider = {
   readonly motion?: SceneColliderMotion | undefined;
   /** A mass that cloth and gravity move; spheres, boxes, capsules and convex hulls have one. */
   readonly rigid?: SceneRigid | undefined;
+  /** What it looks like it is made of. Default: "plaster" */
+  readonly material?: "plaster" | "marble" | "metal" | undefined;
   /** Name of a model, or path of a mesh file: the hull is of its vertices. */
   readonly mesh?: string | undefined;
   /** Instead of a mesh, the points that the hull is of; not all in a plane. */
@@ -652,4 +751,13 @@ export type SceneAnimation = {
   readonly loop?: boolean | undefined;
   /** Shapes a second that it is taken as; straight between [1/s]. Default: 60 */
   readonly rate?: number | undefined;
+};
+
+export type SceneLight = {
+  /** Soft boxes in a studio, or a blue sky. Default: "studio" */
+  readonly environment?: "studio" | "sky" | undefined;
+  /** To the sun or the key light; without it from the camera's left, above. */
+  readonly direction?: SceneDirection | undefined;
+  /** The angle that it covers: how soft its shadows are [°]. Default: 3 */
+  readonly degrees?: number | undefined;
 };
