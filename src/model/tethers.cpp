@@ -10,6 +10,7 @@
 
 #include "mesh/adjacency.hpp"
 #include "mesh/sides.hpp"
+#include "model/node_groups.hpp"
 
 namespace weft {
 namespace {
@@ -57,17 +58,12 @@ Ways ways_of(const Model& model, const Body& body) {
 
 /// The island of each held node, by the number of one of its nodes.
 std::vector<std::uint32_t> islands_of(const Model& model, const Body& body) {
-  std::vector<std::uint32_t> island(body.vertex_count);
-  std::iota(island.begin(), island.end(), 0U);
-  const auto root = [&](std::uint32_t node) {
-    while (island[node] != node) node = island[node] = island[island[node]];
-    return node;
-  };
+  NodeGroups islands(body.vertex_count);
   const auto motion = [&](std::uint32_t node) { return model.motion[body.first_vertex + node]; };
   for (const auto& [a, b] : mesh::mesh_edges(own_triangles(model, body)))
-    if (motion(a) != 0 && motion(a) == motion(b))
-      island[std::max(root(a), root(b))] = std::min(root(a), root(b));
-  for (std::uint32_t node = 0; node < island.size(); ++node) island[node] = root(node);
+    if (motion(a) != 0 && motion(a) == motion(b)) islands.join(a, b);
+  std::vector<std::uint32_t> island;
+  for (std::uint32_t node = 0; node < body.vertex_count; ++node) island.push_back(islands.of(node));
   return island;
 }
 

@@ -1,5 +1,6 @@
 // What obstacles are made of, and how it takes light: plaster, marble with veins, brushed metal. The includer declares
 // `frame` and `light`.
+#include "render/scramble.wgsl"
 struct Stone {
   albedo : vec3f,
   mirror : vec3f,     // reflectance seen straight on
@@ -11,11 +12,8 @@ const kMarble = 1u;  // scene::Material
 const kMetal = 2u;
 
 fn hash3(cell : vec3i) -> f32 {
-  var h = (bitcast<u32>(cell.x) * 0x9e3779b9u) ^ (bitcast<u32>(cell.y) * 0x85ebca6bu) ^
-      (bitcast<u32>(cell.z) * 0xc2b2ae35u + 0x27d4eb2fu);
-  h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
-  h = (h ^ (h >> 12u)) * 0x297a2d39u;
-  return f32((h ^ (h >> 15u)) & 0xffffu) / 65535.0 - 0.5;
+  return scrambled((bitcast<u32>(cell.x) * 0x9e3779b9u) ^ (bitcast<u32>(cell.y) * 0x85ebca6bu) ^
+                   (bitcast<u32>(cell.z) * 0xc2b2ae35u + 0x27d4eb2fu));
 }
 fn noise3(at : vec3f) -> f32 {
   let c = vec3i(floor(at));

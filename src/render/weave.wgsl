@@ -1,5 +1,6 @@
 // Threads, as colours and slopes over a sheet. The warp runs along uv's first axis. Stripes are filtered by their own
 // slope; threads fade into their mean before they get so thin that they would beat with the pixels.
+#include "render/scramble.wgsl"
 struct Fabric {  // mirror: FabricParams in src/render/fabric.hpp
   tint : vec4f,    // linear colour of lines; w: gloss
   warp : vec4f,    // linear colour; w: thread pitch, m
@@ -52,10 +53,7 @@ fn thread_relief(across : f32, along : f32) -> f32 {
 }
 
 fn hash(cell : vec2i) -> f32 {
-  var h = (bitcast<u32>(cell.x) * 0x9e3779b9u) ^ (bitcast<u32>(cell.y) * 0x85ebca6bu + 0x27d4eb2fu);
-  h = (h ^ (h >> 15u)) * 0x2c1b3c6du;
-  h = (h ^ (h >> 12u)) * 0x297a2d39u;
-  return f32((h ^ (h >> 15u)) & 0xffffu) / 65535.0 - 0.5;
+  return scrambled((bitcast<u32>(cell.x) * 0x9e3779b9u) ^ (bitcast<u32>(cell.y) * 0x85ebca6bu + 0x27d4eb2fu));
 }
 // Smooth, from -0.5 to 0.5, mean 0.
 fn noise(at : vec2f) -> f32 {

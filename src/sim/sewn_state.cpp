@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/attachments.hpp"
+#include "sim/changed_nodes.hpp"
 
 namespace weft::sim {
 namespace {
@@ -39,17 +39,11 @@ void carry(Snapshot& snapshot, const Model& model, const Model& then, const Sour
   for (auto* list :
        {&snapshot.position, &snapshot.velocity, &snapshot.position_before, &snapshot.velocity_before})
     *list = joined(*list, from, weight);
-  for (auto* positions : {&snapshot.position, &snapshot.position_before})
-    for (std::size_t node = 0; node < positions->size(); ++node)
-      (*positions)[node].w = static_cast<float>(then.inverse_mass(node));
   for (Vec4f& velocity : snapshot.velocity) velocity.w = 0;
-  snapshot.contact_forces.clear();
-  if (snapshot.hold_forces.empty()) return;
-  std::vector<std::int32_t> holds;
+  std::vector<std::uint32_t> before;
   for (const std::vector<std::uint32_t>& nodes : from)
-    for (std::size_t word = 0; word < kHoldWords; ++word)
-      holds.push_back(nodes.size() == 1 ? snapshot.hold_forces[kHoldWords * nodes[0] + word] : 0);
-  snapshot.hold_forces = std::move(holds);
+    before.push_back(nodes.size() == 1 ? nodes[0] : kNewNode);
+  carry_rest(snapshot, then, before);
 }
 
 /// Frames after which threads are looked at again.
@@ -63,17 +57,12 @@ Result<SewnState> sewn_state(World& world, const std::string& build) {
   SewnState made;
   const std::uint32_t frames = thread_frames(world.scene());
   if (!is_sewn(world.scene()) || world.frame() % frames != 0) return made;
-  WEFT_CHECK(world.finish());
-  WEFT_TRY(nodes, world.node_state());
-  std::vector<Vec3d> position;
-  for (const Vec4f& p : nodes.position) position.push_back(p.xyz().to<double>());
+  WEFT_TRY(position, places_now(world));
   const Model& model = world.model().host;
   Sewn sewn = sew(model, world.sewing(), position, world.time(), frames * world.scene().time.frame);
   made.news = std::move(sewn.news);
   if (sewn.sewing == world.sewing()) return made;
-  WEFT_TRY(whole, build_model(world.scene(), world.assets()));
-  WEFT_TRY(torn, torn_model(whole, world.tears()));
-  WEFT_TRY(then, sewn_model(torn, sewn.sewing));
+  WEFT_TRY(then, changed_model(world.scene(), world.assets(), world.tears(), sewn.sewing));
   WEFT_TRY(state, world.save(build));
   if (then.vertex_count() != model.vertex_count()) {
     const Sources from = sewn_from(model, then);

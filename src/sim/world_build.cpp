@@ -1,7 +1,7 @@
 // How a world is made: buffers, contact, solver, reports.
 #include "contact/proximity/rigid_bodies.hpp"
 #include "contact/rules/contact_law.hpp"
-#include "model/attachments.hpp"
+#include "sim/changed_nodes.hpp"
 #include "sim/world.hpp"
 
 namespace weft::sim {
@@ -21,9 +21,7 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
   assets_ = assets;
   tears_ = options.tears;
   sewing_ = options.sewing;
-  WEFT_TRY(whole, build_model(scene_, assets));
-  WEFT_TRY(torn, torn_model(whole, tears_));
-  WEFT_TRY(host, sewn_model(torn, sewing_));
+  WEFT_TRY(host, changed_model(scene_, assets, tears_, sewing_));
   for (std::size_t kind = 0; kind < kElementKinds; ++kind)
     element_counts_[kind] = host.count(static_cast<ElementKind>(kind));
   slivers_ = host.sliver_count();

@@ -5,6 +5,7 @@
 
 #include "contact/reference/proximity/audit.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "contact/rules/rigid_body.hpp"
 #include "mesh/sheet_rim.hpp"
 
 namespace weft::reference {
@@ -132,10 +133,7 @@ double Proximity::friction_of(const FeaturePair& pair, const Sides& sides) const
   if (pair.kind == PairKind::VertexPlane)
     return obstacles_.friction(obstacles_.collider_of_plane(pair.b)).value_or(own);
   const Side& other = sides.a.obstacle ? sides.a : sides.b;
-  if (!other.obstacle) {
-    const double others = friction_[other.vertices[0]];
-    return own == others ? own : std::sqrt(own * others);
-  }
+  if (!other.obstacle) return rigid_friction(own, friction_[other.vertices[0]]);
   return obstacles_.friction(obstacles_.collider_of_vertex(other.vertices[0])).value_or(own);
 }
 
