@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "common.hpp"
+#include "base/words.hpp"
 
 namespace weft::cli {
 namespace {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.hpp"
+#include "base/words.hpp"
 #include "common.hpp"
 #include "method/mass_spring/plan.hpp"
 #include "model/seams.hpp"
@@ -98,7 +99,7 @@ void add_tethers(std::string& text, const TetherRows& rows, const Body& body) {
                       end = rows.starts[body.first_vertex + body.vertex_count];
   double longest = 0;
   for (std::uint32_t k = first; k < end; ++k) longest = std::max(longest, rows.tethers[k].length);
-  add(text, "    %u tether%s to held nodes, at most %.4g m long\n", end - first, end - first == 1 ? "" : "s",
+  add(text, "    %s to held nodes, at most %.4g m long\n", counted(end - first, "tether", "tethers").c_str(),
       longest);
 }
 
@@ -117,7 +118,7 @@ void add_step(std::string& text, const scene::Scene& scene, const Model& model, 
     const auto& facets = model.plate(body).facets;
     const auto slivers =
         std::count_if(facets.begin(), facets.end(), [](const hinge::Facet& facet) { return facet.sliver; });
-    add(text, "; %td sliver%s", slivers, slivers == 1 ? "" : "s");
+    add(text, "; %s", counted(static_cast<std::uint64_t>(slivers), "sliver", "slivers").c_str());
   }
   text += '\n';
 }

@@ -71,10 +71,6 @@ Result<scene::Scene> load(const SceneOptions& options) {
   return scene::parse_scene(found.text, found.file, overrides);
 }
 
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-  return std::to_string(count) + ' ' + (count == 1 ? one : many);
-}
-
 std::string models_folder() {
   if (const char* folder = std::getenv("WEFT_MODELS")) return folder;
   return folder_beside_program("models");

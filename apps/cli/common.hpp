@@ -1,7 +1,6 @@
 // Shared by the commands: options, the scene, where things are.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -37,8 +36,6 @@ Result<scene::Scene> load(const SceneOptions& options);
 /// program.
 std::string models_folder();
 
-/// "1 picture", "2 pictures"
-std::string counted(std::uint64_t count, const char* one, const char* many);
 /// "a, b, c"
 std::string listed(std::span<const std::string_view> names);
 

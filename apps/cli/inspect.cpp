@@ -5,6 +5,7 @@
 #include <string>
 
 #include "assets.hpp"
+#include "base/words.hpp"
 #include "cloths.hpp"
 #include "contact/rules/rigid_body.hpp"
 #include "model/attachments.hpp"
@@ -30,10 +31,10 @@ Result<void> check_scene(const SceneOptions& options) {
   WEFT_TRY(plan, sim::FramePlan::create(scene, model, assets));
   std::size_t object_triangles = 0;
   for (const mesh::TriangleMesh& object : assets.objects) object_triangles += object.triangles.size();
-  std::printf(
-      "%s is a valid scene: %s with %zu nodes and %zu triangles, %zu collider%s with %zu triangles.\n",
-      options.path.c_str(), cloths_and_bodies(scene).c_str(), model.vertex_count(), model.triangles.size(),
-      scene.colliders.size(), scene.colliders.size() == 1 ? "" : "s", object_triangles);
+  std::printf("%s is a valid scene: %s with %zu nodes and %zu triangles, %s with %zu triangles.\n",
+              options.path.c_str(), cloths_and_bodies(scene).c_str(), model.vertex_count(),
+              model.triangles.size(), counted(scene.colliders.size(), "collider", "colliders").c_str(),
+              object_triangles);
   std::fputs(cloths_text(scene, model).c_str(), stdout);
   const std::vector<ColliderSolid> solids = solids_of(scene, assets.objects, assets.object_colliders);
   for (std::size_t c = 0; c < solids.size(); ++c)

@@ -1,6 +1,7 @@
 #include "run_results.hpp"
 
 #include "base/file.hpp"
+#include "base/words.hpp"
 #include "checkpoint.hpp"
 #include "common.hpp"
 #include "export/run_meshes.hpp"

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "base/words.hpp"
 #include "bench_rows.hpp"
 #include "cloths.hpp"
 #include "common.hpp"
@@ -107,8 +108,8 @@ std::string summary_text(const Summary& summary, const sim::World& world) {
        static_cast<unsigned long long>(totals.contacts),
        static_cast<unsigned long long>(totals.contact_overflow));
   if (totals.iterations > 0)
-    line(text, "  residual    at most %.2g of a linear system's, after at most %u iteration%s",
-         static_cast<double>(totals.residual), totals.iterations, totals.iterations == 1 ? "" : "s");
+    line(text, "  residual    at most %.2g of a linear system's, after at most %s",
+         static_cast<double>(totals.residual), counted(totals.iterations, "iteration", "iterations").c_str());
   if (totals.flattened > 0) line(text, "  flattened   %u tetrahedra at most in a frame", totals.flattened);
   line(text, "  stretch     at most %.4f of the rest length", static_cast<double>(totals.max_stretch));
   if (can_tear(world.scene())) line(text, "  torn        %zu nodes have parted", world.tears().splits());

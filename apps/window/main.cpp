@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "assets.hpp"
+#include "base/words.hpp"
 #include "checkpoint.hpp"
 #include "common.hpp"
 #include "scene/load.hpp"
@@ -66,8 +67,8 @@ Result<void> show_scene(const cli::ViewOptions& options) {
   WEFT_TRY(end, Window(wanted).show());
   if (!end.recorded.empty()) std::printf("%s\n", end.recorded.c_str());
   if (!options.frames) return {};
-  std::printf("%s: %u frame%s in a window of %u x %u pixels on %s\n", options.scene.path.c_str(), end.frames,
-              end.frames == 1 ? "" : "s", end.width, end.height, end.adapter.c_str());
+  std::printf("%s: %s in a window of %u x %u pixels on %s\n", options.scene.path.c_str(),
+              counted(end.frames, "frame", "frames").c_str(), end.width, end.height, end.adapter.c_str());
   if (end.median_ms > 0)
     std::printf("  a frame     %.2f ms, the median from one picture to the next\n", end.median_ms);
   std::printf("  state hash  %s\n", end.state_hash.c_str());

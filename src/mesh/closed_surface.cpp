@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/words.hpp"
 #include "mesh/closest.hpp"
 #include "mesh/sides.hpp"
 
@@ -87,9 +88,9 @@ Result<ClosedSurface> ClosedSurface::create(const TriangleMesh& mesh) {
     if (edge.size() != 2 && open.empty()) open = edge;
   });
   if (!open.empty())
-    return input_error(
-        "The surface is not closed: the edge between vertices %u and %u has %zu triangle%s, not 2.",
-        open[0].nodes[0], open[0].nodes[1], open.size(), open.size() == 1 ? "" : "s");
+    return input_error("The surface is not closed: the edge between vertices %u and %u has %s, not 2.",
+                       open[0].nodes[0], open[0].nodes[1],
+                       counted(open.size(), "triangle", "triangles").c_str());
 
   const auto count = static_cast<std::uint32_t>(surface.triangles_.size());
   surface.nodes_.reserve(count);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/words.hpp"
 #include "method/blow_step.hpp"
 #include "scene/names.hpp"
 
@@ -159,8 +160,8 @@ Result<MethodChoice> choice_of(const scene::Scene& scene, const Model& model, co
 
 std::string cost_of(const MethodChoice& choice, double milliseconds) {
   std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(), "%s %.2g ms in %u substep%s", scene::name_of(choice.method->kind),
-                milliseconds, choice.substeps, choice.substeps == 1 ? "" : "s");
+  std::snprintf(text.data(), text.size(), "%s %.2g ms in %s", scene::name_of(choice.method->kind),
+                milliseconds, counted(choice.substeps, "substep", "substeps").c_str());
   return text.data();
 }
 

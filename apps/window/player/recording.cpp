@@ -1,6 +1,7 @@
 #include "player/recording.hpp"
 
 #include "base/file.hpp"
+#include "base/words.hpp"
 
 namespace weft::window {
 
@@ -27,8 +28,7 @@ Result<void> Recording::add(sim::World& world, const render::Camera& camera) {
 Result<std::string> Recording::end() {
   WEFT_CHECK(pictures_->finish());
   const std::uint32_t count = pictures_->count();
-  return std::to_string(count) + (count == 1 ? " picture" : " pictures") +
-         (pictures_->has_video() ? " and run.mp4" : "") +
+  return counted(count, "picture", "pictures") + (pictures_->has_video() ? " and run.mp4" : "") +
          (count == 1 && !pictures_->has_video() ? " is" : " are") + " in " + folder_ + ".";
 }
 
