@@ -42,6 +42,9 @@ std::vector<std::uint32_t> kept_nodes(const Network& mesh, const NodeLists& edge
   std::vector<bool> on_boundary(count, false), kept(count, false), blocked(count, false);
   for (std::size_t e = 0; e < boundary.size(); ++e)
     if (boundary[e]) on_boundary[mesh.edges[e][0]] = on_boundary[mesh.edges[e][1]] = true;
+  if (!mesh.tets.empty())
+    for (const Triangle& t : mesh.triangles)
+      for (const std::uint32_t node : t) on_boundary[node] = true;
   for (const bool first : {true, false})
     for (std::uint32_t node = 0; node < count; ++node) {
       if (on_boundary[node] != first || blocked[node]) continue;
@@ -94,22 +97,28 @@ Network network_of(const Network& fine, const std::vector<std::uint32_t>& kept,
     std::sort(c.begin(), c.end());
     if (c[0] != c[1] && c[1] != c[2]) coarse.triangles.push_back(c);
   }
+  for (const Tet& t : fine.tets) {
+    Tet c{region[t[0]], region[t[1]], region[t[2]], region[t[3]]};
+    std::sort(c.begin(), c.end());
+    if (std::adjacent_find(c.begin(), c.end()) == c.end()) coarse.tets.push_back(c);
+  }
   keep_each_once(coarse.edges);
   keep_each_once(coarse.triangles);
+  keep_each_once(coarse.tets);
   return coarse;
 }
 
-/// Where a point lies with respect to a triangle or an edge.
+/// Where a point lies with respect to a tetrahedron, a triangle or an edge.
 struct Place {
   double distance = std::numeric_limits<double>::infinity();  // from the point to the nearest one of it [m]
-  std::array<double, 3> weights{};                            // of the corners, whose sum that one is
+  std::array<double, 4> weights{};                            // of the corners, whose sum that one is
 };
 
 Place place_on_edge(const Vec3d& x, const Vec3d& a, const Vec3d& b) {
   const Vec3d ab = b - a;
   const double square = dot(ab, ab);
   const double t = square > 0 ? std::clamp(dot(x - a, ab) / square, 0.0, 1.0) : 0;
-  return {length(x - a - t * ab), {1 - t, t, 0}};
+  return {length(x - a - t * ab), {1 - t, t}};
 }
 
 Place place_on_triangle(const Vec3d& x, const std::array<Vec3d, 3>& p) {
@@ -135,6 +144,29 @@ Place place_on_triangle(const Vec3d& x, const std::array<Vec3d, 3>& p) {
   return nearest;
 }
 
+Place place_in_tet(const Vec3d& x, const std::array<Vec3d, 4>& p) {
+  const double whole = six_volumes(p);
+  if (whole != 0) {
+    Place inside{0, {}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::array<Vec3d, 4> without = p;
+      without[k] = x;
+      inside.weights[k] = six_volumes(without) / whole;
+    }
+    if (*std::min_element(inside.weights.begin(), inside.weights.end()) >= 0) return inside;
+  }
+  Place nearest;
+  for (std::size_t away = 0; away < 4; ++away) {
+    const std::array<std::size_t, 3> corner = {(away + 1) % 4, (away + 2) % 4, (away + 3) % 4};
+    const Place side = place_on_triangle(x, {p[corner[0]], p[corner[1]], p[corner[2]]});
+    if (side.distance >= nearest.distance) continue;
+    nearest.distance = side.distance;
+    nearest.weights = {};
+    for (std::size_t k = 0; k < 3; ++k) nearest.weights[corner[k]] = side.weights[k];
+  }
+  return nearest;
+}
+
 /// Finds where fine nodes take their values from.
 class Interpolation {
  public:
@@ -145,35 +177,43 @@ class Interpolation {
         coarse_(coarse),
         region_(region),
         coarse_edges_of_(items_of(coarse.positions.size(), coarse.edges)),
-        coarse_triangles_of_(items_of(coarse.positions.size(), coarse.triangles)) {}
+        coarse_triangles_of_(items_of(coarse.positions.size(), coarse.triangles)),
+        coarse_tets_of_(items_of(coarse.positions.size(), coarse.tets)) {}
 
-  std::array<Share, 3> taps(std::uint32_t node) const {
+  Taps taps(std::uint32_t node) const {
     const Vec3d x = fine_.positions[node];
     std::vector<std::uint32_t> near = {region_[node]};
     for (const std::uint32_t e : edges_of_[node])
       for (const std::uint32_t other : fine_.edges[e]) near.push_back(region_[other]);
     keep_each_once(near);
     Place best;
-    Triangle corners{region_[node], region_[node], region_[node]};
-    const auto take = [&](const Place& place, const Triangle& of) {
+    const std::uint32_t own = region_[node];
+    std::array<std::uint32_t, 4> corners{own, own, own, own};
+    const auto take = [&](const Place& place, const std::array<std::uint32_t, 4>& of) {
       if (!(place.distance < best.distance)) return;
       best = place;
       corners = of;
     };
     for (const std::uint32_t c : near)
+      for (const std::uint32_t t : coarse_tets_of_[c]) {
+        const Tet& of = coarse_.tets[t];
+        take(place_in_tet(x, {position(of[0]), position(of[1]), position(of[2]), position(of[3])}), of);
+      }
+    for (const std::uint32_t c : near)
       for (const std::uint32_t t : coarse_triangles_of_[c]) {
         const Triangle& of = coarse_.triangles[t];
-        take(place_on_triangle(x, {position(of[0]), position(of[1]), position(of[2])}), of);
+        take(place_on_triangle(x, {position(of[0]), position(of[1]), position(of[2])}),
+             {of[0], of[1], of[2], of[0]});
       }
     best.distance *= 1 - 1e-9;  // of a triangle's own side the triangle is preferred
     for (const std::uint32_t c : near)
       for (const std::uint32_t e : coarse_edges_of_[c]) {
         const Edge& of = coarse_.edges[e];
-        take(place_on_edge(x, position(of[0]), position(of[1])), {of[0], of[1], of[0]});
+        take(place_on_edge(x, position(of[0]), position(of[1])), {of[0], of[1], of[0], of[0]});
       }
-    if (!(best.distance < std::numeric_limits<double>::infinity())) best.weights = {1, 0, 0};
-    std::array<Share, 3> taps;
-    for (std::size_t k = 0; k < 3; ++k) taps[k] = {corners[k], static_cast<float>(best.weights[k])};
+    if (!(best.distance < std::numeric_limits<double>::infinity())) best.weights = {1};
+    Taps taps;
+    for (std::size_t k = 0; k < taps.size(); ++k) taps[k] = {corners[k], static_cast<float>(best.weights[k])};
     return taps;
   }
 
@@ -184,7 +224,7 @@ class Interpolation {
   const NodeLists& edges_of_;
   const Network& coarse_;
   const std::vector<std::uint32_t>& region_;
-  NodeLists coarse_edges_of_, coarse_triangles_of_;
+  NodeLists coarse_edges_of_, coarse_triangles_of_, coarse_tets_of_;
 };
 
 }  // namespace
@@ -198,7 +238,8 @@ CoarseMesh coarsened(const Network& fine) {
   const Interpolation interpolation(fine, edges_of, made.network, region);
   for (std::uint32_t node = 0; node < fine.positions.size(); ++node) {
     if (made.of[region[node]] == node) {
-      made.taps.push_back({Share{region[node], 1}, Share{region[node], 0}, Share{region[node], 0}});
+      const std::uint32_t own = region[node];
+      made.taps.push_back({Share{own, 1}, Share{own, 0}, Share{own, 0}, Share{own, 0}});
     } else {
       made.taps.push_back(interpolation.taps(node));
     }

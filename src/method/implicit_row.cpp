@@ -19,7 +19,7 @@ StepLimit step_limit(const scene::Scene& scene, const Model& model) {
 
 Method implicit_row(scene::SolverKind kind) {
   static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Triple, ElementKind::Membrane,
-                                        ElementKind::Hinge};
+                                        ElementKind::Hinge, ElementKind::Tet};
   Method row{};
   row.kind = kind;
   row.takes = kTakes;

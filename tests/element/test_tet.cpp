@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "element/tet/hessian.hpp"
 #include "element/tet/tets.hpp"
 
 using namespace weft;
@@ -273,6 +274,104 @@ TEST_CASE("what a corner resists with is never negative, and with its damping a 
       const Eigen::Matrix3d h = eigen(pull.hessian);
       CHECK((h - h.transpose()).norm() < 1e-12 * h.norm());
       CHECK(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(h).eigenvalues()(0) > 0);
+    }
+}
+
+using Matrix9 = Eigen::Matrix<double, 9, 9>;
+
+Mat3 unit(int entry) {
+  Mat3 made{};
+  (entry / 3 == 0 ? made.x : entry / 3 == 1 ? made.y : made.z)[entry % 3] = 1;
+  return made;
+}
+
+/// By what a unit of each entry of F makes of the nine of P.
+template <class Change>
+Matrix9 matrix_of(const Change& change) {
+  Matrix9 made;
+  for (int column = 0; column < 9; ++column) {
+    const Mat3 p = change(unit(column));
+    for (int row = 0; row < 9; ++row)
+      made(row, column) = (row / 3 == 0 ? p.x : row / 3 == 1 ? p.y : p.z)[row % 3];
+  }
+  return made;
+}
+
+TEST_CASE("the Hessian is the slope of stress with its negative eigenvalues taken out") {
+  Random random(23);
+  std::size_t indefinite = 0, tried = 0;
+  for (const Energy energy : kEnergies)
+    for (int trial = 0; trial < 400; ++trial) {
+      const Law law = law_of(energy);
+      const Mat3 f = Mat3::identity(1) + random_matrix(random, trial % 2 == 0 ? 0.2 : 1);
+      const Frame frame = frame_of(f);
+      auto s = frame.stretches;
+      std::sort(s.begin(), s.end());
+      if (s[0] + s[1] < 0.2) continue;  // two rotations are nearly as near: the stress of (2) has an edge
+      const double h = 1e-5;
+      const Matrix9 slope = matrix_of([&](const Mat3& way) {
+        return 1 / (2 * h) * (stress(law, f + h * way) + -1.0 * stress(law, f + -h * way));
+      });
+      const Eigen::SelfAdjointEigenSolver<Matrix9> parts(0.5 * (slope + slope.transpose()));
+      const Matrix9 expected = parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).asDiagonal() *
+                               parts.eigenvectors().transpose();
+      const Hessian hessian = positive_hessian(law, frame);
+      const Matrix9 made = matrix_of([&](const Mat3& way) { return times(frame, hessian, way); });
+      // h² by third derivatives of some hundreds of µ, where two stretches sum to 0.2.
+      CHECK((made - expected).norm() < 1e-5 * kYoung);
+      ++tried;
+      if (parts.eigenvalues()(0) < -0.01 * kYoung) ++indefinite;
+    }
+  CHECK(indefinite > tried / 4);
+  CHECK(tried > 500);
+}
+
+TEST_CASE(
+    "the Hessian of a tetrahedron that is scattered, flat or inside out is symmetric and never negative") {
+  Random random(29);
+  for (const Energy energy : kEnergies)
+    for (int trial = 0; trial < 10000; ++trial) {
+      const Law law = law_of(energy, 0.01);
+      Mat3 f = random_matrix(random, std::pow(10.0, random.uniform(-3, 1)));
+      if (trial % 5 == 0) f.z = {};  // flat
+      const Frame frame = frame_of(f);
+      const Hessian both = positive_hessian(law, frame) + 500 * damping_hessian(law, frame);
+      const Matrix9 made = matrix_of([&](const Mat3& way) { return times(frame, both, way); });
+      const double size = made.norm();
+      REQUIRE(std::isfinite(size));
+      CHECK((made - made.transpose()).norm() < 1e-12 * size);
+      CHECK(Eigen::SelfAdjointEigenSolver<Matrix9>(0.5 * (made + made.transpose())).eigenvalues()(0) >
+            -1e-12 * size);
+    }
+}
+
+TEST_CASE(
+    "damping's Hessian is what damping adds to stress, and blocks are the Hessian by two shape functions") {
+  Random random(31);
+  for (const Energy energy : kEnergies)
+    for (int trial = 0; trial < 300; ++trial) {
+      const Law law = law_of(energy, 0.02);
+      Corners x;
+      do {
+        for (Vec3d& c : x) c = random_vector(random, 0.02);
+      } while (mesh::six_volumes(x) < 1e-7);
+      const Rest rest = Rest::of(x);
+      for (Vec3d& c : x) c += random_vector(random, 0.01);
+      const Mat3 f = deformation(rest, x), rate = random_matrix(random, 3);
+      const Frame frame = frame_of(f);
+      const Eigen::Matrix3d damped = eigen(damping_stress(law, f, rate)),
+                            made = eigen(times(frame, damping_hessian(law, frame), rate));
+      CHECK((damped - made).norm() < 1e-10 * damped.norm());
+
+      const Hessian hessian = positive_hessian(law, frame);
+      const auto column = static_cast<std::size_t>(trial % 4);
+      Corners away{};
+      away[column] = random_vector(random, 1);
+      const Corners pulls = forces(rest, times(frame, hessian, deformation(rest, away)));
+      for (std::size_t row = 0; row < 4; ++row) {
+        const Vec3d pull = -1.0 * (block(frame, hessian, rest, row, column) * away[column]);
+        CHECK(length(pull - pulls[row]) < 1e-9 * (length(pulls[0]) + length(pulls[1]) + length(pulls[2])));
+      }
     }
 }
 

@@ -160,3 +160,57 @@ TEST_CASE("coarse nodes that lie on each other leave no weight undefined") {
     CHECK(sum == 1);
   }
 }
+
+TEST_CASE(
+    "a coarse body: constants everywhere, its surface on its surface, and linear in place where it has "
+    "volume") {
+  constexpr std::uint32_t kCells = 12;
+  constexpr double kCell = 1.0 / kCells;
+  const TetMesh mesh = block({kCells, kCells, kCells}, {1, 1, 1});
+  Network fine;
+  for (const Vec3f& x : mesh.positions) fine.positions.push_back(x.to<double>());
+  fine.triangles = boundary(mesh.tets);
+  fine.tets = mesh.tets;
+  for (const Tet& t : mesh.tets)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j)
+        fine.edges.push_back({std::min(t[i], t[j]), std::max(t[i], t[j])});
+  std::sort(fine.edges.begin(), fine.edges.end());
+  fine.edges.erase(std::unique(fine.edges.begin(), fine.edges.end()), fine.edges.end());
+  double cell = kCell;
+  for (int level = 0; level < 2; ++level) {
+    const CoarseMesh coarse = coarsened(fine);
+    REQUIRE(!coarse.network.tets.empty());
+    CHECK(coarse.of.size() < fine.positions.size() / 3);
+    std::size_t linear = 0, inner = 0;
+    for (std::size_t node = 0; node < fine.positions.size(); ++node) {
+      float sum = 0;
+      for (const Share& tap : coarse.taps[node]) {
+        CHECK(tap.weight >= 0);
+        sum += tap.weight;
+      }
+      CHECK(std::abs(sum - 1) < 4e-7F);
+      const double off = length(value_at(coarse, node, coarse.network.positions) - fine.positions[node]);
+      CHECK(off < 2 * cell);
+      const Vec3d& x = fine.positions[node];
+      if (std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) > 0.5 - 1.5 * cell) continue;
+      ++inner;
+      linear += off < 1e-6 ? 1 : 0;
+    }
+    // Coarse tetrahedra leave gaps where more than four regions meet in a fine one's neighbourhood.
+    CHECK(10 * linear > 9 * inner);
+    CHECK(inner > 0);
+    for (const Triangle& t :
+         coarse.network.triangles) {  // of a cube each lies in a side, or goes round an edge
+      Vec3d least{1, 1, 1}, most{-1, -1, -1};
+      for (const std::uint32_t node : t)
+        for (int axis = 0; axis < 3; ++axis) {
+          least[axis] = std::min(least[axis], std::abs(coarse.network.positions[node][axis]));
+          most[axis] = std::max(most[axis], std::abs(coarse.network.positions[node][axis]));
+        }
+      CHECK(std::max({most.x, most.y, most.z}) > 0.5 - 1e-9);
+    }
+    fine = coarse.network;
+    cell *= 2;
+  }
+}

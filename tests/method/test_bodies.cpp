@@ -16,9 +16,10 @@ namespace {
 
 constexpr double kUlp = 1.0 / 16777216;  // 2^-24
 
-const std::string kMethods[] = {R"("solver": {"kind": "mass_spring"})",
-                                R"("solver": {"kind": "vbd", "iterations": 1})",
-                                R"("solver": {"kind": "vbd", "iterations": 10})"};
+const std::string kMethods[] = {
+    R"("solver": {"kind": "mass_spring"})", R"("solver": {"kind": "vbd", "iterations": 1})",
+    R"("solver": {"kind": "vbd", "iterations": 10})", R"("solver": {"kind": "multigrid", "residual": 1e-4})",
+    R"("solver": {"kind": "fem", "residual": 1e-4})"};
 const std::string kEnergies[] = {"neo_hookean", "corotated"};
 
 std::string body(const std::string& energy, const std::string& more, double damping = 0.002) {
@@ -191,10 +192,12 @@ std::size_t inside_out(const tet::Tets& tets, const std::vector<Vec3d>& places) 
 TEST_CASE(
     "a body that was flattened, mirrored or scattered comes back to its shape; corotated, from anywhere") {
   GpuFixture fixture;
-  for (const std::string& energy : kEnergies) {
-    const auto scene = scene_of(
-        R"("gravity": [0, 0, 0], "drag": 2, "solver": {"kind": "vbd", "iterations": 20}, "bodies": [)" +
-        body(energy, R"("block": [3, 3, 3], "size": [0.3, 0.3, 0.3])", 0.01) + "]");
+  const std::array<std::string, 2> methods = {R"("solver": {"kind": "vbd", "iterations": 20})",
+                                              R"("solver": {"kind": "fem"})"};
+  for (std::size_t trial = 0; trial < 4; ++trial) {
+    const std::string &method = methods[trial % 2], &energy = kEnergies[trial / 2];
+    const auto scene = scene_of(method + R"(, "gravity": [0, 0, 0], "drag": 2, "bodies": [)" +
+                                body(energy, R"("block": [3, 3, 3], "size": [0.3, 0.3, 0.3])", 0.01) + "]");
     SolverRig rig(fixture.device(), scene, 1.0 / 240);
     const Model& model = rig.model().host;
     const tet::Tets tets = body_tets(model, model.bodies[0]);
@@ -215,8 +218,9 @@ TEST_CASE(
       } else {  // the same in double, which is quicker than so many dispatches
         end = exact_after(rig, scene, how == "anywhere" ? 720 : 240).position;
       }
-      MESSAGE(energy << ", " << how << ": energy " << before << " J at first, " << tets.energy(end) << " J, "
-                     << inside_out(tets, end) << " of " << tets.tets.size() << " inside out");
+      MESSAGE(method << ", " << energy << ", " << how << ": energy " << before << " J at first, "
+                     << tets.energy(end) << " J, " << inside_out(tets, end) << " of " << tets.tets.size()
+                     << " inside out");
       CHECK(inside_out(tets, end) == 0);
       CHECK(tets.energy(end) < 1e-3 * before);
     }

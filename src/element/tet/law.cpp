@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "element/tet/jacobi.hpp"
+
 namespace weft::tet {
 namespace {
 
@@ -18,33 +20,6 @@ Mat3 hooke(const Law& law, const Mat3& strain) {
 /// Green's strain, but for a constant.
 Mat3 green(const Mat3& f) { return 0.5 * (transposed(f) * f); }
 
-using Symmetric4 = std::array<std::array<double, 4>, 4>;
-
-/// Sets a[p][q] to zero, and turns the columns of v with it.
-void rotate(Symmetric4& a, Symmetric4& v, std::size_t p, std::size_t q) {
-  if (a[p][q] == 0) return;
-  const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-  const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-  const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double kp = a[k][p], kq = a[k][q];
-    a[k][p] = c * kp - s * kq;
-    a[k][q] = s * kp + c * kq;
-  }
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double pk = a[p][k], qk = a[q][k];
-    a[p][k] = c * pk - s * qk;
-    a[q][k] = s * pk + c * qk;
-  }
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double kp = v[k][p], kq = v[k][q];
-    v[k][p] = c * kp - s * kq;
-    v[k][q] = s * kp + c * kq;
-  }
-}
-
-constexpr int kSweeps = 8;  // of Jacobi: each doubles the digits from the third or so on
-
 }  // namespace
 
 Law Law::of(Energy energy, double young, double poisson, double delay) {
@@ -53,14 +28,11 @@ Law Law::of(Energy energy, double young, double poisson, double delay) {
 
 Mat3 nearest_rotation(const Mat3& f) {
   const auto& [x, y, z] = f;
-  Symmetric4 a = {{{x.x + y.y + z.z, z.y - y.z, x.z - z.x, y.x - x.y},
-                   {z.y - y.z, x.x - y.y - z.z, x.y + y.x, z.x + x.z},
-                   {x.z - z.x, x.y + y.x, y.y - x.x - z.z, y.z + z.y},
-                   {y.x - x.y, z.x + x.z, y.z + z.y, z.z - x.x - y.y}}};
-  Symmetric4 v = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-    for (std::size_t p = 0; p < 3; ++p)
-      for (std::size_t q = p + 1; q < 4; ++q) rotate(a, v, p, q);
+  Square<4> a = {{{x.x + y.y + z.z, z.y - y.z, x.z - z.x, y.x - x.y},
+                  {z.y - y.z, x.x - y.y - z.z, x.y + y.x, z.x + x.z},
+                  {x.z - z.x, x.y + y.x, y.y - x.x - z.z, y.z + z.y},
+                  {y.x - x.y, z.x + x.z, y.z + z.y, z.z - x.x - y.y}}};
+  const Square<4> v = diagonalise(a);
   std::size_t best = 0;
   for (std::size_t k = 1; k < 4; ++k)
     if (a[k][k] > a[best][best]) best = k;

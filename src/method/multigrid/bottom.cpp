@@ -9,6 +9,7 @@
 #include "model/cloth_size.hpp"
 #include "model/fabric.hpp"
 #include "model/limited_edges.hpp"
+#include "model/solid.hpp"
 
 namespace weft::multigrid {
 namespace {
@@ -56,8 +57,25 @@ std::vector<LevelScale> fabric_scales(const Model& model, const Body& body, std:
     const double bends = most / (fine * std::sqrt(area / level.node_count));
     // The smoothed matrix is the inverse of a part of the diagonal's inverse.
     scales.push_back({level.node_count, inertia / level.node_count,
-                      (stretching + bends) +
-                          (1 / kFabricDiagonalPart - 1) * (inertia / level.node_count + stretching + bends)});
+                      (stretching + bends) + (1 / kElementDiagonalPart - 1) *
+                                                 (inertia / level.node_count + stretching + bends)});
+  }
+  return scales;
+}
+
+/// A node's stiffness goes with the distance of nodes, and its mass with that cubed. Linear functions on cells of side
+/// s have 6 s of |∇φ|², in each direction 2 s.
+std::vector<LevelScale> solid_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
+                                     double step) {
+  const double he = formula_length(step), inertia = mass_of(model, body) / (he * he);
+  const tet::Tets tets = body_tets(model, body);
+  double volume = 0;
+  for (const tet::Rest& rest : tets.rests) volume += rest.volume;
+  const double modulus = (1 + tets.law.delay / he) * (6 * tets.law.mu + 2 * (tets.law.lambda + tets.law.mu));
+  std::vector<LevelScale> scales;
+  for (const MeshLevel& level : levels) {
+    const double own = inertia / level.node_count, stiffness = modulus * std::cbrt(volume / level.node_count);
+    scales.push_back({level.node_count, own, stiffness + (1 / kElementDiagonalPart - 1) * (own + stiffness)});
   }
   return scales;
 }
@@ -88,6 +106,7 @@ std::vector<LevelScale> grid_scales(const Model& model, const Body& body, double
 std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
                                     double step) {
   if (body.fabric) return fabric_scales(model, body, levels, step);
+  if (body.solid) return solid_scales(model, body, levels, step);
   const double he = formula_length(step), inertia = mass_of(model, body) / (he * he);
   double springs = 0;
   for (const Spring s : model.springs(body)) {

@@ -16,9 +16,9 @@ namespace weft::multigrid {
 /// The eigenvalues of D⁻¹ A that smoothing is for: the upper end is above all of them, 2 for springs and 8/3 for
 /// bending inside. Mirror: src/method/multigrid/chebyshev.wgsl.
 inline constexpr double kSmoothHigh = 2.9, kSmoothLow = kSmoothHigh / 8;
-/// Of fabric no eigenvalue exceeds 4, the nodes of a hinge: with this part of the inverse of its diagonal they are as
-/// those of springs.
-inline constexpr double kFabricDiagonalPart = kSmoothHigh / 4;
+/// Of fabric and of tetrahedra no eigenvalue exceeds 4, the nodes of a hinge or a tetrahedron: with this part of the
+/// inverse of its diagonal they are as those of springs.
+inline constexpr double kElementDiagonalPart = kSmoothHigh / 4;
 /// At the coarsest level: the lower end where nothing better is known, and the sweeps for that.
 inline constexpr double kBottomLow = kSmoothHigh / 30;
 inline constexpr std::uint32_t kBottomSweeps = 10;
@@ -28,9 +28,9 @@ inline constexpr double kBottomPart = 100;
 /// The cycle on levels of no more nodes is done by one workgroup, so that 16 KiB of its memory are enough: of a grid
 /// (src/method/multigrid/cycle_tail.wgsl) and of a mesh (mesh_tail.wgsl).
 inline constexpr std::uint32_t kGridTail = 682, kMeshTail = 554;
-/// The same of fabric, whose blocks are larger: one workgroup reads those of 504 nodes in twice the time that six
-/// dispatches take.
-inline constexpr std::uint32_t kFabricTail = 320;
+/// The same of fabric and of tetrahedra, whose blocks are larger: of fabric one workgroup reads those of 504 nodes in
+/// twice the time that six dispatches take.
+inline constexpr std::uint32_t kElementTail = 320;
 
 /// What a level is like: its nodes, and of one of them the inertia and the stiffness in its matrix's diagonal [N/m].
 struct LevelScale {

@@ -1,8 +1,8 @@
 // The matrix of a cloth of fabric without its inertia: the sums of what membranes, hinges and limited edges
 // are for two nodes. One invocation per block. Source: docs/solvers/multigrid.md, Fabric.
 #include "gpu/index.wgsl"
+#include "method/multigrid/element_part.wgsl"
 #include "method/multigrid/limit_term.wgsl"
-#include "method/multigrid/mesh_store_block.wgsl"
 //                                                                              elements
 @group(0) @binding(0) var<uniform>             levels   : array<MeshLevelParams, 2>;
 @group(0) @binding(1) var<storage, read>       place    : array<vec4f>;     // node_count  w: N/m, 0: fixed
@@ -14,8 +14,7 @@
 @group(0) @binding(7) var<storage, read>       entries  : array<u32>;       // the node of each
 @group(0) @binding(8) var<storage, read_write> blocks   : array<vec2f>;     // method/multigrid/mesh_block.wgsl
 
-// A part is its element's number, its kind, and two corners. Mirror: src/method/multigrid/fabric_pairs.hpp.
-const kMembrane = 0u;
+const kMembrane = 0u;  // mirror: src/method/multigrid/element_pairs.hpp
 const kHinge = 1u;
 
 fn slope_at(triangle : u32, corner : u32) -> vec2f {
@@ -25,10 +24,10 @@ fn slope_at(triangle : u32, corner : u32) -> vec2f {
 }
 
 fn block_of_part(part : u32) -> Block {
-  let element = part >> 6u;
-  let kind = (part >> 4u) & 3u;
-  let row = (part >> 2u) & 3u;
-  let column = part & 3u;
+  let element = element_of(part);
+  let kind = kind_of(part);
+  let row = row_of(part);
+  let column = column_of(part);
   if (kind == kMembrane) {
     return block_of_term(term_of(element), slope_at(element, row), slope_at(element, column));
   }
@@ -45,21 +44,4 @@ fn block_of_part(part : u32) -> Block {
 }
 
 @compute @workgroup_size(kWorkgroupSize)
-fn fabric_blocks(@builtin(global_invocation_id) id : vec3u) {
-  let number = flat_index(id);
-  let level = levels[0];
-  if (number >= level.block_count) { return; }
-  var sum = Block(zero_matrix(), vec3f(0.0));
-  for (var part = parts[number]; part < parts[number + 1u]; part++) {
-    sum = block_sum(sum, block_of_part(parts[part]));
-  }
-  let at = targets[number];
-  if (number < level.node_count) {
-    store_symmetric(at.x, sum.symmetric);
-    return;
-  }
-  let is_fixed = place[entries[at.x]].w == 0.0 || place[entries[at.y]].w == 0.0;
-  sum = block_scaled(select(1.0, 0.0, is_fixed), sum);
-  store_block(at.x, sum);
-  store_block(at.y, Block(sum.symmetric, -sum.skew));
-}
+fn fabric_blocks(@builtin(global_invocation_id) id : vec3u) { sum_block(flat_index(id)); }

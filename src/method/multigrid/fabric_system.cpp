@@ -6,18 +6,10 @@ namespace {
 constexpr std::size_t kTermWords = 6;   // src/method/multigrid/membrane_term.wgsl
 constexpr std::size_t kLimitWords = 2;  // src/method/multigrid/limit_term.wgsl
 
-/// Rows of blocks, then the parts whose sums they are.
-std::vector<std::uint32_t> words_of(const Lists<ElementPart>& parts) {
-  std::vector<std::uint32_t> packed;
-  packed.reserve(parts.items.size());
-  for (const ElementPart& part : parts.items) packed.push_back(part.packed());
-  return rows_then_entries(parts.starts, packed);
-}
-
 }  // namespace
 
 Result<void> FabricSystem::create_buffers(const CycleInputs& inputs, const Body& body,
-                                          const FabricPairs& pairs, std::span<const BlockEntries> blocks) {
+                                          const ElementPairs& pairs, std::span<const BlockEntries> blocks) {
   gpu::Device& device = inputs.device;
   const Model& model = inputs.model.host;
   WEFT_SET(elements_, FabricBuffers::create(device, model, body));
@@ -35,15 +27,12 @@ Result<void> FabricSystem::create_buffers(const CycleInputs& inputs, const Body&
            gpu::Buffer<Vec4f>::create(
                device, kTermWords * elements_.layout.triangles + kLimitWords * elements_.limits.size(),
                "membranes' matrix"));
-  WEFT_SET(parts_, gpu::Buffer<std::uint32_t>::create_from(device, words_of(pairs.parts), "parts of blocks"));
-  WEFT_SET(targets_,
-           gpu::Buffer<BlockEntries>::create_from(
-               device, std::vector<BlockEntries>(blocks.begin(), blocks.end()), "entries of blocks"));
+  WEFT_SET(parts_, BlockParts::create(device, pairs, blocks));
   return {};
 }
 
 Result<FabricSystem> FabricSystem::create(const CycleInputs& inputs, const FabricKernels& kernels,
-                                          const Body& body, const FabricPairs& pairs,
+                                          const Body& body, const ElementPairs& pairs,
                                           std::span<const BlockEntries> blocks, const MeshSystem& mesh) {
   FabricSystem made;
   WEFT_CHECK(made.create_buffers(inputs, body, pairs, blocks));
@@ -68,8 +57,8 @@ Result<FabricSystem> FabricSystem::create(const CycleInputs& inputs, const Fabri
       add(kernels.limits, own.limits.size(),
           {steps, own.params, mesh.levels, own.limits, mesh.place, mesh.vectors, made.terms_, own.forces}));
   WEFT_CHECK(add(kernels.blocks, blocks.size(),
-                 {mesh.levels, mesh.place, made.terms_, own.slopes, made.wings_, made.parts_, made.targets_,
-                  mesh.entries, mesh.blocks}));
+                 {mesh.levels, mesh.place, made.terms_, own.slopes, made.wings_, made.parts_.parts,
+                  made.parts_.targets, mesh.entries, mesh.blocks}));
   return made;
 }
 

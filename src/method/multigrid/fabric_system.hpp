@@ -4,16 +4,10 @@
 
 #include "method/creases.hpp"
 #include "method/fabric_buffers.hpp"
-#include "method/multigrid/fabric_pairs.hpp"
 #include "method/multigrid/kernels.hpp"
-#include "method/multigrid/mesh_lists.hpp"
+#include "method/multigrid/mesh_system.hpp"
 
 namespace weft {
-
-/// What a mesh's linear system binds besides its own.
-struct MeshSystem {
-  const gpu::RawBuffer &levels, &place, &vectors, &row_starts, &entries, &blocks;
-};
 
 /// Membranes, hinges and limited edges in the linear system of a cloth of fabric.
 /// Source  docs/solvers/multigrid.md, Fabric.
@@ -24,7 +18,7 @@ class FabricSystem {
  public:
   /// `blocks`: the entries of each block of the finest level.
   static Result<FabricSystem> create(const CycleInputs& inputs, const FabricKernels& kernels,
-                                     const Body& body, const FabricPairs& pairs,
+                                     const Body& body, const ElementPairs& pairs,
                                      std::span<const BlockEntries> blocks, const MeshSystem& mesh);
 
   const FabricBuffers& elements() const { return elements_; }
@@ -34,7 +28,7 @@ class FabricSystem {
   std::vector<gpu::Dispatch> take_stages() { return std::move(stages_); }
 
  private:
-  Result<void> create_buffers(const CycleInputs& inputs, const Body& body, const FabricPairs& pairs,
+  Result<void> create_buffers(const CycleInputs& inputs, const Body& body, const ElementPairs& pairs,
                               std::span<const BlockEntries> blocks);
 
   FabricBuffers elements_;
@@ -42,8 +36,7 @@ class FabricSystem {
   gpu::Buffer<float> bounds_;  // of hinges [N·m]
   gpu::Buffer<Vec4f> terms_;   // of membranes, then of limited edges: src/method/multigrid/limit_term.wgsl
   gpu::Buffer<Vec4f> wings_;   // slopes of hinges, four each [1/m]
-  gpu::Buffer<std::uint32_t> parts_;
-  gpu::Buffer<BlockEntries> targets_;
+  BlockParts parts_;
   std::vector<gpu::Dispatch> stages_;
 };
 

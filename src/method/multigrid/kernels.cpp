@@ -157,22 +157,28 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
   return made;
 }
 
-Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, Blocks blocks) {
-  const bool of_fabric = blocks == Blocks::General;
+MeshElements elements_in(const Body& body) {
+  if (body.solid) return MeshElements::Tets;
+  return body.fabric ? MeshElements::Fabric : MeshElements::Springs;
+}
+
+Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, MeshElements elements) {
+  const bool of_springs = elements == MeshElements::Springs, of_fabric = elements == MeshElements::Fabric;
   const std::uint32_t size = inputs.workgroup_size,
                       lone = tail_workgroup_size(inputs.device, multigrid::kMeshTail);
   constexpr std::uint32_t kByLanes = multigrid::kLanes * multigrid::kChunk;
   using K = MeshKernels;
-  const gpu::Constant general{"kGeneral", of_fabric ? 1.0 : 0.0};
-  const gpu::Constant part{"kDiagonalPart", of_fabric ? multigrid::kFabricDiagonalPart : 1.0};
+  const gpu::Constant general{"kGeneral", of_springs ? 0.0 : 1.0};
+  const gpu::Constant part{"kDiagonalPart", of_springs ? 1.0 : multigrid::kElementDiagonalPart};
+  const gpu::Constant taps{"kTaps", static_cast<double>(multigrid::taps_of(elements == MeshElements::Tets))};
   const Row<K> table[] = {
       {&K::galerkin, "mesh_galerkin", size, {general, part}},
       {&K::smooth_down, "mesh_smooth_end", kByLanes, {down(), general}},
       {&K::residual, "mesh_residual", kByLanes, {general}},
       {&K::restrict_residual, "mesh_restrict", size},
-      {&K::tail, "mesh_tail", lone, {general}},
-      {&K::tail_of_pieces, "mesh_tail", lone, {{"kShows", 0}, general}},
-      {&K::prolong, "mesh_prolong", size},
+      {&K::tail, "mesh_tail", lone, {general, taps}},
+      {&K::tail_of_pieces, "mesh_tail", lone, {{"kShows", 0}, general, taps}},
+      {&K::prolong, "mesh_prolong", size, {taps}},
       {&K::smooth_begin, "mesh_smooth_begin", kByLanes, {general}},
       {&K::smooth_up, "mesh_smooth_end", kByLanes, {up(), general}},
       {&K::smooth_last, "mesh_smooth_last", kByLanes, {general}},
@@ -180,11 +186,11 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, Blocks blocks
   };
   K made;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
-  const Row<K> of_springs[] = {
+  const Row<K> gradient_of_springs[] = {
       {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs), lead(inputs)}}};
-  const Row<K> of_elements[] = {
-      {&K::gradient, "fabric_gradient", size, {holds(inputs), air(inputs), general, part}}};
-  WEFT_CHECK(create_all<K>(inputs.device, of_fabric ? of_elements : of_springs, made));
+  const Row<K> gradient_of_elements[] = {
+      {&K::gradient, "element_gradient", size, {holds(inputs), air(inputs), general, part}}};
+  WEFT_CHECK(create_all<K>(inputs.device, of_springs ? gradient_of_springs : gradient_of_elements, made));
   using F = FabricKernels;
   const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size, {lead(inputs)}},
                            {&F::hinges, "hinge_terms", size},
@@ -193,6 +199,10 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, Blocks blocks
   if (of_fabric) WEFT_CHECK(create_all<F>(inputs.device, fabric, made.fabric));
   const Row<F> of_limits[] = {{&F::limits, "limit_terms", size, {lead(inputs)}}};
   if (of_fabric && any_strain_limit(inputs)) WEFT_CHECK(create_all<F>(inputs.device, of_limits, made.fabric));
+  using S = SolidKernels;
+  const Row<S> solid[] = {{&S::terms, "solid_terms", size, {lead(inputs)}},
+                          {&S::blocks, "solid_blocks", size, {general}}};
+  if (elements == MeshElements::Tets) WEFT_CHECK(create_all<S>(inputs.device, solid, made.solid));
   WEFT_SET(made.shared, SharedKernels::create(inputs));
   return made;
 }

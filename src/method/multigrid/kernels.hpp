@@ -47,10 +47,21 @@ struct FabricKernels {
   gpu::SharedKernel limits;  // of edges; none without a strain limit
 };
 
-/// The kernels of meshes: the same for all levels. Those of fabric have general blocks.
+/// The kernels of a body with volume's own elements.
+struct SolidKernels {
+  gpu::SharedKernel terms, blocks;
+};
+
+/// What meets in the nodes of a mesh. All but springs have general blocks.
+enum class MeshElements : std::uint8_t { Springs, Fabric, Tets };
+inline constexpr std::size_t kMeshElements = 3;
+MeshElements elements_in(const Body& body);
+
+/// The kernels of meshes of one kind of elements: the same for all levels.
 struct MeshKernels {
   SharedKernels shared;
-  FabricKernels fabric;                                        // none for springs
+  FabricKernels fabric;                                        // none but for fabric
+  SolidKernels solid;                                          // none but for tetrahedra
   gpu::SharedKernel gradient, galerkin;                        // the linear system, and its coarse levels
   gpu::SharedKernel smooth_down, residual, restrict_residual;  // the cycle: down
   gpu::SharedKernel tail, tail_of_pieces;                      // on the coarsest levels
@@ -59,7 +70,7 @@ struct MeshKernels {
   gpu::SharedKernel search;                                    // A p
 
   /// Errors  Shader.
-  static Result<MeshKernels> create(const CycleInputs& inputs, Blocks blocks = Blocks::Symmetric);
+  static Result<MeshKernels> create(const CycleInputs& inputs, MeshElements elements);
 };
 
 }  // namespace weft

@@ -3,9 +3,6 @@
 #include "method/multigrid/block.wgsl"
 const kTermWords = 6u;  // mirror: src/method/multigrid/fabric_system.cpp
 
-// s of (M - Mᵀ) / 2, v -> s x v
-fn skew_of(m : mat3x3f) -> vec3f { return 0.5 * vec3f(m[1].z - m[2].y, m[2].x - m[0].z, m[0].y - m[1].x); }
-
 struct MembraneTerm {
   warp : Symmetric,
   weft : Symmetric,

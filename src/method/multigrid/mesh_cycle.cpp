@@ -11,24 +11,25 @@ using gpu::Dispatch;
 Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body) {
   MeshCycle made;
   const Model& model = inputs.model.host;
-  const FabricPairs pairs = body.fabric ? fabric_pairs(model, body) : FabricPairs{};
-  std::vector<MeshLevel> levels = body.fabric ? mesh_levels(model, body, pairs.pairs, Blocks::General)
-                                              : mesh_levels(model, body, model.springs(body));
+  const bool of_springs = elements_in(body) == MeshElements::Springs;
+  const ElementPairs pairs = of_springs ? ElementPairs{} : element_pairs(model, body);
+  std::vector<MeshLevel> levels = of_springs ? mesh_levels(model, body, model.springs(body))
+                                             : mesh_levels(model, body, pairs.pairs, Blocks::General);
   made.bottom_ =
       multigrid::bottom_of(multigrid::mesh_scales(model, body, levels, inputs.step), multigrid::kMeshTail);
   levels.resize(made.bottom_.level + 1);
-  const MeshLists lists = mesh_lists(levels, inputs.corners != nullptr);
+  const MeshLists lists = mesh_lists(levels, inputs.corners != nullptr, body.solid.has_value());
   made.shapes_ = lists.levels;
   WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_,
-                                 body.fabric ? multigrid::kFabricTail : multigrid::kMeshTail));
+                                 of_springs ? multigrid::kMeshTail : multigrid::kElementTail));
   WEFT_CHECK(made.create_lists(inputs.device, lists));
   WEFT_SET(made.blocks_,
            (gpu::Buffer<std::array<float, 2>>::create(
-               inputs.device, (body.fabric ? 5 : 3) * lists.entries.size(), "multigrid blocks")));
+               inputs.device, (of_springs ? 3 : 5) * lists.entries.size(), "multigrid blocks")));
   WEFT_CHECK(made.create_shared(inputs, kernels.shared));
   if (body.gas) WEFT_CHECK(made.create_gas(inputs, kernels.shared));
-  WEFT_CHECK(body.fabric ? made.create_fabric(inputs, kernels, body, pairs, lists)
-                         : made.create_springs(inputs, kernels, body, lists));
+  WEFT_CHECK(of_springs ? made.create_springs(inputs, kernels, body, lists)
+                        : made.create_elements(inputs, kernels, body, pairs, lists));
   WEFT_CHECK(made.create_search(inputs, kernels));
   WEFT_CHECK(made.create_levels(kernels));
   return made;
@@ -79,19 +80,26 @@ Result<void> MeshCycle::create_springs(const CycleInputs& inputs, const MeshKern
   return {};
 }
 
-Result<void> MeshCycle::create_fabric(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
-                                      const FabricPairs& pairs, const MeshLists& lists) {
+Result<void> MeshCycle::create_elements(const CycleInputs& inputs, const MeshKernels& kernels,
+                                        const Body& body, const ElementPairs& pairs, const MeshLists& lists) {
   const gpu::RawBuffer& levels = levels_[0].levels;
-  WEFT_SET(fabric_,
-           FabricSystem::create(inputs, kernels.fabric, body, pairs, lists.entries_of[0],
-                                {levels, place_, vectors_, lists_.row_starts, lists_.entries, blocks_}));
+  const MeshSystem mesh{levels, place_, vectors_, lists_.row_starts, lists_.entries, blocks_};
+  const auto create_gradient = [&](const gpu::RawBuffer& gathers,
+                                   const gpu::RawBuffer& forces) -> Result<void> {
+    WEFT_SET(gradient_,
+             Dispatch::create(kernels.gradient, kernels.gradient->workgroups_of(node_count(shapes_[0])),
+                              {inputs.state.steps, nodes_, levels, place_, holds_, vectors_, blocks_,
+                               lists_.row_starts, gathers, forces, presses(inputs)}));
+    return {};
+  };
+  if (body.solid) {
+    WEFT_SET(solid_, SolidSystem::create(inputs, kernels.solid, body, pairs, lists.entries_of[0], mesh));
+    elements_ = solid_->take_stages();
+    return create_gradient(solid_->gathers(), solid_->forces());
+  }
+  WEFT_SET(fabric_, FabricSystem::create(inputs, kernels.fabric, body, pairs, lists.entries_of[0], mesh));
   elements_ = fabric_->take_stages();
-  const FabricBuffers& elements = fabric_->elements();
-  WEFT_SET(gradient_,
-           Dispatch::create(kernels.gradient, kernels.gradient->workgroups_of(node_count(shapes_[0])),
-                            {inputs.state.steps, nodes_, levels, place_, holds_, vectors_, blocks_,
-                             lists_.row_starts, elements.gathers, elements.forces, presses(inputs)}));
-  return {};
+  return create_gradient(fabric_->elements().gathers, fabric_->elements().forces);
 }
 
 Result<void> MeshCycle::create_search(const CycleInputs& inputs, const MeshKernels& kernels) {

@@ -6,10 +6,11 @@
 #include "method/multigrid/fabric_system.hpp"
 #include "method/multigrid/kernels.hpp"
 #include "method/multigrid/mesh_lists.hpp"
+#include "method/multigrid/solid_system.hpp"
 
 namespace weft {
 
-/// Of a cloth that is a mesh.
+/// Of a cloth that is a mesh, or a body with volume.
 class MeshCycle : public Cycle {
  public:
   /// Errors  Limit, OutOfMemory.
@@ -36,8 +37,8 @@ class MeshCycle : public Cycle {
   Result<void> create_lists(gpu::Device& device, const MeshLists& lists);
   Result<void> create_springs(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
                               const MeshLists& lists);
-  Result<void> create_fabric(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
-                             const FabricPairs& pairs, const MeshLists& lists);
+  Result<void> create_elements(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
+                               const ElementPairs& pairs, const MeshLists& lists);
   Result<void> create_search(const CycleInputs& inputs, const MeshKernels& kernels);
   Result<void> create_levels(const MeshKernels& kernels);
 
@@ -45,7 +46,8 @@ class MeshCycle : public Cycle {
   ListBuffers lists_;
   gpu::Buffer<Vec4f> springs_;                // of entries
   std::optional<FabricSystem> fabric_;        // instead of springs
-  gpu::Buffer<std::array<float, 2>> blocks_;  // three an entry, of fabric five
+  std::optional<SolidSystem> solid_;          // of a body with volume
+  gpu::Buffer<std::array<float, 2>> blocks_;  // three an entry of springs, else five
 };
 
 }  // namespace weft

@@ -18,7 +18,7 @@ alias Level = MeshLevelParams;
 
 // A weighted reference. Mirror: src/mesh/coarse_mesh.hpp.
 struct Share { index : u32, weight : f32 }
-const kTaps = 3u;  // of a node
+override kTaps : u32 = 3u;  // of a node; mirror: src/method/multigrid/mesh_lists.hpp
 
 // The invocations that take the entries of a row in turns.
 const kLanes = 4u;  // mirror: src/method/multigrid/mesh_lists.hpp

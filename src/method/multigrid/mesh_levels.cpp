@@ -6,12 +6,23 @@
 namespace weft {
 namespace {
 
-mesh::Network network_of(const Model& model, const Body& body) {
+mesh::Network network_of(const Model& model, const Body& body, std::span<const mesh::Edge> pairs) {
   mesh::Network network;
   for (std::uint32_t v = 0; v < body.vertex_count; ++v)
     network.positions.push_back(model.rest_position[body.first_vertex + v]);
   network.triangles = cloth_mesh(model, body).triangles;
-  network.edges = mesh::mesh_edges(network.triangles);
+  if (!body.solid) {
+    network.edges = mesh::mesh_edges(network.triangles);
+    return network;
+  }
+  const ElementTable& tets = model.elements(ElementKind::Tet, body);
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    mesh::Tet tet;
+    std::copy_n(tets.nodes_of(t).begin(), tet.size(), tet.begin());
+    for (std::uint32_t& node : tet) node -= body.first_vertex;
+    network.tets.push_back(tet);
+  }
+  network.edges.assign(pairs.begin(), pairs.end());
   return network;
 }
 
@@ -107,7 +118,7 @@ std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, const S
 
 std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, std::span<const mesh::Edge> pairs,
                                    Blocks blocks) {
-  mesh::Network network = network_of(model, body);
+  mesh::Network network = network_of(model, body, pairs);
   std::vector<MeshLevel> levels(1);
   levels[0].node_count = body.vertex_count;
   set_rows(levels[0], pairs);

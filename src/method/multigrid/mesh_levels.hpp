@@ -37,9 +37,9 @@ struct MeshLevel {
   std::uint32_t node_count = 0, block_count = 0;
   Lists<Coupling> rows;  // of each node
   // From the next finer level; empty for the finest.
-  std::vector<std::array<Share, 3>> taps;  // P: of each finer node, this level's nodes
-  Lists<Share> sources;                    // Pᵀ: of each node, the finer nodes that take from it
-  Lists<BlockShare> products;              // Pᵀ A P: of each block, the finer blocks whose sum it is
+  std::vector<mesh::Taps> taps;  // P: of each finer node, this level's nodes
+  Lists<Share> sources;          // Pᵀ: of each node, the finer nodes that take from it
+  Lists<BlockShare> products;    // Pᵀ A P: of each block, the finer blocks whose sum it is
 };
 
 /// No level of fewer nodes than this is made coarser.

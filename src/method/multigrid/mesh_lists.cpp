@@ -35,7 +35,7 @@ std::vector<BlockEntries> append_rows(const MeshLevel& level, MeshLists& lists) 
 
 }  // namespace
 
-MeshLists mesh_lists(std::span<const MeshLevel> levels, bool air) {
+MeshLists mesh_lists(std::span<const MeshLevel> levels, bool air, bool volume) {
   MeshLists lists;
   for (const MeshLevel& level : levels) {
     MeshLevelParams made;
@@ -50,7 +50,8 @@ MeshLists mesh_lists(std::span<const MeshLevel> levels, bool air) {
     made.first_product = append(products, lists.product_starts, lists.products);
     lists.entries_of.push_back(append_rows(level, lists));
     made.first_taps = static_cast<std::uint32_t>(lists.taps.size());
-    for (const auto& taps : level.taps) lists.taps.insert(lists.taps.end(), taps.begin(), taps.end());
+    for (const mesh::Taps& taps : level.taps)
+      lists.taps.insert(lists.taps.end(), taps.begin(), taps.begin() + multigrid::taps_of(volume));
     lists.vector_count += std::size_t{multigrid::vector_count(lists.levels.size(), air)} * level.node_count;
     lists.levels.push_back(made);
   }

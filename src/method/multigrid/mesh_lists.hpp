@@ -20,8 +20,8 @@ inline std::uint32_t node_count(const MeshLevelParams& level) { return level.nod
 
 namespace multigrid {
 
-/// Nodes of a finer level that a node takes from: src/method/multigrid/mesh_level.wgsl.
-inline constexpr std::uint32_t kTaps = 3;
+/// Nodes of a coarser level that a node takes from: src/method/multigrid/mesh_level.wgsl.
+inline std::uint32_t taps_of(bool volume) { return volume ? 4 : 3; }
 /// The invocations that take the entries of a row in turns: the same file.
 inline constexpr std::uint32_t kLanes = 4;
 
@@ -40,7 +40,7 @@ struct MeshLists {
   std::vector<Share> sources, products, taps;
   std::vector<std::vector<BlockEntries>> entries_of;  // of each level's blocks
 };
-/// `air`: whether it pushes, and the finest level has its vectors.
-MeshLists mesh_lists(std::span<const MeshLevel> levels, bool air = false);
+/// `air`: whether it pushes, and the finest level has its vectors. `volume`: whether the mesh is of tetrahedra.
+MeshLists mesh_lists(std::span<const MeshLevel> levels, bool air = false, bool volume = false);
 
 }  // namespace weft

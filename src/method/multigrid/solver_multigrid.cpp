@@ -68,11 +68,11 @@ Result<void> SolverMultigrid::bind_lists() {
 
 Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   std::optional<GridKernels> grid_kernels;
-  std::array<std::optional<MeshKernels>, 2> mesh_kernels;  // of springs, of fabric
+  std::array<std::optional<MeshKernels>, kMeshElements> mesh_kernels;
   const std::span<const Body> bodies = inputs.model.host.bodies;
   for (std::size_t b = 0; b < bodies.size();) {
     const Body& body = bodies[b];
-    if (body.grid && !body.fabric) {
+    if (body.grid && elements_in(body) == MeshElements::Springs) {
       const std::uint32_t count = equal_grids(
           bodies.subspan(b), most_cloths(body, inputs.device.limits(), inputs.corners != nullptr));
       if (!grid_kernels) WEFT_SET(grid_kernels, GridKernels::create(inputs));
@@ -80,9 +80,9 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
       grids_.push_back(std::move(cycle));
       b += count;
     } else {
-      std::optional<MeshKernels>& kernels = mesh_kernels[body.fabric ? 1 : 0];
-      if (!kernels)
-        WEFT_SET(kernels, MeshKernels::create(inputs, body.fabric ? Blocks::General : Blocks::Symmetric));
+      const MeshElements elements = elements_in(body);
+      std::optional<MeshKernels>& kernels = mesh_kernels[static_cast<std::size_t>(elements)];
+      if (!kernels) WEFT_SET(kernels, MeshKernels::create(inputs, elements));
       WEFT_TRY(cycle, MeshCycle::create(inputs, *kernels, body));
       meshes_.push_back(std::move(cycle));
       ++b;

@@ -1,6 +1,7 @@
 #include "method/multigrid/reference/fabric_terms.hpp"
 
 #include "method/multigrid/lead.hpp"
+#include "method/multigrid/reference/element_blocks.hpp"
 #include "method/multigrid/reference/spring_terms.hpp"
 
 namespace weft::reference {
@@ -45,7 +46,7 @@ Mat3 add_limit(MeshStep& step, const LimitSpring& limit, double rate) {
 
 }  // namespace
 
-void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& parts,
+void add_fabric(MeshStep& step, const FabricCloth& cloth, const ElementPairs& parts,
                 std::span<const double> bounds, double rate) {
   Field there = step.place;
   for (std::size_t a = 0; a < there.size(); ++a) there[a] += step.start[a];
@@ -74,22 +75,12 @@ void add_fabric(MeshStep& step, const FabricCloth& cloth, const FabricPairs& par
                Mat3::outer(slopes[part.element][part.row], slopes[part.element][part.column]);
       case PartKind::Limit:
         return (part.row == part.column ? 1.0 : -1.0) * limits[part.element];
+      case PartKind::Tet:
+        break;  // fabric has none
     }
     return {};
   };
-  step.matrix.skews.resize(step.matrix.blocks.size());
-  for (std::size_t block = 0; block < parts.parts.size(); ++block) {
-    Mat3 sum{};
-    for (const ElementPart& part : parts.parts.of(block)) sum += block_of(part);
-    const bool own = block < step.fixed.size();
-    const std::array<std::uint32_t, 2> nodes =
-        own ? std::array{static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(block)}
-            : parts.pairs[block - step.fixed.size()];
-    if (step.fixed[nodes[0]] || step.fixed[nodes[1]]) continue;
-    step.matrix.blocks[block] += Sym3::symmetric_part(sum);
-    if (!own) step.matrix.skews[block] = 0.5 * Vec3d{sum.z.y - sum.y.z, sum.x.z - sum.z.x, sum.y.x - sum.x.y};
-  }
-  step.matrix.diagonal_part = multigrid::kFabricDiagonalPart;
+  add_blocks(step, parts, block_of);
 }
 
 }  // namespace weft::reference

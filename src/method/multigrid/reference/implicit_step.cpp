@@ -5,6 +5,7 @@
 
 #include "method/air_reference.hpp"
 #include "method/multigrid/reference/fabric_terms.hpp"
+#include "method/multigrid/reference/solid_terms.hpp"
 #include "method/multigrid/reference/spring_terms.hpp"
 
 namespace weft::reference {
@@ -109,13 +110,17 @@ ImplicitStepper::ImplicitStepper(const Model& model, double step, double residua
       newton_steps_(newton_steps),
       position_before_(model.vertex_count()),
       velocity_before_(model.vertex_count()) {
-  std::size_t springs = 0, fabrics = 0;
+  std::size_t springs = 0, fabrics = 0, solids = 0;
   for (const Body& body : model.bodies) {
     Cloth made{body.first_vertex, body.vertex_count};
-    if (body.fabric) {
-      made.fabric = fabrics++;
-      made.parts = fabric_pairs(model, body);
-      made.hinge_bounds = hinge::stiffness_bounds(model.plate(body));
+    if (body.fabric || body.solid) {
+      if (body.fabric) {
+        made.fabric = fabrics++;
+        made.hinge_bounds = hinge::stiffness_bounds(model.plate(body));
+      } else {
+        made.solid = solids++;
+      }
+      made.parts = element_pairs(model, body);
       made.levels = mesh_levels(model, body, made.parts.pairs, Blocks::General);
       made.bottom =
           multigrid::bottom_of(multigrid::mesh_scales(model, body, made.levels, step), multigrid::kMeshTail);
@@ -251,6 +256,8 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   const double rate = 1 / step_formula(dt, ratio).he;
   if (cloth.fabric)
     add_fabric(step, system.fabrics[*cloth.fabric], cloth.parts, cloth.hinge_bounds, rate);
+  else if (cloth.solid)
+    add_solid(step, system.solids[*cloth.solid].tets, cloth.parts, rate);
   else
     add_springs(step, std::span(system.springs).subspan(cloth.first_spring, blocks.size() - cloth.count),
                 cloth.first, rate);

@@ -7,7 +7,7 @@
 
 #include "contact/reference/proximity/press.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
-#include "method/multigrid/fabric_pairs.hpp"
+#include "method/multigrid/element_pairs.hpp"
 #include "method/multigrid/reference/conjugate_gradients.hpp"
 #include "method/multigrid/reference/hold.hpp"
 #include "method/multigrid/reference/pair_hold.hpp"
@@ -106,7 +106,8 @@ class ImplicitStepper : public Stepper {
     std::vector<MeshLevel> levels;      // of a mesh
     std::size_t first_spring = 0;       // of a mesh, in the system's
     std::optional<std::size_t> fabric;  // in the system's
-    FabricPairs parts;                  // of the fabric's matrix
+    std::optional<std::size_t> solid;   // in the system's
+    ElementPairs parts;                 // of the fabric's or the solid's matrix
     std::vector<double> hinge_bounds;   // [N·m]
     multigrid::Bottom bottom;           // of its cycles
   };

@@ -1,4 +1,4 @@
-#include "method/multigrid/fabric_pairs.hpp"
+#include "method/multigrid/element_pairs.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,16 +35,17 @@ void add_parts(PartKind kind, const ElementTable& table, std::uint32_t first,
 
 }  // namespace
 
-FabricPairs fabric_pairs(const Model& model, const Body& body) {
+ElementPairs element_pairs(const Model& model, const Body& body) {
   std::vector<PlacedPart> parts;
   add_parts(PartKind::Membrane, model.elements(ElementKind::Membrane, body), body.first_vertex, parts);
   add_parts(PartKind::Hinge, model.elements(ElementKind::Hinge, body), body.first_vertex, parts);
+  add_parts(PartKind::Tet, model.elements(ElementKind::Tet, body), body.first_vertex, parts);
   const std::vector<LimitSpring> limits = limit_springs(model, body);
   for (std::uint32_t e = 0; e < limits.size(); ++e)
     add_parts(PartKind::Limit, e, std::array{limits[e].a, limits[e].b}, 0, parts);
   std::sort(parts.begin(), parts.end(),
             [](const PlacedPart& a, const PlacedPart& b) { return a.order() < b.order(); });
-  FabricPairs made;
+  ElementPairs made;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const PlacedPart& here = parts[p];
     made.parts.items.push_back(here.part);

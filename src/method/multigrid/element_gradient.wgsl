@@ -17,7 +17,7 @@
 @group(0) @binding(10) var<storage, read_write> presses   : array<i32>;        // press_sums.wgsl
 
 @compute @workgroup_size(kWorkgroupSize)
-fn fabric_gradient(@builtin(global_invocation_id) id : vec3u) {
+fn element_gradient(@builtin(global_invocation_id) id : vec3u) {
   let node = flat_index(id);
   let level = levels[0];
   if (node >= level.node_count) { return; }

@@ -1,5 +1,6 @@
-// The blocks of a cloth of fabric: of which parts of its membranes, hinges and limited edges each is a sum. One rule
-// for the kernels and for the reference. Source: docs/solvers/multigrid.md, Fabric.
+// The blocks of a cloth of fabric or a body with volume: of which parts of its membranes, hinges and limited edges, or
+// of its tetrahedra, each is a sum. One rule for the kernels and for the reference.
+// Source: docs/solvers/multigrid.md, Fabric.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +12,9 @@
 namespace weft {
 
 /// What gives blocks. Mirror: src/method/multigrid/fabric_blocks.wgsl.
-enum class PartKind : std::uint8_t { Membrane, Hinge, Limit };
+enum class PartKind : std::uint8_t { Membrane, Hinge, Limit, Tet };
 
-/// The block that an element gives to two of its nodes. Mirror: src/method/multigrid/fabric_blocks.wgsl.
+/// The block that an element gives to two of its nodes. Mirror: src/method/multigrid/element_part.wgsl.
 struct ElementPart {
   PartKind kind = PartKind::Membrane;
   std::uint32_t element = 0;          // its number among its kind's: of Limit among limit_springs
@@ -25,10 +26,10 @@ struct ElementPart {
   }
 };
 
-struct FabricPairs {
+struct ElementPairs {
   std::vector<mesh::Edge> pairs;  // nodes that share an element, from 0; the first is the smaller number
   Lists<ElementPart> parts;       // of each node's own block, then of each pair's
 };
-FabricPairs fabric_pairs(const Model& model, const Body& body);
+ElementPairs element_pairs(const Model& model, const Body& body);
 
 }  // namespace weft

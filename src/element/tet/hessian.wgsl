@@ -1,0 +1,135 @@
+// How the stress of a tetrahedron changes with F, without what could make that indefinite: the same as hessian.hpp in
+// f32. Source: docs/bodies.md, All nodes at once.
+#include "element/tet/law.wgsl"
+
+// F = U Σ Vᵀ by two rotations.
+struct TetFrame {
+  u : mat3x3f,
+  v : mat3x3f,
+  stretches : vec3f,
+}
+
+// ∂P/∂F in such a frame, Pa: what of the stretches acts on each; entries xy, yz, zx by themselves, then yx, zy, xz; and
+// both of a pair by the other, yz, zx, xy.
+struct TetHessian {
+  stretch : mat3x3f,
+  onward : vec3f,
+  back : vec3f,
+  crossed : vec3f,
+}
+
+// Sets the entry pq of a symmetric matrix to zero, and turns the columns of v with it. Called with literals.
+fn turn_axes(a : ptr<function, array<vec3f, 3>>, v : ptr<function, array<vec3f, 3>>, p : i32, q : i32) {
+  let turn = jacobi((*a)[p][p], (*a)[q][q], (*a)[p][q]);
+  let s = turn.x;
+  let c = turn.y;
+  let kp = vec3f((*a)[0][p], (*a)[1][p], (*a)[2][p]);
+  let kq = vec3f((*a)[0][q], (*a)[1][q], (*a)[2][q]);
+  let new_p = c * kp - s * kq;
+  let new_q = s * kp + c * kq;
+  (*a)[0][p] = new_p.x;
+  (*a)[1][p] = new_p.y;
+  (*a)[2][p] = new_p.z;
+  (*a)[0][q] = new_q.x;
+  (*a)[1][q] = new_q.y;
+  (*a)[2][q] = new_q.z;
+  let row_p = (*a)[p];
+  let row_q = (*a)[q];
+  (*a)[p] = c * row_p - s * row_q;
+  (*a)[q] = s * row_p + c * row_q;
+  let column_p = (*v)[p];
+  let column_q = (*v)[q];
+  (*v)[p] = c * column_p - s * column_q;
+  (*v)[q] = s * column_p + c * column_q;
+}
+
+// Of a symmetric matrix: its eigenvectors in columns, and its eigenvalues.
+struct Axes3 {
+  directions : mat3x3f,
+  values : vec3f,
+}
+fn axes_of(symmetric : mat3x3f) -> Axes3 {
+  var a = array<vec3f, 3>(symmetric[0], symmetric[1], symmetric[2]);
+  var v = array<vec3f, 3>(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0));
+  for (var sweep = 0; sweep < kSweeps; sweep++) {
+    turn_axes(&a, &v, 0, 1);
+    turn_axes(&a, &v, 0, 2);
+    turn_axes(&a, &v, 1, 2);
+  }
+  return Axes3(mat3x3f(v[0], v[1], v[2]), vec3f(a[0].x, a[1].y, a[2].z));
+}
+
+// `rotation`: the one that is nearest to F.
+fn tet_frame(f : mat3x3f, rotation : mat3x3f) -> TetFrame {
+  let s = transpose(rotation) * f;
+  let axes = axes_of(0.5 * (s + transpose(s)));
+  return TetFrame(rotation * axes.directions, axes.directions, axes.values);
+}
+
+fn without_negative(symmetric : mat3x3f) -> mat3x3f {
+  let axes = axes_of(symmetric);
+  let value = max(axes.values, vec3f(0.0));
+  let v = axes.directions;
+  return outer_product(value.x * v[0], v[0]) + outer_product(value.y * v[1], v[1]) +
+         outer_product(value.z * v[2], v[2]);
+}
+
+// By what resists where two axes turn against each other, and where both shear.
+fn hessian_by_axes(stretch : mat3x3f, twist : vec3f, shear : vec3f) -> TetHessian {
+  let t = max(twist, vec3f(0.0));
+  let s = max(shear, vec3f(0.0));
+  let straight = 0.5 * (s + t);
+  return TetHessian(stretch, straight.zxy, straight.zxy, 0.5 * (s - t));
+}
+
+fn neo_hookean_hessian(law : SolidLaw, s : vec3f) -> TetHessian {
+  let bulk = law.lambda + law.mu;
+  let pressure = bulk * (s.x * s.y * s.z - 1.0) - law.mu;
+  let across = s.yzx * s.zxy;
+  let both = bulk * (across.yzx * across.zxy) + pressure * s;
+  let own = vec3f(law.mu) + bulk * (across * across);
+  let stretch = mat3x3f(own.x, both.z, both.y, both.z, own.y, both.x, both.y, both.x, own.z);
+  return hessian_by_axes(without_negative(stretch), vec3f(law.mu) + pressure * s, vec3f(law.mu) - pressure * s);
+}
+
+const kLeastSum = 0.1;  // mirror: src/element/tet/hessian.cpp
+
+fn corotated_hessian(law : SolidLaw, s : vec3f) -> TetHessian {
+  let turning = law.lambda * (s.x + s.y + s.z - 3.0) - 2.0 * law.mu;
+  let own = 2.0 * law.mu + law.lambda;
+  let stretch = mat3x3f(own, law.lambda, law.lambda, law.lambda, own, law.lambda, law.lambda, law.lambda, own);
+  let sums = max(s.yzx + s.zxy, vec3f(kLeastSum));
+  return hessian_by_axes(stretch, vec3f(2.0 * law.mu) + 2.0 * turning / sums, vec3f(2.0 * law.mu));
+}
+
+fn tet_hessian(law : SolidLaw, frame : TetFrame) -> TetHessian {
+  if (law.energy == kTetNeoHookean) { return neo_hookean_hessian(law, frame.stretches); }
+  return corotated_hessian(law, frame.stretches);
+}
+
+// What damping adds by the rate of F, Pa·s.
+fn tet_damping_hessian(law : SolidLaw, frame : TetFrame) -> TetHessian {
+  let s = frame.stretches;
+  let mu = law.delay * law.mu;
+  let both = law.delay * law.lambda * outer_product(s, s);
+  let own = 2.0 * mu * s * s;
+  return TetHessian(both + mat3x3f(own.x, 0.0, 0.0, 0.0, own.y, 0.0, 0.0, 0.0, own.z), mu * s * s,
+                    mu * s.yzx * s.yzx, mu * s.yzx * s.zxy);
+}
+
+fn tet_hessian_sum(a : TetHessian, b : TetHessian) -> TetHessian {
+  return TetHessian(a.stretch + b.stretch, a.onward + b.onward, a.back + b.back, a.crossed + b.crossed);
+}
+fn tet_hessian_scaled(s : f32, a : TetHessian) -> TetHessian {
+  return TetHessian(s * a.stretch, s * a.onward, s * a.back, s * a.crossed);
+}
+
+// P's change for one of F.
+fn tet_hessian_times(frame : TetFrame, h : TetHessian, change : mat3x3f) -> mat3x3f {
+  let a = transpose(frame.u) * change * frame.v;
+  let d = h.stretch * vec3f(a[0].x, a[1].y, a[2].z);
+  let x = vec3f(d.x, h.back.x * a[0].y + h.crossed.z * a[1].x, h.onward.z * a[0].z + h.crossed.y * a[2].x);
+  let y = vec3f(h.onward.x * a[1].x + h.crossed.z * a[0].y, d.y, h.back.y * a[1].z + h.crossed.x * a[2].y);
+  let z = vec3f(h.back.z * a[2].x + h.crossed.y * a[0].z, h.onward.y * a[2].y + h.crossed.x * a[1].z, d.z);
+  return frame.u * mat3x3f(x, y, z) * transpose(frame.v);
+}

@@ -1,0 +1,45 @@
+#include "method/multigrid/reference/solid_terms.hpp"
+
+#include "element/tet/hessian.hpp"
+#include "method/multigrid/lead.hpp"
+#include "method/multigrid/reference/element_blocks.hpp"
+
+namespace weft::reference {
+namespace {
+
+struct Term {
+  tet::Frame frame;
+  tet::Hessian hessian;
+};
+
+double square(const Mat3& f) { return dot(f.x, f.x) + dot(f.y, f.y) + dot(f.z, f.z); }
+
+/// Of one tetrahedron: its force where its corners have come to place + start, and how that grows.
+Term add_tet(MeshStep& step, const tet::Tets& all, std::size_t number, double rate) {
+  const tet::Law& law = all.law;
+  const Mat3 f = all.deformation(number, step.place), way = all.deformation(number, step.start);
+  const double lead = step.leads ? multigrid::lead_of(square(way)) : 0;
+  const Mat3 at = f + lead * way;
+  const tet::Frame frame = tet::frame_of(at);
+  const tet::Hessian elastic = tet::positive_hessian(law, frame);
+  Mat3 stress = tet::stress(law, at) + tet::times(frame, elastic, (1 - lead) * way);
+  if (law.delay > 0)
+    stress +=
+        tet::damping_stress(law, step.leads ? at : f + way, all.deformation(number, step.start_velocity));
+  const tet::Corners forces = tet::forces(all.rests[number], stress);
+  for (std::size_t k = 0; k < 4; ++k) step.residual[all.tets[number][k]] += forces[k];
+  return {frame, elastic + rate * tet::damping_hessian(law, frame)};
+}
+
+}  // namespace
+
+void add_solid(MeshStep& step, const tet::Tets& tets, const ElementPairs& parts, double rate) {
+  std::vector<Term> terms;
+  for (std::size_t t = 0; t < tets.tets.size(); ++t) terms.push_back(add_tet(step, tets, t, rate));
+  add_blocks(step, parts, [&](const ElementPart& part) {
+    const auto& [frame, hessian] = terms[part.element];
+    return tet::block(frame, hessian, tets.rests[part.element], part.row, part.column);
+  });
+}
+
+}  // namespace weft::reference
