@@ -9,7 +9,7 @@
 
 #include "base/result.hpp"
 #include "gpu/backend.hpp"
-#include "gpu/kernel_cache.hpp"
+#include "gpu/pipeline_cache.hpp"
 #include "gpu/types.hpp"
 
 namespace weft::gpu {
@@ -49,6 +49,7 @@ class Device {
 
   backend::Context& context() { return *context_; }
   KernelCache& kernels() { return kernels_; }
+  RenderPipelineCache& render_pipelines() { return render_pipelines_; }
   /// Natively a WGPUAdapter and a WGPUDevice, valid for as long as the device lives.
   DeviceHandles handles() const { return backend::handles(*context_); }
   /// Bytes taken, or given back.
@@ -62,6 +63,7 @@ class Device {
 
   backend::ContextPointer context_;
   KernelCache kernels_;
+  RenderPipelineCache render_pipelines_;
   AdapterInfo adapter_;
   Limits limits_;
   bool timestamps_ = false;

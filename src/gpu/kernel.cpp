@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdio>
 #ifndef __EMSCRIPTEN__
 #include <thread>
 #endif
@@ -24,10 +23,10 @@ Result<BindGroup> BindGroup::create(Device& device, Id layout, std::span<const B
 
 namespace {
 
-Result<SharedCompiledKernel> compile(Device& device, const ShaderSource& source, const std::string& path,
-                                     std::span<const Constant> constants) {
+Result<SharedPipeline> compile(Device& device, const ShaderSource& source, const std::string& path,
+                               std::span<const Constant> constants) {
   backend::Context& context = device.context();
-  CompiledKernel made;
+  CompiledPipeline made;
   made.bindings = source.bindings;
   made.reads_step = std::any_of(made.bindings.begin(), made.bindings.end(), [](const BindingLayout& binding) {
     return binding.kind == BindingKind::StepUniform;
@@ -42,19 +41,7 @@ Result<SharedCompiledKernel> compile(Device& device, const ShaderSource& source,
   const std::string entry = path.substr(slash, path.rfind('.') - slash);
   WEFT_TRY(pipeline, backend::create_compute_pipeline(context, layout, module_id, entry, constants, path));
   made.pipeline = Object(ObjectKind::ComputePipeline, pipeline);
-  return std::make_shared<const CompiledKernel>(std::move(made));
-}
-
-/// All that a kernel is compiled from. Constants to the bit.
-std::string all_sources(const ShaderSource& source, const std::string& path,
-                        std::span<const Constant> constants) {
-  std::string all = path;
-  for (const Constant& constant : constants) {
-    char value[32];
-    std::snprintf(value, sizeof value, "=%a", constant.value);
-    all += "\n" + constant.name + value;
-  }
-  return all + "\n" + source.text;
+  return std::make_shared<const CompiledPipeline>(std::move(made));
 }
 
 /// How many workgroups an adapter that is the processor takes at a time.
@@ -82,8 +69,8 @@ Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vect
   kernel.device_ = &device;
   kernel.label_ = path;
   kernel.workgroup_size_ = workgroup_size;
-  const std::string from = all_sources(source, path, constants);
-  if (const SharedCompiledKernel* known = device.kernels().find(from)) {
+  const std::string from = pipeline_key(source.text, path, constants);
+  if (const SharedPipeline* known = device.kernels().find(from)) {
     kernel.compiled_ = *known;
   } else {
     WEFT_SET(kernel.compiled_, compile(device, source, path, constants));

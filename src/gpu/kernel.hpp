@@ -11,7 +11,7 @@
 #include "gpu/buffer.hpp"
 #include "gpu/command_list.hpp"
 #include "gpu/device.hpp"
-#include "gpu/kernel_cache.hpp"
+#include "gpu/pipeline_cache.hpp"
 #include "gpu/shader_source.hpp"
 
 namespace weft::gpu {
@@ -77,7 +77,7 @@ class Kernel {
  private:
   Device* device_ = nullptr;
   std::string label_;
-  SharedCompiledKernel compiled_;
+  SharedPipeline compiled_;
   std::uint32_t workgroup_size_ = kDefaultWorkgroupSize;
 };
 

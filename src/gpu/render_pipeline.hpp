@@ -14,19 +14,19 @@ namespace weft::gpu {
 class RenderPipeline {
  public:
   RenderPipeline() = default;
+  /// Compiles src/`path`, unless the device has done so already for the same info.
   /// Errors  Shader: it does not compile, or does not fit the formats.
   static Result<RenderPipeline> create(Device& device, const std::string& path,
                                        const RenderPipelineInfo& info);
 
   /// Errors  Shape: another number of things than the shader binds.
   Result<BindGroup> bind(std::initializer_list<Binding> sources) const;
-  Id id() const { return pipeline_.id(); }
+  Id id() const { return compiled_ ? compiled_->pipeline.id() : 0; }
 
  private:
   Device* device_ = nullptr;
   std::string label_;
-  std::vector<BindingLayout> bindings_;
-  Object group_layout_, layout_, pipeline_;
+  SharedPipeline compiled_;
 };
 
 }  // namespace weft::gpu

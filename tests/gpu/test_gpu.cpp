@@ -48,12 +48,29 @@ TEST_CASE("a kernel is compiled once for all who ask for the same text, constant
   CHECK(device.kernels().size() == 2);
 }
 
+TEST_CASE("a render pipeline is compiled once for all who ask for the same shaders, formats and constants") {
+  GpuFixture fixture{OwnDevice{}};
+  Device& device = fixture.device();
+  RenderPipelineInfo info;
+  info.color = TextureFormat::Rgba8Unorm;
+  const auto make = [&] { return RenderPipeline::create(device, "overlay/overlay.wgsl", info); };
+  const auto first = make(), second = make();
+  REQUIRE(first);
+  REQUIRE(second);
+  CHECK(first->id() == second->id());
+  info.blend = true;
+  const auto blended = make();
+  REQUIRE(blended);
+  CHECK(blended->id() != first->id());
+  CHECK(device.render_pipelines().size() == 2);
+}
+
 TEST_CASE("of too many kernels the one goes that was asked for the longest ago") {
   KernelCache kernels;
   for (std::size_t i = 0; i < KernelCache::kMost; ++i)
-    kernels[std::to_string(i)] = std::make_shared<const CompiledKernel>();
+    kernels[std::to_string(i)] = std::make_shared<const CompiledPipeline>();
   CHECK(kernels.find("0") != nullptr);
-  kernels["new"] = std::make_shared<const CompiledKernel>();
+  kernels["new"] = std::make_shared<const CompiledPipeline>();
   CHECK(kernels.size() == KernelCache::kMost);
   CHECK(kernels.find("0") != nullptr);
   CHECK(kernels.find("1") == nullptr);
