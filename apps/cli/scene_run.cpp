@@ -7,8 +7,7 @@
 #include "checkpoint.hpp"
 #include "common.hpp"
 #include "progress.hpp"
-#include "sim/sewn_state.hpp"
-#include "sim/torn_state.hpp"
+#include "sim/mesh_change.hpp"
 
 namespace weft::cli {
 namespace {
@@ -32,44 +31,12 @@ Result<void> SceneRun::make_world() {
   return {};
 }
 
-Result<void> SceneRun::open(const sim::SavedState& state) {
-  if (!(state.tears == world_->tears() && state.sewing == world_->sewing())) {
-    scene::Scene scene = scene_;
-    scene.solver.kind = world_->plan().method().kind;  // what "auto" took when the cloth was whole
-    world_.reset();
-    sim::WorldOptions options;
-    options.tears = state.tears;
-    options.sewing = state.sewing;
-    WEFT_SET(world_, sim::World::create(*device_, std::move(scene), assets_, options));
-  }
-  return world_->open(state);
-}
-
-Result<void> SceneRun::tear() {
-  const std::size_t before = world_->tears().splits();
-  WEFT_TRY(torn, sim::torn_state(*world_, build_name()));
-  if (!torn) return {};
-  if (before == 0) say("Cloth tears since frame %u.", world_->frame());
-  return go_on(*torn);
-}
-
-Result<void> SceneRun::sew() {
-  WEFT_TRY(sewn, sim::sewn_state(*world_, build_name()));
-  for (const SeamNews& news : sewn.news) {
-    if (news.open == 0) {
-      say("%s is sewn since frame %u.", news.where.c_str(), world_->frame());
-    } else {
-      say("%s does not close: %zu pairs are open by up to %.3g mm after %g s; threads go on to pull.",
-          news.where.c_str(), news.open, 1e3 * news.widest, world_->time());
-    }
-  }
-  return sewn.state ? go_on(*sewn.state) : Result<void>();
-}
-
-Result<void> SceneRun::go_on(const sim::SavedState& state) {
+Result<void> SceneRun::change_mesh() {
+  if (!sim::may_change_mesh(scene_)) return {};
   if (results_) WEFT_CHECK(results_->settle());
-  WEFT_CHECK(open(state));
-  return results_ ? results_->go_on(*world_) : Result<void>();
+  WEFT_TRY(change, sim::change_mesh(world_, build_name()));
+  for (const std::string& news : change.news) say("%s", news.c_str());
+  return change.changed && results_ ? results_->go_on(*world_) : Result<void>();
 }
 
 Result<void> SceneRun::begin() {
@@ -87,7 +54,7 @@ Result<void> SceneRun::begin() {
 Result<void> SceneRun::resume() {
   auto opened = [&]() -> Result<sim::SavedState> {
     WEFT_TRY(state, read_checkpoint(options_.resume, *world_));
-    WEFT_CHECK(open(state));
+    WEFT_CHECK(sim::open_in(world_, state));
     return state;
   }();
   if (!opened) return opened.error().while_doing("resuming from " + options_.resume);
@@ -106,7 +73,7 @@ Result<void> SceneRun::go_back() {
   if (results_) results_->let_go();
   world_.reset();
   WEFT_CHECK(make_world());
-  WEFT_CHECK(open(*checkpoint_));
+  WEFT_CHECK(sim::open_in(world_, *checkpoint_));
   return results_ ? results_->go_on(*world_) : Result<void>();
 }
 
@@ -125,8 +92,7 @@ Result<void> SceneRun::advance() {
   if (strikes("nan", frame)) world_->set_node(0, {NAN, 0, 0, 1}, {});
   if (strikes("lost", frame)) world_->device().lose();
   const auto start = Clock::now();
-  WEFT_CHECK(sew());
-  WEFT_CHECK(tear());
+  WEFT_CHECK(change_mesh());
   WEFT_CHECK(world_->advance_frame());
   WEFT_CHECK(world_->finish());
   if (frame < furthest_) return {};  // it has been counted

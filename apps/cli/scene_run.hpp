@@ -36,14 +36,8 @@ class SceneRun {
 
  private:
   Result<void> make_world();
-  /// Makes a state the world's, which is made anew where that is torn otherwise.
-  Result<void> open(const sim::SavedState& state);
-  /// Tears what bears too much before the next frame.
-  Result<void> tear();
-  /// Sews on what is to be sewn.
-  Result<void> sew();
-  /// Goes on with the state of a world that is torn or sewn otherwise than this one.
-  Result<void> go_on(const sim::SavedState& state);
+  /// Sews on and tears what is due before the next frame.
+  Result<void> change_mesh();
   Result<void> resume();
   Result<void> advance();
   Result<void> keep_checkpoint();

@@ -78,7 +78,8 @@ class World {
   ~World();
 
   /// Simulates frames: each of describe().frame_seconds. They are handed to the GPU; the host waits only where more
-  /// than three are under way.
+  /// than three are under way. Before a frame that sews cloth or tears it, nodes and triangles become others: buffers
+  /// have their new numbers from then on, and native handles and triangles() are to be asked for again.
   /// Errors  Diverged: a node of an earlier frame is not finite; the state is that before this frame, and stays.
   ///         DeviceLost, OutOfMemory: only a new World goes on.
   Result<void> advance(std::uint32_t frames = 1);

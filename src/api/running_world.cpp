@@ -3,6 +3,11 @@
 #include "view/world_inputs.hpp"
 
 namespace weft {
+namespace {
+
+constexpr const char* kBuild = WEFT_VERSION ", the library";
+
+}  // namespace
 
 Result<std::unique_ptr<RunningWorld>> RunningWorld::create(gpu::DeviceOptions device, const SceneText& source,
                                                            const ReadInputs& read) {
@@ -11,6 +16,31 @@ Result<std::unique_ptr<RunningWorld>> RunningWorld::create(gpu::DeviceOptions de
   WEFT_CHECK(running->session.load(source, read));
   return running;
 }
+
+void RunningWorld::let_go() {
+  drawing.reset();
+  texture_view.reset();
+}
+
+Result<void> RunningWorld::advance() {
+  if (session.changes_mesh()) {
+    WEFT_TRY(change, session.change_mesh(kBuild));
+    if (change.changed) let_go();
+  }
+  return world().advance_frame();
+}
+
+Result<void> RunningWorld::reset() {
+  if (session.changes_mesh()) let_go();
+  return session.reset();
+}
+
+Result<std::string> RunningWorld::open_state(std::span<const std::byte> bytes) {
+  if (session.changes_mesh()) let_go();
+  return session.open_state(bytes, kBuild);
+}
+
+Result<std::vector<std::byte>> RunningWorld::save_state() { return session.save_state(kBuild); }
 
 Result<void> RunningWorld::settle() {
   const Result<void> finished = world().finish();

@@ -8,11 +8,6 @@
 #include "weft/native.hpp"
 
 namespace weft {
-namespace {
-
-constexpr const char* kBuild = WEFT_VERSION ", the library";
-
-}  // namespace
 
 Result<std::vector<AdapterInfo>> adapters() { return gpu::Device::adapters(); }
 
@@ -36,11 +31,11 @@ Result<World> World::create_on(const NativeDevice& device, const Scene& scene) {
 }
 
 Result<void> World::advance(std::uint32_t frames) {
-  for (std::uint32_t frame = 0; frame < frames; ++frame) WEFT_CHECK(running_->world().advance_frame());
+  for (std::uint32_t frame = 0; frame < frames; ++frame) WEFT_CHECK(running_->advance());
   return {};
 }
 Result<void> World::finish() { return running_->world().finish(); }
-Result<void> World::reset() { return running_->world().reset(); }
+Result<void> World::reset() { return running_->reset(); }
 
 std::uint32_t World::frame() const { return running_->world().frame(); }
 double World::time() const { return running_->world().time(); }
@@ -92,9 +87,9 @@ Result<std::vector<std::byte>> World::mesh_file(const std::string& format) {
   return running_->session.exported();
 }
 
-Result<std::vector<std::byte>> World::save_state() { return running_->session.save_state(kBuild); }
+Result<std::vector<std::byte>> World::save_state() { return running_->save_state(); }
 Result<bool> World::open_state(std::span<const std::byte> bytes) {
-  WEFT_TRY(other, running_->session.open_state(bytes, kBuild));
+  WEFT_TRY(other, running_->open_state(bytes));
   return other.empty();
 }
 

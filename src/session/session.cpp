@@ -45,18 +45,41 @@ Result<void> Session::build(SceneText source, const ReadInputs& read) {
   exported_ = {};
   source_ = std::move(source);
   WEFT_TRY(inputs, read(source_));
-  WEFT_CHECK(check_whole(inputs.scene));
-  WEFT_CHECK(check_unsewn(inputs.scene));
   WEFT_CHECK(device_->status());
   WEFT_TRY(world, sim::World::create(*device_, std::move(inputs.scene), inputs.assets));
   world_ = std::move(world);
+  WEFT_CHECK(show_world());
+  return device_->wait();  // now it is known whether all of it could be made
+}
+
+Result<void> Session::show_world() {
+  if (made_) made_(*world_);
   if (canvas_.target == 0) return {};
   if (shown_ == scene::View::Contacts && world_->contact_counts() == nullptr) shown_ = scene::View::Textured;
   WEFT_TRY(view, view::CanvasView::create(*world_, canvas_, shown_));
   view_.emplace(std::move(view));
-  WEFT_CHECK(world_->count_contacts(shown_ == scene::View::Contacts));
-  return device_->wait();  // now it is known whether all of it could be made
+  return world_->count_contacts(shown_ == scene::View::Contacts);
 }
+
+Result<void> Session::follow(const Result<bool>& anew) {
+  if (anew && !*anew) return {};
+  if (!anew && world_) return anew.error();
+  std::optional<render::Camera> camera;
+  if (view_) camera = view_->camera();
+  view_.reset();
+  if (!anew) return anew.error();
+  WEFT_CHECK(show_world());
+  if (view_ && camera) view_->set_camera(*camera);
+  return device_->wait();
+}
+
+Result<sim::MeshChange> Session::change_mesh(const std::string& build) {
+  Result<sim::MeshChange> made = sim::change_mesh(world_, build);
+  WEFT_CHECK(follow(made ? Result<bool>(made->changed) : Result<bool>(made.error())));
+  return made;
+}
+
+Result<void> Session::reset() { return follow(sim::reset_whole(world_)); }
 
 Result<void> Session::set(const std::string& key, const std::string& value) {
   std::vector<scene::Override>& changes = source_.changes;
@@ -126,7 +149,7 @@ Result<std::vector<std::byte>> Session::save_state(const std::string& build) {
 
 Result<std::string> Session::open_state(std::span<const std::byte> bytes, const std::string& build) {
   WEFT_TRY(state, sim::read_saved_state(bytes));
-  WEFT_CHECK(world_->open(state));
+  WEFT_CHECK(follow(sim::open_in(world_, state)));
   return sim::other_origin(state, build, device_->adapter().name);
 }
 

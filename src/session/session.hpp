@@ -12,6 +12,7 @@
 #include "model/assets.hpp"
 #include "scene/override.hpp"
 #include "sim/kernel_times.hpp"
+#include "sim/mesh_change.hpp"
 #include "sim/world.hpp"
 #include "view/canvas_view.hpp"
 
@@ -44,12 +45,21 @@ class Session {
   Result<void> set(const std::string& key, const std::string& value);
   void close();
 
+  /// Calls `made` with each world that is made, from the next load on: of a scene whose mesh changes there are several.
+  void on_world(std::function<void(sim::World& world)> made) { made_ = std::move(made); }
+
   /// Draws there from now on; before the next load.
   void set_canvas(const view::Canvas& canvas) { canvas_ = canvas; }
   Result<void> resize(std::uint32_t width, std::uint32_t height);
   Result<void> set_view(scene::View view);
 
+  /// Whether cloth may tear or is sewn: then change_mesh is due before each frame.
+  bool changes_mesh() const { return world_ && sim::may_change_mesh(world_->scene()); }
+  /// As sim::change_mesh; what is drawn goes on from where it was seen. `build` as of save_state.
+  Result<sim::MeshChange> change_mesh(const std::string& build);
   Result<void> advance(bool draw);
+  /// Back to the rest state at time 0, whole and unsewn. Errors  as sim::reset_whole.
+  Result<void> reset();
   /// Draws the current state.
   Result<void> draw();
   /// The node under (x, y) in clip coordinates; picked() has it until the next call.
@@ -78,12 +88,17 @@ class Session {
 
  private:
   Result<void> build(SceneText source, const ReadInputs& read);
+  /// Of a world that was just made.
+  Result<void> show_world();
+  /// After what may have made the world anew, or have left none: it is drawn from where it was seen.
+  Result<void> follow(const Result<bool>& anew);
 
   std::unique_ptr<gpu::Device> device_;
   SceneText source_;
   std::unique_ptr<sim::World> world_;
   view::Canvas canvas_;
   scene::View shown_ = scene::View::Textured;
+  std::function<void(sim::World& world)> made_;
   std::optional<view::CanvasView> view_;  // draws from the world's buffers: goes before it
   std::optional<render::PickedNode> picked_;
   sim::Snapshot snapshot_;

@@ -99,3 +99,72 @@ TEST_CASE("the shape is exported in three formats, and no fourth") {
   CHECK(session.export_mesh("stl").error().message ==
         "The format stl is not known; there are obj, ply and glb.");
 }
+
+namespace {
+
+/// A strip whose right end goes away from its left.
+const SceneText kPulled{
+    R"({ "format": "weft-scene/1", "gravity": [0, 0, 0], "contact": { "method": "none" }, "time": { "substeps": 8 },
+        "solver": {"kind": "mass_spring"},
+  "cloths": [{ "grid": [9, 5], "size": [0.24, 0.1], "density": 0.1, "strength": 20, "pins": ["left"], "damping": 0.01,
+    "stiffness": { "structural": 200, "shear": 60, "bend": 0 },
+    "motions": [{ "nodes": "right", "kind": "line", "direction": [1, 0, 0], "speed": 0.6 }] }] })",
+    "strip",
+    {}};
+
+void tear(Session& session) {
+  for (int frame = 0; frame < 40 && session.world()->tears().splits() == 0; ++frame) {
+    const auto changed = session.change_mesh("test");
+    REQUIRE_OK(changed);
+    REQUIRE_OK(session.advance(false));
+    const auto finished = session.world()->finish();
+    REQUIRE_OK(finished);
+  }
+  REQUIRE(session.world()->tears().splits() > 0);
+}
+
+}  // namespace
+
+TEST_CASE("a session whose cloth tears has the world made anew, says so once, and a reset makes it whole") {
+  Session session;
+  REQUIRE_OK(session.open({}));
+  int worlds = 0;
+  session.on_world([&](sim::World&) { ++worlds; });
+  REQUIRE_OK(session.load(kPulled, read_inputs));
+  CHECK(session.changes_mesh());
+  CHECK(worlds == 1);
+  const std::size_t whole = session.world()->model().vertex_count();
+  tear(session);
+  CHECK(worlds == 2);
+  const std::size_t torn = session.world()->model().vertex_count();
+  CHECK(torn > whole);
+  const auto saved = session.save_state("test");
+  REQUIRE_OK(saved);
+
+  REQUIRE_OK(session.reset());
+  CHECK(worlds == 3);
+  CHECK(session.world()->model().vertex_count() == whole);
+  CHECK(session.world()->tears().splits() == 0);
+  CHECK(session.world()->frame() == 0);
+
+  const auto opened = session.open_state(*saved, "test");
+  REQUIRE_OK(opened);
+  CHECK(opened->empty());
+  CHECK(session.world()->model().vertex_count() == torn);
+  REQUIRE_OK(session.take_snapshot());
+  const std::string hash = session.snapshot().hash();
+  std::vector<std::byte> cut(saved->begin(), saved->end() - 9);
+  CHECK_FALSE(session.open_state(cut, "test"));
+  REQUIRE_OK(session.take_snapshot());
+  CHECK(session.snapshot().hash() == hash);
+}
+
+TEST_CASE("a session that loads a scene whose mesh stays as it is has nothing to change") {
+  Session session;
+  open_and_load(session);
+  CHECK_FALSE(session.changes_mesh());
+  const auto changed = session.change_mesh("test");
+  REQUIRE_OK(changed);
+  CHECK_FALSE(changed->changed);
+  CHECK(changed->news.empty());
+}

@@ -2,7 +2,7 @@
 #include "contact_rig.hpp"
 #include "method/method.hpp"
 #include "scene/names.hpp"
-#include "sim/torn_state.hpp"
+#include "sim/mesh_change.hpp"
 
 using namespace weft;
 
@@ -22,18 +22,10 @@ scene::Scene pulled_strip(const std::string& solver, bool pulled, const std::str
 }
 
 /// Goes on by so many frames, and tears before each. The last world of the run.
-std::unique_ptr<sim::World> torn_on(gpu::Device& device, std::unique_ptr<sim::World> world, int frames) {
+std::unique_ptr<sim::World> torn_on(std::unique_ptr<sim::World> world, int frames) {
   for (int frame = 0; frame < frames; ++frame) {
-    auto torn = sim::torn_state(*world, "test");
-    REQUIRE_OK(torn);
-    if (*torn) {
-      sim::WorldOptions options;
-      options.tears = (*torn)->tears;
-      auto next = sim::World::create(device, world->scene(), world->assets(), options);
-      REQUIRE_OK(next);
-      REQUIRE_OK((*next)->open(**torn));
-      world = std::move(*next);
-    }
+    const auto changed = sim::change_mesh(world, "test");
+    REQUIRE_OK(changed);
     advance(*world, 1);
   }
   return world;
@@ -47,12 +39,12 @@ TEST_CASE(
   for (const std::string solver : {"mass_spring", "multigrid"}) {
     CAPTURE(solver);
     const double first = kStrength / kWarp * kLength / kSpeed * 60;  // frames, from rest
-    auto world = torn_on(fixture.device(), world_of(fixture.device(), pulled_strip(solver, true, "none")),
+    auto world = torn_on(world_of(fixture.device(), pulled_strip(solver, true, "none")),
                          static_cast<int>(0.8 * first));
     CHECK(world->tears().splits() == 0);
-    world = torn_on(fixture.device(), std::move(world), static_cast<int>(0.4 * first));
+    world = torn_on(std::move(world), static_cast<int>(0.4 * first));
     CHECK(world->tears().splits() > 0);
-    world = torn_on(fixture.device(), world_of(fixture.device(), pulled_strip(solver, false, "none")), 10);
+    world = torn_on(world_of(fixture.device(), pulled_strip(solver, false, "none")), 10);
     CHECK(world->tears().splits() == 0);
   }
 }
@@ -63,9 +55,8 @@ TEST_CASE(
   GpuFixture fixture;
   for (const std::string solver : {"mass_spring", "multigrid"}) {
     CAPTURE(solver);
-    auto world =
-        torn_on(fixture.device(), world_of(fixture.device(), pulled_strip(solver, true, "proximity")), 14);
-    world = torn_on(fixture.device(), std::move(world), 3);
+    auto world = torn_on(world_of(fixture.device(), pulled_strip(solver, true, "proximity")), 14);
+    world = torn_on(std::move(world), 3);
     REQUIRE(world->tears().splits() > 0);
     const auto saved = world->save("test");
     REQUIRE_OK(saved);
@@ -78,7 +69,7 @@ TEST_CASE(
     auto other = sim::World::create(fixture.device(), whole->scene(), whole->assets(), options);
     REQUIRE_OK(other);
     REQUIRE_OK((*other)->open(*read));
-    const std::string ended = hash_of(*torn_on(fixture.device(), std::move(world), 3));
-    CHECK(hash_of(*torn_on(fixture.device(), std::move(*other), 3)) == ended);
+    const std::string ended = hash_of(*torn_on(std::move(world), 3));
+    CHECK(hash_of(*torn_on(std::move(*other), 3)) == ended);
   }
 }

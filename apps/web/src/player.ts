@@ -162,6 +162,7 @@ export class Player {
     world.on("error", (error) => { // what the scene before still has to say is of no interest while another loads
       if (this.scene || error.kind === "device-lost") void this.fail(error);
     });
+    world.on("news", (sentence) => this.events.said(sentence));
     this.watch(world);
   }
 

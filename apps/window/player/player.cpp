@@ -62,15 +62,17 @@ void Player::find_home() {
 Result<void> Player::load(const Wanted& wanted) {
   SceneText source = changed_text(wanted);
   const OwnMesh* mesh = wanted.mesh.get();
+  session_.on_world([this](sim::World& made) {
+    made.on_report([this, &made](std::uint32_t frame) {
+      const std::uint64_t truncated = made.totals().truncated;
+      altered_.add(made, frame, truncated - truncated_);
+      truncated_ = truncated;
+    });
+  });
   WEFT_CHECK(session_.load(std::move(source), [&](const SceneText& text) { return read_(text, mesh); }));
   WEFT_SET(values_, SceneValues::read(wanted.scene, wanted.set));
   facts_ = describe(world());
   count_anew();
-  world().on_report([this](std::uint32_t frame) {
-    const std::uint64_t truncated = world().totals().truncated;
-    altered_.add(world(), frame, truncated - truncated_);
-    truncated_ = truncated;
-  });
   find_home();
   return {};
 }
@@ -124,7 +126,18 @@ std::vector<std::string> Player::remarks() {
 
 // Time
 
+Result<void> Player::change_mesh() {
+  if (!session_.changes_mesh()) return {};
+  WEFT_TRY(change, session_.change_mesh(build_));
+  for (const std::string& news : change.news) notice.say(news, Tone::Plain);
+  if (!change.changed) return {};
+  facts_ = describe(world());
+  pins_.take(world().grabbed());
+  return recording_ ? recording_->go_on(world()) : Result<void>();
+}
+
 Result<void> Player::simulate_and_draw() {
+  WEFT_CHECK(change_mesh());
   WEFT_CHECK(session_.advance(true));
   stale_ = false;
   return recording_ ? recording_->add(world(), look().camera()) : Result<void>();
@@ -171,7 +184,9 @@ Result<void> Player::step() {
 Result<void> Player::reset() {
   if (!has_world()) return {};
   count_anew();
-  return stopped(world().reset());
+  const Result<void> done = session_.reset();
+  if (done) facts_ = describe(world());
+  return stopped(done);
 }
 
 Result<std::string> Player::state_hash() {

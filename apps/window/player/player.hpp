@@ -107,6 +107,8 @@ class Player {
   /// Where the camera stands until it is turned: such that the cloth is in the picture.
   void find_home();
   Result<void> make_canvas(std::uint32_t width, std::uint32_t height);
+  /// Sews and tears what is due before the next frame.
+  Result<void> change_mesh();
   Result<void> simulate_and_draw();
   /// The same as said, and ends the playing.
   Result<void> stopped(const Result<void>& done);

@@ -15,6 +15,8 @@ class Recording {
   /// Draws the state as the next picture, from this camera. Waits for the frame: one that is repeated would be drawn as
   /// it was before. Errors  Failure: it cannot be written. DeviceLost.
   Result<void> add(sim::World& world, const render::Camera& camera);
+  /// Goes on with a world that was made in the place of the one before. Errors  Shader, OutOfMemory.
+  Result<void> go_on(sim::World& world) { return pictures_->go_on(world); }
   /// Where all is; the sentence says so. Errors  Failure: the disk is full.
   Result<std::string> end();
 

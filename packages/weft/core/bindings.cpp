@@ -60,11 +60,19 @@ void report(const weft::sim::World& world, std::uint32_t frame) {
 weft::Result<void> load(const std::string& text, const std::string& changes) {
   WEFT_TRY(source, weft::web::scene_text(text, changes));
   reported.clear();
+  session->on_world([](weft::sim::World& world) {
+    world.on_report([&world](std::uint32_t frame) { report(world, frame); });
+  });
   WEFT_CHECK(session->load(std::move(source), [](const weft::SceneText& given) {
     return weft::web::read_inputs(given, weft::kWorldBytesPerNode);
   }));
-  weft::sim::World* world = session->world();
-  world->on_report([world](std::uint32_t frame) { report(*world, frame); });
+  return {};
+}
+
+/// Leaves what came of it as JSON in `message`.
+weft::Result<void> change_mesh(Session& of) {
+  WEFT_TRY(change, of.change_mesh(kBuild));
+  message = nlohmann::ordered_json{{"changed", change.changed}, {"news", change.news}}.dump();
   return {};
 }
 
@@ -88,6 +96,7 @@ std::string describe() {
     if (const auto can = view()->can_show(shown); !can)
       json["refusedViews"][weft::scene::name_of(shown)] = can.error().message;
   }
+  json["changesMesh"] = session->changes_mesh();
   json["adapter"] = session->device().adapter().name;
   json["gpuBytes"] = session->device().allocated_bytes();
   json["timestamps"] = session->device().has_timestamps();
@@ -164,6 +173,10 @@ EMSCRIPTEN_KEEPALIVE void weft_describe() {
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_has_room() {
   return session != nullptr && session->world() != nullptr && session->world()->has_room() ? 1 : 0;
 }
+/// Sleeps. Before each frame of a scene that changesMesh; leaves {"changed", "news"} in weft_message.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_change_mesh() {
+  return with_world([](Session& s) { return change_mesh(s); });
+}
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_advance() {
   return with_world([](Session& s) { return s.advance(false); });
 }
@@ -182,7 +195,7 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_finish() {
 }
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_reset() {
-  return with_world([](Session& s) { return s.world()->reset(); });
+  return with_world([](Session& s) { return s.reset(); });
 }
 
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_set(const char* key, std::uint32_t key_size, const char* value,

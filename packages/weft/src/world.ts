@@ -33,6 +33,8 @@ export class World {
   private readonly listeners: { [name in keyof Events]: Set<(event: Events[name]) => void> } = {
     frame: new Set(),
     step: new Set(),
+    mesh: new Set(),
+    news: new Set(),
     error: new Set(),
   };
   private current: WorldInfo | null = null;
@@ -45,6 +47,7 @@ export class World {
   private stale = true; // whether the canvas shows something else than it would now
   private timer = 0;
   private disposed = false;
+  private changing = false; // whether a frame waits for the mesh
   private hostTime = 0; // [ms]
   private lossTold = false;
 
@@ -109,12 +112,16 @@ export class World {
       this.scene = { scene, set };
       await this.core.addMeshes(meshes);
       await this.core.sleepNow("load", [sceneText(scene), changeLines(set)]);
-      this.core.call("describe");
-      this.current = JSON.parse(this.core.text()) as WorldInfo;
+      this.current = this.describe();
       this.shownView = this.current.view;
       this.totals.droppedSeconds = 0;
     });
     this.changed();
+  }
+
+  private describe(): WorldInfo {
+    this.core.call("describe");
+    return JSON.parse(this.core.text()) as WorldInfo;
   }
 
   /**
@@ -152,9 +159,10 @@ export class World {
   /** Simulates this many frames and waits for them. Draws each of them, or else the last, or none. */
   async step(frames = 1, { draw = false }: StepOptions = {}): Promise<Statistics> {
     for (let i = 0; i < frames;) {
-      const went = await this.core.turn(() => {
+      const went = await this.core.turn(async () => {
         this.loaded();
         if (this.core.now("_weft_has_room") === 0) return false;
+        if (this.info.changesMesh) await this.changeMesh();
         this.core.checkNow(draw ? "_weft_advance_and_draw" : "_weft_advance");
         return true;
       });
@@ -173,6 +181,7 @@ export class World {
   async reset(): Promise<void> {
     this.loaded();
     await this.core.sleep("reset");
+    if (this.info.changesMesh) this.tellMesh();
     this.totals.droppedSeconds = 0;
     this.changed();
   }
@@ -425,6 +434,19 @@ export class World {
 
   // The frame
 
+  /** Sews and tears what is due before the next frame; within a turn. */
+  private async changeMesh(): Promise<void> {
+    await this.core.sleepNow("change_mesh", []);
+    const { changed, news } = JSON.parse(this.core.text()) as { changed: boolean; news: string[] };
+    if (changed) this.tellMesh();
+    for (const sentence of news) for (const listener of this.listeners.news) listener(sentence);
+  }
+
+  private tellMesh(): void {
+    this.current = this.describe();
+    for (const listener of this.listeners.mesh) listener(this.current);
+  }
+
   private schedule(): void {
     if (this.timer === 0 && !this.disposed) this.timer = schedule((now) => this.tick(now));
   }
@@ -457,17 +479,37 @@ export class World {
       this.totals.droppedSeconds += due - this.due;
       this.lastTick = now;
       // A display of 60 Hz ticks a little early or late; half a millisecond of slack keeps one frame a tick.
-      if (this.due + 5e-4 >= frameSeconds && this.core.now("_weft_has_room") !== 0) {
+      if (this.due + 5e-4 >= frameSeconds && !this.changing && this.core.now("_weft_has_room") !== 0) {
         this.due -= frameSeconds;
+        if (this.info.changesMesh) return this.changeAndAdvance();
         this.core.checkNow(this.canvas ? "_weft_advance_and_draw" : "_weft_advance");
         advanced = true;
       }
     }
     if (this.canvas && this.stale && !advanced) this.core.checkNow("_weft_draw");
     if (!advanced && !this.stale) return;
+    this.tellFrame();
+    if (advanced) this.hostTime = performance.now() - start;
+  }
+
+  /** A frame of a scene whose mesh may change, which waits for those before. */
+  private changeAndAdvance(): void {
+    const start = performance.now();
+    this.changing = true;
+    this.core.turn(async () => {
+      if (!this.current || !this.playing) return;
+      await this.changeMesh();
+      this.core.checkNow(this.canvas ? "_weft_advance_and_draw" : "_weft_advance");
+      this.tellFrame();
+      this.hostTime = performance.now() - start;
+    }).catch((reason: unknown) => this.fail(reason)).finally(() => {
+      this.changing = false;
+    });
+  }
+
+  private tellFrame(): void {
     this.stale = false;
     this.readTotals();
-    if (advanced) this.hostTime = performance.now() - start;
     for (const listener of this.listeners.frame) listener(this.totals);
   }
 

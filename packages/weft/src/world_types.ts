@@ -60,6 +60,8 @@ export interface WorldInfo {
   slivers: number;
   /** Of bodies. */
   tetrahedra: number;
+  /** Whether cloth may tear or is sewn: nodes and triangles then become others while it runs, and `mesh` is told. */
+  changesMesh: boolean;
   /** Steps a frame, and how long each is and may be [s]. */
   substeps: number;
   stepSeconds: number;
@@ -177,6 +179,10 @@ export interface Events {
   frame: Readonly<Statistics>;
   /** Every frame once, in their order, by run or by step: when the GPU has reported it, up to three frames later. */
   step: Readonly<Step>;
+  /** Cloth was sewn or has torn before a frame, or is whole again: `info` has other nodes and triangles from now on. */
+  mesh: WorldInfo;
+  /** A sentence about it: cloth begins to tear, a seam is closed or does not close. */
+  news: string;
   /**
    * Something failed that no promise tells of: while running, or the device was lost. The world is paused. After
    * "device-lost", `recover` starts again.
