@@ -1,4 +1,5 @@
-# The engine as one static library, weft::weft, and what `cmake --install` puts beside it.
+# The engine as one library, weft::weft, which is static, and weft::weft_shared, and what `cmake --install` puts beside
+# them.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 find_package(Threads REQUIRED)
@@ -23,17 +24,28 @@ endfunction()
 weft_rooms_below(api rooms)
 list(TRANSFORM rooms REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
 add_library(weft_library STATIC ${objects})
+add_library(weft_shared SHARED ${objects})
+add_dependencies(weft_library weft_shared)  # what is installed together is built together
+set_target_properties(weft_library PROPERTIES EXPORT_NAME weft)
 add_library(weft::weft ALIAS weft_library)
-set_target_properties(weft_library PROPERTIES OUTPUT_NAME weft EXPORT_NAME weft LINKER_LANGUAGE CXX)
-target_compile_features(weft_library PUBLIC cxx_std_20)
-target_include_directories(weft_library INTERFACE
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(weft_library PRIVATE Threads::Threads weft::wgpu_native
-  $<BUILD_INTERFACE:z> $<INSTALL_INTERFACE:ZLIB::ZLIB>)
+add_library(weft::weft_shared ALIAS weft_shared)
+foreach(library weft_library weft_shared)
+  set_target_properties(${library} PROPERTIES OUTPUT_NAME weft LINKER_LANGUAGE CXX)
+  target_compile_features(${library} PUBLIC cxx_std_20)
+  target_include_directories(${library} INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${library} PRIVATE Threads::Threads weft::wgpu_native
+    $<BUILD_INTERFACE:z> $<INSTALL_INTERFACE:ZLIB::ZLIB>)
+endforeach()
+# Its name has the numbers that programs depend on: before 1.0 a minor version may change what it declares.
+set(exported ${PROJECT_SOURCE_DIR}/src/api/exported.map)
+set_target_properties(weft_shared PROPERTIES VERSION ${PROJECT_VERSION} INSTALL_RPATH "$ORIGIN" LINK_DEPENDS ${exported}
+  SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+target_link_options(weft_shared PRIVATE LINKER:--version-script=${exported})
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/weft)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/weft DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(TARGETS weft_library EXPORT weft ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS weft_library weft_shared EXPORT weft DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(FILES ${PROJECT_BINARY_DIR}/libwgpu_native.so DESTINATION ${CMAKE_INSTALL_LIBDIR})
 set(wgpu_headers ${CMAKE_INSTALL_INCLUDEDIR}/weft-wgpu)  # for programs that use the GPU themselves: weft::wgpu_native
 install(FILES ${WEFT_WGPU_DIR}/webgpu.h ${WEFT_WGPU_DIR}/wgpu.h DESTINATION ${wgpu_headers})
@@ -46,3 +58,12 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/weft-config.cmake.in $
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/weft-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/weft-config.cmake ${PROJECT_BINARY_DIR}/weft-config-version.cmake
         DESTINATION ${package})
+
+# For other build systems: pkg-config. The files find the folders from their own place, so a prefix may be moved.
+set(pkgconfig ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH up ${CMAKE_INSTALL_PREFIX}/${pkgconfig} ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" up ${up})
+foreach(name weft weft-wgpu)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${pkgconfig})
+endforeach()

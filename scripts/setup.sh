@@ -31,7 +31,7 @@ WEB_PACKAGES=(emscripten)
 WINDOW_PACKAGES=(libglfw3-dev libimgui-dev fonts-dejavu-core)
 REPORT_PACKAGES=(python3-jinja2)
 FORMAT_PACKAGES=(clang-format-14 shellcheck shfmt)
-TEST_PACKAGES=(chromium doctest-dev libtinyobjloader-dev libtinygltf-dev libeigen3-dev shellcheck
+TEST_PACKAGES=(chromium doctest-dev libtinyobjloader-dev libtinygltf-dev libeigen3-dev pkgconf shellcheck
   xvfb xdotool python3-xlib "${REPORT_PACKAGES[@]}" "${WINDOW_PACKAGES[@]}")
 
 as_root() {

@@ -4,6 +4,10 @@
 // but the standard library.
 #pragma once
 
+#if __cplusplus < 202002L
+#error "weft's headers need C++20: compile with -std=c++20 or a later standard."
+#endif
+
 #include "weft/adapter.hpp"
 #include "weft/image.hpp"
 #include "weft/placement.hpp"

@@ -9,7 +9,7 @@
 namespace weft {
 
 /// What a Scene holds.
-struct Scene::Content {
+struct [[gnu::visibility("hidden")]] Scene::Content {
   SceneText source;
   std::string models_folder;
   std::map<std::string, mesh::TriangleMesh> meshes;

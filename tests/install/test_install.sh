@@ -100,6 +100,72 @@ case_package() {
   expect "the picture" "PNG" "$(head -c 4 disc.png | tail -c 3)"
 }
 
+# library_of PROGRAM: "shared" where it loads libweft.so of this minor version, "static" where it has the library in it.
+library_of() {
+  readelf -d "$1" >dynamic.txt
+  nm -C "$1" >symbols.txt
+  if grep -q "NEEDED.*\[libweft\.so\.$minor\]" dynamic.txt; then
+    echo shared
+  elif ! grep -q 'NEEDED.*libweft' dynamic.txt && grep -q ' T weft::World::create(' symbols.txt; then
+    echo static
+  fi
+}
+
+case_libraries() {
+  install_weft
+  mv prefix moved
+  prefix=$folder/moved
+  export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+  local version minor main=$checkout/examples/cpp/hello.cpp
+  version=$(pkg-config --modversion weft)
+  minor=${version%.*}
+  expect "the version" "$(sed -nE 's/^project\(weft VERSION ([0-9.]+) .*/\1/p' "$checkout/CMakeLists.txt")" "$version"
+
+  local flags=(-std=c++20 -Wall -Wextra -Wpedantic -Werror) run="-Wl,-rpath,$prefix/lib" cflags libs all native
+  read -ra cflags <<<"$(pkg-config --cflags weft)"
+  read -ra libs <<<"$(pkg-config --libs weft)"
+  read -ra all <<<"$(pkg-config --static --libs weft)"
+  read -ra native <<<"$(pkg-config --cflags --libs weft weft-wgpu)"
+  g++ "${flags[@]}" "${cflags[@]}" -c "$main"
+  g++ hello.o "$run" "${libs[@]}" -o shared
+  g++ hello.o "$run" -Wl,-Bstatic "${all[@]}" -o static
+  g++ "${flags[@]}" "$checkout/examples/cpp/own_device.cpp" "$run" "${native[@]}" -o own_device
+  g++ -std=c++17 -fsyntax-only "${cflags[@]}" "$main" 2>old.txt && exit 1
+  grep -q "weft's headers need C++20: compile with -std=c++20 or a later standard" old.txt
+
+  mkdir consumer
+  cat >consumer/CMakeLists.txt <<END
+cmake_minimum_required(VERSION 3.16)
+project(consumer LANGUAGES CXX)
+find_package(weft $version CONFIG REQUIRED)
+add_executable(by_cmake $main)
+target_link_libraries(by_cmake PRIVATE weft::weft_shared)
+foreach(other \${weft_VERSION_MAJOR}.99 99.0)
+  find_package(later \${other} NAMES weft CONFIG QUIET)
+  if(later_FOUND)
+    message(FATAL_ERROR "weft \${weft_VERSION} stands for \${other}.")
+  endif()
+endforeach()
+END
+  {
+    cmake -G Ninja -S consumer -B build -DCMAKE_PREFIX_PATH="$prefix" && cmake --build build
+  } >consumer.log 2>&1 || {
+    cat consumer.log
+    exit 1
+  }
+  expect "libraries of the programs" "shared static shared shared" \
+    "$(library_of shared) $(library_of static) $(library_of own_device) $(library_of build/by_cmake)"
+
+  local scene=$checkout/scenes/hanging.json hash
+  hash=$(./static "$scene" 1)
+  [[ $hash =~ ^[0-9a-f]{16}$ ]]
+  expect "the state by the shared library" "$hash" "$(./shared "$scene" 1)"
+
+  rm "$prefix"/lib/libweft.so* # of a static library alone, --static is all that it takes
+  g++ hello.o "$run" "${all[@]}" -o alone
+  expect "the library of a prefix without a shared one" static "$(library_of alone)"
+}
+
 case_folder() {
   cat >CMakeLists.txt <<END
 cmake_minimum_required(VERSION 3.25)
