@@ -78,8 +78,10 @@ def declaration(text: str, name: str) -> str:
     if not start:
         raise LookupError(f"{name} is exported by index.ts and declared nowhere.")
     rest = text[start.start(2) :]
-    if start.group(2) in ("interface", "type"):
-        return start.group(1) + re.match(r".*?(?:^}|;(?= *(?:\n|//)))", rest, re.MULTILINE | re.DOTALL).group()
+    if start.group(2) == "interface":
+        return start.group(1) + re.match(r".*?^}", rest, re.MULTILINE | re.DOTALL).group()
+    if start.group(2) == "type":
+        return start.group(1) + re.match(r".*?;(?= *(?:\n|//))", rest, re.DOTALL).group()
     if start.group(2) == "class":
         return start.group(1) + public(rest[: re.search(r"^}", rest, re.MULTILINE).end()])
     end = r".*?;\n" if start.group(2) == "const" else r".*?(?= {\n)"
