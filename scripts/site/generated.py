@@ -90,9 +90,9 @@ def cpp_examples(root: Path) -> str:
 
 def web_examples(root: Path) -> str:
     parts = [titled("Web examples", "`examples/web`", "web.md")]
-    languages = {".html": "html", ".js": "js", ".css": "css", ".json": "json"}
+    languages = {".html": "html", ".js": "js", ".ts": "ts", ".css": "css", ".json": "json"}
     for path in sorted(one for one in (root / "examples/web").rglob("*") if one.suffix in languages):
-        if "node_modules" in path.parts:
+        if {"node_modules", "dist"} & set(path.parts):
             continue
         name = path.relative_to(root / "examples/web").as_posix()
         parts += [f"## {name}", fenced(languages[path.suffix], path.read_text("utf-8"))]

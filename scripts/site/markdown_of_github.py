@@ -11,6 +11,8 @@ OUTSIDE = {
     "examples/python": "reference/examples-python.md",
     "examples/web/embed.html": "reference/examples-web.md",
     "examples/web/three": "reference/examples-web.md",
+    "examples/web/vite": "reference/examples-web.md",
+    "examples/web/webpack": "reference/examples-web.md",
     "packages/weft/README.md": "reference/npm.md",
 }
 MEDIA = "bench/results/media/"  # of stored runs; on the site it is media/

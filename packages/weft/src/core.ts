@@ -20,7 +20,7 @@ const WASM = new URL("core_module.wasm", import.meta.url);
 async function load(): Promise<BufferSource | Response> {
   if (WASM.protocol !== "file:") return fetch(WASM);
   const name = "node:fs/promises"; // a variable, so that bundlers for the browser leave it alone
-  const { readFile } = (await import(/* @vite-ignore */ name)) as {
+  const { readFile } = (await import(/* @vite-ignore */ /* webpackIgnore: true */ name)) as {
     readFile(file: URL): Promise<Uint8Array<ArrayBuffer>>;
   };
   return readFile(WASM);
