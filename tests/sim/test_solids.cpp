@@ -13,11 +13,13 @@ constexpr double kThickness = 0.005;
 struct Way {
   std::string name, solver;
   int substeps;
+  std::string energy = "neo_hookean";
 };
 const Way kMethods[] = {{"mass_spring", R"({"kind": "mass_spring"})", 16},
                         {"vbd", R"({"kind": "vbd", "iterations": 20})", 8},
                         {"multigrid", R"({"kind": "multigrid"})", 8},
-                        {"fem", R"({"kind": "fem"})", 8}};
+                        {"fem", R"({"kind": "fem"})", 8},
+                        {"xpbd", R"({"kind": "xpbd", "iterations": 1})", 16}};
 
 std::string world_text(const Way& method, const std::string& rest,
                        const std::string& gravity = "[0, -9.81, 0]") {
@@ -27,11 +29,12 @@ std::string world_text(const Way& method, const std::string& rest,
 }
 
 /// A block of 3 x 3 x 3 cells of 0.2 m with E of 60 kPa and 8 kg, whose middle is there.
-std::string block(const std::string& place, const std::string& more = "",
-                  const std::string& material = R"("poisson": 0.4)") {
+std::string block(const std::string& energy, const std::string& place, const std::string& more = "",
+                  const std::string& poisson = "0.4") {
   return R"({"block": [3, 3, 3], "size": [0.2, 0.2, 0.2], "density": 1000,
-     "material": {"young": 6e4, "damping": 0.004, )" +
-         material + R"(}, "transform": {"translate": )" + place + "}" + more + "}";
+     "material": {"young": 6e4, "damping": 0.004, "poisson": )" +
+         poisson + R"(, "energy": ")" + energy + R"("}, "transform": {"translate": )" + place + "}" + more +
+         "}";
 }
 
 double lowest(const Moment& now) {
@@ -62,7 +65,7 @@ TEST_CASE("a block that lies on a plane sinks in as much as its weight says, and
     auto world = world_of(
         fixture.device(),
         contact_scene(world_text(
-            method, R"("bodies": [)" + block("[0, 0.105, 0]", "", R"("poisson": 0, "energy": "corotated")") +
+            method, R"("bodies": [)" + block("corotated", "[0, 0.105, 0]", "", "0") +
                         R"(], "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])")));
     advance(*world, 45);
     const Moment now(*world);
@@ -94,7 +97,8 @@ TEST_CASE("a block slides down a plane as Coulomb says, and lies where the plane
           world_of(fixture.device(),
                    contact_scene(world_text(
                        method,
-                       R"("bodies": [)" + block("[0, 0.1045, 0]", R"(, "friction": )" + text_of(friction)) +
+                       R"("bodies": [)" +
+                           block(method.energy, "[0, 0.1045, 0]", R"(, "friction": )" + text_of(friction)) +
                            R"(], "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]}])",
                        gravity)));
       advance(*world, friction > std::tan(kSlope) ? 90 : 40);  // its swinging dies down
@@ -123,11 +127,11 @@ TEST_CASE("a block slides down a plane as Coulomb says, and lies where the plane
 TEST_CASE("two blocks that meet in flight keep their momentum, and neither enters the other") {
   GpuFixture fixture;
   for (const Way& method : kMethods) {
-    auto world = world_of(
-        fixture.device(),
-        contact_scene(world_text(
-            method, R"("bodies": [)" + block("[-0.12, 0, 0]") + "," + block("[0.12, 0.03, 0.02]") + "]",
-            "[0, 0, 0]")));
+    auto world = world_of(fixture.device(),
+                          contact_scene(world_text(method,
+                                                   R"("bodies": [)" + block(method.energy, "[-0.12, 0, 0]") +
+                                                       "," + block(method.energy, "[0.12, 0.03, 0.02]") + "]",
+                                                   "[0, 0, 0]")));
     push(*world, 0, kBlockNodes, {0.7, 0, 0});
     push(*world, kBlockNodes, 2 * kBlockNodes, {-0.7, 0, 0});
     const Moment start(*world);
@@ -161,7 +165,8 @@ TEST_CASE("cloth that is held at its edges carries a block, and the block nothin
         contact_scene(world_text(
             {method.name, method.solver, 2 * method.substeps},
             cloth + R"("drag": 1, "bodies": [{"block": [2, 2, 2], "size": [0.16, 0.16, 0.16], "density": 500,
-          "material": {"young": 4e4, "poisson": 0.4},
+          "material": {"young": 4e4, "poisson": 0.4, "energy": ")" +
+                method.energy + R"("},
           "transform": {"translate": [0.01, 0.16, 0.02], "rotate": [0.2706, 0, 0.2706, 0.9239]}}])")));
     for (int frame = 0; frame < 120; ++frame) {
       advance(*world, 1);
@@ -186,7 +191,8 @@ TEST_CASE("a block falls on the edge of a box and on a ball, and passes through 
           R"({"kind": "sphere", "center": [0.03, -0.1, 0.02], "radius": 0.1})"}) {
       auto world = world_of(
           fixture.device(),
-          contact_scene(world_text(method, R"("bodies": [)" + block("[0, 0.3, 0]", R"(, "friction": 0.5)") +
+          contact_scene(world_text(method, R"("bodies": [)" +
+                                               block(method.energy, "[0, 0.3, 0]", R"(, "friction": 0.5)") +
                                                R"(], "colliders": [)" + collider + "]")));
       double most = 0;
       for (int frame = 0; frame < 40; ++frame) {

@@ -6,24 +6,38 @@
 #include "element/membrane/build.hpp"
 #include "method/projection/row.hpp"
 #include "model/fabric.hpp"
+#include "model/solid.hpp"
 
 namespace weft {
 namespace {
 
-/// Equation 3 of docs/solvers/pbd.md: of an element with h² k Σ w |∇C|² = `pull`, by so many sweeps.
-double stiffening(double pull, std::uint32_t sweeps) { return std::expm1(sweeps * std::log1p(pull)) / pull; }
+/// Equation 3 of docs/solvers/pbd.md: of an element with h² k Σ w |∇C|² = `pull`, projected so often.
+double stiffening(double pull, std::uint32_t times) { return std::expm1(times * std::log1p(pull)) / pull; }
 
-/// Of springs, and of warp and weft of triangles, at rest.
+/// Of springs, of warp and weft of triangles, and of shear and volume of tetrahedra, at rest.
 StiffeningRange pbd_stiffening(const scene::Solver& settings, const Model& model, const Body& body,
                                double step) {
   StiffeningRange range{HUGE_VAL, 0};
-  const auto add = [&](double stiffness, double weight) {
+  const auto add = [&](double stiffness, double weight, std::uint32_t projections) {
     if (stiffness <= 0 || weight <= 0) return;
-    const double times = stiffening(step * step * stiffness * weight, settings.iterations);
+    const double times = stiffening(step * step * stiffness * weight, projections);
     range = {std::min(range.least, times), std::max(range.most, times)};
   };
   for (const Spring& spring : model.springs(body))
-    add(spring.stiffness, model.inverse_mass(spring.node_a) + model.inverse_mass(spring.node_b));
+    add(spring.stiffness, model.inverse_mass(spring.node_a) + model.inverse_mass(spring.node_b),
+        settings.iterations);
+  if (body.solid) {
+    const tet::Tets tets = body_tets(model, body);
+    for (std::size_t t = 0; t < tets.tets.size(); ++t) {
+      const tet::Rest& rest = tets.rests[t];
+      double weight = 0;  // Σ w |n|² / 3, of each direction
+      for (std::size_t i = 0; i < 4; ++i)
+        weight +=
+            model.inverse_mass(body.first_vertex + tets.tets[t][i]) * dot(rest.slope[i], rest.slope[i]) / 3;
+      for (const double modulus : {2 * tets.law.mu, 2 * tets.law.mu + 3 * tets.law.lambda})
+        add(rest.volume * modulus, weight, 2 * settings.iterations);  // there and back
+    }
+  }
   if (!body.fabric) return range;
   const Stiffness stiffness = membrane_law(*body.fabric).stiffness;
   const ElementTable& membranes = model.elements(ElementKind::Membrane, body);
@@ -35,8 +49,8 @@ StiffeningRange pbd_stiffening(const scene::Solver& settings, const Model& model
       warp += w * rest.slope[i].warp * rest.slope[i].warp;
       weft += w * rest.slope[i].weft * rest.slope[i].weft;
     }
-    add(rest.area * stiffness.warp, warp);
-    add(rest.area * stiffness.weft, weft);
+    add(rest.area * stiffness.warp, warp, settings.iterations);
+    add(rest.area * stiffness.weft, weft, settings.iterations);
   }
   return range;
 }

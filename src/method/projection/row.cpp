@@ -7,7 +7,8 @@
 namespace weft {
 
 Method projection_row(scene::SolverKind kind) {
-  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge};
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge,
+                                        ElementKind::Tet};
   Method row{};
   row.kind = kind;
   row.takes = kTakes;

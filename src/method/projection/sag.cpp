@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/solid.hpp"
 #include "scene/wind.hpp"
 
 namespace weft {
@@ -68,11 +69,64 @@ double softening(const Model& model, const Body& cloth) {
   return count > 0 ? sum / count : 0;
 }
 
+/// Of a body with volume.
+struct Bulk {
+  double longest = 0, shortest = 0, diagonal = 0;  // of the box around it at rest [m]
+  double density = 0;                              // by volume [kg/m³]
+  double surface_density = 0;                      // by its surface [kg/m²]
+  double softening = 0;  // of one sweep, over h² + h τ: the mean of V Σ w |n|² / 3 [m/kg]
+};
+
+Bulk bulk_of(const Model& model, const Body& body) {
+  const tet::Tets tets = body_tets(model, body);
+  Bulk bulk;
+  double volume = 0, mass = 0;
+  for (std::size_t t = 0; t < tets.tets.size(); ++t) {
+    const tet::Rest& rest = tets.rests[t];
+    for (std::size_t k = 0; k < 4; ++k)
+      bulk.softening += rest.volume * rest.volume * model.inverse_mass(body.first_vertex + tets.tets[t][k]) *
+                        dot(rest.slope[k], rest.slope[k]) / 3;
+    volume += rest.volume;
+  }
+  Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = -1.0 * low;
+  for (std::uint32_t v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+    mass += model.mass[v];
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], model.rest_position[v][axis]);
+      high[axis] = std::max(high[axis], model.rest_position[v][axis]);
+    }
+  }
+  const Vec3d size = high - low;
+  bulk.longest = std::max({size.x, size.y, size.z});
+  bulk.shortest = std::min({size.x, size.y, size.z});
+  bulk.diagonal = length(size);
+  bulk.density = mass / volume;
+  bulk.surface_density = span_of(model, body).density;
+  bulk.softening /= volume;
+  return bulk;
+}
+
+/// Equation (18) of docs/solvers/xpbd.md: the longest step of a body.
+double solid_step(const scene::Scene& scene, const Model& model, const Body& body) {
+  const Bulk bulk = bulk_of(model, body);
+  const double weight = bulk.density * most_pull(scene, bulk.surface_density) * bulk.diagonal / 2;  // [Pa]
+  const double slender = bulk.longest / bulk.shortest;
+  const double load = std::min(body.solid->young, weight * std::max(1.0, 3 * slender * slender));
+  if (load * bulk.softening == 0) return HUGE_VAL;
+  const double most = scene.solver.iterations * kSag / (bulk.softening * load);  // of h² + h τ [s²]
+  const double delay = body.solid->damping;
+  return 2 * most / (delay + std::sqrt(delay * delay + 4 * most));
+}
+
 }  // namespace
 
 StepLimit sag_limit(const scene::Scene& scene, const Model& model) {
   double step = kImplicitStep;
   for (const Body& cloth : model.bodies) {
+    if (cloth.solid) {
+      step = std::min(step, solid_step(scene, model, cloth));
+      continue;
+    }
     const Span span = span_of(model, cloth);
     const double gauge = cloth.gas ? std::abs(cloth.gas->rest_gauge) : 0;
     const double pull = most_pull(scene, span.density) + gauge / span.density;

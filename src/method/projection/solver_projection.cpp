@@ -10,6 +10,7 @@ void SolverProjection::record(gpu::ComputePass& pass, const contact::Stages& con
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep == 0 ? first_sweep_ : later_sweep_) color.record(pass);
     for (const ProjectFabric& fabric : fabrics_) fabric.record(pass, sweep == 0);
+    for (const ProjectSolid& solid : solids_) solid.record(pass, sweep == 0);
     keep_tethers_.record(pass);
   }
   end_way_.record(pass);
@@ -102,6 +103,10 @@ Result<std::unique_ptr<Solver>> SolverProjection::create(const SolverInputs& inp
     if (iterations > 1) WEFT_SET(made->later_sweep_, made->create_sweep(inputs, true));
   }
   for (const Body& body : inputs.model.host.bodies) {
+    if (body.solid) {
+      WEFT_TRY(solid, ProjectSolid::create(inputs, body, multipliers));
+      made->solids_.push_back(std::move(solid));
+    }
     if (!body.fabric) continue;
     WEFT_TRY(fabric, ProjectFabric::create(inputs, body, multipliers));
     made->fabrics_.push_back(std::move(fabric));

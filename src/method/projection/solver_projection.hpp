@@ -6,13 +6,14 @@
 #include "element/spring/packed_springs.hpp"
 #include "method/projection/color.hpp"
 #include "method/projection/project_fabric.hpp"
+#include "method/projection/project_solid.hpp"
 #include "method/solver.hpp"
 #include "method/ways.hpp"
 
 namespace weft {
 
-/// Cloth by position-based dynamics: springs, membranes and hinges are compliant constraints, projected colour after
-/// colour. Source: docs/solvers/xpbd.md; where multipliers are forgotten docs/solvers/pbd.md.
+/// Cloth and bodies by position-based dynamics: springs, membranes, hinges and tetrahedra are compliant constraints,
+/// projected colour after colour. Source: docs/solvers/xpbd.md; where multipliers are forgotten docs/solvers/pbd.md.
 class SolverProjection : public Solver {
  public:
   /// Errors  Shader, Limit, OutOfMemory.
@@ -36,6 +37,7 @@ class SolverProjection : public Solver {
   gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read
 
   std::vector<ProjectFabric> fabrics_;
+  std::vector<ProjectSolid> solids_;
 
   // While elements are projected, position[1 - parity] holds ways from position[parity], not places.
   gpu::Buffer<std::array<std::uint32_t, 2>> tethers_;  // rows of nodes, then a held node and the bits of m

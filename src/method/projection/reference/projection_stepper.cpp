@@ -23,8 +23,10 @@ void project(Ways& ways, const SpringLink& s, double dt, double& multiplier) {
 
 ProjectionStepper::ProjectionStepper(const Model& model, std::uint32_t iterations, Multipliers multipliers)
     : model_(model), iterations_(iterations), multipliers_(multipliers), tethers_(tethers_of(model)) {
-  for (const Body& body : model.bodies)
+  for (const Body& body : model.bodies) {
     if (body.fabric) fabrics_.emplace_back(model, body, multipliers);
+    if (body.solid) solids_.emplace_back(model, body, multipliers);
+  }
 }
 
 /// Equation (14a): the tethers `first` to before `end`.
@@ -62,12 +64,15 @@ void ProjectionStepper::advance(const Substep& substep) {
   const Colors& colors = model_.colors(ElementKind::Spring);
   std::vector<double> multipliers(system.springs.size(), 0.0);
   for (FabricProjection& fabric : fabrics_) fabric.begin();
+  for (SolidProjection& solid : solids_) solid.begin();
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     if (multipliers_ == Multipliers::Forgotten) multipliers.assign(multipliers.size(), 0.0);
     for (const std::uint32_t spring : colors.elements)
       project(ways, system.springs[spring], dt, multipliers[spring]);
     for (std::size_t cloth = 0; cloth < fabrics_.size(); ++cloth)
       fabrics_[cloth].sweep(ways, system.fabrics[cloth], dt);
+    for (std::size_t body = 0; body < solids_.size(); ++body)
+      solids_[body].sweep(ways, system.solids[body], dt);
     keep_tethers(ways);
   }
   ways.end(substep);

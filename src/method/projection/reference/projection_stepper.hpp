@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "method/projection/reference/fabric_projection.hpp"
+#include "method/projection/reference/solid_projection.hpp"
 #include "method/reference_ways.hpp"
 #include "method/stepper.hpp"
 #include "model/tethers.hpp"
@@ -25,6 +26,7 @@ class ProjectionStepper : public Stepper {
   Multipliers multipliers_;
   TetherRows tethers_;
   std::vector<FabricProjection> fabrics_;  // of the bodies that have it
+  std::vector<SolidProjection> solids_;    // likewise
 };
 
 }  // namespace weft::reference

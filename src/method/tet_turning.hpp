@@ -1,0 +1,30 @@
+// How fast the stress of a tetrahedron turns: tet_turning.wgsl in double. Source: docs/solvers/xpbd.md, equation 17.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/mat3.hpp"
+
+namespace weft::reference {
+
+inline double trace(const Mat3& a) { return a.x.x + a.y.y + a.z.z; }
+inline double contraction(const Mat3& a, const Mat3& b) {
+  return dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
+}
+inline Mat3 symmetric_part(const Mat3& a) { return 0.5 * (a + transposed(a)); }
+
+/// No eigenvalue of a symmetric matrix is larger: Gershgorin.
+inline double largest_at_most(const Mat3& a) {
+  return std::max({a.x.x + std::abs(a.x.y) + std::abs(a.x.z), a.y.y + std::abs(a.y.x) + std::abs(a.y.z),
+                   a.z.z + std::abs(a.z.x) + std::abs(a.z.y)});
+}
+
+/// How fast a stress grows at most as F = R `stretch` turns, where it is R `stress`.
+inline double turning(const Mat3& stretch, const Mat3& stress) {
+  const double pull = largest_at_most(Mat3::identity(trace(stress)) + -1.0 * stress);
+  const double lever = -largest_at_most(stretch + Mat3::identity(-trace(stretch)));
+  return std::max(0.0, pull) / std::max(1.0, lever);
+}
+
+}  // namespace weft::reference
