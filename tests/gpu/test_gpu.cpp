@@ -5,6 +5,7 @@
 #include "gpu/gpu_fixture.hpp"
 #include "gpu/kernel.hpp"
 #include "gpu/readback.hpp"
+#include "gpu/render_pipeline.hpp"
 #include "gpu/timer.hpp"
 
 using namespace weft;
