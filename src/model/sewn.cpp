@@ -133,8 +133,9 @@ bool is_sewn(const scene::Scene& scene) {
 Result<void> check_unsewn(const scene::Scene& scene) {
   for (const scene::Cloth& cloth : scene.cloths)
     if (!cloth.seams.empty())
-      return input_error("%s.seams are %zu, and cloth is sewn on a GPU only, not in the reference on the processor.",
-                         cloth.where.c_str(), cloth.seams.size());
+      return input_error(
+          "%s.seams are %zu, and cloth is sewn on a GPU only, not in the reference on the processor.",
+          cloth.where.c_str(), cloth.seams.size());
   return {};
 }
 

@@ -118,8 +118,9 @@ bool can_tear(const scene::Scene& scene) {
 Result<void> check_whole(const scene::Scene& scene) {
   for (const scene::Cloth& cloth : scene.cloths)
     if (cloth.strength)
-      return input_error("%s.strength is %g N/m, and cloth tears on a GPU only, not in the reference on the processor.",
-                         cloth.where.c_str(), *cloth.strength);
+      return input_error(
+          "%s.strength is %g N/m, and cloth tears on a GPU only, not in the reference on the processor.",
+          cloth.where.c_str(), *cloth.strength);
   return {};
 }
 

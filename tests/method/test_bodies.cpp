@@ -23,15 +23,14 @@ struct Way {
   int moves = 1;
   bool momentum = true, angular_momentum = false, neo_hookean = true;
 };
-const Way kWays[] = {
-    {R"("solver": {"kind": "mass_spring"})", 1, true, true, true},
-    {R"("solver": {"kind": "vbd", "iterations": 1})", 1, false},
-    {R"("solver": {"kind": "vbd", "iterations": 10})", 1, false},
-    {R"("solver": {"kind": "xpbd", "iterations": 1})", 2},
-    {R"("solver": {"kind": "xpbd", "iterations": 5})", 10},
-    {R"("solver": {"kind": "pbd", "iterations": 2})", 4},
-    {R"("solver": {"kind": "multigrid", "residual": 1e-4})"},
-    {R"("solver": {"kind": "fem", "residual": 1e-4})"}};
+const Way kWays[] = {{R"("solver": {"kind": "mass_spring"})", 1, true, true, true},
+                     {R"("solver": {"kind": "vbd", "iterations": 1})", 1, false},
+                     {R"("solver": {"kind": "vbd", "iterations": 10})", 1, false},
+                     {R"("solver": {"kind": "xpbd", "iterations": 1})", 2},
+                     {R"("solver": {"kind": "xpbd", "iterations": 5})", 10},
+                     {R"("solver": {"kind": "pbd", "iterations": 2})", 4},
+                     {R"("solver": {"kind": "multigrid", "residual": 1e-4})"},
+                     {R"("solver": {"kind": "fem", "residual": 1e-4})"}};
 const std::string kEnergies[] = {"neo_hookean", "corotated"};
 
 /// Each way with each energy that it takes.
@@ -212,10 +211,9 @@ std::size_t inside_out(const tet::Tets& tets, const std::vector<Vec3d>& places) 
 TEST_CASE(
     "a body that was flattened, mirrored or scattered comes back to its shape; corotated, from anywhere") {
   GpuFixture fixture;
-  const Way ways[] = {
-      {R"("solver": {"kind": "vbd", "iterations": 20})"},
-      {R"("solver": {"kind": "xpbd", "iterations": 4})"},
-      {R"("solver": {"kind": "fem"})"}};
+  const Way ways[] = {{R"("solver": {"kind": "vbd", "iterations": 20})"},
+                      {R"("solver": {"kind": "xpbd", "iterations": 4})"},
+                      {R"("solver": {"kind": "fem"})"}};
   for (const Way& way : ways)
     for (const std::string& energy : kEnergies) {
       if (!way.neo_hookean && energy == kEnergies[0]) continue;
