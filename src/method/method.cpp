@@ -104,6 +104,22 @@ Result<void> check_fabric(const scene::Cloth& cloth, const Model& model, const B
   return {};
 }
 
+bool takes_solid(const Method& method, scene::SolidEnergy energy) {
+  return takes(method, ElementKind::Tet) &&
+         (method.solid_energies.empty() ||
+          std::find(method.solid_energies.begin(), method.solid_energies.end(), energy) !=
+              method.solid_energies.end());
+}
+
+Result<void> check_solid(const scene::Cloth& cloth, const Method& method) {
+  const scene::SolidEnergy energy = cloth.solid->energy;
+  if (takes_solid(method, energy)) return {};
+  return input_error(
+      "%s.material.energy is \"%s\", which solver.kind \"%s\" does not take; %s does.", cloth.where.c_str(),
+      scene::kSolidEnergyNames[static_cast<std::size_t>(energy)], scene::name_of(method.kind),
+      words_of_methods([&](const Method& other) { return takes_solid(other, energy); }).c_str());
+}
+
 Result<void> check_elements(const scene::Scene& scene, const Model& model, const Method& method) {
   for (std::size_t c = 0; c < model.bodies.size(); ++c) {
     for (std::size_t k = 0; k < kElementKinds; ++k) {
@@ -113,6 +129,7 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
                          scene.cloths[c].where.c_str(), kElementNames[k], scene::name_of(method.kind),
                          words_of_methods([&](const Method& other) { return takes(other, kind); }).c_str());
     }
+    if (model.bodies[c].solid) WEFT_CHECK(check_solid(scene.cloths[c], method));
     if (model.bodies[c].fabric) WEFT_CHECK(check_fabric(scene.cloths[c], model, model.bodies[c], method));
     if (scene.cloths[c].strain_limit && !method.limits_strain)
       return input_error("%s.strain_limit is %g, and solver.kind \"%s\" keeps none; %s does.",

@@ -39,6 +39,7 @@ struct Method {
   scene::SolverKind kind;                              // its word: scene::name_of(kind)
   std::span<const ElementKind> takes;                  // elements of other kinds are refused: check_elements
   std::span<const scene::FabricEnergy> energies = {};  // of fabric; others are refused; none: it takes all
+  std::span<const scene::SolidEnergy> solid_energies = {};  // of bodies, likewise
   bool flat_fabric = false;  // whether fabric that resists bending and is curved or plastic is refused
 
   /// The largest stable step of a model; nothing in it where any step is stable.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/mat3.hpp"
+#include "element/tet/law.hpp"
 
 namespace weft::reference {
 
@@ -25,6 +26,13 @@ inline double turning(const Mat3& stretch, const Mat3& stress) {
   const double pull = largest_at_most(Mat3::identity(trace(stress)) + -1.0 * stress);
   const double lever = -largest_at_most(stretch + Mat3::identity(-trace(stretch)));
   return std::max(0.0, pull) / std::max(1.0, lever);
+}
+
+/// What damping pulls with where F was `start` a delay ago [Pa]: docs/solvers/projective_dynamics.md, equation 17.
+inline Mat3 delayed_stress(const tet::Law& law, const Mat3& start, const Mat3& f, const Mat3& rotation) {
+  const Mat3 begun = tet::nearest_rotation(f * transposed(start)) * start;
+  const double grown = contraction(rotation, f) - contraction(tet::nearest_rotation(start), start);
+  return 2 * law.mu * (f + -1.0 * begun) + law.lambda * grown * rotation;
 }
 
 }  // namespace weft::reference

@@ -272,6 +272,11 @@ Json spring_kinds() {
   using T = SpringKindsBlock;
   return row("SpringKinds", "element/spring/neighbour.wgsl", sizeof(T), kUniform, {M(kinds)});
 }
+Json turned_tet() {
+  using T = TurnedTet;
+  return row("TurnedTet", "method/projective_dynamics/turned_tet.wgsl", sizeof(T), kExact,
+             {M(first), M(second), M(third)});
+}
 Json fabric_pair() {
   using T = FabricPair;
   return row("FabricPair", "method/projective_dynamics/fabric_pair.wgsl", sizeof(T), kExact,
@@ -456,7 +461,7 @@ Json struct_layouts() {
        fabric(),          light(),           plane(),         overlay_params(), overlay_vertex(),
        overlay_place(),   fine_grid(),       cloth_nodes(),   bottom_sweeps(),  elements_of_color(),
        nodes_of_color(),  gathered_color(),  relaxed_nodes(), spring_kinds(),   fabric_pair(),
-       iteration(),       level_of_mesh(),   share(),         convex_body()});
+       turned_tet(),      iteration(),       level_of_mesh(), share(),          convex_body()});
 }
 
 Json shared_constants() {

@@ -19,7 +19,8 @@ const Way kMethods[] = {{"mass_spring", R"({"kind": "mass_spring"})", 16},
                         {"vbd", R"({"kind": "vbd", "iterations": 20})", 8},
                         {"multigrid", R"({"kind": "multigrid"})", 8},
                         {"fem", R"({"kind": "fem"})", 8},
-                        {"xpbd", R"({"kind": "xpbd", "iterations": 1})", 16}};
+                        {"xpbd", R"({"kind": "xpbd", "iterations": 1})", 16},
+                        {"projective_dynamics", R"({"kind": "projective_dynamics"})", 16, "corotated"}};
 
 std::string world_text(const Way& method, const std::string& rest,
                        const std::string& gravity = "[0, -9.81, 0]") {
@@ -60,7 +61,13 @@ constexpr std::size_t kBlockNodes = 64;
 TEST_CASE("a block that lies on a plane sinks in as much as its weight says, and lies still") {
   GpuFixture fixture;
   const std::string few = R"({"kind": "vbd", "iterations": 2})";
-  const Way ways[] = {kMethods[0], {"vbd", few, 8}, {"vbd", few, 32}, kMethods[2], kMethods[3]};
+  const Way ways[] = {kMethods[0],
+                      kMethods[2],
+                      kMethods[3],
+                      {"vbd", few, 8},
+                      {"vbd", few, 32},
+                      {"xpbd", R"({"kind": "xpbd", "iterations": 2})", 32},
+                      {"projective_dynamics", R"({"kind": "projective_dynamics"})", 32}};
   for (const Way& method : ways) {
     auto world = world_of(
         fixture.device(),

@@ -87,13 +87,13 @@ fn most_of_volume(square : f32, signed_volume : f32) -> f32 {
 // Of the energy by F = R stretch, Pa.
 fn bound_of(law : SolidLaw, stretch : mat3x3f) -> Bound {
   if (!kNeoHookean) {
-    return Bound(2.0 * law.mu, 0.0, vec2f(law.lambda, 0.0), scaled_identity(1.0), stretch);
+    return Bound(2.0 * law.mu, 0.0, vec2f(law.lambda, 0.0), scaled_identity(1.0), scaled_identity(1.0));
   }
   let c = cofactor(stretch);
   let volume = dot(stretch[0], c[0]);
   let slope = (law.lambda + law.mu) * (volume - 1.0) - law.mu;  // of the energy by J
   let most = most_of_volume(contraction(stretch, stretch), select(volume, -volume, slope < 0.0));
-  return Bound(law.mu + abs(slope) * most, 0.0, vec2f(law.lambda + law.mu, 0.0), c, stretch);
+  return Bound(law.mu + abs(slope) * most, 0.0, vec2f(law.lambda + law.mu, 0.0), c, scaled_identity(1.0));
 }
 
 // The entries ij and ji of X + B (X diag(s)) = Y, without what B does along its directions.
@@ -157,11 +157,10 @@ fn project_tets(@builtin(global_invocation_id) id : vec3u) {
   let elastic = step.time.dt * step.time.dt * rest.volume;
   let damping = step.time.dt * law.delay * rest.volume;
   var pull = back * (elastic * tet_stress(law, f, rotation));
-  if (kDamped) { pull += (damping * (back * f)) * hooke(law, green_change(start, f, change)); }
+  if (kDamped) { pull += damping * (back * delayed_stress(law, start, f, rotation)); }
 
   var bound = bound_of(law, stretch);
-  let longest = largest_at_most(stretch);
-  bound.strain = elastic * bound.strain + damping * 2.0 * law.mu * longest * longest;
+  bound.strain = elastic * bound.strain + damping * 2.0 * law.mu;
   bound.along = vec2f(elastic * bound.along.x, damping * law.lambda);
   bound.turn = turning(stretch, symmetric_part(pull));
 

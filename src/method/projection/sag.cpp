@@ -74,7 +74,7 @@ struct Bulk {
   double longest = 0, shortest = 0, diagonal = 0;  // of the box around it at rest [m]
   double density = 0;                              // by volume [kg/m³]
   double surface_density = 0;                      // by its surface [kg/m²]
-  double softening = 0;  // of one sweep, over h² + h τ: the mean of V Σ w |n|² / 3 [m/kg]
+  double softening = 0;  // of one sweep, over h²: the mean of V Σ w |n|² / 3 [m/kg]
 };
 
 Bulk bulk_of(const Model& model, const Body& body) {
@@ -113,9 +113,7 @@ double solid_step(const scene::Scene& scene, const Model& model, const Body& bod
   const double slender = bulk.longest / bulk.shortest;
   const double load = std::min(body.solid->young, weight * std::max(1.0, 3 * slender * slender));
   if (load * bulk.softening == 0) return HUGE_VAL;
-  const double most = scene.solver.iterations * kSag / (bulk.softening * load);  // of h² + h τ [s²]
-  const double delay = body.solid->damping;
-  return 2 * most / (delay + std::sqrt(delay * delay + 4 * most));
+  return std::sqrt(scene.solver.iterations * kSag / (bulk.softening * load));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "element/membrane/membranes.hpp"
 #include "method/projective_dynamics/bounded_yarns.hpp"
 #include "model/fabric.hpp"
+#include "model/solid.hpp"
 
 namespace weft {
 namespace {
@@ -54,6 +55,22 @@ std::vector<NodePair> fabric_node_pairs(const Model& model, const Body& cloth) {
   }
   for (const hinge::Coupling& c : hinge::isometric_matrix(model.plate(cloth), sheet.position))
     if (c.row < c.column && c.entry != 0) all.push_back({c.row, c.column, -c.entry, 0, -c.entry});
+  return summed(std::move(all));
+}
+
+std::vector<NodePair> solid_node_pairs(const Model& model, const Body& body) {
+  std::vector<NodePair> all;
+  const tet::Tets tets = body_tets(model, body);
+  const double most = 2 * tets.law.mu + 3 * std::max(0.0, tets.law.lambda);
+  for (std::size_t t = 0; t < tets.tets.size(); ++t) {
+    const tet::Rest& rest = tets.rests[t];
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const auto [a, b] = std::minmax({tets.tets[t][i], tets.tets[t][j]});
+        const double pull = -rest.volume * most * dot(rest.slope[i], rest.slope[j]);
+        all.push_back({a, b, pull, tets.law.delay * pull, 0});
+      }
+  }
   return summed(std::move(all));
 }
 

@@ -20,5 +20,8 @@ struct NodePair {
 /// Of a cloth of fabric that is flat at rest: each pair once, sorted.
 /// Source: docs/solvers/projective_dynamics.md, equation 15.
 std::vector<NodePair> fabric_node_pairs(const Model& model, const Body& cloth);
+/// Of a body with volume, what no turn of its tetrahedra makes it exceed: likewise.
+/// Source: docs/solvers/projective_dynamics.md, Bodies.
+std::vector<NodePair> solid_node_pairs(const Model& model, const Body& body);
 
 }  // namespace weft

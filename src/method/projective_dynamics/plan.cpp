@@ -21,13 +21,16 @@ StepLimit projective_dynamics_step_limit(const scene::Scene& scene, const Model&
 }  // namespace
 
 Method projective_dynamics_method() {
-  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge};
+  static constexpr std::array kTakes = {ElementKind::Spring, ElementKind::Membrane, ElementKind::Hinge,
+                                        ElementKind::Tet};
   static constexpr std::array kEnergies = {scene::FabricEnergy::Yarn};
   Method row{};
   row.kind = scene::SolverKind::ProjectiveDynamics;
   row.takes = kTakes;
   // Its matrix never changes: it holds the energy of yarns, and that of bending out of a plane.
   row.energies = kEnergies;
+  static constexpr std::array kSolids = {scene::SolidEnergy::Corotated};
+  row.solid_energies = kSolids;  // each is near a rotation
   row.flat_fabric = true;
   row.step_limit = projective_dynamics_step_limit;
   row.with_drag = [](const StepLimit& limit, double) { return limit; };

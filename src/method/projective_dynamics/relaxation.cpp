@@ -91,6 +91,7 @@ double reached_rate(std::uint32_t iterations) { return 2 / (tuned_to(Cycles(iter
 ClothRates cloth_rates(const Model& model, const Body& cloth) {
   std::vector<NodePair> pairs;
   if (cloth.fabric) pairs = fabric_node_pairs(model, cloth);
+  if (cloth.solid) pairs = solid_node_pairs(model, cloth);
   for (const Spring spring : model.springs(cloth))
     pairs.push_back({spring.node_a - cloth.first_vertex, spring.node_b - cloth.first_vertex,
                      static_cast<double>(spring.stiffness), static_cast<double>(spring.damping), 0});

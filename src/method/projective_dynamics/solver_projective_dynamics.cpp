@@ -12,6 +12,8 @@ void SolverProjectiveDynamics::record(gpu::ComputePass& pass, const contact::Sta
     for (const gpu::Dispatch& dispatch : cloth.dispatches()) dispatch.record(pass);
   for (const RelaxedFabric& cloth : fabrics_)
     for (const gpu::Dispatch& dispatch : cloth.dispatches()) dispatch.record(pass);
+  for (const RelaxedSolid& body : solids_)
+    for (const gpu::Dispatch& dispatch : body.dispatches()) dispatch.record(pass);
   end_way_.record(pass);
   contact.search(pass);
   contact.measure(pass);
@@ -43,6 +45,9 @@ Result<std::unique_ptr<Solver>> SolverProjectiveDynamics::create(const scene::So
     if (body.fabric) {
       WEFT_TRY(cloth, RelaxedFabric::create(inputs, body, relaxed, rates[b]));
       made->fabrics_.push_back(std::move(cloth));
+    } else if (body.solid) {
+      WEFT_TRY(solid, RelaxedSolid::create(inputs, body, relaxed, rates[b]));
+      made->solids_.push_back(std::move(solid));
     } else {
       WEFT_TRY(cloth, RelaxedSprings::create(inputs, body, relaxed, rates[b]));
       made->springs_.push_back(std::move(cloth));

@@ -3,13 +3,14 @@
 #include <vector>
 
 #include "method/projective_dynamics/relaxed_fabric.hpp"
+#include "method/projective_dynamics/relaxed_solid.hpp"
 #include "method/projective_dynamics/relaxed_springs.hpp"
 #include "method/ways.hpp"
 
 namespace weft {
 
-/// Cloth by projective dynamics: in each of a substep's cycles elements are projected, and their global system is
-/// relaxed. Source: docs/solvers/projective_dynamics.md.
+/// Cloth and bodies by projective dynamics: in each of a substep's cycles elements are projected, and their global
+/// system is relaxed. Source: docs/solvers/projective_dynamics.md.
 class SolverProjectiveDynamics : public Solver {
  public:
   /// Errors  Shader, Limit, OutOfMemory.
@@ -21,6 +22,7 @@ class SolverProjectiveDynamics : public Solver {
   RelaxedState relaxed_;
   std::vector<RelaxedSprings> springs_;
   std::vector<RelaxedFabric> fabrics_;
+  std::vector<RelaxedSolid> solids_;
   GasOnWays gas_;
   gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read
 

@@ -18,11 +18,6 @@ Mat3 matrix_of(const Square& a) {
   return {{a[0][0], a[0][1], a[0][2]}, {a[1][0], a[1][1], a[1][2]}, {a[2][0], a[2][1], a[2][2]}};
 }
 
-/// 2 µ ε + λ tr ε
-Mat3 hooke(const tet::Law& law, const Mat3& strain) {
-  return 2 * law.mu * strain + Mat3::identity(law.lambda * trace(strain));
-}
-
 /// The eigenvectors of a symmetric matrix as columns, and its eigenvalues.
 struct Principal {
   Mat3 axes;
@@ -136,25 +131,23 @@ void project_tet(Ways& ways, const tet::Tets& tets, std::size_t tet, std::uint32
   }
   const Mat3 start = tet::deformation(rest, starts), change = tet::deformation(rest, moved),
              f = start + change;
-  const Mat3 back = transposed(tet::nearest_rotation(f));
+  const Mat3 rotation = tet::nearest_rotation(f), back = transposed(rotation);
   const double elastic = dt * dt * rest.volume, damping = dt * law.delay * rest.volume;
   const Mat3 stretch = symmetric_part(back * f);
-  const Mat3 grown =
-      symmetric_part(0.5 * (transposed(start + f) * change));  // Green's strain, in the substep
-  const Mat3 pull = back * (elastic * tet::stress(law, f) + damping * (f * hooke(law, grown)));
+  const Mat3 pull =
+      back * (elastic * tet::stress(law, f) + damping * delayed_stress(law, start, f, rotation));
 
   Bound bound = bound_of(law, stretch);
-  const double longest = largest_at_most(stretch);
-  bound.strain = elastic * bound.strain + damping * 2 * law.mu * longest * longest;
+  bound.strain = elastic * bound.strain + damping * 2 * law.mu;
   bound.along = {elastic * bound.along[0], damping * law.lambda};
-  bound.direction[1] = stretch;
+  bound.direction[1] = Mat3::identity(1);
   bound.turn = turning(stretch, symmetric_part(pull));
 
   const auto [axes, values] = principal(weights);
   const Mat3 in = transposed(axes);
   for (Mat3& direction : bound.direction) direction = in * direction * axes;
   const Mat3 found = solved(bound, values, in * (back * multiplier + pull) * axes);
-  const Mat3 pulled = -1.0 * (transposed(back) * (axes * found * in));
+  const Mat3 pulled = -1.0 * (rotation * (axes * found * in));
   multiplier += pulled;
   for (std::size_t k = 0; k < 4; ++k) {
     const std::uint32_t node = first + nodes[k];

@@ -38,7 +38,7 @@ void add_membranes(const FabricCloth& cloth, const Ways& ways, double dt, std::v
 }  // namespace
 
 std::vector<Vec3d> ProjectiveDynamicsStepper::pulls(const MassSpringSystem& system, const Ways& ways,
-                                                    double dt) const {
+                                                    double dt) {
   std::vector<Vec3d> pulls(ways.way.size());
   add_springs(system, ways, dt, pulls);
   for (std::size_t f = 0; f < fabrics_.size(); ++f) {
@@ -51,6 +51,7 @@ std::vector<Vec3d> ProjectiveDynamicsStepper::pulls(const MassSpringSystem& syst
       pulls[b] -= pair.bending * span;
     }
   }
+  for (std::size_t s = 0; s < solids_.size(); ++s) solids_[s].begin(system.solids[s], ways, dt, pulls);
   return pulls;
 }
 
@@ -67,6 +68,7 @@ std::vector<Vec3d> ProjectiveDynamicsStepper::pulls_of_change(const MassSpringSy
   for (const Fabric& cloth : fabrics_)
     for (const NodePair& pair : cloth.pairs)
       add(cloth.first + pair.a, cloth.first + pair.b, pair.pull + pair.damping / dt);
+  for (std::size_t s = 0; s < solids_.size(); ++s) solids_[s].add_pulls_of(system.solids[s], change, pulls);
   return pulls;
 }
 
@@ -79,6 +81,7 @@ ProjectiveDynamicsStepper::ProjectiveDynamicsStepper(const Model& model, double 
     rates_of_.insert(rates_of_.end(), cloth.vertex_count, rates);
     most = std::max(most, rates.at(step));
     if (cloth.fabric) fabrics_.push_back({cloth.first_vertex, fabric_node_pairs(model, cloth)});
+    if (cloth.solid) solids_.emplace_back();
   }
   relaxation_ = make_relaxation(most, iterations);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "method/projective_dynamics/node_pairs.hpp"
+#include "method/projective_dynamics/reference/solid_relaxation.hpp"
 #include "method/projective_dynamics/relaxation.hpp"
 #include "method/reference_ways.hpp"
 
@@ -20,14 +21,15 @@ class ProjectiveDynamicsStepper : public Stepper {
     std::uint32_t first = 0;  // of its nodes
     std::vector<NodePair> pairs;
   };
-  /// What elements pull the nodes with at the ways so far [N].
-  std::vector<Vec3d> pulls(const MassSpringSystem& system, const Ways& ways, double dt) const;
+  /// A cycle begins: what elements pull the nodes with at the ways so far [N].
+  std::vector<Vec3d> pulls(const MassSpringSystem& system, const Ways& ways, double dt);
   /// By how much those of projected elements grow with a change of the ways, -L change [N].
   std::vector<Vec3d> pulls_of_change(const MassSpringSystem& system, const std::vector<Vec3d>& change,
                                      double dt) const;
 
-  std::vector<ClothRates> rates_of_;  // of each node: its cloth's
-  std::vector<Fabric> fabrics_;       // in the order of the system's
+  std::vector<ClothRates> rates_of_;     // of each node: its cloth's
+  std::vector<Fabric> fabrics_;          // in the order of the system's
+  std::vector<SolidRelaxation> solids_;  // likewise
   Relaxation relaxation_;
   LookBack look_back_;
 };

@@ -1,0 +1,26 @@
+// The start of a cycle over every node of a body, after pull_tets: what the global system has left, and the first
+// Jacobi step of its relaxation. One invocation per node. Source: docs/solvers/projective_dynamics.md, Bodies.
+#include "gpu/index.wgsl"
+#include "state/step.wgsl"
+#include "method/projective_dynamics/begin_cycle.wgsl"
+#include "method/projective_dynamics/gathered_pulls.wgsl"
+//                                                                              elements      unit
+@group(0) @binding(0) var<uniform>             step        : StepBlock;
+@group(0) @binding(1) var<uniform>             cloth       : RelaxedNodes;
+@group(0) @binding(2) var<storage, read>       gathers     : array<u32>;    // rows of nodes, then places in `pulls`
+@group(0) @binding(3) var<storage, read>       pulls       : array<vec4f>;  // 4 * tets      N
+@group(0) @binding(4) var<storage, read>       aim         : array<vec4f>;  // vertex_count  m
+@group(0) @binding(5) var<storage, read>       way         : array<vec4f>;  // vertex_count  m (w: 1/kg)
+@group(0) @binding(6) var<storage, read_write> way_next    : array<vec4f>;  // vertex_count  m (w: 1/kg)
+@group(0) @binding(7) var<storage, read_write> left        : array<vec4f>;  // vertex_count  m (w: 1/kg)
+@group(0) @binding(8) var<storage, read_write> change      : array<vec4f>;  // vertex_count  m
+
+@compute @workgroup_size(kWorkgroupSize)
+fn project_solid(@builtin(global_invocation_id) id : vec3u) {
+  let row = flat_index(id);
+  if (row >= cloth.count) { return; }
+  let node = cloth.first_node + row;
+  let own = way[node];
+  let mobility = step.time.dt * step.time.dt * own.w;  // m/N
+  begin_cycle(node, own, aim[node].xyz - own.xyz + mobility * pull_at(row));
+}
