@@ -59,6 +59,12 @@ Result<Json*> step(Json& json, const std::string& part, const std::string& path)
   return &json.add(part, Json{});
 }
 
+void take_out(Json& object, const std::string& name) {
+  const auto found = std::find(object.names.begin(), object.names.end(), name);
+  object.values.erase(object.values.begin() + (found - object.names.begin()));
+  object.names.erase(found);
+}
+
 Result<void> set(const Override& change, Json& scene) {
   const std::vector<std::string> parts = split(change.key);
   if (parts.size() > kMaxJsonNesting)
@@ -68,8 +74,16 @@ Result<void> set(const Override& change, Json& scene) {
   WEFT_TRY(value, parse_value(change.value));
   Json* json = &scene;
   std::string path;
-  for (const std::string& part : parts) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string& part = parts[k];
     const bool in_list = json->kind == Json::Kind::List;
+    if (value.kind == Json::Kind::Null && json->kind == Json::Kind::Object) {
+      if (json->find(part) == nullptr) return {};
+      if (k + 1 == parts.size()) {
+        take_out(*json, part);
+        return {};
+      }
+    }
     WEFT_TRY(next, step(*json, part, path));
     path = in_list ? path + "[" + part + "]" : path_of_key(path, part);
     json = next;

@@ -12,7 +12,8 @@ struct Json;
 
 namespace weft::scene {
 
-/// Sets the value at a dotted key. Objects on the way are made where they are missing; list entries are not.
+/// Sets the value at a dotted key. Objects on the way are made where they are missing; list entries are not. Null takes
+/// the key out of its object, so that the format's default holds.
 struct Override {
   std::string key;    // "cloths.0.grid"; "cloths[0].grid", as messages write it, is the same
   std::string value;  // JSON, or a bare word that stands for a text: paper is "paper"

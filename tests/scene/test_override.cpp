@@ -37,6 +37,24 @@ TEST_CASE("an override makes the objects that are missing on its way") {
   CHECK(with({{"solver.forces", "spring_centric"}})->solver.forces == Forces::SpringCentric);
 }
 
+TEST_CASE("null takes a key out, whether it is there or not, and what is in a list stays") {
+  const std::string full = scene_with(R"("drag": 2, "time": {"substeps": 3, "frames": 7})");
+  CHECK(with({{"drag", "null"}}, full)->drag == 0);
+  CHECK(with({{"time.substeps", "null"}}, full)->time.substeps == std::nullopt);
+  CHECK(with({{"time.substeps", "null"}}, full)->time.frames == 7);
+  CHECK(with({{"time", "null"}}, full)->time.frames == 90);
+  CHECK(with({{"drag", "null"}, {"drag", "3"}}, full)->drag == 3);
+  CHECK(with({{"cloths.0.look", "null"}, {"render.light.degrees", "null"}}, full));
+  CHECK(failure("cloths.0", "null").find("cloths[0] is null") != std::string::npos);
+  CHECK(failure("cloths.0.size", "null").find("size") != std::string::npos);
+  const auto denim = with({{"cloths.0.stiffness", "null"},
+                           {"cloths.0.damping", "null"},
+                           {"cloths.0.density", "null"},
+                           {"cloths.0.fabric", "denim_11oz"}});
+  REQUIRE_MESSAGE(denim, (denim ? "" : denim.error().message));
+  CHECK(denim->cloths[0].density == 0.324);
+}
+
 TEST_CASE("a bare word is a text, and only a word") {
   CHECK(with({{"contact.method", "paper"}})->contact.method == ContactMethod::Paper);
   CHECK(with({{"contact.method", "\"paper\""}})->contact.method == ContactMethod::Paper);
