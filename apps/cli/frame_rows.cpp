@@ -130,13 +130,9 @@ Result<void> FrameRows::add(sim::World& world) {
   std::string line = std::to_string(world.frame() - 1) + "," + number_text(world.time());
   if (system_) {
     WEFT_TRY(nodes, world.node_state());
-    system_->position.clear();
-    system_->velocity.clear();
-    for (const Vec4f& p : nodes.position) system_->position.push_back(p.xyz().to<double>());
-    for (reference::FabricCloth& cloth : system_->fabrics) cloth.set_creases(nodes.creases);
-    for (const Vec4f& v : nodes.velocity) system_->velocity.push_back(v.xyz().to<double>());
-    system_->acceleration = world.scene().gravity + world.scene().external_force;
-    const reference::EnergySums e = reference::energies(*system_);
+    const reference::EnergySums e =
+        reference::energies_at(*system_, nodes.position, nodes.velocity, nodes.creases,
+                               world.scene().gravity + world.scene().external_force);
     for (const double joules :
          {e.kinetic, e.potential, e.springs, e.membranes, e.bending, e.tetrahedra, e.gas})
       line += "," + number_text(joules);

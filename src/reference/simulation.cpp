@@ -53,6 +53,18 @@ MassSpringSystem elements_of(const Model& model) {
   return system;
 }
 
+EnergySums energies_at(MassSpringSystem& system, std::span<const Vec4f> position,
+                       std::span<const Vec4f> velocity, std::span<const Vec4f> creases,
+                       const Vec3d& acceleration) {
+  system.position.clear();
+  system.velocity.clear();
+  for (const Vec4f& p : position) system.position.push_back(p.xyz().to<double>());
+  for (const Vec4f& v : velocity) system.velocity.push_back(v.xyz().to<double>());
+  for (FabricCloth& cloth : system.fabrics) cloth.set_creases(creases);
+  system.acceleration = acceleration;
+  return energies(system);
+}
+
 Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& assets) {
   WEFT_TRY(model, build_model(scene, assets));
   Simulation made(scene, std::move(model));

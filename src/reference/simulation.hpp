@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ std::vector<SpringLink> spring_links(const Model& model);
 
 /// Those and all other elements of a model, and its nodes' inverse masses; at no place, in no field.
 MassSpringSystem elements_of(const Model& model);
+
+/// The energies of a state of that model [J], which need not be in double: a running world's, read back.
+/// Reads  system: of elements_of; position [m], velocity [m/s]: one a node; creases: State::creases; acceleration:
+///        gravity and the external force [m/s²].
+EnergySums energies_at(MassSpringSystem& system, std::span<const Vec4f> position,
+                       std::span<const Vec4f> velocity, std::span<const Vec4f> creases,
+                       const Vec3d& acceleration);
 
 /// What sim::World does with a scene, in the same order. Adds, multiplies, divides and takes roots only, in
 /// one order: the same bits on every machine, native or WebAssembly.

@@ -97,6 +97,10 @@ FabricParams fabric_of(const ClothRange& range, std::size_t index) {
   return params;
 }
 
+Vec3f color_of(const scene::Look& look, std::size_t index) {
+  return look.warp ? look.warp->to<float>() : kPalette[index % std::size(kPalette)].base;
+}
+
 Result<std::vector<gpu::Buffer<FabricParams>>> create_fabrics(gpu::Device& device,
                                                               const std::vector<ClothRange>& ranges) {
   std::vector<gpu::Buffer<FabricParams>> fabrics;

@@ -16,6 +16,8 @@ struct FabricParams {
 
 /// The look of cloth number `index`, in its own colour, its look's or a palette's.
 FabricParams fabric_of(const ClothRange& range, std::size_t index);
+/// sRGB: of the warp of cloth number `index` by its look, where it has no colour of its own.
+Vec3f color_of(const scene::Look& look, std::size_t index);
 /// That of each cloth.
 Result<std::vector<gpu::Buffer<FabricParams>>> create_fabrics(gpu::Device& device,
                                                               const std::vector<ClothRange>& ranges);

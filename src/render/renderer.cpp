@@ -92,7 +92,8 @@ Result<Renderer> Renderer::create(gpu::Device& device, const Settings& settings,
   made.device_ = &device;
   made.settings_ = settings;
   made.settings_.camera = camera_of(settings);
-  if (!settings.to_light) made.settings_.to_light = default_light(*made.settings_.camera);
+  made.first_camera_ = *made.settings_.camera;
+  if (!settings.to_light) made.settings_.to_light = default_light(made.first_camera_);
   WEFT_CHECK(made.create_scene(inputs));
   WEFT_CHECK(made.resize(settings.width, settings.height));
   WEFT_CHECK(made.set_view(settings.view));
@@ -109,20 +110,12 @@ Result<void> Renderer::create_scene(const Inputs& inputs) {
   }
   WEFT_TRY(frame, gpu::Buffer<FrameParams>::create(*device_, 1, "frame", gpu::kUniform | gpu::kCopyTarget));
   scene_.frame = std::move(frame);
-  const Vec3d to_sun = *settings_.to_light / length(*settings_.to_light);
-  WEFT_SET(scene_.light, gpu::create_uniform(
-                             *device_, light_params(settings_.lighting, *settings_.camera, to_sun), "light"));
+  WEFT_SET(scene_.light, gpu::create_uniform(*device_, light(), "light"));
   WEFT_SET(scene_.fabrics, create_fabrics(*device_, scene_.cloth.ranges));
   const std::vector<PlaneParams> squares = planes_of(inputs, settings_);
   WEFT_TRY(planes, create_planes(*device_, squares));
   scene_.planes = std::move(planes);
-  for (std::size_t p = 0; p < inputs.planes.size(); ++p)
-    if (const auto& motion = inputs.planes[p].motion) {
-      MovingPlane moving{p, squares[p], *motion};
-      if (inputs.colliders != nullptr && std::holds_alternative<scene::MotionCarried>(*motion))
-        moving.given = inputs.plane_colliders[p];
-      moving_planes_.push_back(std::move(moving));
-    }
+  take_planes(inputs, squares);
   ObjectMesh mesh = join_objects(inputs);
   WEFT_TRY(objects, ObjectBuffers::create(*device_, mesh));
   scene_.objects = std::move(objects);
@@ -137,6 +130,46 @@ Result<void> Renderer::create_scene(const Inputs& inputs) {
   WEFT_SET(scene_.soft_light,
            SoftLight::create(*device_, scene_.frame, scene_.cloth, scene_.objects, scene_.planes));
   return {};
+}
+
+void Renderer::take_planes(const Inputs& inputs, const std::vector<PlaneParams>& squares) {
+  moving_planes_.clear();
+  for (std::size_t p = 0; p < inputs.planes.size(); ++p)
+    if (const auto& motion = inputs.planes[p].motion) {
+      MovingPlane moving{p, squares[p], *motion};
+      if (inputs.colliders != nullptr && std::holds_alternative<scene::MotionCarried>(*motion))
+        moving.given = inputs.plane_colliders[p];
+      moving_planes_.push_back(std::move(moving));
+    }
+}
+
+LightParams Renderer::light() const {
+  return light_params(settings_.lighting, first_camera_, *settings_.to_light / length(*settings_.to_light));
+}
+
+void Renderer::set_looks(const Inputs& inputs) {
+  for (std::size_t k = 0; k < scene_.fabrics.size(); ++k) {
+    const FabricParams params = fabric_of(inputs.cloth.ranges[k], k);
+    scene_.fabrics[k].write(*device_, {&params, 1});
+  }
+}
+
+void Renderer::set_materials(const Inputs& inputs) {
+  const std::vector<PlaneParams> squares = planes_of(inputs, settings_);
+  for (std::size_t p = 0; p < squares.size(); ++p) scene_.planes[p].write(*device_, {&squares[p], 1});
+  take_planes(inputs, squares);
+  ObjectMesh mesh = join_objects(inputs);
+  scene_.objects.position.write(*device_, mesh.positions);
+  scene_.objects.normal.write(*device_, mesh.normals);
+  moving_objects_ = MovingObjects(std::move(mesh.moving), colliders_);
+}
+
+void Renderer::set_light(const Lighting& lighting, const std::optional<Vec3d>& to_light) {
+  settings_.lighting = lighting;
+  settings_.to_light = to_light ? *to_light : default_light(first_camera_);
+  const LightParams params = light();
+  scene_.light.write(*device_, {&params, 1});
+  write_frame();
 }
 
 Result<void> Renderer::resize(std::uint32_t width, std::uint32_t height) {

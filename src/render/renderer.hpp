@@ -61,6 +61,15 @@ class Renderer {
   /// Errors  Shape: the inputs lack what the view shows. Shader. After an error the view is as it was.
   Result<void> set_view(View view);
   View view() const { return settings_.view; }
+  // What the textured view is drawn with, from the next submit on.
+
+  /// The looks and colours of the cloths of `inputs`, which are otherwise those that it was created with.
+  void set_looks(const Inputs& inputs);
+  /// The materials of its obstacles, which are otherwise those; set_time before the next submit.
+  void set_materials(const Inputs& inputs);
+  /// The sun and what is around; without a direction to it, from where it would shine if the renderer were new.
+  void set_light(const Lighting& lighting, const std::optional<Vec3d>& to_light);
+
   /// Moves the camera, from the next submit on; the light stays.
   void set_camera(const Camera& camera);
   /// Brings the obstacles that move or deform to where they are at `time` [s], from the next submit on. Costs
@@ -77,12 +86,15 @@ class Renderer {
   };
 
   Result<void> create_scene(const Inputs& inputs);
+  LightParams light() const;
+  void take_planes(const Inputs& inputs, const std::vector<PlaneParams>& squares);
   void write_frame();
   /// Whether anything drawn takes shadows: cloth does in one view only, obstacles and floors in all.
   bool shows_sun() const;
 
   gpu::Device* device_ = nullptr;
   Settings settings_;
+  Camera first_camera_;  // which the light is put around
   gpu::Texture color_, depth_;
   ClothDraw given_;                  // as the state has it
   std::unique_ptr<FineCloth> fine_;  // none: what is given is drawn

@@ -44,9 +44,12 @@ const char* cloth_difference(const Cloth& a, const Cloth& b) {
   if (!(a.pins == b.pins)) return "pins";
   if (!(a.motions == b.motions)) return "motions";
   if (!(a.attachments == b.attachments)) return "attachments";
-  if (!(a.grabs == b.grabs)) return "grabs";
-  if (a.color != b.color) return "color";
-  return a.look == b.look ? nullptr : "look";
+  return a.grabs == b.grabs ? nullptr : "grabs";
+}
+
+bool differ(const Collider& running, Collider wanted) {
+  set_material(wanted, material_of(running));
+  return !(running == wanted);
 }
 
 }  // namespace
@@ -69,7 +72,7 @@ std::optional<std::string> fixed_difference(const Scene& running, const Scene& w
       return path_of_key(path_of(wanted.cloths[c]), key);
   if (running.colliders.size() != wanted.colliders.size()) return "colliders";
   for (std::size_t c = 0; c < running.colliders.size(); ++c)
-    if (!(running.colliders[c] == wanted.colliders[c])) return path_of_index("colliders", c);
+    if (differ(running.colliders[c], wanted.colliders[c])) return path_of_index("colliders", c);
   if (running.render.subdivide != wanted.render.subdivide) return "render.subdivide";
   return std::nullopt;
 }

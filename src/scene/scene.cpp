@@ -55,6 +55,10 @@ Material material_of(const Collider& collider) {
   return std::visit([](const auto& one) { return one.material; }, collider);
 }
 
+void set_material(Collider& collider, Material material) {
+  std::visit([&](auto& one) { one.material = material; }, collider);
+}
+
 const MotionCarried* carried_of(const Collider& collider) {
   const std::optional<ColliderMotion>& motion = motion_of(collider);
   return motion ? std::get_if<MotionCarried>(&*motion) : nullptr;

@@ -408,6 +408,7 @@ using Collider =
 const std::optional<double>& friction_of(const Collider& collider);
 const std::optional<ColliderMotion>& motion_of(const Collider& collider);
 Material material_of(const Collider& collider);
+void set_material(Collider& collider, Material material);
 /// Null: no program moves it.
 const MotionCarried* carried_of(const Collider& collider);
 MotionCarried* carried_of(Collider& collider);

@@ -89,6 +89,7 @@ Result<void> Session::set(const std::string& key, const std::string& value) {
     WEFT_TRY(scene, scene::parse_scene(source_.text, source_.file, changes));
     return world_->change(scene);
   }();
+  if (changed && view_) view_->set_appearance(*world_);
   if (!changed) {
     changes = std::move(before);  // the world stays as it is
     return changed;

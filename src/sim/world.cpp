@@ -222,6 +222,12 @@ Result<void> World::change(const scene::Scene& scene) {
   scene_.time.frames = scene.time.frames;
   scene_.camera = scene.camera;
   scene_.render = scene.render;
+  for (std::size_t c = 0; c < scene.cloths.size(); ++c) {
+    scene_.cloths[c].color = model_.host.bodies[c].color = scene.cloths[c].color;
+    scene_.cloths[c].look = model_.host.bodies[c].look = scene.cloths[c].look;
+  }
+  for (std::size_t c = 0; c < scene.colliders.size(); ++c)
+    scene::set_material(scene_.colliders[c], scene::material_of(scene.colliders[c]));
   steps_.set_air(scene_, time());
   return {};
 }

@@ -71,9 +71,9 @@ class World {
   const std::vector<Grabbed>& grabbed() const { return grabs_->held(); }
 
   /// Takes over gravity, external force, drag, wind and the numbers of air of a scene that is this one otherwise, from
-  /// the next frame on; and its title, description, time.frames, camera, render.view and render.size. The step stays
-  /// as it is. Errors  Input: something else differs (scene::fixed_difference). Limit: the drag makes the
-  /// step unstable.
+  /// the next frame on; and its title, description, time.frames, camera, colours, looks, materials, render.view,
+  /// render.size and render.light. The step stays as it is. Errors  Input: something else differs
+  /// (scene::fixed_difference). Limit: the drag makes the step unstable.
   Result<void> change(const scene::Scene& scene);
 
   /// Back to the rest state at time 0; what grab() holds is let go.

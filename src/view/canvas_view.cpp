@@ -3,6 +3,15 @@
 #include "view/world_inputs.hpp"
 
 namespace weft::view {
+namespace {
+
+std::vector<scene::Material> materials_of(const scene::Scene& scene) {
+  std::vector<scene::Material> materials;
+  for (const scene::Collider& collider : scene.colliders) materials.push_back(scene::material_of(collider));
+  return materials;
+}
+
+}  // namespace
 
 Result<CanvasView> CanvasView::create(const sim::World& world, const Canvas& canvas, scene::View view) {
   CanvasView made;
@@ -17,6 +26,7 @@ Result<CanvasView> CanvasView::create(const sim::World& world, const Canvas& can
   WEFT_TRY(present, render::Present::create(world.device(), canvas.format, canvas.width, canvas.height));
   made.present_ = std::move(present);
   made.first_camera_ = made.renderer_.camera();
+  made.materials_ = materials_of(world.scene());
   made.record();
   return made;
 }
@@ -47,6 +57,18 @@ Result<void> CanvasView::set_view(scene::View view) {
   WEFT_CHECK(renderer_.set_view(view));
   record();
   return {};
+}
+
+void CanvasView::set_appearance(const sim::World& world) {
+  const render::Inputs inputs = inputs_of(world);
+  renderer_.set_looks(inputs);
+  const scene::Light& light = world.scene().render.light;
+  renderer_.set_light({light.environment, light.degrees}, light.direction);
+  // All vertices of obstacles are made again, which a slider of the light need not wait for.
+  std::vector<scene::Material> materials = materials_of(world.scene());
+  if (materials == materials_) return;
+  renderer_.set_materials(inputs);
+  materials_ = std::move(materials);
 }
 
 Vec3d CanvasView::point_at(double x, double y, const Vec3d& reference) const {

@@ -33,6 +33,8 @@ class CanvasView {
   /// What draws the state that lies in this parity's buffers.
   const gpu::CommandList& list(std::uint32_t parity) const { return lists_[parity]; }
 
+  /// Takes over looks, colours, materials and light of the world's scene, from the next submit of a list on.
+  void set_appearance(const sim::World& world);
   /// As render::Renderer::set_time; before the submit of a list.
   void set_time(double time) { renderer_.set_time(time); }
 
@@ -53,7 +55,8 @@ class CanvasView {
   render::Renderer renderer_;
   render::Present present_;
   render::Camera first_camera_;
-  std::array<gpu::CommandList, 2> lists_;  // by parity
+  std::vector<scene::Material> materials_;  // of the colliders, as they are drawn
+  std::array<gpu::CommandList, 2> lists_;   // by parity
 };
 
 }  // namespace weft::view

@@ -3,8 +3,8 @@ import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from "vitest";
-import { catalog, checkScene, createWorld, meshNames, readMesh, schemaOf, type SceneObject, type World,
-  type WorldOptions } from "weft-cloth";
+import { catalog, checkScene, createReference, createWorld, meshNames, readMesh, schemaOf, type Measures,
+  type SceneObject, type World, type WorldOptions } from "weft-cloth";
 import { openPage, ROOT, type Harness } from "./chromium.ts";
 import { failure } from "./failure.ts";
 import { gpu } from "./node_gpu.ts";
@@ -88,7 +88,7 @@ it("a scene names the meshes of its cloths, its colliders and their keyframes, e
 });
 
 it("the catalog has the schema, the colour map and the limits of the core, without a device", async () => {
-  const { schema, colors, ranges, mostGrabs, fabrics } = await catalog();
+  const { schema, colors, ranges, mostGrabs, fabrics, looks } = await catalog();
   expect(schemaOf(schema, "contact.method")!.enum).toEqual(["none", "paper", "bvh", "proximity"]);
   expect(schemaOf(schema, "solver.forces")!.enum).toContain("spring_centric"); // of a variant
   expect(schemaOf(schema, "cloths.0.stiffness.shear")).toMatchObject({ minimum: 0, maximum: 1e12, default: 2000 });
@@ -100,7 +100,11 @@ it("the catalog has the schema, the colour map and the limits of the core, witho
   expect(colors.at(-1)!.map((part) => Math.round(255 * part))).toEqual([253, 231, 37]);
   expect(ranges.stretch).toEqual([0.95, 1.15]);
   expect(mostGrabs).toBe(4);
-  expect(fabrics.find(({ name }) => name === "denim_11oz")).toMatchObject({ density: 0.324 });
+  expect(fabrics.find(({ name }) => name === "denim_11oz")).toMatchObject({ density: 0.324, look: "denim" });
+  expect(schemaOf(schema, "cloths.0.look")!.anyOf!.flatMap((way) => way.enum ?? []))
+    .toEqual(looks.map(({ name }) => name));
+  expect(looks.find(({ name }) => name === "silk")!.color.map((part) => Number(part.toFixed(2))))
+    .toEqual([0.72, 0.15, 0.2]);
   expect(schemaOf(schema, "cloths.0.fabric.name")!.enum).toEqual(fabrics.map(({ name }) => name));
   expect(schemaOf(schema, "cloths.0.fabric.warp")).toMatchObject({ type: "number", minimum: 0.001 });
 });
@@ -130,6 +134,49 @@ describe("a world", () => {
     return world;
   };
   afterEach(() => worlds.splice(0).forEach((world) => world.dispose()));
+
+  it("measures energies, which are those of the reference in double and obey what energy does", async () => {
+    const set = { ...small, "cloths.0.damping": 0, "wind.velocity": [0, 0, 0], drag: 0 };
+    const world = await open({ set });
+    const reference = await createReference({ scene: scene("hanging"), set });
+    const sum = ({ kinetic, potential, springs, membranes, bending, tetrahedra, gas }: Measures) =>
+      kinetic + potential + springs + membranes + bending + tetrahedra + gas;
+    const rest = await world.measure();
+    expect(rest).toMatchObject({ frame: 0, seconds: 0, kinetic: 0, membranes: 0, tetrahedra: 0, gas: 0, contacts: 0 });
+    expect(sum(rest)).toBeCloseTo(reference.energy, 4);
+    await world.step(20);
+    for (let frame = 0; frame < 20; frame++) reference.advance();
+    const later = await world.measure();
+    expect(later.frame).toBe(20);
+    const moved = later.kinetic + later.springs; // all of it has come from the height
+    expect(moved).toBeGreaterThan(0.1);
+    expect(sum(later)).toBeCloseTo(reference.energy, 2);
+    expect(Math.abs(sum(later) - sum(rest))).toBeLessThan(0.05 * moved); // nothing damps it; the steps do a little
+    expect(later.maxStretch).toBe(world.statistics.maxStretch);
+    // By the state itself: mass times speed, and mass times height.
+    const { positions, velocities, inverseMasses } = await world.snapshot();
+    let kinetic = 0, potential = 0;
+    inverseMasses.forEach((inverse, node) => {
+      if (inverse === 0) return;
+      kinetic += [0, 1, 2].reduce((all, axis) => all + velocities[3 * node + axis]! ** 2, 0) / (2 * inverse);
+      potential += 9.81 * positions[3 * node + 1]! / inverse;
+    });
+    expect(later.kinetic / kinetic).toBeCloseTo(1, 6);
+    expect(later.potential / potential).toBeCloseTo(1, 6);
+    reference.dispose();
+  });
+
+  it("takes looks and light while it moves, without a change of its state, and refuses what shapes the cloth",
+    async () => {
+      const world = await open();
+      const { hash } = await world.snapshot();
+      await world.setParameter("cloths.0.look", "silk");
+      await world.setParameter("render.light.environment", "sky");
+      await world.setParameter("cloths.0.look", null);
+      expect((await world.snapshot()).hash).toBe(hash);
+      await expect(world.setParameter("cloths.0.look", "tweed")).rejects.toThrow(/cloths\[0\]\.look is "tweed"/);
+      await expect(world.setParameter("cloths.0.density", null)).rejects.toThrow(/density/);
+    });
 
   it("goes back to the exact rest state, and takes the same way again", async () => {
     const world = await open();

@@ -7,12 +7,14 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "inputs.hpp"
 #include "message.hpp"
+#include "reference/simulation.hpp"
 #include "render/orbit.hpp"
 #include "session/describe.hpp"
 #include "session/session.hpp"
@@ -27,7 +29,8 @@ using weft::web::text;
 constexpr const char* kBuild = WEFT_VERSION ", the package";  // as saved states name what they come from
 
 Session* session = nullptr;
-std::vector<std::byte> saved;  // a state, until it has been fetched
+std::optional<weft::reference::MassSpringSystem> elements;  // of the world, once it has been measured
+std::vector<std::byte> saved;                               // a state, until it has been fetched
 std::vector<double>
     reported;  // of each frame that has reported since this was fetched: its number, its end [s], totals
 
@@ -61,6 +64,7 @@ weft::Result<void> load(const std::string& text, const std::string& changes) {
   WEFT_TRY(source, weft::web::scene_text(text, changes));
   reported.clear();
   session->on_world([](weft::sim::World& world) {
+    elements.reset();
     world.on_report([&world](std::uint32_t frame) { report(world, frame); });
   });
   WEFT_CHECK(session->load(std::move(source), [](const weft::SceneText& given) {
@@ -116,6 +120,31 @@ weft::Result<void> time_passes(Session& of) {
   return {};
 }
 
+/// Leaves what frames.csv of weft run has of a frame, as JSON in `message`.
+weft::Result<void> measure(Session& of) {
+  const weft::sim::World& world = *of.world();
+  WEFT_TRY(nodes, world.node_state());
+  if (!elements) elements = weft::reference::elements_of(world.model().host);
+  const weft::reference::EnergySums e =
+      weft::reference::energies_at(*elements, nodes.position, nodes.velocity, nodes.creases,
+                                   world.scene().gravity + world.scene().external_force);
+  const weft::Statistics& frame = world.last_report();
+  message = nlohmann::ordered_json{{"frame", world.frame()},
+                                   {"seconds", world.time()},
+                                   {"kinetic", e.kinetic},
+                                   {"potential", e.potential},
+                                   {"springs", e.springs},
+                                   {"membranes", e.membranes},
+                                   {"bending", e.bending},
+                                   {"tetrahedra", e.tetrahedra},
+                                   {"gas", e.gas},
+                                   {"maxStretch", frame.max_stretch},
+                                   {"contacts", frame.contacts},
+                                   {"residual", frame.residual}}
+                .dump();
+  return {};
+}
+
 weft::Result<void> save_state(Session& of) {
   WEFT_SET(saved, of.save_state(kBuild));
   return {};
@@ -151,6 +180,7 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_open(const char* adapter, std::uint32_t 
   return code(session->open({.adapter = text(adapter, size)}));
 }
 EMSCRIPTEN_KEEPALIVE void weft_close() {
+  elements.reset();
   delete session;
   session = nullptr;
   weft::web::meshes().clear();
@@ -255,6 +285,13 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_snapshot() {
 /// Sleeps. Leaves the times in weft_message.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_time_passes() {
   return with_world([](Session& s) { return time_passes(s); });
+}
+/// Sleeps. Leaves the numbers in weft_message.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_measure() {
+  return with_world([](Session& s) -> weft::Result<void> {
+    WEFT_CHECK(s.world()->finish());
+    return measure(s);
+  });
 }
 /// After weft_open and before weft_load. `format`: a gpu::TextureFormat.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_canvas(std::uint32_t target, std::uint32_t format,

@@ -8,9 +8,11 @@
 #include "message.hpp"
 #include "method/method.hpp"
 #include "render/color_map.hpp"
+#include "render/fabric.hpp"
 #include "render/renderer.hpp"
 #include "scene/fabrics.hpp"
 #include "scene/grab.hpp"
+#include "scene/looks.hpp"
 #include "scene/names.hpp"
 #include "scene/schema.hpp"
 
@@ -46,7 +48,7 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE void weft_schema() { weft::web::message = weft::scene::schema_json(); }
 
 /// As JSON: the colour map as sRGB in [0, 1], from the lowest value to the highest, the values that stand at
-/// its ends by view, how many nodes can be grabbed at once, the methods, and the fabrics with names.
+/// its ends by view, how many nodes can be grabbed at once, the methods, and the fabrics and looks with names.
 EMSCRIPTEN_KEEPALIVE void weft_catalog() {
   nlohmann::ordered_json json;
   json["colors"] = nlohmann::ordered_json::array();
@@ -62,8 +64,14 @@ EMSCRIPTEN_KEEPALIVE void weft_catalog() {
   json["mostGrabs"] = weft::scene::kMaxGrabs;
   json["methods"] = methods_json();
   for (const weft::scene::NamedFabric& fabric : weft::scene::kFabrics)
-    json["fabrics"].push_back(
-        {{"name", fabric.name}, {"what", fabric.what}, {"density", fabric.density.value}});
+    json["fabrics"].push_back({{"name", fabric.name},
+                               {"what", fabric.what},
+                               {"density", fabric.density.value},
+                               {"look", weft::scene::look_of_fabric(fabric.name)}});
+  for (const weft::scene::NamedLook& look : weft::scene::kLooks) {
+    const weft::Vec3f color = weft::render::color_of(weft::scene::look_of(look.name), 0);
+    json["looks"].push_back({{"name", look.name}, {"color", {color.x, color.y, color.z}}});
+  }
   weft::web::message = json.dump();
 }
 

@@ -34,6 +34,8 @@ export interface Catalog {
   readonly methods: readonly Method[];
   /** The measured cloths that a scene's cloths.0.fabric can name (docs/fabrics.md). */
   readonly fabrics: readonly Fabric[];
+  /** What a scene's cloths.0.look can name (docs/scene.md). */
+  readonly looks: readonly Look[];
 }
 
 export interface Fabric {
@@ -42,6 +44,14 @@ export interface Fabric {
   readonly what: string;
   /** [kg/m²] */
   readonly density: number;
+  /** The look that it brings. */
+  readonly look: string;
+}
+
+export interface Look {
+  readonly name: string;
+  /** Of a scene's first cloth, where it has no colour of its own: sRGB in [0, 1]. */
+  readonly color: readonly [red: number, green: number, blue: number];
 }
 
 export interface Method {
@@ -86,5 +96,6 @@ export function schemaOf(root: Schema, key: string): Schema | null {
     if (!inner) return null;
     at = { ...resolved(inner), ...inner }; // what stands beside a reference is of this key
   }
-  return at ?? null;
+  const anyOf = at?.anyOf?.map((way) => resolved(way) ?? way);
+  return at ? { ...at, ...(anyOf && { anyOf }) } : null;
 }

@@ -4,9 +4,9 @@ import { numbersOf, type Placement } from "./placement.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
 import { schedule, unschedule } from "./ticks.js";
 import { noTotals, TOTALS } from "./totals.js";
-import { VIEWS, type Camera, type Events, type MemoryUse, type OpenedState, type PassTime, type Pick, type Point,
-  type SceneOptions, type Snapshot, type Statistics, type Step, type StepOptions, type View, type WorldBuffers,
-  type WorldInfo, type WorldOptions } from "./world_types.js";
+import { VIEWS, type Camera, type Events, type Measures, type MemoryUse, type OpenedState, type PassTime, type Pick,
+  type Point, type SceneOptions, type Snapshot, type Statistics, type Step, type StepOptions, type View,
+  type WorldBuffers, type WorldInfo, type WorldOptions } from "./world_types.js";
 
 /** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
 export async function createWorld(options: WorldOptions): Promise<World> {
@@ -190,12 +190,14 @@ export class World {
 
   /**
    * Changes a key of the scene while it moves: `gravity`, `external_force`, `drag`, `wind.velocity`, `wind.gusts`,
-   * `wind.wavelength`, and those of `air` where the scene has it. Any other is refused: load the scene again with
-   * `set`.
+   * `wind.wavelength`, those of `air` where the scene has it, and what it looks like: `color` and `look` of cloths,
+   * `material` of colliders and `render.light`. null takes the key out of the scene. Any other is refused: load the
+   * scene again with `set`.
    */
   async setParameter(key: string, value: unknown): Promise<void> {
     this.loaded();
     await this.core.sleep("set", [key, JSON.stringify(value)]);
+    this.changed();
   }
 
   /** Takes hold of a node: from now on it is drawn to `target`, by a force as it were, with a bounded speed. */
@@ -348,6 +350,15 @@ export class World {
   /** x, y, z of every node in model order [m]. */
   async positions(): Promise<Float32Array> {
     return (await this.snapshot()).positions;
+  }
+
+  /**
+   * Energies, stretch and residual at the end of the last frame, as a row of frames.csv has them. The state is read
+   * back and summed up by this thread in double, which takes some 400 bytes of the module a node.
+   */
+  async measure(): Promise<Measures> {
+    this.loaded();
+    return this.core.sleep("measure", [], () => JSON.parse(this.core.text()) as Measures);
   }
 
   /**

@@ -106,6 +106,30 @@ export interface Snapshot {
   hash: string;
 }
 
+/** A frame in numbers: energies [J] and what the frame has reported. */
+export interface Measures {
+  /** How many frames there were, and the simulated time at the end of the last [s]. */
+  frame: number;
+  seconds: number;
+  /** Of free nodes. */
+  kinetic: number;
+  /** Of the same in gravity and the external force, 0 at the origin. */
+  potential: number;
+  /** Elastic, by what is stretched and bent; those of tetrahedra are of bodies. */
+  springs: number;
+  membranes: number;
+  bending: number;
+  tetrahedra: number;
+  /** Of what closed cloths enclose and of the air around it, 0 at rest. */
+  gas: number;
+  /** The largest length of an edge over its rest length. */
+  maxStretch: number;
+  /** Summed over the frame's substeps. */
+  contacts: number;
+  /** The largest part of its residual that a linear system kept (implicit solver). */
+  residual: number;
+}
+
 /** What a world has gone on from. */
 export interface OpenedState {
   /** The nodes that it has grabbed, and where they are drawn to [m]: `drag` and `release` take them. */
