@@ -20,13 +20,13 @@ TEST_CASE("the schema knows each key of the list that page and window share, and
       CHECK(seen.insert(each.key).second);
       const auto limits = limits_of(each.key);
       REQUIRE(limits);
-      CHECK(limits->numeric);
-      CHECK(limits->least < limits->most);
+      CHECK((limits->numeric ? limits->least < limits->most : limits->choices.size() > 1));
       CHECK(!limits->meaning.empty());
-      CHECK((each.reach > 0) == group.live);
+      CHECK((each.reach > 0) == (group.live && limits->numeric && each.key != "cloths.0.color"));
+      for (const std::string& gone : each.clears) CHECK(limits_of(gone));
     }
   }
-  CHECK(seen.size() == 19);
+  CHECK(seen.size() == 29);
 }
 
 TEST_CASE("the shared list of scenes names scenes that are shipped, each once") {
@@ -49,6 +49,11 @@ TEST_CASE("only what a cloth has can be asked for") {
   CHECK(!applies("cloths.0.damping", given({"cloths.0.fabric"})));
   CHECK(!applies("cloths.0.density", given({"cloths.0.node_mass"})));
   CHECK(applies("cloths.0.node_mass", given({"cloths.0.node_mass"})));
+  CHECK(!applies("cloths.0.fabric.warp", given({"cloths.0.fabric"})));
+  CHECK(applies("cloths.0.fabric", given({"cloths.0"})));
+  CHECK(!applies("cloths.0.look", given({})));
+  CHECK(applies("colliders.1.material", given({"colliders.1"})));
+  CHECK(!applies("colliders.1.material", given({"colliders.0"})));
   CHECK(!applies("air.density", given({})));
   CHECK(applies("air.density", given({"air"})));
 }

@@ -90,6 +90,33 @@ TEST_CASE("a parameter changes the running cloth or opens it anew, and goes back
   CHECK(!player.values().changed("gravity"));
 }
 
+TEST_CASE(
+    "a look is taken by the running cloth, in colours of its own, and a fabric takes the springs' place") {
+  Opened opened;
+  Player& player = opened.player;
+  REQUIRE(player.step());
+  REQUIRE(player.change_live({{"cloths.0.color", "[1,0,0]"}}));
+  REQUIRE(player.change_live({{"cloths.0.look", "\"silk\""}}));
+  CHECK(player.world().frame() == 1);
+  CHECK(player.world().scene().cloths[0].look.name == "silk");
+  CHECK(player.world().scene().cloths[0].color == Vec3d{1, 0, 0});  // chosen, so it stays
+  REQUIRE(player.change_live({{"cloths.0.color", std::nullopt}}));
+  CHECK(!player.world().scene().cloths[0].color);
+  REQUIRE(player.change({{"cloths.0.fabric", "\"denim_11oz\""}}));
+  CHECK(player.notice.sentence() == "");
+  CHECK(player.facts().springs == 0);
+  CHECK(player.facts().membranes == 2 * 8 * 8);
+  CHECK(player.world().scene().cloths[0].density == 0.324);
+  CHECK(player.world().scene().cloths[0].look.name == "silk");
+  CHECK(player.values().now("cloths.0.density") == nullptr);
+  CHECK(player.values().now("solver.kind")->text == "auto");
+  REQUIRE(player.change_live({{"cloths.0.look", std::nullopt}}));
+  CHECK(player.world().scene().cloths[0].look.name == "denim");
+  REQUIRE(player.change({{"cloths.0.fabric", std::nullopt}}));
+  CHECK(player.facts().membranes == 0);
+  CHECK(player.values().now("cloths.0.density")->number == 0.2);
+}
+
 TEST_CASE("a value that is refused is said, and the cloth goes on as it was") {
   Opened opened;
   Player& player = opened.player;

@@ -1,6 +1,7 @@
 import { catalog, VIEWS, type World } from "weft-cloth";
 import { Address, linkTo } from "./address.js";
 import { followSize, setFirstSize } from "./canvas_size.js";
+import { Gallery } from "./controls/gallery.js";
 import { Panel } from "./controls/panel.js";
 import { Pins } from "./controls/pins.js";
 import { Theme } from "./controls/theme.js";
@@ -45,6 +46,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const { state, refused } = asked();
   let cameraAt = 0;
   let remedy: Offer | null = null; // where the step is unstable
+  let greeting = location.search === ""; // while nothing has been chosen, the address names nothing
   const events: PlayerEvents = {
     opening(sentence) {
       remedy = null;
@@ -55,6 +57,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     },
     opened(scene, info) {
       panel.opened(scene, info);
+      gallery.mark(scene.state.scene);
       remedy = info.unstableStep === null ?
         null :
         { label: "Use “auto”", act: () => void show(player, withKey(player.noteCamera(), SUBSTEPS, "auto")) };
@@ -64,6 +67,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     },
     empty() {
       panel.empty();
+      gallery.mark(null);
       notice.wait(null);
     },
     playing(on) {
@@ -74,7 +78,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     viewed: (view) => panel.viewed(view),
     changed(state) {
       if (player.loaded) panel.changed(player.loaded, state);
-      address.show(state);
+      if (!greeting) address.show(state);
     },
     rested: () => pins.forget(),
     wentBack({ grabs }) {
@@ -96,9 +100,21 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const say = (sentence: string) => notice.say(sentence, "plain");
   const pins = new Pins(canvas, player, offers.mostGrabs, say);
   const pointer = new Pointer(canvas, player, pins);
-  const panel = new Panel({ catalog: offers, limits, player, pins, theme, say,
-    open: (wanted) => void show(player, wanted), link: () => linkTo(player.noteCamera()) });
-  new Files(player, notice, canvas, (state) => show(player, state));
+  const gallery = new Gallery((scene) => void show(player, plain(scene, player.state.view)));
+  const go = (wanted: PageState) => {
+    gallery.close();
+    return show(player, wanted);
+  };
+  gallery.onChange = () => {
+    if (!gallery.shown && greeting) {
+      greeting = false;
+      address.show(player.state);
+    }
+    see();
+  };
+  const panel = new Panel({ catalog: offers, limits, player, pins, theme, gallery, say,
+    open: (wanted) => void go(wanted), link: () => linkTo(player.noteCamera()) });
+  new Files(player, notice, canvas, go);
   followSize(canvas, async (width, height) => {
     await player.resize(width, height);
     pins.draw();
@@ -108,14 +124,16 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     const wanted = address.entered(event.state, named);
     if (!wanted) return;
     void address.follow(async () => {
-      if (await show(player, wanted) && fault !== null) notice.say(fault);
+      if (await go(wanted) && fault !== null) notice.say(fault);
     }, () => player.state);
   });
+  const see = () => player.setHidden(document.hidden || gallery.shown);
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) pointer.cancel();
-    player.setHidden(document.hidden);
+    see();
   });
-  player.setHidden(document.hidden);
+  if (greeting) gallery.greet();
+  see();
   return { player, pins, refused };
 }
 

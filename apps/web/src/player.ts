@@ -7,7 +7,7 @@ import { checkRoom, type Limits } from "./memory.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
 import { sentence } from "./sentence.js";
 import { equal, withKey, type PageState, type Value } from "./state/page_state.js";
-import { isLive } from "./state/parameters.js";
+import { clearedBy, isLive } from "./state/parameters.js";
 
 export interface PlayerEvents {
   /** The world is being built; its grabs are void. */
@@ -31,7 +31,6 @@ export interface PlayerEvents {
 
 interface LiveChange {
   readonly scene: LoadedScene;
-  readonly value: Value | null;
   readonly before: Value | null;
 }
 
@@ -235,13 +234,19 @@ export class Player {
     this.change(withKey(this.state_, key, value));
     let latest = this.latest.get(key);
     if (!latest) this.latest.set(key, latest = new Latest((change) => this.carryOut(key, change)));
-    latest.set({ scene, value, before });
+    latest.set({ scene, before });
   }
 
-  private async carryOut(key: string, { scene, value, before }: LiveChange): Promise<void> {
+  private async carryOut(key: string, { scene, before }: LiveChange): Promise<void> {
     if (this.scene !== scene) return; // what was loaded meanwhile has it already, or is another scene
-    const done = await this.ask((world) => world.setParameter(key, value ?? scene.own(key)).then(() => true));
+    const done = await this.ask((world) => this.tell(world, scene, [key]).then(() => true));
     if (!done && this.scene === scene) this.change(withKey(this.state_, key, before)); // it has been said why
+  }
+
+  /** Tells a world of that scene what these keys are now, and those in whose place they stand. */
+  private async tell(world: World, scene: LoadedScene, keys: readonly string[]): Promise<void> {
+    for (const key of new Set(keys.flatMap((one) => [one, ...clearedBy(one)])))
+      await world.setParameter(key, scene.valueOf(key, this.state_.set) ?? null);
   }
 
   /** Takes up where the camera is: it is turned without the player. A busy or stopped world cannot be asked. */
@@ -330,11 +335,8 @@ export class Player {
       const world = this.open_!;
       await world.recover();
       this.watch(world);
-      const { set } = this.state_;
-      for (const [key, value] of Object.entries(set)) if (isLive(key)) await world.setParameter(key, value);
       // The world starts again with the address's changes, those since undone included.
-      for (const key of Object.keys(scene.state.set))
-        if (isLive(key) && !(key in set)) await world.setParameter(key, scene.own(key));
+      await this.tell(world, scene, Object.keys({ ...scene.state.set, ...this.state_.set }).filter(isLive));
       await this.settle(scene, this.state_);
       this.events.said(`The GPU device was lost and has been opened again; the scene was restarted. (${cause})`);
     } catch (reason) {

@@ -4,7 +4,7 @@ import { meshNames, schemaOf, type Bytes, type Catalog, type Method, type Schema
 import list from "../../shared/scenes.json";
 import { MOST_SUBSTEPS } from "./files/limits.js";
 import type { PageState } from "./state/page_state.js";
-import { SOLVER } from "./state/parameters.js";
+import { cleared, DENSITY, FABRIC, isCleared, LOOK, SOLVER } from "./state/parameters.js";
 
 const SCENE_FILES = import.meta.glob<string>("../../../scenes/*.json", { query: "?url", import: "default",
   eager: true });
@@ -54,7 +54,9 @@ export interface LoadedScene {
   readonly mostSubsteps: number;
   /** What the scene's file says of a key, or else the format. */
   own(key: string): unknown;
-  /** The same, with what the page has changed. */
+  /** The same, with these changes. */
+  valueOf(key: string, set: PageState["set"]): unknown;
+  /** The same, with those that it was opened with. */
   now(key: string): unknown;
 }
 
@@ -96,11 +98,13 @@ export async function fetchModel(name: string): Promise<ArrayBuffer> {
 interface SceneFile {
   readonly title?: string;
   readonly description?: string;
-  readonly cloths?: readonly { readonly grid?: Grid; readonly copies?: { readonly count: number } }[];
+  readonly cloths?: readonly { readonly grid?: Grid; readonly copies?: { readonly count: number };
+    readonly pressure?: object }[];
   readonly colliders?: readonly { readonly mesh?: string }[];
 }
 
-export async function fetchScene(state: PageState, { schema, methods }: Catalog): Promise<LoadedScene> {
+export async function fetchScene(state: PageState, catalog: Catalog): Promise<LoadedScene> {
+  const { schema, methods } = catalog;
   const brought = state.scene === OWN ? own : null;
   const json = brought?.json ??
     await (await fetched(fileOf(SCENE_FILES, state.scene), `The scene ${state.scene}`)).text();
@@ -109,12 +113,23 @@ export async function fetchScene(state: PageState, { schema, methods }: Catalog)
   const file = JSON.parse(json) as SceneFile;
   const entry = SCENES.find(({ name }) => name === state.scene);
   const valueOf = (key: string): unknown => valueAt(file, key) ?? fallbackOf(schema, key);
+  /** What a cloth has by its fabric's name, or without one. */
+  const byFabric = (key: string, set: PageState["set"]): unknown => {
+    if (key !== DENSITY && key !== LOOK) return undefined;
+    const given = set[FABRIC] ?? valueAt(file, `${FABRIC}.name`) ?? valueAt(file, FABRIC);
+    const fabric = catalog.fabrics.find(({ name }) => name === given);
+    if (key === DENSITY) return fabric?.density;
+    return file.cloths?.[0] && (file.cloths[0].pressure ? "rubber" : fabric?.look ?? catalog.looks[0]!.name);
+  };
   const ownGrid = file.cloths?.[0]?.grid ?? null;
   const usual = entry?.nodes ?? (ownGrid ? Math.max(...ownGrid) : 0);
   return restated({
     state,
     json,
     own: valueOf,
+    valueOf: (key, set) =>
+      set[key] ?? (isCleared(key, set) ? null : valueOf(key)) ?? byFabric(key, set) ??
+        fallbackOf(schema, key),
     methods,
     grid: ownGrid && { own: ownGrid, usual, taken: gridOf(ownGrid, state.nodes ?? usual) },
     title: brought?.title ?? entry?.title ?? state.scene,
@@ -133,8 +148,10 @@ function solverSet({ [SOLVER]: kind, ...set }: PageState["set"]): Record<string,
 
 /** The scene with other changes to its keys; its grid stays. */
 export function restated(scene: Omit<LoadedScene, "set" | "now">, state: PageState): LoadedScene {
-  return { ...scene, state, set: { ...(scene.grid && { "cloths.0.grid": scene.grid.taken }), ...solverSet(state.set) },
-    now: (key) => state.set[key] ?? scene.own(key) };
+  const gone = Object.fromEntries(cleared(state.set).map((key) => [key, null]));
+  return { ...scene, state,
+    set: { ...(scene.grid && { "cloths.0.grid": scene.grid.taken }), ...gone, ...solverSet(state.set) },
+    now: (key) => scene.valueOf(key, state.set) };
 }
 
 /** A grid of the scene's aspect with this many nodes along its longer side. */

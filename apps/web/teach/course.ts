@@ -1,21 +1,11 @@
 // What a lesson has computed: numbers, curves, and a picture at each time. The states are the reference's.
 import { createReference, WeftError, type Reference, type Scene } from "weft-cloth";
+import type { Curve } from "../src/line_plot.js";
 
 /** A number that is shown, with its unit. */
 export interface Quantity {
   readonly value: number;
   readonly unit: string;
-}
-
-export interface Curve {
-  /** Chooses its colour. */
-  readonly order: number;
-  readonly name: string;
-  readonly points: readonly (readonly [x: number, y: number])[];
-  /** By a formula, not by the engine: drawn in dashes. */
-  readonly formula?: boolean;
-  /** Single points instead of a line. */
-  readonly dots?: boolean;
 }
 
 export interface Course {

@@ -2,10 +2,10 @@
 // before, so it is played at its own pace on any machine.
 import { significant } from "../src/digits.js";
 import { element, input } from "../src/elements.js";
+import { LinePlot, type Axes, type Curve } from "../src/line_plot.js";
 import { sentence } from "../src/sentence.js";
 import { Ticks } from "../src/ticks.js";
-import type { Course, Curve, Pen, Quantity } from "./course.js";
-import { LinePlot, type Axes } from "./line_plot.js";
+import type { Course, Pen, Quantity } from "./course.js";
 
 const REST = 0.8; // s, at the end, before it begins anew
 

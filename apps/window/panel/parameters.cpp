@@ -15,8 +15,10 @@ namespace weft::window {
 namespace {
 
 constexpr char kWind[] = "wind.velocity";
-constexpr float kUnit = 52;      // what the longest unit takes [point]
-constexpr double kDigits = 1e3;  // a slider's values have three decimals
+constexpr char kColor[] = "cloths.0.color";
+constexpr Vec3d kGrey{0.7, 0.7, 0.7};  // shown where the colour is the look's
+constexpr float kUnit = 52;            // what the longest unit takes [point]
+constexpr double kDigits = 1e3;        // a slider's values have three decimals
 
 Vec3d vector_of(const Json* value) {
   if (value == nullptr || value->values.size() != 3) return {};
@@ -41,12 +43,14 @@ std::optional<double> moved_strength(const SceneValues& values, const Parameter&
   const std::optional<KeyLimits>& limits = limits_of(parameter.key);
   const double now = strength_of(values.now(parameter.key));
   const double own = strength_of(values.own(parameter.key));
+  const double least = std::max(0.0, limits->least);
   const double most = std::min(limits->most, std::ceil(std::max({parameter.reach, 2 * own, now})));
   auto value = static_cast<float>(now);
   row(parameter.label);
   const std::string format = limits->unit.empty() ? "%.2f" : "%.2f " + limits->unit;
-  const bool moved = ImGui::SliderFloat(("##" + parameter.key).c_str(), &value, 0, static_cast<float>(most),
-                                        format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+  const bool moved =
+      ImGui::SliderFloat(("##" + parameter.key).c_str(), &value, static_cast<float>(least),
+                         static_cast<float>(most), format.c_str(), ImGuiSliderFlags_AlwaysClamp);
   tip(limits->meaning);
   return moved ? std::optional(std::round(static_cast<double>(value) * kDigits) / kDigits) : std::nullopt;
 }
@@ -62,13 +66,18 @@ Result<void> Parameters::draw() {
 }
 
 Result<void> Parameters::draw_group(const ParameterGroup& group) {
-  const auto has = [&](const std::string& key) { return player_.values().own(key) != nullptr; };
+  const auto has = [&](const std::string& key) { return player_.values().now(key) != nullptr; };
   Edits back;
   for (const Parameter& each : group.parameters) {
     const std::optional<KeyLimits>& limits = limits_of(each.key);
-    if (!limits || !limits->numeric || !applies(each.key, has)) continue;
+    if (!limits || !applies(each.key, has)) continue;
     if (player_.values().changed(each.key)) back[each.key] = std::nullopt;
-    WEFT_CHECK(!group.live ? draw_number(each) : each.key == kWind ? draw_wind(each) : draw_slider(each));
+    if (!limits->numeric)
+      WEFT_CHECK(draw_choice(each, group.live));
+    else if (each.key == kColor)
+      WEFT_CHECK(draw_color(each));
+    else
+      WEFT_CHECK(!group.live ? draw_number(each) : each.key == kWind ? draw_wind(each) : draw_slider(each));
   }
   if (group.name == "wind" && strength_of(player_.values().now("drag")) == 0 && !has("air"))
     remark("Wind pulls by the air's drag, which is 0 here: raise it to feel the wind.");
@@ -100,6 +109,44 @@ Result<void> Parameters::draw_wind(const Parameter& parameter) {
   const Vec3d own = vector_of(player_.values().own(parameter.key));
   return player_.change_live(
       {{parameter.key, list_text(blowing(speed.value_or(length(now)), heading_, own))}});
+}
+
+/// One of the schema's words. What stood in its place, but for what only looks, goes with it.
+Result<void> Parameters::draw_choice(const Parameter& parameter, bool live) {
+  const KeyLimits& limits = *limits_of(parameter.key);
+  const Json* now = player_.values().now(parameter.key);
+  const bool is_word = now != nullptr && now->kind == Json::Kind::Text;
+  std::optional<std::string> chosen;
+  row(parameter.label);
+  if (ImGui::BeginCombo(("##" + parameter.key).c_str(),
+                        is_word ? now->text.c_str() : "as the scene has it")) {
+    for (const std::string& word : limits.choices)
+      if (ImGui::Selectable(word.c_str(), is_word && word == now->text)) chosen = word;
+    ImGui::EndCombo();
+  }
+  tip(limits.meaning);
+  if (!chosen) return {};
+  if (live) return player_.change_live({{parameter.key, json_text(*chosen)}});
+  Edits edits;
+  for (const auto& [key, value] : player_.shown().set)
+    for (const std::string& gone : parameter.clears)
+      if (is_within(key, gone) && key != kColor && key != "cloths.0.look") edits[key] = std::nullopt;
+  edits["time.substeps"] = std::nullopt;
+  edits[parameter.key] = json_text(*chosen);
+  return player_.change(edits);
+}
+
+Result<void> Parameters::draw_color(const Parameter& parameter) {
+  const Json* now = player_.values().now(parameter.key);
+  const Vec3d color = now != nullptr ? vector_of(now) : kGrey;
+  float parts[] = {static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z)};
+  row(parameter.label);
+  const bool moved = ImGui::ColorEdit3(("##" + parameter.key).c_str(), parts, ImGuiColorEditFlags_NoInputs);
+  tip(limits_of(parameter.key)->meaning);
+  if (!moved) return {};
+  const auto digits = [](float part) { return std::round(static_cast<double>(part) * kDigits) / kDigits; };
+  return player_.change_live(
+      {{parameter.key, list_text({digits(parts[0]), digits(parts[1]), digits(parts[2])})}});
 }
 
 /// A number, or a word that stands for one: nothing in the field.

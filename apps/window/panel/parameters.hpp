@@ -21,6 +21,8 @@ class Parameters {
   Result<void> draw_slider(const Parameter& parameter);
   Result<void> draw_wind(const Parameter& parameter);
   Result<void> draw_number(const Parameter& parameter);
+  Result<void> draw_choice(const Parameter& parameter, bool live);
+  Result<void> draw_color(const Parameter& parameter);
 
   Player& player_;
   double heading_ = 0;                        // of the wind, also where it does not blow [degree]

@@ -63,7 +63,8 @@ std::optional<KeyLimits> read_limits(const std::string& key) {
     limits.meaning = limits.meaning.substr(0, open == 0 ? 0 : open - 1) + ".";
   }
   const nlohmann::json ways = found->contains("anyOf") ? (*found)["anyOf"] : nlohmann::json::array({*found});
-  for (const nlohmann::json& way : ways) {
+  for (const nlohmann::json& given : ways) {
+    const nlohmann::json way = resolved(given);
     if (way.contains("enum"))
       for (const auto& word : way["enum"])
         if (word.is_string()) limits.choices.push_back(word);

@@ -16,7 +16,8 @@ std::vector<ParameterGroup> read_parameters() {
     made.title = group.at("title");
     made.live = group.at("live");
     for (const auto& each : group.at("parameters"))
-      made.parameters.push_back({each.at("key"), each.at("label"), each.value("reach", 0.0)});
+      made.parameters.push_back({each.at("key"), each.at("label"), each.value("reach", 0.0),
+                                 each.value("clears", std::vector<std::string>())});
   }
   return groups;
 }
@@ -39,12 +40,26 @@ const std::vector<ParameterGroup>& parameter_groups() {
   return groups;
 }
 
-bool applies(const std::string& key, const std::function<bool(const std::string&)>& own) {
+const std::vector<std::string>& cleared_by(const std::string& key) {
+  static const std::vector<std::string> nothing;
+  for (const ParameterGroup& group : parameter_groups())
+    for (const Parameter& each : group.parameters)
+      if (each.key == key) return each.clears;
+  return nothing;
+}
+
+bool is_within(const std::string& key, const std::string& other) {
+  return key == other || key.rfind(other + ".", 0) == 0;
+}
+
+bool applies(const std::string& key, const std::function<bool(const std::string&)>& now) {
   const auto begins = [&](const char* start) { return key.rfind(start, 0) == 0; };
-  if (key == "air.density") return own("air");
-  if (begins("cloths.0.stiffness.") || begins("cloths.0.damping")) return !own("cloths.0.fabric");
-  const bool given = key == "cloths.0.density" || key == "cloths.0.node_mass" || begins("cloths.0.fabric");
-  return !given || own(key);
+  if (key == "air.density") return now("air");
+  if (key == "cloths.0.fabric" || key == "cloths.0.look" || key == "cloths.0.color") return now("cloths.0");
+  if (begins("colliders.")) return now(key.substr(0, key.rfind('.')));
+  if (begins("cloths.0.stiffness.") || begins("cloths.0.damping")) return !now("cloths.0.fabric");
+  const bool given = key == "cloths.0.density" || key == "cloths.0.node_mass" || begins("cloths.0.fabric.");
+  return !given || now(key);
 }
 
 const std::vector<SceneGroup>& scene_groups() {

@@ -10,7 +10,8 @@ namespace weft::window {
 struct Parameter {
   std::string key;  // dotted, of a scene
   std::string label;
-  double reach = 0;  // the least range of its slider, where it changes while the cloth moves
+  double reach = 0;                   // the least range of its slider, where it changes while the cloth moves
+  std::vector<std::string> clears{};  // in whose place it stands: chosen, it takes them out of the scene
 };
 struct ParameterGroup {
   std::string name, title;
@@ -18,11 +19,15 @@ struct ParameterGroup {
   std::vector<Parameter> parameters;
 };
 const std::vector<ParameterGroup>& parameter_groups();
+/// In whose place a key stands; nothing for most.
+const std::vector<std::string>& cleared_by(const std::string& key);
+/// Whether `key` is `other` or within it: cloths.0.fabric.warp is within cloths.0.fabric.
+bool is_within(const std::string& key, const std::string& other);
 
 /// A cloth has a density or a mass of its nodes, and is of springs or of a fabric, whose numbers may stand in its name;
-/// a scene may be without air. What it is not given, it cannot be asked for. `own`: whether the scene or the format has
-/// a value of the key.
-bool applies(const std::string& key, const std::function<bool(const std::string&)>& own);
+/// a scene may be without air, cloth or obstacles. What it is not given, it cannot be asked for. `now`: whether the
+/// scene or the format has a value of the key.
+bool applies(const std::string& key, const std::function<bool(const std::string&)>& now);
 
 struct SceneEntry {
   std::string name, title;

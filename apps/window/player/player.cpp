@@ -5,6 +5,7 @@
 #include "base/file.hpp"
 #include "player/camera_fit.hpp"
 #include "player/json_values.hpp"
+#include "player/lists.hpp"
 #include "scene/load.hpp"
 #include "session/describe.hpp"
 
@@ -13,8 +14,11 @@ namespace {
 
 constexpr std::uint64_t kMostStateBytes = 512000000;  // as on the page
 
-SceneText changed_text(const Wanted& wanted) {
+/// Errors  Input: a change is not JSON.
+Result<SceneText> changed_text(const Wanted& wanted) {
   SceneText text = wanted.scene;
+  WEFT_TRY(values, SceneValues::read(wanted.scene, wanted.set));
+  for (const std::string& key : values.cleared()) text.changes.push_back({key, "null"});
   for (const auto& [key, value] : wanted.set) text.changes.push_back({key, value});
   return text;
 }
@@ -60,7 +64,7 @@ void Player::find_home() {
 }
 
 Result<void> Player::load(const Wanted& wanted) {
-  SceneText source = changed_text(wanted);
+  WEFT_TRY(source, changed_text(wanted));
   const OwnMesh* mesh = wanted.mesh.get();
   session_.on_world([this](sim::World& made) {
     made.on_report([this, &made](std::uint32_t frame) {
@@ -87,7 +91,7 @@ void Player::count_anew() {
 
 Result<void> Player::open(Wanted wanted) {
   // Most of what is refused is so here, while the cloth before still moves.
-  const SceneText text = changed_text(wanted);
+  WEFT_TRY(text, changed_text(wanted));
   if (const auto scene = scene::parse_scene(text.text, text.file, text.changes); !scene) return scene.error();
   std::string recorded;
   if (recording_) WEFT_SET(recorded, stop_recording());
@@ -244,13 +248,26 @@ Result<void> Player::change(const Edits& edits) {
 Result<void> Player::change_live(const Edits& edits) {
   if (!loaded_) return {};
   for (const auto& [key, value] : edits) {
-    const Json* own = values_.own(key);
-    if (!value && own == nullptr) continue;
-    const Result<void> done = session_.set(key, value ? *value : text_of(*own));
-    if (!done) return said(done);
+    const auto found = loaded_->set.find(key);
+    const auto before = found != loaded_->set.end() ? std::optional(found->second) : std::nullopt;
     WEFT_CHECK(values_.set(key, value));
+    if (const Result<void> done = tell(key); !done) {
+      WEFT_CHECK(values_.set(key, before));
+      return said(done);
+    }
     loaded_->set.erase(key);
     if (value) loaded_->set[key] = *value;
+    stale_ = true;
+  }
+  return {};
+}
+
+Result<void> Player::tell(const std::string& key) {
+  std::vector<std::string> keys = cleared_by(key);
+  keys.insert(keys.begin(), key);
+  for (const std::string& each : keys) {
+    const Json* now = values_.now(each);
+    WEFT_CHECK(session_.set(each, now != nullptr ? text_of(*now) : "null"));
   }
   return {};
 }

@@ -104,6 +104,8 @@ class Player {
 
  private:
   Result<void> load(const Wanted& wanted);
+  /// Tells the world what a key is now, and those in whose place it stands.
+  Result<void> tell(const std::string& key);
   /// Where the camera stands until it is turned: such that the cloth is in the picture.
   void find_home();
   Result<void> make_canvas(std::uint32_t width, std::uint32_t height);

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/json.hpp"
 #include "session/session.hpp"
@@ -20,13 +21,18 @@ class SceneValues {
 
   /// The value that the scene's file or the format has; null: neither.
   const Json* own(const std::string& key) const;
-  /// The same, with what the panel has changed.
+  /// The same, with what the panel has changed and what that takes out of the scene.
   const Json* now(const std::string& key) const;
+  /// What it takes out.
+  std::vector<std::string> cleared() const;
   bool changed(const std::string& key) const { return changes_.count(key) > 0; }
   /// Changes a key; none: as the scene has it. Errors  Input: it is not JSON.
   Result<void> set(const std::string& key, const std::optional<std::string>& value);
 
  private:
+  bool is_cleared(const std::string& key) const;
+  const Json* fallback(const std::string& key) const;
+
   Json scene_;                           // with what the command line changes
   std::map<std::string, Json> changes_;  // of the panel
   mutable std::map<std::string, std::optional<Json>> fallbacks_;

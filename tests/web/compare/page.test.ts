@@ -146,7 +146,7 @@ test("the pages lead to each other, and the main page loads nothing of three.js 
   await page.waitForLoadState("networkidle");
   const main = seen.requests.slice(seen.requests.lastIndexOf(here.site.address));
   const own = await Promise.all(
-    main.filter((address) => !/\.(ply|json)$/.test(address)).map(async (address) =>
+    main.filter((address) => !/\.(ply|json|webp)$/.test(address)).map(async (address) =>
       Buffer.from(await (await fetch(address)).arrayBuffer())
     ),
   );

@@ -2,7 +2,8 @@
 
 let made = 0; // for ids
 
-function row(label: string, hint: string): { row: HTMLDivElement; id: string } {
+/** A row with its name, and the id that its control takes. */
+export function row(label: string, hint: string): { row: HTMLDivElement; id: string; name: HTMLLabelElement } {
   const row = document.createElement("div");
   row.className = "field";
   const name = document.createElement("label");
@@ -11,7 +12,7 @@ function row(label: string, hint: string): { row: HTMLDivElement; id: string } {
   name.textContent = label;
   if (hint) name.title = hint;
   row.append(name);
-  return { row, id };
+  return { row, id, name };
 }
 
 export interface SliderLook {

@@ -1,6 +1,7 @@
 // The keys that do what the panel does; docs/web.md and the help list them.
 import { VIEWS } from "weft-cloth";
 import type { Player } from "../player.js";
+import type { Gallery } from "./gallery.js";
 import type { Help } from "./help.js";
 import type { Pins } from "./pins.js";
 import type { Theme } from "./theme.js";
@@ -12,6 +13,7 @@ interface Parts {
   readonly pins: Pins;
   readonly help: Help;
   readonly theme: Theme;
+  readonly gallery: Gallery;
 }
 
 export function followKeys(parts: Parts): void {
@@ -29,9 +31,17 @@ export function followKeys(parts: Parts): void {
   });
 }
 
-function pageAction(key: string, { help, theme }: Parts): (() => void) | null {
-  if (key === "?") return () => help.open();
-  return key.toLowerCase() === "t" ? () => theme.toggle() : null;
+function pageAction(key: string, { help, theme, gallery }: Parts): (() => void) | null {
+  switch (key.toLowerCase()) {
+    case "?":
+      return () => help.open();
+    case "t":
+      return () => theme.toggle();
+    case "g":
+      return () => gallery.toggle();
+    default:
+      return null;
+  }
 }
 
 function sceneAction(key: string, { player, views, pins }: Parts): (() => void) | null {

@@ -6,9 +6,11 @@ import type { Player } from "../player.js";
 import type { LoadedScene } from "../scenes.js";
 import type { PageState } from "../state/page_state.js";
 import { offerCopies } from "./copying.js";
+import type { Gallery } from "./gallery.js";
 import { Graph } from "./graph.js";
 import { Help } from "./help.js";
 import { followKeys } from "./keys.js";
+import { OverTime } from "./over_time.js";
 import { Parameters } from "./parameters.js";
 import { Passes } from "./passes.js";
 import type { Pins } from "./pins.js";
@@ -24,6 +26,7 @@ export interface PanelInputs {
   readonly player: Player;
   readonly pins: Pins;
   readonly theme: Theme;
+  readonly gallery: Gallery;
   open(state: PageState): void;
   /** The address of the page as it is. */
   link(): string;
@@ -37,10 +40,11 @@ export class Panel {
   private readonly parameters: Parameters;
   private readonly passes: Passes;
   private readonly readings: Readings;
+  private readonly overTime: OverTime;
   private info: WorldInfo | null = null;
 
   constructor(private readonly inputs: PanelInputs) {
-    const { catalog, limits, player, pins, theme, open, link, say } = inputs;
+    const { catalog, limits, player, pins, theme, gallery, open, link, say } = inputs;
     this.transport = new Transport(player);
     this.picker = new ScenePicker(catalog, limits, () => player.noteCamera(), open);
     this.views = new Views(player, catalog, say);
@@ -48,8 +52,9 @@ export class Panel {
     this.passes = new Passes(player);
     const graph = new Graph();
     this.readings = new Readings(graph);
+    this.overTime = new OverTime(player, say);
     theme.onChange = () => graph.draw();
-    followKeys({ player, pins, theme, views: this.views, help: new Help() });
+    followKeys({ player, pins, theme, gallery, views: this.views, help: new Help() });
     offerCopies({ link, readings: () => this.report() }, say);
   }
 
@@ -69,6 +74,7 @@ export class Panel {
     this.enable(true);
     this.passes.show(info);
     this.readings.showFacts(info);
+    this.overTime.restart();
     element("scene-title", HTMLElement).textContent = scene.title;
   }
 
@@ -78,6 +84,7 @@ export class Panel {
     this.picker.empty();
     this.passes.show(null);
     this.readings.showFacts(null);
+    this.overTime.restart();
     element("scene-title", HTMLElement).textContent = "";
   }
 
@@ -96,6 +103,7 @@ export class Panel {
 
   frame(now: number, statistics: Readonly<Statistics>, host: number | null): void {
     this.readings.frame(now, statistics, host);
+    this.overTime.frame(now);
   }
 
   /** All that the panel says, for whoever reports how it went. */

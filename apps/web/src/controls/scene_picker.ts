@@ -35,7 +35,7 @@ export class ScenePicker {
   private readonly scene = select("scene");
   private readonly resolution = select("resolution");
   private readonly solver = select("solver");
-  private ownSolver = ""; // the scene's
+  private ownSolver = ""; // the scene's, or what a fabric has in its place
   private readonly methods = [[select("formulation"), FORMULATION], [select("contact"), CONTACT_METHOD]] as const;
 
   constructor(catalog: Catalog, private readonly limits: Limits, private readonly current: () => PageState,
@@ -75,7 +75,7 @@ export class ScenePicker {
 
   opened(scene: LoadedScene, info: WorldInfo): void {
     this.scene.value = scene.state.scene;
-    this.ownSolver = String(scene.own(SOLVER));
+    this.ownSolver = String(scene.valueOf(SOLVER, withKey(scene.state, SOLVER, null).set));
     this.solver.value = String(scene.now(SOLVER));
     for (const [list, key] of this.methods) list.value = String(scene.now(key));
     select("formulation").parentElement!.hidden = !hasFormulations(scene);

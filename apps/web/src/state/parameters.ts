@@ -2,12 +2,15 @@
 // they mean come from the core's schema.
 import type { Catalog } from "weft-cloth";
 import list from "../../../shared/parameters.json";
+import type { PageState, Value } from "./page_state.js";
 
 export interface Parameter {
   readonly key: string;
   readonly label: string;
   /** Of one that changes while the cloth moves: the least range of its slider. */
   readonly reach?: number;
+  /** Keys of the scene in whose place it stands: where it is chosen they go, unless they are chosen too. */
+  readonly clears?: readonly string[];
 }
 
 export interface Group {
@@ -28,8 +31,13 @@ export const DRAG = "drag";
 export const AIR = "air"; // of a scene whose air pushes on triangles
 export const AIR_DENSITY = "air.density";
 export const SUBDIVIDE = "render.subdivide"; // in the address alone
-const [DENSITY, NODE_MASS] = ["cloths.0.density", "cloths.0.node_mass"] as const;
-const FABRIC = "cloths.0.fabric";
+export const DENSITY = "cloths.0.density";
+const NODE_MASS = "cloths.0.node_mass";
+export const FABRIC = "cloths.0.fabric";
+export const LOOK = "cloths.0.look";
+export const COLOR = "cloths.0.color";
+const CLOTH = "cloths.0";
+const COLLIDER = /^(colliders\.\d+)\.material$/;
 const SPRINGS = ["cloths.0.stiffness.", "cloths.0.damping"];
 
 export const GROUPS: readonly Group[] = list.groups;
@@ -45,10 +53,38 @@ const LIVE = new Set(GROUPS.filter(({ live }) => live).flatMap(({ parameters }) 
 export const isLive = (key: string): boolean => LIVE.has(key);
 
 /** A cloth has a density or a mass of its nodes, and is of springs or of a fabric, whose numbers may stand in its name;
- *  a scene may be without air. What it is not given, it cannot be asked for. */
-export function applies(key: string, own: (key: string) => unknown): boolean {
-  if (key === AIR_DENSITY) return own(AIR) !== undefined;
-  if (SPRINGS.some((start) => key.startsWith(start))) return own(FABRIC) === undefined;
-  const given = key === DENSITY || key === NODE_MASS || key.startsWith(FABRIC);
-  return !given || own(key) !== undefined;
+ *  a scene may be without air, cloth or obstacles. What it is not given, it cannot be asked for. */
+export function applies(key: string, now: (key: string) => unknown): boolean {
+  if (key === AIR_DENSITY) return now(AIR) !== undefined;
+  if (key === FABRIC || key === LOOK || key === COLOR) return now(CLOTH) !== undefined;
+  const collider = COLLIDER.exec(key);
+  if (collider) return now(collider[1]!) !== undefined;
+  if (SPRINGS.some((start) => key.startsWith(start))) return now(FABRIC) === undefined;
+  const given = key === DENSITY || key === NODE_MASS || key.startsWith(`${FABRIC}.`);
+  return !given || now(key) !== undefined;
+}
+
+type Changes = PageState["set"];
+
+const CLEARS = new Map(GROUPS.flatMap(({ parameters }) => parameters).map(({ key, clears }) => [key, clears ?? []]));
+/** In whose place a key stands. */
+export const clearedBy = (key: string): readonly string[] => CLEARS.get(key) ?? [];
+
+/** What goes out of the scene with these changes. */
+export function cleared(set: Changes): string[] {
+  return [...new Set(Object.keys(set).flatMap(clearedBy))].filter((key) => !(key in set));
+}
+
+const within = (key: string, other: string): boolean => key === other || key.startsWith(`${other}.`);
+
+/** Whether the scene's own value of a key does not hold, since another key was chosen. */
+export function isCleared(key: string, set: Changes): boolean {
+  return cleared(set).some((one) => within(key, one)) || Object.keys(set).some((one) => key.startsWith(`${one}.`));
+}
+
+/** With a key chosen in whose place others stood: of these stay those that only look. Steps are chosen again. */
+export function withChoice(state: PageState, key: string, value: Value | null): PageState {
+  const gone = [key, ...clearedBy(key), SUBSTEPS];
+  const kept = Object.entries(state.set).filter(([one]) => isLive(one) || !gone.some((other) => within(one, other)));
+  return { ...state, set: { ...Object.fromEntries(kept), ...(value !== null && { [key]: value }) } };
 }

@@ -1,7 +1,8 @@
 // A sheet on a slope: it sticks as long as the slope is flatter than the friction angle, and slides beyond.
+import type { Curve } from "../../src/line_plot.js";
 import { slide } from "../laws.js";
 import { accelerationOf } from "../measured.js";
-import { recorded, type Course, type Curve, type Pen } from "../course.js";
+import { recorded, type Course, type Pen } from "../course.js";
 import { drawArrow } from "../drawings.js";
 import { FRAME, GRAVITY, slope } from "../scenes.js";
 

@@ -1,9 +1,19 @@
 // Curves over linear axes, as SVG, with a line at the time that is shown. The readings beside it have the figures, so
 // to a screen reader it is one picture.
-import { significant } from "../src/digits.js";
-import type { Curve } from "./course.js";
+import { significant } from "./digits.js";
 
 const MARGIN = { left: 56, right: 12, top: 10, bottom: 40 };
+
+export interface Curve {
+  /** Chooses its colour. */
+  readonly order: number;
+  readonly name: string;
+  readonly points: readonly (readonly [x: number, y: number])[];
+  /** By a formula, not by the engine: drawn in dashes. */
+  readonly formula?: boolean;
+  /** Single points instead of a line. */
+  readonly dots?: boolean;
+}
 
 export interface Axes {
   readonly x: string;
@@ -30,13 +40,15 @@ export class LinePlot {
   private toX = (at: number): number => at;
   private span: readonly [number, number] = [0, 1];
 
-  constructor(private readonly place: HTMLElement, private readonly axes: Axes) {}
+  constructor(private readonly place: HTMLElement, private readonly axes: Axes, private readonly height = 250) {}
 
   draw(curves: readonly Curve[], range: readonly [number, number] | undefined): void {
-    const width = Math.max(260, this.place.clientWidth), height = 250;
+    const width = Math.max(260, this.place.clientWidth), { height } = this;
     const all = curves.flatMap(({ points }) => points);
-    const bounds = (values: readonly number[]) => [Math.min(0, ...values), Math.max(...values)] as const;
-    const [left, right] = bounds(all.map(([x]) => x));
+    const bounds = (values: readonly number[]) =>
+      [Math.min(0, ...values), values.length > 0 ? Math.max(...values) : 0] as const;
+    const [left, latest] = bounds(all.map(([x]) => x));
+    const right = latest > left ? latest : left + 1;
     const [low, most] = range ?? bounds(all.map(([, y]) => y));
     const high = range ? most : most > low ? most + 0.06 * (most - low) : low + 1; // all may be 0
     const x = (at: number) => MARGIN.left + ((at - left) / (right - left)) * (width - MARGIN.left - MARGIN.right);
