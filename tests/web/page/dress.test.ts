@@ -27,7 +27,10 @@ const info = (page: Page) => page.evaluate(() => window.weft.world!.info);
 const choice = (page: Page, label: string) => page.getByLabel(label, { exact: true });
 const closeNotice = (page: Page) =>
   // it may have gone by itself
-  page.locator("#notice-close").evaluate((button: HTMLElement) => button.click());
+  page.locator("#notice-close").evaluate((button: HTMLElement) => {
+    button.click();
+    (document.activeElement as HTMLElement).blur(); // its ring would be part of the picture
+  });
 const shown = async (page: Page) => {
   await drawn(page);
   return picture(page);
