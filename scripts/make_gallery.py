@@ -39,7 +39,7 @@ MOMENTS = {
     "pull-sphere": 45,
     "sheet": 40,
     "shot": 45,
-    "stack": 22,
+    "stack": 16,
     "twist": 80,
     "walk": 14,
 }
