@@ -493,7 +493,7 @@ Json shared_constants() {
       constant("kVectors", "method/multigrid/cloth.wgsl", multigrid::kVectors),
       constant("kGasChunk", "method/gas.wgsl", kGasChunk),
       real("kLeastVolume", "method/gas.wgsl", gas::kLeastVolume),
-      constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::kTaps),
+      constant("kTaps", "method/multigrid/mesh_level.wgsl", multigrid::taps_of(false)),
       constant("kReachMargin", "state/step.wgsl", kReachMargin),
       constant("kHoldWords", "contact/proximity/press_sums.wgsl", kHoldWords),
       constant("kPressWords", "contact/proximity/press_sums.wgsl", kPressWords),

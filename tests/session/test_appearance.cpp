@@ -3,7 +3,7 @@
 
 #include "gpu/texture.hpp"
 #include "picture/image_ring.hpp"
-#include "scene/load.hpp"
+#include "read_inputs.hpp"
 #include "session/session.hpp"
 
 using namespace weft;
@@ -22,12 +22,6 @@ const std::string kScene = R"({ "format": "weft-scene/1", "solver": {"kind": "ma
     { "kind": "box", "center": [0.8, -0.4, 0], "size": [0.3, 0.3, 0.3],
       "motion": { "kind": "line", "direction": [0, 1, 0], "speed": 2 } } ],
   "camera": { "eye": [0.4, 0.7, 2.6], "target": [0, -0.2, 0] } })";
-
-Result<Inputs> read_inputs(const SceneText& source) {
-  WEFT_TRY(scene, scene::parse_scene(source.text, source.file, source.changes));
-  WEFT_TRY(assets, load_assets(scene, std::string()));
-  return Inputs{std::move(scene), std::move(assets)};
-}
 
 using Changes = std::vector<scene::Override>;
 

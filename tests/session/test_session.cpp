@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "scene/load.hpp"
+#include "read_inputs.hpp"
 #include "session/describe.hpp"
 #include "session/session.hpp"
 
@@ -20,12 +20,6 @@ const SceneText kSheet{
   "cloths": [{ "grid": [12, 10], "size": [1, 1], "plane": "xz", "density": 0.2, "pins": ["top"] }] })",
     "sheet",
     {}};
-
-Result<Inputs> read_inputs(const SceneText& source) {
-  WEFT_TRY(scene, scene::parse_scene(source.text, source.file, source.changes));
-  WEFT_TRY(assets, load_assets(scene, std::string()));
-  return Inputs{std::move(scene), std::move(assets)};
-}
 
 void open_and_load(Session& session) {
   const auto opened = session.open({});
@@ -104,7 +98,7 @@ namespace {
 
 /// A strip whose right end goes away from its left.
 const SceneText kPulled{
-    R"({ "format": "weft-scene/1", "gravity": [0, 0, 0], "contact": { "method": "none" }, "time": { "substeps": 8 },
+    R"({ "format": "weft-scene/1", "gravity": [0, 0, 0], "contact": { "method": "none" }, "time": { "substeps": 64 },
         "solver": {"kind": "mass_spring"},
   "cloths": [{ "grid": [9, 5], "size": [0.24, 0.1], "density": 0.1, "strength": 20, "pins": ["left"], "damping": 0.01,
     "stiffness": { "structural": 200, "shear": 60, "bend": 0 },
