@@ -35,7 +35,7 @@ export interface Catalog {
   /** The measured cloths that a scene's cloths.0.fabric can name (docs/fabrics.md). */
   readonly fabrics: readonly Fabric[];
   /** What a scene's cloths.0.look can name (docs/scene.md). */
-  readonly looks: readonly Look[];
+  readonly looks: readonly NamedLook[];
 }
 
 export interface Fabric {
@@ -48,7 +48,7 @@ export interface Fabric {
   readonly look: string;
 }
 
-export interface Look {
+export interface NamedLook {
   readonly name: string;
   /** Of a scene's first cloth, where it has no colour of its own: sRGB in [0, 1]. */
   readonly color: readonly [red: number, green: number, blue: number];

@@ -1,6 +1,5 @@
 // weft: real-time cloth on WebGPU. README.md has an example.
-export { catalog, schemaOf, type Catalog, type Fabric, type Look as NamedLook, type Method,
-  type Schema } from "./catalog.js";
+export { catalog, schemaOf, type Catalog, type Fabric, type NamedLook, type Method, type Schema } from "./catalog.js";
 export { WeftError } from "./error.js";
 export { checkScene, readMesh, type MeshFile, type SceneSize } from "./files.js";
 export { DEVICE_LIMITS, type ErrorKind } from "./gpu_tables.js";
