@@ -152,7 +152,8 @@ describe("a world", () => {
     expect(moved).toBeGreaterThan(0.1);
     expect(sum(later)).toBeCloseTo(reference.energy, 2);
     expect(Math.abs(sum(later) - sum(rest))).toBeLessThan(0.05 * moved); // nothing damps it; the steps do a little
-    expect(later.maxStretch).toBe(world.statistics.maxStretch);
+    expect(later.maxStretch).toBeLessThanOrEqual(world.statistics.maxStretch); // the most of all frames so far
+    expect(later.maxStretch).toBeGreaterThan(1);
     // By the state itself: mass times speed, and mass times height.
     const { positions, velocities, inverseMasses } = await world.snapshot();
     let kinetic = 0, potential = 0;
