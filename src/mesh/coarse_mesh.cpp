@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace weft::mesh {
@@ -36,17 +37,33 @@ std::vector<bool> boundary_edges(const Network& mesh) {
   return found;
 }
 
-std::vector<std::uint32_t> kept_nodes(const Network& mesh, const NodeLists& edges_of) {
-  const std::vector<bool> boundary = boundary_edges(mesh);
-  const std::size_t count = mesh.positions.size();
-  std::vector<bool> on_boundary(count, false), kept(count, false), blocked(count, false);
-  for (std::size_t e = 0; e < boundary.size(); ++e)
-    if (boundary[e]) on_boundary[mesh.edges[e][0]] = on_boundary[mesh.edges[e][1]] = true;
-  if (!mesh.tets.empty())
+/// For each node, whether it lies on the boundary: on a rim of the triangles, or where there is volume on its surface.
+std::vector<bool> boundary_nodes(const Network& mesh) {
+  std::vector<bool> found(mesh.positions.size(), false);
+  if (!mesh.tets.empty()) {
     for (const Triangle& t : mesh.triangles)
-      for (const std::uint32_t node : t) on_boundary[node] = true;
+      for (const std::uint32_t node : t) found[node] = true;
+    return found;
+  }
+  const std::vector<bool> boundary = boundary_edges(mesh);
+  for (std::size_t e = 0; e < boundary.size(); ++e)
+    if (boundary[e]) found[mesh.edges[e][0]] = found[mesh.edges[e][1]] = true;
+  return found;
+}
+
+std::vector<std::uint32_t> kept_nodes(const Network& mesh, const NodeLists& edges_of,
+                                      const std::vector<bool>& on_boundary) {
+  const std::size_t count = mesh.positions.size();
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  // Those that block most: of a lattice where every other node has few, the few would be half of all.
+  if (!mesh.tets.empty())
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return edges_of[a].size() > edges_of[b].size();
+    });
+  std::vector<bool> kept(count, false), blocked(count, false);
   for (const bool first : {true, false})
-    for (std::uint32_t node = 0; node < count; ++node) {
+    for (const std::uint32_t node : order) {
       if (on_boundary[node] != first || blocked[node]) continue;
       kept[node] = true;
       for (const std::uint32_t e : edges_of[node])
@@ -59,8 +76,9 @@ std::vector<std::uint32_t> kept_nodes(const Network& mesh, const NodeLists& edge
   return nodes;
 }
 
-/// The coarse node to whose region each fine node belongs.
+/// The coarse node to whose region each fine node belongs; the surface of a volume belongs to nodes of the surface.
 std::vector<std::uint32_t> regions(const Network& mesh, const NodeLists& edges_of,
+                                   const std::vector<bool>& on_boundary,
                                    const std::vector<std::uint32_t>& kept) {
   std::vector<std::uint32_t> number(mesh.positions.size(), kNone);
   for (std::uint32_t k = 0; k < kept.size(); ++k) number[kept[k]] = k;
@@ -72,6 +90,7 @@ std::vector<std::uint32_t> regions(const Network& mesh, const NodeLists& edges_o
       const std::uint32_t other = mesh.edges[e][0] == node ? mesh.edges[e][1] : mesh.edges[e][0];
       const double apart = length(mesh.positions[other] - mesh.positions[node]);
       if (number[other] == kNone || apart >= nearest) continue;
+      if (!mesh.tets.empty() && on_boundary[node] && !on_boundary[other]) continue;
       nearest = apart;
       region[node] = number[other];
     }
@@ -108,6 +127,9 @@ Network network_of(const Network& fine, const std::vector<std::uint32_t>& kept,
   return coarse;
 }
 
+/// Of a product of lengths: what is less is flat within rounding, and says nothing of where a point lies.
+constexpr double kFlat = 1e-9;
+
 /// Where a point lies with respect to a tetrahedron, a triangle or an edge.
 struct Place {
   double distance = std::numeric_limits<double>::infinity();  // from the point to the nearest one of it [m]
@@ -124,7 +146,7 @@ Place place_on_edge(const Vec3d& x, const Vec3d& a, const Vec3d& b) {
 Place place_on_triangle(const Vec3d& x, const std::array<Vec3d, 3>& p) {
   const Vec3d normal = cross(p[1] - p[0], p[2] - p[0]);
   const double square = dot(normal, normal);
-  if (square > 0) {
+  if (std::sqrt(square) > kFlat * length(p[1] - p[0]) * length(p[2] - p[0])) {
     Place inside;
     inside.distance = std::abs(dot(x - p[0], normal)) / std::sqrt(square);
     inside.weights[0] = dot(cross(p[1] - x, p[2] - x), normal) / square;
@@ -146,7 +168,7 @@ Place place_on_triangle(const Vec3d& x, const std::array<Vec3d, 3>& p) {
 
 Place place_in_tet(const Vec3d& x, const std::array<Vec3d, 4>& p) {
   const double whole = six_volumes(p);
-  if (whole != 0) {
+  if (std::abs(whole) > kFlat * length(p[1] - p[0]) * length(p[2] - p[0]) * length(p[3] - p[0])) {
     Place inside{0, {}};
     for (std::size_t k = 0; k < 4; ++k) {
       std::array<Vec3d, 4> without = p;
@@ -232,8 +254,9 @@ class Interpolation {
 CoarseMesh coarsened(const Network& fine) {
   const NodeLists edges_of = items_of(fine.positions.size(), fine.edges);
   CoarseMesh made;
-  made.of = kept_nodes(fine, edges_of);
-  const std::vector<std::uint32_t> region = regions(fine, edges_of, made.of);
+  const std::vector<bool> on_boundary = boundary_nodes(fine);
+  made.of = kept_nodes(fine, edges_of, on_boundary);
+  const std::vector<std::uint32_t> region = regions(fine, edges_of, on_boundary, made.of);
   made.network = network_of(fine, made.of, region);
   const Interpolation interpolation(fine, edges_of, made.network, region);
   for (std::uint32_t node = 0; node < fine.positions.size(); ++node) {

@@ -33,7 +33,8 @@ struct CoarseMesh {
   std::vector<Taps> taps;         // of each fine node: weights of coarse nodes, whose sum is 1
 };
 
-/// Keeps nodes of which no two are joined, as many as can be, those of the boundary first, then by number.
+/// Keeps nodes of which no two are joined, as many as can be, those of the boundary first; of a mesh with
+/// volume then those that are joined to most; then by number.
 /// Every other node belongs to the nearest kept one that it is joined to; where three such regions meet in a
 /// triangle is a coarse triangle, where two meet along an edge a coarse edge, where four meet in a tetrahedron a coarse
 /// one. A fine node takes from the corners of the nearest coarse triangle or tetrahedron by its barycentric
