@@ -170,10 +170,12 @@ TEST_CASE("bodies by every method that takes them go on from saved bytes to the 
   for (const Method& method : methods())
     if (takes(method, ElementKind::Tet)) {
       CAPTURE(word(method));
+      const bool corotated = method.kind == scene::SolverKind::ProjectiveDynamics;  // it takes no other
       check_goes_on(fixture.device(), solver_of(method) +
                                           R"("contact": {"method": "proximity", "thickness": 0.01},
           "bodies": [{"block": [2, 2, 2], "size": [0.16, 0.16, 0.16], "density": 500,
-                      "material": {"young": 2e3, "poisson": 0.45},
+                      "material": {"young": 2e3, "poisson": 0.45, "energy": ")" +
+                                          (corotated ? "corotated" : "neo_hookean") + R"("},
                       "transform": {"translate": [0, 0.1, 0]}}],
           "colliders": [)" + kMovingBall + kItsMotion +
                                           "]");

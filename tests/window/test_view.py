@@ -67,7 +67,8 @@ def is_background(color):
 
 
 def is_colored(color):
-    return max(color) - min(color) > 40
+    """Clearly more so than the background."""
+    return max(color) - min(color) > 24
 
 
 class View(unittest.TestCase):
