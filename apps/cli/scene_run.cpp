@@ -32,9 +32,8 @@ Result<void> SceneRun::make_world() {
 }
 
 Result<void> SceneRun::change_mesh() {
-  if (!sim::may_change_mesh(scene_)) return {};
-  if (results_) WEFT_CHECK(results_->settle());
-  WEFT_TRY(change, sim::change_mesh(world_, build_name()));
+  WEFT_TRY(change, sim::change_mesh(world_, build_name(),
+                                    [this] { return results_ ? results_->settle() : Result<void>(); }));
   for (const std::string& news : change.news) say("%s", news.c_str());
   return change.changed && results_ ? results_->go_on(*world_) : Result<void>();
 }

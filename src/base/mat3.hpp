@@ -30,10 +30,20 @@ inline Mat3 operator*(const Mat3& a, const Mat3& b) {
   return {t * a.x, t * a.y, t * a.z};
 }
 
+inline double trace(const Mat3& a) { return a.x.x + a.y.y + a.z.z; }
+/// Σ a_ij b_ij
+inline double contraction(const Mat3& a, const Mat3& b) {
+  return dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
+}
+/// (A + Aᵀ) / 2
+inline Mat3 symmetric_part(const Mat3& a) { return 0.5 * (a + transposed(a)); }
+/// Of a matrix that has an inverse, that times its determinant, transposed.
+inline Mat3 cofactor(const Mat3& a) { return {cross(a.y, a.z), cross(a.z, a.x), cross(a.x, a.y)}; }
+
 /// Of a matrix that has one.
 inline Mat3 inverse(const Mat3& a) {
-  const Vec3d yz = cross(a.y, a.z);
-  return 1 / dot(a.x, yz) * transposed({yz, cross(a.z, a.x), cross(a.x, a.y)});
+  const Mat3 c = cofactor(a);
+  return 1 / dot(a.x, c.x) * transposed(c);
 }
 
 }  // namespace weft

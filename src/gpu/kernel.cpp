@@ -23,25 +23,20 @@ Result<BindGroup> BindGroup::create(Device& device, Id layout, std::span<const B
 
 namespace {
 
-Result<SharedPipeline> compile(Device& device, const ShaderSource& source, const std::string& path,
-                               std::span<const Constant> constants) {
+Result<CompiledPipeline> compile(Device& device, const ShaderSource& source, const std::string& path,
+                                 std::span<const Constant> constants) {
   backend::Context& context = device.context();
-  CompiledPipeline made;
-  made.bindings = source.bindings;
+  WEFT_TRY(laid, lay_out(context, source, path, false));
+  CompiledPipeline& made = laid.made;
   made.reads_step = std::any_of(made.bindings.begin(), made.bindings.end(), [](const BindingLayout& binding) {
     return binding.kind == BindingKind::StepUniform;
   });
-  WEFT_TRY(module_id, backend::create_shader_module(context, source.text, path));
-  const Object module(ObjectKind::ShaderModule, module_id);
-  WEFT_TRY(group_layout, backend::create_bind_group_layout(context, made.bindings, false, path));
-  made.group_layout = Object(ObjectKind::BindGroupLayout, group_layout);
-  WEFT_TRY(layout, backend::create_pipeline_layout(context, group_layout, path));
-  made.layout = Object(ObjectKind::PipelineLayout, layout);
   const std::size_t slash = path.rfind('/') + 1;  // 0 where there is none
   const std::string entry = path.substr(slash, path.rfind('.') - slash);
-  WEFT_TRY(pipeline, backend::create_compute_pipeline(context, layout, module_id, entry, constants, path));
+  WEFT_TRY(pipeline, backend::create_compute_pipeline(context, made.layout.id(), laid.module.id(), entry,
+                                                      constants, path));
   made.pipeline = Object(ObjectKind::ComputePipeline, pipeline);
-  return std::make_shared<const CompiledPipeline>(std::move(made));
+  return std::move(made);
 }
 
 /// How many workgroups an adapter that is the processor takes at a time.
@@ -69,13 +64,8 @@ Result<Kernel> Kernel::create(Device& device, const std::string& path, std::vect
   kernel.device_ = &device;
   kernel.label_ = path;
   kernel.workgroup_size_ = workgroup_size;
-  const std::string from = pipeline_key(source.text, path, constants);
-  if (const SharedPipeline* known = device.kernels().find(from)) {
-    kernel.compiled_ = *known;
-  } else {
-    WEFT_SET(kernel.compiled_, compile(device, source, path, constants));
-    device.kernels()[from] = kernel.compiled_;
-  }
+  WEFT_SET(kernel.compiled_, compiled_once(device.kernels(), pipeline_key(source.text, path, constants),
+                                           [&] { return compile(device, source, path, constants); }));
   return kernel;
 }
 

@@ -6,20 +6,15 @@
 namespace weft::gpu {
 namespace {
 
-Result<SharedPipeline> compile_shaders(Device& device, ShaderSource source, const std::string& path,
-                                       const RenderPipelineInfo& info) {
+Result<CompiledPipeline> compile_shaders(Device& device, const ShaderSource& source, const std::string& path,
+                                         const RenderPipelineInfo& info) {
   backend::Context& context = device.context();
-  CompiledPipeline made;
-  made.bindings = std::move(source.bindings);
-  WEFT_TRY(module_id, backend::create_shader_module(context, source.text, path));
-  const Object module(ObjectKind::ShaderModule, module_id);
-  WEFT_TRY(group_layout, backend::create_bind_group_layout(context, made.bindings, true, path));
-  made.group_layout = Object(ObjectKind::BindGroupLayout, group_layout);
-  WEFT_TRY(layout, backend::create_pipeline_layout(context, group_layout, path));
-  made.layout = Object(ObjectKind::PipelineLayout, layout);
-  WEFT_TRY(pipeline, backend::create_render_pipeline(context, layout, module_id, info, path));
+  WEFT_TRY(laid, lay_out(context, source, path, true));
+  CompiledPipeline& made = laid.made;
+  WEFT_TRY(pipeline,
+           backend::create_render_pipeline(context, made.layout.id(), laid.module.id(), info, path));
   made.pipeline = Object(ObjectKind::RenderPipeline, pipeline);
-  return std::make_shared<const CompiledPipeline>(std::move(made));
+  return std::move(made);
 }
 
 /// All of what an info says but its constants.
@@ -40,13 +35,9 @@ Result<RenderPipeline> RenderPipeline::create(Device& device, const std::string&
   RenderPipeline made;
   made.device_ = &device;
   made.label_ = path;
-  const std::string from = words_of(info) + pipeline_key(source.text, path, info.constants);
-  if (const SharedPipeline* known = device.render_pipelines().find(from)) {
-    made.compiled_ = *known;
-  } else {
-    WEFT_SET(made.compiled_, compile_shaders(device, std::move(source), path, info));
-    device.render_pipelines()[from] = made.compiled_;
-  }
+  WEFT_SET(made.compiled_, compiled_once(device.render_pipelines(),
+                                         words_of(info) + pipeline_key(source.text, path, info.constants),
+                                         [&] { return compile_shaders(device, source, path, info); }));
   return made;
 }
 

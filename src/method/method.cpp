@@ -21,6 +21,12 @@ bool takes(const Method& method, ElementKind kind) {
   return std::find(method.takes.begin(), method.takes.end(), kind) != method.takes.end();
 }
 
+/// None in the list: all are taken.
+template <class Energy>
+bool takes_of(std::span<const Energy> energies, Energy energy) {
+  return energies.empty() || std::find(energies.begin(), energies.end(), energy) != energies.end();
+}
+
 constexpr double kFlat = 0.01;  // what positions in f32 make of small triangles in a plane [rad]
 
 /// The largest angle between the plane of a triangle and that of the largest one, of a body of fabric at rest [rad].
@@ -66,9 +72,7 @@ const Method& method_of(scene::SolverKind kind) {
 }
 
 bool takes_energy(const Method& method, scene::FabricEnergy energy) {
-  return takes(method, ElementKind::Membrane) &&
-         (method.energies.empty() ||
-          std::find(method.energies.begin(), method.energies.end(), energy) != method.energies.end());
+  return takes(method, ElementKind::Membrane) && takes_of(method.energies, energy);
 }
 
 namespace {
@@ -105,10 +109,7 @@ Result<void> check_fabric(const scene::Cloth& cloth, const Model& model, const B
 }
 
 bool takes_solid(const Method& method, scene::SolidEnergy energy) {
-  return takes(method, ElementKind::Tet) &&
-         (method.solid_energies.empty() ||
-          std::find(method.solid_energies.begin(), method.solid_energies.end(), energy) !=
-              method.solid_energies.end());
+  return takes(method, ElementKind::Tet) && takes_of(method.solid_energies, energy);
 }
 
 Result<void> check_solid(const scene::Cloth& cloth, const Method& method) {

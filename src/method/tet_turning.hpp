@@ -9,12 +9,6 @@
 
 namespace weft::reference {
 
-inline double trace(const Mat3& a) { return a.x.x + a.y.y + a.z.z; }
-inline double contraction(const Mat3& a, const Mat3& b) {
-  return dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
-}
-inline Mat3 symmetric_part(const Mat3& a) { return 0.5 * (a + transposed(a)); }
-
 /// No eigenvalue of a symmetric matrix is larger: Gershgorin.
 inline double largest_at_most(const Mat3& a) {
   return std::max({a.x.x + std::abs(a.x.y) + std::abs(a.x.z), a.y.y + std::abs(a.y.x) + std::abs(a.y.z),

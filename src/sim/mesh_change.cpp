@@ -38,39 +38,48 @@ Result<void> make_anew(std::unique_ptr<World>& world, const Tears& tears, const 
   return {};
 }
 
+/// Goes on from a state whose cloth is torn or sewn otherwise.
+Result<void> go_on(std::unique_ptr<World>& world, const SavedState& state) {
+  WEFT_CHECK(make_anew(world, state.tears, state.sewing));
+  return world->open(state);
+}
+
 }  // namespace
 
 bool may_change_mesh(const scene::Scene& scene) { return can_tear(scene) || is_sewn(scene); }
 
-Result<MeshChange> change_mesh(std::unique_ptr<World>& world, const std::string& build) {
+Result<MeshChange> change_mesh(std::unique_ptr<World>& world, const std::string& build,
+                               const std::function<Result<void>()>& let_go) {
   MeshChange made;
   if (!may_change_mesh(world->scene())) return made;
+  const auto change = [&](const SavedState& state) -> Result<void> {
+    if (let_go && !made.changed) WEFT_CHECK(let_go());
+    made.changed = true;
+    return go_on(world, state);
+  };
   WEFT_TRY(sewn, sewn_state(*world, build));
   for (const SeamNews& news : sewn.news) made.news.push_back(sentence_of(news, *world));
-  if (sewn.state) {
-    WEFT_TRY(anew, open_in(world, *sewn.state));
-    made.changed = anew;
-  }
+  if (sewn.state) WEFT_CHECK(change(*sewn.state));
   const bool was_whole = world->tears().splits() == 0;
   WEFT_TRY(torn, torn_state(*world, build));
   if (!torn) return made;
-  WEFT_TRY(anew, open_in(world, *torn));
-  made.changed = made.changed || anew;
   if (was_whole) made.news.push_back("Cloth tears since frame " + std::to_string(world->frame()) + ".");
+  WEFT_CHECK(change(*torn));
   return made;
 }
 
 Result<bool> open_in(std::unique_ptr<World>& world, const SavedState& state) {
-  const bool anew = !(state.tears == world->tears() && state.sewing == world->sewing());
-  if (anew) {
-    WEFT_TRY(model, changed_model(world->scene(), world->assets(), state.tears, state.sewing));
-    if (model.vertex_count() != state.snapshot.position.size())
-      return input_error("The state has %zu nodes, and the scene torn and sewn so %zu.",
-                         state.snapshot.position.size(), model.vertex_count());
-    WEFT_CHECK(make_anew(world, state.tears, state.sewing));
+  if (state.tears == world->tears() && state.sewing == world->sewing()) {
+    WEFT_CHECK(world->open(state));
+    return false;
   }
-  WEFT_CHECK(world->open(state));
-  return anew;
+  // While there is a world still: a state from elsewhere may not be one of this scene.
+  WEFT_TRY(model, changed_model(world->scene(), world->assets(), state.tears, state.sewing));
+  if (model.vertex_count() != state.snapshot.position.size())
+    return input_error("The state has %zu nodes, and the scene torn and sewn so %zu.",
+                       state.snapshot.position.size(), model.vertex_count());
+  WEFT_CHECK(go_on(world, state));
+  return true;
 }
 
 Result<bool> reset_whole(std::unique_ptr<World>& world) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,9 +20,10 @@ struct MeshChange {
   std::vector<std::string> news;  // sentences: a cloth has begun to tear, a seam is closed or does not close
 };
 /// Sews on what is to be sewn and tears what bears too much before the next frame. Where any does, the world is made
-/// anew: with other nodes and triangles, at the same frame.
-/// Errors  as World::save and World::create; there may be no world afterwards.
-Result<MeshChange> change_mesh(std::unique_ptr<World>& world, const std::string& build);
+/// anew: with other nodes and triangles, at the same frame. `let_go` is called before the old one goes.
+/// Errors  as World::save, World::create and `let_go`; there may be no world afterwards.
+Result<MeshChange> change_mesh(std::unique_ptr<World>& world, const std::string& build,
+                               const std::function<Result<void>()>& let_go = {});
 
 /// Goes on from a state; where its cloth is torn or sewn otherwise, in a world made anew. Returns whether it was.
 /// Errors  as World::open, with nothing changed; as World::create, after which there is no world.

@@ -29,6 +29,13 @@ Result<SceneText> changed_text(const Wanted& wanted) {
 
 Result<void> Player::begin(const gpu::DeviceOptions& options, std::uint32_t width, std::uint32_t height,
                            scene::View view) {
+  session_.on_world([this](sim::World& made) {
+    made.on_report([this, &made](std::uint32_t frame) {
+      const std::uint64_t truncated = made.totals().truncated;
+      altered_.add(made, frame, truncated - truncated_);
+      truncated_ = truncated;
+    });
+  });
   WEFT_CHECK(session_.open(options));
   WEFT_CHECK(session_.set_view(view));
   return make_canvas(width, height);
@@ -66,13 +73,6 @@ void Player::find_home() {
 Result<void> Player::load(const Wanted& wanted) {
   WEFT_TRY(source, changed_text(wanted));
   const OwnMesh* mesh = wanted.mesh.get();
-  session_.on_world([this](sim::World& made) {
-    made.on_report([this, &made](std::uint32_t frame) {
-      const std::uint64_t truncated = made.totals().truncated;
-      altered_.add(made, frame, truncated - truncated_);
-      truncated_ = truncated;
-    });
-  });
   WEFT_CHECK(session_.load(std::move(source), [&](const SceneText& text) { return read_(text, mesh); }));
   WEFT_SET(values_, SceneValues::read(wanted.scene, wanted.set));
   facts_ = describe(world());

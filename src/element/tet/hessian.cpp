@@ -8,22 +8,15 @@ namespace {
 /// Twice the cosine's least part: two stretches that sum to less turn as if to this.
 constexpr double kLeastSum = 0.1;
 
-Mat3 matrix(const Square<3>& a) {
-  return {{a[0][0], a[0][1], a[0][2]}, {a[1][0], a[1][1], a[1][2]}, {a[2][0], a[2][1], a[2][2]}};
-}
-Square<3> square(const Mat3& a) {
-  return {{{a.x.x, a.x.y, a.x.z}, {a.y.x, a.y.y, a.y.z}, {a.z.x, a.z.y, a.z.z}}};
-}
 std::array<double, 3> numbers(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 /// Without negative eigenvalues.
-Square<3> positive_part(Square<3> a) {
-  const Square<3> v = diagonalise(a);
-  Square<3> sum{};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t p = 0; p < 3; ++p)
-      for (std::size_t q = 0; q < 3; ++q) sum[p][q] += std::max(a[k][k], 0.0) * v[p][k] * v[q][k];
-  return sum;
+Square<3> positive_part(const Square<3>& a) {
+  const auto [axes, values] = principal(matrix_of(a));
+  const auto at_least_zero = [](double value) { return std::max(value, 0.0); };
+  const Mat3 kept{
+      {at_least_zero(values[0]), 0, 0}, {0, at_least_zero(values[1]), 0}, {0, 0, at_least_zero(values[2])}};
+  return square_of(axes * (kept * transposed(axes)));
 }
 
 /// What resists where two axes turn against each other, and where both shear.
@@ -81,10 +74,8 @@ Hessian combined(const Hessian& a, const Hessian& b, const Combine& combine) {
 
 Frame frame_of(const Mat3& f) {
   const Mat3 r = nearest_rotation(f);
-  const Mat3 s = transposed(r) * f;
-  Square<3> stretch = square(0.5 * (s + transposed(s)));
-  Mat3 v = matrix(diagonalise(stretch));
-  return {r * v, v, {stretch[0][0], stretch[1][1], stretch[2][2]}};
+  const auto [axes, stretches] = principal(symmetric_part(transposed(r) * f));
+  return {r * axes, axes, stretches};
 }
 
 Hessian operator+(const Hessian& a, const Hessian& b) {
@@ -114,14 +105,14 @@ Hessian damping_hessian(const Law& law, const Frame& frame) {
 }
 
 Mat3 times(const Frame& frame, const Hessian& hessian, const Mat3& change) {
-  const Square<3> a = square(transposed(frame.u) * (change * frame.v));
+  const Square<3> a = square_of(transposed(frame.u) * (change * frame.v));
   Square<3> b{};
   for (std::size_t p = 0; p < 3; ++p)
     for (std::size_t q = 0; q < 3; ++q) {
       b[p][p] += hessian.stretch[p][q] * a[q][q];
       if (p != q) b[p][q] = hessian.straight[p][q] * a[p][q] + hessian.crossed[p][q] * a[q][p];
     }
-  return frame.u * (matrix(b) * transposed(frame.v));
+  return frame.u * (matrix_of(b) * transposed(frame.v));
 }
 
 Mat3 block(const Frame& frame, const Hessian& hessian, const Rest& rest, std::size_t row,
@@ -136,7 +127,7 @@ Mat3 block(const Frame& frame, const Hessian& hessian, const Rest& rest, std::si
       made[p][p] += hessian.straight[p][q] * b[q] * a[q];
       made[p][q] += hessian.crossed[p][q] * b[q] * a[p];
     }
-  return rest.volume * (frame.u * (matrix(made) * transposed(frame.u)));
+  return rest.volume * (frame.u * (matrix_of(made) * transposed(frame.u)));
 }
 
 }  // namespace weft::tet

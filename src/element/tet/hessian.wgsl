@@ -1,6 +1,6 @@
 // How the stress of a tetrahedron changes with F, without what could make that indefinite: the same as hessian.hpp in
 // f32. Source: docs/bodies.md, All nodes at once.
-#include "element/tet/law.wgsl"
+#include "element/tet/principal.wgsl"
 
 // F = U Σ Vᵀ by two rotations.
 struct TetFrame {
@@ -18,58 +18,17 @@ struct TetHessian {
   crossed : vec3f,
 }
 
-// Sets the entry pq of a symmetric matrix to zero, and turns the columns of v with it. Called with literals.
-fn turn_axes(a : ptr<function, array<vec3f, 3>>, v : ptr<function, array<vec3f, 3>>, p : i32, q : i32) {
-  let turn = jacobi((*a)[p][p], (*a)[q][q], (*a)[p][q]);
-  let s = turn.x;
-  let c = turn.y;
-  let kp = vec3f((*a)[0][p], (*a)[1][p], (*a)[2][p]);
-  let kq = vec3f((*a)[0][q], (*a)[1][q], (*a)[2][q]);
-  let new_p = c * kp - s * kq;
-  let new_q = s * kp + c * kq;
-  (*a)[0][p] = new_p.x;
-  (*a)[1][p] = new_p.y;
-  (*a)[2][p] = new_p.z;
-  (*a)[0][q] = new_q.x;
-  (*a)[1][q] = new_q.y;
-  (*a)[2][q] = new_q.z;
-  let row_p = (*a)[p];
-  let row_q = (*a)[q];
-  (*a)[p] = c * row_p - s * row_q;
-  (*a)[q] = s * row_p + c * row_q;
-  let column_p = (*v)[p];
-  let column_q = (*v)[q];
-  (*v)[p] = c * column_p - s * column_q;
-  (*v)[q] = s * column_p + c * column_q;
-}
-
-// Of a symmetric matrix: its eigenvectors in columns, and its eigenvalues.
-struct Axes3 {
-  directions : mat3x3f,
-  values : vec3f,
-}
-fn axes_of(symmetric : mat3x3f) -> Axes3 {
-  var a = array<vec3f, 3>(symmetric[0], symmetric[1], symmetric[2]);
-  var v = array<vec3f, 3>(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), vec3f(0.0, 0.0, 1.0));
-  for (var sweep = 0; sweep < kSweeps; sweep++) {
-    turn_axes(&a, &v, 0, 1);
-    turn_axes(&a, &v, 0, 2);
-    turn_axes(&a, &v, 1, 2);
-  }
-  return Axes3(mat3x3f(v[0], v[1], v[2]), vec3f(a[0].x, a[1].y, a[2].z));
-}
-
 // `rotation`: the one that is nearest to F.
 fn tet_frame(f : mat3x3f, rotation : mat3x3f) -> TetFrame {
   let s = transpose(rotation) * f;
-  let axes = axes_of(0.5 * (s + transpose(s)));
-  return TetFrame(rotation * axes.directions, axes.directions, axes.values);
+  let found = principal(0.5 * (s + transpose(s)));
+  return TetFrame(rotation * found.axes, found.axes, found.values);
 }
 
 fn without_negative(symmetric : mat3x3f) -> mat3x3f {
-  let axes = axes_of(symmetric);
-  let value = max(axes.values, vec3f(0.0));
-  let v = axes.directions;
+  let found = principal(symmetric);
+  let value = max(found.values, vec3f(0.0));
+  let v = found.axes;
   return outer_product(value.x * v[0], v[0]) + outer_product(value.y * v[1], v[1]) +
          outer_product(value.z * v[2], v[2]);
 }

@@ -1,9 +1,11 @@
-// Jacobi's rotations of a symmetric matrix, in double. Golub and Van Loan, Matrix Computations, 8.5.
+// The eigenvectors of a symmetric matrix by Jacobi's rotations, in double: Golub and Van Loan, Matrix Computations.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+
+#include "base/mat3.hpp"
 
 namespace weft::tet {
 
@@ -44,6 +46,24 @@ Square<N> diagonalise(Square<N>& a) {
     for (std::size_t p = 0; p + 1 < N; ++p)
       for (std::size_t q = p + 1; q < N; ++q) rotate<N>(a, v, p, q);
   return v;
+}
+
+inline Square<3> square_of(const Mat3& a) {
+  return {{{a.x.x, a.x.y, a.x.z}, {a.y.x, a.y.y, a.y.z}, {a.z.x, a.z.y, a.z.z}}};
+}
+inline Mat3 matrix_of(const Square<3>& a) {
+  return {{a[0][0], a[0][1], a[0][2]}, {a[1][0], a[1][1], a[1][2]}, {a[2][0], a[2][1], a[2][2]}};
+}
+
+/// The eigenvectors of a symmetric matrix as columns, which turn and do not mirror, and its eigenvalues.
+struct Principal {
+  Mat3 axes;
+  std::array<double, 3> values{};
+};
+inline Principal principal(const Mat3& symmetric) {
+  Square<3> a = square_of(symmetric);
+  const Square<3> v = diagonalise(a);
+  return {matrix_of(v), {a[0][0], a[1][1], a[2][2]}};
 }
 
 }  // namespace weft::tet

@@ -7,10 +7,7 @@
 namespace weft::tet {
 namespace {
 
-double trace(const Mat3& a) { return a.x.x + a.y.y + a.z.z; }
-double contraction(const Mat3& a, const Mat3& b) { return dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z); }
 Mat3 minus(const Mat3& a, const Mat3& b) { return a + -1.0 * b; }
-Mat3 cofactor(const Mat3& f) { return {cross(f.y, f.z), cross(f.z, f.x), cross(f.x, f.y)}; }
 
 /// σ = 2 µ ε + λ tr ε
 Mat3 hooke(const Law& law, const Mat3& strain) {
@@ -61,8 +58,7 @@ Mat3 stress(const Law& law, const Mat3& f) {
 }
 
 Mat3 damping_stress(const Law& law, const Mat3& f, const Mat3& rate) {
-  const Mat3 half = transposed(f) * rate;
-  return law.delay * (f * hooke(law, 0.5 * (half + transposed(half))));
+  return law.delay * (f * hooke(law, symmetric_part(transposed(f) * rate)));
 }
 
 Rest Rest::of(const std::array<Vec3d, 4>& corners) {

@@ -137,3 +137,23 @@ fn rotation_of(law : SolidLaw, f : mat3x3f) -> mat3x3f {
   if (law.energy == kTetNeoHookean) { return scaled_identity(1.0); }
   return nearest_rotation(f);
 }
+
+// What damping adds where F changes at a rate, Pa.
+fn tet_damping_stress(law : SolidLaw, f : mat3x3f, rate : mat3x3f) -> mat3x3f {
+  let half = transpose(f) * rate;
+  return law.delay * (f * hooke(law, 0.5 * (half + transpose(half))));
+}
+
+// Of a stress on the corners, N.
+struct TetForces {
+  a : vec4f,
+  b : vec4f,
+  c : vec4f,
+  d : vec4f,
+}
+fn tet_forces(rest : TetRest, stress : mat3x3f) -> TetForces {
+  let b = -rest.volume * (stress * rest.b);
+  let c = -rest.volume * (stress * rest.c);
+  let d = -rest.volume * (stress * rest.d);
+  return TetForces(vec4f(-(b + c + d), 0.0), vec4f(b, 0.0), vec4f(c, 0.0), vec4f(d, 0.0));
+}

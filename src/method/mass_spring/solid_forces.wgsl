@@ -21,14 +21,11 @@ fn solid_forces(@builtin(global_invocation_id) id : vec3u) {
   var stress = tet_stress(solid.law, f, rotation_of(solid.law, f));
   if (solid.law.delay > 0.0) {
     let rate = tet_deformation(rest, velocity[at.y].xyz - v, velocity[at.z].xyz - v, velocity[at.w].xyz - v);
-    let half = transpose(f) * rate;
-    stress += solid.law.delay * (f * hooke(solid.law, 0.5 * (half + transpose(half))));
+    stress += tet_damping_stress(solid.law, f, rate);
   }
-  let b = -rest.volume * (stress * rest.b);
-  let c = -rest.volume * (stress * rest.c);
-  let d = -rest.volume * (stress * rest.d);
-  forces[4u * tet] = vec4f(-(b + c + d), 0.0);
-  forces[4u * tet + 1u] = vec4f(b, 0.0);
-  forces[4u * tet + 2u] = vec4f(c, 0.0);
-  forces[4u * tet + 3u] = vec4f(d, 0.0);
+  let own = tet_forces(rest, stress);
+  forces[4u * tet] = own.a;
+  forces[4u * tet + 1u] = own.b;
+  forces[4u * tet + 2u] = own.c;
+  forces[4u * tet + 3u] = own.d;
 }

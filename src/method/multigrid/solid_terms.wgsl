@@ -56,17 +56,13 @@ fn solid_terms(@builtin(global_invocation_id) id : vec3u) {
   let elastic = tet_hessian(law, frame);
   var stress = tet_stress(law, there, rotation) + tet_hessian_times(frame, elastic, (1.0 - lead) * way);
   if (law.delay > 0.0) {
-    let later = f + damping_lead(lead) * way;
-    let half = transpose(later) * change_of(rest, kSecond, at);
-    stress += law.delay * (later * hooke(law, 0.5 * (half + transpose(half))));
+    stress += tet_damping_stress(law, f + damping_lead(lead) * way, change_of(rest, kSecond, at));
   }
-  let b = -rest.volume * (stress * rest.b);
-  let c = -rest.volume * (stress * rest.c);
-  let d = -rest.volume * (stress * rest.d);
-  forces[4u * tet] = vec4f(-(b + c + d), 0.0);
-  forces[4u * tet + 1u] = vec4f(b, 0.0);
-  forces[4u * tet + 2u] = vec4f(c, 0.0);
-  forces[4u * tet + 3u] = vec4f(d, 0.0);
+  let own = tet_forces(rest, stress);
+  forces[4u * tet] = own.a;
+  forces[4u * tet + 1u] = own.b;
+  forces[4u * tet + 2u] = own.c;
+  forces[4u * tet + 3u] = own.d;
 
   let rate = 1.0 / formula_of(step.time.step_ratio).he;
   let damped = tet_hessian_sum(elastic, tet_hessian_scaled(rate, tet_damping_hessian(law, frame)));

@@ -27,22 +27,21 @@ fn pull_tets(@builtin(global_invocation_id) id : vec3u) {
   let start = tet_deformation(rest, position_in[at.y].xyz - x, position_in[at.z].xyz - x, position_in[at.w].xyz - x);
   let f = start + tet_deformation(rest, way[at.y].xyz - moved, way[at.z].xyz - moved, way[at.w].xyz - moved);
   let rotation = nearest_rotation(f);
-  var stress = (2.0 * law.mu) * (f - rotation) + (law.lambda * (contraction(rotation, f) - 3.0)) * rotation;
+  var stress = tet_stress(law, f, rotation);
   let delays = law.delay / step.time.dt;
   if (delays > 0.0) { stress += delays * delayed_stress(law, start, f, rotation); }
 
   let back = transpose(rotation);
-  let own = (1.0 + delays) * 2.0 * law.mu;
-  let most = own + (1.0 + delays) * 3.0 * law.lambda;
-  let across = clamp(turning(symmetric_part(back * f), symmetric_part(back * stress)), own, max(own, most));
+  let least = (1.0 + delays) * 2.0 * law.mu;
+  let most = least + (1.0 + delays) * 3.0 * law.lambda;
+  let across = clamp(turning(symmetric_part(back * f), symmetric_part(back * stress)), least,
+                     max(least, most));
   turned[tet] = TurnedTet(vec4f(rotation[0], across), vec4f(rotation[1], (most - across) / 3.0),
                           vec4f(rotation[2], 0.0));
 
-  let b = -rest.volume * (stress * rest.b);
-  let c = -rest.volume * (stress * rest.c);
-  let d = -rest.volume * (stress * rest.d);
-  pulls[4u * tet] = vec4f(-(b + c + d), 0.0);
-  pulls[4u * tet + 1u] = vec4f(b, 0.0);
-  pulls[4u * tet + 2u] = vec4f(c, 0.0);
-  pulls[4u * tet + 3u] = vec4f(d, 0.0);
+  let own = tet_forces(rest, stress);
+  pulls[4u * tet] = own.a;
+  pulls[4u * tet + 1u] = own.b;
+  pulls[4u * tet + 2u] = own.c;
+  pulls[4u * tet + 3u] = own.d;
 }

@@ -22,11 +22,9 @@ fn pull_tets_back(@builtin(global_invocation_id) id : vec3u) {
   let f = tet_deformation(rest, change[at.y].xyz - a, change[at.z].xyz - a, change[at.w].xyz - a);
   let rotation = mat3x3f(t.first.xyz, t.second.xyz, t.third.xyz);
   let stress = t.first.w * f + (t.second.w * contraction(rotation, f)) * rotation;
-  let b = -rest.volume * (stress * rest.b);
-  let c = -rest.volume * (stress * rest.c);
-  let d = -rest.volume * (stress * rest.d);
-  pulls[4u * tet] = vec4f(-(b + c + d), 0.0);
-  pulls[4u * tet + 1u] = vec4f(b, 0.0);
-  pulls[4u * tet + 2u] = vec4f(c, 0.0);
-  pulls[4u * tet + 3u] = vec4f(d, 0.0);
+  let own = tet_forces(rest, stress);
+  pulls[4u * tet] = own.a;
+  pulls[4u * tet + 1u] = own.b;
+  pulls[4u * tet + 2u] = own.c;
+  pulls[4u * tet + 3u] = own.d;
 }

@@ -12,13 +12,11 @@ struct Term {
   tet::Hessian hessian;
 };
 
-double square(const Mat3& f) { return dot(f.x, f.x) + dot(f.y, f.y) + dot(f.z, f.z); }
-
 /// Of one tetrahedron: its force where its corners have come to place + start, and how that grows.
 Term add_tet(MeshStep& step, const tet::Tets& all, std::size_t number, double rate) {
   const tet::Law& law = all.law;
   const Mat3 f = all.deformation(number, step.place), way = all.deformation(number, step.start);
-  const double lead = step.leads ? multigrid::lead_of(square(way)) : 0;
+  const double lead = step.leads ? multigrid::lead_of(contraction(way, way)) : 0;
   const Mat3 at = f + lead * way;
   const tet::Frame frame = tet::frame_of(at);
   const tet::Hessian elastic = tet::positive_hessian(law, frame);

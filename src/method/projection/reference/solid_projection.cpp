@@ -4,48 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "element/tet/jacobi.hpp"
 #include "method/tet_turning.hpp"
 
 namespace weft::reference {
 namespace {
 
-using Square = std::array<std::array<double, 3>, 3>;  // rows
-
-Square square_of(const Mat3& a) {
-  return {{{a.x.x, a.x.y, a.x.z}, {a.y.x, a.y.y, a.y.z}, {a.z.x, a.z.y, a.z.z}}};
-}
-Mat3 matrix_of(const Square& a) {
-  return {{a[0][0], a[0][1], a[0][2]}, {a[1][0], a[1][1], a[1][2]}, {a[2][0], a[2][1], a[2][2]}};
-}
-
-/// The eigenvectors of a symmetric matrix as columns, and its eigenvalues.
-struct Principal {
-  Mat3 axes;
-  std::array<double, 3> values;
-};
-
-/// By Jacobi's rotations.
-Principal principal(const Mat3& matrix) {
-  Square a = square_of(matrix), v = square_of(Mat3::identity(1));
-  constexpr int kSweeps = 8;  // each doubles the digits from the second or so on
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
-    for (std::size_t p = 0; p < 2; ++p)
-      for (std::size_t q = p + 1; q < 3; ++q) {
-        if (a[p][q] == 0) continue;
-        const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-        const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-        const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-        const auto turn = [&](double& at_p, double& at_q) {
-          const double before = at_p;
-          at_p = c * before - s * at_q;
-          at_q = s * before + c * at_q;
-        };
-        for (std::size_t k = 0; k < 3; ++k) turn(a[k][p], a[k][q]);
-        for (std::size_t k = 0; k < 3; ++k) turn(a[p][k], a[q][k]);
-        for (std::size_t k = 0; k < 3; ++k) turn(v[k][p], v[k][q]);
-      }
-  return {matrix_of(v), {a[0][0], a[1][1], a[2][2]}};
-}
+using tet::matrix_of, tet::square_of;
+using Square = tet::Square<3>;
 
 /// What bounds how fast h² V times the stress, in the frame of the rotation that is nearest to F, grows with a change X
 /// of F in that frame: `strain` (X + Xᵀ)/2 + `turn` (X - Xᵀ)/2 + Σ `along` c (c : X) [kg·m²].
@@ -73,13 +39,13 @@ Bound bound_of(const tet::Law& law, const Mat3& stretch) {
     bound.direction[0] = Mat3::identity(1);
     return bound;
   }
-  const Mat3 cofactor{cross(stretch.y, stretch.z), cross(stretch.z, stretch.x), cross(stretch.x, stretch.y)};
-  const double volume = dot(stretch.x, cofactor.x);
+  const Mat3 area = cofactor(stretch);
+  const double volume = dot(stretch.x, area.x);
   const double slope = (law.lambda + law.mu) * (volume - 1) - law.mu;  // of the energy by J
   bound.strain =
       law.mu + std::abs(slope) * most_of_volume(contraction(stretch, stretch), slope < 0 ? -volume : volume);
   bound.along[0] = law.lambda + law.mu;
-  bound.direction[0] = cofactor;
+  bound.direction[0] = area;
   return bound;
 }
 
@@ -143,7 +109,7 @@ void project_tet(Ways& ways, const tet::Tets& tets, std::size_t tet, std::uint32
   bound.direction[1] = Mat3::identity(1);
   bound.turn = turning(stretch, symmetric_part(pull));
 
-  const auto [axes, values] = principal(weights);
+  const auto [axes, values] = tet::principal(weights);
   const Mat3 in = transposed(axes);
   for (Mat3& direction : bound.direction) direction = in * direction * axes;
   const Mat3 found = solved(bound, values, in * (back * multiplier + pull) * axes);
