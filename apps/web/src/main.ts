@@ -112,12 +112,13 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     }
     see();
   };
-  const panel = new Panel({ catalog: offers, limits, player, pins, theme, gallery, say,
+  const panel = new Panel({ canvas, catalog: offers, limits, player, pins, theme, gallery, say,
     open: (wanted) => void go(wanted), link: () => linkTo(player.noteCamera()) });
   new Files(player, notice, canvas, go);
   followSize(canvas, async (width, height) => {
     await player.resize(width, height);
     pins.draw();
+    panel.resized();
   });
   window.addEventListener("popstate", (event) => {
     const { state: named, refused: fault } = asked();

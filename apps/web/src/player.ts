@@ -201,7 +201,7 @@ export class Player {
   }
 
   /** Goes on from a saved state, playing or not. Why not, where it does not fit: then all stays as it was. */
-  async openState(bytes: ArrayBuffer): Promise<OpenedState | WeftError | null> {
+  async openState(bytes: ArrayBuffer | Uint8Array): Promise<OpenedState | WeftError | null> {
     const outcome = await this.ask((world) =>
       world.openState(bytes).catch((reason: unknown) => {
         if (reason instanceof WeftError && reason.kind === "input") return reason;

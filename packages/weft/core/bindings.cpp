@@ -18,6 +18,7 @@
 #include "render/orbit.hpp"
 #include "session/describe.hpp"
 #include "session/session.hpp"
+#include "sim/probe.hpp"
 
 namespace {
 
@@ -141,6 +142,17 @@ weft::Result<void> measure(Session& of) {
                                    {"maxStretch", frame.max_stretch},
                                    {"contacts", frame.contacts},
                                    {"residual", frame.residual}}
+                .dump();
+  return {};
+}
+
+/// Leaves what a node does as JSON in `message`.
+weft::Result<void> probe(Session& of, std::uint32_t node) {
+  WEFT_TRY(found, weft::sim::probe(*of.world(), node));
+  const auto three = [](const weft::Vec3d& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
+  message = nlohmann::ordered_json{{"position", three(found.position)}, {"rest", three(found.rest)},
+                                   {"velocity", three(found.velocity)}, {"mass", found.mass},
+                                   {"stretch", found.stretch},          {"tension", found.tension}}
                 .dump();
   return {};
 }
@@ -291,6 +303,13 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_measure() {
   return with_world([](Session& s) -> weft::Result<void> {
     WEFT_CHECK(s.world()->finish());
     return measure(s);
+  });
+}
+/// Sleeps. Leaves the numbers in weft_message.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_probe(std::uint32_t node) {
+  return with_world([node](Session& s) -> weft::Result<void> {
+    WEFT_CHECK(s.world()->finish());
+    return probe(s, node);
   });
 }
 /// After weft_open and before weft_load. `format`: a gpu::TextureFormat.

@@ -10,5 +10,5 @@ export type * from "./scene_types.js";
 export type { Totals } from "./totals.js";
 export { createWorld, World } from "./world.js";
 export { VIEWS, type Camera, type Measures, type MemoryUse, type OpenedState, type PassTime, type Pick, type Point,
-  type SceneOptions, type Snapshot, type Statistics, type Step, type StepOptions, type View, type WorldBuffer,
-  type WorldBuffers, type WorldInfo, type WorldOptions } from "./world_types.js";
+  type Probe, type SceneOptions, type Snapshot, type Statistics, type Step, type StepOptions, type View,
+  type WorldBuffer, type WorldBuffers, type WorldInfo, type WorldOptions } from "./world_types.js";

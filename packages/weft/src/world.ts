@@ -5,7 +5,7 @@ import { changeLines, sceneText, type Scene } from "./scene.js";
 import { schedule, unschedule } from "./ticks.js";
 import { noTotals, TOTALS } from "./totals.js";
 import { VIEWS, type Camera, type Events, type Measures, type MemoryUse, type OpenedState, type PassTime, type Pick,
-  type Point, type SceneOptions, type Snapshot, type Statistics, type Step, type StepOptions, type View,
+  type Point, type Probe, type SceneOptions, type Snapshot, type Statistics, type Step, type StepOptions, type View,
   type WorldBuffers, type WorldInfo, type WorldOptions } from "./world_types.js";
 
 /** Opens a device, builds the scene and, with a canvas, draws it at rest. Does not run yet. */
@@ -359,6 +359,15 @@ export class World {
   async measure(): Promise<Measures> {
     this.loaded();
     return this.core.sleep("measure", [], () => JSON.parse(this.core.text()) as Measures);
+  }
+
+  /**
+   * What a node does at the end of the last frame. The state is read back, as for `measure`. Errors: "input", where
+   * there is no such node.
+   */
+  async probe(node: number): Promise<Probe> {
+    this.loaded();
+    return this.core.sleep("probe", [index(node)], () => JSON.parse(this.core.text()) as Probe);
   }
 
   /**

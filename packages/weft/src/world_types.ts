@@ -130,6 +130,22 @@ export interface Measures {
   residual: number;
 }
 
+/** A node at the end of the last frame. */
+export interface Probe {
+  /** [m] */
+  position: Point;
+  /** Of the cloth's shape at rest, in the world [m]. */
+  rest: Point;
+  /** [m/s] */
+  velocity: Point;
+  /** [kg] */
+  mass: number;
+  /** The largest length of an edge at it, over that at rest. */
+  stretch: number;
+  /** Force per width at rest, along the direction that bears most [N/m]; of a body with volume 0. */
+  tension: number;
+}
+
 /** What a world has gone on from. */
 export interface OpenedState {
   /** The nodes that it has grabbed, and where they are drawn to [m]: `drag` and `release` take them. */

@@ -4,6 +4,7 @@ import type { Player } from "../player.js";
 import type { Gallery } from "./gallery.js";
 import type { Help } from "./help.js";
 import type { Pins } from "./pins.js";
+import type { Probes } from "./probes.js";
 import type { Theme } from "./theme.js";
 import type { Views } from "./views.js";
 
@@ -11,6 +12,7 @@ interface Parts {
   readonly player: Player;
   readonly views: Views;
   readonly pins: Pins;
+  readonly probes: Probes;
   readonly help: Help;
   readonly theme: Theme;
   readonly gallery: Gallery;
@@ -44,7 +46,7 @@ function pageAction(key: string, { help, theme, gallery }: Parts): (() => void) 
   }
 }
 
-function sceneAction(key: string, { player, views, pins }: Parts): (() => void) | null {
+function sceneAction(key: string, { player, views, pins, probes }: Parts): (() => void) | null {
   const view = VIEWS[Number(key) - 1];
   if (view) return () => views.choose(view);
   switch (key) {
@@ -60,6 +62,8 @@ function sceneAction(key: string, { player, views, pins }: Parts): (() => void) 
       return () => views.toggleWireframe();
     case "p":
       return () => void pins.toggleUnderPointer();
+    case "m":
+      return () => void probes.toggleUnderPointer();
     case "u":
       return () => void pins.removeAll();
     default:

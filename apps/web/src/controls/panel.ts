@@ -14,13 +14,16 @@ import { OverTime } from "./over_time.js";
 import { Parameters } from "./parameters.js";
 import { Passes } from "./passes.js";
 import type { Pins } from "./pins.js";
+import { Probes } from "./probes.js";
 import { Readings } from "./readings.js";
 import { ScenePicker } from "./scene_picker.js";
 import type { Theme } from "./theme.js";
+import { Timeline } from "./timeline.js";
 import { Transport } from "./transport.js";
 import { Views } from "./views.js";
 
 export interface PanelInputs {
+  readonly canvas: HTMLCanvasElement;
   readonly catalog: Catalog;
   readonly limits: Limits;
   readonly player: Player;
@@ -41,10 +44,12 @@ export class Panel {
   private readonly passes: Passes;
   private readonly readings: Readings;
   private readonly overTime: OverTime;
+  private readonly probes: Probes;
+  private readonly timeline: Timeline;
   private info: WorldInfo | null = null;
 
   constructor(private readonly inputs: PanelInputs) {
-    const { catalog, limits, player, pins, theme, gallery, open, link, say } = inputs;
+    const { canvas, catalog, limits, player, pins, theme, gallery, open, link, say } = inputs;
     this.transport = new Transport(player);
     this.picker = new ScenePicker(catalog, limits, () => player.noteCamera(), open);
     this.views = new Views(player, catalog, say);
@@ -53,14 +58,16 @@ export class Panel {
     const graph = new Graph();
     this.readings = new Readings(graph);
     this.overTime = new OverTime(player, say);
+    this.probes = new Probes(canvas, player, say);
+    this.timeline = new Timeline(player, say);
     theme.onChange = () => graph.draw();
-    followKeys({ player, pins, theme, gallery, views: this.views, help: new Help() });
+    followKeys({ player, pins, probes: this.probes, theme, gallery, views: this.views, help: new Help() });
     offerCopies({ link, readings: () => this.report() }, say);
   }
 
   private enable(on: boolean): void {
-    const { transport, picker, views, parameters } = this;
-    for (const part of [transport, picker, views, parameters, this.inputs.pins]) part.enable(on);
+    const { transport, picker, views, parameters, probes, timeline } = this;
+    for (const part of [transport, picker, views, parameters, probes, timeline, this.inputs.pins]) part.enable(on);
   }
 
   opening(): void {
@@ -75,6 +82,8 @@ export class Panel {
     this.passes.show(info);
     this.readings.showFacts(info);
     this.overTime.restart();
+    this.probes.forget();
+    this.timeline.restart();
     element("scene-title", HTMLElement).textContent = scene.title;
   }
 
@@ -85,15 +94,19 @@ export class Panel {
     this.passes.show(null);
     this.readings.showFacts(null);
     this.overTime.restart();
+    this.probes.forget();
+    this.timeline.restart();
     element("scene-title", HTMLElement).textContent = "";
   }
 
   changed(scene: LoadedScene, state: PageState): void {
     this.parameters.show(scene, state);
+    this.timeline.changed(state);
   }
 
   playing(on: boolean): void {
     this.transport.playing(on);
+    this.timeline.playing(on);
     this.readings.restart();
   }
 
@@ -104,6 +117,13 @@ export class Panel {
   frame(now: number, statistics: Readonly<Statistics>, host: number | null): void {
     this.readings.frame(now, statistics, host);
     this.overTime.frame(now);
+    this.probes.frame(now);
+    this.timeline.frame(now);
+  }
+
+  /** The picture has another size. */
+  resized(): void {
+    this.probes.draw();
   }
 
   /** All that the panel says, for whoever reports how it went. */

@@ -2,8 +2,8 @@
 import { WeftError, type OpenedState, type Point, type World } from "weft-cloth";
 import { button, element } from "../elements.js";
 import type { Player } from "../player.js";
+import { clip, ClickMode, type Place } from "./click_mode.js";
 
-const STILL = 6; // a click that has moved no farther [CSS pixels]
 const SVG = "http://www.w3.org/2000/svg";
 
 interface Pin {
@@ -12,43 +12,26 @@ interface Pin {
   readonly marker: SVGCircleElement;
 }
 
-/** Clip coordinates, unless said otherwise. */
-export interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
 export class Pins {
   private readonly pins = new Map<number, Pin>();
   private readonly layer = element("pins", SVGSVGElement);
-  private down: Place = { x: 0, y: 0 }; // of the last press [CSS pixels]
+  private readonly mode: ClickMode;
   private pointer: Place = { x: 0, y: 0 }; // where the pointer is on the canvas, or was
 
   /** `most`: nodes that the world holds at once; the hand needs one of them. */
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly player: Player,
-    private readonly most: number, private readonly say: (sentence: string) => void) {
+  constructor(canvas: HTMLCanvasElement, private readonly player: Player, private readonly most: number,
+    private readonly say: (sentence: string) => void) {
+    this.mode = new ClickMode(canvas, "pin-mode", (place) => void this.toggle(place));
     canvas.addEventListener("pointermove", (event) => {
-      this.pointer = this.clip(event);
-    });
-    canvas.addEventListener("pointerdown", (event) => {
-      this.down = { x: event.clientX, y: event.clientY };
-    });
-    canvas.addEventListener("click", (event) => {
-      const way = Math.hypot(event.clientX - this.down.x, event.clientY - this.down.y);
-      if (this.mode && way < STILL) void this.toggle(this.clip(event)); // else it was a pull, or turned the camera
+      this.pointer = clip(canvas, event);
     });
     canvas.addEventListener("dblclick", (event) => {
-      if (!this.mode) void this.toggle(this.clip(event)); // else each click has done so
+      if (!ClickMode.any) void this.toggle(clip(canvas, event)); // else each click has done something
     });
-    button("pin-mode").addEventListener("click", () => this.setMode(!this.mode));
     button("unpin").addEventListener("click", () => void this.removeAll());
     this.tell();
   }
 
-  /** Whether a single click or tap pins and unpins. */
-  get mode(): boolean {
-    return button("pin-mode").getAttribute("aria-pressed") === "true";
-  }
   get count(): number {
     return this.pins.size;
   }
@@ -60,13 +43,8 @@ export class Pins {
     return this.pins.has(node);
   }
 
-  private setMode(on: boolean): void {
-    button("pin-mode").setAttribute("aria-pressed", String(on));
-    this.canvas.dataset["pinning"] = String(on);
-  }
-
   enable(on: boolean): void {
-    button("pin-mode").disabled = !on;
+    this.mode.enable(on);
   }
 
   toggleUnderPointer(): Promise<void> {
@@ -158,11 +136,6 @@ export class Pins {
       marker.setAttribute("cx", String((width * (x + 1)) / 2));
       marker.setAttribute("cy", String((height * (1 - y)) / 2));
     }
-  }
-
-  private clip({ clientX, clientY }: MouseEvent): Place {
-    const box = this.canvas.getBoundingClientRect();
-    return { x: (2 * (clientX - box.left)) / box.width - 1, y: 1 - (2 * (clientY - box.top)) / box.height };
   }
 }
 
