@@ -40,6 +40,7 @@ MOMENTS = {
     "sheet": 40,
     "shot": 45,
     "stack": 16,
+    "torn-banner": 44,
     "twist": 80,
     "walk": 14,
 }

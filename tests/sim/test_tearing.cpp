@@ -1,4 +1,6 @@
 // A world that tears: by explicit and implicit steps, from saved bytes, for every workgroup size.
+#include <numeric>
+
 #include "contact_rig.hpp"
 #include "method/method.hpp"
 #include "scene/names.hpp"
@@ -29,6 +31,22 @@ std::unique_ptr<sim::World> torn_on(std::unique_ptr<sim::World> world, int frame
     advance(*world, 1);
   }
   return world;
+}
+
+double mass_of(const sim::World& world) {
+  const std::vector<double>& mass = world.model().host.mass;
+  return std::accumulate(mass.begin(), mass.end(), 0.0);
+}
+
+/// At rest [m²].
+double area_of(const sim::World& world) {
+  const Model& model = world.model().host;
+  double sum = 0;
+  for (const auto& [a, b, c] : model.triangles)
+    sum += length(cross(model.rest_position[b] - model.rest_position[a],
+                        model.rest_position[c] - model.rest_position[a])) /
+           2;
+  return sum;
 }
 
 }  // namespace
@@ -72,4 +90,27 @@ TEST_CASE(
     const std::string ended = hash_of(*torn_on(std::move(world), 3));
     CHECK(hash_of(*torn_on(std::move(*other), 3)) == ended);
   }
+}
+
+TEST_CASE("long: the ball of scenes/torn-banner.json tears the banner where it flies, and gets through") {
+  GpuFixture fixture;
+  const Vec3d through{0.2, 0.05, 0};  // where the ball's middle crosses the banner's plane
+  constexpr double kRadius = 0.22;
+  auto world = world_of(fixture.device(), shipped_scene("torn-banner", {{"cloths.0.grid", "[41, 21]"}}));
+  const std::vector<Vec3d> rest = world->model().host.rest_position;
+  const std::vector<std::uint32_t> motion = world->model().host.motion;
+  const double mass = mass_of(*world), area = area_of(*world);
+  world = torn_on(std::move(world), 26);  // it is 0.1 m away
+  CHECK(world->tears().splits() == 0);
+  world = torn_on(std::move(world), 34);  // it is 1.2 m beyond
+  CHECK(world->tears().splits() > 10);
+  CHECK(mass_of(*world) == doctest::Approx(mass).epsilon(1e-6));
+  CHECK(area_of(*world) == doctest::Approx(area).epsilon(1e-6));
+  const auto now = world->snapshot();
+  REQUIRE_OK(now);
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (const Vec4f& x = now->position[i]; motion[i] != 0)  // at the poles
+      CHECK(length(Vec3d{x.x, x.y, x.z} - rest[i]) < 1e-5);
+  for (const std::uint32_t of : world->tears().cloths[0].origin)
+    CHECK(length(rest[of] - through) < 3 * kRadius);
 }
