@@ -129,8 +129,9 @@ test("ten seconds are kept, and no more bytes than may be; another future takes 
   expect(times()).toEqual(Array.from({ length: 21 }, (_, i) => 5 + i / 2));
   past.keep({ seconds: 7.25, bytes: new Uint8Array(1) });
   expect(times()).toEqual([5, 5.5, 6, 6.5, 7, 7.25]);
-  past.keep({ seconds: 8, bytes: new Uint8Array(191 << 20) });
+  past.keep({ seconds: 8, bytes: new Uint8Array(95 << 20) });
   expect(times()).toEqual([5, 5.5, 6, 6.5, 7, 7.25, 8]);
   past.keep({ seconds: 9, bytes: new Uint8Array(2 << 20) });
   expect(times()).toEqual([9]);
+  expect([Past.takes(8 << 20), Past.takes((8 << 20) + 1)]).toEqual([true, false]); // twelve of them fit
 });

@@ -3,11 +3,11 @@
 import type { Measures } from "weft-cloth";
 import { button, element } from "../elements.js";
 import { LinePlot, type Curve } from "../line_plot.js";
+import { Paced } from "../paced.js";
 import type { Player } from "../player.js";
 import { Series } from "../state/series.js";
 
-const CALM = 200; // between two measurements [ms]
-const SHARE = 0.2; // of the time, at most, that measuring may take
+const PACE = { calm: 200, share: 0.2 }; // of measurements
 const HEIGHT = 170;
 
 export class OverTime {
@@ -19,13 +19,11 @@ export class OverTime {
   private readonly residual = new LinePlot(element("residual-plot", HTMLElement), { x: "time [s]", y: "residual [%]" },
     HEIGHT);
   private readonly series = new Series();
-  private restAt = 0; // not before then
-  private measuring = false;
-  private late: ReturnType<typeof setTimeout> | undefined;
+  private readonly measuring = new Paced(() => this.measure(), PACE);
 
   constructor(private readonly player: Player, say: (sentence: string) => void) {
     this.place.addEventListener("toggle", () => {
-      if (this.place.open) void this.measure();
+      if (this.place.open) void this.measuring.carryOut();
     });
     button("copy-series").addEventListener("click", () => {
       navigator.clipboard.writeText(this.series.csv()).then(
@@ -39,26 +37,17 @@ export class OverTime {
   restart(): void {
     this.series.clear();
     this.draw();
-    if (this.place.open) void this.measure();
+    if (this.place.open) void this.measuring.carryOut();
   }
 
   /** A frame has been simulated or drawn. */
   frame(now: number): void {
-    clearTimeout(this.late);
-    if (!this.place.open) return;
-    const wait = this.measuring ? CALM : this.restAt - now;
-    if (wait <= 0) void this.measure();
-    else this.late = setTimeout(() => this.frame(performance.now()), wait); // the last before a pause counts
+    if (this.place.open) this.measuring.frame(now);
+    else this.measuring.stop();
   }
 
   private async measure(): Promise<void> {
-    if (this.measuring) return;
-    this.measuring = true;
-    const start = performance.now();
     const measures = await this.player.ask((world) => world.measure());
-    const took = performance.now() - start;
-    this.restAt = performance.now() + Math.max(CALM, took / SHARE);
-    this.measuring = false;
     if (measures && this.series.add(measures)) this.draw();
   }
 

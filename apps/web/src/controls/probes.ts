@@ -1,13 +1,13 @@
 // What one node of the cloth does, or two and how far they are apart; each has a marker over the picture.
 import { WeftError, type Probe } from "weft-cloth";
 import { button, element } from "../elements.js";
+import { Paced } from "../paced.js";
 import type { Player } from "../player.js";
 import { clip, ClickMode, type Place } from "./click_mode.js";
 import { fill } from "./readings.js";
 
 const MOST = 2;
-const CALM = 30; // between two measurements, at least [ms]
-const SHARE = 0.2; // of the time, at most, that measuring may take
+const PACE = { calm: 30, share: 0.2 }; // of measurements
 const SVG = "http://www.w3.org/2000/svg";
 const NAMES = ["A", "B"] as const;
 
@@ -24,9 +24,7 @@ export class Probes {
   private readonly line = this.part("line", "ruler");
   private readonly mode: ClickMode;
   private pointer: Place = { x: 0, y: 0 };
-  private restAt = 0; // not before then
-  private measuring = false;
-  private late: ReturnType<typeof setTimeout> | undefined;
+  private readonly measuring = new Paced(() => this.measure(), PACE);
 
   constructor(canvas: HTMLCanvasElement, private readonly player: Player,
     private readonly say: (sentence: string) => void) {
@@ -63,7 +61,7 @@ export class Probes {
       this.marks.push({ node: picked.node, circle: this.part("circle", "probe"), letter: this.part("text", ""),
         found: null });
     }
-    await this.measure();
+    await this.measuring.carryOut();
     this.tell();
   }
 
@@ -74,26 +72,17 @@ export class Probes {
 
   /** A frame has been simulated or drawn. */
   frame(now: number): void {
-    clearTimeout(this.late);
-    if (this.marks.length === 0) return;
+    if (this.marks.length === 0) return this.measuring.stop();
     this.draw();
-    const wait = this.measuring ? CALM : this.restAt - now;
-    if (wait <= 0) void this.measure();
-    else this.late = setTimeout(() => this.frame(performance.now()), wait); // the last before a pause counts
+    this.measuring.frame(now);
   }
 
   private async measure(): Promise<void> {
-    if (this.measuring) return;
-    this.measuring = true;
-    const start = performance.now();
     for (const mark of [...this.marks]) {
       const found = await this.player.ask((world) => world.probe(mark.node).catch(absent));
       if (found === "none") this.drop(mark);
       else if (found) mark.found = found;
     }
-    const now = performance.now();
-    this.restAt = now + Math.max(CALM, (now - start) / SHARE);
-    this.measuring = false;
     this.draw();
     this.tell();
   }

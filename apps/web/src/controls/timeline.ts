@@ -2,20 +2,20 @@
 import { WeftError } from "weft-cloth";
 import { element, input } from "../elements.js";
 import { Latest } from "../latest.js";
+import { Paced } from "../paced.js";
 import type { Player } from "../player.js";
 import { Past } from "../state/past.js";
 import type { PageState } from "../state/page_state.js";
 
-const CALM = 150; // between two of them, at least [ms]
-const SHARE = 0.05; // of the time, at most, that saving may take
+const PACE = { calm: 150, share: 0.05 }; // of saving
 
 export class Timeline {
   private readonly slider = input("past");
   private readonly time = element("past-time", HTMLOutputElement);
   private readonly past = new Past();
   private readonly wanted: Latest<number>;
-  private restAt = 0; // not before then
-  private saving = false;
+  private readonly saving = new Paced(() => this.keep(), PACE);
+  private tooLarge = false; // a state of this scene
   private set = ""; // what the scene was changed by: states are of one scene
 
   constructor(private readonly player: Player, private readonly say: (sentence: string) => void) {
@@ -35,6 +35,7 @@ export class Timeline {
   /** Another scene, or none. */
   restart(): void {
     this.past.clear();
+    this.tooLarge = false;
     this.show();
   }
 
@@ -47,18 +48,17 @@ export class Timeline {
 
   /** The end of what has been played is kept too. */
   playing(on: boolean): void {
-    if (!on) void this.keep();
+    if (!on) void this.saving.carryOut();
   }
 
   /** A frame has been simulated or drawn. */
   frame(now: number): void {
-    if (this.player.playing && now >= this.restAt) void this.keep();
+    if (this.player.playing) this.saving.frame(now);
+    else this.saving.stop();
   }
 
   private async keep(): Promise<void> {
-    if (this.saving) return;
-    this.saving = true;
-    const start = performance.now();
+    if (this.tooLarge) return;
     const { loaded } = this.player;
     const set = this.set;
     const moment = await this.player.ask(async (world) => {
@@ -70,10 +70,9 @@ export class Timeline {
         throw reason;
       }
     });
-    this.restAt = performance.now() + Math.max(CALM, (performance.now() - start) / SHARE);
-    this.saving = false;
     if (!moment || this.player.loaded !== loaded || this.set !== set) return;
-    this.past.keep(moment);
+    this.tooLarge = !Past.takes(moment.bytes.length);
+    if (!this.tooLarge) this.past.keep(moment);
     this.show();
   }
 
@@ -98,7 +97,7 @@ export class Timeline {
 
   private tell(index: number): void {
     const moment = this.past.moments[index];
-    this.time.textContent = moment ? `${moment.seconds.toFixed(2)} s` : "";
+    this.time.textContent = moment ? `${moment.seconds.toFixed(2)} s` : this.tooLarge ? "too large to keep" : "";
     this.slider.setAttribute("aria-valuetext", this.time.textContent);
   }
 }

@@ -1,7 +1,8 @@
 // Saved states of the last seconds, in the order of their time.
 
 const SPAN = 10; // of simulated time that is kept [s]
-const MOST_BYTES = 192 << 20; // of all of them
+const MOST_BYTES = 96 << 20; // of all of them
+const FEWEST = 12; // that must fit for it to be of use
 
 export interface Moment {
   readonly seconds: number;
@@ -17,6 +18,11 @@ export class Past {
 
   clear(): void {
     this.kept = [];
+  }
+
+  /** Whether states of so many bytes are small enough to be kept; larger ones would also make frames wait. */
+  static takes(bytes: number): boolean {
+    return bytes * FEWEST <= MOST_BYTES;
   }
 
   /** What was at this time or later is another future, and goes; so does what is too old, or too much. */
