@@ -1,8 +1,7 @@
 // A world that tears: by explicit and implicit steps, from saved bytes, for every workgroup size.
-#include <numeric>
-
 #include "contact_rig.hpp"
 #include "method/method.hpp"
+#include "model/cloth_size.hpp"
 #include "scene/names.hpp"
 #include "sim/mesh_change.hpp"
 
@@ -31,22 +30,6 @@ std::unique_ptr<sim::World> torn_on(std::unique_ptr<sim::World> world, int frame
     advance(*world, 1);
   }
   return world;
-}
-
-double mass_of(const sim::World& world) {
-  const std::vector<double>& mass = world.model().host.mass;
-  return std::accumulate(mass.begin(), mass.end(), 0.0);
-}
-
-/// At rest [m²].
-double area_of(const sim::World& world) {
-  const Model& model = world.model().host;
-  double sum = 0;
-  for (const auto& [a, b, c] : model.triangles)
-    sum += length(cross(model.rest_position[b] - model.rest_position[a],
-                        model.rest_position[c] - model.rest_position[a])) /
-           2;
-  return sum;
 }
 
 }  // namespace
@@ -99,13 +82,17 @@ TEST_CASE("long: the ball of scenes/torn-banner.json tears the banner where it f
   auto world = world_of(fixture.device(), shipped_scene("torn-banner", {{"cloths.0.grid", "[41, 21]"}}));
   const std::vector<Vec3d> rest = world->model().host.rest_position;
   const std::vector<std::uint32_t> motion = world->model().host.motion;
-  const double mass = mass_of(*world), area = area_of(*world);
+  const auto size = [&] {
+    const Model& model = world->model().host;
+    return std::pair(mass_of(model, model.bodies[0]), area_of(model, model.bodies[0]));
+  };
+  const auto [mass, area] = size();
   world = torn_on(std::move(world), 26);  // it is 0.1 m away
   CHECK(world->tears().splits() == 0);
   world = torn_on(std::move(world), 34);  // it is 1.2 m beyond
   CHECK(world->tears().splits() > 10);
-  CHECK(mass_of(*world) == doctest::Approx(mass).epsilon(1e-6));
-  CHECK(area_of(*world) == doctest::Approx(area).epsilon(1e-6));
+  CHECK(size().first == doctest::Approx(mass).epsilon(1e-6));
+  CHECK(size().second == doctest::Approx(area).epsilon(1e-6));
   const auto now = world->snapshot();
   REQUIRE_OK(now);
   for (std::size_t i = 0; i < rest.size(); ++i)

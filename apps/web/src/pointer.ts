@@ -6,6 +6,7 @@ import { ARROWS } from "./controls/arrows.js";
 import type { Pins } from "./controls/pins.js";
 import { Hand, type Place } from "./hand.js";
 import { Latest } from "./latest.js";
+import { clip } from "./places.js";
 import type { Player } from "./player.js";
 
 /** A node that a hand draws. */
@@ -110,7 +111,7 @@ export class Pointer {
   private async decide(): Promise<void> {
     const mine: Gesture = { kind: "deciding" };
     this.begin(mine);
-    const { x, y } = this.clip(this.last);
+    const { x, y } = clip(this.canvas, this.last);
     const grabbed = await this.player.ask(async (world) => {
       const picked = await world.pick(x, y);
       if (picked && this.pins.has(picked.node)) return picked; // grabbed already
@@ -204,7 +205,7 @@ export class Pointer {
     const passed = Math.min(Math.max(0, seconds - pull.seconds), AT_ONCE * world.info.frameSeconds);
     pull.seconds = seconds;
     // In a world that stands still, no hand is too fast.
-    const { x, y } = this.clip(pull.hand.after(this.player.playing ? passed : Infinity));
+    const { x, y } = clip(this.canvas, pull.hand.after(this.player.playing ? passed : Infinity));
     const target = world.pointAt(x, y, pull.point);
     pull.drags.set(target);
     this.pins.moved(pull.node, target);
@@ -244,11 +245,6 @@ export class Pointer {
   private span(): number {
     const [a, b] = [...this.down.values()];
     return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
-  }
-
-  private clip({ x, y }: Place): Place {
-    const box = this.canvas.getBoundingClientRect();
-    return { x: (2 * (x - box.left)) / box.width - 1, y: 1 - (2 * (y - box.top)) / box.height };
   }
 }
 

@@ -3,7 +3,7 @@ import { existsSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import { preview } from "vite";
-import { afterAll, beforeAll } from "vitest";
+import { afterAll, afterEach, beforeAll } from "vitest";
 import { launch, PATIENCE, SOFTWARE_FLAGS } from "../chromium.ts";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
@@ -63,6 +63,23 @@ export async function visit(browser: Browser, address: string, options: BrowserC
   page.on("request", (request) => requests.push(request.url()));
   await page.goto(address);
   return { page, errors, requests };
+}
+
+/** A page a test, with these options unless it has others: opens what a query asks for. The page must end clean. */
+export function pages(defaults: BrowserContextOptions = {}) {
+  const here = opened();
+  let seen: Visit | null = null;
+  afterEach(async () => {
+    if (!seen) return;
+    expectClean(seen, here.site);
+    await seen.page.context().close();
+    seen = null;
+  });
+  return async (query: string, options: BrowserContextOptions = {}): Promise<Page> => {
+    seen = await visit(here.browser, `${here.site.address}${query}`, { ...defaults, ...options });
+    await ready(seen.page);
+    return seen.page;
+  };
 }
 
 /** Asks until it holds. Not in the page: its policy lets no text be run as a script. */

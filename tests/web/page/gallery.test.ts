@@ -1,8 +1,8 @@
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
-import { afterEach, expect, test } from "vitest";
-import { expectClean, frames, opened, play, ready, running, until, visit, type Visit } from "./browser.js";
+import { expect, test } from "vitest";
+import { frames, pages, play, running, until } from "./browser.js";
 import { violations } from "../axe.ts";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
@@ -16,20 +16,7 @@ const LIST = JSON.parse(readFileSync(join(ROOT, "apps/shared/scenes.json"), "utf
 };
 const SCENES = LIST.groups.flatMap(({ scenes }) => scenes);
 
-const here = opened();
-let seen: Visit | null = null;
-afterEach(async () => {
-  if (!seen) return;
-  expectClean(seen, here.site);
-  await seen.page.context().close();
-  seen = null;
-});
-
-async function open(query: string, options: Parameters<typeof visit>[2] = {}): Promise<Page> {
-  seen = await visit(here.browser, `${here.site.address}${query}`, options);
-  await ready(seen.page);
-  return seen.page;
-}
+const open = pages();
 const state = (page: Page) => page.evaluate(() => window.weft.state!);
 const gallery = (page: Page) => page.locator("#gallery");
 

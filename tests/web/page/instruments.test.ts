@@ -1,26 +1,13 @@
 import type { Page } from "playwright-core";
-import { afterEach, expect, test } from "vitest";
-import { expectClean, frames, opened, ready, until, visit, type Visit } from "./browser.js";
+import { expect, test } from "vitest";
+import { frames, pages, until } from "./browser.js";
 import { violations } from "../axe.ts";
 import { Past } from "../../../apps/web/src/state/past.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
-const here = opened();
-let seen: Visit | null = null;
-afterEach(async () => {
-  if (!seen) return;
-  expectClean(seen, here.site);
-  await seen.page.context().close();
-  seen = null;
-});
-
-async function open(query: string, options: Parameters<typeof visit>[2] = {}): Promise<Page> {
-  seen = await visit(here.browser, `${here.site.address}${query}`, { reducedMotion: "reduce", ...options });
-  await ready(seen.page);
-  return seen.page;
-}
+const open = pages({ reducedMotion: "reduce" });
 /** What stands beside each name in a list. */
 const readings = (page: Page, list: string) =>
   page.locator(`#${list} > div`).evaluateAll((rows) =>
@@ -75,16 +62,17 @@ test("the slider goes back to what was, and from there the cloth goes on as it d
   await page.locator("#play").click();
   await until("some states are kept", async () => Number(await slider.getAttribute("max")) >= 4);
   await page.locator("#play").click();
+  const state = () =>
+    page.evaluate(async () => {
+      const world = window.weft.world!;
+      await world.step(0); // what was under way at the pause has ended
+      return { frames: world.statistics.frames, hash: (await world.snapshot()).hash };
+    });
+  const end = await state();
   await until("the end is kept", async () => {
     const { seconds } = await page.evaluate(() => window.weft.world!.statistics);
     return (await page.locator("#past-time").textContent()) === `${seconds.toFixed(2)} s`;
   });
-  const state = () =>
-    page.evaluate(async () => {
-      const world = window.weft.world!;
-      return { frames: world.statistics.frames, hash: (await world.snapshot()).hash };
-    });
-  const end = await state();
   await slider.focus();
   await page.keyboard.press("Home");
   await page.keyboard.press("ArrowRight");

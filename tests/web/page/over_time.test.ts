@@ -1,27 +1,13 @@
 import type { Page } from "playwright-core";
-import { afterEach, expect, test } from "vitest";
-import { expectClean, frames, opened, ready, until, visit, type Visit } from "./browser.js";
+import { expect, test } from "vitest";
+import { frames, pages, until } from "./browser.js";
 import { violations } from "../axe.ts";
 import { Series } from "../../../apps/web/src/state/series.js";
 import type { PageHandle } from "../../../apps/web/src/main.js";
 
 declare const window: { readonly weft: PageHandle }; // in the functions that the page runs
 
-const here = opened();
-let seen: Visit | null = null;
-afterEach(async () => {
-  if (!seen) return;
-  expectClean(seen, here.site);
-  await seen.page.context().close();
-  seen = null;
-});
-
-async function open(query: string, options: Parameters<typeof visit>[2] = {}): Promise<Page> {
-  seen = await visit(here.browser, `${here.site.address}${query}`, { reducedMotion: "reduce",
-    permissions: ["clipboard-read", "clipboard-write"], ...options });
-  await ready(seen.page);
-  return seen.page;
-}
+const open = pages({ reducedMotion: "reduce", permissions: ["clipboard-read", "clipboard-write"] });
 const summary = (page: Page) => page.getByText("Energy, stretch, residual");
 /** The rows that are copied, without their heading. */
 async function rows(page: Page): Promise<number[][]> {

@@ -1,30 +1,25 @@
 // What a click on the cloth does where it neither pulls nor turns: at most one of these at a time.
 import { button } from "../elements.js";
+import type { Place } from "../hand.js";
+import { clip } from "../places.js";
 
 const STILL = 6; // a click that has moved no farther [CSS pixels]
 
-/** Clip coordinates. */
-export interface Place {
-  readonly x: number;
-  readonly y: number;
-}
-
-/** Where an event is on the canvas. */
-export function clip(canvas: HTMLCanvasElement, { clientX, clientY }: MouseEvent): Place {
-  const box = canvas.getBoundingClientRect();
-  return { x: (2 * (clientX - box.left)) / box.width - 1, y: 1 - (2 * (clientY - box.top)) / box.height };
-}
-
 export class ClickMode {
   private static readonly all: ClickMode[] = [];
-  private down = { x: 0, y: 0 }; // of the last press [CSS pixels]
+  private down: Place = { x: 0, y: 0 }; // of the last press [CSS pixels]
+  /** Where the pointer is on the canvas, or was, in clip coordinates; at first in its middle. */
+  pointer: Place = { x: 0, y: 0 };
   private readonly button: HTMLButtonElement;
 
-  /** `id`: of the button that turns it on and off. */
+  /** `id`: of the button that turns it on and off; `act` gets clip coordinates. */
   constructor(private readonly canvas: HTMLCanvasElement, id: string, act: (place: Place) => void) {
     this.button = button(id);
     this.button.addEventListener("click", () => this.set(!this.on));
     ClickMode.all.push(this);
+    canvas.addEventListener("pointermove", (event) => {
+      this.pointer = clip(canvas, event);
+    });
     canvas.addEventListener("pointerdown", ({ clientX, clientY }) => {
       this.down = { x: clientX, y: clientY };
     });

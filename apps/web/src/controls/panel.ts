@@ -81,10 +81,7 @@ export class Panel {
     this.enable(true);
     this.passes.show(info);
     this.readings.showFacts(info);
-    this.overTime.restart();
-    this.probes.forget();
-    this.timeline.restart();
-    element("scene-title", HTMLElement).textContent = scene.title;
+    this.begin(scene.title);
   }
 
   empty(): void {
@@ -93,10 +90,15 @@ export class Panel {
     this.picker.empty();
     this.passes.show(null);
     this.readings.showFacts(null);
+    this.begin("");
+  }
+
+  /** What is kept of a run goes: there is another scene, or none. */
+  private begin(title: string): void {
     this.overTime.restart();
     this.probes.forget();
     this.timeline.restart();
-    element("scene-title", HTMLElement).textContent = "";
+    element("scene-title", HTMLElement).textContent = title;
   }
 
   changed(scene: LoadedScene, state: PageState): void {

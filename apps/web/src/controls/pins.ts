@@ -1,8 +1,10 @@
 // Nodes that the page holds at their places, as a hand would; each has a marker over the picture.
 import { WeftError, type OpenedState, type Point, type World } from "weft-cloth";
 import { button, element } from "../elements.js";
+import type { Place } from "../hand.js";
+import { clip, onLayer } from "../places.js";
 import type { Player } from "../player.js";
-import { clip, ClickMode, type Place } from "./click_mode.js";
+import { ClickMode } from "./click_mode.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -16,15 +18,11 @@ export class Pins {
   private readonly pins = new Map<number, Pin>();
   private readonly layer = element("pins", SVGSVGElement);
   private readonly mode: ClickMode;
-  private pointer: Place = { x: 0, y: 0 }; // where the pointer is on the canvas, or was
 
   /** `most`: nodes that the world holds at once; the hand needs one of them. */
   constructor(canvas: HTMLCanvasElement, private readonly player: Player, private readonly most: number,
     private readonly say: (sentence: string) => void) {
     this.mode = new ClickMode(canvas, "pin-mode", (place) => void this.toggle(place));
-    canvas.addEventListener("pointermove", (event) => {
-      this.pointer = clip(canvas, event);
-    });
     canvas.addEventListener("dblclick", (event) => {
       if (!ClickMode.any) void this.toggle(clip(canvas, event)); // else each click has done something
     });
@@ -48,7 +46,7 @@ export class Pins {
   }
 
   toggleUnderPointer(): Promise<void> {
-    return this.toggle(this.pointer);
+    return this.toggle(this.mode.pointer);
   }
 
   /** Pins the node under a place on the canvas where it is now, or lets it go. */
@@ -130,11 +128,11 @@ export class Pins {
   draw(): void {
     const world = this.player.live;
     if (!world || world.busy || this.pins.size === 0) return;
-    const { width, height } = this.layer.getBoundingClientRect();
+    const place = onLayer(this.layer, world);
     for (const { point, marker } of this.pins.values()) {
-      const [x, y] = world.project(point);
-      marker.setAttribute("cx", String((width * (x + 1)) / 2));
-      marker.setAttribute("cy", String((height * (1 - y)) / 2));
+      const { x, y } = place(point);
+      marker.setAttribute("cx", String(x));
+      marker.setAttribute("cy", String(y));
     }
   }
 }

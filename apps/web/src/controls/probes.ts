@@ -1,15 +1,16 @@
 // What one node of the cloth does, or two and how far they are apart; each has a marker over the picture.
 import { WeftError, type Probe } from "weft-cloth";
 import { button, element } from "../elements.js";
+import type { Place } from "../hand.js";
 import { Paced } from "../paced.js";
+import { onLayer } from "../places.js";
 import type { Player } from "../player.js";
-import { clip, ClickMode, type Place } from "./click_mode.js";
+import { ClickMode } from "./click_mode.js";
 import { fill } from "./readings.js";
 
-const MOST = 2;
 const PACE = { calm: 30, share: 0.2 }; // of measurements
 const SVG = "http://www.w3.org/2000/svg";
-const NAMES = ["A", "B"] as const;
+const NAMES = ["A", "B"] as const; // there are no more than these
 
 interface Mark {
   readonly node: number;
@@ -23,15 +24,11 @@ export class Probes {
   private readonly layer = element("pins", SVGSVGElement);
   private readonly line = this.part("line", "ruler");
   private readonly mode: ClickMode;
-  private pointer: Place = { x: 0, y: 0 };
   private readonly measuring = new Paced(() => this.measure(), PACE);
 
   constructor(canvas: HTMLCanvasElement, private readonly player: Player,
     private readonly say: (sentence: string) => void) {
     this.mode = new ClickMode(canvas, "probe-mode", (place) => void this.toggle(place));
-    canvas.addEventListener("pointermove", (event) => {
-      this.pointer = clip(canvas, event);
-    });
     button("unprobe").addEventListener("click", () => this.forget());
     this.tell();
   }
@@ -46,7 +43,7 @@ export class Probes {
   }
 
   toggleUnderPointer(): Promise<void> {
-    return this.toggle(this.pointer);
+    return this.toggle(this.mode.pointer);
   }
 
   /** Measures the node under a place on the canvas, or no longer; of more than two the first goes. */
@@ -57,7 +54,7 @@ export class Probes {
     const known = this.marks.find(({ node }) => node === picked.node);
     if (known) this.drop(known);
     else {
-      if (this.marks.length === MOST) this.drop(this.marks[0]!);
+      if (this.marks.length === NAMES.length) this.drop(this.marks[0]!);
       this.marks.push({ node: picked.node, circle: this.part("circle", "probe"), letter: this.part("text", ""),
         found: null });
     }
@@ -98,11 +95,10 @@ export class Probes {
   draw(): void {
     const world = this.player.live;
     if (!world || world.busy) return;
-    const { width, height } = this.layer.getBoundingClientRect();
+    const placeOf = onLayer(this.layer, world);
     const places = this.marks.flatMap(({ circle, letter, found }, order) => {
       if (!found) return [];
-      const [x, y] = world.project(found.position);
-      const at = { x: (width * (x + 1)) / 2, y: (height * (1 - y)) / 2 };
+      const at = placeOf(found.position);
       place(circle, { r: 5, cx: at.x, cy: at.y });
       place(letter, { x: at.x + 9, y: at.y - 9 });
       letter.textContent = NAMES[order]!;
