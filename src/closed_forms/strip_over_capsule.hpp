@@ -13,8 +13,8 @@ namespace weft {
 /// rail's upper half, the first and the last of them upright.
 class StripOverCapsule {
  public:
-  /// Of a rope that hangs about so far on both sides; so many edges turn over the rail; what a strip stretches by the
-  /// square of a speed, density over modulus [s²/m²].
+  /// Of a rope that hangs about so far on both sides, with the radius of the edges' middles; so many edges turn over
+  /// the rail; what a strip stretches by the square of a speed, density over modulus [s²/m²].
   StripOverCapsule(const RopeOverCapsule& about, std::uint32_t touching, double compliance);
 
   std::uint32_t rows() const { return static_cast<std::uint32_t>(along_.size()); }

@@ -28,7 +28,8 @@ struct Contact {
   held : u32,       // 1: the solver's matrix has answered it; kSolved: the same of a pair of one cloth
 }
 const kColliderPoint = 0x80000000u;  // of an id: a point of `points`, not a cloth vertex
-const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and plane; else vertex and triangle
+const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: vertex and shape (a plane, a ball, or from
+                                     // that point to ids.z a capsule); else vertex and triangle
 const kCrossingFlag = 0x40000000u;   // of ids.z: an end of an edge, and the triangle that the edge passes through
 const kIdBits = 0x3fffffffu;
 const kOfOneCloth = 1u;              // both features
@@ -49,20 +50,20 @@ const kContactTouching = 1.001;  // of the thickness: what rests there is in con
 fn is_collider(id : u32) -> bool { return (id & kColliderPoint) != 0u; }
 fn is_edge_pair(ids : vec4u) -> bool { return (ids.x & kPairFlag) != 0u; }
 fn is_crossing(ids : vec4u) -> bool { return (ids.z & kCrossingFlag) != 0u; }
-fn is_plane_pair(ids : vec4u) -> bool { return (ids.y & kPairFlag) != 0u; }
+fn is_shape_pair(ids : vec4u) -> bool { return (ids.y & kPairFlag) != 0u; }
 // A pair with a collider has at least one of its points in these two places.
 fn is_self_pair(ids : vec4u) -> bool { return ((ids.x | ids.z | ids.y) & kColliderPoint) == 0u; }
 fn is_of_two_cloths(contact : Contact) -> bool {
   return is_self_pair(contact.ids) && (is_crossing(contact.ids) || (contact.other_end & kOfOneCloth) == 0u);
 }
-// The roles that are there: a plane pair has two.
-fn role_count(ids : vec4u) -> u32 { return select(4u, 2u, is_plane_pair(ids)); }
+// The roles that are there: a pair with a plane or a ball has two, with a capsule three.
+fn role_count(ids : vec4u) -> u32 { return select(4u, select(2u, 3u, is_collider(ids.z)), is_shape_pair(ids)); }
 // Roles below this are on side A.
 fn roles_of_a(ids : vec4u) -> u32 { return select(1u, 2u, is_edge_pair(ids)); }
 
 fn weights_of(ids : vec4u, s : f32, t : f32) -> vec4f {
   if (is_edge_pair(ids)) { return vec4f(1.0 - s, s, t - 1.0, -t); }
-  if (is_plane_pair(ids)) { return vec4f(1.0, -1.0, 0.0, 0.0); }
+  if (is_shape_pair(ids)) { return vec4f(1.0, t - 1.0, -t, 0.0); }
   return vec4f(1.0, s + t - 1.0, -s, -t);
 }
 

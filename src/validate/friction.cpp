@@ -33,9 +33,10 @@ struct OnRail {
 
   static Result<OnRail> create(const Rig& rig, const Rail& rail) {
     constexpr double kThickness = 0.002, kPull = 1000;  // [m], [N/m]
-    const StripOverCapsule strip(
-        {rail.hangs_left, rail.hangs_right, rail.radius + kThickness, rail.friction, kGravity}, rail.touching,
-        kDensity / kPull);
+    // Nodes lie on the rail, and the middles of edges nearer to its axis.
+    const double middle = (rail.radius + kThickness) * std::cos(0.5 * std::acos(-1.0) / rail.touching);
+    const StripOverCapsule strip({rail.hangs_left, rail.hangs_right, middle, rail.friction, kGravity},
+                                 rail.touching, kDensity / kPull);
     WEFT_TRY(trial, Trial::create(rig, R"("contact": {"thickness": )" + text_of(kThickness) +
                                            R"(}, "cloths": [{)" + grid_of(strip.rows(), 3, strip.cell()) +
                                            R"(, "plane": "xz", "friction": )" + text_of(rail.friction) +

@@ -34,6 +34,9 @@ inline reference::Gap gap_at(const MovingPair& pair, const std::vector<Vec3d>& a
   switch (pair.kind) {
     case PairKind::VertexPlane:
       return reference::plane_gap(at[0], at[1], pair.normal);
+    case PairKind::VertexBall:
+    case PairKind::VertexCapsule:
+      return reference::gap_of(reference::closest_on_segment(at[0], at[1], at[2]).offset, pair.radius);
     case PairKind::EdgeEdge:
     case PairKind::EdgeObjectEdge:
       return reference::gap_of(reference::closest_segments(at[0], at[1], at[2], at[3]).offset, pair.radius);

@@ -12,8 +12,15 @@ class NeedsRecord {
   enum class Need : std::uint8_t { No, Either, Yes };
   NeedsRecord(const SearchFound& found, const SearchRun& run, double band)
       : found_(found), run_(run), band_(band) {
-    for (const PossiblePair& pair : possible_pairs(found, run, band))
-      gaps_[pair.key] = {gap_at(pair.moving, start_of(pair.moving)).distance, pair.doubt};
+    using reference::PairKind;
+    for (const PossiblePair& pair : possible_pairs(found, run, band)) {
+      // What a round obstacle spares (spare_of) is that part of the thickness at most.
+      const PairKind kind = pair.moving.kind;
+      const bool may_spare = pair.moving.radius > 0 &&
+                             (kind == PairKind::ObjectVertexTriangle || kind == PairKind::EdgeObjectEdge);
+      gaps_[pair.key] = {gap_at(pair.moving, start_of(pair.moving)).distance,
+                         pair.doubt + (may_spare ? kMostSpare * pair.thickness : 0)};
+    }
   }
 
   Need operator()(const ListedPair& pair) const {

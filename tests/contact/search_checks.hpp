@@ -254,7 +254,7 @@ inline FeatureKey edge_key(std::array<std::uint32_t, 2> a, std::array<std::uint3
   return {1, a[0], a[1], b[0], b[1]};
 }
 inline FeatureKey key_of(const std::array<std::uint32_t, 4>& ids) {
-  if ((ids[1] & kPairFlag) != 0) return {2, ids[0], ids[1] & ~kPairFlag, 0, 0};
+  if ((ids[1] & kPairFlag) != 0) return {2, ids[0], ids[1] & ~kPairFlag, ids[2], 0};
   if ((ids[0] & kPairFlag) != 0) return edge_key({ids[0] & ~kPairFlag, ids[1]}, {ids[2], ids[3]});
   return corner_key(ids[0], {ids[1], ids[2], ids[3]});
 }
@@ -362,6 +362,13 @@ inline std::vector<PossiblePair> possible_pairs(const SearchFound& found, const 
       moving.a = of_cloth(std::array{pair.a});
       moving.b = {{planes[pair.b].point, scripted, {}}};
       moving.normal = planes[pair.b].normal;
+    } else if (pair.kind == PairKind::VertexBall || pair.kind == PairKind::VertexCapsule) {
+      const bool capsule = pair.kind == PairKind::VertexCapsule;
+      const mesh::Edge axis = capsule ? object.edges[pair.b] : mesh::Edge{pair.b, pair.b};
+      next.key = {2, pair.a, ids[axis[0]], capsule ? ids[axis[1]] : 0, 0};
+      moving.a = of_cloth(std::array{pair.a});
+      moving.b = of_object(axis);
+      moving.radius = object.radius_of_vertex(axis[0]);
     } else if (pair.kind == PairKind::EdgeEdge || pair.kind == PairKind::EdgeObjectEdge) {
       const mesh::Edge &a = cloth.edges[pair.a], &b = other.edges[pair.b];
       next.key = edge_key(a, {id(b[0]), id(b[1])});

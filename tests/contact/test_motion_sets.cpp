@@ -35,15 +35,17 @@ std::vector<MotionSet> random_feature(std::size_t count, const Vec3d& middle, Ra
 MovingPair random_pair(Random& random) {
   using reference::PairKind;
   MovingPair made;
-  made.kind = std::array{PairKind::VertexTriangle, PairKind::EdgeEdge, PairKind::ObjectVertexTriangle,
-                         PairKind::EdgeObjectEdge, PairKind::VertexPlane}[random.below(5)];
+  made.kind =
+      std::array{PairKind::VertexTriangle, PairKind::EdgeEdge,      PairKind::ObjectVertexTriangle,
+                 PairKind::EdgeObjectEdge, PairKind::VertexCapsule, PairKind::VertexPlane}[random.below(6)];
   const Vec3d away = random.uniform(0, 1.5) * random_direction(random);
   const bool edges = made.kind == PairKind::EdgeEdge || made.kind == PairKind::EdgeObjectEdge;
-  const bool plane = made.kind == PairKind::VertexPlane;
+  const bool plane = made.kind == PairKind::VertexPlane, capsule = made.kind == PairKind::VertexCapsule;
   made.a = random_feature(edges ? 2 : 1, away, random);
-  made.b = random_feature(edges ? 2 : plane ? 1 : 3, {}, random);
+  made.b = random_feature(edges || capsule ? 2 : plane ? 1 : 3, {}, random);
   if (plane) made.normal = random_direction(random);
-  const bool shape = made.kind == PairKind::ObjectVertexTriangle || made.kind == PairKind::EdgeObjectEdge;
+  const bool shape =
+      made.kind == PairKind::ObjectVertexTriangle || made.kind == PairKind::EdgeObjectEdge || capsule;
   if (shape && random.below(2) == 0) made.radius = random.uniform(0, 0.3);  // sphere, capsule
   if (shape)  // scripted: no way ahead, one slack
     for (MotionSet& set : made.kind == PairKind::ObjectVertexTriangle ? made.a : made.b) set.ahead = {};

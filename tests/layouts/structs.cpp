@@ -541,6 +541,7 @@ Json shared_constants() {
       constant("kHeader", "contact/proximity/kept_forces.wgsl", kHeader),
       constant("kKeptWords", "contact/proximity/kept_forces.wgsl", kKeptWords),
       real("kTouchingAtRest", "contact/proximity/find_pairs.wgsl", kTouchingAtRest),
+      real("kMostSpare", "contact/proximity/measure.wgsl", kMostSpare),
       real("kContactMargin", "contact/proximity/planes.wgsl", kContactMargin),
       real("kContactFloor", "contact/proximity/planes.wgsl", kContactFloor),
       constant("kLeafTriangles", "contact/proximity/tree.wgsl", contact::kTreeLeafTriangles),

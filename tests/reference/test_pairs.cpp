@@ -189,7 +189,7 @@ TEST_CASE("a flat sheet has no pairs with itself within half its shortest altitu
   CHECK_FALSE(self_pairs(features(sheet), 0.11).empty());
 }
 
-TEST_CASE("a sphere is a vertex with a radius, a capsule an edge and its ends, a plane has no inside bound") {
+TEST_CASE("spheres and capsules have pairs with all features of cloth, planes with its vertices") {
   const Features cloth = features(kSquare);
   Features ball;
   ball.add_sphere({0.7, -0.5, 0.2}, 0.49);
@@ -198,6 +198,12 @@ TEST_CASE("a sphere is a vertex with a radius, a capsule an edge and its ends, a
   CHECK(near[0].kind == PairKind::ObjectVertexTriangle);
   CHECK(near[0].distance == doctest::Approx(0.01));
   CHECK(near[0].direction == Vec3d{0, -1, 0});  // A is the ball, below
+  const std::vector<FeaturePair> farther = object_pairs(cloth, ball, trees_of(ball), 0.15);
+  REQUIRE(farther.size() == 3);  // and the other, and the vertex that is nearest
+  CHECK(farther[2].kind == PairKind::VertexBall);
+  CHECK(farther[2].a == 1);
+  CHECK(farther[2].distance == doctest::Approx(std::hypot(0.3, 0.5, 0.2) - 0.49));
+  CHECK(length(farther[2].direction - Vec3d{0.3, 0.5, -0.2} / std::hypot(0.3, 0.5, 0.2)) < 1e-12);
   Features bar;
   bar.add_capsule({-1, 0.3, 0.5}, {2, 0.3, 0.5}, 0.25);
   const std::vector<FeaturePair> across = object_pairs(cloth, bar, trees_of(bar), 0.06);
@@ -206,6 +212,16 @@ TEST_CASE("a sphere is a vertex with a radius, a capsule an edge and its ends, a
     CHECK(pair.kind == PairKind::EdgeObjectEdge);
     CHECK(pair.distance == doctest::Approx(0.05));
   }
+  Features rail;
+  rail.add_capsule({-1, -0.3, 0}, {0.5, -0.3, 0}, 0.25);
+  std::vector<std::uint32_t> ends;
+  for (const FeaturePair& pair : object_pairs(cloth, rail, trees_of(rail), 0.4))
+    if (pair.kind == PairKind::VertexCapsule) {
+      ends.push_back(pair.a);
+      CHECK(pair.distance == doctest::Approx(pair.a == 0 ? 0.05 : std::hypot(0.5, 0.3) - 0.25));
+      CHECK(pair.weights_b[0] + pair.weights_b[1] == doctest::Approx(-1));
+    }
+  CHECK(ends == std::vector<std::uint32_t>{0, 1});
   const scene::ColliderPlane plane{{0, 0.5, 0}, {0, 1, 0}};
   const std::vector<FeaturePair> below = plane_pairs(cloth, {&plane, 1}, 0.01);
   CHECK(below.size() == 4);

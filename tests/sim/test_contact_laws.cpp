@@ -19,7 +19,7 @@ struct Under {
 const Under kUnders[] = {
     {"plane", kPlane},
     {"box", R"({"kind": "box", "center": [0.01, -0.1, 0.02], "size": [1, 0.2, 1]})"},
-    {"ball", R"({"kind": "sphere", "center": [0.01, -0.3, 0.02], "radius": 0.3})"},
+    {"ball", R"({"kind": "sphere", "center": [0.041, -0.3, 0.039], "radius": 0.3})"},  // a node right over it
     {"mesh", R"({"kind": "mesh", "mesh": "floor.obj"})"},
     {"sheet", ""},
 };

@@ -342,7 +342,7 @@ TEST_CASE("implicit cloth meets obstacles at rest, moving and turning as the ref
 }
 
 TEST_CASE("a strip over a capsule rests where friction holds it and slides where not, and gains no energy") {
-  check_capstan(seen_by_kernels, {0.72, 0.86});  // the reference has those that less friction holds, too
+  check_capstan(seen_by_kernels, {0.72, 0.85});  // the reference has those that less friction holds, too
 }
 
 TEST_CASE("a strip slides over a capsule as a rope does, on any cells, rail and friction") {

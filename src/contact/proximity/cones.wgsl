@@ -57,7 +57,7 @@ fn in_cone_of_triangle(ids : vec4u, s : f32, t : f32, way : vec3f) -> bool {
 // A vertex of cloth has no cone before an obstacle and before the inside of a triangle: it keeps the distance that it
 // has. What has a radius has none.
 fn lies_in_cones(ids : vec4u, measured : Measured) -> bool {
-  if (is_plane_pair(ids) || measured.radius > 0.0 || measured.gap <= 0.0) { return true; }
+  if (is_shape_pair(ids) || measured.radius > 0.0 || measured.gap <= 0.0) { return true; }
   let n = measured.normal;
   if (is_edge_pair(ids)) {
     return in_cone_of_edge(ids.x & ~kPairFlag, ids.y, -n) && in_cone_of_edge(ids.z, ids.w, n);

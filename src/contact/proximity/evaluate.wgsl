@@ -55,7 +55,7 @@ struct Body {
 fn body_of(ids : vec4u, w : vec4f) -> Body {
   var body = Body(false, 0u, 0u, vec3f(0.0));
   if (!kRigid || is_crossing(ids) || is_plane_pair(ids)) { return body; }
-  let point = select(ids.z, ids.x, is_collider(ids.x));
+  let point = select(select(ids.z, ids.x, is_collider(ids.x)), ids.y, is_shape_pair(ids));
   if (!is_collider(point)) { return body; }
   body.collider = u32(points[2u * step.contact.point_count + kShapeWords * (point & kIdBits) + 1u].w);
   body.words = kRigidWords * body.collider;
@@ -155,7 +155,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     } else {
       measured = measure(ids, contacts[number].other_end);
       let distance = measured.gap + measured.radius;
-      let touches = !is_plane_pair(ids) && distance < kTouch * step.contact.thickness && is_of_closed_mesh(ids);
+      let touches = !is_shape_pair(ids) && distance < kTouch * step.contact.thickness && is_of_closed_mesh(ids);
       if (touches || (tangled && measured.radius == 0.0 && is_tangled(ids, is_self))) {
         // The outside of a closed mesh is known. All other cases are left to the crossings.
         let p0 = start_of(ids.x).xyz;

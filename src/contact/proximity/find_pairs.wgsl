@@ -79,8 +79,8 @@ fn touch_at_rest(pq : vec2u, ids : vec3u) -> bool {
   return least <= kTouchingAtRest * params.self_thickness;
 }
 
-// Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's
-// ends, 3 a ball.
+// Of a ball, a capsule or a plane: bits 0 to 2 corners (planes) or edges (capsules), 3 and 4 a capsule's ends, 3 a
+// ball; 5 to 7 corners (balls, capsules).
 fn near_shape(triangle : vec4u, kind : u32, point : u32) -> u32 {
   let p = points[point];
   let far = points[point + select(0u, 2u, kind == kNearCapsule)].xyz;
@@ -96,6 +96,11 @@ fn near_shape(triangle : vec4u, kind : u32, point : u32) -> u32 {
     }
   }
   if (kind == kNearPlane) { return hits; }
+  let last = select(0u, 1u, kind == kNearCapsule);
+  for (var k = 0u; k < 3u; k++) {
+    let owned = (triangle.w & (1u << k)) != 0u;
+    hits |= bit(5u + k, owned && edges_near(corners[k], corners[k], ends[0], ends[last], radius));
+  }
   for (var end = 0u; end < select(1u, 2u, kind == kNearCapsule); end++) {
     hits |= bit(3u + end, corner_near(ends[end], corners[0], corners[1], corners[2], radius));
   }
@@ -108,6 +113,9 @@ fn plane_near(corner : Corner, q : vec3f, n : vec3f) -> bool {
 fn pair_of_shape(a : vec3u, kind : u32, point : u32, hit : u32) -> vec4u {
   let id = kColliderPoint | point;
   if (kind == kNearPlane) { return vec4u(corner_id(a, hit), id | kPairFlag, 0u, 0u); }
+  if (hit >= 5u) {
+    return vec4u(corner_id(a, hit - 5u), id | kPairFlag, select(0u, id + 2u, kind == kNearCapsule), 0u);
+  }
   if (hit >= 3u) { return vec4u(id + 2u * (hit - 3u), a); }
   return vec4u(edge_ids(a, hit), id, id + 2u) | vec4u(kPairFlag, 0u, 0u, 0u);
 }

@@ -44,8 +44,12 @@ fn mixed(pairs_own : Outward, direction : vec3f, way : f32) -> Outward {
 // A round obstacle presses a vertex away from its axis, in the direction that the vertex will have: equation (11b).
 fn turned(pairs_own : Outward, ids : vec4u, place : vec3f, moved : vec3f) -> Outward {
   let from_a = is_collider(ids.x);
-  let first = select(ids.z, ids.x, from_a);  // the ends of its axis
-  let second = select(ids.w, ids.x, from_a);
+  var first = select(ids.z, ids.x, from_a);  // the ends of its axis
+  var second = select(ids.w, ids.x, from_a);
+  if (is_shape_pair(ids)) {
+    first = ids.y;
+    second = select(ids.y, ids.z, is_collider(ids.z));
+  }
   let before = arm_of(start_of(first).xyz, start_of(second).xyz, place);
   let arm = arm_of(end_of(first).xyz, end_of(second).xyz, place + moved);
   let size = length(arm);

@@ -28,7 +28,7 @@ fn tangles_of(ids : vec4u, first : u32, end : u32) -> u32 {
 
 // Whether both features belong to a crossing, so that either may be on its wrong side.
 fn is_tangled(ids : vec4u, is_self : bool) -> bool {
-  if (is_plane_pair(ids)) { return false; }
+  if (is_shape_pair(ids)) { return false; }
   let of_a = tangles_of(ids, 0u, roles_of_a(ids));
   let of_b = tangles_of(ids, roles_of_a(ids), 4u);
   if (is_self) { return (of_a & of_b & kTangledCloth) != 0u; }

@@ -60,6 +60,9 @@ inline constexpr double kHeldLack = 0.2;
 inline constexpr double kRoundCosine = 0.8, kRoundFade = 0.1;
 /// No less of a surface's radius than this part is left at a distance from its hollow side.
 inline constexpr double kLeastSpread = 0.5;
+/// The part of the thickness by which the inside of a triangle or an edge of cloth may come nearer to a round obstacle
+/// than its ends, which have pairs of their own: docs/contact.md, Pairs of features.
+inline constexpr double kMostSpare = 0.5;
 /// A press says no more than this of how far a node has to go, in thicknesses, so that sums of integers hold:
 /// docs/solvers/multigrid.md, Contact.
 inline constexpr double kMostLack = 16;

@@ -72,6 +72,8 @@ bool in_cones(const FeaturePair& pair, const Features& cloth, const Features& ob
     case PairKind::EdgeObjectEdge:
       return object.radius_of_edge(pair.b) > 0 || (in_cone_of_edge(cloth, cloth.edges[pair.a], from_a) &&
                                                    in_cone_of_edge(object, object.edges[pair.b], from_b));
+    case PairKind::VertexBall:
+    case PairKind::VertexCapsule:
     case PairKind::VertexPlane:
       return true;
   }

@@ -68,8 +68,15 @@ FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t 
   const Gap gap = gap_of(closest.offset, radius);
   const auto [b0, b1, b2] = closest.weights;
   FeaturePair pair{kind, vertex, triangle, gap.distance, gap.direction, {1, 0, 0}, {-b0, -b1, -b2}, true};
-  if (radius > 0 || !is_in_place(pair, {first.positions[vertex], x[face[0]], x[face[1]], x[face[2]]}))
+  if (radius > 0) {
+    double ends = length(first.positions[vertex] - x[face[0]]);
+    for (const std::uint32_t corner : face)
+      ends = std::min(ends, length(first.positions[vertex] - x[corner]));
+    pair.distance += spare_of(ends - length(closest.offset), first.most_spare);
+    pair.inside = std::max({b0, b1, b2}) < 1;
     return pair;
+  }
+  if (!is_in_place(pair, {first.positions[vertex], x[face[0]], x[face[1]], x[face[2]]})) return pair;
   const Vec3d across = front_of(second, triangle);
   const double size = length(across);
   const bool on_front = comes_on_front(kind, first, vertex, face, dot(front_at(first, vertex), across) < 0);
@@ -94,12 +101,32 @@ FeaturePair edge_edge(PairKind kind, const Features& first, std::uint32_t of_fir
                    {1 - closest.s, closest.s, 0},
                    {closest.t - 1, -closest.t, 0},
                    closest.inside_first() && closest.inside_second()};
-  if (radius > 0 || !is_in_place(pair, {first.positions[a[0]], first.positions[a[1]], second.positions[b[0]],
-                                        second.positions[b[1]]}))
+  if (radius > 0) {
+    const Vec3d &c = second.positions[b[0]], &d = second.positions[b[1]];
+    const double ends = std::min(closest_on_segment(first.positions[a[0]], c, d).distance,
+                                 closest_on_segment(first.positions[a[1]], c, d).distance);
+    pair.distance += spare_of(ends - length(closest.offset), second.most_spare);
+    pair.inside = closest.inside_first();
+    return pair;
+  }
+  if (!is_in_place(pair, {first.positions[a[0]], first.positions[a[1]], second.positions[b[0]],
+                          second.positions[b[1]]}))
     return pair;
   pair.distance = 0;
   pair.inside = false;
   return pair;
+}
+
+/// Of a vertex of cloth and the axis of a round obstacle from one position to another.
+FeaturePair vertex_round(PairKind kind, const Features& cloth, std::uint32_t vertex, const Features& object,
+                         std::uint32_t number) {
+  const bool capsule = kind == PairKind::VertexCapsule;
+  const mesh::Edge axis = capsule ? object.edges[number] : mesh::Edge{number, number};
+  const ClosestOnSegment closest =
+      closest_on_segment(cloth.positions[vertex], object.positions[axis[0]], object.positions[axis[1]]);
+  const Gap gap = gap_of(closest.offset, object.radius_of_vertex(axis[0]));
+  const std::array<double, 3> weights{closest.t - 1, -closest.t, 0};
+  return {kind, vertex, number, gap.distance, gap.direction, {1, 0, 0}, weights, true};
 }
 
 /// Collects the pairs of two lists of features; those of one list must not share a vertex.
@@ -111,6 +138,14 @@ class Finder {
   void vertex_triangle(PairKind kind, std::uint32_t vertex, std::uint32_t triangle) {
     if (one_ && names(second_.triangles[triangle], vertex)) return;
     add(reference::vertex_triangle(kind, first_, vertex, second_, triangle));
+  }
+  void vertex_round(PairKind kind, std::uint32_t vertex, std::uint32_t number) {
+    add(reference::vertex_round(kind, first_, vertex, second_, number));
+  }
+  void vertex_rounds(std::uint32_t vertex) {
+    for (const std::uint32_t ball : second_.balls) vertex_round(PairKind::VertexBall, vertex, ball);
+    for (const std::uint32_t capsule : second_.capsules)
+      vertex_round(PairKind::VertexCapsule, vertex, capsule);
   }
   void edges(PairKind kind, std::uint32_t of_first, std::uint32_t of_second) {
     const mesh::Edge &a = first_.edges[of_first], &b = second_.edges[of_second];
@@ -135,23 +170,32 @@ double search_radius(double reach) { return reach * (1 + 1e-9); }
 }  // namespace
 
 void Features::add_capsule(const Vec3d& a, const Vec3d& b, double radius) {
-  const auto first = static_cast<std::uint32_t>(positions.size());
-  add_sphere(a, radius);
-  add_sphere(b, radius);
+  const std::uint32_t first = add_round_vertex(a, radius), second = add_round_vertex(b, radius);
   edge_radius.resize(edges.size(), 0);
-  edges.push_back({first, first + 1});
+  capsules.push_back(static_cast<std::uint32_t>(edges.size()));
+  edges.push_back({first, second});
   edge_radius.push_back(radius);
 }
 
 void Features::add_sphere(const Vec3d& center, double radius) {
-  vertex_radius.resize(positions.size(), 0);
-  vertices.push_back(static_cast<std::uint32_t>(positions.size()));
-  positions.push_back(center);
-  vertex_radius.push_back(radius);
+  balls.push_back(add_round_vertex(center, radius));
 }
 
+std::uint32_t Features::add_round_vertex(const Vec3d& center, double radius) {
+  const auto number = static_cast<std::uint32_t>(positions.size());
+  vertex_radius.resize(number, 0);
+  vertices.push_back(number);
+  positions.push_back(center);
+  vertex_radius.push_back(radius);
+  return number;
+}
+
+double spare_of(double more, double most) { return std::min(more, std::max(0.0, 2 * most - more)); }
+
 Features features_of(std::vector<Vec3d> positions, std::vector<mesh::Triangle> triangles) {
-  Features features{std::move(positions), std::move(triangles), {}, {}, {}, {}, {}};
+  Features features;
+  features.positions = std::move(positions);
+  features.triangles = std::move(triangles);
   features.edges = mesh::mesh_edges(features.triangles);
   features.triangles_at = mesh::triangle_adjacency(features.positions.size(), features.triangles);
   std::vector<bool> used(features.positions.size());
@@ -186,6 +230,10 @@ FeaturePair measured(const FeaturePair& pair, const Features& cloth, const Featu
       break;
     case PairKind::EdgeObjectEdge:
       now = edge_edge(pair.kind, cloth, pair.a, object, pair.b);
+      break;
+    case PairKind::VertexBall:
+    case PairKind::VertexCapsule:
+      now = vertex_round(pair.kind, cloth, pair.a, object, pair.b);
       break;
     case PairKind::VertexPlane:
       break;
@@ -236,6 +284,7 @@ std::vector<FeaturePair> object_pairs(const Features& cloth, const Features& obj
     trees.triangles.within(box, radius, [&](std::uint32_t t) {
       from_cloth.vertex_triangle(PairKind::VertexObjectTriangle, v, t);
     });
+    from_cloth.vertex_rounds(v);
   }
   for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t) {
     const Box box = box_of_triangle(cloth, t);
@@ -296,6 +345,9 @@ std::vector<FeaturePair> object_pairs_by_brute_force(const Features& cloth, cons
     for (std::uint32_t other = 0; other < object.edges.size(); ++other)
       if (finite(box_of_edge(cloth, e)) && finite(box_of_edge(object, other)))
         from_cloth.edges(PairKind::EdgeObjectEdge, e, other);
+  for (const std::uint32_t v : cloth.vertices)
+    if (finite(box_of_vertex(cloth, v))) from_cloth.vertex_rounds(v);
+  std::sort(found.begin(), found.end());
   return found;
 }
 

@@ -38,6 +38,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
       object_(obstacles_.features()),
       cloth_facts_{rim_distances(model.rest_position, model.triangles),
                    std::vector(model.vertex_count(), SurfaceKind::Cloth), opposite_corners(model.triangles)} {
+  object_.most_spare = kMostSpare * thickness_;
   for (const mesh::TriangleMesh& mesh : objects) {
     const std::vector<Vec3d> places = widened(mesh.positions);
     for (const double rim : rim_distances(places, mesh.triangles)) object_facts_.rims.push_back(rim);
@@ -93,9 +94,14 @@ Proximity::Sides Proximity::sides_of(const FeaturePair& pair) const {
       return {side(vertex, wa, true), side(cloth_.triangles[pair.b], wb, false)};
     case PairKind::EdgeObjectEdge:
       return {side(cloth_.edges[pair.a], wa, false), side(object_.edges[pair.b], wb, true)};
-    default:
-      return {side(vertex, wa, false), Side{0, {}, {}, true}};
+    case PairKind::VertexBall:
+      return {side(vertex, wa, false), side(std::array{pair.b}, wb, true)};
+    case PairKind::VertexCapsule:
+      return {side(vertex, wa, false), side(object_.edges[pair.b], wb, true)};
+    case PairKind::VertexPlane:
+      break;
   }
+  return {side(vertex, wa, false), Side{0, {}, {}, true}};
 }
 
 Proximity::Surface Proximity::surface_of(const FeaturePair& pair, const Sides& sides,
@@ -107,9 +113,7 @@ Proximity::Surface Proximity::surface_of(const FeaturePair& pair, const Sides& s
     return {(after - point) / dt, dot(toward_cloth, after)};
   }
   const Side& side = sides.a.obstacle ? sides.a : sides.b;
-  const double radius = pair.kind == PairKind::ObjectVertexTriangle ? object_.radius_of_vertex(pair.a)
-                        : pair.kind == PairKind::EdgeObjectEdge     ? object_.radius_of_edge(pair.b)
-                                                                    : 0;
+  const double radius = object_.radius_of_vertex(side.vertices[0]);
   Vec3d before, after;
   double support = 0;
   for (std::uint32_t k = 0; k < side.count; ++k) {
@@ -179,8 +183,7 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool 
   near.untangles = untangles;
   near.friction = friction_of(pair, sides);
   if (const Kept* kept = force_of(kept_, pair)) near.kept = kept->force;
-  const bool with_capsule = pair.kind == PairKind::EdgeObjectEdge && object_.radius_of_edge(pair.b) > 0;
-  near.may = (pair.inside || with_capsule) && pair.in_cones && near.thickness > 0;
+  near.may = pair.inside && pair.in_cones && near.thickness > 0;
   if (with_obstacle) {
     const double sign = sides.a.obstacle ? 1 : -1;
     const Vec3d velocity = surface_of(pair, sides, -sign * pair.direction, dt).velocity;
@@ -190,7 +193,7 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool 
       const Movable& body = rigid_.movables()[near.rigid->collider];
       near.surface = sign * (body.velocity + cross(body.spin, near.rigid->arm));
     }
-    near.round = axis_of(pair);
+    near.round = axis_of(sides);
     if (!near.round) near.curved = curved_of(pair, sides, velocity, dt);
   }
   return near;
@@ -209,14 +212,11 @@ std::optional<NearPair::Rigid> Proximity::rigid_of(const FeaturePair& pair, cons
   return NearPair::Rigid{collider, on_a ? 1.0 : -1.0, place - rigid_.movables()[collider].place};
 }
 
-std::optional<RoundAxis> Proximity::axis_of(const FeaturePair& pair) const {
-  std::array<std::uint32_t, 2> ends{pair.a, pair.a};
-  if (pair.kind == PairKind::EdgeObjectEdge && object_.radius_of_edge(pair.b) > 0)
-    ends = object_.edges[pair.b];
-  else if (pair.kind != PairKind::ObjectVertexTriangle || !(object_.radius_of_vertex(pair.a) > 0))
-    return {};
-  return RoundAxis{{start_.positions[ends[0]], start_.positions[ends[1]]},
-                   {end_.positions[ends[0]], end_.positions[ends[1]]}};
+std::optional<RoundAxis> Proximity::axis_of(const Sides& sides) const {
+  const Side& side = sides.a.obstacle ? sides.a : sides.b;
+  if (side.count == 0 || side.count > 2 || !(object_.radius_of_vertex(side.vertices[0]) > 0)) return {};
+  const std::uint32_t first = side.vertices[0], last = side.vertices[side.count - 1];
+  return RoundAxis{{start_.positions[first], start_.positions[last]}, {end_.positions[first], end_.positions[last]}};
 }
 
 std::optional<CurvedSurface> Proximity::curved_of(const FeaturePair& pair, const Sides& sides,

@@ -106,7 +106,7 @@ class Proximity {
   /// that it was among what pressed the node.
   bool is_held(const NearPair& pair, const std::vector<bool>& held) const;
   /// Of the sphere or capsule of a pair, if it has one.
-  std::optional<RoundAxis> axis_of(const FeaturePair& pair) const;
+  std::optional<RoundAxis> axis_of(const Sides& sides) const;
   /// Of the mesh of a pair, if it has one that keeps its shape; `surface`: that of its closest point.
   std::optional<CurvedSurface> curved_of(const FeaturePair& pair, const Sides& sides, const Vec3d& velocity,
                                          double dt) const;

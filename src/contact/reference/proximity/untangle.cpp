@@ -245,6 +245,8 @@ std::vector<bool> release(const Tangle& tangle, const TangledSurfaces& cloth, co
         closed = radius(pair) == 0 &&
                  object.facts.kinds[object.features.edges[pair.b][0]] == SurfaceKind::ClosedMesh;
         break;
+      case PairKind::VertexBall:
+      case PairKind::VertexCapsule:
       case PairKind::VertexPlane:
         continue;
     }
