@@ -90,6 +90,7 @@ const kTightWord = 3u;
 const kTangledWord = 4u;
 const kChangeWord = 5u;  // and two more
 const kFirstWord = 8u;   // and two more
+const kLostWord = kFirstWord;  // once impulses are answered: what its way has lost, m, as bits of f32
 const kPushWord = 11u;   // and two more
 const kHeldWord = 14u;
 // Of kTangledWord: the vertex is of an edge or a triangle that passes through another, of cloth, of a mesh.

@@ -21,6 +21,7 @@
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
 
+override kKeepsLost : bool = false;  // what ways lose is kept for the edges beside them: kLostWord
 override kAllIterations : u32 = 1;  // 0: what impulses of pressed cloth need more is not recorded
 
 // Where cloth was pressed, a frame in which impulses had too few iterations is to be repeated.
@@ -75,6 +76,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       way.velocity += change;
       way.position += step.time.dt * change;
     }
+    let wanted = way.position;
     let within = place_within(reach, way.position);  // beyond, it could meet an unlisted feature
     let back = length(within - way.position);
     if (back > 0.0) {
@@ -88,6 +90,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
     if (goes_far) { atomicStore(&statistics[kStatFarWays], 1u); }
     let held = select(0u, kCounted, way.changed) | select(0u, kFarWay, goes_far);
     if (held != 0u) { vertex_contacts[at + 3u] = vec4u(0u, 0u, held, 0u); }
+    if (kKeepsLost && way.changed) { vertex_contacts[at + 2u] = vec4u(bitcast<vec3u>(wanted - way.position), 0u); }
     position[vertex] = vec4f(way.position, inverse_mass);
   }
   // An impulse breaks the motion that an implicit solver extrapolates (Method::history), so its history is invalid.

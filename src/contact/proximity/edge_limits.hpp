@@ -9,11 +9,10 @@
 
 namespace weft::contact {
 
-/// Keeps edges within their strain limit: in the rounds that separate pairs of cloth, and after those that hold ways
-/// back. Source: docs/contact.md, equations (6f) and (6i).
+/// Keeps edges within their strain limit, in the rounds that separate pairs of cloth.
+/// Source: docs/contact.md, equation (6f).
 /// Reads   state.steps; both positions [m], the second where ways end; velocity[1 - parity] [m/s].
-/// Writes  pairs.vertex_contacts: who shares the mass of a vertex, and by what it is moved; the second position and
-///         velocity; state.statistics.
+/// Writes  pairs.vertex_contacts: who shares the mass of a vertex, and by what it is moved; state.statistics.
 /// Errors  Shader, OutOfMemory.
 class EdgeLimits {
  public:
@@ -28,15 +27,11 @@ class EdgeLimits {
   void record_gifts(gpu::ComputePass& pass, std::size_t round) const {
     if (!empty()) rounds_.give.dispatch(pass, round, edges_.size());
   }
-  /// Shortens ways for edges that held ones would make too long: equation (6i).
-  void record_shortening(gpu::ComputePass& pass) const;
   bool empty() const { return edges_.size() == 0; }
 
  private:
   gpu::Buffer<LimitedEdge> edges_;
   SeparationRounds rounds_;
-  RoundKernel ask_, shorten_;
-  std::size_t vertex_count_ = 0;
 };
 
 }  // namespace weft::contact

@@ -5,6 +5,7 @@
 
 #include "contact/proximity/feature_rings.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "contact/rules/yielding_edges.hpp"
 
 namespace weft::contact {
 namespace {
@@ -69,10 +70,12 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   WEFT_CHECK(made.create_kernels(device, state, wanted));
   WEFT_SET(made.near_, NearPairs::create(device, made.presses_, wanted.workgroup_size));
   const std::vector<LimitedEdge> edges = limited_edges(model.host);
-  WEFT_TRY(respond, Respond::create(
-                        device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
-                                 contact_iterations(wanted.step), lengths.self_thickness > 0, made.presses_,
-                                 wanted.own_pairs, made.rigid_.any(), edges, wanted.workgroup_size}));
+  const YieldingEdges yielding = yielding_edges(model.host, wanted.step);
+  WEFT_TRY(
+      respond,
+      Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
+                               contact_iterations(wanted.step), lengths.self_thickness > 0, made.presses_,
+                               wanted.own_pairs, made.rigid_.any(), edges, yielding, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(device, state, pairs));
   return made;

@@ -19,12 +19,13 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   };
   const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0},
       move{"kMove", setup.presses && !setup.own_pairs ? 0.0 : 1.0},
-      heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0}, rigid{"kRigid", setup.rigid ? 1.0 : 0.0};
+      heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0}, rigid{"kRigid", setup.rigid ? 1.0 : 0.0},
+      keeps_lost{"kKeepsLost", setup.yielding.edges.empty() ? 0.0 : 1.0};
   std::vector<Wanted> all = {
       {made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, rigid}},
       {made.respond_,
        "contact/proximity/contact_respond.wgsl",
-       {move, rigid, {"kDetectInterval", static_cast<double>(setup.interval)}}}};
+       {move, rigid, keeps_lost, {"kDetectInterval", static_cast<double>(setup.interval)}}}};
   const gpu::Constant where_pressed{"kWherePressed", made.has_pressed() ? 1.0 : 0.0};
   if (made.has_pressed()) {
     std::vector<gpu::Constant> asks = all.back().constants;
@@ -45,21 +46,24 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     WEFT_TRY(kernel, gpu::Kernel::create(device, wanted.path, wanted.constants, setup.workgroup_size));
     wanted.kernel = std::move(kernel);
   }
-  const auto in_rounds = [&](const char* path, const std::vector<Round>& rounds) {
-    return RoundKernel::create(device, path, {}, rounds, setup.workgroup_size);
+  const auto in_rounds = [&](const char* path, const std::vector<Round>& rounds,
+                             std::vector<gpu::Constant> constants = {}) {
+    return RoundKernel::create(device, path, std::move(constants), rounds, setup.workgroup_size);
   };
   const std::vector<Round> separations = separation_rounds(made.separation_count_);
   const std::vector<Round> holds = holding_rounds(setup.self);
   made.holding_count_ = holds.size();
   WEFT_SET(made.moves_, in_rounds("contact/proximity/separate_ways.wgsl", separations));
   WEFT_SET(made.find_meeting_, in_rounds("contact/proximity/find_meeting.wgsl", holds));
-  WEFT_SET(made.hold_back_, in_rounds("contact/proximity/hold_back.wgsl", holds));
+  WEFT_SET(made.hold_back_, in_rounds("contact/proximity/hold_back.wgsl", holds, {keeps_lost}));
   if (setup.self)
     WEFT_SET(made.separate_, SeparationRounds::create(device, "contact/proximity/separate_pairs.wgsl",
                                                       made.separation_count_, setup.workgroup_size));
   WEFT_SET(made.edges_,
            EdgeLimits::create(device, setup.edges, made.separation_count_, setup.workgroup_size));
-  made.setup_.edges = {};  // the caller's
+  WEFT_SET(made.held_edges_, HeldEdges::create(device, setup.yielding, setup.workgroup_size));
+  made.setup_.edges = {};     // the caller's
+  made.setup_.yielding = {};  // on the GPU
   return made;
 }
 
@@ -106,6 +110,7 @@ Result<void> Respond::bind(gpu::Device& device, const State& state, const Contac
   pair_room_ = pairs.room.pairs;
   near_room_ = pairs.room.near;
   vertex_count_ = state.position[0].size();
+  WEFT_CHECK(held_edges_.bind(state, pairs));
   return edges_.bind(state, pairs);
 }
 
@@ -156,7 +161,7 @@ void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patch
     if (round == 0) patches.record_ends(pass);
     hold_back_.dispatch(pass, round, vertex_count_);
   }
-  edges_.record_shortening(pass);
+  held_edges_.record(pass);
 }
 
 }  // namespace weft::contact

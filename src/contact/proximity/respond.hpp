@@ -5,8 +5,10 @@
 
 #include "contact/proximity/cloth_patches.hpp"
 #include "contact/proximity/edge_limits.hpp"
+#include "contact/proximity/held_edges.hpp"
 #include "contact/proximity/rigid_bodies.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "contact/rules/yielding_edges.hpp"
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
 
@@ -29,6 +31,7 @@ class Respond {
     bool own_pairs = false;              // SolvedContact
     bool rigid = false;                  // whether there are rigid bodies
     std::span<const LimitedEdge> edges;  // of cloth with a strain limit
+    YieldingEdges yielding;              // beside ways that are held back; may be none
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   };
   Respond() = default;
@@ -62,6 +65,7 @@ class Respond {
   SeparationRounds separate_;
   RoundKernel moves_;
   EdgeLimits edges_;
+  HeldEdges held_edges_;
   /// The rounds in which cloth is held back: from obstacles that it comes to from afar, and from other cloth.
   std::size_t holding_count_ = 0;
   RoundKernel find_meeting_, hold_back_;

@@ -23,7 +23,8 @@ std::vector<Round> shortening_rounds() {
   std::vector<Round> rounds;
   for (std::size_t round = 0; round < kShortenings; ++round)
     rounds.push_back({.number = static_cast<std::uint32_t>(kMostSeparations + kRounds + 1 + round),
-                      .is_first = round == 0 ? 1U : 0U});
+                      .is_first = round == 0 ? 1U : 0U,
+                      .is_last = round + 1 == kShortenings ? 1U : 0U});
   return rounds;
 }
 

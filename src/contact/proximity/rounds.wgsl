@@ -5,7 +5,7 @@
 struct Round {
   number : u32,
   is_first : u32,  // 1: of those that separate, or of those that hold back
-  is_last : u32,   // 1: of those that hold back
+  is_last : u32,   // 1: of those that hold back, or of those that shorten ways for edges
 }
 
 // Of a kernel that asks what there is to do in a round, and of the one that then `acts` on it. The first asks always,

@@ -39,7 +39,7 @@ fn separate_ways(@builtin(global_invocation_id) id : vec3u) {
   if (goes_far) { atomicStore(&statistics[kStatFarWays], 1u); }
   vertex_contacts[at] = vec4u(words.xy, 0u, words.w);
   vertex_contacts[at + 1u] = vec4u(sums[0].x, 0u, 0u, 0u);
-  vertex_contacts[at + 2u] = vec4u(0u);
+  vertex_contacts[at + 2u] = vec4u(sums[1].xyz, 0u);  // kLostWord
   vertex_contacts[at + 3u] = vec4u(0u, 0u, sums[2].z | select(0u, kFarWay, goes_far), sums[2].w);
   if (start.w == 0.0) { return; }
   position[vertex] = vec4f(place, start.w);

@@ -4,6 +4,7 @@
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
+#include "contact/proximity/lost_way.wgsl"
 #include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/solid_planes.wgsl"
 //                                                                                elements          unit
@@ -19,7 +20,13 @@
 @compute @workgroup_size(kWorkgroupSize)
 fn shorten_ways(@builtin(global_invocation_id) id : vec3u) {
   let vertex = flat_index(id);
-  if (vertex >= step.nodes.count || round_is_idle(true)) { return; }
+  if (vertex >= step.nodes.count) { return; }
+  if (!round_is_idle(true)) { shorten_way(vertex); }
+  let counted = (vertex_contacts[kVertexWords * vertex + kHeldWord] & kCounted) != 0u;
+  if (this_round.is_last != 0u && counted) { set_lost_way(vertex, vec3f(0.0)); }  // cleared for the next substep
+}
+
+fn shorten_way(vertex : u32) {
   let found = vertex_contacts[kVertexWords * vertex + kShareWord];
   if (found == 0u) { return; }
   vertex_contacts[kVertexWords * vertex + kShareWord] = 0u;
@@ -31,6 +38,7 @@ fn shorten_ways(@builtin(global_invocation_id) id : vec3u) {
   let link = vertex_contacts[kVertexWords * vertex + kLinkWord];
   let part = 1.0 - less * part_before_solids(end, end - less * way, link);
   if (part == 1.0) { return; }
+  set_lost_way(vertex, lost_way(vertex) + (1.0 - part) * way);
   position[vertex] = vec4f(start.xyz + part * way, start.w);
   velocity[vertex] = vec4f(part * velocity[vertex].xyz, 0.0);
   let held = vertex_contacts[kVertexWords * vertex + kHeldWord];

@@ -31,6 +31,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
       impulses_(impulse_rule(model, scene.contact, step)),
       separations_(contact_iterations(step)),
       limited_edges_(limited_edges(model)),
+      yielding_(yielding_edges(model, step)),
       cloth_(features_of(model.rest_position, model.triangles)),
       rest_(cloth_),
       obstacles_(scene, objects, deformations),
@@ -216,7 +217,8 @@ std::optional<RoundAxis> Proximity::axis_of(const Sides& sides) const {
   const Side& side = sides.a.obstacle ? sides.a : sides.b;
   if (side.count == 0 || side.count > 2 || !(object_.radius_of_vertex(side.vertices[0]) > 0)) return {};
   const std::uint32_t first = side.vertices[0], last = side.vertices[side.count - 1];
-  return RoundAxis{{start_.positions[first], start_.positions[last]}, {end_.positions[first], end_.positions[last]}};
+  return RoundAxis{{start_.positions[first], start_.positions[last]},
+                   {end_.positions[first], end_.positions[last]}};
 }
 
 std::optional<CurvedSurface> Proximity::curved_of(const FeaturePair& pair, const Sides& sides,
@@ -389,10 +391,10 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     add_limits(pairs[p], near[p].thickness, nodes, dt, planes, cloth_pairs);
   // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull over a ball at
   // steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose. So it is shortened too.
-  const Truncated truncated =
-      truncate(planes, cloth_pairs, most,
-               {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, separations_,
-                limited_edges_, tangle_.crossings > 0 ? 0 : most_delay_, nodes.velocity_before});
+  const Truncated truncated = truncate(
+      planes, cloth_pairs, most,
+      {nodes.previous, nodes.inverse_mass, nodes.position, nodes.velocity, dt, separations_, limited_edges_,
+       tangle_.crossings > 0 ? 0 : most_delay_, nodes.velocity_before, yielding_.edges, yielding_.time});
   if (!rigid_.empty()) {
     std::vector<RigidImpulse> impulses = response.body_impulses;
     for (const Truncated::Taken& taken : truncated.taken) {

@@ -14,6 +14,7 @@
 #include "contact/reference/proximity/truncate.hpp"
 #include "contact/reference/proximity/untangle.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "contact/rules/yielding_edges.hpp"
 #include "model/model.hpp"
 
 namespace weft::reference {
@@ -126,6 +127,7 @@ class Proximity {
   ImpulseRule impulses_;
   std::uint32_t separations_;  // rounds
   std::vector<LimitedEdge> limited_edges_;
+  YieldingEdges yielding_;
   std::vector<double> friction_;     // of each vertex's cloth
   std::vector<std::uint32_t> body_;  // of each vertex
   Features cloth_;                   // positions: at the start of the substep

@@ -14,7 +14,7 @@ namespace {
 constexpr int kRounds = 3;
 /// In which ways are then shortened for the edges between them. Mirror: contact/proximity/round_kernel.hpp.
 constexpr int kShortenings = 6;
-/// An edge that is no longer than this part of its limit stays as it is.
+/// An edge that is no longer than this part of what it may be stays as it is.
 constexpr double kBeyondLimit = 1.001;
 
 /// How much of a way takes a vertex past no plane, by how far it is on its side at the start and would be at the end.
@@ -41,6 +41,7 @@ class Truncation {
         changed_(ways.end.size()),
         held_(ways.end.size()),
         shortened_by_cloth_(ways.end.size()),
+        lost_(ways.end.size()),
         lists_(ways.end.size()) {
     for (std::size_t p = 0; p < pairs.size(); ++p)
       for (std::uint32_t k = 0; k < pairs[p].count_a + pairs[p].count_b; ++k)
@@ -75,6 +76,7 @@ class Truncation {
       Vec3d& velocity = ways_.velocity[plane.node];
       const Vec3d before = velocity;
       ways_.end[plane.node] += beyond * plane.normal;
+      lost_[plane.node] -= beyond * plane.normal;
       velocity += std::max(0.0, plane.speed - dot(plane.normal, velocity)) * plane.normal;
       take(plane.collider, plane.node, before);
       changed_[plane.node] = true;
@@ -153,6 +155,7 @@ class Truncation {
     for (std::size_t node = 0; node < held_.size(); ++node) {
       if (ways_.inverse_mass[node] == 0) continue;
       ways_.end[node] = ways_.start[node] + part_ * (ways_.end[node] - ways_.start[node]);
+      lost_[node] *= part_;
       ways_.velocity[node] =
           ways_.velocity_before[node] + part_ * (ways_.velocity[node] - ways_.velocity_before[node]);
     }
@@ -165,8 +168,8 @@ class Truncation {
       if (!lists_[node].empty()) hold(node);
   }
 
-  /// Of edges that would end beyond their strain limit since the way of an end was shortened, shortens the way of that
-  /// end which goes farther, but behind no obstacle's plane: equation (6i). Whether there are any.
+  /// Of edges that would be stretched since the way of an end was shortened, by more than that has paid for, shortens
+  /// the way of that end which goes farther, but behind no obstacle's plane: equation (6i). Whether there are any.
   bool shorten_for_edges() {
     std::vector<double> part(ways_.end.size(), 1);
     const auto far = [&](std::uint32_t node) {  // what the scene moves goes its way
@@ -174,18 +177,23 @@ class Truncation {
       return ways_.inverse_mass[node] == 0 ? -1 : dot(way, way);
     };
     bool any = false;
-    for (const LimitedEdge& edge : ways_.edges) {
-      const std::optional<ClothPair> ends = too_long(edge);
-      if (!ends || !(changed_[edge.a] || changed_[edge.b])) continue;
+    for (const auto& [a, b] : ways_.yielding) {
+      if (!changed_[a] && !changed_[b]) continue;
+      const Vec3d end = ways_.end[b] - ways_.end[a];
+      const double paid =
+          std::min(1.0, ways_.yielding_time / ways_.dt) * std::max(length(lost_[a]), length(lost_[b]));
+      const double longest =
+          std::max(length(ways_.start[b] - ways_.start[a]), length(end + lost_[b] - lost_[a])) + paid;
+      if (length(end) <= kBeyondLimit * longest) continue;
       any = true;
       const auto shorten_one = [&](std::uint32_t one, std::uint32_t other) {
         if (far(one) < far(other)) return;
         const double most =
-            part_within(ways_.start[one] - ways_.end[other], ways_.end[one] - ways_.start[one], -ends->gap);
+            part_within(ways_.start[one] - ways_.end[other], ways_.end[one] - ways_.start[one], longest);
         part[one] = std::min(part[one], most);
       };
-      shorten_one(edge.a, edge.b);
-      shorten_one(edge.b, edge.a);
+      shorten_one(a, b);
+      shorten_one(b, a);
     }
     if (!any) return false;
     std::vector<double> before(part.size(), 1);  // planes, of the way back
@@ -265,6 +273,7 @@ class Truncation {
   void shorten(std::size_t node, double part) {
     if (ways_.inverse_mass[node] == 0 || part == 1) return;
     const Vec3d way = part * (ways_.end[node] - ways_.start[node]);
+    lost_[node] += ways_.end[node] - ways_.start[node] - way;
     ways_.end[node] = ways_.start[node] + way;
     ways_.velocity[node] = part * ways_.velocity[node];
     changed_[node] = true;
@@ -294,7 +303,8 @@ class Truncation {
   std::span<const ClothPair> pairs_;
   const SubstepWays& ways_;
   std::vector<bool> changed_, held_, shortened_by_cloth_;
-  double part_ = 1;  // of the substep: until then no pair found in this round may have met
+  std::vector<Vec3d> lost_;  // of each way, what was taken from it [m]
+  double part_ = 1;          // of the substep: until then no pair found in this round may have met
   double whole_part_ = 1;
   std::vector<Truncated::Taken> taken_;
   std::uint64_t delay_ = 0;  // [µs]

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "mesh/adjacency.hpp"
 #include "model/limited_edges.hpp"
 
 namespace weft::reference {
@@ -46,6 +47,8 @@ struct SubstepWays {
   std::span<const LimitedEdge> edges = {};      // kept within their strain limit in the same rounds
   std::uint64_t most_delay = 0;                 // how much sooner it may end for all [µs]
   std::span<const Vec3d> velocity_before = {};  // at the start, if it may [m/s]
+  std::span<const mesh::Edge> yielding = {};    // not to be stretched beside ways that were held back
+  double yielding_time = 0;                     // of these, YieldingEdges::time [s]
 };
 
 struct Truncated {

@@ -1,0 +1,34 @@
+#include "contact/rules/yielding_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "contact/rules/contact_law.hpp"
+#include "model/cloth_size.hpp"
+#include "model/sheet_moduli.hpp"
+
+namespace weft {
+
+YieldingEdges yielding_edges(const Model& model, double substep) {
+  double slowness = std::numeric_limits<double>::infinity();  // of a pull [s/m]
+  std::vector<const Body*> cloths;
+  for (const Body& body : model.bodies) {
+    if (body.solid || body.triangle_count == 0) continue;
+    cloths.push_back(&body);
+    const Moduli stretch = sheet_moduli(model, body).stretch;
+    const double density = mass_of(model, body) / area_of(model, body);
+    slowness = std::min(slowness, std::sqrt(density / std::max(stretch.warp, stretch.weft)));
+  }
+  YieldingEdges made{{}, typical_altitude(model) * slowness};
+  if (!(made.time < substep)) return {};
+  for (const Body* cloth : cloths) {
+    const std::vector<mesh::Edge> edges =
+        mesh::mesh_edges(std::span(model.triangles).subspan(cloth->first_triangle, cloth->triangle_count));
+    made.edges.insert(made.edges.end(), edges.begin(), edges.end());
+  }
+  return made;
+}
+
+}  // namespace weft

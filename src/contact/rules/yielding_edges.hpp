@@ -1,0 +1,21 @@
+// The edges of cloth that are not to be stretched by what nothing has paid for, where ways are held back: one rule for
+// the GPU and for the reference. Source: docs/contact.md, equation (6i).
+#pragma once
+
+#include <vector>
+
+#include "mesh/adjacency.hpp"
+#include "model/model.hpp"
+
+namespace weft {
+
+struct YieldingEdges {
+  std::vector<mesh::Edge> edges;  // of all cloths, not of bodies
+  double time = 0;                // in which a pull crosses a triangle of the stiffest cloth [s]
+};
+
+/// None where substeps [s] are no longer than that time: then edges give way by themselves. It is ℓ √(ρ/E): ℓ of
+/// typical_altitude(), ρ/E the least of all cloths, E the larger modulus along their threads.
+YieldingEdges yielding_edges(const Model& model, double substep);
+
+}  // namespace weft
