@@ -70,7 +70,9 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   WEFT_CHECK(made.create_kernels(device, state, wanted));
   WEFT_SET(made.near_, NearPairs::create(device, made.presses_, wanted.workgroup_size));
   const std::vector<LimitedEdge> edges = limited_edges(model.host);
-  const YieldingEdges yielding = yielding_edges(model.host, wanted.step);
+  // What a rigid body gives to cloth it gets from cloth: a way that is shortened beside another would lose it.
+  const YieldingEdges yielding =
+      made.rigid_.any() ? YieldingEdges{} : yielding_edges(model.host, wanted.step);
   WEFT_TRY(
       respond,
       Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),

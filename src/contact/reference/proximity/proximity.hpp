@@ -127,14 +127,14 @@ class Proximity {
   ImpulseRule impulses_;
   std::uint32_t separations_;  // rounds
   std::vector<LimitedEdge> limited_edges_;
-  YieldingEdges yielding_;
   std::vector<double> friction_;     // of each vertex's cloth
   std::vector<std::uint32_t> body_;  // of each vertex
   Features cloth_;                   // positions: at the start of the substep
   Features rest_;                    // the same at rest
   Obstacles obstacles_;
   RigidBodies rigid_;
-  Features object_;  // the obstacles at the start of the substep
+  YieldingEdges yielding_;  // none beside rigid bodies, whose momentum would be lost
+  Features object_;         // the obstacles at the start of the substep
   NearList list_;
   SurfaceFacts cloth_facts_, object_facts_;
   Tangle tangle_;
