@@ -2,9 +2,9 @@
 import { createWorld, type Snapshot, type World } from "weft-cloth";
 import { fitCamera } from "../src/fit_camera.js";
 import { sentence } from "../src/sentence.js";
+import { Times } from "../src/times.js";
 import type { SceneByMethod } from "./scenes.js";
 import { MOST_SWEEPS } from "./state.js";
-import { Times } from "./times.js";
 
 /** Frames over which the median of their times is taken. */
 export const KEPT = 30;
@@ -107,10 +107,8 @@ export class Lane {
   /** Simulates a frame, waits until all of it is done, and draws nothing: the time is the method's alone. */
   async step(): Promise<void> {
     await this.guarded(async () => {
-      if (!this.live) return;
-      const start = performance.now();
-      await this.live.step(1, { draw: null });
-      this.times.add(performance.now() - start);
+      const { live } = this;
+      if (live) await this.times.measure(() => live.step(1, { draw: null }));
     });
   }
 

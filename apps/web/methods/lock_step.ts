@@ -1,11 +1,11 @@
 // All lanes at the same simulated time. In each round every lane in turn simulates one frame, alone on the GPU; then
 // all of them are drawn together.
 import type { Point, Snapshot } from "weft-cloth";
+import { Rounds } from "../src/rounds.js";
 import { sentence } from "../src/sentence.js";
+import { Times } from "../src/times.js";
 import { KEPT, type Lane, type Opening, type Turned } from "./lane.js";
-import { Pace } from "./pace.js";
 import { heightEnergy, kineticEnergy, positionError } from "./quantities.js";
-import { Times } from "./times.js";
 
 const READ_EVERY = 250; // ms: reading a state back takes time of its own
 
@@ -39,11 +39,8 @@ export interface Plan {
 export class LockStep {
   private lanes: readonly Lane[] = [];
   private gravity: Point = [0, 0, 0];
-  private turn: Promise<void> = Promise.resolve();
   private newest = 0;
-  private wanted = false;
-  private looping = false;
-  private pace = new Pace(0);
+  private readonly rounds = new Rounds({ drained: () => this.drained(), round: (now) => this.round(now) });
   private frameSeconds = 0;
   private frames_ = 0;
   private readAt = 0;
@@ -52,12 +49,10 @@ export class LockStep {
   readonly turned: Turned = { dx: 0, dy: 0 };
   private turning: Turned = { dx: 0, dy: 0 };
 
-  constructor(private readonly events: LockStepEvents) {
-    document.addEventListener("visibilitychange", () => this.pace.begin(performance.now())); // hidden, nothing ticks
-  }
+  constructor(private readonly events: LockStepEvents) {}
 
   get playing(): boolean {
-    return this.wanted;
+    return this.rounds.playing;
   }
   get frames(): number {
     return this.frames_;
@@ -68,7 +63,7 @@ export class LockStep {
   }
   /** Simulated over passed time while it plays; null before it is known. */
   get share(): number | null {
-    return this.wanted ? this.pace.share : null;
+    return this.rounds.share;
   }
   /** What a wait for a GPU that has nothing to do takes [ms]; null before the first frame. */
   get wait(): number | null {
@@ -76,13 +71,13 @@ export class LockStep {
   }
   /** When all that has been asked for so far is done. */
   get settled(): Promise<void> {
-    return this.turn;
+    return this.rounds.settled;
   }
 
   /** Puts all lanes at rest, at time 0. */
   open(plan: () => Promise<Plan>): Promise<void> {
     const number = ++this.newest;
-    return this.inTurn(async () => {
+    return this.rounds.inTurn(async () => {
       if (number !== this.newest) return; // something else was chosen meanwhile
       try {
         const { lanes, gravity } = await plan();
@@ -99,25 +94,22 @@ export class LockStep {
       }
       this.frames_ = 0;
       this.frameSeconds = this.lanes.find(({ live }) => live)?.live?.info.frameSeconds ?? 0;
-      this.pace = new Pace(1000 * this.frameSeconds);
-      this.pace.begin(performance.now());
+      this.rounds.begin(this.frameSeconds);
       this.events.preparing(null);
       await this.read();
     });
   }
 
   play(on: boolean): void {
-    this.wanted = on;
-    this.pace.begin(performance.now());
+    this.rounds.play(on);
     this.events.playing(on);
-    if (on && !this.looping) void this.loop();
     if (!on) void this.look();
   }
 
   /** One frame. */
   step(): Promise<void> {
-    if (this.wanted) this.play(false);
-    return this.inTurn(async () => {
+    if (this.playing) this.play(false);
+    return this.rounds.inTurn(async () => {
       await this.drained();
       await this.advance();
       await this.read();
@@ -128,12 +120,12 @@ export class LockStep {
   /** Turns all cameras about their targets [rad]: at once, or between two frames. */
   orbit(dx: number, dy: number): void {
     this.turning = { dx: this.turning.dx + dx, dy: this.turning.dy + dy };
-    if (!this.wanted) void this.inTurn(async () => this.draw());
+    if (!this.playing) void this.rounds.inTurn(async () => this.draw());
   }
 
   /** Reads the states again: a lane has changed by itself. */
   look(): Promise<void> {
-    return this.inTurn(() => this.read());
+    return this.rounds.inTurn(() => this.read());
   }
 
   /** The scenes' own cameras, from the next opening on. */
@@ -141,19 +133,8 @@ export class LockStep {
     Object.assign(this.turned, { dx: 0, dy: 0 });
   }
 
-  private async loop(): Promise<void> {
-    this.looping = true;
-    while (this.wanted) {
-      const now = await new Promise<number>(requestAnimationFrame);
-      if (this.wanted) await this.inTurn(() => this.round(now));
-    }
-    this.looping = false;
-  }
-
   private async round(now: number): Promise<void> {
-    await this.drained();
     if (!this.lanes.some(({ live }) => live)) return this.play(false);
-    if (!this.pace.due(now)) return;
     await this.advance();
     if (now - this.readAt >= READ_EVERY) {
       this.readAt = now;
@@ -164,9 +145,7 @@ export class LockStep {
 
   private async advance(): Promise<void> {
     await this.drained(); // of what the browser itself does to show the pictures
-    const start = performance.now();
-    await this.drained(); // of nothing: the way to the GPU and back
-    this.waits.add(performance.now() - start);
+    await this.waits.measure(() => this.drained()); // of nothing: the way to the GPU and back
     for (const lane of this.lanes) await lane.step();
     this.frames_ += 1;
   }
@@ -205,11 +184,5 @@ export class LockStep {
       kinetic: kineticEnergy(state),
       height: heightEnergy(state, start.positions, this.gravity),
     };
-  }
-
-  private inTurn(action: () => Promise<void>): Promise<void> {
-    const done = this.turn.then(action);
-    this.turn = done.catch(() => undefined);
-    return done;
   }
 }

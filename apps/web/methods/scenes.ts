@@ -54,7 +54,7 @@ export interface SceneByMethod {
 export function byMethod({ entry, loaded }: Comparison, choice: Choice, limits: Limits): SceneByMethod {
   const { kind, substeps, settings } = choice;
   const asked = withKey(withKey(loaded.state, SOLVER, kind), FORMULATION, settings["forces"] ?? null);
-  checkRoom(restated(loaded, asked), limits);
+  checkRoom([restated(loaded, asked)], limits);
   return { scene: loaded.json, meshes: loaded.meshes,
     set: { ...loaded.set, ...entry.set, solver: { kind, ...settings }, "time.substeps": substeps } };
 }

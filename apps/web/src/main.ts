@@ -22,6 +22,8 @@ import { missingDevice, missingSupport } from "./support.js";
 export interface PageHandle {
   readonly world: World | null;
   readonly state: PageState | null;
+  /** The world on the right of a comparison. */
+  readonly other: World | null;
   /** Nodes that are pinned. */
   readonly pins: readonly number[];
   readonly ready: Promise<World>;
@@ -65,6 +67,8 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
       notice.wait(null);
       notice.announce(`${scene.title}: ${info.nodes} nodes.`);
     },
+    preparing: (sentence) => notice.wait(sentence),
+    compared: () => panel.compared(),
     empty() {
       panel.empty();
       gallery.mark(null);
@@ -183,6 +187,9 @@ const handle: PageHandle = {
   },
   get state() {
     return page?.player.state ?? null;
+  },
+  get other() {
+    return page?.player.beside.world ?? null;
   },
   get pins() {
     return page?.pins.pinned.map(({ node }) => node) ?? [];

@@ -93,25 +93,30 @@ export function demandOf(scene: LoadedScene): Demand | null {
   return scene.grid && demand(scene.grid.taken[0] * scene.grid.taken[1] * scene.copies, scene);
 }
 
-/** Why a demand cannot be met; null where it can. */
-export function tooLarge({ nodes, buffer, module }: Demand, limits: Limits): string | null {
-  const count = nodes.toLocaleString("en");
+/** Why a demand cannot be met; null where it can. `cloths`: in how many worlds it is. */
+export function tooLarge({ nodes, buffer, module }: Demand, limits: Limits, cloths = 1): string | null {
+  const who = cloths === 1 ?
+    `A cloth of ${nodes.toLocaleString("en")} nodes needs` :
+    `${cloths} cloths of ${nodes.toLocaleString("en")} nodes together need`;
   if (buffer > limits.buffer)
-    return `A cloth of ${count} nodes needs a buffer of ${inBytes(buffer)}, more than this adapter's ${
+    return `${who} ${cloths === 1 ? "a buffer" : "buffers"} of ${inBytes(buffer)}, more than this adapter's ${
       inBytes(limits.buffer)
     }.`;
   if (module > limits.module)
-    return `A cloth of ${count} nodes needs ${inBytes(module)} of the module's memory, more than its ${
-      inBytes(limits.module)
-    }.`;
+    return `${who} ${inBytes(module)} of the module's memory, more than its ${inBytes(limits.module)}.`;
   return null;
 }
 
-/** Throws a sentence where a scene has no room. */
-export function checkRoom(scene: LoadedScene, limits: Limits): void {
-  const asked = demandOf(scene);
-  const fault = asked && tooLarge(asked, limits);
-  if (fault) throw new Error(fault);
+/** Throws a sentence where scenes, each in a world of its own, have no room together. */
+export function checkRoom(scenes: readonly LoadedScene[], limits: Limits): void {
+  const asked = scenes.map(demandOf).filter((one) => one !== null);
+  const fault = asked.length > 0 ? tooLarge(asked.reduce(together), limits, asked.length) : null;
+  if (fault !== null) throw new Error(fault);
+}
+
+/** What two worlds ask for: the limits of one hold for both. */
+function together(a: Demand, b: Demand): Demand {
+  return { nodes: a.nodes + b.nodes, gpu: a.gpu + b.gpu, buffer: a.buffer + b.buffer, module: a.module + b.module };
 }
 
 /** As in 12 MB. */

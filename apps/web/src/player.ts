@@ -1,18 +1,25 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
-import { createWorld, WeftError, type Camera, type Catalog, type OpenedState, type Statistics, type View, type World,
-  type WorldInfo } from "weft-cloth";
+import { createWorld, WeftError, type Camera, type Catalog, type OpenedState, type Pick, type Statistics, type View,
+  type World, type WorldInfo } from "weft-cloth";
+import { Beside, isDiverged } from "./beside.js";
 import { fitCamera, idle } from "./fit_camera.js";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
 import { sentence } from "./sentence.js";
-import { equal, withKey, type PageState, type Value } from "./state/page_state.js";
-import { clearedBy, isLive } from "./state/parameters.js";
+import { rightOf } from "./state/comparison.js";
+import { equal, withKey, type Comparison, type PageState, type Value } from "./state/page_state.js";
+import { isLive } from "./state/parameters.js";
+import { tell } from "./tell.js";
 
 export interface PlayerEvents {
   /** The world is being built; its grabs are void. */
   opening(title: string): void;
   opened(scene: LoadedScene, info: WorldInfo): void;
+  /** The other side of a comparison is being built; null: it is there, or has been refused. */
+  preparing(title: string | null): void;
+  /** There is another side now, or none any more. */
+  compared(): void;
   /** No scene could be opened, nor the one before. */
   empty(): void;
   playing(on: boolean): void;
@@ -43,6 +50,8 @@ export class Player {
   private wantsToPlay = false;
   private hidden = false;
   private state_: PageState;
+  readonly beside: Beside;
+  private preparing = false; // the other side
   private readonly latest = new Map<string, Latest<LiveChange>>(); // by key
   private home: Camera | null = null; // the camera that the scene came with
   private turn: Promise<void> = Promise.resolve(); // loading and recovery, one after the other
@@ -54,6 +63,8 @@ export class Player {
   constructor(private readonly canvas: HTMLCanvasElement, private readonly offers: Catalog,
     private readonly limits: Limits, first: PageState, private readonly events: PlayerEvents) {
     this.state_ = first;
+    this.beside = new Beside(canvas, { leftFailed: (reason) => void this.fail(reason),
+      rightFailed: (reason) => this.failBeside(reason) });
   }
 
   get world(): World | null {
@@ -87,7 +98,7 @@ export class Player {
       const before = this.scene;
       try {
         const scene = await fetchScene(state, this.offers);
-        checkRoom(scene, this.limits);
+        checkRoom([scene], this.limits);
         await this.load(scene);
       } catch (reason) {
         await this.reopen(before, reason);
@@ -110,6 +121,7 @@ export class Player {
   private async load(scene: LoadedScene): Promise<void> {
     const options = { scene: scene.json, meshes: scene.meshes, set: scene.set };
     this.scene = null;
+    this.closeBeside();
     this.open_?.pause();
     if (this.open_?.stopped) this.discard();
     if (this.open_) await this.open_.load(scene.json, options);
@@ -135,7 +147,73 @@ export class Player {
     this.events.viewed(state.view);
     this.events.opened(scene, world.info);
     this.events.changed(state);
+    if (state.compare) await this.openBeside(state.compare);
     this.follow();
+  }
+
+  // Compare
+
+  /** Shows the scene beside itself, both at rest; null: by itself again, as it is. Refused, all stays as it was. */
+  compare(wanted: Comparison | null): Promise<void> {
+    const number = ++this.newest;
+    return this.inTurn(async () => {
+      if (number !== this.newest) return;
+      if (wanted) await this.openBeside(wanted);
+      else this.endComparison();
+      this.follow();
+    });
+  }
+
+  /** Moves the divider of a comparison. */
+  divide(divider: number): void {
+    const { compare } = this.state_;
+    if (compare) this.change({ ...this.state_, compare: { ...compare, divider } });
+  }
+
+  private async openBeside(compare: Comparison): Promise<void> {
+    const { live, scene } = this;
+    if (!live || !scene) return;
+    this.preparing = true;
+    this.follow();
+    this.events.preparing("Preparing the other side …");
+    try {
+      const right = await fetchScene(rightOf({ ...this.state_, compare }, scene), this.offers);
+      checkRoom([scene, right], this.limits);
+      await this.beside.open(live, right, this.state_.view);
+      this.change({ ...this.state_, compare });
+      const now = () => rightOf(this.state_, scene).set; // with what has been changed meanwhile
+      await this.beside.tell(now, Object.keys({ ...right.state.set, ...now() }).filter(isLive));
+      await this.reset();
+    } catch (reason) {
+      this.events.failed(`The other side cannot be shown. ${sentence(reason)}`);
+      if (!this.beside.world) this.change({ ...this.state_, compare: null });
+    } finally {
+      this.preparing = false;
+      this.events.preparing(null);
+      this.events.compared();
+    }
+  }
+
+  /** The world is not compared any more; the state may say that it will be again. */
+  private closeBeside(): void {
+    if (!this.beside.world) return;
+    this.beside.close();
+    this.events.compared();
+  }
+
+  private endComparison(): void {
+    this.change({ ...this.state_, compare: null });
+    this.closeBeside();
+  }
+
+  private failBeside(reason: unknown): void {
+    if (isDiverged(reason)) {
+      if (this.wantsToPlay) this.play(false);
+    } else {
+      this.endComparison();
+      this.follow();
+    }
+    this.events.failed(`On the right: ${sentence(reason)}`);
   }
 
   /** The view that is asked for; where the scene has nothing to show in it, the world's. */
@@ -157,7 +235,10 @@ export class Player {
 
   private adopt(world: World): void {
     this.open_ = world;
-    world.on("frame", (statistics) => this.events.frame(statistics, world.running ? world.hostMilliseconds : null));
+    world.on("frame", (statistics) => {
+      this.beside.followCamera();
+      this.events.frame(statistics, world.running ? world.hostMilliseconds : null);
+    });
     world.on("error", (error) => { // what the scene before still has to say is of no interest while another loads
       if (this.scene || error.kind === "device-lost") void this.fail(error);
     });
@@ -166,6 +247,7 @@ export class Player {
   }
 
   private discard(): void {
+    this.closeBeside();
     this.open_?.dispose();
     this.open_ = null;
     this.scene = null;
@@ -187,17 +269,21 @@ export class Player {
   }
 
   private follow(): void {
-    if (this.live && this.wantsToPlay && !this.hidden) this.live.run();
+    const goes = this.live !== null && this.wantsToPlay && !this.hidden && !this.preparing;
+    const compared = this.beside.world !== null;
+    this.beside.play(goes && compared);
+    if (goes && !compared) this.live?.run();
     else this.open_?.pause();
   }
 
   async step(): Promise<void> {
     this.play(false);
-    await this.ask((world) => world.step());
+    await this.ask(async (world) => void await (this.beside.world ? this.beside.step() : world.step()));
   }
 
   async reset(): Promise<void> {
-    if (await this.ask((world) => world.reset().then(() => true))) this.events.rested();
+    const done = await this.ask((world) => (this.beside.world ? this.beside : world).reset().then(() => true));
+    if (done) this.events.rested();
   }
 
   /** Goes on from a saved state, playing or not. Why not, where it does not fit: then all stays as it was. */
@@ -221,6 +307,7 @@ export class Player {
     this.change({ ...this.state_, view });
     this.events.viewed(view);
     const shown = await this.ask((world) => this.viewFor(world, view));
+    if (shown) await this.beside.setView(shown);
     if (shown === view || !this.live || this.state_.view !== view) return;
     this.change({ ...this.state_, view: shown ?? before }); // it has been said why
     this.events.viewed(shown ?? before);
@@ -239,14 +326,9 @@ export class Player {
 
   private async carryOut(key: string, { scene, before }: LiveChange): Promise<void> {
     if (this.scene !== scene) return; // what was loaded meanwhile has it already, or is another scene
-    const done = await this.ask((world) => this.tell(world, scene, [key]).then(() => true));
-    if (!done && this.scene === scene) this.change(withKey(this.state_, key, before)); // it has been said why
-  }
-
-  /** Tells a world of that scene what these keys are now, and those in whose place they stand. */
-  private async tell(world: World, scene: LoadedScene, keys: readonly string[]): Promise<void> {
-    for (const key of new Set(keys.flatMap((one) => [one, ...clearedBy(one)])))
-      await world.setParameter(key, scene.valueOf(key, this.state_.set) ?? null);
+    const done = await this.ask((world) => tell(world, scene, () => this.state_.set, [key]).then(() => true));
+    if (done) await this.beside.tell(() => rightOf(this.state_, scene).set, [key]);
+    else if (this.scene === scene) this.change(withKey(this.state_, key, before)); // it has been said why
   }
 
   /** Takes up where the camera is: it is turned without the player. A busy or stopped world cannot be asked. */
@@ -271,8 +353,15 @@ export class Player {
   }
 
   async resize(width: number, height: number): Promise<void> {
-    if (this.live) await this.ask((world) => world.resize(width, height));
-    else [this.canvas.width, this.canvas.height] = [width, height]; // where a world that opens now looks
+    if (this.live) {
+      await this.ask((world) => world.resize(width, height));
+      await this.beside.resize(width, height);
+    } else [this.canvas.width, this.canvas.height] = [width, height]; // where a world that opens now looks
+  }
+
+  /** The node under a place on the canvas, in clip coordinates; null where the other side of a comparison is seen. */
+  async pick(world: World, x: number, y: number): Promise<Pick | null> {
+    return this.beside.covers(x) ? null : world.pick(x, y);
   }
 
   /** Asks the world for something, if there is one; errors are reported. */
@@ -314,6 +403,7 @@ export class Player {
     if (!scene || this.recovering) return; // while a scene is loading, its own failure says it
     this.recovering = true;
     this.scene = null;
+    this.closeBeside();
     this.open_?.pause();
     const now = performance.now();
     this.losses = [...this.losses.filter((then) => now - then < LOSSES.within), now];
@@ -336,7 +426,8 @@ export class Player {
       await world.recover();
       this.watch(world);
       // The world starts again with the address's changes, those since undone included.
-      await this.tell(world, scene, Object.keys({ ...scene.state.set, ...this.state_.set }).filter(isLive));
+      const set = () => this.state_.set;
+      await tell(world, scene, set, Object.keys({ ...scene.state.set, ...set() }).filter(isLive));
       await this.settle(scene, this.state_);
       this.events.said(`The GPU device was lost and has been opened again; the scene was restarted. (${cause})`);
     } catch (reason) {

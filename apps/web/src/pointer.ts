@@ -113,7 +113,7 @@ export class Pointer {
     this.begin(mine);
     const { x, y } = clip(this.canvas, this.last);
     const grabbed = await this.player.ask(async (world) => {
-      const picked = await world.pick(x, y);
+      const picked = await this.player.pick(world, x, y);
       if (picked && this.pins.has(picked.node)) return picked; // grabbed already
       return picked && this.gesture === mine && (await free(world.grab(picked.node, picked.point))) ? picked : null;
     });

@@ -1,9 +1,9 @@
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { expect, test } from "vitest";
-import { Pace } from "../../../apps/web/methods/pace.ts";
+import { Pace } from "../../../apps/web/src/pace.ts";
 import { heightEnergy, kineticEnergy, positionError } from "../../../apps/web/methods/quantities.ts";
-import { Times } from "../../../apps/web/methods/times.ts";
+import { Times } from "../../../apps/web/src/times.ts";
 import { ROOT } from "../chromium.ts";
 
 const numbers = (...values: number[]) => Float32Array.from(values);

@@ -58,26 +58,27 @@ test("a method is chosen by its name, stands in the address, and is opened by it
   const page = await open("?scene=hanging&nodes=12");
   const substeps = () => page.evaluate(() => window.weft.world!.info.substeps);
   const explicit = await substeps();
-  await page.getByLabel("Method").selectOption("xpbd");
+  await page.getByLabel("Method", { exact: true }).selectOption("xpbd");
   await until("it is taken up", async () => (await state(page)).set["solver.kind"] === "xpbd");
   await until("the address has it", async () => page.url().includes("solver.kind=xpbd"));
   expect(await page.locator("#formulation").isVisible()).toBe(false);
   expect(await substeps()).not.toBe(explicit);
   await page.reload();
   await ready(page);
-  expect(await page.getByLabel("Method").inputValue()).toBe("xpbd");
+  expect(await page.getByLabel("Method", { exact: true }).inputValue()).toBe("xpbd");
 
   // The scene's own is nothing that has to be said.
-  await page.getByLabel("Method").selectOption("mass_spring");
+  await page.getByLabel("Method", { exact: true }).selectOption("mass_spring");
   await until("it is the scene's again", async () => Object.keys((await state(page)).set).length === 0);
   expect(await substeps()).toBe(explicit);
 
   // One that the scene cannot have is refused in the core's words, and the scene stays as it was.
   await page.locator("#scene").selectOption("sheet");
   await until("it is open", async () => (await page.locator("#scene-title").textContent())!.startsWith("Thin fabric"));
-  await page.getByLabel("Method").selectOption("pbd");
+  await page.getByLabel("Method", { exact: true }).selectOption("pbd");
   await until("it is refused", async () => (await notice(page))!.includes("bending"));
-  await until("the choice is as before", async () => (await page.getByLabel("Method").inputValue()) === "multigrid");
+  await until("the choice is as before",
+    async () => (await page.getByLabel("Method", { exact: true }).inputValue()) === "multigrid");
 });
 
 test("a method that there is not is refused with those that there are", async () => {

@@ -10,6 +10,7 @@ const pictureOf = (name: string): string | undefined => PICTURES[`../gallery/${n
 export class Gallery {
   private readonly place = element("gallery", HTMLElement);
   private readonly canvas = element("canvas", HTMLCanvasElement);
+  private readonly sides = element("sides", HTMLDivElement);
   private readonly cards: ReadonlyMap<string, HTMLButtonElement>;
   /** It covers the picture now, or does so no more. */
   onChange: (() => void) | null = null;
@@ -77,7 +78,7 @@ export class Gallery {
 
   private show(on: boolean): void {
     this.place.hidden = !on;
-    this.canvas.inert = on; // it is covered
+    this.canvas.inert = this.sides.inert = on; // they are covered
     button("gallery-open").setAttribute("aria-expanded", String(on));
     this.onChange?.();
   }

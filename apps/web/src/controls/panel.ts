@@ -5,6 +5,7 @@ import type { Limits } from "../memory.js";
 import type { Player } from "../player.js";
 import type { LoadedScene } from "../scenes.js";
 import type { PageState } from "../state/page_state.js";
+import { Comparing } from "./comparing.js";
 import { offerCopies } from "./copying.js";
 import type { Gallery } from "./gallery.js";
 import { Graph } from "./graph.js";
@@ -46,6 +47,7 @@ export class Panel {
   private readonly overTime: OverTime;
   private readonly probes: Probes;
   private readonly timeline: Timeline;
+  private readonly comparing: Comparing;
   private info: WorldInfo | null = null;
 
   constructor(private readonly inputs: PanelInputs) {
@@ -60,14 +62,16 @@ export class Panel {
     this.overTime = new OverTime(player, say);
     this.probes = new Probes(canvas, player, say);
     this.timeline = new Timeline(player, say);
+    this.comparing = new Comparing(catalog, limits, player);
     theme.onChange = () => graph.draw();
     followKeys({ player, pins, probes: this.probes, theme, gallery, views: this.views, help: new Help() });
     offerCopies({ link, readings: () => this.report() }, say);
   }
 
   private enable(on: boolean): void {
-    const { transport, picker, views, parameters, probes, timeline } = this;
-    for (const part of [transport, picker, views, parameters, probes, timeline, this.inputs.pins]) part.enable(on);
+    const { transport, picker, views, parameters, probes, timeline, comparing } = this;
+    for (const part of [transport, picker, views, parameters, probes, timeline, comparing, this.inputs.pins])
+      part.enable(on);
   }
 
   opening(): void {
@@ -78,6 +82,7 @@ export class Panel {
     this.info = info;
     this.picker.opened(scene, info);
     this.views.opened(info);
+    this.comparing.opened(scene);
     this.enable(true);
     this.passes.show(info);
     this.readings.showFacts(info);
@@ -104,6 +109,14 @@ export class Panel {
   changed(scene: LoadedScene, state: PageState): void {
     this.parameters.show(scene, state);
     this.timeline.changed(state);
+    this.comparing.show(state);
+  }
+
+  /** There is another side of a comparison now, or none any more. */
+  compared(): void {
+    this.comparing.compared();
+    this.timeline.restart(); // its states are of one side
+    this.readings.restart();
   }
 
   playing(on: boolean): void {
@@ -121,6 +134,7 @@ export class Panel {
     this.overTime.frame(now);
     this.probes.frame(now);
     this.timeline.frame(now);
+    this.comparing.frame(now);
   }
 
   /** The picture has another size. */
@@ -130,7 +144,9 @@ export class Panel {
 
   /** All that the panel says, for whoever reports how it went. */
   private report(): unknown {
-    return { weft: 1, page: this.inputs.link(), state: this.inputs.player.state, browser: navigator.userAgent,
-      loaded: this.info, ...this.readings.values, pins: this.inputs.pins.pinned, passes: this.passes.times };
+    const { state, beside } = this.inputs.player;
+    return { weft: 1, page: this.inputs.link(), state, browser: navigator.userAgent, loaded: this.info,
+      ...this.readings.values, pins: this.inputs.pins.pinned, passes: this.passes.times,
+      beside: beside.world && { loaded: beside.world.info, milliseconds: beside.milliseconds } };
   }
 }

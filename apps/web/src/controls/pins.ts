@@ -52,7 +52,7 @@ export class Pins {
   /** Pins the node under a place on the canvas where it is now, or lets it go. */
   async toggle({ x, y }: Place): Promise<void> {
     const found = await this.player.ask(async (world) => {
-      const picked = await world.pick(x, y);
+      const picked = await this.player.pick(world, x, y);
       if (!picked) return { fault: "There is no cloth to pin there." };
       const { node } = picked;
       if (this.pins.has(node)) {

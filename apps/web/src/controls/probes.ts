@@ -48,7 +48,7 @@ export class Probes {
 
   /** Measures the node under a place on the canvas, or no longer; of more than two the first goes. */
   async toggle({ x, y }: Place): Promise<void> {
-    const picked = await this.player.ask(async (world) => (await world.pick(x, y)) ?? "none");
+    const picked = await this.player.ask(async (world) => (await this.player.pick(world, x, y)) ?? "none");
     if (!picked) return;
     if (picked === "none") return this.say("There is no cloth to measure there.");
     const known = this.marks.find(({ node }) => node === picked.node);

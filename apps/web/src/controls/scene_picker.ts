@@ -1,13 +1,13 @@
 // Which scene, how fine, and by which methods. What there is of each comes from the page's list and the core's schema.
 import { schemaOf, type Catalog, type WorldInfo } from "weft-cloth";
 import { element, select } from "../elements.js";
-import { demand, inBytes, tooLarge, type Limits } from "../memory.js";
-import { gridOf, SCENE_GROUPS, type LoadedScene } from "../scenes.js";
+import { inBytes, type Limits } from "../memory.js";
+import { SCENE_GROUPS, type LoadedScene } from "../scenes.js";
 import { choicesOf } from "../state/limits.js";
 import { plain, withKey, type PageState } from "../state/page_state.js";
-import { CONTACT_METHOD, FORMULATION, SOLVER, solversOf, SUBSTEPS } from "../state/parameters.js";
-
-const RESOLUTIONS = [32, 64, 100, 128, 200, 256, 400, 512, 800, 1024, 1600, 2048] as const;
+import { CONTACT_METHOD, FORMULATION, ownMethod, SOLVER, solversOf, withMethod,
+  withNodes } from "../state/parameters.js";
+import { resolutionsOf } from "./resolutions.js";
 
 /** What the schema's words are called here; one that is not, by itself. */
 const NAMES: Readonly<Record<string, string>> = {
@@ -38,7 +38,7 @@ export class ScenePicker {
   private ownSolver = ""; // the scene's, or what a fabric has in its place
   private readonly methods = [[select("formulation"), FORMULATION], [select("contact"), CONTACT_METHOD]] as const;
 
-  constructor(catalog: Catalog, private readonly limits: Limits, private readonly current: () => PageState,
+  constructor(catalog: Catalog, private readonly limits: Limits, current: () => PageState,
     open: (state: PageState) => void) {
     this.scene.replaceChildren(...SCENE_GROUPS.map(({ title, scenes }) => {
       const group = document.createElement("optgroup");
@@ -52,20 +52,14 @@ export class ScenePicker {
       list.addEventListener("change", () => open(withKey(current(), key, list.value)));
     }
     this.solver.replaceChildren(...solversOf(catalog).map((word) => new Option(word, word)));
-    this.solver.addEventListener("change", () => open(this.solved(this.solver.value)));
+    this.solver.addEventListener("change", () => open(withMethod(current(), this.chosenMethod())));
     this.scene.addEventListener("change", () => open(plain(this.scene.value, current().view)));
-    this.resolution.addEventListener("change", () => open(this.refined(Number(this.resolution.value))));
+    this.resolution.addEventListener("change", () => open(withNodes(current(), Number(this.resolution.value))));
   }
 
-  /** Another resolution has other nodes, and "auto" chooses its steps again. */
-  private refined(nodes: number): PageState {
-    return { ...withKey(this.current(), SUBSTEPS, null), nodes };
-  }
-
-  /** Another method has other settings and other steps. */
-  private solved(kind: string): PageState {
-    return withKey(withKey(withKey(this.current(), FORMULATION, null), SUBSTEPS, null), SOLVER,
-      kind === this.ownSolver ? null : kind);
+  /** null: the one that holds where none is chosen. */
+  private chosenMethod(): string | null {
+    return this.solver.value === this.ownSolver ? null : this.solver.value;
   }
 
   enable(on: boolean): void {
@@ -75,7 +69,7 @@ export class ScenePicker {
 
   opened(scene: LoadedScene, info: WorldInfo): void {
     this.scene.value = scene.state.scene;
-    this.ownSolver = String(scene.valueOf(SOLVER, withKey(scene.state, SOLVER, null).set));
+    this.ownSolver = ownMethod(scene, scene.state);
     this.solver.value = String(scene.now(SOLVER));
     for (const [list, key] of this.methods) list.value = String(scene.now(key));
     select("formulation").parentElement!.hidden = !hasFormulations(scene);
@@ -98,26 +92,10 @@ export class ScenePicker {
   }
 
   private fillResolutions(scene: LoadedScene): void {
-    const { grid, copies } = scene;
+    const { grid } = scene;
     this.resolution.disabled = grid === null;
     if (!grid) return this.resolution.replaceChildren(new Option("as its mesh has", ""));
-    const { own, usual } = grid;
-    const chosen = scene.state.nodes ?? usual;
-    const counts = [...new Set([...RESOLUTIONS, usual, Math.max(...own), chosen])].sort((a, b) => a - b);
-    this.resolution.replaceChildren(...counts.map((count) => {
-      const [along, down] = gridOf(own, count);
-      const asked = demand(along * down * copies, scene);
-      const fault = tooLarge(asked, this.limits);
-      const option = new Option(
-        `${along} × ${down}${copies > 1 ? ` × ${copies} sheets` : ""}, ${
-          fault ? "too large" : `about ${inBytes(asked.gpu)}`
-        }`,
-        String(count),
-        false,
-        count === chosen,
-      );
-      option.disabled = fault !== null;
-      return option;
-    }));
+    this.resolution.replaceChildren(...resolutionsOf(scene, scene.state.nodes, this.limits));
+    this.resolution.value = String(scene.state.nodes ?? grid.usual);
   }
 }

@@ -58,7 +58,7 @@ export class Timeline {
   }
 
   private async keep(): Promise<void> {
-    if (this.tooLarge) return;
+    if (this.tooLarge || this.player.beside.world) return;
     const { loaded } = this.player;
     const set = this.set;
     const moment = await this.player.ask(async (world) => {
@@ -95,9 +95,14 @@ export class Timeline {
     this.tell(Number(this.slider.value));
   }
 
+  private get whyNone(): string {
+    if (this.player.beside.world) return "not while comparing";
+    return this.tooLarge ? "too large to keep" : "";
+  }
+
   private tell(index: number): void {
     const moment = this.past.moments[index];
-    this.time.textContent = moment ? `${moment.seconds.toFixed(2)} s` : this.tooLarge ? "too large to keep" : "";
+    this.time.textContent = moment ? `${moment.seconds.toFixed(2)} s` : this.whyNone;
     this.slider.setAttribute("aria-valuetext", this.time.textContent);
   }
 }

@@ -21,6 +21,8 @@ export async function openState(file: File, player: Player): Promise<OpenedState
   checkLimit(file.name, file.size, MOST_STATE_BYTES);
   const bytes = await file.arrayBuffer();
   if (!player.live) throw new Error(`${file.name} cannot be opened: no scene is shown that it could go on in.`);
+  if (player.beside.world)
+    throw new Error(`${file.name} cannot be opened while two sides are compared: it is the state of one.`);
   const outcome = await player.openState(bytes);
   if (outcome instanceof WeftError) throw new Error(`${file.name}: ${outcome.message}`);
   return outcome;

@@ -13,11 +13,21 @@ export interface PageState {
   readonly view: View;
   /** null: the scene's. */
   readonly camera: Camera | null;
+  /** null: one cloth is shown, and nothing beside it. */
+  readonly compare: Comparison | null;
+}
+
+/** The same cloth beside itself, on the right of a divider. */
+export interface Comparison {
+  /** What is other on the right: at least one of COMPARED (comparison.ts), by its key. */
+  readonly other: Readonly<Record<string, Value>>;
+  /** Where the divider stands, from the left [% of its way]. */
+  readonly divider: number;
 }
 
 /** A scene as it is. */
 export function plain(scene: string, view: View): PageState {
-  return { scene, nodes: null, set: {}, view, camera: null };
+  return { scene, nodes: null, set: {}, view, camera: null, compare: null };
 }
 
 /** With a key changed; null: as the scene has it. */

@@ -2,7 +2,8 @@
 // they mean come from the core's schema.
 import type { Catalog } from "weft-cloth";
 import list from "../../../shared/parameters.json";
-import type { PageState, Value } from "./page_state.js";
+import type { LoadedScene } from "../scenes.js";
+import { withKey, type PageState, type Value } from "./page_state.js";
 
 export interface Parameter {
   readonly key: string;
@@ -80,6 +81,21 @@ const within = (key: string, other: string): boolean => key === other || key.sta
 /** Whether the scene's own value of a key does not hold, since another key was chosen. */
 export function isCleared(key: string, set: Changes): boolean {
   return cleared(set).some((one) => within(key, one)) || Object.keys(set).some((one) => key.startsWith(`${one}.`));
+}
+
+/** The method that holds where none is chosen: the scene's own, or what a fabric has in its place. */
+export function ownMethod(scene: LoadedScene, state: PageState): string {
+  return String(scene.valueOf(SOLVER, withKey(state, SOLVER, null).set));
+}
+
+/** With another method, which has other settings and other steps; null: the scene's own. */
+export function withMethod(state: PageState, kind: string | null): PageState {
+  return withKey(withKey(withKey(state, FORMULATION, null), SUBSTEPS, null), SOLVER, kind);
+}
+
+/** With so many nodes along the longer side: other nodes, of which "auto" chooses the steps again. */
+export function withNodes(state: PageState, nodes: number): PageState {
+  return { ...withKey(state, SUBSTEPS, null), nodes };
 }
 
 /** With a key chosen in whose place others stood: of these stay those that only look. Steps are chosen again. */

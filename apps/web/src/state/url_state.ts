@@ -1,13 +1,16 @@
 // The page's state as its address has it: ?v=1&scene=hanging&nodes=64&drag=0.5&view=stretch. What an address asks for
 // is checked by the core's schema; what does not pass is left out, and said.
 import { VIEWS, type Camera, type Schema, type View } from "weft-cloth";
+import { COMPARED, MIDDLE, NODES, withOther } from "./comparison.js";
 import { parsed, parsedBy } from "./limits.js";
-import { plain, type PageState, type Value } from "./page_state.js";
+import { plain, type Comparison, type PageState, type Value } from "./page_state.js";
 import { KEYS, SOLVER } from "./parameters.js";
 import { Refusals } from "./refusals.js";
 
 const VERSION = "1";
 const DIGITS = 4; // of a camera's coordinates, in metres
+const BETWEEN = ":"; // parts of a comparison
+const DIVIDER: Schema = { type: "integer", minimum: 0, maximum: 100, description: "Of its way, from the left [%]." };
 
 /** What may be asked for, beside keys of a scene. */
 export interface Offer {
@@ -26,7 +29,8 @@ export interface Asked {
   readonly refused: string | null;
 }
 
-export function read(address: string, { schema, solvers, scenes, view, mostNodes }: Offer): Asked {
+export function read(address: string, offer: Offer): Asked {
+  const { scenes, view } = offer;
   const asked = new URL(address).searchParams;
   const refusals = new Refusals("what the scene has");
   const refuse = (name: string, must: string) => refusals.add(name, asked.get(name) ?? "", must);
@@ -41,23 +45,51 @@ export function read(address: string, { schema, solvers, scenes, view, mostNodes
   if (scene !== null && scenes.includes(scene)) state = { ...state, scene };
   else if (scene !== null) refuse("scene", "be one of the page's list");
 
-  const nodes = asked.get("nodes");
-  if (nodes !== null && /^\d+$/.test(nodes) && Number(nodes) >= 2 && Number(nodes) <= mostNodes)
-    state = { ...state, nodes: Number(nodes) };
-  else if (nodes !== null) refuse("nodes", `be a whole number from 2 to ${mostNodes}`);
+  const nodes = asked.get(NODES);
+  const count = nodes === null ? null : parsedValue(offer, NODES, nodes);
+  if (count && "value" in count) state = { ...state, nodes: Number(count.value) };
+  else if (count) refuse(NODES, count.must);
 
   const set: Record<string, Value> = {};
   for (const key of KEYS) {
     const text = asked.get(key);
     if (text === null) continue;
-    const found = key === SOLVER ? parsedBy({ enum: solvers }, text) : parsed(schema, key, text);
+    const found = parsedValue(offer, key, text);
     if ("value" in found) set[key] = found.value;
     else refuse(key, found.must);
   }
   const shownView = VIEWS.find((one) => one === asked.get("view"));
   if (asked.has("view") && !shownView) refuse("view", `be one of ${VIEWS.join(", ")}`);
-  return { state: { ...state, set, view: shownView ?? view, camera: cameraOf(asked, schema, refuse) },
-    refused: refusals.sentence };
+  return {
+    state: { ...state, set, view: shownView ?? view, camera: cameraOf(asked, offer.schema, refuse),
+      compare: comparisonOf(asked, offer, refusals) },
+    refused: refusals.sentence,
+  };
+}
+
+function parsedValue({ schema, solvers, mostNodes }: Offer, key: string, text: string) {
+  if (key === NODES) return parsedBy({ type: "integer", minimum: 2, maximum: mostNodes }, text);
+  return key === SOLVER ? parsedBy({ enum: solvers }, text) : parsed(schema, key, text);
+}
+
+/** Of compare=solver.kind=vbd:nodes=32&divider=30 what is good. */
+function comparisonOf(asked: URLSearchParams, offer: Offer, refusals: Refusals): Comparison | null {
+  let compare: Comparison | null = null;
+  for (const part of asked.get("compare")?.split(BETWEEN) ?? []) {
+    const [key = "", text = ""] = part.split("=", 2);
+    if (!COMPARED.includes(key)) {
+      refusals.add("a key of compare", key, `be one of ${COMPARED.join(", ")}`);
+      continue;
+    }
+    const found = parsedValue(offer, key, text);
+    if ("value" in found) compare = withOther(compare, key, found.value);
+    else refusals.add(`${key} of compare`, text, found.must);
+  }
+  const divider = asked.get("divider");
+  if (divider === null) return compare;
+  const place = parsedBy(DIVIDER, divider);
+  if ("must" in place) refusals.add("divider", divider, place.must);
+  return compare && "value" in place ? { ...compare, divider: Number(place.value) } : compare;
 }
 
 function cameraOf(asked: URLSearchParams, schema: Schema, refuse: (name: string, must: string) => void): Camera | null {
@@ -80,7 +112,7 @@ function cameraOf(asked: URLSearchParams, schema: Schema, refuse: (name: string,
 const point = (values: readonly number[]): string => values.map((value) => Number(value.toFixed(DIGITS))).join();
 
 /** `usual`: the view that goes without saying. */
-export function write({ scene, nodes, set, view, camera }: PageState, usual: View): string {
+export function write({ scene, nodes, set, view, camera, compare }: PageState, usual: View): string {
   const parts = [`v=${VERSION}`, `scene=${encodeURIComponent(scene)}`];
   if (nodes !== null) parts.push(`nodes=${nodes}`);
   for (const key of KEYS) if (set[key] !== undefined) parts.push(`${key}=${String(set[key])}`);
@@ -88,5 +120,10 @@ export function write({ scene, nodes, set, view, camera }: PageState, usual: Vie
   if (camera)
     parts.push(`eye=${point(camera.eye)}`, `target=${point(camera.target)}`,
       `fov=${Number(camera.fov.toFixed(DIGITS))}`);
+  if (compare) {
+    const other = Object.entries(compare.other).map(([key, value]) => `${key}=${String(value)}`);
+    parts.push(`compare=${other.join(BETWEEN)}`);
+    if (compare.divider !== MIDDLE) parts.push(`divider=${compare.divider}`);
+  }
   return `?${parts.join("&")}`;
 }

@@ -1,7 +1,7 @@
 // The same sheet on finer and finer grids: what a frame takes by explicit steps, and by as few implicit ones as an
 // error allows.
 import { positionError } from "../../methods/quantities.js";
-import { Times } from "../../methods/times.js";
+import { Times } from "../../src/times.js";
 import { ClothSketch } from "../../src/cloth_sketch.js";
 import { withReference, type Course } from "../course.js";
 import { BDF2, SEMI_IMPLICIT_EULER, type Integrator } from "../integrators.js";

@@ -8,6 +8,13 @@ export class Times {
     this.last = [...this.last.slice(1 - this.kept), time];
   }
 
+  /** Adds what an action takes until it is done; one that fails does not count. */
+  async measure(action: () => Promise<unknown>): Promise<void> {
+    const start = performance.now();
+    await action();
+    this.add(performance.now() - start);
+  }
+
   clear(): void {
     this.last = [];
   }
