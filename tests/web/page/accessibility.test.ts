@@ -56,6 +56,8 @@ test("the help takes the focus, keeps it, and gives it back", async () => {
 test("every control is reached by the Tab key", async () => {
   const page = await open({});
   for (const summary of await page.locator("summary").all()) await summary.click();
+  // What is unfolded measures, and then has something to copy.
+  await until("curves can be copied", () => page.locator("#copy-series").isEnabled());
   const wanted = await page.evaluate(() =>
     [...document.querySelectorAll<HTMLElement>("button, select, input, summary, a[href], canvas[tabindex]")]
       .filter((one) =>
