@@ -44,7 +44,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const [offers, limits] = await Promise.all([catalog(), adapterLimits()]);
   const asked = () =>
     read(location.href, { schema: offers.schema, solvers: solversOf(offers), scenes: SCENES.map(({ name }) => name),
-      view: VIEWS[0], mostNodes: MOST_NODES });
+      view: VIEWS[0], mostNodes: MOST_NODES, mostPins: offers.mostGrabs - 1 });
   const { state, refused } = asked();
   let cameraAt = 0;
   let remedy: Offer | null = null; // where the step is unstable
@@ -85,10 +85,8 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
       if (!greeting) address.show(state);
     },
     rested: () => pins.forget(),
-    wentBack({ grabs }) {
-      pointer.forget();
-      pins.take(grabs);
-    },
+    wentBack: () => pointer.forget(),
+    held: (held) => pins.take(held),
     frame(statistics, host) {
       const now = performance.now();
       panel.frame(now, statistics, host);
@@ -117,7 +115,10 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
     see();
   };
   const panel = new Panel({ canvas, catalog: offers, limits, player, pins, theme, gallery, say,
-    open: (wanted) => void go(wanted), link: () => linkTo(player.noteCamera()) });
+    open: (wanted) => void go(wanted), link: () => {
+      pins.note();
+      return linkTo(player.noteCamera());
+    } });
   new Files(player, notice, canvas, go);
   followSize(canvas, async (width, height) => {
     await player.resize(width, height);

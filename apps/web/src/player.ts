@@ -5,10 +5,11 @@ import { Beside, isDiverged } from "./beside.js";
 import { fitCamera, idle } from "./fit_camera.js";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
+import { hold, type HeldPin } from "./pin_places.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
 import { sentence } from "./sentence.js";
 import { rightOf } from "./state/comparison.js";
-import { equal, withKey, type Comparison, type PageState, type Value } from "./state/page_state.js";
+import { equal, withKey, type Comparison, type PageState, type PinPlace, type Value } from "./state/page_state.js";
 import { isLive } from "./state/parameters.js";
 import { tell } from "./tell.js";
 
@@ -28,8 +29,10 @@ export interface PlayerEvents {
   changed(state: PageState): void;
   /** The cloth is at rest again, and nothing of it is grabbed. */
   rested(): void;
-  /** The cloth goes on from a saved state, and only what that holds is grabbed. */
-  wentBack(to: OpenedState): void;
+  /** The cloth goes on from a saved state. */
+  wentBack(): void;
+  /** These nodes are pinned, and no other. */
+  held(pins: readonly HeldPin[]): void;
   /** `host`: what a frame cost the page's thread [ms]; null where it was only drawn. */
   frame(statistics: Readonly<Statistics>, host: number | null): void;
   said(sentence: string): void;
@@ -141,12 +144,16 @@ export class Player {
     await idle(world);
     this.home = world.camera;
     if (asked.camera) world.camera = asked.camera;
-    const state = { ...asked, view: world.view === asked.view ? asked.view : await this.viewFor(world, asked.view) };
+    const view = world.view === asked.view ? asked.view : await this.viewFor(world, asked.view);
+    const { held, fault } = await hold(world, asked.pins);
+    const state = { ...asked, view, pins: placesOf(held) };
     this.scene = scene;
     this.state_ = state;
-    this.events.viewed(state.view);
+    this.events.viewed(view);
     this.events.opened(scene, world.info);
+    this.events.held(held);
     this.events.changed(state);
+    if (fault !== null) this.events.said(`A pin could not be set again. ${fault}`);
     if (state.compare) await this.openBeside(state.compare);
     this.follow();
   }
@@ -183,7 +190,9 @@ export class Player {
       this.change({ ...this.state_, compare });
       const now = () => rightOf(this.state_, scene).set; // with what has been changed meanwhile
       await this.beside.tell(now, Object.keys({ ...right.state.set, ...now() }).filter(isLive));
+      const { pins } = this.state_;
       await this.reset();
+      await this.pinAgain(pins);
     } catch (reason) {
       this.events.failed(`The other side cannot be shown. ${sentence(reason)}`);
       if (!this.beside.world) this.change({ ...this.state_, compare: null });
@@ -283,19 +292,46 @@ export class Player {
 
   async reset(): Promise<void> {
     const done = await this.ask((world) => (this.beside.world ? this.beside : world).reset().then(() => true));
-    if (done) this.events.rested();
+    if (!done) return;
+    this.events.rested();
+    this.notePins([]);
   }
 
   /** Goes on from a saved state, playing or not. Why not, where it does not fit: then all stays as it was. */
   async openState(bytes: ArrayBuffer | Uint8Array): Promise<OpenedState | WeftError | null> {
-    const outcome = await this.ask((world) =>
-      world.openState(bytes).catch((reason: unknown) => {
+    let held: HeldPin[] = [];
+    const outcome = await this.ask(async (world) => {
+      try {
+        const opened = await world.openState(bytes);
+        held = await Promise.all(
+          opened.grabs.map(async (grab) => ({ ...grab, rest: (await world.probe(grab.node)).rest })),
+        );
+        return opened;
+      } catch (reason) {
         if (reason instanceof WeftError && reason.kind === "input") return reason;
         throw reason;
-      })
-    );
-    if (outcome && "grabs" in outcome) this.events.wentBack(outcome);
+      }
+    });
+    if (outcome && "grabs" in outcome) {
+      this.events.wentBack();
+      this.events.held(held);
+      this.notePins(placesOf(held));
+    }
     return outcome;
+  }
+
+  // Pins
+
+  /** What is pinned has changed. */
+  notePins(pins: readonly PinPlace[]): void {
+    if (this.live) this.change({ ...this.state_, pins });
+  }
+
+  /** Holds places of the cloth, which is at rest. */
+  private async pinAgain(pins: readonly PinPlace[]): Promise<void> {
+    const held = await this.ask(async (world) => (await hold(world, pins)).held) ?? [];
+    this.events.held(held);
+    this.notePins(placesOf(held));
   }
 
   // Change and look
@@ -444,6 +480,8 @@ export class Player {
     return done;
   }
 }
+
+const placesOf = (held: readonly HeldPin[]): PinPlace[] => held.map(({ rest, target }) => ({ rest, target }));
 
 /** Whether two cameras are one but for rounding. */
 function near(a: Camera, b: Camera): boolean {

@@ -1,11 +1,12 @@
 // Pointers on the canvas. One on the cloth takes hold of it, one beside it turns the camera, the right button or two
 // fingers move it, wheel and pinch zoom. A node that is pinned is pulled too, and stays where it is left. Moves are
 // gathered and handed on once a picture: the world does them in turn.
-import { WeftError, type Point, type World } from "weft-cloth";
+import type { Point, World } from "weft-cloth";
 import { ARROWS } from "./controls/arrows.js";
 import type { Pins } from "./controls/pins.js";
 import { Hand, type Place } from "./hand.js";
 import { Latest } from "./latest.js";
+import { refusal } from "./pin_places.js";
 import { clip } from "./places.js";
 import type { Player } from "./player.js";
 
@@ -115,7 +116,9 @@ export class Pointer {
     const grabbed = await this.player.ask(async (world) => {
       const picked = await this.player.pick(world, x, y);
       if (picked && this.pins.has(picked.node)) return picked; // grabbed already
-      return picked && this.gesture === mine && (await free(world.grab(picked.node, picked.point))) ? picked : null;
+      return picked && this.gesture === mine && (await refusal(world.grab(picked.node, picked.point))) === null ?
+        picked :
+        null;
     });
     if (this.gesture !== mine) { // the pointer is up again, or another came
       if (grabbed && !this.pins.has(grabbed.node)) void this.player.ask((world) => world.release(grabbed.node));
@@ -245,16 +248,5 @@ export class Pointer {
   private span(): number {
     const [a, b] = [...this.down.values()];
     return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
-  }
-}
-
-/** Whether a node could be taken: one that is pinned, or moved by the scene, is no fault of the world. */
-async function free(grab: Promise<void>): Promise<boolean> {
-  try {
-    await grab;
-    return true;
-  } catch (reason) {
-    if (reason instanceof WeftError && (reason.kind === "input" || reason.kind === "limit")) return false;
-    throw reason;
   }
 }

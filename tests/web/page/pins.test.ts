@@ -92,3 +92,74 @@ test("without a pointer, P pins in the middle of the picture, and reset lets go"
   await page.keyboard.press("r");
   await until("it is let go", async () => (await pins()).length === 0);
 });
+
+test("pins hold the same place of the cloth after a restart, at another resolution, and by the link", async () => {
+  const kept = () => page.evaluate(() => window.weft.state!.pins);
+  const nodes = () => page.evaluate(() => window.weft.world!.info.nodes);
+  const sheet = async (text: string) => (await page.locator("#facts").textContent())!.includes(text);
+  await page.goto(`${here.site.address}?scene=breeze&nodes=24`);
+  await ready(page);
+  await step(20);
+  await page.mouse.dblclick(spot.x, spot.y);
+  await until("it is pinned", async () => (await pins()).length === 1);
+  const [node] = (await pins()) as [number];
+  const [pin] = await kept();
+  const { rest } = await page.evaluate((n) => window.weft.world!.probe(n), node);
+  expect(pin!.rest).toEqual(rest);
+  expect(way(pin!.target, await at(node))).toBeLessThan(1e-6);
+  expect(way(pin!.target, rest)).toBeGreaterThan(0.01); // it has fallen since, and stays where it was pinned
+
+  const count = await nodes();
+  await page.getByLabel("Substeps per frame").evaluate((field) => {
+    (field.closest("details") as HTMLDetailsElement).open = true;
+  });
+  await page.getByLabel("Substeps per frame").fill("90");
+  await page.getByLabel("Substeps per frame").press("Enter");
+  await until("it has been restarted", async () => await sheet("Substeps per frame90") && (await pins()).length === 1);
+  expect(await pins()).toEqual([node]);
+  expect([await kept(), await markers(), await nodes()]).toEqual([[pin], 1, count]);
+  await step(30);
+  expect(way(pin!.target, await at(node))).toBeLessThan(0.005);
+
+  await page.getByLabel("Resolution").selectOption("64");
+  await until("it is finer", async () => await sheet("Nodes3,072") && (await pins()).length === 1);
+  const [finer] = (await pins()) as [number];
+  const spacing = 2 / 63; // m
+  expect(way((await page.evaluate((n) => window.weft.world!.probe(n), finer)).rest, rest)).toBeLessThan(spacing);
+  expect(await kept()).toEqual([pin]);
+  await step(20);
+  expect(way(pin!.target, await at(finer))).toBeLessThan(0.005);
+
+  const part = [...pin!.rest, ...pin!.target].map((x) => Number(x.toFixed(4))).join();
+  await until("the address has it", async () => new URL(page.url()).searchParams.get("pins") === part);
+  await page.reload();
+  await ready(page);
+  expect(await pins()).toEqual([finer]);
+  await page.getByLabel("Other grid").selectOption("32");
+  await until("it is compared", () => page.evaluate(() => window.weft.other !== null));
+  await until("it is pinned on the left", async () => (await pins()).length === 1);
+  await page.locator("#reset").click();
+  await until("the address has none", async () => !new URL(page.url()).searchParams.has("pins"));
+  expect([await pins(), await kept()]).toEqual([[], []]);
+});
+
+test("an address whose pins are none, too many, or where the scene has its own is refused in a sentence", async () => {
+  const said = async (query: string) => {
+    await page.goto(`${here.site.address}?scene=hanging&nodes=12&${query}`);
+    await ready(page);
+    return (await page.locator("#notice-text").textContent())!;
+  };
+  expect(await said("pins=0,0,0:0,0,0,0,1,0")).toBe("In the page's address a pin is “0,0,0”, but must be six numbers " +
+    "[m]: its place on the cloth at rest, and where it is held; what the scene has is used instead.");
+  expect((await pins()).length).toBe(1);
+  expect(await said(`pins=${Array.from({ length: 4 }, (_, i) => `0,0,${i / 2},0,1,0`).join(":")}`)).toMatch(
+    /pins is “.*”, but must be at most 3;/,
+  );
+  expect((await pins()).length).toBe(3);
+  const pinned = await page.evaluate(async () => (await window.weft.world!.snapshot()).inverseMasses.indexOf(0));
+  const corner = await at(pinned);
+  expect(await said(`pins=${[...corner, ...corner].join()}`)).toMatch(
+    /^A pin could not be set again\. Node \d+ cannot be grabbed: it is pinned\.$/,
+  );
+  expect(await pins()).toEqual([]);
+});

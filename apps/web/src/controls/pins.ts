@@ -1,16 +1,17 @@
 // Nodes that the page holds at their places, as a hand would; each has a marker over the picture.
-import { WeftError, type OpenedState, type Point, type World } from "weft-cloth";
+import type { Point } from "weft-cloth";
 import { button, element } from "../elements.js";
 import type { Place } from "../hand.js";
+import { refusal, type HeldPin } from "../pin_places.js";
 import { clip, onLayer } from "../places.js";
 import type { Player } from "../player.js";
 import { ClickMode } from "./click_mode.js";
 
 const SVG = "http://www.w3.org/2000/svg";
+const CALM = 300; // from a pull to when the page's state has it [ms]
 
 interface Pin {
-  readonly node: number;
-  point: Point;
+  held: HeldPin;
   readonly marker: SVGCircleElement;
 }
 
@@ -18,6 +19,7 @@ export class Pins {
   private readonly pins = new Map<number, Pin>();
   private readonly layer = element("pins", SVGSVGElement);
   private readonly mode: ClickMode;
+  private late: ReturnType<typeof setTimeout> | undefined; // when a pull will be noted
 
   /** `most`: nodes that the world holds at once; the hand needs one of them. */
   constructor(canvas: HTMLCanvasElement, private readonly player: Player, private readonly most: number,
@@ -35,7 +37,7 @@ export class Pins {
   }
   /** Pinned nodes and their places [m]. */
   get pinned(): { node: number; point: Point }[] {
-    return [...this.pins.values()].map(({ node, point }) => ({ node, point }));
+    return [...this.pins.values()].map(({ held: { node, target } }) => ({ node, point: target }));
   }
   has(node: number): boolean {
     return this.pins.has(node);
@@ -65,47 +67,59 @@ export class Pins {
             this.most - 1
           }: the core holds ${this.most}, and the hand needs one.`,
         };
-      const positions = await world.positions();
-      const point: Point = [positions[3 * node]!, positions[3 * node + 1]!, positions[3 * node + 2]!];
-      return { ...(await grab(world, node, point)), point };
+      const { position, rest } = await world.probe(node);
+      const fault = await refusal(world.grab(node, position));
+      return fault === null ? { node, rest, target: position } : { fault };
     });
     if (!found) return;
-    if ("fault" in found) this.say(found.fault);
-    else if ("released" in found) this.drop(found.released);
-    else this.put(found.node, found.point);
+    if ("fault" in found) return this.say(found.fault);
+    if ("released" in found) this.drop(found.released);
+    else this.put(found);
+    this.note();
   }
 
   /** A pinned node was pulled elsewhere, and stays there. */
-  moved(node: number, point: Point): void {
+  moved(node: number, target: Point): void {
     const pin = this.pins.get(node);
-    if (pin) pin.point = point;
+    if (!pin) return;
+    pin.held = { ...pin.held, target };
     this.draw();
+    clearTimeout(this.late);
+    this.late = setTimeout(() => this.note(), CALM);
   }
 
   async removeAll(): Promise<void> {
     const nodes = [...this.pins.keys()];
     this.forget();
+    this.note();
     await this.player.ask(async (world) => {
       for (const node of nodes) await world.release(node);
     });
   }
 
+  /** The page's state gets what is pinned. */
+  note(): void {
+    clearTimeout(this.late);
+    this.player.notePins([...this.pins.values()].map(({ held: { rest, target } }) => ({ rest, target })));
+  }
+
   /** The world holds nothing any more. */
   forget(): void {
+    clearTimeout(this.late);
     for (const node of [...this.pins.keys()]) this.drop(node);
   }
 
   /** The world holds these, and no other. */
-  take(grabs: OpenedState["grabs"]): void {
+  take(held: readonly HeldPin[]): void {
     this.forget();
-    for (const { node, target } of grabs) this.put(node, target);
+    for (const pin of held) this.put(pin);
   }
 
-  private put(node: number, point: Point): void {
+  private put(held: HeldPin): void {
     const marker = document.createElementNS(SVG, "circle");
     marker.setAttribute("r", "6");
     this.layer.append(marker);
-    this.pins.set(node, { node, point, marker });
+    this.pins.set(held.node, { held, marker });
     this.tell();
     this.draw();
   }
@@ -129,22 +143,10 @@ export class Pins {
     const world = this.player.live;
     if (!world || world.busy || this.pins.size === 0) return;
     const place = onLayer(this.layer, world);
-    for (const { point, marker } of this.pins.values()) {
-      const { x, y } = place(point);
+    for (const { held, marker } of this.pins.values()) {
+      const { x, y } = place(held.target);
       marker.setAttribute("cx", String(x));
       marker.setAttribute("cy", String(y));
     }
-  }
-}
-
-/** The node once it is grabbed; why it cannot be: a node that the scene pins or moves is no fault of the world. */
-async function grab(world: World, node: number, point: Point): Promise<{ node: number } | { fault: string }> {
-  try {
-    await world.grab(node, point);
-    return { node };
-  } catch (reason) {
-    if (reason instanceof WeftError && (reason.kind === "input" || reason.kind === "limit"))
-      return { fault: reason.message };
-    throw reason;
   }
 }

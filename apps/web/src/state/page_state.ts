@@ -1,5 +1,5 @@
 // The page's state apart from the cloth's: its address holds it, its controls show it and its player loads it.
-import type { Camera, View } from "weft-cloth";
+import type { Camera, Point, View } from "weft-cloth";
 
 /** The value of a scene's key. */
 export type Value = number | string | readonly number[];
@@ -13,8 +13,18 @@ export interface PageState {
   readonly view: View;
   /** null: the scene's. */
   readonly camera: Camera | null;
+  /** Where the visitor has pinned the cloth. */
+  readonly pins: readonly PinPlace[];
   /** null: one cloth is shown, and nothing beside it. */
   readonly compare: Comparison | null;
+}
+
+/** A pin whatever the resolution is: it holds the node that is nearest at rest. */
+export interface PinPlace {
+  /** Of the cloth at rest, in the world [m]. */
+  readonly rest: Point;
+  /** Where it is held [m]. */
+  readonly target: Point;
 }
 
 /** The same cloth beside itself, on the right of a divider. */
@@ -27,7 +37,7 @@ export interface Comparison {
 
 /** A scene as it is. */
 export function plain(scene: string, view: View): PageState {
-  return { scene, nodes: null, set: {}, view, camera: null, compare: null };
+  return { scene, nodes: null, set: {}, view, camera: null, pins: [], compare: null };
 }
 
 /** With a key changed; null: as the scene has it. */

@@ -3,13 +3,13 @@
 import { VIEWS, type Camera, type Schema, type View } from "weft-cloth";
 import { COMPARED, MIDDLE, NODES, withOther } from "./comparison.js";
 import { parsed, parsedBy } from "./limits.js";
-import { plain, type Comparison, type PageState, type Value } from "./page_state.js";
+import { plain, type Comparison, type PageState, type PinPlace, type Value } from "./page_state.js";
 import { KEYS, SOLVER } from "./parameters.js";
 import { Refusals } from "./refusals.js";
 
 const VERSION = "1";
 const DIGITS = 4; // of a camera's coordinates, in metres
-const BETWEEN = ":"; // parts of a comparison
+const BETWEEN = ":"; // parts of a comparison, and pins
 const DIVIDER: Schema = { type: "integer", minimum: 0, maximum: 100, description: "Of its way, from the left [%]." };
 
 /** What may be asked for, beside keys of a scene. */
@@ -21,6 +21,7 @@ export interface Offer {
   readonly view: View;
   /** The most nodes along a side. */
   readonly mostNodes: number;
+  readonly mostPins: number;
 }
 
 export interface Asked {
@@ -62,7 +63,7 @@ export function read(address: string, offer: Offer): Asked {
   if (asked.has("view") && !shownView) refuse("view", `be one of ${VIEWS.join(", ")}`);
   return {
     state: { ...state, set, view: shownView ?? view, camera: cameraOf(asked, offer.schema, refuse),
-      compare: comparisonOf(asked, offer, refusals) },
+      pins: pinsOf(asked, offer, refusals), compare: comparisonOf(asked, offer, refusals) },
     refused: refusals.sentence,
   };
 }
@@ -70,6 +71,23 @@ export function read(address: string, offer: Offer): Asked {
 function parsedValue({ schema, solvers, mostNodes }: Offer, key: string, text: string) {
   if (key === NODES) return parsedBy({ type: "integer", minimum: 2, maximum: mostNodes }, text);
   return key === SOLVER ? parsedBy({ enum: solvers }, text) : parsed(schema, key, text);
+}
+
+/** Of pins=0.5,0,0,0.5,0.2,0.1 what is good: six numbers each, the place at rest and where it is held. */
+function pinsOf(asked: URLSearchParams, { schema, mostPins }: Offer, refusals: Refusals): PinPlace[] {
+  const text = asked.get("pins");
+  const found = (text === null ? [] : text.split(BETWEEN)).flatMap((pin): PinPlace[] => {
+    const numbers = pin.split(",");
+    const [rest, target] = [numbers.slice(0, 3), numbers.slice(3)].map((three) =>
+      parsed(schema, "camera.eye", three.join())
+    );
+    if (rest && target && "value" in rest && "value" in target)
+      return [{ rest: rest.value, target: target.value } as PinPlace];
+    refusals.add("a pin", pin, "be six numbers [m]: its place on the cloth at rest, and where it is held");
+    return [];
+  });
+  if (found.length > mostPins) refusals.add("pins", text ?? "", `be at most ${mostPins}`);
+  return found.slice(0, mostPins);
 }
 
 /** Of compare=solver.kind=vbd:nodes=32&divider=30 what is good. */
@@ -112,7 +130,7 @@ function cameraOf(asked: URLSearchParams, schema: Schema, refuse: (name: string,
 const point = (values: readonly number[]): string => values.map((value) => Number(value.toFixed(DIGITS))).join();
 
 /** `usual`: the view that goes without saying. */
-export function write({ scene, nodes, set, view, camera, compare }: PageState, usual: View): string {
+export function write({ scene, nodes, set, view, camera, pins, compare }: PageState, usual: View): string {
   const parts = [`v=${VERSION}`, `scene=${encodeURIComponent(scene)}`];
   if (nodes !== null) parts.push(`nodes=${nodes}`);
   for (const key of KEYS) if (set[key] !== undefined) parts.push(`${key}=${String(set[key])}`);
@@ -120,6 +138,8 @@ export function write({ scene, nodes, set, view, camera, compare }: PageState, u
   if (camera)
     parts.push(`eye=${point(camera.eye)}`, `target=${point(camera.target)}`,
       `fov=${Number(camera.fov.toFixed(DIGITS))}`);
+  if (pins.length > 0)
+    parts.push(`pins=${pins.map(({ rest, target }) => `${point(rest)},${point(target)}`).join(BETWEEN)}`);
   if (compare) {
     const other = Object.entries(compare.other).map(([key, value]) => `${key}=${String(value)}`);
     parts.push(`compare=${other.join(BETWEEN)}`);
