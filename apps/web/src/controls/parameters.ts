@@ -83,8 +83,10 @@ export class Parameters {
   }
 
   private resetGroup({ live, parameters }: Group): void {
-    if (live) { for (const { key } of parameters) this.player.setLive(key, null); }
-    else this.open(parameters.reduce((state, { key }) => withKey(state, key, null), this.player.noteCamera()));
+    if (live) {
+      const { set } = this.player.state; // what is not in it, the scene may have no place for
+      for (const { key } of parameters) if (key in set) this.player.setLive(key, null);
+    } else this.open(parameters.reduce((state, { key }) => withKey(state, key, null), this.player.noteCamera()));
   }
 
   private look({ key, label }: Parameter) {
