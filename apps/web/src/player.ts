@@ -56,7 +56,7 @@ export class Player {
   readonly beside: Beside;
   private preparing = false; // the other side
   private readonly latest = new Map<string, Latest<LiveChange>>(); // by key
-  private home: Camera | null = null; // the camera that the scene came with
+  private home_: Camera | null = null; // the camera that the scene came with
   private turn: Promise<void> = Promise.resolve(); // loading and recovery, one after the other
   private newest = 0;
   private recovering = false;
@@ -86,6 +86,10 @@ export class Player {
   /** What is shown; while another scene loads, what was shown before. */
   get state(): PageState {
     return this.state_;
+  }
+  /** The camera that the scene came with. */
+  get home(): Camera | null {
+    return this.home_;
   }
   /** What the world holds. */
   get loaded(): LoadedScene | null {
@@ -142,7 +146,7 @@ export class Player {
     const world = this.open_!;
     await this.fit(world);
     await idle(world);
-    this.home = world.camera;
+    this.home_ = world.camera;
     if (asked.camera) world.camera = asked.camera;
     const view = world.view === asked.view ? asked.view : await this.viewFor(world, asked.view);
     const { held, fault } = await hold(world, asked.pins);
@@ -372,7 +376,7 @@ export class Player {
     const world = this.live;
     if (world && !world.busy && !world.stopped) {
       const { camera } = world;
-      this.change({ ...this.state_, camera: this.home && near(camera, this.home) ? null : camera });
+      this.change({ ...this.state_, camera: this.home_ && near(camera, this.home_) ? null : camera });
     }
     return this.state_;
   }

@@ -83,6 +83,50 @@ test("looks, colour, materials and light change the picture and leave the runnin
   expect(await page.locator("#notice").isVisible()).toBe(false);
 });
 
+test("the sun goes where two angles put it, from where it stands, and its place stands in the address", async () => {
+  const page = await open("?scene=drape-sphere&nodes=16");
+  await closeNotice(page);
+  await page.evaluate(() => window.weft.world!.step(3));
+  const [state, first] = [await hash(page), await shown(page)];
+  const [azimuth, elevation] = [choice(page, "Azimuth"), choice(page, "Elevation")];
+  const at = async () => [Number(await azimuth.inputValue()), Number(await elevation.inputValue())] as const;
+  const direction = async () => (await set(page))["render.light.direction"] as number[] | undefined;
+  // What the sliders show is where it stands: said, it is the same picture but for a rounding to whole degrees.
+  const [around, above] = await at();
+  expect(above).toBe(44); // atan(0.9 / hypot(0.85, 0.4)) is 43.8°
+  await elevation.fill(String(above + 1));
+  await elevation.fill(String(above));
+  await until("it is said", async () => (await direction()) !== undefined);
+  const [a, e] = [around, above].map((degrees) => degrees * Math.PI / 180) as [number, number];
+  const said = (await direction())!;
+  [Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)].forEach((x, i) =>
+    expect(said[i]).toBeCloseTo(x, 3)
+  );
+  expect(difference(await shown(page), first)).toBeLessThan(0.005);
+
+  await azimuth.focus();
+  const turned = around > 60 ? around - 120 : around + 120;
+  await azimuth.fill(String(turned));
+  const other = await changed(page, first, 0.02);
+  expect(await hash(page)).toBe(state);
+  await until("the address has it",
+    async () => new URL(page.url()).searchParams.get("render.light.direction") === (await direction())!.join());
+  await page.reload();
+  await ready(page);
+  await closeNotice(page);
+  await page.evaluate(() => window.weft.world!.step(3));
+  expect(difference(await shown(page), other)).toBeLessThan(0.001);
+  expect(await at()).toEqual([turned, above]);
+
+  await elevation.fill("90");
+  await until("it is overhead", async () => String(await direction()) === "0,1,0");
+  expect(await at()).toEqual([turned, 90]); // where it was around is still there to come back to
+  await page.getByRole("button", { name: "Reset look and light" }).click();
+  await becomes(page, {});
+  expect(await at()).toEqual([around, above]);
+  await until("the picture is the scene's again", async () => difference(await shown(page), first) < 0.001);
+});
+
 test("a fabric by name replaces springs, mass and method, and brings its look unless one was chosen", async () => {
   const page = await open("?scene=breeze&nodes=16&cloths.0.stiffness.shear=30");
   expect((await info(page)).springs).toBeGreaterThan(0);
@@ -142,9 +186,10 @@ test("obstacles are called what they are, and a scene without any is asked for n
     page.locator("#group-look label").evaluateAll((all) =>
       all.filter((one) => (one as HTMLElement).offsetParent !== null).map((one) => one.textContent)
     );
-  expect(await labels()).toEqual(["Look", "Colour", "Floor", "Ball 1", "Ball 2", "Ball 3", "Light", "Softness"]);
+  expect(await labels()).toEqual(["Look", "Colour", "Floor", "Ball 1", "Ball 2", "Ball 3", "Light", "Softness",
+    "Azimuth", "Elevation"]);
   await page.locator("#scene").selectOption("hanging");
-  await until("it hangs", async () => (await labels()).join() === "Look,Colour,Light,Softness");
+  await until("it hangs", async () => (await labels()).join() === "Look,Colour,Light,Softness,Azimuth,Elevation");
 });
 
 test("on a phone the choices are reached by touch and by keys, and axe finds nothing", async () => {

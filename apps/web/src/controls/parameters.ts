@@ -6,8 +6,9 @@ import type { LoadedScene } from "../scenes.js";
 import { blowing, headingOf, scaled, type Vector } from "../state/air.js";
 import { choicesOf, meaningOf, parsed, rangeOf, unitOf } from "../state/limits.js";
 import { withKey, type PageState, type Value } from "../state/page_state.js";
-import { AIR, applies, COLOR, DRAG, FABRIC, GRAVITY, GROUPS, LOOK, WIND, withChoice, type Group,
+import { AIR, applies, COLOR, DRAG, FABRIC, GRAVITY, GROUPS, LOOK, SUN, WIND, withChoice, type Group,
   type Parameter } from "../state/parameters.js";
+import { azimuthOf, besideCamera, elevationOf, shining } from "../state/sun.js";
 import { Choice, ColorField, spoken } from "./choices.js";
 import { NumberField, Slider } from "./fields.js";
 
@@ -78,6 +79,7 @@ export class Parameters {
 
   private field(parameter: Parameter, live: boolean): Field {
     if (parameter.key === COLOR) return this.colorField(parameter);
+    if (parameter.key === SUN) return this.sunField();
     if (!rangeOf(schemaOf(this.schema, parameter.key) ?? {})) return this.choiceField(parameter, live);
     return live ? this.liveField(parameter) : this.numberField(parameter);
   }
@@ -123,6 +125,26 @@ export class Parameters {
     };
     return { key, rows: [field.row], show, enable: (on) => {
       field.disabled = !on;
+    } };
+  }
+
+  /** The sun, or the studio's key light, by two angles. */
+  private sunField(): Field {
+    const set = () => this.player.setLive(SUN, shining(azimuth.value, elevation.value));
+    const azimuth = new Slider({ label: "Azimuth", unit: "°", step: 1,
+      hint: "Where the sun or the key light is, about the vertical: 90° is along x." }, set);
+    const elevation = new Slider({ label: "Elevation", unit: "°", step: 1,
+      hint: "How high the sun or the key light stands above the horizon." }, set);
+    const show = (_: LoadedScene, value: unknown) => {
+      const { home } = this.player;
+      const to = (value as Vector | null | undefined) ?? (home && besideCamera(home));
+      if (!to) return;
+      const high = elevationOf(to);
+      elevation.show(high, Math.min(0, high), 90);
+      if (high < 90 || azimuth.value === 0) azimuth.show(azimuthOf(to), -180, 180); // overhead there is none to show
+    };
+    return { key: SUN, rows: [azimuth.row, elevation.row], show, enable: (on) => {
+      azimuth.disabled = elevation.disabled = !on;
     } };
   }
 

@@ -1,5 +1,5 @@
-// The keys of a scene that the page lets change, which are those of the window of `weft view`. Limits, units and what
-// they mean come from the core's schema.
+// The keys of a scene that the page lets change, which are those of the window of `weft view`, and the sun's direction.
+// Limits, units and what they mean come from the core's schema.
 import type { Catalog } from "weft-cloth";
 import list from "../../../shared/parameters.json";
 import type { LoadedScene } from "../scenes.js";
@@ -37,11 +37,17 @@ const NODE_MASS = "cloths.0.node_mass";
 export const FABRIC = "cloths.0.fabric";
 export const LOOK = "cloths.0.look";
 export const COLOR = "cloths.0.color";
+export const SUN = "render.light.direction";
 const CLOTH = "cloths.0";
 const COLLIDER = /^(colliders\.\d+)\.material$/;
 const SPRINGS = ["cloths.0.stiffness.", "cloths.0.damping"];
 
-export const GROUPS: readonly Group[] = list.groups;
+/** Of the page alone, as the window has no field for a direction. */
+const PAGE_ONLY: Readonly<Record<string, readonly Parameter[]>> = { look: [{ key: SUN, label: "Sun" }] };
+
+export const GROUPS: readonly Group[] = list.groups.map((group: Group) => ({ ...group,
+  parameters: [...group.parameters, ...(PAGE_ONLY[group.name] ?? [])] })
+);
 
 /** What solver.kind may be. */
 export const solversOf = ({ methods }: Catalog): string[] => ["auto", ...methods.map(({ kind }) => kind)];
