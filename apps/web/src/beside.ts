@@ -61,17 +61,22 @@ export class Beside {
     const canvas = document.createElement("canvas");
     [canvas.width, canvas.height] = [this.own.width, this.own.height];
     const right = await createWorld({ scene: scene.json, meshes: scene.meshes, set: scene.set, canvas, view });
-    const { substeps, frameSeconds } = right.info;
-    if (substeps > scene.mostSubsteps) {
+    try {
+      const { substeps } = right.info;
+      if (substeps > scene.mostSubsteps)
+        throw new Error(`It needs ${substeps} steps a frame, more than the page's limit of ${scene.mostSubsteps}.`);
+      const { width, height } = this.own; // it may have changed since
+      if (canvas.width !== width || canvas.height !== height) await right.resize(width, height);
+    } catch (reason) {
       right.dispose();
-      throw new Error(`It needs ${substeps} steps a frame, more than the page's limit of ${scene.mostSubsteps}.`);
+      throw reason;
     }
     this.close();
     right.on("error", (reason) => {
       if (this.pair?.right === right) this.events.rightFailed(reason);
     });
     this.pair = { left, right, scene, canvas };
-    this.rounds.begin(frameSeconds);
+    this.rounds.begin(right.info.frameSeconds);
     this.place.replaceChildren(canvas);
     this.followCamera();
   }

@@ -1,14 +1,14 @@
 // The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
 import { createWorld, WeftError, type Camera, type Catalog, type OpenedState, type Pick, type Statistics, type View,
   type World, type WorldInfo } from "weft-cloth";
-import { Beside, isDiverged } from "./beside.js";
+import type { Beside } from "./beside.js";
+import { Comparer } from "./comparer.js";
 import { fitCamera, idle } from "./fit_camera.js";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
 import { hold, type HeldPin } from "./pin_places.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
 import { sentence } from "./sentence.js";
-import { rightOf } from "./state/comparison.js";
 import { equal, withKey, type Comparison, type PageState, type PinPlace, type Value } from "./state/page_state.js";
 import { isLive } from "./state/parameters.js";
 import { tell } from "./tell.js";
@@ -53,8 +53,7 @@ export class Player {
   private wantsToPlay = false;
   private hidden = false;
   private state_: PageState;
-  readonly beside: Beside;
-  private preparing = false; // the other side
+  private readonly comparer: Comparer;
   private readonly latest = new Map<string, Latest<LiveChange>>(); // by key
   private home_: Camera | null = null; // the camera that the scene came with
   private turn: Promise<void> = Promise.resolve(); // loading and recovery, one after the other
@@ -66,8 +65,16 @@ export class Player {
   constructor(private readonly canvas: HTMLCanvasElement, private readonly offers: Catalog,
     private readonly limits: Limits, first: PageState, private readonly events: PlayerEvents) {
     this.state_ = first;
-    this.beside = new Beside(canvas, { leftFailed: (reason) => void this.fail(reason),
-      rightFailed: (reason) => this.failBeside(reason) });
+    this.comparer = new Comparer(canvas, offers, limits, {
+      shown: this,
+      change: (state) => this.change(state),
+      follow: () => this.follow(),
+      restart: () => this.restart(),
+      pause: () => {
+        if (this.wantsToPlay) this.play(false);
+      },
+      failed: (reason) => void this.fail(reason),
+    }, events);
   }
 
   get world(): World | null {
@@ -86,6 +93,10 @@ export class Player {
   /** What is shown; while another scene loads, what was shown before. */
   get state(): PageState {
     return this.state_;
+  }
+  /** The other side of a comparison. */
+  get beside(): Beside {
+    return this.comparer.beside;
   }
   /** The camera that the scene came with. */
   get home(): Camera | null {
@@ -128,7 +139,7 @@ export class Player {
   private async load(scene: LoadedScene): Promise<void> {
     const options = { scene: scene.json, meshes: scene.meshes, set: scene.set };
     this.scene = null;
-    this.closeBeside();
+    this.comparer.close();
     this.open_?.pause();
     if (this.open_?.stopped) this.discard();
     if (this.open_) await this.open_.load(scene.json, options);
@@ -158,7 +169,7 @@ export class Player {
     this.events.held(held);
     this.events.changed(state);
     if (fault !== null) this.events.said(`A pin could not be set again. ${fault}`);
-    if (state.compare) await this.openBeside(state.compare);
+    if (state.compare) await this.comparer.open(state.compare);
     this.follow();
   }
 
@@ -169,8 +180,8 @@ export class Player {
     const number = ++this.newest;
     return this.inTurn(async () => {
       if (number !== this.newest) return;
-      if (wanted) await this.openBeside(wanted);
-      else this.endComparison();
+      if (wanted) await this.comparer.open(wanted);
+      else this.comparer.end();
       this.follow();
     });
   }
@@ -179,54 +190,6 @@ export class Player {
   divide(divider: number): void {
     const { compare } = this.state_;
     if (compare) this.change({ ...this.state_, compare: { ...compare, divider } });
-  }
-
-  private async openBeside(compare: Comparison): Promise<void> {
-    const { live, scene } = this;
-    if (!live || !scene) return;
-    this.preparing = true;
-    this.follow();
-    this.events.preparing("Preparing the other side …");
-    try {
-      const right = await fetchScene(rightOf({ ...this.state_, compare }, scene), this.offers);
-      checkRoom([scene, right], this.limits);
-      await this.beside.open(live, right, this.state_.view);
-      this.change({ ...this.state_, compare });
-      const now = () => rightOf(this.state_, scene).set; // with what has been changed meanwhile
-      await this.beside.tell(now, Object.keys({ ...right.state.set, ...now() }).filter(isLive));
-      const { pins } = this.state_;
-      await this.reset();
-      await this.pinAgain(pins);
-    } catch (reason) {
-      this.events.failed(`The other side cannot be shown. ${sentence(reason)}`);
-      if (!this.beside.world) this.change({ ...this.state_, compare: null });
-    } finally {
-      this.preparing = false;
-      this.events.preparing(null);
-      this.events.compared();
-    }
-  }
-
-  /** The world is not compared any more; the state may say that it will be again. */
-  private closeBeside(): void {
-    if (!this.beside.world) return;
-    this.beside.close();
-    this.events.compared();
-  }
-
-  private endComparison(): void {
-    this.change({ ...this.state_, compare: null });
-    this.closeBeside();
-  }
-
-  private failBeside(reason: unknown): void {
-    if (isDiverged(reason)) {
-      if (this.wantsToPlay) this.play(false);
-    } else {
-      this.endComparison();
-      this.follow();
-    }
-    this.events.failed(`On the right: ${sentence(reason)}`);
   }
 
   /** The view that is asked for; where the scene has nothing to show in it, the world's. */
@@ -260,7 +223,7 @@ export class Player {
   }
 
   private discard(): void {
-    this.closeBeside();
+    this.comparer.close();
     this.open_?.dispose();
     this.open_ = null;
     this.scene = null;
@@ -282,7 +245,7 @@ export class Player {
   }
 
   private follow(): void {
-    const goes = this.live !== null && this.wantsToPlay && !this.hidden && !this.preparing;
+    const goes = this.live !== null && this.wantsToPlay && !this.hidden && !this.comparer.preparing;
     const compared = this.beside.world !== null;
     this.beside.play(goes && compared);
     if (goes && !compared) this.live?.run();
@@ -331,8 +294,10 @@ export class Player {
     if (this.live) this.change({ ...this.state_, pins });
   }
 
-  /** Holds places of the cloth, which is at rest. */
-  private async pinAgain(pins: readonly PinPlace[]): Promise<void> {
+  /** Begins at rest, where what is pinned now holds again. */
+  private async restart(): Promise<void> {
+    const { pins } = this.state_;
+    await this.reset();
     const held = await this.ask(async (world) => (await hold(world, pins)).held) ?? [];
     this.events.held(held);
     this.notePins(placesOf(held));
@@ -367,7 +332,7 @@ export class Player {
   private async carryOut(key: string, { scene, before }: LiveChange): Promise<void> {
     if (this.scene !== scene) return; // what was loaded meanwhile has it already, or is another scene
     const done = await this.ask((world) => tell(world, scene, () => this.state_.set, [key]).then(() => true));
-    if (done) await this.beside.tell(() => rightOf(this.state_, scene).set, [key]);
+    if (done) await this.comparer.tell([key]);
     else if (this.scene === scene) this.change(withKey(this.state_, key, before)); // it has been said why
   }
 
@@ -443,7 +408,7 @@ export class Player {
     if (!scene || this.recovering) return; // while a scene is loading, its own failure says it
     this.recovering = true;
     this.scene = null;
-    this.closeBeside();
+    this.comparer.close();
     this.open_?.pause();
     const now = performance.now();
     this.losses = [...this.losses.filter((then) => now - then < LOSSES.within), now];
