@@ -257,11 +257,19 @@ export class Player {
     await this.ask(async (world) => void await (this.beside.world ? this.beside.step() : world.step()));
   }
 
+  /** Back to rest, and all pins go. Where a comparison is being made, once it is: that begins at rest too. */
   async reset(): Promise<void> {
+    if (!this.live) return;
+    await this.inTurn(async () => {
+      if (await this.rest()) this.notePins([]);
+    });
+  }
+
+  /** Whether all that is shown is at rest now, and nothing of it is grabbed. */
+  private async rest(): Promise<boolean> {
     const done = await this.ask((world) => (this.beside.world ? this.beside : world).reset().then(() => true));
-    if (!done) return;
-    this.events.rested();
-    this.notePins([]);
+    if (done) this.events.rested();
+    return done ?? false;
   }
 
   /** Goes on from a saved state, playing or not. Why not, where it does not fit: then all stays as it was. */
@@ -296,9 +304,8 @@ export class Player {
 
   /** Begins at rest, where what is pinned now holds again. */
   private async restart(): Promise<void> {
-    const { pins } = this.state_;
-    await this.reset();
-    const held = await this.ask(async (world) => (await hold(world, pins)).held) ?? [];
+    if (!(await this.rest())) return;
+    const held = await this.ask(async (world) => (await hold(world, this.state_.pins)).held) ?? [];
     this.events.held(held);
     this.notePins(placesOf(held));
   }
