@@ -44,12 +44,9 @@ fn mixed(pairs_own : Outward, direction : vec3f, way : f32) -> Outward {
 // A round obstacle presses a vertex away from its axis, in the direction that the vertex will have: equation (11b).
 fn turned(pairs_own : Outward, ids : vec4u, place : vec3f, moved : vec3f) -> Outward {
   let from_a = is_collider(ids.x);
-  var first = select(ids.z, ids.x, from_a);  // the ends of its axis
-  var second = select(ids.w, ids.x, from_a);
-  if (is_shape_pair(ids)) {
-    first = ids.y;
-    second = select(ids.y, ids.z, is_collider(ids.z));
-  }
+  let of_ball = is_shape_pair(ids);
+  let first = select(select(ids.z, ids.x, from_a), ids.y, of_ball);  // the ends of its axis
+  let second = select(select(ids.w, ids.x, from_a), ids.y, of_ball);
   let before = arm_of(start_of(first).xyz, start_of(second).xyz, place);
   let arm = arm_of(end_of(first).xyz, end_of(second).xyz, place + moved);
   let size = length(arm);
@@ -80,6 +77,8 @@ fn press(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) gro
     if (is_self_pair(ids) || is_crossing(ids)) { continue; }
     let measured = measure(ids, listed[pair].words.w);
     if (!measured.counts) { continue; }
+    // Edges over a capsule press both their vertices, each along its own direction.
+    if (is_shape_pair(ids) && is_collider(ids.z)) { continue; }
     let weights = weights_of(ids, measured.s, measured.t);
     let r = relative_velocity(ids, weights, measured);
     let way = step.time.dt * dot(measured.normal, r.velocity + r.surface);

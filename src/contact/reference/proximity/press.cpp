@@ -57,6 +57,8 @@ std::vector<Press> presses_of(std::span<const NearPair> pairs, std::span<const V
   std::vector<Press> presses(velocity.size());
   for (const NearPair& pair : pairs) {
     if (!pair.with_body || !pair.may || pair.untangles) continue;
+    // Edges over a capsule press both their nodes, each along its own direction.
+    if (pair.round && pair.node_count == 1 && pair.round->start[0] != pair.round->start[1]) continue;
     const double way = dt * dot(pair.direction, relative_velocity(pair, velocity));
     if (!(pair.distance + std::min(way, 0.0) < kContactTouching * pair.thickness)) continue;
     const double missing = pair.thickness - pair.distance, most = kMostLack * pair.thickness;

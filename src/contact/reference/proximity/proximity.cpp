@@ -344,9 +344,10 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   double travel = 0;
   for (std::size_t i = 0; i < nodes.position.size(); ++i)
     travel = std::max(travel, length(nodes.position[i] - nodes.previous[i]));
-  // An impulse may make a node faster than any was: this much more is listed for, and none goes further.
-  const double most = travel + 0.5 * thickness_;
+  // An impulse may make a node faster than any was, or as fast as an obstacle: this much more is listed for, and none
+  // goes further.
   const double obstacle_travel = move_obstacles(begin, dt);
+  const double most = std::max(travel, obstacle_travel) + 0.5 * thickness_;
   std::vector<FeaturePair> pairs = listed(most, travel, obstacle_travel);
   const TangledSurfaces cloth{cloth_, cloth_facts_}, object{object_, object_facts_};
   // Without crossings, only features that come near can cross.
