@@ -37,6 +37,7 @@ MOMENTS = {
     "pull-armadillo": 45,
     "pull-dragon": 25,
     "pull-sphere": 45,
+    "sewn-dress": 140,
     "sheet": 40,
     "shot": 45,
     "stack": 16,

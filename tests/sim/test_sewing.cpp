@@ -129,6 +129,31 @@ TEST_CASE("panels about a capsule are sewn on: no seam is open, and nothing is p
   CHECK(deepest == 0);
 }
 
+TEST_CASE("long: the dress of scenes/sewn-dress.json is sewn at all its seams, and stays on") {
+  GpuFixture fixture;
+  std::size_t crossed = 0, entered = 0;
+  int frame = 0;
+  auto world = sewn_on(
+      fixture.device(), world_of(fixture.device(), shipped_scene("sewn-dress")), 170, [&](sim::World& now) {
+        if (++frame % 10 != 0) return;
+        const Moment at(now);
+        const mesh::TriangleMesh& person = now.assets().objects[0];
+        const std::vector<Vec3d> corners = reference::widened(person.positions);
+        crossed += crossings_of(now);
+        entered +=
+            reference::crossings({at.position, now.model().host.triangles}, {corners, person.triangles})
+                .size();
+      });
+  CHECK(world->sewing().sewn() == 30);
+  CHECK(crossed == 0);
+  CHECK(entered == 0);
+  const Moment end(*world);
+  CHECK(std::max_element(end.position.begin(), end.position.end(), [](const Vec3d& a, const Vec3d& b) {
+          return a.y < b.y;
+        })->y > 1.44);  // the hands have let go at 1.8 s: it hangs on the shoulders
+  CHECK(end.largest_speed() < 0.5);
+}
+
 TEST_CASE("long: a world that is being sewn goes on from its bytes to the bits of one that never stopped") {
   GpuFixture fixture;
   for (const std::string solver : {"mass_spring", "multigrid"}) {
