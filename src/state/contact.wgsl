@@ -56,6 +56,10 @@ fn is_self_pair(ids : vec4u) -> bool { return ((ids.x | ids.z | ids.y) & kCollid
 fn is_of_two_cloths(contact : Contact) -> bool {
   return is_self_pair(contact.ids) && (is_crossing(contact.ids) || (contact.other_end & kOfOneCloth) == 0u);
 }
+// Of a pair with a collider, the first of its points there.
+fn collider_of(ids : vec4u) -> u32 {
+  return select(select(ids.z, ids.x, is_collider(ids.x)), ids.y, is_shape_pair(ids));
+}
 // The roles that are there: a pair with a plane or a ball has two, with a capsule three.
 fn role_count(ids : vec4u) -> u32 { return select(4u, select(2u, 3u, is_collider(ids.z)), is_shape_pair(ids)); }
 // Roles below this are on side A.

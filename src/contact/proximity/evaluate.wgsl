@@ -55,7 +55,7 @@ struct Body {
 fn body_of(ids : vec4u, w : vec4f) -> Body {
   var body = Body(false, 0u, 0u, vec3f(0.0));
   if (!kRigid || is_crossing(ids) || is_plane_pair(ids)) { return body; }
-  let point = select(select(ids.z, ids.x, is_collider(ids.x)), ids.y, is_shape_pair(ids));
+  let point = collider_of(ids);
   if (!is_collider(point)) { return body; }
   body.collider = u32(points[2u * step.contact.point_count + kShapeWords * (point & kIdBits) + 1u].w);
   body.words = kRigidWords * body.collider;

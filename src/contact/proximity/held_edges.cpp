@@ -2,13 +2,12 @@
 
 namespace weft::contact {
 
-Result<HeldEdges> HeldEdges::create(gpu::Device& device, const YieldingEdges& yielding,
+Result<HeldEdges> HeldEdges::create(gpu::Device& device, std::span<const mesh::Edge> yielding, double time,
                                     std::uint32_t workgroup_size) {
   HeldEdges made;
-  if (yielding.edges.empty()) return made;
-  const std::vector<gpu::Constant> constants{{"kYielding", yielding.time}};
-  WEFT_TRY(edges, gpu::Buffer<mesh::Edge>::create_from(device, yielding.edges, "edges beside held ways"));
-  made.edges_ = std::move(edges);
+  if (yielding.empty()) return made;
+  const std::vector<gpu::Constant> constants{{"kYielding", time}};
+  WEFT_SET(made.edges_, gpu::Buffer<mesh::Edge>::create_from(device, yielding, "edges beside held ways"));
   WEFT_SET(made.ask_, RoundKernel::create(device, "contact/proximity/shorten_edges.wgsl", constants,
                                           shortening_rounds(), workgroup_size));
   WEFT_SET(made.shorten_, RoundKernel::create(device, "contact/proximity/shorten_ways.wgsl", {},

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "contact/proximity/round_kernel.hpp"
-#include "contact/rules/yielding_edges.hpp"
+#include "mesh/adjacency.hpp"
 #include "state/contact_pairs.hpp"
 #include "state/state.hpp"
 
@@ -17,7 +18,8 @@ namespace weft::contact {
 class HeldEdges {
  public:
   HeldEdges() = default;
-  static Result<HeldEdges> create(gpu::Device& device, const YieldingEdges& yielding,
+  /// `yielding`: YieldingEdges::edges, `time`: their time [s].
+  static Result<HeldEdges> create(gpu::Device& device, std::span<const mesh::Edge> yielding, double time,
                                   std::uint32_t workgroup_size);
   /// Takes over lists, at first or with other room. Errors  OutOfMemory.
   Result<void> bind(const State& state, const ContactPairs& pairs);

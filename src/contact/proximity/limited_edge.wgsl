@@ -4,4 +4,3 @@ struct LimitedEdge {
   b : u32,
   longest : f32,  // m
 }
-const kBeyond = 1.001;  // of the limit: an edge that is no longer stays as it is

@@ -77,8 +77,8 @@ fn spare_of(more : f32) -> f32 {
 fn measure(ids : vec4u, sides : u32) -> Measured {
   let p0 = start_of(ids.x);
   let p1 = start_of(ids.y);
-  if (is_shape_pair(ids) && p1.w > 0.0) { return measure_round(ids, p0.xyz, p1); }
   if (is_shape_pair(ids)) {
+    if (p1.w > 0.0) { return measure_round(ids, p0.xyz, p1); }
     let n = points[(ids.y & kIdBits) + 1u].xyz;
     return Measured(0.0, 0.0, true, n, dot(n, p0.xyz - p1.xyz), 0.0, dot(n, p0.xyz));
   }
@@ -97,14 +97,17 @@ fn measure(ids : vec4u, sides : u32) -> Measured {
   var place_a = dot(n, p0.xyz);
   if (edges) { place_a = dot(n, p0.xyz + near.s * (p1.xyz - p0.xyz)); }
   if (radius == 0.0) { return Measured(near.s, near.t, near.inside, n, apart, radius, place_a); }
-  var most_s = max(max(near.s, near.t), 1.0 - near.s - near.t);
-  var ends = min(min(distance(p1.xyz, p0.xyz), distance(p2.xyz, p0.xyz)), distance(p3, p0.xyz));
+  var largest = 0.0;  // of the weights of cloth: 1 at an end
+  var ends = 0.0;     // from the axis to the nearest of them, m
   if (edges) {
-    most_s = max(near.s, 1.0 - near.s);
+    largest = max(near.s, 1.0 - near.s);
     ends = min(distance_to_segment(p0.xyz, p2.xyz, p3), distance_to_segment(p1.xyz, p2.xyz, p3));
+  } else {
+    largest = max(max(near.s, near.t), 1.0 - near.s - near.t);
+    ends = min(min(distance(p1.xyz, p0.xyz), distance(p2.xyz, p0.xyz)), distance(p3, p0.xyz));
   }
   let spare = spare_of(max(0.0, ends - apart));
-  return Measured(near.s, near.t, most_s < 1.0, n, apart - radius + spare, radius, place_a);
+  return Measured(near.s, near.t, largest < 1.0, n, apart - radius + spare, radius, place_a);
 }
 
 // A collider's friction is stored with its points at the end of the substep; negative: it has none of its own.

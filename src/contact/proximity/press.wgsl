@@ -43,10 +43,8 @@ fn mixed(pairs_own : Outward, direction : vec3f, way : f32) -> Outward {
 
 // A round obstacle presses a vertex away from its axis, in the direction that the vertex will have: equation (11b).
 fn turned(pairs_own : Outward, ids : vec4u, place : vec3f, moved : vec3f) -> Outward {
-  let from_a = is_collider(ids.x);
-  let of_ball = is_shape_pair(ids);
-  let first = select(select(ids.z, ids.x, from_a), ids.y, of_ball);  // the ends of its axis
-  let second = select(select(ids.w, ids.x, from_a), ids.y, of_ball);
+  let first = collider_of(ids);  // the ends of its axis
+  let second = select(first, ids.w, is_edge_pair(ids));
   let before = arm_of(start_of(first).xyz, start_of(second).xyz, place);
   let arm = arm_of(end_of(first).xyz, end_of(second).xyz, place + moved);
   let size = length(arm);

@@ -73,11 +73,11 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   // What a rigid body gives to cloth it gets from cloth: a way that is shortened beside another would lose it.
   const YieldingEdges yielding =
       made.rigid_.any() ? YieldingEdges{} : yielding_edges(model.host, wanted.step);
-  WEFT_TRY(
-      respond,
-      Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
-                               contact_iterations(wanted.step), lengths.self_thickness > 0, made.presses_,
-                               wanted.own_pairs, made.rigid_.any(), edges, yielding, wanted.workgroup_size}));
+  WEFT_TRY(respond,
+           Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
+                                    contact_iterations(wanted.step), lengths.self_thickness > 0,
+                                    made.presses_, wanted.own_pairs, made.rigid_.any(), edges, yielding.edges,
+                                    yielding.time, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(device, state, pairs));
   return made;

@@ -19,7 +19,7 @@ fn relative_velocity(ids : vec4u, w : vec4f, measured : Measured) -> Relative {
   }
   if (measured.radius > 0.0) {  // the surface of a ball that turns: its spin is the point after its centre
     let on_a = is_collider(ids.x);
-    let id = select(select(ids.z, ids.x, on_a), ids.y, is_shape_pair(ids)) & kIdBits;
+    let id = collider_of(ids) & kIdBits;
     let arm = select(measured.radius, -measured.radius, on_a) * measured.normal;
     r.surface += select(-1.0, 1.0, on_a) * cross(points[id + 1u].xyz, arm);
   }

@@ -20,7 +20,7 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0},
       move{"kMove", setup.presses && !setup.own_pairs ? 0.0 : 1.0},
       heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0}, rigid{"kRigid", setup.rigid ? 1.0 : 0.0},
-      keeps_lost{"kKeepsLost", setup.yielding.edges.empty() ? 0.0 : 1.0};
+      keeps_lost{"kKeepsLost", setup.yielding.empty() ? 0.0 : 1.0};
   std::vector<Wanted> all = {
       {made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, rigid}},
       {made.respond_,
@@ -61,9 +61,10 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
                                                       made.separation_count_, setup.workgroup_size));
   WEFT_SET(made.edges_,
            EdgeLimits::create(device, setup.edges, made.separation_count_, setup.workgroup_size));
-  WEFT_SET(made.held_edges_, HeldEdges::create(device, setup.yielding, setup.workgroup_size));
-  made.setup_.edges = {};     // the caller's
-  made.setup_.yielding = {};  // on the GPU
+  WEFT_SET(made.held_edges_,
+           HeldEdges::create(device, setup.yielding, setup.yielding_time, setup.workgroup_size));
+  made.setup_.edges = {};  // the caller's
+  made.setup_.yielding = {};
   return made;
 }
 

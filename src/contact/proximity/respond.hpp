@@ -8,7 +8,6 @@
 #include "contact/proximity/held_edges.hpp"
 #include "contact/proximity/rigid_bodies.hpp"
 #include "contact/rules/contact_law.hpp"
-#include "contact/rules/yielding_edges.hpp"
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
 
@@ -25,13 +24,14 @@ class Respond {
   struct Setup {
     std::uint32_t interval = 4;  // substeps from one that may search to the next
     ImpulseRule impulses;
-    std::uint32_t separations = 1;       // rounds; no more than kMostSeparations
-    bool self = false;                   // whether cloth meets cloth
-    bool presses = false;                // a solver's matrix holds vertices at obstacles
-    bool own_pairs = false;              // SolvedContact
-    bool rigid = false;                  // whether there are rigid bodies
-    std::span<const LimitedEdge> edges;  // of cloth with a strain limit
-    YieldingEdges yielding;              // beside ways that are held back; may be none
+    std::uint32_t separations = 1;         // rounds; no more than kMostSeparations
+    bool self = false;                     // whether cloth meets cloth
+    bool presses = false;                  // a solver's matrix holds vertices at obstacles
+    bool own_pairs = false;                // SolvedContact
+    bool rigid = false;                    // whether there are rigid bodies
+    std::span<const LimitedEdge> edges;    // of cloth with a strain limit
+    std::span<const mesh::Edge> yielding;  // beside ways that are held back; may be none
+    double yielding_time = 0;              // YieldingEdges::time [s]
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   };
   Respond() = default;

@@ -8,6 +8,8 @@ struct Round {
   is_last : u32,   // 1: of those that hold back, or of those that shorten ways for edges
 }
 
+const kBeyond = 1.001;  // of what an edge may be: one that is no longer stays as it is
+
 // Of a kernel that asks what there is to do in a round, and of the one that then `acts` on it. The first asks always,
 // another one if there was something to do in the round before it.
 fn round_is_idle(acts : bool) -> bool {

@@ -15,12 +15,11 @@
 @group(0) @binding(5) var<storage, read_write> vertex_contacts : array<atomic<u32>>;
 @group(0) @binding(6) var<storage, read_write> statistics      : array<atomic<u32>>;
 
+override kYielding : f32 = 0.0;  // s: the time in which an edge gives way
+
 fn is_shortened(vertex : u32) -> bool {
   return (atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]) & kCounted) != 0u;
 }
-
-override kYielding : f32 = 0.0;  // s: the time in which an edge gives way
-const kBeyond = 1.001;  // of that length: an edge that is no longer stays as it is
 
 fn lost_way(vertex : u32) -> vec3f {
   let word = kVertexWords * vertex + kLostWord;

@@ -69,9 +69,8 @@ FeaturePair vertex_triangle(PairKind kind, const Features& first, std::uint32_t 
   const auto [b0, b1, b2] = closest.weights;
   FeaturePair pair{kind, vertex, triangle, gap.distance, gap.direction, {1, 0, 0}, {-b0, -b1, -b2}, true};
   if (radius > 0) {
-    double ends = length(first.positions[vertex] - x[face[0]]);
-    for (const std::uint32_t corner : face)
-      ends = std::min(ends, length(first.positions[vertex] - x[corner]));
+    const auto to = [&](std::uint32_t corner) { return length(first.positions[vertex] - x[corner]); };
+    const double ends = std::min({to(face[0]), to(face[1]), to(face[2])});
     pair.distance += spare_of(ends - length(closest.offset), first.most_spare);
     pair.inside = std::max({b0, b1, b2}) < 1;
     return pair;
