@@ -153,7 +153,7 @@ test("the pages lead to each other, and the main page loads nothing of three.js 
   expect(main.filter((address) => address.endsWith(".js")).length).toBeGreaterThan(1);
   for (const file of own) expect(file.includes("WebGLRenderer")).toBe(false);
   expect(own.reduce((sum, file) => sum + gzipSync(file).length, 0)).toBeLessThan(1e6);
-  await page.getByRole("link", { name: "Compare with WebGL and three.js" }).click();
+  await page.getByRole("link", { name: "Speed test" }).click();
   await page.waitForURL(`${here.site.address}compare/`);
   expect(await page.locator("h1").textContent()).toContain("compared");
   expectClean(seen, here.site);

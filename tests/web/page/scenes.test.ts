@@ -76,7 +76,7 @@ test.for(LONG ? SCENES : [])("long: %s is drawn in every window and theme", asyn
     }
 });
 
-test(`${SWITCHES} scene switches leave no elements, listeners or pins behind on the page`, async () => {
+test(`${SWITCHES} switches keep the pin, and leave no elements or listeners behind on the page`, async () => {
   await page.goto(`${here.site.address}?scene=breeze&nodes=8`);
   await ready(page);
   const metrics = await page.context().newCDPSession(page);
@@ -92,14 +92,16 @@ test(`${SWITCHES} scene switches leave no elements, listeners or pins behind on 
     await page.locator("#contact").selectOption(method);
     await until(`contact is ${method}`,
       () => page.evaluate((wanted) => window.weft.state!.set["contact.method"] === wanted, method));
-    await page.keyboard.press("p");
-    await until("a node is pinned", () => page.evaluate(() => window.weft.pins.length === 1));
+    await until("the pin is kept", () => page.evaluate(() => window.weft.pins.length === 1));
   };
   await page.locator("#canvas").focus();
+  await page.keyboard.press("p");
+  await until("a node is pinned", () => page.evaluate(() => window.weft.pins.length === 1));
   for (let i = 0; i < 4; i++) await change(i % 2 ? "none" : "bvh");
   const before = await counts();
   for (let i = 0; i < SWITCHES; i++) await change(i % 2 ? "none" : "bvh");
   const after = await counts();
+  expect(await page.evaluate(() => window.weft.pins.length)).toBe(1);
   expect(after.elements).toBe(before.elements);
   expect(after.listeners).toBeLessThanOrEqual(before.listeners);
   expect(after.nodes).toBeLessThan(before.nodes + SWITCHES); // one a switch would be a leak
