@@ -544,6 +544,10 @@ Json shared_constants() {
       real("kMostSpare", "contact/proximity/measure.wgsl", kMostSpare),
       real("kContactMargin", "contact/proximity/planes.wgsl", kContactMargin),
       real("kContactFloor", "contact/proximity/planes.wgsl", kContactFloor),
+      real("kTurningWay", "contact/proximity/turned_plane.wgsl", kTurningWay),
+      constant("kPlaneRounds", "contact/proximity/before_solids.wgsl", kPlaneRounds),
+      real("kBeyondPlane", "contact/proximity/before_solids.wgsl", kBeyondPlane),
+      real("kStoppedPart", "contact/proximity/before_solids.wgsl", kStoppedPart),
       constant("kLeafTriangles", "contact/proximity/tree.wgsl", contact::kTreeLeafTriangles),
       constant("kTreeArity", "contact/proximity/tree.wgsl", contact::kTreeArity),
   });

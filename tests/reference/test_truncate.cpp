@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -11,6 +12,7 @@
 #include "contact/reference/proximity/obstacles.hpp"
 #include "contact/reference/proximity/separate.hpp"
 #include "contact/reference/proximity/truncate.hpp"
+#include "contact/reference/proximity/turned_plane.hpp"
 #include "mesh/primitives.hpp"
 #include "moved.hpp"
 #include "scene/load.hpp"
@@ -55,7 +57,7 @@ ClothPair above(std::uint32_t a, std::uint32_t b, double middle, double margin) 
 
 }  // namespace
 
-TEST_CASE("a way ends where it meets the first plane of an obstacle, and at its reach") {
+TEST_CASE("a way goes on along the plane of an obstacle, and ends at its reach") {
   const auto cut = [&](std::vector<SolidPlane> planes, Vec3d from, Vec3d to, double reach,
                        double inverse = 1) {
     Moved moved;
@@ -67,7 +69,8 @@ TEST_CASE("a way ends where it meets the first plane of an obstacle, and at its 
   };
   CHECK(cut({}, {0, 0, 0}, {3, 4, 0}, 6).end[0] == Vec3d{3, 4, 0});
   CHECK(cut({}, {0, 0, 0}, {3, 4, 0}, 2.5).end[0] == Vec3d{1.5, 2, 0});
-  CHECK(cut({{0, kUp, 0}, {0, kUp, 0.5}}, {0, 1, 0}, {4, -1, 0}, 9).end[0] == Vec3d{1, 0.5, 0});
+  CHECK(cut({{0, kUp, 0}, {0, kUp, 0.5}}, {0, 1, 0}, {4, -1, 0}, 9).end[0] == Vec3d{4, 0.5, 0});
+  CHECK(cut({{0, kUp, 0}, {0, kUp, 0.5}}, {0, 1, 0}, {4, -1, 0}, 9).velocity[0] == Vec3d{4, -0.5, 0});
   CHECK(cut({{0, kUp, 0}}, {0, 1, 0}, {4, 0.25, 0}, 9).end[0] == Vec3d{4, 0.25, 0});
   // An obstacle that has come past it takes it along, with its own speed and no more.
   const Moved carried = cut({{0, kUp, 2, 0.5}}, {0, 1, 0}, {4, 0.75, 0}, 9);
@@ -75,6 +78,107 @@ TEST_CASE("a way ends where it meets the first plane of an obstacle, and at its 
   CHECK(carried.velocity[0] == Vec3d{4, 0.5, 0});
   CHECK(cut({{0, kUp, 2, 0.5}}, {0, 1, 0}, {0, 1.75, 0}, 9).velocity[0] == Vec3d{0, 0.75, 0});
   CHECK(cut({{0, kUp, 0}}, {0, 1, 0}, {0, -1, 0}, 9, 0).end[0] == Vec3d{0, -1, 0});
+}
+
+TEST_CASE(
+    "a way that several planes bound ends before all of them, and is neither longer nor faster than it was") {
+  Random random(7);
+  int slid = 0, wedged = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const Vec3d start = random_point(random, 1), end = start + 3 * random_point(random, 1);
+    std::vector<SolidPlane> planes;
+    for (std::uint32_t p = 1 + random.below(5); p > 0; --p) {
+      const Vec3d point = random_point(random, 1), normal = (1 / length(point)) * point;
+      planes.push_back({0, normal, dot(normal, start) - 0.5 * random.uniform(0, 1), 0, kNoCollider, 1});
+    }
+    Moved moved;
+    moved.add(start, end);
+    const double reach = 4 * random.uniform(0, 1);
+    moved.cut(planes, {}, reach);
+    const Vec3d &at = moved.end[0], &v = moved.velocity[0];
+    for (const SolidPlane& plane : planes) CHECK(dot(plane.normal, at) > plane.offset - 1.01e-5);
+    CHECK(length(at - start) <= std::min(reach, length(end - start)) + 1e-12);
+    CHECK(length(v) <= length(end - start) + 1e-12);
+    if (planes.size() > 1 || length(end - start) > reach) continue;
+    // Of one plane it keeps all that is along the plane.
+    const Vec3d n = planes[0].normal;
+    const bool past = dot(n, end) < planes[0].offset;
+    const Vec3d along = end - dot(n, end) * n;
+    CHECK(length(at - dot(n, at) * n - along) < 1e-12);
+    CHECK(length(v - dot(n, v) * n - (along - start + dot(n, start) * n)) < 1e-12);
+    ++(past ? slid : wedged);
+  }
+  CHECK(slid > 100);
+  CHECK(wedged > 100);
+}
+
+namespace {
+
+/// Two features that go straight from where they are to where they end: how near they come, of many times.
+double nearest_on_ways(const MovingPair& pair) {
+  double nearest = 1e9;
+  for (int k = 0; k <= 200; ++k) {
+    std::array<Vec3d, 4> at;
+    for (std::size_t c = 0; c < 4; ++c) at[c] = pair.start[c] + (k / 200.0) * (pair.end[c] - pair.start[c]);
+    nearest =
+        std::min(nearest, pair.count_a == 2 ? closest_segments(at[0], at[1], at[2], at[3]).distance
+                                            : length(closest_on_triangle(at[0], at[1], at[2], at[3]).offset));
+  }
+  return nearest;
+}
+
+}  // namespace
+
+TEST_CASE("what ends before its turned plane passes through nothing, also where an obstacle moves") {
+  Random random(11);
+  int turned_planes = 0;
+  for (int k = 0; k < 5'000; ++k) {
+    const TwoSides sides = random_features(random);
+    const std::uint32_t count_a = sides.pair.count_a;
+    const bool cloth_is_a = random.below(2) == 0;
+    const double gap = sides.pair.gap, thickness = gap * (0.5 + random.uniform(0, 1)),
+                 margin = 0.1 * thickness;
+    MovingPair pair{count_a, 4 - count_a, {}, {}};
+    const Vec3d way = 5 * gap * random_point(random, 1), other_way = gap * random_point(random, 1);
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      const bool of_cloth = (c < count_a) == cloth_is_a;
+      pair.start[c] = sides.place[c];
+      pair.end[c] = pair.start[c] + (of_cloth ? way + gap * random_point(random, 1) : other_way);
+    }
+    const Vec3d n = turned_normal(pair, sides.pair.normal, gap, margin);
+    CHECK(std::abs(length(n) - 1) < 1e-12);
+    turned_planes += n != sides.pair.normal;
+    // As the planes of cloth are: before what the other side reaches at the end.
+    const double side = cloth_is_a ? 1 : -1;
+    double reach = -1e9;
+    for (std::uint32_t c = 0; c < 4; ++c)
+      if ((c < count_a) != cloth_is_a) reach = std::max(reach, side * dot(n, pair.end[c]));
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      if ((c < count_a) != cloth_is_a) continue;
+      pair.end[c] += std::max(0.0, reach + margin - side * dot(n, pair.end[c])) * (side * n);
+    }
+    CHECK(nearest_on_ways(pair) > 0.9 * std::min(margin, gap));
+  }
+  CHECK(turned_planes > 1'000);
+}
+
+TEST_CASE("what slides along a flat floor is beyond no plane of its triangles") {
+  Random random(13);
+  for (int k = 0; k < 5'000; ++k) {
+    const double height = 0.2 + random.uniform(0, 1), margin = 0.1 * height;
+    const auto on_floor = [&](double size) {
+      const Vec3d point = random_point(random, size);
+      return Vec3d{point.x, 0, point.z};
+    };
+    MovingPair pair{1, 3, {}, {}};
+    pair.start = {on_floor(6) + height * kUp, on_floor(1), on_floor(1), on_floor(1)};
+    pair.end = pair.start;
+    pair.end[0] = on_floor(6) + height * kUp;
+    const Vec3d offset =
+        closest_on_triangle(pair.start[0], pair.start[1], pair.start[2], pair.start[3]).offset;
+    const Vec3d n = turned_normal(pair, (1 / length(offset)) * offset, length(offset), margin);
+    for (std::uint32_t c = 1; c < 4; ++c) CHECK(dot(n, pair.end[0] - pair.end[c]) >= margin);
+  }
 }
 
 TEST_CASE("nodes that fly together keep their ways, however near they are to each other") {

@@ -6,8 +6,8 @@
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/leave_bodies.wgsl"
-#include "contact/proximity/before_solids.wgsl"
 #include "contact/proximity/reach.wgsl"
+#include "contact/proximity/before_solids.wgsl"
 #include "contact/proximity/schedule_search.wgsl"
 #include "contact/proximity/impulse_moves.wgsl"
 //                                                                                elements          unit
@@ -63,7 +63,7 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
   let start = previous[vertex];
   let inverse_mass = start.w;
   let unhindered = position[vertex].xyz;
-  var way = Way(unhindered, predicted[vertex].xyz, false);
+  var way = Way(unhindered, predicted[vertex].xyz, vec3f(0.0), false);
   if (inverse_mass > 0.0) {
     if (acted_on) {
       let change = vec3f(bitcast<vec3i>(sums[0].yzw) + bitcast<vec3i>(sums[1].xyz)) / kSpeedUnits;
@@ -76,21 +76,20 @@ fn contact_respond(@builtin(global_invocation_id) id : vec3u) {
       way.velocity += change;
       way.position += step.time.dt * change;
     }
-    let wanted = way.position;
     let within = place_within(reach, way.position);  // beyond, it could meet an unlisted feature
     let back = length(within - way.position);
     if (back > 0.0) {
       let n = (within - way.position) / back;
       let slower = min(back / step.time.dt, max(0.0, -dot(n, way.velocity)));  // a push is in no velocity
-      way = Way(within, way.velocity + slower * n, true);
+      way = Way(within, way.velocity + slower * n, -back * n, true);
     }
-    if ((sums[2].z & kBesideSolid) != 0u) { way = before_solids(way, start, records, tight); }
+    if ((sums[2].z & kBesideSolid) != 0u) { way = before_solids(way, start, records, tight, reach); }
     if (way.changed) { atomicAdd(&statistics[kStatTruncated], 1u); }
     let goes_far = length(way.position - start.xyz) > free_way();
     if (goes_far) { atomicStore(&statistics[kStatFarWays], 1u); }
     let held = select(0u, kCounted, way.changed) | select(0u, kFarWay, goes_far);
     if (held != 0u) { vertex_contacts[at + 3u] = vec4u(0u, 0u, held, 0u); }
-    if (kKeepsLost && way.changed) { vertex_contacts[at + 2u] = vec4u(bitcast<vec3u>(wanted - way.position), 0u); }
+    if (kKeepsLost && way.changed) { vertex_contacts[at + 2u] = vec4u(bitcast<vec3u>(way.lost), 0u); }
     position[vertex] = vec4f(way.position, inverse_mass);
   }
   // An impulse breaks the motion that an implicit solver extrapolates (Method::history), so its history is invalid.

@@ -11,7 +11,7 @@
 #include "contact/proximity/rigid_sums.wgsl"
 #include "contact/proximity/planes.wgsl"
 #include "contact/proximity/sides.wgsl"
-#include "contact/proximity/solid_reach.wgsl"
+#include "contact/proximity/turned_plane.wgsl"
 #include "contact/proximity/sums.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             step            : StepBlock;
@@ -194,22 +194,21 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     if (acts && !untangles && !on_face) { acts = lies_in_cones(ids, measured); }
     acts = acts || solved;
     let urgency = urgency_of(gap + min(step.time.dt * speed, 0.0), thickness);
-    let first_b = roles_of_a(ids);
-    let end_b = role_count(ids);
     let solid = solid_side(ids);
     var contact = contacts[number];
     contact.place = vec4f(measured.s, measured.t, measured.place_a, 0.0);
     contact.solid = select(solid, kUntangles, untangles);
     contact.solid_speed = 0.0;
-    if (contact.solid == 2u) {
-      contact.place.w = reach_of(ids, first_b, end_b, 1.0, n, measured.radius);
-      contact.solid_speed = solid_speed(ids, first_b, end_b, w, n, r.surface);
-    } else if (contact.solid == 1u) {
-      contact.place.w = reach_of(ids, 0u, first_b, -1.0, n, measured.radius);
-      contact.solid_speed = solid_speed(ids, 0u, first_b, w, -n, r.surface);
+    var across = n;  // the plane before a solid side
+    if (contact.solid == 1u || contact.solid == 2u) {
+      let side = solid_side_of(ids, contact.solid);
+      let may_turn = !acts && !is_self && gap > 0.0 && measured.radius == 0.0 && !is_shape_pair(ids);
+      if (may_turn) { across = turned_normal(ids, n, gap, thickness); }
+      contact.place.w = reach_of(ids, side.first, side.last, side.toward, across, measured.radius);
+      contact.solid_speed = solid_speed(ids, side.first, side.last, w, side.toward * across, r.surface);
     }
     if (!is_self) { friction = friction_of(ids, friction); }
-    contact.normal = vec4f(n, gap);
+    contact.normal = vec4f(across, gap);
     contact.surface = vec4f(r.surface, friction);
     contact.urgency = select(0.0, f32(urgency), acts);
     let held = acts && !untangles && !is_self && is_held(ids, w, gap, thickness);

@@ -9,7 +9,7 @@
 #include "contact/proximity/meeting.wgsl"
 #include "contact/proximity/rounds.wgsl"
 #include "contact/proximity/slow.wgsl"
-#include "contact/proximity/solid_reach.wgsl"
+#include "contact/proximity/turned_plane.wgsl"
 //                                                                                elements          unit
 @group(0) @binding(0) var<uniform>             this_round      : Round;
 @group(0) @binding(1) var<uniform>             step            : StepBlock;
@@ -36,22 +36,21 @@ fn goes_far(vertex : u32) -> bool {
 // Of a pair with a collider, whose record would hold nothing but for vertices that go far.
 fn end_before_collider(ids : vec4u, words : vec4u) {
   let thickness = bitcast<f32>(words.x);
-  let on_b = is_collider(ids.x);  // where the cloth is
-  let middle = roles_of_a(ids);
-  let first = select(0u, middle, on_b);
-  let end = select(middle, role_count(ids), on_b);
+  let side = solid_side_of(ids, select(2u, 1u, is_collider(ids.x)));
   var is_far = false;
-  for (var role = first; role < end; role++) { is_far = is_far || goes_far(ids[role] & kIdBits); }
+  for (var role = side.cloth_first; role < side.cloth_last; role++) {
+    is_far = is_far || goes_far(ids[role] & kIdBits);
+  }
   if (!is_far) { return; }
   let measured = measure(ids, words.w);
-  let side = select(1.0, -1.0, on_b);
-  let n = measured.normal;
-  let reach = reach_of(ids, select(middle, 0u, on_b), select(role_count(ids), middle, on_b), side, n, measured.radius);
-  for (var role = first; role < end; role++) {
+  var n = measured.normal;
+  if (measured.radius == 0.0 && !is_shape_pair(ids)) { n = turned_normal(ids, n, measured.gap, thickness); }
+  let reach = reach_of(ids, side.first, side.last, side.toward, n, measured.radius);
+  for (var role = side.cloth_first; role < side.cloth_last; role++) {
     let vertex = ids[role] & kIdBits;
-    let then = beyond_solid(side, dot(n, position[vertex].xyz), reach, measured.gap, thickness);
+    let then = beyond_solid(side.toward, dot(n, position[vertex].xyz), reach, measured.gap, thickness);
     if (then <= 0.0 || position[vertex].w == 0.0) { continue; }
-    let now = beyond_solid(side, dot(n, previous[vertex].xyz), reach, measured.gap, thickness);
+    let now = beyond_solid(side.toward, dot(n, previous[vertex].xyz), reach, measured.gap, thickness);
     end_before(vertex, part_before(now, then));
     atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kMarked);
     atomicMax(&statistics[kStatMeeting], this_round.number);

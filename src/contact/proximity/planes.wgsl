@@ -17,10 +17,13 @@ fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {
   let side = select(-1.0, 1.0, role < roles_of_a(contact.ids));
   return beyond_solid(side, dot(contact.normal.xyz, place), contact.place.w, contact.normal.w, contact.thickness);
 }
+// How near to a solid side cloth may come, m.
+fn margin_before_solid(gap : f32, thickness : f32) -> f32 {
+  return max(kContactMargin * min(gap, thickness), kContactFloor * thickness);
+}
 // side: of the place, 1 A, -1 B; along: of the place on the normal; reach: of the solid side at the end; m.
 fn beyond_solid(side : f32, along : f32, reach : f32, gap : f32, thickness : f32) -> f32 {
-  let margin = max(kContactMargin * min(gap, thickness), kContactFloor * thickness);
-  return side * (reach + side * margin - along);
+  return side * (reach + side * margin_before_solid(gap, thickness) - along);
 }
 // The same of the plane half way between two sides of cloth. middle: where that is on the normal, m.
 fn beyond_half(side : f32, along : f32, middle : f32, gap : f32, thickness : f32) -> f32 {

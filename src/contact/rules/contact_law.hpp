@@ -71,6 +71,14 @@ inline constexpr double kContactMargin = 0.05;
 /// The same as a part of the thickness, at least: where features are nearer, f32 does not know the plane well
 /// enough along a whole edge.
 inline constexpr double kContactFloor = 0.1;
+/// Two sides that go less than this part of their distance come to no plane between them.
+inline constexpr double kTurningWay = 0.4;
+/// In so many rounds a way's end is taken out of the planes that it is beyond, the deepest first, and what is then
+/// farther beyond one than this part of the thickness ends before it.
+inline constexpr std::uint32_t kPlaneRounds = 4;
+inline constexpr double kBeyondPlane = 1e-5;
+/// A way is stopped by planes that take more than this part of it; what they take less of goes on along them.
+inline constexpr double kStoppedPart = 0.5;
 
 /// The most of a frame's time that cloth may lose where a substep ends before its time, so that nothing passes through
 /// cloth: docs/contact.md, equation (6h).

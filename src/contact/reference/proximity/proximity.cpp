@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/reference/proximity/audit.hpp"
+#include "contact/reference/proximity/turned_plane.hpp"
 #include "contact/rules/contact_law.hpp"
 #include "contact/rules/rigid_body.hpp"
 #include "mesh/sheet_rim.hpp"
@@ -247,8 +248,25 @@ std::optional<CurvedSurface> Proximity::curved_of(const FeaturePair& pair, const
   return surface;
 }
 
-void Proximity::add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,
-                           std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const {
+Vec3d Proximity::across(const FeaturePair& pair, double thickness, std::span<const Vec3d> expected) const {
+  const Sides sides = sides_of(pair);
+  const Side& obstacle = sides.a.obstacle ? sides.a : sides.b;
+  if (obstacle.count == 0 || object_.radius_of_vertex(obstacle.vertices[0]) > 0) return pair.direction;
+  MovingPair moving{sides.a.count, sides.b.count, {}, {}};
+  std::uint32_t corner = 0;
+  for (const Side* side : {&sides.a, &sides.b})
+    for (std::uint32_t k = 0; k < side->count; ++k, ++corner) {
+      const std::uint32_t vertex = side->vertices[k];
+      moving.start[corner] = side->obstacle ? start_.positions[vertex] : cloth_.positions[vertex];
+      moving.end[corner] = side->obstacle ? end_.positions[vertex] : expected[vertex];
+    }
+  return turned_normal(moving, pair.direction, pair.distance, margin_of(pair.distance, thickness));
+}
+
+void Proximity::add_limits(const FeaturePair& pair, const NearPair& near, bool acts, const Nodes& nodes,
+                           std::span<const Vec3d> expected, double dt, std::vector<SolidPlane>& planes,
+                           std::vector<ClothPair>& cloth) const {
+  const double thickness = near.thickness;
   // Inside a ball or below a plane pushes move it out.
   if (!(pair.distance > 0) || !(thickness > 0)) return;
   const Sides sides = sides_of(pair);
@@ -261,7 +279,8 @@ void Proximity::add_limits(const FeaturePair& pair, double thickness, const Node
     const Side &side = other_is_a ? sides.b : sides.a, &other = other_is_a ? sides.a : sides.b;
     if (side.obstacle || !(other.obstacle || kinematic(other))) continue;
     of_cloth = false;
-    const Vec3d away = other_is_a ? -pair.direction : pair.direction;  // from the other side to this one
+    const Vec3d direction = acts || !other.obstacle ? pair.direction : across(pair, thickness, expected);
+    const Vec3d away = other_is_a ? -direction : direction;  // from the other side to this one
     double offset = 0, speed = 0;
     if (other.obstacle) {
       const Surface surface = surface_of(pair, sides, away, dt);
@@ -277,7 +296,8 @@ void Proximity::add_limits(const FeaturePair& pair, double thickness, const Node
     }
     const std::optional<NearPair::Rigid> rigid = rigid_of(pair, sides);
     for (std::uint32_t k = 0; k < side.count; ++k)
-      planes.push_back({side.vertices[k], away, offset, speed, rigid ? rigid->collider : kNoCollider});
+      planes.push_back({side.vertices[k], away, offset, speed, rigid ? rigid->collider : kNoCollider,
+                        thickness, !other.obstacle});
   }
   if (!of_cloth) return;
   ClothPair both{sides.a.count, sides.b.count, {}, pair.direction};
@@ -371,6 +391,9 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
     near[p].solved = found != nullptr;
     if (found != nullptr) near[p].kept = found->force;
   }
+  std::vector<Vec3d> expected;
+  for (std::size_t i = 0; i < nodes.position.size(); ++i)
+    expected.push_back(nodes.previous[i] + dt * nodes.velocity[i]);
   Response response = respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, impulses_},
                               rigid_.movables());
   kept_.clear();
@@ -389,7 +412,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   std::vector<SolidPlane> planes;
   std::vector<ClothPair> cloth_pairs;
   for (std::size_t p = 0; p < pairs.size(); ++p)
-    add_limits(pairs[p], near[p].thickness, nodes, dt, planes, cloth_pairs);
+    add_limits(pairs[p], near[p], response.acts[p], nodes, expected, dt, planes, cloth_pairs);
   // A truncated vertex has not moved by its velocity. Kept, that velocity feeds the springs: in a pull over a ball at
   // steps so long that contacts go 2 mm each, nodes came to 20 m/s and the energy rose. So it is shortened too.
   const Truncated truncated = truncate(

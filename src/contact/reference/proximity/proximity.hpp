@@ -111,9 +111,13 @@ class Proximity {
   /// Of the mesh of a pair, if it has one that keeps its shape; `surface`: that of its closest point.
   std::optional<CurvedSurface> curved_of(const FeaturePair& pair, const Sides& sides, const Vec3d& velocity,
                                          double dt) const;
-  /// What a pair asks of truncate(): planes of a side that contact cannot move, or a pair of cloth.
-  void add_limits(const FeaturePair& pair, double thickness, const Nodes& nodes, double dt,
-                  std::vector<SolidPlane>& planes, std::vector<ClothPair>& cloth) const;
+  /// What a pair asks of truncate(): planes of a side that contact cannot move, or a pair of cloth. `expected`: where
+  /// nodes end if contact does nothing [m].
+  void add_limits(const FeaturePair& pair, const NearPair& near, bool acts, const Nodes& nodes,
+                  std::span<const Vec3d> expected, double dt, std::vector<SolidPlane>& planes,
+                  std::vector<ClothPair>& cloth) const;
+  /// The direction, from B to A, across which the plane of a pair with an obstacle lies.
+  Vec3d across(const FeaturePair& pair, double thickness, std::span<const Vec3d> expected) const;
   /// Near pairs for nodes that go up to `most` [m] and obstacles that go `obstacle_travel` [m].
   std::vector<FeaturePair> listed(double most, double travel, double obstacle_travel);
   /// Of a pair with a rigid body.

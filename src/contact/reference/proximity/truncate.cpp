@@ -6,6 +6,7 @@
 
 #include "contact/reference/proximity/may_meet.hpp"
 #include "contact/reference/proximity/separate.hpp"
+#include "contact/rules/contact_law.hpp"
 
 namespace weft::reference {
 namespace {
@@ -49,37 +50,17 @@ class Truncation {
   }
 
   void before_solids(double reach) {
-    std::vector<double> part(ways_.end.size(), 1);
-    std::vector<std::size_t> stopped_by(ways_.end.size(), kNoCollider);
-    for (std::size_t node = 0; node < part.size(); ++node) {
-      const double far = length(ways_.end[node] - ways_.start[node]);
-      if (far > reach) part[node] = reach / far;
-    }
-    for (const SolidPlane& plane : planes_) {
-      const double at_start = dot(plane.normal, ways_.start[plane.node]) - plane.offset;
-      const double at_end = dot(plane.normal, ways_.end[plane.node]) - plane.offset;
-      if (!(at_start > 0)) continue;
-      const double before = part_before(at_start, at_end);
-      if (before < part[plane.node]) stopped_by[plane.node] = plane.collider;
-      part[plane.node] = std::min(part[plane.node], before);
-    }
-    for (std::size_t node = 0; node < part.size(); ++node) {
-      const Vec3d before = ways_.velocity[node];
-      shorten(node, part[node]);
-      take(stopped_by[node], node, before);
-    }
-    for (const SolidPlane& plane : planes_) {
-      if (ways_.inverse_mass[plane.node] == 0) continue;
-      const double beyond = plane.offset - dot(plane.normal, ways_.end[plane.node]);
-      // A vertex that was put onto the plane may be a rounding error behind it.
-      if (!(beyond > 0)) continue;
-      Vec3d& velocity = ways_.velocity[plane.node];
-      const Vec3d before = velocity;
-      ways_.end[plane.node] += beyond * plane.normal;
-      lost_[plane.node] -= beyond * plane.normal;
-      velocity += std::max(0.0, plane.speed - dot(plane.normal, velocity)) * plane.normal;
-      take(plane.collider, plane.node, before);
-      changed_[plane.node] = true;
+    std::vector<std::vector<const SolidPlane*>> planes(ways_.end.size());
+    for (const SolidPlane& plane : planes_) planes[plane.node].push_back(&plane);
+    for (std::size_t node = 0; node < planes.size(); ++node) {
+      if (ways_.inverse_mass[node] == 0) continue;
+      end_within(reach, node);
+      const Vec3d wanted = ways_.end[node];
+      leave_planes(planes[node], node, false);
+      const Vec3d taken = wanted - ways_.end[node];
+      if (length(taken) > kStoppedPart * length(wanted - ways_.start[node])) lost_[node] += taken;
+      end_before(planes[node], node);
+      leave_planes(planes[node], node, true);
     }
   }
 
@@ -223,6 +204,52 @@ class Truncation {
   }
 
  private:
+  void end_within(double reach, std::size_t node) {
+    const double far = length(ways_.end[node] - ways_.start[node]);
+    if (far > reach) shorten(node, reach / far);
+  }
+  double beyond(const SolidPlane& plane, const Vec3d& place) const {
+    return plane.offset - dot(plane.normal, place);
+  }
+  /// Takes the end of a way out of planes, the deepest first; out of those before cloth too, or not.
+  void leave_planes(std::span<const SolidPlane* const> planes, std::size_t node, bool of_cloth) {
+    for (std::uint32_t round = 0; round < kPlaneRounds; ++round) {
+      const SolidPlane* deepest = nullptr;
+      double depth = 0;
+      for (const SolidPlane* plane : planes) {
+        const double one = beyond(*plane, ways_.end[node]);
+        if ((of_cloth || !plane->of_cloth) && one > depth) {
+          deepest = plane;
+          depth = one;
+        }
+      }
+      if (deepest == nullptr) return;
+      const SolidPlane& plane = *deepest;
+      changed_[node] = true;
+      Vec3d& velocity = ways_.velocity[node];
+      const Vec3d before = velocity;
+      ways_.end[node] += depth * plane.normal;
+      velocity += std::clamp(plane.speed - dot(plane.normal, velocity), 0.0, depth / ways_.dt) * plane.normal;
+      take(plane.collider, node, before);
+    }
+  }
+  /// Ends a way before the first plane that it would pass.
+  void end_before(std::span<const SolidPlane* const> planes, std::size_t node) {
+    double part = 1;
+    std::size_t stopped_by = kNoCollider;
+    for (const SolidPlane* plane : planes) {
+      const double at_start = -beyond(*plane, ways_.start[node]), past = beyond(*plane, ways_.end[node]);
+      if (!(at_start > 0) || !(past > kBeyondPlane * plane->thickness)) continue;
+      const double before = part_before(at_start, -past);
+      if (before < part) stopped_by = plane->collider;
+      part = std::min(part, before);
+    }
+    if (part == 1) return;
+    const Vec3d before = ways_.velocity[node];
+    shorten(node, part);
+    take(stopped_by, node, before);
+  }
+
   /// The ends of an edge that would end longer than its strain limit, and than it begins, as sides that come no
   /// farther apart: equation (6f).
   std::optional<ClothPair> too_long(const LimitedEdge& edge) const {

@@ -23,6 +23,8 @@ struct SolidPlane {
   double offset = 0;                   // [m]
   double speed = 0;                    // of the obstacle along the normal [m/s]
   std::size_t collider = kNoCollider;  // where it is a rigid body, which
+  double thickness = 0;                // that is kept from the obstacle [m]
+  bool of_cloth = false;               // which the scene pins or moves: a way ends there, and does not go on
 };
 
 /// Two sides of cloth, and the direction that separates them at the start of a substep.
@@ -71,9 +73,9 @@ struct Truncated {
 bool separate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
               const SubstepWays& ways);
 
-/// Ends each way before the planes of obstacles, and no further than `reach` [m]; an obstacle that has come past a
-/// vertex takes it along. Then separates pairs of cloth that may meet, equation (6d), and shortens ways until none can
-/// have met, equations (6) and (6h).
+/// Takes the end of each way out of the planes of obstacles, or ends the way before them, and no further than `reach`
+/// [m]; an obstacle that has come past a vertex takes it along. Then separates pairs of cloth that may meet, equation
+/// (6d), and shortens ways until none can have met, equations (6) and (6h).
 Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair> pairs, double reach,
                    const SubstepWays& ways);
 
